@@ -1,0 +1,13 @@
+# Compile flags that every target gets.
+#
+# The bits of the result are a promise (see core/arith): no contraction of a*b+c to one rounding,
+# no reordering of float sums.
+add_compile_options(-ffp-contract=off -fno-fast-math)
+add_compile_options(-Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wno-psabi)
+if(DDT_WERROR)
+  add_compile_options(-Werror)
+endif()
+
+# -DCMAKE_BUILD_TYPE=Sanitize: address and undefined-behaviour sanitizers for the unit tests.
+set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all")
+set(CMAKE_EXE_LINKER_FLAGS_SANITIZE "-fsanitize=address,undefined")

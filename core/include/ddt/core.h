@@ -1,0 +1,170 @@
+// Enlarging plain float images by data-dependent triangulation.
+//
+// The pixels of an image become the vertices of a triangle mesh; mesh edges are flipped until they
+// run along the image's own edges; the enlarged image is read off the mesh. After Cervenansky,
+// Toth, Starinsky, Ferko, Sramek, "Parallel GPU-based data-dependent triangulations", Computers &
+// Graphics 2010.
+//
+// The result is a function of the pixels and of these options alone: it has the same bits for
+// every number of threads, every instruction set, every part of the output asked for.
+//
+// Nothing here throws; functions that can fail return false and describe why.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace ddt {
+
+/// How much an edge of the mesh costs, from the gradients of the guide in its two triangles.
+/// Formulas and sources are in core/cost/cost.h.
+enum class Cost : uint8_t { abn, scf };
+
+/// Which edges flip, in which order.
+enum class Scheme : uint8_t {
+    one_round, ///< parallel: of the edges that gain, those that are the best of their 2-region
+    lawson,    ///< sequential reference: sweeps in address order, an edge that gains flips at once
+    pixel,     ///< the starting mesh as it is (Su & Willis 2004)
+};
+
+/// Which diagonal a 2x2 cell of pixels starts with.
+enum class Start : uint8_t {
+    flat,     ///< the one whose ends differ less in the guide (Su & Willis 2004)
+    diagonal, ///< the same in every cell, from upper left to lower right
+};
+
+/// The surface that is laid over the mesh.
+enum class Surface : uint8_t {
+    linear, ///< a plane a triangle
+    patch,  ///< a quadratic patch a triangle; like `linear` never outside the triangle's 3 values
+};
+
+/// What a channel's numbers are.
+enum class Channel : uint8_t {
+    blend,   ///< a quantity: interpolated over the surface
+    nearest, ///< an identifier: copied, bit for bit, from the vertex with the largest weight
+};
+
+struct MeshOptions {
+    Cost cost = Cost::abn;
+    Scheme scheme = Scheme::one_round;
+    Start start = Start::flat;
+    /// A flip must gain more than this, in units of the cost. Negative: the cost's own default.
+    float min_gain = -1.0f;
+    /// Iterations (lawson: sweeps) after which flipping ends; 0 to 250.
+    int max_iterations = 64;
+};
+
+/// Pixels x0 <= x < x1, y0 <= y < y1.
+struct Rect {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    int width() const { return x1 - x0; }
+    int height() const { return y1 - y0; }
+    bool empty() const { return x1 <= x0 || y1 <= y0; }
+    size_t area() const { return empty() ? 0 : size_t(width()) * size_t(height()); }
+};
+
+/// Where pixels come from. Called from several threads at once.
+class Source {
+public:
+    virtual ~Source() = default;
+    /// Fill `values`, `channels` interleaved floats a pixel, and `guide`, one float a pixel, for
+    /// the pixels of `r`, row by row without gaps. `r` lies within Job::window. The guide is what
+    /// edges are sought in, about 0 to 1 from black to white; see core/guide for the usual one.
+    /// Return false to end the work (an error the source itself keeps).
+    virtual bool read(const Rect& r, float* values, float* guide) = 0;
+};
+
+/// Where results go. Called from several threads at once, never twice for the same pixel.
+class Sink {
+public:
+    virtual ~Sink() = default;
+    /// Take the output pixels of `r`: `channels` interleaved floats, rows without gaps. The sink
+    /// may change `values`. Return false to end the work.
+    virtual bool write(const Rect& r, float* values) = 0;
+};
+
+/// One position in the source: pixel centres at integers, in units of 2^-16 pixel.
+struct Position {
+    int64_t x = 0, y = 0;
+};
+
+/// Which source position an output pixel shows. Called from several threads at once.
+class Mapping {
+public:
+    virtual ~Mapping() = default;
+    /// A rectangle that holds every output pixel whose position lies in the source rectangle
+    /// [x0, x1) x [y0, y1) (pixel centres at integers). It may hold others too.
+    virtual Rect reach(double x0, double y0, double x1, double y1) const = 0;
+    /// Positions of the output pixels x0 <= x < x1 of row y; at most 2 source pixels may lie
+    /// between neighbours. inside[i] = 0 marks a pixel that shows nothing of the source: it is
+    /// not written.
+    virtual void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const = 0;
+    /// True if reach() holds exactly the pixels of its rectangle and row() is all inside.
+    virtual bool separable() const { return false; }
+};
+
+/// Maps the interval [from0, from0 + from_size) onto [to0, to0 + to_size), pixel centres at half
+/// integers, on both axes; positions outside `window` clamp to its outermost pixel centres.
+class ResizeMapping final : public Mapping {
+public:
+    struct Axis {
+        int from0 = 0, from_size = 1; ///< the source's display window
+        int to0 = 0, to_size = 1;     ///< the output's display window
+        int window0 = 0, window1 = 1; ///< the source's data window
+        int out0 = 0, out1 = 1;       ///< the output pixels wanted
+        /// Source position of the output pixel i, clamped, in 2^-16 pixel, by integer arithmetic.
+        int64_t position(int i) const;
+        /// First output pixel of [out0, out1) whose position is >= limit (a pixel coordinate).
+        int first_at_or_after(int limit) const;
+    };
+    ResizeMapping(const Axis& x, const Axis& y) : m_x(x), m_y(y) {}
+    Rect reach(double x0, double y0, double x1, double y1) const override;
+    void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override;
+    bool separable() const override { return true; }
+
+private:
+    Axis m_x, m_y;
+};
+
+/// What was done; sums over all tiles, so halos count.
+struct Statistics {
+    int64_t pixels = 0;      ///< vertices of all meshes
+    int64_t evaluations = 0; ///< gains computed
+    int64_t flips = 0;
+    int iterations = 0; ///< the largest of any tile
+};
+
+/// A piece of work.
+struct Job {
+    Rect window;                ///< the source's pixels (data window), not empty
+    int channels = 1;           ///< floats a pixel, 1 or more
+    std::vector<Channel> kinds; ///< one a channel; empty: all blend
+    MeshOptions mesh;
+    Surface surface = Surface::patch;
+    int threads = 0; ///< 0: as many as there are cores
+    /// Called from time to time with the share done, 0 to 1, one thread at a time; return false
+    /// to cancel. May be empty.
+    std::function<bool(float)> progress;
+    Statistics* statistics = nullptr; ///< filled in when not null
+};
+
+enum class Outcome { done, cancelled, source_failed, sink_failed, bad_job, out_of_memory };
+
+/// Read the source tile by tile, triangulate, and write every output pixel the mapping gives.
+/// Memory: a few MB a thread beside what source and sink hold. Never throws. `error`, when not
+/// null, receives one line if the outcome is not `done`.
+Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
+                std::string* error = nullptr);
+
+/// The same from and to plain buffers: `src` is width x height x channels interleaved floats,
+/// `dst` likewise for the output size; `guide` is width x height floats or null, then the mean of
+/// the first up to three channels serves as it is.
+Outcome enlarge(const float* src, int width, int height, int channels, const float* guide,
+                float* dst, int dst_width, int dst_height, Surface surface = Surface::patch,
+                const MeshOptions& mesh = {}, int threads = 0, std::string* error = nullptr);
+
+} // namespace ddt
