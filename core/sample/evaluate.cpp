@@ -71,16 +71,34 @@ namespace ddt {
 HWY_EXPORT(evaluate);
 
 void locate_row(const Lattice& lattice, const Point* points, int n, LocatedRow& row) {
+    row.previous.swap(row.spans);
     row.spans.clear();
     row.weights.resize(size_t(n) * 3);
     constexpr float unit = 1.0f / float(position_one);
     float* out = row.weights.data();
+    size_t hint = 0;
     for (int i = 0; i < n;) {
-        Span span;
-        span.triangle = locate(lattice, points[i]);
+        row.spans.emplace_back();
+        Span& span = row.spans.back();
+        int32_t w[3] = {};
+        while (hint < row.previous.size() && row.previous[hint].end <= i)
+            ++hint;
+        bool found = false;
+        for (size_t h = hint; h < hint + 2 && h < row.previous.size() && !found; ++h) {
+            const Triangle& t = row.previous[h].triangle;
+            if (!t.near(points[i]))
+                continue;
+            t.weights(points[i], w);
+            found = t.holds(w);
+            if (found)
+                span.triangle = t;
+        }
+        if (!found) {
+            span.triangle = locate(lattice, points[i]);
+            span.triangle.weights(points[i], w);
+        }
+        const Triangle t = span.triangle;
         span.begin = i;
-        int32_t w[3];
-        span.triangle.weights(points[i], w);
         do {
             // On the rim, a tie may belong to a triangle that does not hold it; no weight is
             // negative all the same.
@@ -90,10 +108,9 @@ void locate_row(const Lattice& lattice, const Point* points, int n, LocatedRow& 
             out += 3;
             if (++i == n)
                 break;
-            span.triangle.weights(points[i], w);
-        } while (span.triangle.holds(w));
+            t.weights(points[i], w);
+        } while (t.holds(w));
         span.end = i;
-        row.spans.push_back(span);
     }
 }
 

@@ -18,9 +18,11 @@ struct Span {
 struct LocatedRow {
     std::vector<Span> spans;
     std::vector<float> weights; ///< three a position: exact multiples of 2^-16
+    std::vector<Span> previous; ///< spans of the row before; begin and end are mere hints
 };
 
-/// Locate n positions. Neighbours must lie within 2 pixels of each other.
+/// Locate n positions. Neighbours must lie within 2 pixels of each other. What `row` held before
+/// must be from the same lattice, or empty: its triangles are tried first.
 void locate_row(const Lattice& lattice, const Point* points, int n, LocatedRow& row);
 
 /// Which channels of a group are Channel::nearest, one bit each.
