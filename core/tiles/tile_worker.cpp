@@ -115,7 +115,7 @@ Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
     m_positions.resize(size_t(reach.width()));
     m_inside.resize(size_t(reach.width()));
     m_points.resize(size_t(reach.width()));
-    m_row.spans.clear(); // another lattice's
+    m_row.forget();
     if (m_mapping.separable()) {
         m_mapping.row(reach.y0, reach.x0, reach.x1, m_positions.data(), m_inside.data());
         for (size_t i = 0; i < m_points.size(); ++i)
