@@ -19,7 +19,9 @@ float float_of(uint32_t u) {
     return v;
 }
 
-bool is_finite(float v) { return (bits_of(v) & 0x7f800000u) != 0x7f800000u; }
+bool is_finite(float v) {
+    return (bits_of(v) & 0x7f800000u) != 0x7f800000u;
+}
 
 // x^(5/12) for a normal positive x = m * 2^e, 1 <= m < 2, is 2^q * 2^(r/12) * m^(5/12) where
 // 5e = 12q + r, 0 <= r < 12.

@@ -13,6 +13,8 @@ std::vector<float> Curve::arguments() {
     return x;
 }
 
-void Curve::fill(const float* values) { m_values.assign(values, values + 2 * half); }
+void Curve::fill(const float* values) {
+    m_values.assign(values, values + 2 * half);
+}
 
 } // namespace ddt

@@ -58,9 +58,8 @@ Matrix primaries(const OCIO::ConstCPUProcessorRcPtr& processor) {
         for (int r = 0; r < 3; ++r)
             m[3 * r + c] = double(out[r]) - double(black[r]);
     }
-    const bool is_unit =
-        std::equal(m.begin(), m.end(), unit.begin(),
-                   [](double a, double b) { return std::fabs(a - b) <= 1e-6; });
+    const bool is_unit = std::equal(m.begin(), m.end(), unit.begin(),
+                                    [](double a, double b) { return std::fabs(a - b) <= 1e-6; });
     const double det = determinant(m);
     return is_unit || !std::isfinite(det) || std::fabs(det) < 1e-9 ? unit : m;
 }
@@ -102,8 +101,8 @@ Light::Light(const Space& found) {
     auto to_linear = OCIO::ColorSpaceTransform::Create();
     to_linear->setSrc(found.space->getName());
     to_linear->setDst(linear->getName());
-    const Matrix matrix = primaries(
-        processor_of(found.config, to_linear, OCIO::TRANSFORM_DIR_FORWARD));
+    const Matrix matrix =
+        primaries(processor_of(found.config, to_linear, OCIO::TRANSFORM_DIR_FORWARD));
     auto to_light = OCIO::GroupTransform::Create();
     to_light->appendTransform(to_linear);
     to_light->appendTransform(matrix_transform(matrix, OCIO::TRANSFORM_DIR_INVERSE));
@@ -153,8 +152,7 @@ bool Light::make_curves(const Processor& processor, Curves& curves) {
             values[i] = grey[3 * i + c];
         curves.channel[c].fill(values.data());
     }
-    curves.same =
-        curves.channel[0] == curves.channel[1] && curves.channel[0] == curves.channel[2];
+    curves.same = curves.channel[0] == curves.channel[1] && curves.channel[0] == curves.channel[2];
 
     // Curves taken on greys: colours tell whether channels mix, points between the table's (and
     // beside it, on the greys again) whether it is fine enough.

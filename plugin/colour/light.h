@@ -28,8 +28,9 @@ public:
     /// Throws OCIO::Exception.
     explicit Light(const Space& space);
 
-    bool known() const { return m_known; }       ///< a colour space, not data
-    bool converts() const { return m_to_light; } ///< false: the numbers are linear light, or unknown
+    bool known() const { return m_known; } ///< a colour space, not data
+    /// False: the numbers are linear light already, or unknown.
+    bool converts() const { return m_to_light != nullptr; }
     /// Shares of R, G and B of linear light in luminance.
     const std::array<float, 3>& luma() const { return m_luma; }
     /// True if 0 and 1 of each channel are 0 and 1 in linear light too.

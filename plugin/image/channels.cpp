@@ -13,9 +13,15 @@ using OIIO::Strutil::iends_with;
 using OIIO::Strutil::iequals;
 using OIIO::Strutil::istarts_with;
 
-bool letter(char c) { return std::isalpha(static_cast<unsigned char>(c)); }
-bool digit(char c) { return std::isdigit(static_cast<unsigned char>(c)); }
-bool upper(char c) { return std::isupper(static_cast<unsigned char>(c)); }
+bool letter(char c) {
+    return std::isalpha(static_cast<unsigned char>(c));
+}
+bool digit(char c) {
+    return std::isdigit(static_cast<unsigned char>(c));
+}
+bool upper(char c) {
+    return std::isupper(static_cast<unsigned char>(c));
+}
 
 /// `name` is layer, then two digits, then nothing or a dot and more: a rank of a cryptomatte.
 bool is_rank_of(OIIO::string_view name, OIIO::string_view layer) {
@@ -30,8 +36,7 @@ bool is_rank_of(OIIO::string_view name, OIIO::string_view layer) {
 std::vector<std::string> cryptomattes(const OIIO::ImageSpec& spec) {
     std::vector<std::string> names;
     for (const auto& attribute : spec.extra_attribs)
-        if (istarts_with(attribute.name(), "cryptomatte/") &&
-            iends_with(attribute.name(), "/name"))
+        if (istarts_with(attribute.name(), "cryptomatte/") && iends_with(attribute.name(), "/name"))
             names.push_back(attribute.get_string());
     return names;
 }
@@ -65,10 +70,10 @@ bool is_id_name(OIIO::string_view name) {
     // "ID" itself is two capitals: a word that starts at its D starts at its I.
     const OIIO::string_view word = name.substr(std::min(start, name.size() - 2));
     static const char* const english[] = {
-        "acid",   "android", "arid",    "asteroid", "avid",    "avoid",    "bid",    "braid",
-        "centroid", "cuboid", "ellipsoid", "fluid", "grid",    "hid",      "humid",  "hybrid",
-        "invalid", "kid",    "lid",     "liquid",   "mid",     "paid",     "pyramid", "rapid",
-        "rigid",  "solid",   "spheroid", "subgrid", "trapezoid", "valid",  "vivid",  "void"};
+        "acid",     "android", "arid",      "asteroid", "avid",      "avoid", "bid",     "braid",
+        "centroid", "cuboid",  "ellipsoid", "fluid",    "grid",      "hid",   "humid",   "hybrid",
+        "invalid",  "kid",     "lid",       "liquid",   "mid",       "paid",  "pyramid", "rapid",
+        "rigid",    "solid",   "spheroid",  "subgrid",  "trapezoid", "valid", "vivid",   "void"};
     return std::none_of(std::begin(english), std::end(english),
                         [&](const char* w) { return iequals(word, w); });
 }
@@ -76,15 +81,17 @@ bool is_id_name(OIIO::string_view name) {
 Channels channels_of(const OIIO::ImageSpec& spec) {
     const int count = spec.nchannels;
     Channels channels;
-    channels.alpha = spec.alpha_channel >= 0 && spec.alpha_channel < count ? spec.alpha_channel : -1;
+    channels.alpha =
+        spec.alpha_channel >= 0 && spec.alpha_channel < count ? spec.alpha_channel : -1;
     channels.raw = spec.format == OIIO::TypeDesc::UINT32 || spec.format == OIIO::TypeDesc::INT32;
 
     const std::vector<std::string> layers = cryptomattes(spec);
     for (int c = 0; c < count; ++c) {
         const std::string name = spec.channel_name(c);
         const bool id = channels.raw || is_id_name(name) || looks_like_cryptomatte(name) ||
-                        std::any_of(layers.begin(), layers.end(),
-                                    [&](const std::string& layer) { return is_rank_of(name, layer); });
+                        std::any_of(layers.begin(), layers.end(), [&](const std::string& layer) {
+                            return is_rank_of(name, layer);
+                        });
         channels.kinds.push_back(id ? Channel::nearest : Channel::blend);
     }
 

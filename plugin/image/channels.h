@@ -11,9 +11,9 @@ namespace ddt {
 
 /// Where a pixel's colour is: positions among its interleaved channels.
 struct ColourLayout {
-    int count = 0;                  ///< 3: red, green, blue; 1: grey; 0: none
+    int count = 0; ///< 3: red, green, blue; 1: grey; 0: none
     int channel[3] = {-1, -1, -1};
-    int alpha = -1;                 ///< the alpha it is associated with, or -1
+    int alpha = -1; ///< the alpha it is associated with, or -1
 };
 
 /// The roles of an image's channels.
@@ -23,8 +23,8 @@ struct Channels {
     /// these, a channel named as grey (Y, L, I, luminance, gray, grey), or the only one that is
     /// neither alpha, depth nor an ID.
     ColourLayout colour;
-    int alpha = -1;     ///< the image's alpha, or -1
-    int guide = -1;     ///< without colour: the first channel that is neither alpha nor an ID
+    int alpha = -1; ///< the image's alpha, or -1
+    int guide = -1; ///< without colour: the first channel that is neither alpha nor an ID
     std::vector<Channel> kinds; ///< one a channel; nearest: an ID
     /// Pixels are 32-bit integers: every channel is an ID and travels as raw bits.
     bool raw = false;

@@ -11,9 +11,8 @@ bool read_pixels(const OIIO::ImageBuf& image, const Rect& r, int chbegin, int ch
         const auto pixel = OIIO::stride_t(type.size()) * channels;
         return OIIO::convert_image(channels, r.width(), r.height(), 1,
                                    image.pixeladdr(r.x0, r.y0, 0, chbegin), image.spec().format,
-                                   image.pixel_stride(), image.scanline_stride(),
-                                   OIIO::AutoStride, out, type, pixel, pixel * r.width(),
-                                   OIIO::AutoStride);
+                                   image.pixel_stride(), image.scanline_stride(), OIIO::AutoStride,
+                                   out, type, pixel, pixel * r.width(), OIIO::AutoStride);
     }
     // Pixels of a file, through OpenImageIO's cache.
     if (image.get_pixels({r.x0, r.x1, r.y0, r.y1, 0, 1, chbegin, chend}, type, out) &&

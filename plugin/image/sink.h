@@ -11,9 +11,9 @@ namespace ddt {
 
 /// How results are written.
 struct Writing {
-    Light light;         ///< Light() when nothing is to be converted back
-    ColourLayout colour; ///< positions within what the core hands over
-    int channels = 0;    ///< floats a pixel that the core hands over
+    Light light;                ///< Light() when nothing is to be converted back
+    ColourLayout colour;        ///< positions within what the core hands over
+    int channels = 0;           ///< floats a pixel that the core hands over
     int chbegin = 0, chend = 0; ///< channels of the image; the first ones handed over go there
     OIIO::TypeDesc type = OIIO::TypeFloat; ///< of what is handed over
 };

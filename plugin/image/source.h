@@ -17,8 +17,8 @@ namespace ddt {
 /// How an image is read: what is converted, what makes the guide, which channels are handed on.
 struct Reading {
     Channels channels;
-    Light light;       ///< Light() when nothing is to be converted
-    GuideRecipe guide; ///< positions are channels of the image
+    Light light;               ///< Light() when nothing is to be converted
+    GuideRecipe guide;         ///< positions are channels of the image
     std::vector<int> selected; ///< channels of the image that the core gets, in this order
 };
 
