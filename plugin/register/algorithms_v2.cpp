@@ -19,7 +19,7 @@ bool resize_by_name(ImageBuf& dst, const ImageBuf& src, string_view name, float 
                     int nthreads) {
     if (!is_filter_name(name))
         return ImageBufAlgo::resize(dst, src, name, width, roi, nthreads);
-    return guarded(dst, [&] {
+    return without_throwing(dst, [&] {
         Options options;
         return parse_filter_for(dst, name, options) && resize(dst, src, options, roi, nthreads);
     });
@@ -30,15 +30,15 @@ bool fit_by_filter(ImageBuf& dst, const ImageBuf& src, Filter2D* filter, string_
     const Filter* ours = as_ours(filter);
     if (!ours || !exact) // then by way of ImageBufAlgo::resize
         return ImageBufAlgo::fit(dst, src, filter, fillmode, exact, roi, nthreads);
-    return guarded(dst,
-                   [&] { return fit_exactly(dst, src, ours->options(), fillmode, roi, nthreads); });
+    return without_throwing(
+        dst, [&] { return fit_exactly(dst, src, ours->options(), fillmode, roi, nthreads); });
 }
 
 bool fit_by_name(ImageBuf& dst, const ImageBuf& src, string_view name, float width,
                  string_view fillmode, bool exact, ROI roi, int nthreads) {
     if (!is_filter_name(name))
         return ImageBufAlgo::fit(dst, src, name, width, fillmode, exact, roi, nthreads);
-    return guarded(dst, [&] {
+    return without_throwing(dst, [&] {
         Options options;
         if (!parse_filter_for(dst, name, options))
             return false;
@@ -58,7 +58,7 @@ bool warp_by_name(ImageBuf& dst, const ImageBuf& src, M33fParam M, string_view n
                   bool recompute_roi, ImageBuf::WrapMode wrap, ROI roi, int nthreads) {
     if (!is_filter_name(name))
         return ImageBufAlgo::warp(dst, src, M, name, width, recompute_roi, wrap, roi, nthreads);
-    return guarded(dst, [&] {
+    return without_throwing(dst, [&] {
         Options options;
         return parse_filter_for(dst, name, options) &&
                warp(dst, src, M, options, recompute_roi, wrap, roi, nthreads);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace ddt {
 
@@ -13,13 +14,25 @@ const Filter* as_ours(const OIIO::Filter2D* filter) {
     return dynamic_cast<const Filter*>(filter);
 }
 
+static const std::vector<OIIO::FilterDesc>& descriptions() {
+    // Never freed: OpenImageIO hands out references, until the last moment of the process.
+    static const auto* list = [] {
+        static const auto* names = new std::vector<std::string>(filter_names());
+        auto* made = new std::vector<OIIO::FilterDesc>;
+        // Like OIIO's "triangle": two pixels wide, scalable, separable.
+        for (const std::string& name : *names)
+            made->push_back({name.c_str(), 2, 2.0f, false, true, true});
+        return made;
+    }();
+    return *list;
+}
+
+int filter_count() {
+    return int(descriptions().size());
+}
+
 const OIIO::FilterDesc& filter_description(int index) {
-    // Like OIIO's "triangle": two pixels wide, scalable, separable.
-    static const OIIO::FilterDesc list[filter_names] = {
-        {"ddt-linear", 2, 2.0f, false, true, true},
-        {"ddt", 2, 2.0f, false, true, true},
-    };
-    return list[index];
+    return descriptions()[size_t(index)];
 }
 
 bool parse_filter_for(OIIO::ImageBuf& dst, OIIO::string_view spec, Options& options) {

@@ -38,8 +38,8 @@ private:
 /// `filter` if it is one of ours, else null.
 const Filter* as_ours(const OIIO::Filter2D* filter);
 
-/// How the filters are listed; `filter_names` of them.
-constexpr int filter_names = 2;
+/// The number of our filters, and how OpenImageIO lists the one at `index`.
+int filter_count();
 const OIIO::FilterDesc& filter_description(int index);
 
 /// Parse a filter specification; on failure put the reason into dst's error and return false.
@@ -47,7 +47,7 @@ bool parse_filter_for(OIIO::ImageBuf& dst, OIIO::string_view spec, Options& opti
 
 /// Run f and return what it does; an exception becomes an error of dst.
 template <typename F>
-bool guarded(OIIO::ImageBuf& dst, F f) {
+bool without_throwing(OIIO::ImageBuf& dst, F f) {
     try {
         return f();
     } catch (const std::bad_alloc&) {

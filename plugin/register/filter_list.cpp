@@ -5,13 +5,13 @@ namespace ddt {
 namespace {
 
 int num_filters() {
-    return OIIO::Filter2D::num_filters() + filter_names;
+    return OIIO::Filter2D::num_filters() + filter_count();
 }
 
 const OIIO::FilterDesc& get_filterdesc(int index) {
     const int ours = index - OIIO::Filter2D::num_filters();
-    return ours >= 0 && ours < filter_names ? filter_description(ours)
-                                            : OIIO::Filter2D::get_filterdesc(index);
+    return ours >= 0 && ours < filter_count() ? filter_description(ours)
+                                              : OIIO::Filter2D::get_filterdesc(index);
 }
 
 void copy_filterdesc(int index, OIIO::FilterDesc* description) {
