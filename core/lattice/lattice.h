@@ -1,0 +1,161 @@
+// The mesh: a triangulation whose vertices are all pixels of a rectangle.
+//
+// Every triangle is an empty lattice triangle, so by Pick's theorem its area is 1/2 (it is
+// unimodular), and from that follow:
+//  - barycentric weights and gradients need no division;
+//  - edge ab with apexes c, d can be flipped if and only if a + b = c + d (a parallelogram);
+//  - a flip keeps the edge's midpoint, and each half-integer point of the hull is the midpoint of
+//    exactly one edge in every triangulation. The midpoint is the edge's address.
+// (Kaibel & Ziegler, "Counting lattice triangulations", 2003.)
+//
+// All is kept in one array over the *doubled lattice*: pixel (x, y) is at (2x, 2y), an edge is at
+// its midpoint, where not both coordinates are even. A Site index is y * stride + x in doubled
+// coordinates, so a difference of sites is a fixed offset for a fixed vector.
+//
+// "Left" of a direction v is where det(v, .) > 0. (With y downwards, as in images, that is the
+// right-hand side on screen; only consistency matters.)
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace ddt {
+
+/// A vector in doubled coordinates, or in pixels where that is said.
+struct Vec {
+    int8_t x = 0, y = 0;
+    Vec() = default;
+    Vec(int x_, int y_) : x(int8_t(x_)), y(int8_t(y_)) {}
+    bool operator==(Vec o) const { return x == o.x && y == o.y; }
+    bool operator!=(Vec o) const { return !(*this == o); }
+    Vec operator-() const { return {-x, -y}; }
+    Vec operator+(Vec o) const { return {x + o.x, y + o.y}; }
+    Vec operator-(Vec o) const { return {x - o.x, y - o.y}; }
+    bool zero() const { return x == 0 && y == 0; }
+};
+
+/// v.x * w.y - v.y * w.x
+inline int det(Vec v, Vec w) {
+    return v.x * w.y - v.y * w.x;
+}
+
+/// No edge is longer than this in either coordinate, in pixels: a flip to a longer one is not made.
+/// It keeps every vector in a signed byte. (Longest ever seen: 36.)
+constexpr int longest_edge = 63;
+
+/// An edge with midpoint m, ends a = m - v and b = m + v; vectors in doubled coordinates, which
+/// makes v also b - a in pixels. Apexes are relative to m; a zero apex: none, the hull's rim.
+struct Edge {
+    Vec v;
+    Vec left;
+    Vec right;
+    uint8_t stamp = 0; ///< iteration of the last evaluation (scratch of the triangulation)
+    uint8_t unused = 0;
+
+    /// True for the diagonal of a parallelogram.
+    bool flippable() const {
+        return !left.zero() && left == -right && left.x <= longest_edge &&
+               left.x >= -longest_edge && left.y <= longest_edge && left.y >= -longest_edge;
+    }
+};
+
+struct Vertex {
+    float guide = 0;
+    Vec first; ///< midpoint of the incident edge with the smallest address, relative to the vertex
+    uint16_t unused = 0;
+};
+
+union Site {
+    Edge edge;
+    Vertex vertex;
+    Site() : edge() {}
+};
+static_assert(sizeof(Site) == 8, "one edge, 8 bytes");
+
+/// The four sides of the parallelogram round a flippable edge ab, in the order ac, cb, bd, da, in
+/// which the triangle beyond each lies on the left.
+struct Quad {
+    Vec v;         ///< b - a in pixels
+    Vec w;         ///< c - a in pixels, c the left apex; det(v, w) = 1
+    Vec side[4];   ///< the side as a vector in pixels: w, v - w, -w, w - v
+    Vec middle[4]; ///< the side's midpoint relative to m: w - v, w, v - w, -w
+    Vec inner[4];  ///< the apex within the parallelogram, relative to the side's midpoint
+
+    explicit Quad(const Edge& e)
+        : v(e.v), w((e.v.x + e.left.x) / 2, (e.v.y + e.left.y) / 2), side{w, v - w, -w, w - v},
+          middle{w - v, w, v - w, -w}, inner{v + v - w, -v - w, w - v - v, v + w} {}
+};
+
+/// A triangulation of width x height pixels, both at least 2.
+class Lattice {
+public:
+    /// Make all edges of the mesh that has the diagonal from upper left to lower right in every
+    /// 2x2 cell, or with `flat` the diagonal whose ends differ less in the guide (on a tie that
+    /// one). `guide`: width x height floats. Memory is kept from one use to the next.
+    void start(int width, int height, const float* guide, bool flat);
+
+    int width() const { return m_width; }
+    int height() const { return m_height; }
+    int stride() const { return m_stride; }
+    /// Sites there are; those outside the doubled lattice are never edges.
+    size_t size() const { return m_sites.size(); }
+
+    int site(int doubled_x, int doubled_y) const { return doubled_y * m_stride + doubled_x; }
+    int vertex_site(int x, int y) const { return site(2 * x, 2 * y); }
+    int offset(Vec v) const { return v.y * m_stride + v.x; }
+
+    Edge& edge(int site) { return m_sites[size_t(site)].edge; }
+    const Edge& edge(int site) const { return m_sites[size_t(site)].edge; }
+    Vertex& vertex(int site) { return m_sites[size_t(site)].vertex; }
+    const Vertex& vertex(int site) const { return m_sites[size_t(site)].vertex; }
+    const Site* sites() const { return m_sites.data(); }
+    float guide(int site) const { return m_sites[size_t(site)].vertex.guide; }
+
+    /// Flip the flippable edge at m: (v, L, R) <- (L, -v, v); in its parallelogram's sides the apex
+    /// that went away is replaced.
+    void flip(int m);
+
+    /// The apex of side k of the parallelogram q round m that lies beyond, relative to the side's
+    /// midpoint; zero on the rim.
+    Vec outer_apex(int m, const Quad& q, int k) const {
+        // One of the side's apexes is `inner`, the sum leaves the other; no apex is zero.
+        const Edge& e = edge(m + offset(q.middle[k]));
+        return e.left + e.right - q.inner[k];
+    }
+
+    /// Call f(site) for every edge in address order.
+    template <class F>
+    void each_edge(F&& f) const {
+        for (int y = 0; y < 2 * m_height - 1; ++y)
+            for (int x = 1 - (y & 1), step = 2 - (y & 1); x < 2 * m_width - 1; x += step)
+                f(site(x, y));
+    }
+
+    /// Call f(site) for the 2-region of the flippable edge at m without m itself: the edges of the
+    /// triangles that share a side with the two at m; 12 away from the rim.
+    template <class F>
+    void each_of_region(int m, F&& f) const {
+        const Quad q(edge(m));
+        for (int k = 0; k < 4; ++k) {
+            const int middle = m + offset(q.middle[k]);
+            f(middle);
+            const Vec apex = outer_apex(m, q, k);
+            if (apex.zero())
+                continue;
+            // Midpoints of the outer triangle's other edges: half way from the side's ends.
+            const Vec s = q.side[k];
+            f(middle + offset({(apex.x - s.x) / 2, (apex.y - s.y) / 2}));
+            f(middle + offset({(apex.x + s.x) / 2, (apex.y + s.y) / 2}));
+        }
+    }
+
+    /// Fill Vertex::first of all vertices; after the last flip.
+    void find_first_edges();
+
+private:
+    int m_width = 0, m_height = 0, m_stride = 0;
+    std::vector<Site> m_sites;
+};
+
+} // namespace ddt

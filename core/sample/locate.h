@@ -1,0 +1,48 @@
+// Which triangle a position lies in, and its barycentric weights, in exact integer arithmetic.
+#pragma once
+
+#include <cstdint>
+
+#include "core/lattice/lattice.h"
+
+namespace ddt {
+
+/// Fractional bits of a position.
+constexpr int position_bits = 16;
+constexpr int32_t position_one = 1 << position_bits;
+
+/// A position within a lattice, in 2^-16 pixel: 0 <= x <= (width - 1) * 2^16, y alike.
+struct Point {
+    int32_t x, y;
+};
+
+/// A triangle; vertices with det(p1 - p0, p2 - p0) = 1, the one with the smallest address first, so
+/// that one triangle is always described in one way.
+///
+/// Ties: a position on an edge or vertex belongs to the triangle that holds position + (d, d^2) for
+/// tiny d > 0; so every position belongs to one triangle, however that is searched for. (On the
+/// hull's rim, where that point may be outside: to the one that locate() ends in.)
+struct Triangle {
+    int vertex[3];   ///< sites
+    int edge[3];     ///< sites of the edges 01, 12, 20
+    Point at[2];     ///< positions of vertices 1 and 2
+    Vec e12, e20;    ///< edges as vectors in pixels
+    int32_t bias[3]; ///< 0 where weight k = 0 counts as inside, else -1
+
+    /// Weights of the vertices at a position at most 128 pixels away, in 2^-16; they sum to 2^16.
+    void weights(Point p, int32_t w[3]) const {
+        w[0] = e12.x * (p.y - at[0].y) - e12.y * (p.x - at[0].x);
+        w[1] = e20.x * (p.y - at[1].y) - e20.y * (p.x - at[1].x);
+        w[2] = position_one - w[0] - w[1];
+    }
+    /// Whether weights are those of a position that belongs to this triangle.
+    bool holds(const int32_t w[3]) const {
+        return ((w[0] + bias[0]) | (w[1] + bias[1]) | (w[2] + bias[2])) >= 0;
+    }
+};
+
+/// The triangle that p belongs to. Starts at the diagonal edge of p's cell and walks along the
+/// straight line from the cell's centre, which crosses every triangle at most once.
+Triangle locate(const Lattice& lattice, Point p);
+
+} // namespace ddt

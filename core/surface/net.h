@@ -1,0 +1,51 @@
+// The surface over the mesh, as a control net of quadratic Bezier triangles.
+//
+// With barycentric weights b of a triangle's vertices i, j, k
+//     F = sum b_i z_i + b_i b_j e_ij + b_j b_k e_jk + b_k b_i e_ki
+// where z is the pixel's value and e_ij, one number an edge,
+//     e_ij = clamp((g_i - g_j) . (p_j - p_i), -|z_j - z_i|, |z_j - z_i|)
+// bends the edge to the gradients g estimated at its ends (0 for Surface::linear). The clamp keeps
+// every Bezier control point between its edge's ends; so, by the convex hull property, F stays
+// between the triangle's three values.
+//
+// The gradient at a vertex is a mean over the triangles T round it,
+//     g = sum w_T grad_T / sum w_T,   w_T = 1 / sqrt(eps + |grad_T|^2),  eps = 0.02^2,
+// so that a vertex beside an edge takes its slope from the flat side of the mesh.
+//
+// Non-finite values stay inside the triangles that touch them: such a triangle counts for no
+// gradient and the edges of such a vertex have e = 0.
+#pragma once
+
+#include <vector>
+
+#include "core/lattice/lattice.h"
+#include "ddt/core.h"
+
+namespace ddt {
+
+/// Channels that are worked on together, one a SIMD lane.
+constexpr int group_size = 4;
+
+/// Square of the gradient below which triangles weigh nearly alike (see above).
+constexpr float gradient_epsilon = 0.02f * 0.02f;
+
+/// z and e of one group of channels over the doubled lattice: site s has its group_size numbers at
+/// [s * group_size], z at a vertex, e at an edge's midpoint.
+struct Net {
+    std::vector<float> values;
+    const float* at(int site) const { return values.data() + size_t(site) * group_size; }
+    float* at(int site) { return values.data() + size_t(site) * group_size; }
+};
+
+/// Gradients a vertex, kept between calls to spare the allocation.
+struct Gradients {
+    std::vector<float> xy; ///< x of the group, y of the group, a pixel
+};
+
+/// Make the net of channels first .. first + count (count <= group_size) of `values`: `channels`
+/// interleaved floats for each pixel of the lattice. For Surface::patch the lattice's first edges
+/// must have been found. Unused lanes are 0.
+void make_net(const Lattice& lattice, Surface surface, const float* values, int channels, int first,
+              int count, Net& net, Gradients& gradients);
+
+} // namespace ddt

@@ -1,0 +1,43 @@
+#include "core/tiles/grid.h"
+
+#include <algorithm>
+
+namespace ddt {
+
+namespace {
+
+/// A window one pixel wide or high still has one (degenerate) row of cells.
+int cells_along(int pixels) {
+    return std::max(1, pixels - 1);
+}
+
+int tiles_along(int pixels) {
+    return (cells_along(pixels) - 1) / tile_size + 1;
+}
+
+void axis(int window0, int window1, int index, int& cell0, int& cell1, int& pixel0, int& pixel1,
+          bool& last) {
+    cell0 = window0 + index * tile_size;
+    const int end = window0 + cells_along(window1 - window0);
+    last = end - cell0 <= tile_size;
+    cell1 = last ? end : cell0 + tile_size;
+    pixel0 = cell0 - window0 > tile_halo ? cell0 - tile_halo : window0;
+    pixel1 = window1 - cell1 > tile_halo + 1 ? cell1 + 1 + tile_halo : window1;
+}
+
+} // namespace
+
+Grid::Grid(const Rect& window)
+    : m_window(window), m_columns(tiles_along(window.width())),
+      m_rows(tiles_along(window.height())) {}
+
+Tile Grid::tile(int index) const {
+    Tile t;
+    axis(m_window.x0, m_window.x1, index % m_columns, t.cells.x0, t.cells.x1, t.pixels.x0,
+         t.pixels.x1, t.last_x);
+    axis(m_window.y0, m_window.y1, index / m_columns, t.cells.y0, t.cells.y1, t.pixels.y0,
+         t.pixels.y1, t.last_y);
+    return t;
+}
+
+} // namespace ddt

@@ -1,0 +1,35 @@
+// The fixed grid of tiles an image is triangulated in.
+//
+// The grid is anchored at the window's origin and never changes with threads, the part of the
+// output wanted or the device, so the result is a function of the image alone. Each tile is
+// triangulated with a halo; 32 pixels is more than a difference at its border was ever seen to
+// travel (24).
+#pragma once
+
+#include "ddt/core.h"
+
+namespace ddt {
+
+constexpr int tile_size = 256;
+constexpr int tile_halo = 32;
+
+/// One tile: the cells (2x2 neighbouring pixels, named by their upper left pixel) whose positions
+/// it serves, and the pixels it is triangulated from.
+struct Tile {
+    Rect cells;
+    Rect pixels;         ///< the cells' pixels with the halo, within the window
+    bool last_x, last_y; ///< serves the positions on the window's last column or row too
+};
+
+class Grid {
+public:
+    explicit Grid(const Rect& window);
+    int count() const { return m_columns * m_rows; }
+    Tile tile(int index) const;
+
+private:
+    Rect m_window;
+    int m_columns, m_rows;
+};
+
+} // namespace ddt

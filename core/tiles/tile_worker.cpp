@@ -1,0 +1,175 @@
+#include "core/tiles/tile_worker.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+#include "core/arith/arith.h"
+
+namespace ddt {
+
+namespace {
+
+/// Floats of output that are handed to the sink at once, about: half a megabyte.
+constexpr size_t strip_floats = size_t(1) << 17;
+
+int group_count(int channels) {
+    return (channels + group_size - 1) / group_size;
+}
+
+int channels_in_group(int channels, int group) {
+    return std::min(group_size, channels - group * group_size);
+}
+
+NearestMask nearest_mask(const Job& job, int group) {
+    NearestMask mask = 0;
+    for (int c = 0; c < channels_in_group(job.channels, group); ++c) {
+        const auto channel = size_t(group * group_size + c);
+        if (channel < job.kinds.size() && job.kinds[channel] == Channel::nearest)
+            mask |= 1u << c;
+    }
+    return mask;
+}
+
+/// Widen a picture one pixel wide or high to two by repeating it: a lattice has at least 2 x 2.
+void repeat_to_two(std::vector<float>& v, int& width, int& height, int channels) {
+    const auto n = size_t(channels);
+    if (width == 1) {
+        v.resize(size_t(height) * 2 * n);
+        for (int y = height - 1; y >= 0; --y)
+            for (size_t k = 2; k-- > 0;)
+                std::memmove(&v[(size_t(y) * 2 + k) * n], &v[size_t(y) * n], n * sizeof(float));
+        width = 2;
+    }
+    if (height == 1) {
+        const size_t row = size_t(width) * n;
+        v.resize(2 * row);
+        std::memcpy(&v[row], &v[0], row * sizeof(float));
+        height = 2;
+    }
+}
+
+} // namespace
+
+size_t TileWorker::memory(const Job& job) {
+    const auto along = [](int window) {
+        return size_t(std::min(window, tile_size + 1 + 2 * tile_halo));
+    };
+    const size_t pixels = along(job.window.width()) * along(job.window.height());
+    const size_t sites = 4 * pixels;
+    // Lattice, gains, work lists; nets; gradients, guide, values.
+    const size_t mesh = sites * (sizeof(Site) + sizeof(float) + 4 * sizeof(int));
+    const size_t nets = sites * sizeof(float) * group_size * size_t(group_count(job.channels));
+    const size_t planes = pixels * sizeof(float) * (2 * group_size + 1 + size_t(job.channels));
+    return mesh + nets + planes + 2 * strip_floats * sizeof(float);
+}
+
+Outcome TileWorker::work(const Tile& tile) {
+    constexpr double beyond = std::numeric_limits<double>::infinity();
+    const Rect reach =
+        m_mapping.reach(tile.cells.x0 == m_job.window.x0 ? -beyond : tile.cells.x0,
+                        tile.cells.y0 == m_job.window.y0 ? -beyond : tile.cells.y0,
+                        tile.last_x ? beyond : tile.cells.x1, tile.last_y ? beyond : tile.cells.y1);
+    if (reach.empty())
+        return Outcome::done;
+    if (!read(tile))
+        return Outcome::source_failed;
+    make_surface();
+    return write(tile, reach);
+}
+
+bool TileWorker::read(const Tile& tile) {
+    const Rect& r = tile.pixels;
+    m_values.resize(r.area() * size_t(m_job.channels));
+    m_guide.resize(r.area());
+    if (!m_source.read(r, m_values.data(), m_guide.data()))
+        return false;
+    int width = r.width(), height = r.height();
+    int guide_width = width, guide_height = height;
+    repeat_to_two(m_guide, guide_width, guide_height, 1);
+    repeat_to_two(m_values, width, height, m_job.channels);
+    m_lattice.start(width, height, m_guide.data(), m_job.mesh.start == Start::flat);
+    return true;
+}
+
+void TileWorker::make_surface() {
+    const DenormalsAreZero as_on_gpus;
+    triangulate(m_lattice, m_job.mesh, m_workspace, m_statistics);
+    if (m_job.surface != Surface::linear)
+        m_lattice.find_first_edges();
+    const int groups = group_count(m_job.channels);
+    m_nets.resize(size_t(groups));
+    for (int g = 0; g < groups; ++g)
+        make_net(m_lattice, m_job.surface, m_values.data(), m_job.channels, g * group_size,
+                 channels_in_group(m_job.channels, g), m_nets[size_t(g)], m_gradients);
+}
+
+Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
+    const size_t row = size_t(reach.width()) * size_t(m_job.channels);
+    m_positions.resize(size_t(reach.width()));
+    m_inside.resize(size_t(reach.width()));
+    m_points.resize(size_t(reach.width()));
+    const int strip = m_mapping.separable() ? int(std::max<size_t>(1, strip_floats / row)) : 1;
+    for (int y = reach.y0; y < reach.y1; y += strip) {
+        const Rect rows{reach.x0, y, reach.x1, std::min(y + strip, reach.y1)};
+        const Outcome outcome =
+            m_mapping.separable() ? write_rows(tile, rows) : write_runs(tile, rows);
+        if (outcome != Outcome::done)
+            return outcome;
+    }
+    return Outcome::done;
+}
+
+void TileWorker::sample(int n, float* out) {
+    const DenormalsAreZero as_on_gpus;
+    locate_row(m_lattice, m_points.data(), n, m_row);
+    for (int g = 0; g < int(m_nets.size()); ++g)
+        evaluate_row(m_nets[size_t(g)], m_job.surface, nearest_mask(m_job, g), m_row,
+                     m_job.channels, g * group_size, channels_in_group(m_job.channels, g), out);
+}
+
+Outcome TileWorker::write_rows(const Tile& tile, const Rect& rows) {
+    const auto channels = size_t(m_job.channels);
+    m_out.resize(rows.area() * channels + group_size);
+    for (int y = rows.y0; y < rows.y1; ++y) {
+        m_mapping.row(y, rows.x0, rows.x1, m_positions.data(), m_inside.data());
+        for (int i = 0; i < rows.width(); ++i)
+            m_points[size_t(i)] = {
+                int32_t(m_positions[size_t(i)].x - int64_t(tile.pixels.x0) * position_one),
+                int32_t(m_positions[size_t(i)].y - int64_t(tile.pixels.y0) * position_one)};
+        sample(rows.width(), m_out.data() + size_t(y - rows.y0) * size_t(rows.width()) * channels);
+    }
+    return m_sink.write(rows, m_out.data()) ? Outcome::done : Outcome::sink_failed;
+}
+
+Outcome TileWorker::write_runs(const Tile& tile, const Rect& row) {
+    const int width = row.width();
+    m_mapping.row(row.y0, row.x0, row.x1, m_positions.data(), m_inside.data());
+    const auto serves = [&](int i) {
+        if (!m_inside[size_t(i)])
+            return false;
+        const int64_t x = m_positions[size_t(i)].x >> position_bits;
+        const int64_t y = m_positions[size_t(i)].y >> position_bits;
+        return x >= tile.cells.x0 && y >= tile.cells.y0 && (tile.last_x || x < tile.cells.x1) &&
+               (tile.last_y || y < tile.cells.y1);
+    };
+    for (int i = 0; i < width;) {
+        if (!serves(i)) {
+            ++i;
+            continue;
+        }
+        const int begin = i;
+        for (; i < width && serves(i); ++i)
+            m_points[size_t(i - begin)] = {
+                int32_t(m_positions[size_t(i)].x - int64_t(tile.pixels.x0) * position_one),
+                int32_t(m_positions[size_t(i)].y - int64_t(tile.pixels.y0) * position_one)};
+        const int n = i - begin;
+        m_out.resize(size_t(n) * size_t(m_job.channels) + group_size);
+        sample(n, m_out.data());
+        if (!m_sink.write({row.x0 + begin, row.y0, row.x0 + i, row.y1}, m_out.data()))
+            return Outcome::sink_failed;
+    }
+    return Outcome::done;
+}
+
+} // namespace ddt

@@ -1,0 +1,54 @@
+// One tile from source pixels to output pixels.
+#pragma once
+
+#include <vector>
+
+#include "core/sample/evaluate.h"
+#include "core/surface/net.h"
+#include "core/tiles/grid.h"
+#include "core/triangulate/triangulate.h"
+#include "ddt/core.h"
+
+namespace ddt {
+
+/// The memory a thread needs to work on tiles, kept from one tile to the next.
+class TileWorker {
+public:
+    TileWorker(Source& source, Sink& sink, const Mapping& mapping, const Job& job)
+        : m_source(source), m_sink(sink), m_mapping(mapping), m_job(job) {}
+
+    /// Read, triangulate, sample and write the tile; nothing if the mapping shows none of it.
+    Outcome work(const Tile& tile);
+
+    const Statistics& statistics() const { return m_statistics; }
+
+    /// About the bytes that a worker takes for a job.
+    static size_t memory(const Job& job);
+
+private:
+    bool read(const Tile& tile);
+    void make_surface();
+    Outcome write(const Tile& tile, const Rect& reach);
+    Outcome write_rows(const Tile& tile, const Rect& rows);
+    Outcome write_runs(const Tile& tile, const Rect& row);
+    void sample(int n, float* out);
+
+    Source& m_source;
+    Sink& m_sink;
+    const Mapping& m_mapping;
+    const Job& m_job;
+    Statistics m_statistics;
+
+    std::vector<float> m_values, m_guide;
+    Lattice m_lattice;
+    Workspace m_workspace;
+    std::vector<Net> m_nets; ///< one a group of channels
+    Gradients m_gradients;
+    std::vector<Position> m_positions;
+    std::vector<uint8_t> m_inside;
+    std::vector<Point> m_points;
+    LocatedRow m_row;
+    std::vector<float> m_out;
+};
+
+} // namespace ddt

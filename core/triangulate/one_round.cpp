@@ -1,0 +1,101 @@
+#include "core/triangulate/gain.h"
+#include "core/triangulate/triangulate.h"
+
+namespace ddt {
+
+namespace {
+
+/// A better candidate in the 2-region of the edge at m, or -1 if m is the best.
+int find_blocker(const Lattice& lattice, const std::vector<float>& gain, int m) {
+    const float own = gain[size_t(m)];
+    int blocker = -1;
+    lattice.each_of_region(m, [&](int other) {
+        const float g = gain[size_t(other)];
+        if (g > own || (g == own && other < m))
+            blocker = other;
+    });
+    return blocker;
+}
+
+/// Evaluate the dirty edges; those above min_gain become candidates.
+void evaluate(const Lattice& lattice, Cost cost, float min_gain, Workspace& w,
+              Statistics& statistics) {
+    w.flippable.clear();
+    for (const int m : w.dirty) {
+        if (lattice.edge(m).flippable())
+            w.flippable.push_back(m);
+        else
+            w.gain[size_t(m)] = no_gain;
+    }
+    gains(lattice, cost, w.flippable.data(), w.flippable.size(), w.gain.data());
+    statistics.evaluations += int64_t(w.flippable.size());
+    w.candidates.clear();
+    for (const int m : w.flippable)
+        if (w.gain[size_t(m)] > min_gain)
+            w.candidates.push_back(m);
+}
+
+/// A candidate that waits is looked at again when its blocker was evaluated again. Nothing else can
+/// free it: a flip in its region would have made the candidate itself dirty.
+void wake_blocked(const Lattice& lattice, uint8_t iteration, Workspace& w) {
+    size_t kept = 0;
+    for (const auto& b : w.blocked) {
+        if (lattice.edge(b.site).stamp == iteration)
+            continue; // evaluated, so among the candidates if it still is one
+        if (lattice.edge(b.blocker).stamp == iteration)
+            w.candidates.push_back(b.site);
+        else
+            w.blocked[kept++] = b;
+    }
+    w.blocked.resize(kept);
+}
+
+/// Flip the selected edges and collect what must be evaluated again: their 2-regions.
+void flip_selected(Lattice& lattice, uint8_t next_iteration, Workspace& w) {
+    w.dirty.clear();
+    const auto touch = [&](int m) {
+        Edge& e = lattice.edge(m);
+        if (e.stamp != next_iteration) {
+            e.stamp = next_iteration;
+            w.dirty.push_back(m);
+        }
+    };
+    for (const int m : w.selected)
+        lattice.flip(m);
+    for (const int m : w.selected) {
+        touch(m);
+        lattice.each_of_region(m, touch);
+    }
+}
+
+} // namespace
+
+void one_round(Lattice& lattice, Cost cost, float min_gain, int max_iterations, Workspace& w,
+               Statistics& statistics) {
+    w.gain.resize(lattice.size());
+    w.blocked.clear();
+    w.dirty.clear();
+    lattice.each_edge([&](int m) { w.dirty.push_back(m); });
+
+    for (int iteration = 1; iteration <= max_iterations; ++iteration) {
+        const auto stamp = uint8_t(iteration);
+        evaluate(lattice, cost, min_gain, w, statistics);
+        wake_blocked(lattice, stamp, w);
+        if (w.candidates.empty())
+            break;
+        w.selected.clear();
+        for (const int m : w.candidates) {
+            const int blocker = find_blocker(lattice, w.gain, m);
+            if (blocker < 0)
+                w.selected.push_back(m);
+            else
+                w.blocked.push_back({m, blocker});
+        }
+        flip_selected(lattice, uint8_t(iteration + 1), w);
+        statistics.flips += int64_t(w.selected.size());
+        if (statistics.iterations < iteration)
+            statistics.iterations = iteration;
+    }
+}
+
+} // namespace ddt

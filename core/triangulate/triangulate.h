@@ -1,0 +1,46 @@
+// Flipping edges until the mesh follows the guide.
+#pragma once
+
+#include <vector>
+
+#include "core/lattice/lattice.h"
+#include "ddt/core.h"
+
+namespace ddt {
+
+/// Memory of a triangulation, kept from one tile to the next.
+struct Workspace {
+    struct Blocked {
+        int site;    ///< a candidate that was not the best of its region,
+        int blocker; ///< and a better one in it
+    };
+    std::vector<float> gain;      ///< a site; only meaningful for edges
+    std::vector<int> dirty;       ///< edges to evaluate in this iteration
+    std::vector<int> flippable;   ///< those of them that can be flipped
+    std::vector<int> candidates;  ///< edges to look at in this iteration's selection
+    std::vector<int> selected;    ///< edges to flip
+    std::vector<Blocked> blocked; ///< candidates that wait
+};
+
+/// The threshold in use: options.min_gain or the cost's default.
+float min_gain(const MeshOptions& options);
+
+/// Flip edges of a started lattice by options.scheme. Adds to `statistics`.
+void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& workspace,
+                 Statistics& statistics);
+
+/// Sequential local optimization (Lawson 1977): sweeps over all edges in address order; an edge
+/// that gains flips at once; until a sweep flips nothing. The reference.
+void lawson(Lattice& lattice, Cost cost, float min_gain, int max_sweeps, Statistics& statistics);
+
+/// The default parallel scheme. An iteration: evaluate the gains of all edges that a flip touched
+/// (at first, of all); select every edge whose gain exceeds min_gain and is the largest of its
+/// 2-region, the smaller address winning a tie; flip the selected.
+///
+/// Two edges outside each other's 2-region never write the same record, nor does one's flip change
+/// the other's gain, so the order of flips within an iteration is immaterial, and every flip lowers
+/// the total cost by its gain.
+void one_round(Lattice& lattice, Cost cost, float min_gain, int max_iterations,
+               Workspace& workspace, Statistics& statistics);
+
+} // namespace ddt
