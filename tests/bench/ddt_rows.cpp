@@ -24,9 +24,8 @@ Row ddt_row(const std::string& specification, Light light) {
 
 std::vector<Row> ddt_rows(Light light) {
     std::vector<Row> rows;
-    for (const char* name : {"ddt-linear", "ddt", "ddt-sharp"})
-        if (ddt::is_filter_name(name))
-            rows.push_back(ddt_row(name, light));
+    for (const std::string& name : ddt::filter_names())
+        rows.push_back(ddt_row(name, light));
     return rows;
 }
 
