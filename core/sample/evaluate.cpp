@@ -24,15 +24,14 @@ template <bool quadratic>
 HWY_INLINE void evaluate_spans(const Net& net, const LocatedRow& row, int channels, int first,
                                bool whole_store, int count, float* out) {
     for (const Span& span : row.spans) {
-        const Triangle& t = span.triangle;
         Patch<Lanes4> patch;
-        patch.z0 = Lanes4::load(net.at(t.vertex[0]));
-        patch.z1 = Lanes4::load(net.at(t.vertex[1]));
-        patch.z2 = Lanes4::load(net.at(t.vertex[2]));
+        patch.z0 = Lanes4::load(net.at(span.vertex[0]));
+        patch.z1 = Lanes4::load(net.at(span.vertex[1]));
+        patch.z2 = Lanes4::load(net.at(span.vertex[2]));
         if (quadratic) {
-            patch.e01 = Lanes4::load(net.at(t.edge[0]));
-            patch.e12 = Lanes4::load(net.at(t.edge[1]));
-            patch.e20 = Lanes4::load(net.at(t.edge[2]));
+            patch.e01 = Lanes4::load(net.at(span.edge[0]));
+            patch.e12 = Lanes4::load(net.at(span.edge[1]));
+            patch.e20 = Lanes4::load(net.at(span.edge[2]));
         }
         patch.find_range();
         const float* w = row.weights.data() + size_t(span.begin) * 3;
@@ -70,33 +69,6 @@ namespace ddt {
 
 HWY_EXPORT(evaluate);
 
-void locate_row(const Lattice& lattice, const Point* points, int n, LocatedRow& row) {
-    row.spans.clear();
-    row.weights.resize(size_t(n) * 3);
-    constexpr float unit = 1.0f / float(position_one);
-    float* out = row.weights.data();
-    for (int i = 0; i < n;) {
-        Span span;
-        span.triangle = locate(lattice, points[i]);
-        span.begin = i;
-        int32_t w[3];
-        span.triangle.weights(points[i], w);
-        do {
-            // On the rim, a tie may belong to a triangle that does not hold it; no weight is
-            // negative all the same.
-            out[0] = float(w[0]) * unit;
-            out[1] = float(w[1]) * unit;
-            out[2] = float(w[2]) * unit;
-            out += 3;
-            if (++i == n)
-                break;
-            span.triangle.weights(points[i], w);
-        } while (span.triangle.holds(w));
-        span.end = i;
-        row.spans.push_back(span);
-    }
-}
-
 namespace {
 
 /// Copy Channel::nearest values over what evaluate() made of them.
@@ -106,7 +78,7 @@ void copy_nearest(const Net& net, NearestMask nearest, const LocatedRow& row, in
         for (int i = span.begin; i < span.end; ++i) {
             const float* w = row.weights.data() + size_t(i) * 3;
             const int largest = w[1] > w[0] ? (w[2] > w[1] ? 2 : 1) : (w[2] > w[0] ? 2 : 0);
-            const float* z = net.at(span.triangle.vertex[largest]);
+            const float* z = net.at(span.vertex[largest]);
             float* to = out + size_t(i) * size_t(channels) + first;
             for (int c = 0; c < count; ++c)
                 if (nearest & (1u << c))

@@ -10,7 +10,8 @@ namespace ddt {
 
 /// A run of neighbouring positions of a row in one triangle.
 struct Span {
-    Triangle triangle;
+    int vertex[3]; ///< sites, as in Triangle
+    int edge[3];
     int begin, end;
 };
 
@@ -18,9 +19,22 @@ struct Span {
 struct LocatedRow {
     std::vector<Span> spans;
     std::vector<float> weights; ///< three a position: exact multiples of 2^-16
+
+    /// A triangle met in the row before, tried before one is searched for; `end` is where it ended.
+    struct Hint {
+        Triangle triangle;
+        int end;
+    };
+    std::vector<Hint> hints, previous_hints;
+
+    /// To be called before the first row of another lattice.
+    void forget() {
+        hints.clear();
+        previous_hints.clear();
+    }
 };
 
-/// Locate n positions. Neighbours must lie within 2 pixels of each other.
+/// Locate n positions, neighbours within 2 pixels of each other.
 void locate_row(const Lattice& lattice, const Point* points, int n, LocatedRow& row);
 
 /// Which channels of a group are Channel::nearest, one bit each.

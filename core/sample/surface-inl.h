@@ -8,7 +8,7 @@ struct Patch {
     T e01, e12, e20; ///< bends of the edges
     T low, high;     ///< range of the three values
 
-    HWY_INLINE void find_range() {
+    DDT_INLINE void find_range() {
         low = if_less(z1, z0, z1, z0);
         low = if_less(z2, low, z2, low);
         high = if_less(z0, z1, z1, z0);
@@ -16,10 +16,10 @@ struct Patch {
     }
 
     /// b z, but 0 where b = 0, whatever z is.
-    static HWY_INLINE T term(float b, T z) { return b == 0.0f ? T(0.0f) : T(b) * z; }
+    static DDT_INLINE T term(float b, T z) { return b == 0.0f ? T(0.0f) : T(b) * z; }
 
     template <bool quadratic>
-    HWY_INLINE T at(float b0, float b1, float b2) const {
+    DDT_INLINE T at(float b0, float b1, float b2) const {
         T f = (term(b0, z0) + term(b1, z1)) + term(b2, z2);
         if (quadratic)
             f = f + ((T(b0 * b1) * e01 + T(b1 * b2) * e12) + T(b2 * b0) * e20);
