@@ -3,7 +3,7 @@
 
 /// 1/sqrt(x) for x > 0 to about 1 part in 10^7, by three Newton steps; rsqrt(0) is finite.
 template <class T>
-inline T rsqrt(T x) {
+DDT_INLINE T rsqrt(T x) {
     const T half_x = T(0.5f) * x;
     T y = rsqrt_seed(x);
     y = y * (T(1.5f) - (half_x * y) * y);

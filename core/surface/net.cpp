@@ -14,9 +14,11 @@ namespace ddt {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-#include "core/arith/lanes4-inl.h"
+#include "core/arith/lanes-inl.h"
 #include "core/arith/rsqrt-inl.h"
 #include "core/surface/gradient-inl.h"
+
+using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
 
 /// Walk round the vertex at site s and call f(j, k, zj - z, zk - z) for each of its triangles: j, k
 /// the other vertices relative to it in pixels, det(j, k) = 1. In a fixed order: from the first
@@ -78,23 +80,22 @@ HWY_ATTR void make_gradients(const Lattice& lattice, const Net& net, Gradients& 
 }
 
 HWY_ATTR void make_edges(const Lattice& lattice, const Gradients& gradients, Net& net) {
-    const float* xy = gradients.xy.data();
-    lattice.each_edge([&](int m) HWY_ATTR {
-        const Vec v = lattice.edge(m).v;
-        const int i = m - lattice.offset(v), j = m + lattice.offset(v);
-        // Site of pixel (x, y) = 2 y stride + 2 x with stride = 2 width.
-        const int stride = lattice.stride();
-        const auto gradient = [&](int s) {
-            const int row = s / stride; // even
-            return xy + (size_t(row / 2) * size_t(stride / 2) + size_t((s - row * stride) / 2)) *
-                            (2 * group_size);
-        };
-        const float *gi = gradient(i), *gj = gradient(j);
-        edge_bend(Lanes4::load(gi), Lanes4::load(gi + group_size), Lanes4::load(gj),
-                  Lanes4::load(gj + group_size), Lanes4::load(net.at(i)), Lanes4::load(net.at(j)),
-                  v.x, v.y)
-            .store(net.at(m));
-    });
+    const int width = lattice.width();
+    const auto gradient = [&](int doubled_x, int doubled_y) {
+        return gradients.xy.data() +
+               (size_t(doubled_y / 2) * size_t(width) + size_t(doubled_x / 2)) * (2 * group_size);
+    };
+    for (int y = 0; y < 2 * lattice.height() - 1; ++y)
+        for (int x = 1 - (y & 1), step = 2 - (y & 1); x < 2 * width - 1; x += step) {
+            const int m = lattice.site(x, y);
+            const Vec v = lattice.edge(m).v;
+            const float* gi = gradient(x - v.x, y - v.y);
+            const float* gj = gradient(x + v.x, y + v.y);
+            edge_bend(Lanes4::load(gi), Lanes4::load(gi + group_size), Lanes4::load(gj),
+                      Lanes4::load(gj + group_size), Lanes4::load(net.at(m - lattice.offset(v))),
+                      Lanes4::load(net.at(m + lattice.offset(v))), v.x, v.y)
+                .store(net.at(m));
+        }
 }
 
 } // namespace HWY_NAMESPACE
@@ -110,6 +111,7 @@ HWY_EXPORT(make_edges);
 void make_net(const Lattice& lattice, Surface surface, const float* values, int channels, int first,
               int count, Net& net, Gradients& gradients) {
     net.values.resize(lattice.size() * group_size);
+    net.stride = lattice.stride();
     const int width = lattice.width(), height = lattice.height();
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {

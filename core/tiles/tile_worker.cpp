@@ -49,6 +49,12 @@ void repeat_to_two(std::vector<float>& v, int& width, int& height, int channels)
     }
 }
 
+/// A position in the lattice of the tile.
+Point local(const Tile& tile, const Position& p) {
+    return {int32_t(p.x - int64_t(tile.pixels.x0) * position_one),
+            int32_t(p.y - int64_t(tile.pixels.y0) * position_one)};
+}
+
 } // namespace
 
 size_t TileWorker::memory(const Job& job) {
@@ -109,6 +115,12 @@ Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
     m_positions.resize(size_t(reach.width()));
     m_inside.resize(size_t(reach.width()));
     m_points.resize(size_t(reach.width()));
+    m_row.forget();
+    if (m_mapping.separable()) {
+        m_mapping.row(reach.y0, reach.x0, reach.x1, m_positions.data(), m_inside.data());
+        for (size_t i = 0; i < m_points.size(); ++i)
+            m_points[i] = local(tile, m_positions[i]);
+    }
     const int strip = m_mapping.separable() ? int(std::max<size_t>(1, strip_floats / row)) : 1;
     for (int y = reach.y0; y < reach.y1; y += strip) {
         const Rect rows{reach.x0, y, reach.x1, std::min(y + strip, reach.y1)};
@@ -130,13 +142,13 @@ void TileWorker::sample(int n, float* out) {
 
 Outcome TileWorker::write_rows(const Tile& tile, const Rect& rows) {
     const auto channels = size_t(m_job.channels);
-    m_out.resize(rows.area() * channels + group_size);
+    m_out.resize(rows.area() * channels + row_padding);
     for (int y = rows.y0; y < rows.y1; ++y) {
-        m_mapping.row(y, rows.x0, rows.x1, m_positions.data(), m_inside.data());
-        for (int i = 0; i < rows.width(); ++i)
-            m_points[size_t(i)] = {
-                int32_t(m_positions[size_t(i)].x - int64_t(tile.pixels.x0) * position_one),
-                int32_t(m_positions[size_t(i)].y - int64_t(tile.pixels.y0) * position_one)};
+        // Only y changes from row to row.
+        m_mapping.row(y, rows.x0, rows.x0 + 1, m_positions.data(), m_inside.data());
+        const int32_t row = local(tile, m_positions[0]).y;
+        for (Point& p : m_points)
+            p.y = row;
         sample(rows.width(), m_out.data() + size_t(y - rows.y0) * size_t(rows.width()) * channels);
     }
     return m_sink.write(rows, m_out.data()) ? Outcome::done : Outcome::sink_failed;
@@ -160,11 +172,9 @@ Outcome TileWorker::write_runs(const Tile& tile, const Rect& row) {
         }
         const int begin = i;
         for (; i < width && serves(i); ++i)
-            m_points[size_t(i - begin)] = {
-                int32_t(m_positions[size_t(i)].x - int64_t(tile.pixels.x0) * position_one),
-                int32_t(m_positions[size_t(i)].y - int64_t(tile.pixels.y0) * position_one)};
+            m_points[size_t(i - begin)] = local(tile, m_positions[size_t(i)]);
         const int n = i - begin;
-        m_out.resize(size_t(n) * size_t(m_job.channels) + group_size);
+        m_out.resize(size_t(n) * size_t(m_job.channels) + row_padding);
         sample(n, m_out.data());
         if (!m_sink.write({row.x0 + begin, row.y0, row.x0 + i, row.y1}, m_out.data()))
             return Outcome::sink_failed;
