@@ -14,9 +14,11 @@ namespace ddt {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-#include "core/arith/lanes4-inl.h"
+#include "core/arith/lanes-inl.h"
 #include "core/arith/rsqrt-inl.h"
 #include "core/surface/gradient-inl.h"
+
+using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
 
 /// Walk round the vertex at site s and call f(j, k, zj - z, zk - z) for each of its triangles: j, k
 /// the other vertices relative to it in pixels, det(j, k) = 1. In a fixed order: from the first
@@ -109,6 +111,7 @@ HWY_EXPORT(make_edges);
 void make_net(const Lattice& lattice, Surface surface, const float* values, int channels, int first,
               int count, Net& net, Gradients& gradients) {
     net.values.resize(lattice.size() * group_size);
+    net.stride = lattice.stride();
     const int width = lattice.width(), height = lattice.height();
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {

@@ -33,6 +33,7 @@ constexpr float gradient_epsilon = 0.02f * 0.02f;
 /// [s * group_size], z at a vertex, e at an edge's midpoint.
 struct Net {
     std::vector<float> values;
+    int stride = 0; ///< the lattice's
     const float* at(int site) const { return values.data() + size_t(site) * group_size; }
     float* at(int site) { return values.data() + size_t(site) * group_size; }
 };

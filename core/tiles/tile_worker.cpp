@@ -142,7 +142,7 @@ void TileWorker::sample(int n, float* out) {
 
 Outcome TileWorker::write_rows(const Tile& tile, const Rect& rows) {
     const auto channels = size_t(m_job.channels);
-    m_out.resize(rows.area() * channels + group_size);
+    m_out.resize(rows.area() * channels + row_padding);
     for (int y = rows.y0; y < rows.y1; ++y) {
         // Only y changes from row to row.
         m_mapping.row(y, rows.x0, rows.x0 + 1, m_positions.data(), m_inside.data());
@@ -174,7 +174,7 @@ Outcome TileWorker::write_runs(const Tile& tile, const Rect& row) {
         for (; i < width && serves(i); ++i)
             m_points[size_t(i - begin)] = local(tile, m_positions[size_t(i)]);
         const int n = i - begin;
-        m_out.resize(size_t(n) * size_t(m_job.channels) + group_size);
+        m_out.resize(size_t(n) * size_t(m_job.channels) + row_padding);
         sample(n, m_out.data());
         if (!m_sink.write({row.x0 + begin, row.y0, row.x0 + i, row.y1}, m_out.data()))
             return Outcome::sink_failed;

@@ -1,0 +1,2 @@
+#include <OpenImageIO/imageio.h>
+
