@@ -2,21 +2,19 @@
 // `precise`, so that nothing is contracted to a fused multiply-add; no division, no square root.
 
 // C++ twin: core/arith/rsqrt-inl.h
-float rsqrt(float x) {
+float rsqrt(int steps, float x) {
     precise float half_x = 0.5 * x;
     precise float y = intBitsToFloat(0x5f3759df - (floatBitsToInt(x) >> 1));
-    y = y * (1.5 - (half_x * y) * y);
-    y = y * (1.5 - (half_x * y) * y);
-    y = y * (1.5 - (half_x * y) * y);
+    for (int i = 0; i < steps; ++i)
+        y = y * (1.5 - (half_x * y) * y);
     return y;
 }
 
-vec4 rsqrt(vec4 x) {
+vec4 rsqrt(int steps, vec4 x) {
     precise vec4 half_x = 0.5 * x;
     precise vec4 y = intBitsToFloat(0x5f3759df - (floatBitsToInt(x) >> 1));
-    y = y * (1.5 - (half_x * y) * y);
-    y = y * (1.5 - (half_x * y) * y);
-    y = y * (1.5 - (half_x * y) * y);
+    for (int i = 0; i < steps; ++i)
+        y = y * (1.5 - (half_x * y) * y);
     return y;
 }
 

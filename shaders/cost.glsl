@@ -8,7 +8,7 @@ struct Face {
 };
 Face face(float gx, float gy) {
     precise float square = ((gx * gx) + (gy * gy)) + 0.04;
-    precise float r = rsqrt(square);
+    precise float r = rsqrt(3, square);
     precise float x = gx * r, y = gy * r, z = 0.2 * r;
     return Face(x, y, z);
 }
@@ -24,7 +24,7 @@ struct Face {
 };
 Face face(float gx, float gy) {
     precise float square = (gx * gx) + (gy * gy);
-    precise float length = square * rsqrt(square);
+    precise float length = square * rsqrt(3, square);
     return Face(gx, gy, length);
 }
 float between(Face a, Face b) {

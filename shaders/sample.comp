@@ -21,9 +21,9 @@ layout(std430, binding = 4) writeonly buffer Result { uint pixels[]; }; // `chan
 
 layout(location = 0) uniform int tile;
 layout(location = 1) uniform bool separable;
-layout(location = 2) uniform ivec2 columns; // first in `position`, count
-layout(location = 3) uniform ivec2 rows;
-layout(location = 4) uniform ivec3 channels; // in a pixel; first, count of this group
+layout(location = 2) uniform ivec3 size;     // columns and rows of invocations, positions in all
+layout(location = 3) uniform ivec2 first;    // separable: of the first column and row in `position`
+layout(location = 4) uniform ivec3 channels; // in a pixel; first and count of this group
 layout(location = 5) uniform uint nearest;   // a bit a channel
 
 vec4 value_at(int pixel) {
@@ -38,10 +38,10 @@ vec4 bend(int i, int j, ivec2 v, vec4 zi, vec4 zj) {
 
 void main() {
     int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
-    if (x >= columns.y || y >= rows.y)
+    int index = y * size.x + x;
+    if (x >= size.x || y >= size.y || index >= size.z)
         return;
-    int index = y * columns.y + x;
-    ivec2 p = separable ? ivec2(position[columns.x + x], position[rows.x + y])
+    ivec2 p = separable ? ivec2(position[first.x + x], position[first.y + y])
                         : ivec2(position[2 * index], position[2 * index + 1]);
     Triangle t = locate(tile, p);
     int at_vertex[3];

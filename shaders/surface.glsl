@@ -19,7 +19,7 @@ void add(inout GradientMean mean, ivec2 j, ivec2 k, vec4 dzj, vec4 dzk) {
     precise vec4 gy = dzk * float(j.x) - dzj * float(k.x);
     precise vec4 square = gx * gx + gy * gy;
     precise vec4 raised = square + gradient_epsilon;
-    vec4 w = if_less_equal(square, vec4(largest), rsqrt(raised), zero);
+    vec4 w = if_less_equal(square, vec4(largest), rsqrt(1, raised), zero);
     gx = if_less_equal(square, vec4(largest), gx, zero);
     gy = if_less_equal(square, vec4(largest), gy, zero);
     if (!mean.begun) {
@@ -36,7 +36,7 @@ void add(inout GradientMean mean, ivec2 j, ivec2 k, vec4 dzj, vec4 dzk) {
 }
 
 void result(GradientMean mean, out vec4 gx, out vec4 gy) {
-    precise vec4 r = rsqrt(if_less(vec4(0.0), mean.weight, mean.weight, vec4(1.0)));
+    precise vec4 r = rsqrt(3, if_less(vec4(0.0), mean.weight, mean.weight, vec4(1.0)));
     precise vec4 reciprocal = r * r;
     precise vec4 x = mean.base_x + mean.sum_x * reciprocal;
     precise vec4 y = mean.base_y + mean.sum_y * reciprocal;
