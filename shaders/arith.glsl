@@ -26,3 +26,8 @@ vec4 if_less(vec4 a, vec4 b, vec4 yes, vec4 no) {
 vec4 if_less_equal(vec4 a, vec4 b, vec4 yes, vec4 no) {
     return mix(no, yes, lessThanEqual(a, b));
 }
+
+// c ? yes : no, a lane.
+uvec4 if_true(bvec4 c, uvec4 yes, uvec4 no) {
+    return uvec4(c.x ? yes.x : no.x, c.y ? yes.y : no.y, c.z ? yes.z : no.z, c.w ? yes.w : no.w);
+}

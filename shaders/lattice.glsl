@@ -32,11 +32,11 @@ ivec2 bytes(uint word, int first) {
     int w = int(word);
     return ivec2(bitfieldExtract(w, first, 8), bitfieldExtract(w, first + 8, 8));
 }
-uint packed(ivec2 a, ivec2 b) {
+uint pack(ivec2 a, ivec2 b) {
     return uint(a.x & 255) | uint(a.y & 255) << 8 | uint(b.x & 255) << 16 | uint(b.y & 255) << 24;
 }
-uvec2 packed(Edge e) {
-    return uvec2(packed(e.v, e.left), packed(e.right, ivec2(0)));
+uvec2 pack(Edge e) {
+    return uvec2(pack(e.v, e.left), pack(e.right, ivec2(0)));
 }
 
 Edge edge_at(int m) {
@@ -98,7 +98,7 @@ void flip(int m, Edge e) {
             side.left = apex;
         else
             side.right = apex;
-        site[s] = packed(side);
+        site[s] = pack(side);
     }
-    site[m] = packed(Edge(c, -e.v, e.v));
+    site[m] = pack(Edge(c, -e.v, e.v));
 }

@@ -74,7 +74,8 @@ void main() {
         ivec3 w = t.weight;
         int most = w.y > w.x ? (w.z > w.y ? 2 : 1) : (w.z > w.x ? 2 : 0);
         uvec4 copied = value[at_vertex[most]];
-        bits = mix(bits, copied, notEqual(uvec4(nearest) & uvec4(1u, 2u, 4u, 8u), uvec4(0u)));
+        bvec4 copy = notEqual(uvec4(nearest) & uvec4(1u, 2u, 4u, 8u), uvec4(0u));
+        bits = if_true(copy, copied, bits);
     }
 #ifdef WHOLE_GROUPS
     pixels[index * (channels.x / 4) + channels.y / 4] = bits;

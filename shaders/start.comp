@@ -34,16 +34,16 @@ void main() {
     bool own = has_right && has_below && down(x, y);
     if (has_right) {
         bool above = has_above && down(x, y - 1);
-        site[s + 1] = packed(Edge(ivec2(1, 0), has_below ? ivec2(own ? 1 : -1, 2) : ivec2(0),
+        site[s + 1] = pack(Edge(ivec2(1, 0), has_below ? ivec2(own ? 1 : -1, 2) : ivec2(0),
                                   has_above ? ivec2(above ? -1 : 1, -2) : ivec2(0)));
     }
     if (has_below) {
         bool before = has_left && down(x - 1, y);
         site[s + stride] =
-            packed(Edge(ivec2(0, 1), has_left ? ivec2(-2, before ? -1 : 1) : ivec2(0),
+            pack(Edge(ivec2(0, 1), has_left ? ivec2(-2, before ? -1 : 1) : ivec2(0),
                         has_right ? ivec2(2, own ? 1 : -1) : ivec2(0)));
     }
     if (has_right && has_below)
-        site[s + stride + 1] = packed(own ? Edge(ivec2(1, 1), ivec2(-1, 1), ivec2(1, -1))
+        site[s + stride + 1] = pack(own ? Edge(ivec2(1, 1), ivec2(-1, 1), ivec2(1, -1))
                                           : Edge(ivec2(-1, 1), ivec2(-1, -1), ivec2(1, 1)));
 }

@@ -87,6 +87,6 @@ vec4 at(Patch p, float b0, float b1, float b2, bool quadratic) {
 
 // The bits of a value, all NaN alike.
 uvec4 result_bits(vec4 f) {
-    return mix(uvec4(0x7fc00000u), floatBitsToUint(f),
-               lessThanEqual(f, uintBitsToFloat(uvec4(0x7f800000u))));
+    bvec4 number = lessThanEqual(f, uintBitsToFloat(uvec4(0x7f800000u)));
+    return if_true(number, floatBitsToUint(f), uvec4(0x7fc00000u));
 }

@@ -128,20 +128,22 @@ std::unique_ptr<Context> try_candidate(const Egl& egl, const Candidate& candidat
     }
     if (!egl.BindAPI(EGL_OPENGL_API))
         return failed("eglBindAPI(EGL_OPENGL_API)");
-    std::vector<EGLint> attributes = {EGL_CONTEXT_MAJOR_VERSION,
-                                      4,
-                                      EGL_CONTEXT_MINOR_VERSION,
-                                      3,
-                                      EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
-    if (has("EGL_EXT_create_context_robustness"))
-        attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT,
-                                             EGL_LOSE_CONTEXT_ON_RESET_EXT});
-    attributes.push_back(EGL_NONE);
-    const EGLContext handle =
-        strikes(Fault::context)
-            ? EGL_NO_CONTEXT
-            : egl.CreateContext(display, EGLConfig(nullptr), EGL_NO_CONTEXT, attributes.data());
+    // A context that says when it is lost, else one that does not.
+    constexpr EGLint plain[] = {EGL_CONTEXT_MAJOR_VERSION_KHR,
+                                4,
+                                EGL_CONTEXT_MINOR_VERSION_KHR,
+                                3,
+                                EGL_CONTEXT_OPENGL_PROFILE_MASK_KHR,
+                                EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT_KHR,
+                                EGL_NONE};
+    std::vector<EGLint> robust(std::begin(plain), std::end(plain) - 1);
+    robust.insert(robust.end(), {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_KHR,
+                                 EGL_LOSE_CONTEXT_ON_RESET_KHR, EGL_NONE});
+    EGLContext handle = EGL_NO_CONTEXT;
+    const bool refused = strikes(Fault::context);
+    for (const EGLint* attributes : std::initializer_list<const EGLint*>{robust.data(), plain})
+        if (handle == EGL_NO_CONTEXT && !refused)
+            handle = egl.CreateContext(display, EGLConfig(nullptr), EGL_NO_CONTEXT, attributes);
     if (handle == EGL_NO_CONTEXT)
         return failed("eglCreateContext(OpenGL 4.3 core)");
     auto context = std::make_unique<Context>();

@@ -64,6 +64,8 @@ size_t Mesh::largest_bytes(const SlotShape& shape) {
 
 void Mesh::set_tiles(const std::vector<TileSize>& sizes) {
     m_tiles = int(sizes.size());
+    // Whatever shaders wrote may now be overwritten from here.
+    m_gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
     Batch batch{m_shape.stride(), GLint(m_shape.sites()), m_shape.width, GLint(m_shape.pixels()),
                 {}};
     for (size_t i = 0; i < sizes.size(); ++i) {
@@ -129,22 +131,7 @@ void Mesh::triangulate(const MeshOptions& options) {
     start(options);
     if (m_iterations == 0)
         return;
-
-    std::vector<GLuint> arguments(arguments_bytes / sizeof(GLuint));
-    for (size_t i = 0; i < arguments.size(); i += 3) {
-        arguments[i + 1] = GLuint(m_tiles);
-        arguments[i + 2] = 1;
-    }
-    m_work.clear();
-    m_work.write(0, arguments_bytes, arguments.data());
-    m_stamp.clear();
-    m_gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    const Buffer* const bindings[] = {&m_sites,    &m_gain,         &m_stamp,       &m_dirty,
-                                      &m_selected, &m_blocked_even, &m_blocked_odd, &m_work};
-    for (GLuint i = 0; i < 8; ++i)
-        bindings[i]->bind(i);
-    m_gl.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, m_work.name());
-
+    prepare_lists();
     const std::string cost = define(options.cost);
     first_iteration(cost);
     const int wide = std::min(m_iterations, wide_iterations);
@@ -157,6 +144,22 @@ void Mesh::triangulate(const MeshOptions& options) {
         ++m_dispatches;
         barrier();
     }
+}
+
+void Mesh::prepare_lists() {
+    std::vector<GLuint> arguments(arguments_bytes / sizeof(GLuint));
+    for (size_t i = 0; i < arguments.size(); i += 3) {
+        arguments[i + 1] = GLuint(m_tiles);
+        arguments[i + 2] = 1;
+    }
+    m_work.clear();
+    m_work.write(0, arguments_bytes, arguments.data());
+    m_stamp.clear();
+    const Buffer* const bindings[] = {&m_sites,    &m_gain,         &m_stamp,       &m_dirty,
+                                      &m_selected, &m_blocked_even, &m_blocked_odd, &m_work};
+    for (GLuint i = 0; i < 8; ++i)
+        bindings[i]->bind(i);
+    m_gl.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, m_work.name());
 }
 
 void Mesh::first_iteration(const std::string& cost) {
@@ -206,25 +209,19 @@ void Mesh::find_first_edges() {
     barrier();
 }
 
-std::vector<IterationCounts> Mesh::read_counts() {
-    std::vector<IterationCounts> sums;
+std::vector<std::vector<IterationCounts>> Mesh::read_counts() {
+    std::vector<std::vector<IterationCounts>> result(static_cast<size_t>(m_tiles));
     if (m_iterations == 0)
-        return sums;
+        return result;
     std::vector<Counts> counts(size_t(m_tiles) * size_t(m_iterations + 1));
     m_gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     m_work.read(arguments_bytes, counts.size() * sizeof(Counts), counts.data());
-    for (int i = 1; i <= m_iterations; ++i) {
-        IterationCounts sum;
-        for (int t = 0; t < m_tiles; ++t) {
-            const Counts& c = counts[size_t(i) * size_t(m_tiles) + size_t(t)];
-            sum.evaluated += c.evaluated;
-            sum.selected += c.selected;
-            sum.blocked += c.blocked;
-            sum.dirty += c.dirty;
+    for (size_t i = 1; i <= size_t(m_iterations); ++i)
+        for (size_t t = 0; t < result.size(); ++t) {
+            const Counts& c = counts[i * result.size() + t];
+            result[t].push_back({c.evaluated, c.selected, c.blocked, c.dirty});
         }
-        sums.push_back(sum);
-    }
-    return sums;
+    return result;
 }
 
 } // namespace ddt::gl

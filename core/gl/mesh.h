@@ -1,6 +1,9 @@
 // Triangulation of several tiles at once on the device.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "core/gl/buffer.h"
 #include "core/gl/gpu.h"
 #include "ddt/core.h"
@@ -23,7 +26,8 @@ struct TileSize {
     int width = 0, height = 0;
 };
 
-/// Sizes of what has been done, for benchmarks: one entry an iteration, sums over tiles.
+/// What an iteration did on one tile: gains computed, edges flipped, candidates left waiting, edges
+/// a flip had touched.
 struct IterationCounts {
     int64_t evaluated = 0, selected = 0, blocked = 0, dirty = 0;
 };
@@ -50,8 +54,8 @@ public:
     /// Make ready for Surfaces: find the vertices' first edges.
     void find_first_edges();
 
-    /// Counts of each iteration of the last triangulate(); waits for the device.
-    std::vector<IterationCounts> read_counts();
+    /// Counts of each iteration of the last triangulate(), a slot; waits for the device.
+    std::vector<std::vector<IterationCounts>> read_counts();
     /// A slot's mesh, for tests.
     void read_sites(int slot, void* sites);
 
@@ -66,6 +70,7 @@ public:
 
 private:
     void start(const MeshOptions& options);
+    void prepare_lists();
     void first_iteration(const std::string& cost);
     void iteration(int i, const std::string& cost);
     void set_uniforms(int first_iteration, int last_iteration);

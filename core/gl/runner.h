@@ -10,6 +10,7 @@
 
 #include "core/gl/gpu.h"
 #include "core/gl/mesh.h"
+#include "core/gl/stages.h"
 #include "core/gl/strip.h"
 #include "core/gl/surfaces.h"
 #include "core/tiles/grid.h"
@@ -30,6 +31,7 @@ public:
     /// Work until all tiles are done or the run has ended. Throws Failure.
     void work();
 
+    /// Of the tiles that are done; filled in if the job or DDT_VERBOSE wants it.
     const Statistics& statistics() const { return m_statistics; }
 
 private:
@@ -45,15 +47,15 @@ private:
         Statistics statistics;
     };
 
-    bool read_some(size_t count);
-    void read(HostTile& tile, std::vector<float>& raw, std::vector<float>& guide);
+    void read_ahead();
+    bool read(HostTile& tile);
     void triangulate_here(HostTile& tile, const std::vector<float>& guide);
-    void start_batch();
-    void finish_batch();
-    void make_meshes();
-    void count_up(const std::vector<std::vector<IterationCounts>>& counts);
-    void sample_strips();
-    void write(Strip& strip);
+    void start_batch();                ///< on the context's thread
+    void sample_batch();
+    void sample(Strip& strip, const Strip* write_meanwhile);
+    void write(const Strip& strip);
+    void retry_with_fewer();
+    void drop_meshes();
     size_t affordable_tiles() const;
     void report();
 
@@ -73,8 +75,9 @@ private:
     int m_next_tile = 0;
     std::deque<std::unique_ptr<HostTile>> m_ready; ///< read, not begun
     std::vector<std::unique_ptr<HostTile>> m_batch; ///< on the device
-    size_t m_in_flight;                            ///< tiles a batch may have
-    Strip m_strips[2];
+    size_t m_in_flight; ///< tiles a batch may have
+    Strip m_strips[2];  ///< one sampled while the other is written
+    bool m_counting;    ///< statistics are wanted
 
     // On the context's thread only.
     std::unique_ptr<Mesh> m_mesh;
