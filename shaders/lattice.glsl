@@ -58,6 +58,21 @@ bool flippable(Edge e) {
            abs(e.left.y) <= longest_edge;
 }
 
+const int division_down = 0, division_up = 1, division_other = 2;
+
+// How the cell of the tile whose slot begins at first_site is divided.
+int division(int first_site, ivec2 cell) {
+    Edge centre = edge_at(first_site + offset(2 * cell + 1));
+    ivec2 v = centre.v.y < 0 ? -centre.v : centre.v, apex = centre.left;
+    if (apex != -centre.right)
+        return division_other;
+    if (v == ivec2(1, 1) && (apex == ivec2(-1, 1) || apex == ivec2(1, -1)))
+        return division_down;
+    if (v == ivec2(-1, 1) && (apex == ivec2(-1, -1) || apex == ivec2(1, 1)))
+        return division_up;
+    return division_other;
+}
+
 struct Quad {
     ivec2 v, w;
     ivec2 side[4], middle[4], inner[4];

@@ -1,4 +1,4 @@
-// Which triangle a position lies in. C++ twin: core/sample/locate.cpp.
+// Which triangle a position lies in. C++ twin: core/sample/locate.cpp. After net.glsl.
 
 const int position_bits = 16, position_one = 1 << position_bits;
 
@@ -13,10 +13,6 @@ int det(ivec2 a, ivec2 b) {
 
 bool tie_inside(ivec2 d) {
     return d.y < 0 || (d.y == 0 && d.x > 0);
-}
-
-bool before(ivec2 a, ivec2 b) {
-    return a.y < b.y || (a.y == b.y && a.x < b.x);
 }
 
 // The triangle s, t, c (det > 0), corners relative to the cell, for the position f in it.
@@ -78,4 +74,10 @@ Triangle locate(int tile, ivec2 p) {
         s = to;
         t = from;
     }
+}
+
+// Barycentric weights.
+vec3 weights(Triangle t) {
+    const float unit = 1.0 / float(position_one);
+    return vec3(t.weight) * unit;
 }

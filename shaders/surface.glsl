@@ -57,29 +57,58 @@ vec4 edge_bend(vec4 gix, vec4 giy, vec4 gjx, vec4 gjy, vec4 zi, vec4 zj, ivec2 v
     return if_less_equal(limit, vec4(largest), e, zero);
 }
 
+// Weight of the flipped state of a flippable edge with this gain.
+float soft_weight(float gain, float reciprocal_tau) {
+    float loss = gain < 0.0 ? gain : 0.0;
+    precise float w = 1.0 + loss * reciprocal_tau;
+    return w > 0.0 ? 0.5 * w : 0.0;
+}
+
+// q of an edge from i to j with apexes c and d, weight w.
+vec4 edge_softness(float w, vec4 zi, vec4 zj, vec4 zc, vec4 zd) {
+    const vec4 zero = vec4(0.0);
+    precise vec4 q = w * ((zc + zd) - (zi + zj));
+    precise vec4 negated = zero - q;
+    vec4 size = if_less(q, zero, negated, q);
+    return if_less_equal(size, vec4(largest), q, zero);
+}
+
 struct Patch {
-    vec4 z0, z1, z2, e01, e12, e20, low, high;
+    vec4 z0, z1, z2, e01, e12, e20, q01, q12, q20, low, high;
 };
 
-void find_range(inout Patch p) {
+void find_range(inout Patch p, vec4 strict) {
     p.low = if_less(p.z1, p.z0, p.z1, p.z0);
     p.low = if_less(p.z2, p.low, p.z2, p.low);
     p.high = if_less(p.z0, p.z1, p.z1, p.z0);
     p.high = if_less(p.high, p.z2, p.z2, p.high);
+#ifdef SOFT
+    const vec4 zero = vec4(0.0), infinity = uintBitsToFloat(uvec4(0x7f800000u));
+    p.low = if_less(zero, strict, p.low, if_less(p.low, zero, -infinity, zero));
+    p.high = if_less(zero, strict, p.high, infinity);
+#endif
+}
+
+float smaller(float a, float b) {
+    return a < b ? a : b;
 }
 
 // b z, but 0 where b = 0, whatever z is.
 vec4 term(float b, vec4 z) {
     precise vec4 t = b * z;
-    return b == 0.0 ? vec4(0.0) : t;
+    return b > 0.0 ? t : vec4(0.0);
 }
 
-vec4 at(Patch p, float b0, float b1, float b2, bool quadratic) {
+// The surface at barycentric weights b, all >= 0.
+vec4 at(Patch p, float b0, float b1, float b2) {
     precise vec4 f = (term(b0, p.z0) + term(b1, p.z1)) + term(b2, p.z2);
-    if (quadratic) {
-        precise float b01 = b0 * b1, b12 = b1 * b2, b20 = b2 * b0;
-        f = f + ((b01 * p.e01 + b12 * p.e12) + b20 * p.e20);
-    }
+#ifdef QUADRATIC
+    precise float b01 = b0 * b1, b12 = b1 * b2, b20 = b2 * b0;
+    f = f + ((b01 * p.e01 + b12 * p.e12) + b20 * p.e20);
+#endif
+#ifdef SOFT
+    f = f + ((smaller(b0, b1) * p.q01 + smaller(b1, b2) * p.q12) + smaller(b2, b0) * p.q20);
+#endif
     f = if_less(f, p.low, p.low, f);
     f = if_less(p.high, f, p.high, f);
     return f;

@@ -19,8 +19,8 @@ Buffer::Buffer(const Functions& gl, size_t bytes) : m_gl(gl), m_bytes(std::max<s
     if (error == GL_NO_ERROR)
         return;
     gl.DeleteBuffers(1, &m_name);
-    throw OutOfMemory("glBufferData of " + std::to_string(m_bytes) + " bytes: " +
-                      error_name(error));
+    throw OutOfMemory("glBufferData of " + std::to_string(m_bytes) +
+                      " bytes: " + error_name(error));
 }
 
 Buffer::~Buffer() {

@@ -12,9 +12,9 @@ namespace ddt::gl {
 /// and is never destroyed: drivers may be gone, or in use by the host, when a process ends.
 struct Context {
     Functions gl;
-    std::string platform; ///< how it was had: "EGL device 0"
-    std::string renderer; ///< GL_RENDERER
-    std::string version;  ///< GL_VERSION
+    std::string platform;  ///< how it was had: "EGL device 0"
+    std::string renderer;  ///< GL_RENDERER
+    std::string version;   ///< GL_VERSION
     bool software = false; ///< llvmpipe and its like: native code is faster
 };
 

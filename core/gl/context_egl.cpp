@@ -38,8 +38,7 @@ struct Egl {
         if (!library->find("eglGetProcAddress", GetProcAddress) ||
             !library->find("eglQueryString", QueryString) ||
             !library->find("eglGetDisplay", GetDisplay) ||
-            !library->find("eglInitialize", Initialize) ||
-            !library->find("eglBindAPI", BindAPI) ||
+            !library->find("eglInitialize", Initialize) || !library->find("eglBindAPI", BindAPI) ||
             !library->find("eglCreateContext", CreateContext) ||
             !library->find("eglDestroyContext", DestroyContext) ||
             !library->find("eglMakeCurrent", MakeCurrent) ||
@@ -55,8 +54,8 @@ struct Egl {
                 GetProcAddress("eglGetPlatformDisplayEXT"));
         if (has("EGL_EXT_platform_device") || has("EGL_EXT_device_base") ||
             has("EGL_EXT_device_enumeration")) {
-            QueryDevices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(
-                GetProcAddress("eglQueryDevicesEXT"));
+            QueryDevices =
+                reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(GetProcAddress("eglQueryDevicesEXT"));
             QueryDeviceString = reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(
                 GetProcAddress("eglQueryDeviceStringEXT"));
         }
@@ -109,9 +108,9 @@ std::unique_ptr<Context> try_candidate(const Egl& egl, const Candidate& candidat
         why = candidate.platform + ": " + call + " failed with " + egl_error(egl);
         return nullptr;
     };
-    const EGLDisplay display = candidate.kind ? egl.GetPlatformDisplay(candidate.kind,
-                                                                       candidate.native, nullptr)
-                                              : egl.GetDisplay(EGL_DEFAULT_DISPLAY);
+    const EGLDisplay display =
+        candidate.kind ? egl.GetPlatformDisplay(candidate.kind, candidate.native, nullptr)
+                       : egl.GetDisplay(EGL_DEFAULT_DISPLAY);
     if (display == EGL_NO_DISPLAY)
         return failed("eglGetPlatformDisplay");
     EGLint major = 0, minor = 0;

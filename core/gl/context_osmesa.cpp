@@ -34,8 +34,14 @@ std::unique_ptr<Context> make_osmesa_context(std::string& why) {
         why = "libOSMesa has no OSMesaCreateContextAttribs (Mesa 11.2 or later is needed)";
         return nullptr;
     }
-    const int attributes[] = {osmesa_format,        GL_RGBA, osmesa_profile,       osmesa_core_profile,
-                              osmesa_major_version, 4,       osmesa_minor_version, 3,
+    const int attributes[] = {osmesa_format,
+                              GL_RGBA,
+                              osmesa_profile,
+                              osmesa_core_profile,
+                              osmesa_major_version,
+                              4,
+                              osmesa_minor_version,
+                              3,
                               0};
     void* handle = strikes(Fault::context) ? nullptr : create(attributes, nullptr);
     if (!handle) {

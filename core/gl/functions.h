@@ -31,6 +31,7 @@ namespace ddt::gl {
     X(UNIFORM3I, Uniform3i)                                                                        \
     X(UNIFORM1UI, Uniform1ui)                                                                      \
     X(UNIFORM1F, Uniform1f)                                                                        \
+    X(UNIFORM4F, Uniform4f)                                                                        \
     X(GENBUFFERS, GenBuffers)                                                                      \
     X(DELETEBUFFERS, DeleteBuffers)                                                                \
     X(BINDBUFFER, BindBuffer)                                                                      \

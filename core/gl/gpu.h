@@ -18,7 +18,7 @@ struct Gpu {
     Thread thread;
     std::unique_ptr<Context> context;
     std::unique_ptr<Programs> programs;
-    size_t block_limit = 0;    ///< bytes a storage block may have
+    size_t block_limit = 0; ///< bytes a storage block may have
     double open_milliseconds = 0;
     std::atomic<bool> broken{false}; ///< lost: of no more use
 };

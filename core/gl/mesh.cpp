@@ -66,8 +66,8 @@ void Mesh::set_tiles(const std::vector<TileSize>& sizes) {
     m_tiles = int(sizes.size());
     // Whatever shaders wrote may now be overwritten from here.
     m_gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
-    Batch batch{m_shape.stride(), GLint(m_shape.sites()), m_shape.width, GLint(m_shape.pixels()),
-                {}};
+    Batch batch{
+        m_shape.stride(), GLint(m_shape.sites()), m_shape.width, GLint(m_shape.pixels()), {}};
     for (size_t i = 0; i < sizes.size(); ++i) {
         batch.extent[i][0] = sizes[i].width;
         batch.extent[i][1] = sizes[i].height;
@@ -155,11 +155,15 @@ void Mesh::prepare_lists() {
     m_work.clear();
     m_work.write(0, arguments_bytes, arguments.data());
     m_stamp.clear();
+    bind_lists();
+    m_gl.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, m_work.name());
+}
+
+void Mesh::bind_lists() {
     const Buffer* const bindings[] = {&m_sites,    &m_gain,         &m_stamp,       &m_dirty,
                                       &m_selected, &m_blocked_even, &m_blocked_odd, &m_work};
     for (GLuint i = 0; i < 8; ++i)
         bindings[i]->bind(i);
-    m_gl.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, m_work.name());
 }
 
 void Mesh::first_iteration(const std::string& cost) {
@@ -205,6 +209,15 @@ void Mesh::set_uniforms(int first_iteration, int last_iteration) {
 void Mesh::find_first_edges() {
     bind();
     m_gpu.programs->use("first_edges.comp");
+    dispatch_over(2 * m_shape.width - 1, 2 * m_shape.height - 1, 64, 2);
+    barrier();
+}
+
+void Mesh::find_gains(Cost cost) {
+    bind();
+    bind_lists();
+    m_gpu.programs->use("evaluate.comp", define(cost) + " DENSE");
+    set_uniforms(0, 0); // counts as iteration 0, which nobody reads
     dispatch_over(2 * m_shape.width - 1, 2 * m_shape.height - 1, 64, 2);
     barrier();
 }

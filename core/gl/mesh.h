@@ -16,9 +16,7 @@ struct SlotShape {
     int stride() const { return 2 * width; }
     size_t pixels() const { return size_t(width) * size_t(height); }
     size_t sites() const { return size_t(stride()) * size_t(2 * height - 1); }
-    size_t edges() const {
-        return size_t(2 * width - 1) * size_t(2 * height - 1) - pixels();
-    }
+    size_t edges() const { return size_t(2 * width - 1) * size_t(2 * height - 1) - pixels(); }
 };
 
 /// Sizes of a tile within its slot, both at least 2.
@@ -51,8 +49,11 @@ public:
     /// Whether triangulate() knows the scheme; of others the finished mesh must be written.
     static bool knows(Scheme scheme);
     void triangulate(const MeshOptions& options);
-    /// Make ready for Surfaces: find the vertices' first edges.
+    /// On the finished mesh: offer the vertices their first edges, for gradients.
     void find_first_edges();
+    /// On the finished mesh: the gains of all edges, for soft ones.
+    void find_gains(Cost cost);
+    const Buffer& gains() const { return m_gain; }
 
     /// Counts of each iteration of the last triangulate(), a slot; waits for the device.
     std::vector<std::vector<IterationCounts>> read_counts();
@@ -71,6 +72,7 @@ public:
 private:
     void start(const MeshOptions& options);
     void prepare_lists();
+    void bind_lists();
     void first_iteration(const std::string& cost);
     void iteration(int i, const std::string& cost);
     void set_uniforms(int first_iteration, int last_iteration);

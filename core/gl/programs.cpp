@@ -55,9 +55,9 @@ void Programs::use(const std::string& file, const std::string& defines) {
     if (!program) {
         const auto begin = std::chrono::steady_clock::now();
         program = compile(file, defines);
-        m_milliseconds += std::chrono::duration<double, std::milli>(
-                              std::chrono::steady_clock::now() - begin)
-                              .count();
+        m_milliseconds +=
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+                .count();
     }
     m_gl.UseProgram(program);
 }

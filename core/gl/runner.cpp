@@ -40,8 +40,14 @@ Runner::Runner(Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping, con
       m_run(run), m_arena(threads), m_shape(shape_for(job.window)),
       m_groups(group_count(job.channels)), m_in_flight(affordable_tiles()),
       m_counting(job.statistics || verbose()) {
-    for (int g = 0; g < m_groups; ++g)
-        m_nearest.push_back(nearest_mask(job, g));
+    for (int g = 0; g < group_count(job.channels); ++g) {
+        GroupKinds kinds;
+        kinds.nearest = nearest_mask(job, g);
+        for (int c = 0; c < group_size; ++c)
+            if (kind_of(job, g * group_size + c) == Channel::alpha)
+                kinds.strict |= 1u << c;
+        m_kinds.push_back(kinds);
+    }
 }
 
 Runner::~Runner() {
@@ -59,13 +65,12 @@ void Runner::drop_meshes() {
 }
 
 size_t Runner::affordable_tiles() const {
-    const size_t a_tile =
-        Mesh::bytes(m_shape) + Surfaces::bytes(m_shape, m_groups, m_job.surface);
-    const size_t largest = std::max(Mesh::largest_bytes(m_shape),
-                                    Surfaces::largest_bytes(m_shape, m_job.surface));
+    const size_t a_tile = Mesh::bytes(m_shape) + Surfaces::bytes(m_shape, size_t(m_groups), m_job.surface);
+    const size_t largest =
+        std::max(Mesh::largest_bytes(m_shape), Surfaces::largest_bytes(m_shape, m_job.surface));
     const size_t budget = m_gpu.context->software ? software_budget : hardware_budget;
-    const size_t n = std::min({budget / a_tile, m_gpu.block_limit / largest,
-                               size_t(m_grid.count()), size_t(max_tiles)});
+    const size_t n = std::min(
+        {budget / a_tile, m_gpu.block_limit / largest, size_t(m_grid.count()), size_t(max_tiles)});
     return std::max<size_t>(1, n);
 }
 
@@ -125,7 +130,7 @@ void Runner::read_ahead() {
 
 bool Runner::read(HostTile& t) {
     std::vector<float> values, guide;
-    if (!read_tile(m_source, t.tile, m_job.channels, values, guide, t.size.width, t.size.height))
+    if (!read_tile(m_source, t.tile, m_job, values, guide, t.size.width, t.size.height))
         return false;
     const size_t pixels = m_shape.pixels();
     t.values.assign(pixels * size_t(m_groups) * group_size, 0.0f);
@@ -133,8 +138,8 @@ bool Runner::read(HostTile& t) {
         for (int x = 0; x < t.size.width; ++x) {
             const float* in = values.data() + (size_t(y) * size_t(t.size.width) + size_t(x)) *
                                                   size_t(m_job.channels);
-            float* out = t.values.data() +
-                         (size_t(y) * size_t(m_shape.width) + size_t(x)) * group_size;
+            float* out =
+                t.values.data() + (size_t(y) * size_t(m_shape.width) + size_t(x)) * group_size;
             for (int g = 0; g < m_groups; ++g, in += group_size, out += pixels * group_size)
                 std::memcpy(out, in, size_t(channels_in_group(m_job.channels, g)) * sizeof(float));
         }
@@ -175,7 +180,7 @@ void Runner::start_batch() {
     if (!m_mesh || !m_surfaces) {
         m_mesh = std::make_unique<Mesh>(m_gpu, m_shape, int(m_in_flight));
         m_surfaces =
-            std::make_unique<Surfaces>(m_gpu, m_shape, int(m_in_flight), m_groups, m_job.surface);
+            std::make_unique<Surfaces>(m_gpu, m_shape, int(m_in_flight), m_kinds, m_job.surface);
     }
     std::vector<TileSize> sizes;
     for (const auto& t : m_batch)
@@ -201,7 +206,7 @@ void Runner::start_batch() {
         m_stages->end();
     }
     m_stages->begin(Stage::surface);
-    m_surfaces->make(*m_mesh);
+    m_surfaces->make(*m_mesh, m_job.mesh.cost);
     m_stages->end();
     finish(gl, "triangulation");
     if (!m_counting || !m_batch[0]->sites.empty())
@@ -224,8 +229,7 @@ void Runner::sample_batch() {
     int turn = 0;
     for (size_t i = 0; i < m_batch.size() && m_run.going(); ++i) {
         const HostTile& t = *m_batch[i];
-        const size_t row_bytes =
-            size_t(t.reach.width()) * size_t(m_job.channels) * sizeof(float);
+        const size_t row_bytes = size_t(t.reach.width()) * size_t(m_job.channels) * sizeof(float);
         const int height = int(std::max<size_t>(1, strip_bytes / row_bytes));
         for (int y = std::max(t.reach.y0, m_run.next_row(t.index)); y < t.reach.y1 && m_run.going();
              y += height) {
@@ -251,7 +255,7 @@ void Runner::sample(Strip& strip, const Strip* write_meanwhile) {
             return;
         m_stages->begin(Stage::sample);
         m_surfaces->write_positions(strip.positions);
-        m_surfaces->sample(*m_mesh, strip.plan, m_job.channels, m_nearest);
+        m_surfaces->sample(*m_mesh, strip.plan, m_job.channels);
         m_stages->end();
         m_stages->begin(Stage::download);
         m_surfaces->read_result(floats, strip.results.data());

@@ -50,7 +50,7 @@ private:
     void read_ahead();
     bool read(HostTile& tile);
     void triangulate_here(HostTile& tile, const std::vector<float>& guide);
-    void start_batch();                ///< on the context's thread
+    void start_batch(); ///< on the context's thread
     void sample_batch();
     void sample(Strip& strip, const Strip* write_meanwhile);
     void write(const Strip& strip);
@@ -69,15 +69,15 @@ private:
     tbb::task_arena m_arena;
     SlotShape m_shape;
     int m_groups;
-    std::vector<unsigned> m_nearest;
+    std::vector<GroupKinds> m_kinds;
     Statistics m_statistics;
 
     int m_next_tile = 0;
-    std::deque<std::unique_ptr<HostTile>> m_ready; ///< read, not begun
+    std::deque<std::unique_ptr<HostTile>> m_ready;  ///< read, not begun
     std::vector<std::unique_ptr<HostTile>> m_batch; ///< on the device
-    size_t m_in_flight; ///< tiles a batch may have
-    Strip m_strips[2];  ///< one sampled while the other is written
-    bool m_counting;    ///< statistics are wanted
+    size_t m_in_flight;                             ///< tiles a batch may have
+    Strip m_strips[2];                              ///< one sampled while the other is written
+    bool m_counting;                                ///< statistics are wanted
 
     // On the context's thread only.
     std::unique_ptr<Mesh> m_mesh;

@@ -94,8 +94,8 @@ inline Result enlarge_on(Device device, const Picture& picture, const Order& ord
     };
     const ResizeMapping whole(axis(picture.width, order.out_width),
                               axis(picture.height, order.out_height));
-    result.outcome = enlarge(source, sink, order.mapping ? *order.mapping : whole, job,
-                             &result.error);
+    result.outcome =
+        enlarge(source, sink, order.mapping ? *order.mapping : whole, job, &result.error);
     result.bits = std::move(sink.bits);
     result.times = std::move(sink.times);
     return result;

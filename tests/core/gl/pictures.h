@@ -40,8 +40,8 @@ inline Picture make_picture(Content content, int width, int height, int channels
         for (int x = 0; x < width; ++x) {
             const float u = float(x) * std::cos(angle) + float(y) * std::sin(angle);
             const float r = std::hypot(float(x) - cx, float(y) - cy);
-            float v = 0.5f + 0.2f * std::sin(u / period) + (std::fmod(r, 40.0f) < 20 ? 0.2f : 0.0f) +
-                      0.02f * uniform(random);
+            float v = 0.5f + 0.2f * std::sin(u / period) +
+                      (std::fmod(r, 40.0f) < 20 ? 0.2f : 0.0f) + 0.02f * uniform(random);
             switch (content) {
             case Content::noise:
                 v = uniform(random);
@@ -56,7 +56,7 @@ inline Picture make_picture(Content content, int width, int height, int channels
                 v = random() % 50 == 0 ? 1000.0f * uniform(random) : v;
                 break;
             case Content::tiny:
-                v = 1e-38f * (uniform(random) - 0.5f);
+                v = (random() % 2 ? 1e-38f : 1e-23f) * (uniform(random) - 0.5f);
                 break;
             default:
                 break;

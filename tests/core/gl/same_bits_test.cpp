@@ -5,14 +5,33 @@
 namespace ddt::test {
 namespace {
 
+std::vector<SurfaceOptions> surfaces() {
+    std::vector<SurfaceOptions> all;
+    for (const Surface kind : {Surface::linear, Surface::patch})
+        for (const int consistency : {0, 1, 2})
+            for (const float soft : {0.0f, 0.3f}) {
+                SurfaceOptions s(kind);
+                s.consistency = consistency;
+                s.soft = soft;
+                all.push_back(s);
+            }
+    return all;
+}
+
+std::string name_of(const SurfaceOptions& s) {
+    return (s.kind == Surface::linear ? "linear consistency " : "patch consistency ") +
+           std::to_string(s.consistency) + " soft " + std::to_string(s.soft);
+}
+
 class SameBits : public OnDevice {};
 
 TEST_P(SameBits, EverySchemeCostSurfaceAndPicture) {
     for (const Scheme scheme : {Scheme::one_round, Scheme::pixel, Scheme::lawson})
         for (const Cost cost : {Cost::abn, Cost::scf})
-            for (const Surface surface : {Surface::linear, Surface::patch})
+            for (const SurfaceOptions& surface : surfaces())
                 for (int content = 0; content < int(Content::count); ++content) {
-                    const Picture p = make_picture(Content(content), 61, 43, 4, 7u + unsigned(content));
+                    const Picture p =
+                        make_picture(Content(content), 61, 43, 4, 7u + unsigned(content));
                     Order order;
                     order.job.mesh.scheme = scheme;
                     order.job.mesh.cost = cost;
@@ -23,7 +42,7 @@ TEST_P(SameBits, EverySchemeCostSurfaceAndPicture) {
                                 std::string(name_of(Content(content))) + " scheme " +
                                     std::to_string(int(scheme)) + " cost " +
                                     std::to_string(int(cost)) + " surface " +
-                                    std::to_string(int(surface)));
+                                    name_of(surface));
                 }
 }
 
