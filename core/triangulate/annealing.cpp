@@ -33,58 +33,66 @@ public:
     Annealing(Lattice& lattice, Cost cost, uint32_t seed, Workspace& w, Statistics& statistics)
         : m_lattice(lattice), m_cost(cost), m_seed(mix(seed)), m_w(w), m_statistics(statistics) {}
 
+    /// Try about every second flippable edge once, an eighth of all edges after another.
     void iterate(int iteration, float temperature) {
-        m_salt = mix(m_seed + uint64_t(iteration));
-        draw();
-        gains(m_lattice, m_cost, m_w.selected.data(), m_w.selected.size(), m_w.gain.data());
-        m_statistics.evaluations += int64_t(m_w.selected.size());
-        for (const int m : m_w.selected)
-            // Metropolis' u < exp(gain / t), with u = exp(-e).
-            if (m_w.gain[size_t(m)] > 0.0f - temperature * exponential(uint32_t(chance(m)))) {
-                m_lattice.flip(m);
-                ++m_statistics.flips;
-            }
+        shuffle(mix(m_seed + uint64_t(iteration)));
+        for (uint32_t part = 0; part < parts; ++part) {
+            select(part);
+            gains(m_lattice, m_cost, m_w.selected.data(), m_w.selected.size(), m_w.gain.data());
+            m_statistics.evaluations += int64_t(m_w.selected.size());
+            for (const int m : m_w.selected)
+                // Metropolis' u < exp(gain / t), with u = exp(-e).
+                if (m_w.gain[size_t(m)] > 0.0f - temperature * exponential(mix32(m))) {
+                    m_lattice.flip(m);
+                    ++m_statistics.flips;
+                }
+        }
     }
 
 private:
-    /// This iteration's random bits of the edge at m. Its place is taken in the image, not in the
-    /// lattice, so that tiles that overlap draw the same.
-    uint64_t chance(int m) const {
+    static constexpr uint32_t parts = 8;
+
+    /// Draw a number for every edge, and by it put the edge in one of the parts. The edge's place
+    /// is taken in the image, not in the lattice, so that tiles that overlap draw the same.
+    void shuffle(uint64_t salt) {
         const int stride = m_lattice.stride();
-        const uint64_t x = uint32_t(m % stride + 2 * m_w.origin_x);
-        const uint64_t y = uint32_t(m / stride + 2 * m_w.origin_y);
-        return mix(m_salt ^ (y << 32 | x));
+        for (auto& part : m_part)
+            part.clear();
+        m_lattice.each_edge([&](int m) {
+            const uint64_t x = uint32_t(m % stride + 2 * m_w.origin_x);
+            const uint64_t y = uint32_t(m / stride + 2 * m_w.origin_y);
+            const auto drawn = uint32_t(mix(salt ^ (y << 32 | x)));
+            m_drawn[size_t(m)] = drawn;
+            m_part[drawn % parts].push_back(m);
+        });
     }
 
-    /// Fill m_w.selected with edges outside each other's 2-region: of one flippable edge in eight
-    /// those with the largest number of their region.
-    void draw() {
+    /// Fill m_w.selected with edges of a part that are outside each other's 2-region: the flippable
+    /// ones with the largest number among those of their region.
+    void select(uint32_t part) {
         m_w.selected.clear();
-        m_w.candidates.clear();
-        m_lattice.each_edge([&](int m) {
-            const uint64_t bits = chance(m);
-            m_priority[size_t(m)] = 0;
-            if ((bits >> 61) == 0 && m_lattice.edge(m).flippable()) {
-                m_priority[size_t(m)] = uint32_t(bits >> 29) | 1;
-                m_w.candidates.push_back(m);
-            }
-        });
-        for (const int m : m_w.candidates) {
-            const uint32_t own = m_priority[size_t(m)];
+        for (const int m : m_part[part]) {
+            if (!m_lattice.edge(m).flippable())
+                continue;
+            const uint32_t own = m_drawn[size_t(m)];
             const bool beaten = m_lattice.any_of_region(m, [&](int other) {
-                const uint32_t theirs = m_priority[size_t(other)];
-                return theirs > own || (theirs == own && other < m);
+                const uint32_t drawn = m_drawn[size_t(other)];
+                return drawn % parts == part && m_lattice.edge(other).flippable() &&
+                       (drawn > own || (drawn == own && other < m));
             });
             if (!beaten)
                 m_w.selected.push_back(m);
         }
     }
 
+    /// More random bits of an edge that has been drawn.
+    uint32_t mix32(int m) const { return uint32_t(mix(m_seed ^ m_drawn[size_t(m)])); }
+
     Lattice& m_lattice;
     const Cost m_cost;
     const uint64_t m_seed;
-    uint64_t m_salt = 0;
-    std::vector<uint32_t> m_priority = std::vector<uint32_t>(m_lattice.size());
+    std::vector<uint32_t> m_drawn = std::vector<uint32_t>(m_lattice.size()); ///< a site
+    std::vector<int> m_part[parts];                                          ///< its edges
     Workspace& m_w;
     Statistics& m_statistics;
 };

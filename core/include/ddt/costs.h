@@ -9,7 +9,7 @@
 /// alone costs no picture quality while it halves the work.
 #define DDT_COSTS(X)                                                                               \
     X(abn, Abn, 5e-3f, 0.1f)                                                                       \
-    X(scf, Scf, 1e-6f, 1e-3f)                                                                      \
-    X(jnd, Jnd, 1e-6f, 1e-2f)                                                                      \
-    X(dlp, Dlp, 1e-6f, 1e-2f)                                                                      \
-    X(dp, Dp, 1e-6f, 0.1f)
+    X(scf, Scf, 1e-6f, 2e-2f)                                                                      \
+    X(jnd, Jnd, 1e-6f, 0.1f)                                                                       \
+    X(dlp, Dlp, 1e-6f, 0.1f)                                                                       \
+    X(dp, Dp, 1e-6f, 0.5f)
