@@ -19,7 +19,7 @@ Gradient random_gradient(Random& random) {
 
 template <class C>
 float cost(Gradient a, Gradient b) {
-    return C::between(C::face(a.x, a.y), C::face(b.x, b.y));
+    return C::between(C::face(a.x, a.y), C::face(b.x, b.y), 1.0f, 0.0f);
 }
 
 TEST(Cost, AbnIsOneMinusTheCosineBetweenTheNormals) {
@@ -76,8 +76,8 @@ TEST(Cost, DispatchCallsTheOneAskedFor) {
 }
 
 TEST(Cost, DefaultMinGain) {
-    EXPECT_EQ(default_min_gain(Cost::abn), 5e-3f);
-    EXPECT_EQ(default_min_gain(Cost::scf), 1e-6f);
+    EXPECT_EQ(traits(Cost::abn).min_gain, 5e-3f);
+    EXPECT_EQ(traits(Cost::scf).min_gain, 1e-6f);
 }
 
 } // namespace
