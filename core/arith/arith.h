@@ -12,6 +12,9 @@
 #include <immintrin.h>
 #endif
 
+/// For the small functions of the -inl.h files: a call would pass vectors through memory.
+#define DDT_INLINE inline __attribute__((always_inline))
+
 namespace ddt {
 
 /// Constant of the reciprocal square root's seed, for both twins of rsqrt().

@@ -13,11 +13,11 @@ struct Abn {
     struct Face {
         T x, y, z; ///< the unit normal
     };
-    static Face face(T gx, T gy) {
-        const T r = rsqrt(((gx * gx) + (gy * gy)) + T(0.04f));
+    static DDT_INLINE Face face(T gx, T gy) {
+        const T r = rsqrt<3>(((gx * gx) + (gy * gy)) + T(0.04f));
         return {gx * r, gy * r, T(0.2f) * r};
     }
-    static T between(const Face& a, const Face& b) {
+    static DDT_INLINE T between(const Face& a, const Face& b) {
         return T(1.0f) - (((a.x * b.x) + (a.y * b.y)) + (a.z * b.z));
     }
 };
@@ -29,11 +29,11 @@ struct Scf {
     struct Face {
         T x, y, length;
     };
-    static Face face(T gx, T gy) {
+    static DDT_INLINE Face face(T gx, T gy) {
         const T square = (gx * gx) + (gy * gy);
-        return {gx, gy, square * rsqrt(square)};
+        return {gx, gy, square * rsqrt<3>(square)};
     }
-    static T between(const Face& a, const Face& b) {
+    static DDT_INLINE T between(const Face& a, const Face& b) {
         return (a.length * b.length) - ((a.x * b.x) + (a.y * b.y));
     }
 };

@@ -132,22 +132,36 @@ public:
                 f(site(x, y));
     }
 
-    /// Call f(site) for the 2-region of the flippable edge at m without m itself: the edges of the
-    /// triangles that share a side with the two at m; 12 away from the rim.
+    /// Call f(site) for the 2-region of the flippable edge at m without m itself until it returns
+    /// true: the sides of its parallelogram, then the other edges of the triangles beyond them; 12
+    /// edges away from the rim. Returns whether f did.
     template <class F>
-    void each_of_region(int m, F&& f) const {
+    bool any_of_region(int m, F&& f) const {
         const Quad q(edge(m));
+        for (int k = 0; k < 4; ++k)
+            if (f(m + offset(q.middle[k])))
+                return true;
         for (int k = 0; k < 4; ++k) {
-            const int middle = m + offset(q.middle[k]);
-            f(middle);
             const Vec apex = outer_apex(m, q, k);
             if (apex.zero())
                 continue;
             // Midpoints of the outer triangle's other edges: half way from the side's ends.
+            const int middle = m + offset(q.middle[k]);
             const Vec s = q.side[k];
-            f(middle + offset({(apex.x - s.x) / 2, (apex.y - s.y) / 2}));
-            f(middle + offset({(apex.x + s.x) / 2, (apex.y + s.y) / 2}));
+            if (f(middle + offset({(apex.x - s.x) / 2, (apex.y - s.y) / 2})) ||
+                f(middle + offset({(apex.x + s.x) / 2, (apex.y + s.y) / 2})))
+                return true;
         }
+        return false;
+    }
+
+    /// Call f(site) for the whole 2-region of the flippable edge at m without m itself.
+    template <class F>
+    void each_of_region(int m, F&& f) const {
+        any_of_region(m, [&](int other) {
+            f(other);
+            return false;
+        });
     }
 
     /// Fill Vertex::first of all vertices; after the last flip.

@@ -17,48 +17,123 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
-#include "core/arith/lanes4-inl.h"
+#include "core/arith/lanes-inl.h"
 #include "core/sample/surface-inl.h"
 
+// Blocks of group_size lanes, a lane a channel; as many neighbouring positions at once as vectors
+// of the target hold blocks.
+using D = hn::CappedTag<float, row_padding>;
+using Blocks = Lanes<D>;
+
+/// The group's numbers at a site, in every block.
+HWY_INLINE Blocks at_site(const Net& net, int site) {
+    return hn::LoadDup128(D(), net.at(site));
+}
+
+/// Block k filled with p[k].
+HWY_INLINE Blocks spread(const float* p) {
+    const D d;
+    const hn::RebindToSigned<D> di;
+    HWY_ALIGN int32_t block[row_padding];
+    for (size_t i = 0; i < hn::Lanes(d); ++i)
+        block[i] = int32_t(i / group_size);
+    return hn::TableLookupLanes(hn::LoadU(d, p), hn::IndicesFromVec(d, hn::Load(di, block)));
+}
+
+/// Where results go.
+struct Output {
+    float* to; ///< the row's first position, first channel of the group
+    int channels, count;
+    bool whole; ///< all lanes may be stored: what is too much is overwritten by what follows
+
+    /// Blocks of positions i, i + 1, ... before end.
+    HWY_INLINE void store(Blocks f, int i, int end) const {
+        const hn::CappedTag<float, group_size> d4;
+        const int blocks = int(hn::Lanes(D())) / group_size;
+        HWY_ALIGN float lanes[row_padding];
+        float* p = to + size_t(i) * size_t(channels);
+        if (whole && channels == group_size) {
+            f.store(p);
+            return;
+        }
+        f.store(lanes);
+        if (whole) {
+            for (int k = 0; k < blocks; ++k)
+                hn::StoreU(hn::Load(d4, lanes + k * group_size), d4, p + k * channels);
+            return;
+        }
+        for (int k = 0; k < blocks && i + k < end; ++k)
+            for (int c = 0; c < count; ++c)
+                p[k * channels + c] = lanes[k * group_size + c];
+    }
+};
+
 template <bool quadratic>
-HWY_INLINE void evaluate_spans(const Net& net, const LocatedRow& row, int channels, int first,
-                               bool whole_store, int count, float* out) {
-    for (const Span& span : row.spans) {
-        const Triangle& t = span.triangle;
-        Patch<Lanes4> patch;
-        patch.z0 = Lanes4::load(net.at(t.vertex[0]));
-        patch.z1 = Lanes4::load(net.at(t.vertex[1]));
-        patch.z2 = Lanes4::load(net.at(t.vertex[2]));
-        if (quadratic) {
-            patch.e01 = Lanes4::load(net.at(t.edge[0]));
-            patch.e12 = Lanes4::load(net.at(t.edge[1]));
-            patch.e20 = Lanes4::load(net.at(t.edge[2]));
-        }
-        patch.find_range();
-        const float* w = row.weights.data() + size_t(span.begin) * 3;
-        float* to = out + size_t(span.begin) * size_t(channels) + first;
-        for (int i = span.begin; i < span.end; ++i, w += 3, to += channels) {
-            const Lanes4 f = patch.template at<quadratic>(w[0], w[1], w[2]);
-            if (whole_store) {
-                f.store(to);
-            } else {
-                float lane[group_size];
-                f.store(lane);
-                for (int c = 0; c < count; ++c)
-                    to[c] = lane[c];
-            }
-        }
+HWY_INLINE void evaluate_triangle(const Net& net, const LocatedRow& row, const Span& span,
+                                  const Output& out) {
+    Patch<Blocks> patch;
+    patch.z0 = at_site(net, span.vertex[0]);
+    patch.z1 = at_site(net, span.vertex[1]);
+    patch.z2 = at_site(net, span.vertex[2]);
+    if (quadratic) {
+        patch.e01 = at_site(net, span.edge[0]);
+        patch.e12 = at_site(net, span.edge[1]);
+        patch.e20 = at_site(net, span.edge[2]);
+    }
+    patch.find_range();
+    for (int i = span.begin; i < span.end; i += int(hn::Lanes(D())) / group_size)
+        out.store(patch.template at<quadratic>(spread(row.weight[0].data() + i),
+                                               spread(row.weight[1].data() + i),
+                                               spread(row.weight[2].data() + i)),
+                  i, span.end);
+}
+
+template <bool quadratic>
+HWY_INLINE void evaluate_cell(const Net& net, int stride, const LocatedRow& row, const Span& span,
+                              const Output& out) {
+    const int s = span.vertex[0];
+    PlainCell<Blocks> cell;
+    cell.z0 = at_site(net, s);
+    cell.z1 = at_site(net, s + 2);
+    cell.z2 = at_site(net, s + 2 * stride);
+    cell.z3 = at_site(net, s + 2 * stride + 2);
+    if (quadratic) {
+        cell.e01 = at_site(net, s + 1);
+        cell.e02 = at_site(net, s + stride);
+        cell.diagonal = at_site(net, s + stride + 1);
+        cell.e13 = at_site(net, s + stride + 2);
+        cell.e23 = at_site(net, s + 2 * stride + 1);
+    }
+    const int step = int(hn::Lanes(D())) / group_size;
+    const float *x = row.weight[0].data(), *y = row.weight[1].data();
+    if (span.kind == Span::cell_down) {
+        cell.divide_down();
+        for (int i = span.begin; i < span.end; i += step)
+            out.store(cell.template at_down<quadratic>(spread(x + i), spread(y + i)), i, span.end);
+    } else {
+        cell.divide_up();
+        for (int i = span.begin; i < span.end; i += step)
+            out.store(cell.template at_up<quadratic>(spread(x + i), spread(y + i)), i, span.end);
     }
 }
 
-HWY_ATTR void evaluate(const Net& net, Surface surface, const LocatedRow& row, int channels,
-                       int first, int count, float* out) {
-    // With a single group whole vectors can be stored: what spills is overwritten by the next.
-    const bool whole = count == group_size || channels == count;
+template <bool quadratic>
+HWY_INLINE void evaluate_spans(const Net& net, int stride, const LocatedRow& row,
+                               const Output& out) {
+    for (const Span& span : row.spans)
+        if (span.kind == Span::triangle)
+            evaluate_triangle<quadratic>(net, row, span, out);
+        else
+            evaluate_cell<quadratic>(net, stride, row, span, out);
+}
+
+HWY_ATTR void evaluate(const Net& net, Surface surface, int stride, const LocatedRow& row,
+                       int channels, int first, int count, float* to) {
+    const Output out{to + first, channels, count, channels <= group_size};
     if (surface == Surface::linear)
-        evaluate_spans<false>(net, row, channels, first, whole, count, out);
+        evaluate_spans<false>(net, stride, row, out);
     else
-        evaluate_spans<true>(net, row, channels, first, whole, count, out);
+        evaluate_spans<true>(net, stride, row, out);
 }
 
 } // namespace HWY_NAMESPACE
@@ -70,43 +145,40 @@ namespace ddt {
 
 HWY_EXPORT(evaluate);
 
-void locate_row(const Lattice& lattice, const Point* points, int n, LocatedRow& row) {
-    row.spans.clear();
-    row.weights.resize(size_t(n) * 3);
-    constexpr float unit = 1.0f / float(position_one);
-    float* out = row.weights.data();
-    for (int i = 0; i < n;) {
-        Span span;
-        span.triangle = locate(lattice, points[i]);
-        span.begin = i;
-        int32_t w[3];
-        span.triangle.weights(points[i], w);
-        do {
-            // On the rim, a tie may belong to a triangle that does not hold it; no weight is
-            // negative all the same.
-            out[0] = float(w[0]) * unit;
-            out[1] = float(w[1]) * unit;
-            out[2] = float(w[2]) * unit;
-            out += 3;
-            if (++i == n)
-                break;
-            span.triangle.weights(points[i], w);
-        } while (span.triangle.holds(w));
-        span.end = i;
-        row.spans.push_back(span);
-    }
-}
-
 namespace {
 
+/// The vertex with the largest weight at position i, the first of equals.
+int largest_vertex(const LocatedRow& row, const Span& span, int stride, int i) {
+    float w[3];
+    int vertex[3] = {span.vertex[0], span.vertex[1], span.vertex[2]};
+    const float x = row.weight[0][size_t(i)], y = row.weight[1][size_t(i)];
+    const int s = span.vertex[0];
+    const auto set = [&](int v0, int v1, int v2, float w0, float w1, float w2) {
+        vertex[0] = v0, vertex[1] = v1, vertex[2] = v2;
+        w[0] = w0, w[1] = w1, w[2] = w2;
+    };
+    // The cases of PlainCell.
+    const int s1 = s + 2, s2 = s + 2 * stride, s3 = s2 + 2;
+    if (span.kind == Span::cell_down && x < y)
+        set(s, s3, s2, 1 - y, x, y - x);
+    else if (span.kind == Span::cell_down)
+        set(s, s1, s3, 1 - x, x - y, y);
+    else if (span.kind == Span::cell_up && x + y < 1)
+        set(s, s1, s2, 1 - (x + y), x, y);
+    else if (span.kind == Span::cell_up)
+        set(s1, s3, s2, 1 - y, (x + y) - 1, 1 - x);
+    else
+        for (int k = 0; k < 3; ++k)
+            w[k] = row.weight[k][size_t(i)];
+    return vertex[w[1] > w[0] ? (w[2] > w[1] ? 2 : 1) : (w[2] > w[0] ? 2 : 0)];
+}
+
 /// Copy Channel::nearest values over what evaluate() made of them.
-void copy_nearest(const Net& net, NearestMask nearest, const LocatedRow& row, int channels,
-                  int first, int count, float* out) {
+void copy_nearest(const Net& net, NearestMask nearest, int stride, const LocatedRow& row,
+                  int channels, int first, int count, float* out) {
     for (const Span& span : row.spans)
         for (int i = span.begin; i < span.end; ++i) {
-            const float* w = row.weights.data() + size_t(i) * 3;
-            const int largest = w[1] > w[0] ? (w[2] > w[1] ? 2 : 1) : (w[2] > w[0] ? 2 : 0);
-            const float* z = net.at(span.triangle.vertex[largest]);
+            const float* z = net.at(largest_vertex(row, span, stride, i));
             float* to = out + size_t(i) * size_t(channels) + first;
             for (int c = 0; c < count; ++c)
                 if (nearest & (1u << c))
@@ -118,9 +190,9 @@ void copy_nearest(const Net& net, NearestMask nearest, const LocatedRow& row, in
 
 void evaluate_row(const Net& net, Surface surface, NearestMask nearest, const LocatedRow& row,
                   int channels, int first, int count, float* out) {
-    HWY_DYNAMIC_DISPATCH(evaluate)(net, surface, row, channels, first, count, out);
+    HWY_DYNAMIC_DISPATCH(evaluate)(net, surface, net.stride, row, channels, first, count, out);
     if (nearest)
-        copy_nearest(net, nearest, row, channels, first, count, out);
+        copy_nearest(net, nearest, net.stride, row, channels, first, count, out);
 }
 
 } // namespace ddt

@@ -29,11 +29,18 @@ struct Triangle {
     Vec e12, e20;    ///< edges as vectors in pixels
     int32_t bias[3]; ///< 0 where weight k = 0 counts as inside, else -1
 
-    /// Weights of the vertices at a position at most 128 pixels away, in 2^-16; they sum to 2^16.
+    /// Weights of the vertices at a position at most 128 pixels away (near()), in 2^-16; they sum
+    /// to 2^16.
     void weights(Point p, int32_t w[3]) const {
         w[0] = e12.x * (p.y - at[0].y) - e12.y * (p.x - at[0].x);
         w[1] = e20.x * (p.y - at[1].y) - e20.y * (p.x - at[1].x);
         w[2] = position_one - w[0] - w[1];
+    }
+    /// Whether weights() may be asked at p.
+    bool near(Point p) const {
+        constexpr int32_t limit = 128 * position_one;
+        const int32_t dx = p.x - at[0].x, dy = p.y - at[0].y;
+        return dx < limit && -dx < limit && dy < limit && -dy < limit;
     }
     /// Whether weights are those of a position that belongs to this triangle.
     bool holds(const int32_t w[3]) const {

@@ -8,7 +8,7 @@ struct Patch {
     T e01, e12, e20; ///< bends of the edges
     T low, high;     ///< range of the three values
 
-    HWY_INLINE void find_range() {
+    DDT_INLINE void find_range() {
         low = if_less(z1, z0, z1, z0);
         low = if_less(z2, low, z2, low);
         high = if_less(z0, z1, z1, z0);
@@ -16,15 +16,83 @@ struct Patch {
     }
 
     /// b z, but 0 where b = 0, whatever z is.
-    static HWY_INLINE T term(float b, T z) { return b == 0.0f ? T(0.0f) : T(b) * z; }
+    static DDT_INLINE T term(T b, T z) {
+        const T zero = T(0.0f);
+        return if_less(zero, b, b * z, zero);
+    }
 
+    /// The surface at barycentric weights b, all >= 0.
     template <bool quadratic>
-    HWY_INLINE T at(float b0, float b1, float b2) const {
+    DDT_INLINE T at(T b0, T b1, T b2) const {
         T f = (term(b0, z0) + term(b1, z1)) + term(b2, z2);
         if (quadratic)
-            f = f + ((T(b0 * b1) * e01 + T(b1 * b2) * e12) + T(b2 * b0) * e20);
+            f = f + (((b0 * b1) * e01 + (b1 * b2) * e12) + (b2 * b0) * e20);
         f = if_less(f, low, low, f);
         f = if_less(high, f, high, f);
         return if_less_equal(f, T(INFINITY), f, T(quiet_nan));
+    }
+};
+
+/// A cell that its own diagonal divides into two triangles, in Triangle's order:
+///
+///     down: 0 > 1    first  0 3 2    up:  0 > 1    first  0 1 2
+///           | \ |    second 0 1 3         | / |    second 1 3 2
+///           2 > 3                         2 > 3
+///
+/// x, y: position relative to corner 0. By the tie rule the diagonal belongs to the second.
+template <class T>
+struct PlainCell {
+    T z0, z1, z2, z3;
+    T e01, e02, e13, e23, diagonal;
+    Patch<T> first, second;
+
+    DDT_INLINE void divide_down() {
+        first.z0 = z0, first.z1 = z3, first.z2 = z2;
+        first.e01 = diagonal, first.e12 = e23, first.e20 = e02;
+        second.z0 = z0, second.z1 = z1, second.z2 = z3;
+        second.e01 = e01, second.e12 = e13, second.e20 = diagonal;
+        first.find_range();
+        second.find_range();
+    }
+    DDT_INLINE void divide_up() {
+        first.z0 = z0, first.z1 = z1, first.z2 = z2;
+        first.e01 = e01, first.e12 = diagonal, first.e20 = e02;
+        second.z0 = z1, second.z1 = z3, second.z2 = z2;
+        second.e01 = e13, second.e12 = e23, second.e20 = diagonal;
+        first.find_range();
+        second.find_range();
+    }
+
+    /// Both triangles' parameters, lane by lane that of the one that d, negative in the first,
+    /// tells.
+    template <bool quadratic>
+    DDT_INLINE Patch<T> choose(T d) const {
+        const T zero = T(0.0f);
+        Patch<T> p;
+        p.z0 = if_less(d, zero, first.z0, second.z0);
+        p.z1 = if_less(d, zero, first.z1, second.z1);
+        p.z2 = if_less(d, zero, first.z2, second.z2);
+        if (quadratic) {
+            p.e01 = if_less(d, zero, first.e01, second.e01);
+            p.e12 = if_less(d, zero, first.e12, second.e12);
+            p.e20 = if_less(d, zero, first.e20, second.e20);
+        }
+        p.low = if_less(d, zero, first.low, second.low);
+        p.high = if_less(d, zero, first.high, second.high);
+        return p;
+    }
+
+    template <bool quadratic>
+    DDT_INLINE T at_down(T x, T y) const {
+        const T zero = T(0.0f), one = T(1.0f), d = x - y;
+        return choose<quadratic>(d).template at<quadratic>(
+            if_less(d, zero, one - y, one - x), if_less(d, zero, x, d), if_less(d, zero, y - x, y));
+    }
+    template <bool quadratic>
+    DDT_INLINE T at_up(T x, T y) const {
+        const T zero = T(0.0f), one = T(1.0f), d = (x + y) - one;
+        return choose<quadratic>(d).template at<quadratic>(if_less(d, zero, one - (x + y), one - y),
+                                                           if_less(d, zero, x, d),
+                                                           if_less(d, zero, y, one - x));
     }
 };

@@ -13,6 +13,15 @@ namespace {
 /// Floats of output that are handed to the sink at once, about: half a megabyte.
 constexpr size_t strip_floats = size_t(1) << 17;
 
+/// Pixels that a tile's triangles usually do not reach beyond its cells. Where one does, the whole
+/// lattice's surface is made.
+constexpr int usual_reach = 6;
+
+bool contains(const Rect& outer, const Rect& inner) {
+    return inner.x0 >= outer.x0 && inner.y0 >= outer.y0 && inner.x1 <= outer.x1 &&
+           inner.y1 <= outer.y1;
+}
+
 int group_count(int channels) {
     return (channels + group_size - 1) / group_size;
 }
@@ -49,6 +58,12 @@ void repeat_to_two(std::vector<float>& v, int& width, int& height, int channels)
     }
 }
 
+/// A position in the lattice of the tile.
+Point local(const Tile& tile, const Position& p) {
+    return {int32_t(p.x - int64_t(tile.pixels.x0) * position_one),
+            int32_t(p.y - int64_t(tile.pixels.y0) * position_one)};
+}
+
 } // namespace
 
 size_t TileWorker::memory(const Job& job) {
@@ -74,7 +89,7 @@ Outcome TileWorker::work(const Tile& tile) {
         return Outcome::done;
     if (!read(tile))
         return Outcome::source_failed;
-    make_surface();
+    make_surface(tile);
     return write(tile, reach);
 }
 
@@ -92,16 +107,28 @@ bool TileWorker::read(const Tile& tile) {
     return true;
 }
 
-void TileWorker::make_surface() {
+void TileWorker::make_surface(const Tile& tile) {
     const DenormalsAreZero as_on_gpus;
     triangulate(m_lattice, m_job.mesh, m_workspace, m_statistics);
-    if (m_job.surface != Surface::linear)
-        m_lattice.find_first_edges();
     const int groups = group_count(m_job.channels);
     m_nets.resize(size_t(groups));
     for (int g = 0; g < groups; ++g)
-        make_net(m_lattice, m_job.surface, m_values.data(), m_job.channels, g * group_size,
-                 channels_in_group(m_job.channels, g), m_nets[size_t(g)], m_gradients);
+        set_vertices(m_lattice, m_values.data(), m_job.channels, g * group_size,
+                     channels_in_group(m_job.channels, g), m_nets[size_t(g)]);
+    if (m_job.surface == Surface::linear)
+        return;
+    m_lattice.find_first_edges();
+    // The halo is not sampled, but triangles of the tile reach into it, seldom far.
+    const Rect &c = tile.cells, &p = tile.pixels;
+    bend({std::max(c.x0 - usual_reach - p.x0, 0), std::max(c.y0 - usual_reach - p.y0, 0),
+          std::min(c.x1 + 1 + usual_reach - p.x0, m_lattice.width()),
+          std::min(c.y1 + 1 + usual_reach - p.y0, m_lattice.height())});
+}
+
+void TileWorker::bend(const Rect& part) {
+    for (Net& net : m_nets)
+        bend_edges(m_lattice, part, net, m_gradients);
+    m_bent = part;
 }
 
 Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
@@ -109,6 +136,12 @@ Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
     m_positions.resize(size_t(reach.width()));
     m_inside.resize(size_t(reach.width()));
     m_points.resize(size_t(reach.width()));
+    m_row.forget(tile.cells.x0 - tile.pixels.x0, tile.cells.y0 - tile.pixels.y0);
+    if (m_mapping.separable()) {
+        m_mapping.row(reach.y0, reach.x0, reach.x1, m_positions.data(), m_inside.data());
+        for (size_t i = 0; i < m_points.size(); ++i)
+            m_points[i] = local(tile, m_positions[i]);
+    }
     const int strip = m_mapping.separable() ? int(std::max<size_t>(1, strip_floats / row)) : 1;
     for (int y = reach.y0; y < reach.y1; y += strip) {
         const Rect rows{reach.x0, y, reach.x1, std::min(y + strip, reach.y1)};
@@ -123,6 +156,8 @@ Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
 void TileWorker::sample(int n, float* out) {
     const DenormalsAreZero as_on_gpus;
     locate_row(m_lattice, m_points.data(), n, m_row);
+    if (m_job.surface != Surface::linear && !contains(m_bent, m_row.reach))
+        bend({0, 0, m_lattice.width(), m_lattice.height()});
     for (int g = 0; g < int(m_nets.size()); ++g)
         evaluate_row(m_nets[size_t(g)], m_job.surface, nearest_mask(m_job, g), m_row,
                      m_job.channels, g * group_size, channels_in_group(m_job.channels, g), out);
@@ -130,13 +165,13 @@ void TileWorker::sample(int n, float* out) {
 
 Outcome TileWorker::write_rows(const Tile& tile, const Rect& rows) {
     const auto channels = size_t(m_job.channels);
-    m_out.resize(rows.area() * channels + group_size);
+    m_out.resize(rows.area() * channels + row_padding);
     for (int y = rows.y0; y < rows.y1; ++y) {
-        m_mapping.row(y, rows.x0, rows.x1, m_positions.data(), m_inside.data());
-        for (int i = 0; i < rows.width(); ++i)
-            m_points[size_t(i)] = {
-                int32_t(m_positions[size_t(i)].x - int64_t(tile.pixels.x0) * position_one),
-                int32_t(m_positions[size_t(i)].y - int64_t(tile.pixels.y0) * position_one)};
+        // Only y changes from row to row.
+        m_mapping.row(y, rows.x0, rows.x0 + 1, m_positions.data(), m_inside.data());
+        const int32_t row = local(tile, m_positions[0]).y;
+        for (Point& p : m_points)
+            p.y = row;
         sample(rows.width(), m_out.data() + size_t(y - rows.y0) * size_t(rows.width()) * channels);
     }
     return m_sink.write(rows, m_out.data()) ? Outcome::done : Outcome::sink_failed;
@@ -160,11 +195,9 @@ Outcome TileWorker::write_runs(const Tile& tile, const Rect& row) {
         }
         const int begin = i;
         for (; i < width && serves(i); ++i)
-            m_points[size_t(i - begin)] = {
-                int32_t(m_positions[size_t(i)].x - int64_t(tile.pixels.x0) * position_one),
-                int32_t(m_positions[size_t(i)].y - int64_t(tile.pixels.y0) * position_one)};
+            m_points[size_t(i - begin)] = local(tile, m_positions[size_t(i)]);
         const int n = i - begin;
-        m_out.resize(size_t(n) * size_t(m_job.channels) + group_size);
+        m_out.resize(size_t(n) * size_t(m_job.channels) + row_padding);
         sample(n, m_out.data());
         if (!m_sink.write({row.x0 + begin, row.y0, row.x0 + i, row.y1}, m_out.data()))
             return Outcome::sink_failed;

@@ -17,13 +17,13 @@ struct Neighbourhood {
 /// Gradient of the guide in the triangle p, p + e, p + o with det(e, o) = 1, where the guide
 /// differs from its value at p by de and d_o.
 template <class T, class Cost>
-inline typename Cost::Face face_of(T ex, T ey, T ox, T oy, T de, T d_o) {
+DDT_INLINE typename Cost::Face face_of(T ex, T ey, T ox, T oy, T de, T d_o) {
     return Cost::face((de * oy) - (d_o * ey), (d_o * ex) - (de * ox));
 }
 
 /// Cost of the edge and the four sides before the flip of ab to cd, minus after it.
 template <class Cost, class T>
-inline T flip_gain(const Neighbourhood<T>& n) {
+DDT_INLINE T flip_gain(const Neighbourhood<T>& n) {
     // In the frame a + s v + t w the triangles have these (d/ds, d/dt); det(v, w) = 1.
     const T b_a = n.zb - n.za, c_a = n.zc - n.za, b_d = n.zb - n.zd, d_a = n.zd - n.za,
             b_c = n.zb - n.zc;

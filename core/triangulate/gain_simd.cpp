@@ -15,42 +15,24 @@ using D = hn::ScalableTag<float>;
 using DI = hn::RebindToSigned<D>;
 using VI = hn::Vec<DI>;
 
-/// A vector of floats with the operators the formulas are written in.
-struct Lanes {
-    hn::Vec<D> v;
-    Lanes() = default;
-    HWY_INLINE Lanes(hn::Vec<D> u) : v(u) {}
-    HWY_INLINE explicit Lanes(float x) : v(hn::Set(D(), x)) {}
-};
-HWY_INLINE Lanes operator+(Lanes a, Lanes b) {
-    return hn::Add(a.v, b.v);
-}
-HWY_INLINE Lanes operator-(Lanes a, Lanes b) {
-    return hn::Sub(a.v, b.v);
-}
-HWY_INLINE Lanes operator*(Lanes a, Lanes b) {
-    return hn::Mul(a.v, b.v);
-}
-HWY_INLINE Lanes rsqrt_seed(Lanes x) {
-    const VI bits = hn::BitCast(DI(), x.v);
-    return hn::BitCast(D(), hn::Sub(hn::Set(DI(), rsqrt_magic), hn::ShiftRight<1>(bits)));
-}
-
+#include "core/arith/lanes-inl.h"
 #include "core/arith/rsqrt-inl.h"
 #include "core/cost/cost-inl.h"
 #include "core/triangulate/gain-inl.h"
+
+using Floats = Lanes<D>;
 
 /// Byte k of each lane as a signed number.
 template <int k>
 HWY_INLINE VI byte(VI x) {
     return hn::ShiftRight<24>(hn::ShiftLeft<24 - 8 * k>(x));
 }
-HWY_INLINE Lanes to_float(VI x) {
+HWY_INLINE Floats to_float(VI x) {
     return hn::ConvertTo(D(), x);
 }
 
 /// Gains of the edges at `m`, one a lane.
-template <class CostOfLanes>
+template <class Cost_>
 HWY_INLINE hn::Vec<D> gains_of(const Lattice& lattice, VI m) {
     const DI di;
     const int32_t* words = reinterpret_cast<const int32_t*>(lattice.sites());
@@ -61,7 +43,7 @@ HWY_INLINE hn::Vec<D> gains_of(const Lattice& lattice, VI m) {
         return hn::GatherIndex(di, words + k, hn::ShiftLeft<1>(site));
     };
     const auto guide = [&](VI site) HWY_ATTR {
-        return Lanes(hn::GatherIndex(D(), floats, hn::ShiftLeft<1>(site)));
+        return Floats(hn::GatherIndex(D(), floats, hn::ShiftLeft<1>(site)));
     };
     const auto offset = [&](VI x, VI y) HWY_ATTR { return hn::Add(hn::Mul(y, stride), x); };
 
@@ -72,7 +54,7 @@ HWY_INLINE hn::Vec<D> gains_of(const Lattice& lattice, VI m) {
     const VI ux = hn::Sub(vx, wx), uy = hn::Sub(vy, wy);
     const VI dv = offset(vx, vy), dl = offset(lx, ly), dw = offset(wx, wy), du = hn::Sub(dv, dw);
 
-    Neighbourhood<Lanes> n;
+    Neighbourhood<Floats> n;
     n.vx = to_float(vx);
     n.vy = to_float(vy);
     n.wx = to_float(wx);
@@ -84,12 +66,12 @@ HWY_INLINE hn::Vec<D> gains_of(const Lattice& lattice, VI m) {
 
     // Quad::middle, inner, side of one side, as vectors.
     const auto outer = [&](VI middle, VI inner_x, VI inner_y, VI side_x, VI side_y,
-                           Lanes first_end) HWY_ATTR {
+                           Floats first_end) HWY_ATTR {
         const VI r0 = word(middle, 0), r1 = word(middle, 1);
         const VI ax = hn::Sub(hn::Add(byte<2>(r0), byte<0>(r1)), inner_x);
         const VI ay = hn::Sub(hn::Add(byte<3>(r0), byte<1>(r1)), inner_y);
         const auto absent = hn::Eq(hn::Or(ax, ay), hn::Zero(di));
-        Neighbourhood<Lanes>::Outer o;
+        Neighbourhood<Floats>::Outer o;
         o.ox = to_float(hn::ShiftRight<1>(hn::Add(ax, side_x)));
         o.oy = to_float(hn::ShiftRight<1>(hn::Add(ay, side_y)));
         const auto absent_float = hn::RebindMask(D(), absent);
@@ -105,10 +87,10 @@ HWY_INLINE hn::Vec<D> gains_of(const Lattice& lattice, VI m) {
                        hn::Sub(zero, hn::Add(vy, uy)), hn::Sub(zero, wx), hn::Sub(zero, wy), n.zb);
     n.outer[3] = outer(hn::Sub(m, dw), hn::Add(vx, wx), hn::Add(vy, wy), hn::Sub(zero, ux),
                        hn::Sub(zero, uy), n.zd);
-    return flip_gain<CostOfLanes>(n).v;
+    return flip_gain<Cost_>(n).v;
 }
 
-template <class CostOfLanes>
+template <class Cost_>
 HWY_INLINE void each_block(const Lattice& lattice, const int* sites, size_t count, float* out) {
     const D d;
     const DI di;
@@ -120,7 +102,7 @@ HWY_INLINE void each_block(const Lattice& lattice, const int* sites, size_t coun
         const size_t used = count - i < lanes ? count - i : lanes;
         for (size_t k = 0; k < lanes; ++k)
             site[k] = sites[i + (k < used ? k : 0)];
-        hn::Store(gains_of<CostOfLanes>(lattice, hn::Load(di, site)), d, gain);
+        hn::Store(gains_of<Cost_>(lattice, hn::Load(di, site)), d, gain);
         for (size_t k = 0; k < used; ++k)
             out[site[k]] = gain[k];
     }
@@ -129,9 +111,9 @@ HWY_INLINE void each_block(const Lattice& lattice, const int* sites, size_t coun
 HWY_ATTR void gains(const Lattice& lattice, Cost cost, const int* sites, size_t count, float* out) {
     switch (cost) {
     case Cost::scf:
-        return each_block<Scf<Lanes>>(lattice, sites, count, out);
+        return each_block<Scf<Floats>>(lattice, sites, count, out);
     case Cost::abn:
-        return each_block<Abn<Lanes>>(lattice, sites, count, out);
+        return each_block<Abn<Floats>>(lattice, sites, count, out);
     }
 }
 

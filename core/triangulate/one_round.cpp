@@ -5,14 +5,15 @@ namespace ddt {
 
 namespace {
 
-/// A better candidate in the 2-region of the edge at m, or -1 if m is the best.
+/// The first better candidate found in the 2-region of the edge at m, or -1 if m is the best.
 int find_blocker(const Lattice& lattice, const std::vector<float>& gain, int m) {
     const float own = gain[size_t(m)];
     int blocker = -1;
-    lattice.each_of_region(m, [&](int other) {
+    lattice.any_of_region(m, [&](int other) {
         const float g = gain[size_t(other)];
-        if (g > own || (g == own && other < m))
-            blocker = other;
+        const bool better = g > own || (g == own && other < m);
+        blocker = better ? other : -1;
+        return better;
     });
     return blocker;
 }

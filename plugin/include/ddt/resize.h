@@ -1,8 +1,33 @@
 // Resizing an ImageBuf by data-dependent triangulation.
+//
+//     OIIO::ImageBuf in("photo.png"), out;
+//     if (!ddt::resize(out, in, {}, OIIO::ROI(0, 4 * in.spec().width, 0, 4 * in.spec().height)))
+//         std::cerr << out.geterror() << "\n";
+//
+// These functions behave as their namesakes in OIIO::ImageBufAlgo. They return false on failure,
+// with one line in dst's error that names the thing at fault and what is allowed; they never throw,
+// never print (unless the environment variable DDT_VERBOSE is set), and may be called from several
+// threads at once for different dst. After a failure a dst that was not initialised is so still; in
+// another the pixels asked for are untouched or black, never half of a result.
+//
+// Pixels. uint8, int8, uint16, int16, half, float and double are interpolated as float32 numbers;
+// uint32 and int32 are identifiers, copied bit for bit from the nearest vertex of the mesh, and so
+// are the channels of other images that are IDs by name or cryptomatte metadata. NaN and infinities
+// stay within the triangles that touch them; an integer dst shows NaN as 0. An image whose display
+// window does not change its size keeps its pixels' exact bits.
+//
+// Light. Colour (R, G, B or grey) is interpolated in linear light: OpenColorIO converts it from the
+// image's colour space and back, by the config in $OCIO or else a built-in one. Other channels are
+// not converted. Colour that is associated with alpha is divided by it only round that conversion;
+// colour where alpha is 0 survives.
+//
+// Result. A function of the source's pixels, windows and metadata and of the options alone: it has
+// the same bits for any number of threads, and a part (roi) is a crop of the whole.
 #pragma once
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
@@ -16,29 +41,48 @@ struct Options {
     Surface surface = Surface::patch; ///< filter names: ddt-linear, ddt
     MeshOptions mesh;
     /// Light in which values are interpolated. "auto": linear, from the colour space in the image's
-    /// "oiio:ColorSpace"; "encoded": as the numbers are; otherwise the name of the image's space.
+    /// "oiio:ColorSpace"; as the numbers are where that is absent, unknown or a space of data.
+    /// "encoded": as the numbers are. Otherwise the name of the image's space, which the OCIO
+    /// config must have.
     std::string light = "auto";
-    /// Called now and then with the share done (0..1); return false to cancel.
+    /// Called now and then with the share done (0..1), one thread at a time; return false to
+    /// cancel, which is a failure.
     std::function<bool(float)> progress;
 };
 
-/// Names that start a filter specification, "ddt" or "ddt-linear", possibly followed by
-/// ",key=value" options.
+/// The names a filter specification starts with: "ddt", "ddt-linear".
+std::vector<std::string> filter_names();
+
+/// True if `spec` is one of filter_names(), or one followed by a comma and options.
 bool is_filter_name(OIIO::string_view spec);
 
-/// Parse "ddt,key=value,...". On failure return false with one line in `error` that names the
-/// option and lists what is allowed; `options` is then unchanged.
+/// Parse "ddt,key=value,...": the name sets the surface, each key its option; what is not named
+/// keeps its value in `options`. Keys: cost, iterations, light, min_gain, scheme, start. On failure
+/// return false with one line in `error` that names the option and lists what is allowed; `options`
+/// is then unchanged.
 bool parse_filter(OIIO::string_view spec, Options& options, std::string& error);
 
-/// Resize in the manner of ImageBufAlgo::resize: the source's display window maps onto dst's, both
-/// data windows are honoured, `roi` limits what is computed; an uninitialised dst takes its size
-/// from roi, its channels and format from src. An axis that shrinks goes to OIIO's own filter.
-/// Returns false with dst.errorfmt set on failure; never throws. nthreads 0: OIIO's default.
+/// Resize: the source's display window maps onto dst's, pixel centres at half integers; data
+/// windows are honoured, beyond the source's data window its outermost pixels go on. `roi` limits
+/// which pixels and channels are written. A dst that is not initialised becomes roi's size, or
+/// src's without one, with src's channels and pixel type.
+///
+/// If an axis shrinks and the other does not grow, this is OpenImageIO's own resize with its
+/// default filter, on the numbers as they are. If one grows and the other shrinks, the first is
+/// enlarged by the mesh and the second shrunk so, IDs included.
+///
+/// nthreads 0: OpenImageIO's attribute "threads".
 bool resize(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options = {},
             OIIO::ROI roi = {}, int nthreads = 0);
 
-/// Warp in the manner of ImageBufAlgo::warp: M maps source to output coordinates; outside the
-/// source's data window the output is black. Where M shrinks, OIIO's default filter is used.
+/// Warp: M maps source to output pixel coordinates, (x, y, 1) * M with pixel centres at half
+/// integers. An output pixel whose centre comes from outside the source's data window is black. A
+/// dst that is not initialised becomes roi's size, or without one src's, or with `recompute_roi`
+/// that of the mapped data window; its display window is src's.
+///
+/// Where M shrinks the data window anywhere, in any direction, by more than a thousandth, and for
+/// the wrap modes other than default and black, this is OpenImageIO's own warp with its default
+/// filter. A matrix without inverse is an error.
 bool warp(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fParam M,
           const Options& options = {}, bool recompute_roi = false,
           OIIO::ImageBuf::WrapMode wrap = OIIO::ImageBuf::WrapDefault, OIIO::ROI roi = {},

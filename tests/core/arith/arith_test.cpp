@@ -15,23 +15,23 @@ TEST(Arith, RsqrtIsAccurateOverTheWholeRange) {
         for (uint32_t mantissa = 0; mantissa < 0x800000; mantissa += 26099) {
             const float x = float_of(exponent << 23 | mantissa);
             const double exact = 1.0 / std::sqrt(double(x));
-            worst = std::max(worst, std::fabs(double(scalar::rsqrt(x)) / exact - 1.0));
+            worst = std::max(worst, std::fabs(double(scalar::rsqrt<3>(x)) / exact - 1.0));
         }
     EXPECT_LT(worst, 2.5e-7);
 }
 
 TEST(Arith, RsqrtOfZeroIsFinite) {
-    EXPECT_TRUE(std::isfinite(scalar::rsqrt(0.0f)));
-    EXPECT_GT(scalar::rsqrt(0.0f), 0.0f);
-    EXPECT_EQ(0.0f * scalar::rsqrt(0.0f), 0.0f);
+    EXPECT_TRUE(std::isfinite(scalar::rsqrt<3>(0.0f)));
+    EXPECT_GT(scalar::rsqrt<3>(0.0f), 0.0f);
+    EXPECT_EQ(0.0f * scalar::rsqrt<3>(0.0f), 0.0f);
 }
 
 TEST(Arith, RsqrtHasTheseBits) {
     // Every device must give these.
-    EXPECT_EQ(bits_of(scalar::rsqrt(1.0f)), 0x3f7fffffu);
-    EXPECT_EQ(bits_of(scalar::rsqrt(0.04f)), 0x409fffffu);
-    EXPECT_EQ(bits_of(scalar::rsqrt(3.0f)), 0x3f13cd3au);
-    EXPECT_EQ(bits_of(scalar::rsqrt(0.0f)), 0x601ab3d4u);
+    EXPECT_EQ(bits_of(scalar::rsqrt<3>(1.0f)), 0x3f7fffffu);
+    EXPECT_EQ(bits_of(scalar::rsqrt<3>(0.04f)), 0x409fffffu);
+    EXPECT_EQ(bits_of(scalar::rsqrt<3>(3.0f)), 0x3f13cd3au);
+    EXPECT_EQ(bits_of(scalar::rsqrt<3>(0.0f)), 0x601ab3d4u);
 }
 
 TEST(Arith, DenormalsAreZeroWhileTheObjectLives) {

@@ -1,0 +1,79 @@
+# shellcheck shell=bash
+# Shared by demo, check and the tests of these scripts; to be sourced by bash.
+#
+# Everything that cannot go on ends in `die`, which says in plain words what is missing.
+
+ddt_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+ddt_build=$ddt_root/build
+ddt_packages=$ddt_root/cmake/packages.txt
+
+say() { printf '%s\n' "$*" >&2; }
+
+die() {
+    say "$(basename "$0"): $1"
+    shift
+    for line in "$@"; do say "  $line"; done
+    exit 1
+}
+
+# Names in packages.txt that dpkg does not report as installed, one a line.
+missing_packages() {
+    local name
+    sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$ddt_packages" | while read -r name; do
+        dpkg-query -W -f '${db:Status-Status}\n' "$name" 2>/dev/null | grep -qx installed ||
+            printf '%s\n' "$name"
+    done
+}
+
+# Runs a command as root: directly, or by sudo.
+as_root() {
+    if [ "$(id -u)" = 0 ]; then
+        env DEBIAN_FRONTEND=noninteractive "$@"
+    else
+        sudo env DEBIAN_FRONTEND=noninteractive "$@"
+    fi
+}
+
+# Installs what packages.txt names and the machine lacks. Touches nothing when all is there.
+install_packages() {
+    command -v dpkg-query >/dev/null ||
+        die "this is not a Debian system (there is no dpkg-query)." \
+            "Build by hand with CMake; what it needs is listed in $ddt_packages"
+    local missing
+    missing=$(missing_packages | tr '\n' ' ')
+    [ -n "$missing" ] || return 0
+    command -v apt-get >/dev/null ||
+        die "there is no apt-get, and these packages are missing:" "$missing"
+    [ "$(id -u)" = 0 ] || command -v sudo >/dev/null ||
+        die "these packages are missing, and installing them needs root or sudo:" "$missing" \
+            "As root: apt-get install --no-install-recommends $missing"
+    say "Installing: $missing"
+    as_root apt-get update -qq >&2 ||
+        say "apt-get update failed; going on with the package lists that are there"
+    # shellcheck disable=SC2086 # names are separated by spaces on purpose
+    as_root apt-get install -y -qq --no-install-recommends $missing >&2 ||
+        die "apt-get could not install these packages (its own messages are above):" "$missing"
+    missing=$(missing_packages | tr '\n' ' ')
+    [ -z "$missing" ] || die "still missing after apt-get install:" "$missing"
+}
+
+# Configures and compiles into build/. Arguments go to cmake and stay in its cache, so a later call
+# without them keeps the choice.
+build_all() {
+    local generator=()
+    [ -e "$ddt_build/CMakeCache.txt" ] || generator=(-G Ninja)
+    mkdir -p "$ddt_build" || die "cannot write to $ddt_root"
+    quietly configure.log cmake -S "$ddt_root" -B "$ddt_build" "${generator[@]}" "$@" ||
+        die "cmake could not configure the build (its messages are above)."
+    cmake --build "$ddt_build" >&2 ||
+        die "the build failed: the first message with 'error' above names the file and line."
+}
+
+# Runs a command with its output in build/FILE; shows it only if the command fails.
+quietly() {
+    local log=$ddt_build/$1
+    shift
+    "$@" >"$log" 2>&1 && return 0
+    cat "$log" >&2
+    return 1
+}

@@ -1,0 +1,33 @@
+// Included inside a SIMD target's namespace, where hn is Highway's: a vector of floats with the
+// operators that the formulas are written in. D is a Highway tag of float.
+
+template <class D>
+struct Lanes {
+    hn::Vec<D> v;
+
+    Lanes() = default;
+    HWY_INLINE Lanes(hn::Vec<D> u) : v(u) {}
+    /// x in every lane.
+    HWY_INLINE explicit Lanes(float x) : v(hn::Set(D(), x)) {}
+
+    static HWY_INLINE Lanes load(const float* p) { return hn::LoadU(D(), p); }
+    HWY_INLINE void store(float* p) const { hn::StoreU(v, D(), p); }
+
+    friend HWY_INLINE Lanes operator+(Lanes a, Lanes b) { return hn::Add(a.v, b.v); }
+    friend HWY_INLINE Lanes operator-(Lanes a, Lanes b) { return hn::Sub(a.v, b.v); }
+    friend HWY_INLINE Lanes operator*(Lanes a, Lanes b) { return hn::Mul(a.v, b.v); }
+
+    friend HWY_INLINE Lanes rsqrt_seed(Lanes x) {
+        const hn::RebindToSigned<D> di;
+        const auto bits = hn::BitCast(di, x.v);
+        return hn::BitCast(D(), hn::Sub(hn::Set(di, rsqrt_magic), hn::ShiftRight<1>(bits)));
+    }
+    /// a < b ? yes : no, a lane.
+    friend HWY_INLINE Lanes if_less(Lanes a, Lanes b, Lanes yes, Lanes no) {
+        return hn::IfThenElse(hn::Lt(a.v, b.v), yes.v, no.v);
+    }
+    /// a <= b ? yes : no, a lane.
+    friend HWY_INLINE Lanes if_less_equal(Lanes a, Lanes b, Lanes yes, Lanes no) {
+        return hn::IfThenElse(hn::Le(a.v, b.v), yes.v, no.v);
+    }
+};

@@ -1,0 +1,140 @@
+#include "plugin/colour/config.h"
+
+#include <charconv>
+#include <cstdlib>
+#include <map>
+#include <mutex>
+#include <sstream>
+#include <vector>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/strutil.h>
+
+namespace ddt {
+namespace {
+
+namespace OCIO = OCIO_NAMESPACE;
+using OIIO::Strutil::iequals;
+using OIIO::Strutil::istarts_with;
+
+OCIO::ConstConfigRcPtr carried_config() {
+    // Never destroyed: hosts may resize while static objects are being torn down.
+    static const auto* config = [] {
+        std::istringstream text(carried_config_text());
+        return new OCIO::ConstConfigRcPtr(OCIO::Config::CreateFromStream(text));
+    }();
+    return *config;
+}
+
+/// The config $OCIO names; the carried one is not among them. Throws OCIO::Exception.
+OCIO::ConstConfigRcPtr user_config(const std::string& path) {
+    static std::mutex mutex;
+    static auto* read = new std::map<std::string, OCIO::ConstConfigRcPtr>;
+    const std::lock_guard<std::mutex> lock(mutex);
+    auto& config = (*read)[path];
+    if (!config)
+        config = OCIO::Config::CreateFromFile(path.c_str());
+    return config;
+}
+
+/// The configs to ask, the first first. False with `error` when $OCIO cannot be read.
+bool configs(NamedBy by, std::vector<OCIO::ConstConfigRcPtr>& list, std::string& error) {
+    const char* path = std::getenv("OCIO");
+    if (path && *path) {
+        try {
+            list.push_back(user_config(path));
+        } catch (const OCIO::Exception& e) {
+            error = OIIO::Strutil::fmt::format(
+                "OCIO config \"{}\" (environment variable OCIO) cannot be read: {}; set OCIO to a "
+                "config file, unset it, or use light=encoded",
+                path, one_line(e.what()));
+            return false;
+        }
+        if (by == NamedBy::user)
+            return true;
+    } else {
+#if OCIO_VERSION_HEX >= 0x02020000
+        static const auto* builtin =
+            new OCIO::ConstConfigRcPtr(OCIO::Config::CreateFromBuiltinConfig("ocio://default"));
+        list.push_back(*builtin);
+#endif
+    }
+    list.push_back(carried_config());
+    return true;
+}
+
+/// The exponent of a name like "Gamma2.2"; 0 for other names.
+double exponent_of(const std::string& name) {
+    if (!istarts_with(name, "gamma"))
+        return 0;
+    double exponent = 0;
+    const char* end = name.data() + name.size();
+    const auto parsed = std::from_chars(name.data() + 5, end, exponent);
+    const bool good = parsed.ec == std::errc() && parsed.ptr == end;
+    return good && exponent >= 0.1 && exponent <= 10 ? exponent : 0;
+}
+
+/// The carried config with one more space, of the given exponent.
+Space gamma_space(const std::string& name, double exponent) {
+    auto transform = OCIO::ExponentTransform::Create();
+    transform->setValue({exponent, exponent, exponent, 1.0});
+    transform->setNegativeStyle(OCIO::NEGATIVE_MIRROR);
+    auto space = OCIO::ColorSpace::Create();
+    space->setName(name.c_str());
+    space->setTransform(transform, OCIO::COLORSPACE_DIR_TO_REFERENCE);
+    auto config = carried_config()->createEditableCopy();
+    config->addColorSpace(space);
+    return {config, config->getColorSpace(name.c_str())};
+}
+
+OCIO::ConstColorSpaceRcPtr space_in(const OCIO::ConstConfigRcPtr& config, const std::string& name) {
+    // OpenImageIO calls the role by these names, whatever spaces a config has.
+    if (iequals(name, "linear") || iequals(name, OCIO::ROLE_SCENE_LINEAR))
+        if (auto space = config->getColorSpace(OCIO::ROLE_SCENE_LINEAR))
+            return space;
+    return config->getColorSpace(name.c_str());
+}
+
+std::string names_in(const std::vector<OCIO::ConstConfigRcPtr>& list) {
+    std::string names;
+    for (const auto& config : list)
+        for (int i = 0; i < config->getNumColorSpaces(); ++i) {
+            const std::string name = config->getColorSpaceNameByIndex(i);
+            names += (names.empty() ? "" : ", ") + name;
+        }
+    return names;
+}
+
+} // namespace
+
+std::string one_line(const std::string& text) {
+    std::string line;
+    std::istringstream words(text);
+    for (std::string word; words >> word;)
+        line += (line.empty() ? "" : " ") + word;
+    return line;
+}
+
+bool find_space(const std::string& name, NamedBy by, Space& found, std::string& error) {
+    std::vector<OCIO::ConstConfigRcPtr> list;
+    if (!configs(by, list, error))
+        return false;
+    found = {};
+    for (const auto& config : list)
+        if (auto space = space_in(config, name)) {
+            found = {config, space};
+            return true;
+        }
+    if (const double exponent = exponent_of(name)) {
+        found = gamma_space(name, exponent);
+        return true;
+    }
+    if (by == NamedBy::image)
+        return true;
+    error = OIIO::Strutil::fmt::format(
+        "light \"{}\" is not a colour space of the OCIO config; allowed are auto, encoded, {}",
+        name, names_in(list));
+    return false;
+}
+
+} // namespace ddt

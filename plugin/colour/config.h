@@ -1,0 +1,37 @@
+// Where colour spaces are looked up by name: OpenColorIO configs.
+//
+// The user's config, $OCIO, comes first; without it OpenColorIO's own (from 2.2 on); then the small
+// one the project carries, colour/carried.ocio.
+#pragma once
+
+#include <string>
+
+#include <OpenColorIO/OpenColorIO.h>
+
+namespace ddt {
+
+/// A colour space within a config.
+struct Space {
+    OCIO_NAMESPACE::ConstConfigRcPtr config;
+    OCIO_NAMESPACE::ConstColorSpaceRcPtr space; ///< null: no config knows the name
+};
+
+/// Who chose the name of a colour space.
+enum class NamedBy {
+    image, ///< metadata: a name nobody knows is no error, and the carried config is asked last
+    user,  ///< the name must be known; where $OCIO is set, by that config
+};
+
+/// Find a space by name or alias, in any case. "Linear" is the config's scene_linear role, and
+/// "GammaX.Y" is known for any X.Y from 0.1 to 10, as OpenImageIO's readers name them. Returns
+/// false with one line in `error` when $OCIO cannot be read, or when the user's name is unknown;
+/// the line then lists the known ones. Thread-safe; each $OCIO is read once.
+bool find_space(const std::string& name, NamedBy by, Space& found, std::string& error);
+
+/// The text of colour/carried.ocio.
+const char* carried_config_text();
+
+/// `text` with its line breaks and runs of blanks made single blanks.
+std::string one_line(const std::string& text);
+
+} // namespace ddt

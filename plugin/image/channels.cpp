@@ -1,0 +1,136 @@
+#include "plugin/image/channels.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+#include <OpenImageIO/strutil.h>
+
+namespace ddt {
+namespace {
+
+using OIIO::Strutil::iends_with;
+using OIIO::Strutil::iequals;
+using OIIO::Strutil::istarts_with;
+
+bool letter(char c) {
+    return std::isalpha(static_cast<unsigned char>(c));
+}
+bool digit(char c) {
+    return std::isdigit(static_cast<unsigned char>(c));
+}
+bool upper(char c) {
+    return std::isupper(static_cast<unsigned char>(c));
+}
+
+/// `name` is layer, then two digits, then nothing or a dot and more: a rank of a cryptomatte.
+bool is_rank_of(OIIO::string_view name, OIIO::string_view layer) {
+    if (layer.empty() || !istarts_with(name, layer))
+        return false;
+    name.remove_prefix(layer.size());
+    return name.size() >= 2 && digit(name[0]) && digit(name[1]) &&
+           (name.size() == 2 || name[2] == '.');
+}
+
+/// Names of the image's cryptomattes, from the metadata "cryptomatte/<key>/name".
+std::vector<std::string> cryptomattes(const OIIO::ImageSpec& spec) {
+    std::vector<std::string> names;
+    for (const auto& attribute : spec.extra_attribs)
+        if (istarts_with(attribute.name(), "cryptomatte/") && iends_with(attribute.name(), "/name"))
+            names.push_back(attribute.get_string());
+    return names;
+}
+
+/// Also without metadata: "CryptoObject00.R" and its like.
+bool looks_like_cryptomatte(OIIO::string_view name) {
+    if (!istarts_with(name, "crypto"))
+        return false;
+    size_t letters = 0;
+    while (letters < name.size() && (letter(name[letters]) || name[letters] == '_'))
+        ++letters;
+    return is_rank_of(name, name.substr(0, letters));
+}
+
+int find_named(const OIIO::ImageSpec& spec, std::initializer_list<const char*> names) {
+    for (const char* name : names)
+        for (int c = 0; c < spec.nchannels; ++c)
+            if (iequals(spec.channel_name(c), name))
+                return c;
+    return -1;
+}
+
+} // namespace
+
+bool is_id_name(OIIO::string_view name) {
+    if (!iends_with(name, "id"))
+        return false;
+    size_t start = name.size() - 1;
+    while (start > 0 && letter(name[start - 1]) && !(upper(name[start]) && !upper(name[start - 1])))
+        --start;
+    // "ID" itself is two capitals: a word that starts at its D starts at its I.
+    const OIIO::string_view word = name.substr(std::min(start, name.size() - 2));
+    static const char* const english[] = {
+        "acid",     "android", "arid",      "asteroid", "avid",      "avoid", "bid",     "braid",
+        "centroid", "cuboid",  "ellipsoid", "fluid",    "grid",      "hid",   "humid",   "hybrid",
+        "invalid",  "kid",     "lid",       "liquid",   "mid",       "paid",  "pyramid", "rapid",
+        "rigid",    "solid",   "spheroid",  "subgrid",  "trapezoid", "valid", "vivid",   "void"};
+    return std::none_of(std::begin(english), std::end(english),
+                        [&](const char* w) { return iequals(word, w); });
+}
+
+Channels channels_of(const OIIO::ImageSpec& spec) {
+    const int count = spec.nchannels;
+    Channels channels;
+    channels.alpha =
+        spec.alpha_channel >= 0 && spec.alpha_channel < count ? spec.alpha_channel : -1;
+    channels.raw = spec.format == OIIO::TypeDesc::UINT32 || spec.format == OIIO::TypeDesc::INT32;
+
+    const std::vector<std::string> layers = cryptomattes(spec);
+    for (int c = 0; c < count; ++c) {
+        const std::string name = spec.channel_name(c);
+        const bool id = channels.raw || is_id_name(name) || looks_like_cryptomatte(name) ||
+                        std::any_of(layers.begin(), layers.end(), [&](const std::string& layer) {
+                            return is_rank_of(name, layer);
+                        });
+        channels.kinds.push_back(id ? Channel::nearest : Channel::blend);
+    }
+
+    const auto blends = [&](int c) {
+        return c >= 0 && c < count && c != channels.alpha && channels.kinds[c] == Channel::blend;
+    };
+    const auto colour = [&](int c) { return blends(c) && c != spec.z_channel; };
+    const int named[3] = {find_named(spec, {"R", "red"}), find_named(spec, {"G", "green"}),
+                          find_named(spec, {"B", "blue"})};
+    ColourLayout& layout = channels.colour;
+    if (colour(named[0]) && colour(named[1]) && colour(named[2])) {
+        layout.count = 3;
+        std::copy(named, named + 3, layout.channel);
+    } else if (colour(0) && colour(1) && colour(2)) {
+        layout.count = 3;
+        for (int c = 0; c < 3; ++c)
+            layout.channel[c] = c;
+    } else {
+        int grey = find_named(spec, {"Y", "L", "I", "luminance", "gray", "grey"}), candidates = 0;
+        if (!colour(grey)) {
+            for (int c = count - 1; c >= 0; --c)
+                if (colour(c)) {
+                    grey = c;
+                    ++candidates;
+                }
+            grey = candidates == 1 ? grey : -1;
+        }
+        if (grey >= 0) {
+            layout.count = 1;
+            layout.channel[0] = grey;
+        }
+    }
+    for (int c = count - 1; c >= 0; --c)
+        if (blends(c))
+            channels.guide = c;
+    // Readers keep colour unassociated when asked to, and say so.
+    if (layout.count && !spec.get_int_attribute("oiio:UnassociatedAlpha"))
+        layout.alpha = channels.alpha;
+    return channels;
+}
+
+} // namespace ddt

@@ -1,0 +1,41 @@
+// What the channels of an image are.
+#pragma once
+
+#include <vector>
+
+#include <OpenImageIO/imageio.h>
+
+#include "ddt/core.h"
+
+namespace ddt {
+
+/// Where a pixel's colour is: positions among its interleaved channels.
+struct ColourLayout {
+    int count = 0; ///< 3: red, green, blue; 1: grey; 0: none
+    int channel[3] = {-1, -1, -1};
+    int alpha = -1; ///< the alpha it is associated with, or -1
+};
+
+/// The roles of an image's channels.
+struct Channels {
+    /// Colour that a colour space speaks of. Three: the channels named R, G, B (or red, green,
+    /// blue), else channels 0 to 2 unless one of them is alpha, depth or an ID. One: without
+    /// these, a channel named as grey (Y, L, I, luminance, gray, grey), or the only one that is
+    /// neither alpha, depth nor an ID.
+    ColourLayout colour;
+    int alpha = -1; ///< the image's alpha, or -1
+    int guide = -1; ///< without colour: the first channel that is neither alpha nor an ID
+    std::vector<Channel> kinds; ///< one a channel; nearest: an ID
+    /// Pixels are 32-bit integers: every channel is an ID and travels as raw bits.
+    bool raw = false;
+};
+
+Channels channels_of(const OIIO::ImageSpec& spec);
+
+/// True for the name of a channel of identifiers: its last word ends in "id" in any case, as in
+/// "id", "objectId", "prim_id", "materialid", "layer.ID". A word of English that ends so (grid,
+/// fluid, solid, void, ...) is none. A word starts after a character that is no letter and where a
+/// capital follows a small letter.
+bool is_id_name(OIIO::string_view name);
+
+} // namespace ddt

@@ -1,0 +1,68 @@
+#include "plugin/image/colourpixels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ddt {
+namespace {
+
+/// By what to divide the colour of a pixel before it is converted.
+float coverage(const Light& light, float alpha, const float* rgb) {
+    if (!std::isfinite(alpha))
+        return 1.0f;
+    // Where 1 is not 1 in linear light, or channels mix, the larger colour is not the same number
+    // on the way back: then only what is safe.
+    if (!light.keeps_unit())
+        return alpha > 0.0f ? alpha : 1.0f;
+    const float brightest = std::max(rgb[0], std::max(rgb[1], rgb[2]));
+    const float cover = std::max(alpha, std::min(brightest, 1.0f));
+    return cover > 0x1p-100f ? cover : 1.0f; // the quotient must not overflow
+}
+
+template <class Convert>
+void convert(const Light& light, const ColourLayout& layout, float* pixels, size_t count,
+             int stride, Convert&& rgb_convert) {
+    if (!light.converts() || layout.count == 0)
+        return;
+    // Grey is the colour (y, y, y).
+    const int at[3] = {layout.channel[0], layout.channel[layout.count == 3 ? 1 : 0],
+                       layout.channel[layout.count == 3 ? 2 : 0]};
+    constexpr size_t block = 256;
+    float rgb[3 * block], cover[block];
+    for (size_t begin = 0; begin < count; begin += block, pixels += block * stride) {
+        const size_t n = std::min(block, count - begin);
+        for (size_t i = 0; i < n; ++i)
+            for (int k = 0; k < 3; ++k)
+                rgb[3 * i + k] = pixels[i * stride + at[k]];
+        if (layout.alpha >= 0)
+            for (size_t i = 0; i < n; ++i) {
+                cover[i] = coverage(light, pixels[i * stride + layout.alpha], rgb + 3 * i);
+                for (int k = 0; k < 3; ++k)
+                    rgb[3 * i + k] /= cover[i];
+            }
+        rgb_convert(rgb, n);
+        if (layout.alpha >= 0)
+            for (size_t i = 0; i < n; ++i)
+                for (int k = 0; k < 3; ++k)
+                    rgb[3 * i + k] *= cover[i];
+        for (size_t i = 0; i < n; ++i)
+            for (int k = 0; k < layout.count; ++k)
+                pixels[i * stride + at[k]] = rgb[3 * i + k];
+    }
+}
+
+} // namespace
+
+void to_light(const Light& light, const ColourLayout& layout, float* pixels, size_t count,
+              int stride) {
+    convert(light, layout, pixels, count, stride,
+            [&](float* rgb, size_t n) { light.to_light(rgb, n); });
+}
+
+void from_light(const Light& light, const ColourLayout& layout, float* pixels, size_t count,
+                int stride) {
+    convert(light, layout, pixels, count, stride,
+            [&](float* rgb, size_t n) { light.from_light(rgb, n); });
+}
+
+} // namespace ddt

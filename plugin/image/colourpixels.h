@@ -1,0 +1,21 @@
+// Colour conversion of interleaved pixels, round their alpha.
+#pragma once
+
+#include "plugin/colour/light.h"
+#include "plugin/image/channels.h"
+
+namespace ddt {
+
+/// Convert the colour of `count` pixels of `stride` floats each, in place, to linear light.
+///
+/// Colour that is associated with an alpha is divided by it for the conversion and multiplied
+/// again after it. Glow, colour brighter than its alpha (up to alpha 0), counts as full light of
+/// as much coverage as it is bright: so it converts there and back to itself and fades in and out
+/// without a seam.
+void to_light(const Light& light, const ColourLayout& layout, float* pixels, size_t count,
+              int stride);
+/// The way back.
+void from_light(const Light& light, const ColourLayout& layout, float* pixels, size_t count,
+                int stride);
+
+} // namespace ddt

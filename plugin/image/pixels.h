@@ -1,0 +1,28 @@
+// Regions of an ImageBuf as plain rows.
+#pragma once
+
+#include <string>
+
+#include <OpenImageIO/imagebuf.h>
+
+#include "ddt/core.h"
+
+namespace ddt {
+
+/// Copy channels [chbegin, chend) of the pixels of `r`, which lie within the data window, to
+/// `out`: interleaved values of `type`, rows without gaps; numbers convert as OpenImageIO does.
+/// Thread-safe. False with one line in `error` when a file behind the image cannot be read.
+bool read_pixels(const OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend,
+                 OIIO::TypeDesc type, void* out, std::string& error);
+
+/// The other way, into an image in local memory; values without gaps. Thread-safe for different
+/// pixels.
+void write_pixels(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, OIIO::TypeDesc type,
+                  const void* values);
+
+/// The same from floats of which `stride` make a pixel, the first of them being channel chbegin.
+/// Integers get the nearest value, and 0 for NaN. May change `values`.
+void write_floats(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, float* values,
+                  int stride);
+
+} // namespace ddt

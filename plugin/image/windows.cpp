@@ -1,0 +1,153 @@
+#include "plugin/image/windows.h"
+
+#include <algorithm>
+
+#include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/imagebufalgo_util.h>
+#include <OpenImageIO/strutil.h>
+#include <OpenImageIO/sysutil.h>
+
+namespace ddt {
+namespace {
+
+using OIIO::Strutil::fmt::format;
+
+constexpr int64_t largest_coordinate = int64_t(1) << 29; // the core's
+
+int64_t allowed_megabytes() {
+    int limit = 0;
+    const auto memory = int64_t(OIIO::Sysutil::physical_memory() >> 20);
+    if (!OIIO::getattribute("limits:imagesize_MB", limit) || limit <= 0)
+        return memory;
+    return std::min<int64_t>(limit, memory);
+}
+
+bool check_window(const char* which, int64_t begin, int64_t size, std::string& error) {
+    if (size > 0 && begin >= -largest_coordinate && begin + size <= largest_coordinate)
+        return true;
+    error = format("the source's {} window has size {} at {}; allowed are sizes of 1 and more "
+                   "within +-{}",
+                   which, size, begin, largest_coordinate);
+    return false;
+}
+
+ResizeMapping::Axis axis(int from0, int from_size, int to0, int to_size, int window0, int window,
+                         int out0, int out1) {
+    ResizeMapping::Axis a;
+    a.from0 = from0;
+    a.from_size = from_size;
+    a.to0 = to0;
+    a.to_size = to_size;
+    a.window0 = window0;
+    a.window1 = window0 + window;
+    a.out0 = out0;
+    a.out1 = out1;
+    return a;
+}
+
+} // namespace
+
+bool check_source(const OIIO::ImageBuf& src, std::string& error) {
+    if (!src.initialized()) {
+        error = src.has_error() ? format("the source image cannot be read: {}", src.geterror(false))
+                                : "the source image is uninitialised; give one that holds pixels";
+        return false;
+    }
+    const OIIO::ImageSpec& spec = src.spec();
+    if (src.deep()) {
+        error = "the source is a deep image; only flat images can be resized";
+        return false;
+    }
+    if (spec.depth > 1 || spec.full_depth > 1) {
+        error = format("the source is a volume of depth {}; only depth 1 can be resized",
+                       std::max(spec.depth, spec.full_depth));
+        return false;
+    }
+    if (spec.nchannels < 1) {
+        error = "the source has no channels; at least 1 is needed";
+        return false;
+    }
+    switch (spec.format.basetype) {
+    case OIIO::TypeDesc::UINT8:
+    case OIIO::TypeDesc::INT8:
+    case OIIO::TypeDesc::UINT16:
+    case OIIO::TypeDesc::INT16:
+    case OIIO::TypeDesc::UINT32:
+    case OIIO::TypeDesc::INT32:
+    case OIIO::TypeDesc::HALF:
+    case OIIO::TypeDesc::FLOAT:
+    case OIIO::TypeDesc::DOUBLE:
+        break;
+    default:
+        error = format("the source's pixels are {}; allowed are 8 to 32-bit integers, half, float "
+                       "and double",
+                       spec.format.c_str());
+        return false;
+    }
+    return check_window("data", spec.x, spec.width, error) &&
+           check_window("data", spec.y, spec.height, error) &&
+           check_window("display", spec.full_x, spec.full_width, error) &&
+           check_window("display", spec.full_y, spec.full_height, error);
+}
+
+bool check_size(const OIIO::ROI& roi, int channels, OIIO::TypeDesc type, std::string& error) {
+    const int64_t width = int64_t(roi.xend) - roi.xbegin, height = int64_t(roi.yend) - roi.ybegin;
+    const auto outside = [](int v) { return v < -largest_coordinate || v > largest_coordinate; };
+    if (width < 1 || height < 1) {
+        error =
+            format("the output would be {} x {} pixels; at least 1 x 1 is needed", width, height);
+        return false;
+    }
+    if (outside(roi.xbegin) || outside(roi.xend) || outside(roi.ybegin) || outside(roi.yend)) {
+        error = format("the output would be {} x {} pixels; coordinates are allowed within +-{}",
+                       width, height, largest_coordinate);
+        return false;
+    }
+    // Below 2^60 pixels, so the bytes may pass 2^63 only by way of channels: divide first.
+    const double megabytes =
+        double(width) * double(height) * double(channels) * double(type.size()) / (1 << 20);
+    if (megabytes > double(allowed_megabytes())) {
+        error = format("the output of {} x {} pixels, {} channels, {} would need {:.0f} MB; "
+                       "allowed are {} MB (the least of OpenImageIO's limits:imagesize_MB and "
+                       "this machine's memory)",
+                       width, height, channels, type.c_str(), megabytes, allowed_megabytes());
+        return false;
+    }
+    return true;
+}
+
+bool prepare(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int flags,
+             std::string& error) {
+    if (dst.initialized()) {
+        if (dst.deep() || dst.spec().depth > 1) {
+            error = "the destination is a deep image or a volume; only flat images can be written";
+            return false;
+        }
+    } else if (!check_size(roi.defined() ? roi : src.roi(), src.nchannels(), src.spec().format,
+                           error)) {
+        return false;
+    }
+    if (!OIIO::ImageBufAlgo::IBAprep(roi, &dst, &src, flags) || !dst.initialized()) {
+        error = dst.has_error() ? dst.geterror() : "the destination cannot be prepared";
+        return false;
+    }
+    roi.chend = std::min(roi.chend, std::min(src.nchannels(), dst.nchannels()));
+    roi.chbegin = std::max(roi.chbegin, 0);
+    if (roi.width() <= 0 || roi.height() <= 0 || roi.chbegin >= roi.chend)
+        roi.xend = roi.xbegin;
+    return true;
+}
+
+ResizeMapping::Axis x_axis(const OIIO::ImageSpec& src, const OIIO::ImageSpec& dst,
+                           const OIIO::ROI& roi) {
+    return axis(src.full_x, src.full_width, dst.full_x, dst.full_width, src.x, src.width,
+                roi.xbegin, roi.xend);
+}
+
+ResizeMapping::Axis y_axis(const OIIO::ImageSpec& src, const OIIO::ImageSpec& dst,
+                           const OIIO::ROI& roi) {
+    return axis(src.full_y, src.full_height, dst.full_y, dst.full_height, src.y, src.height,
+                roi.ybegin, roi.yend);
+}
+
+} // namespace ddt

@@ -1,0 +1,39 @@
+// The windows of a call: checks of the images, the destination's preparation, the axes' mapping.
+#pragma once
+
+#include <string>
+
+#include <OpenImageIO/imagebuf.h>
+
+#include "ddt/core.h"
+
+namespace ddt {
+
+/// False with one line in `error` unless `src` is an image the filters can work on: readable, flat,
+/// not a volume, not empty, of numbers OpenImageIO converts.
+bool check_source(const OIIO::ImageBuf& src, std::string& error);
+
+/// False with one line in `error` unless an image of `roi`'s size may be allocated: coordinates
+/// within +-2^29, and no more bytes than OpenImageIO's attribute "limits:imagesize_MB" or than the
+/// machine has memory.
+bool check_size(const OIIO::ROI& roi, int channels, OIIO::TypeDesc format, std::string& error);
+
+/// Make `dst` ready to be written and `roi` what is to be written of it, as ImageBufAlgo does (the
+/// flags are IBAprep's): an initialised dst keeps its size and cuts the roi; another is allocated
+/// for the roi, or like src without one. The size is checked before. False with one line in
+/// `error`. A roi that misses dst comes back empty.
+bool prepare(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int flags,
+             std::string& error);
+
+/// The pixels of a roi.
+inline Rect rect_of(const OIIO::ROI& roi) {
+    return {roi.xbegin, roi.ybegin, roi.xend, roi.yend};
+}
+
+/// src's display window mapped onto dst's, `roi` of dst's pixels wanted.
+ResizeMapping::Axis x_axis(const OIIO::ImageSpec& src, const OIIO::ImageSpec& dst,
+                           const OIIO::ROI& roi);
+ResizeMapping::Axis y_axis(const OIIO::ImageSpec& src, const OIIO::ImageSpec& dst,
+                           const OIIO::ROI& roi);
+
+} // namespace ddt

@@ -1,0 +1,50 @@
+// The mapping of a warp by a 3x3 matrix.
+#pragma once
+
+#include <array>
+
+#include "ddt/core.h"
+
+namespace ddt {
+
+/// A projective map of the plane, (x, y, 1) * M as OpenImageIO multiplies: rows of M are what x, y
+/// and 1 contribute.
+struct Projective {
+    std::array<double, 9> m{1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+    struct Point {
+        double x, y, w; ///< the point is (x / w, y / w)
+    };
+    Point operator()(double x, double y) const {
+        return {x * m[0] + y * m[3] + m[6], x * m[1] + y * m[4] + m[7], x * m[2] + y * m[5] + m[8]};
+    }
+    bool affine() const { return m[2] == 0 && m[5] == 0 && m[8] == 1; }
+    /// False if the matrix has no inverse, or is not finite.
+    bool invert(Projective& inverse) const;
+};
+
+/// True if a picture in `window` gets smaller somewhere and in some direction, by more than one
+/// part in a thousand. Pixel coordinates, centres at half integers.
+bool shrinks(const Projective& m, const Rect& window);
+
+/// If `m` moves pixels by whole numbers and does nothing else, true, and by what.
+bool moves_only(const Projective& m, int& dx, int& dy);
+
+/// Output pixels under a projective map. A pixel is inside if its centre comes from within the
+/// area of the window's pixels; the half pixel round the hull of their centres clamps to it.
+/// Positions are computed in double and rounded to 2^-16 pixel.
+class MatrixMapping final : public Mapping {
+public:
+    /// `to_source` takes output to source pixel coordinates, `to_output` is its inverse.
+    MatrixMapping(const Projective& to_source, const Projective& to_output, const Rect& window,
+                  const Rect& output)
+        : m_to_source(to_source), m_to_output(to_output), m_window(window), m_output(output) {}
+    Rect reach(double x0, double y0, double x1, double y1) const override;
+    void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override;
+
+private:
+    Projective m_to_source, m_to_output;
+    Rect m_window, m_output;
+};
+
+} // namespace ddt

@@ -1,0 +1,145 @@
+#include <charconv>
+#include <functional>
+#include <vector>
+
+#include <OpenImageIO/strutil.h>
+
+#include "ddt/resize.h"
+
+namespace ddt {
+namespace {
+
+using OIIO::Strutil::fmt::format;
+
+struct FilterName {
+    const char* name;
+    Surface surface;
+};
+constexpr FilterName filters[] = {{"ddt", Surface::patch}, {"ddt-linear", Surface::linear}};
+
+/// One key of a specification.
+struct Option {
+    std::string key, allowed;
+    std::function<bool(Options&, const std::string&)> set; ///< false: the value is not allowed
+};
+
+template <class Value>
+struct Named {
+    const char* name;
+    Value value;
+};
+
+/// An option with named values; `field(options)` is where the value goes.
+template <class Value, class Field>
+Option choice(const char* key, std::vector<Named<Value>> values, Field field) {
+    std::string allowed;
+    for (const auto& v : values)
+        allowed += format("{}{}", allowed.empty() ? "" : ", ", v.name);
+    return {key, allowed, [=](Options& options, const std::string& text) {
+                for (const auto& v : values)
+                    if (text == v.name) {
+                        field(options) = v.value;
+                        return true;
+                    }
+                return false;
+            }};
+}
+
+/// An option that is a number from `low` to `high`.
+template <class Number, class Field>
+Option number(const char* key, Number low, Number high, Field field) {
+    const char* kind = std::is_integral_v<Number> ? "whole numbers" : "numbers";
+    return {key, format("{} from {} to {}", kind, low, high),
+            [=](Options& options, const std::string& text) {
+                Number n{};
+                const char* end = text.data() + text.size();
+                const auto parsed = std::from_chars(text.data(), end, n);
+                // Written so that NaN is not allowed.
+                if (parsed.ec != std::errc() || parsed.ptr != end || !(n >= low && n <= high))
+                    return false;
+                field(options) = n;
+                return true;
+            }};
+}
+
+const std::vector<Option>& table() {
+    static const auto* options = new std::vector<Option>{
+        choice<Cost>("cost", {{"abn", Cost::abn}, {"scf", Cost::scf}},
+                     [](Options& o) -> Cost& { return o.mesh.cost; }),
+        number("iterations", 0, 250, [](Options& o) -> int& { return o.mesh.max_iterations; }),
+        // Whether a colour space has the name is known only once the config is read.
+        {"light", "auto, encoded and names of colour spaces",
+         [](Options& o, const std::string& text) {
+             o.light = text;
+             return !text.empty();
+         }},
+        number("min_gain", 0.0f, 1e6f, [](Options& o) -> float& { return o.mesh.min_gain; }),
+        choice<Scheme>("scheme",
+                       {{"one_round", Scheme::one_round},
+                        {"lawson", Scheme::lawson},
+                        {"pixel", Scheme::pixel}},
+                       [](Options& o) -> Scheme& { return o.mesh.scheme; }),
+        choice<Start>("start", {{"flat", Start::flat}, {"diagonal", Start::diagonal}},
+                      [](Options& o) -> Start& { return o.mesh.start; }),
+    };
+    return *options;
+}
+
+bool set_option(const std::string& item, Options& options, std::string& error) {
+    const size_t equals = item.find('=');
+    const std::string key = item.substr(0, equals);
+    std::string keys;
+    for (const Option& option : table()) {
+        if (option.key != key) {
+            keys += (keys.empty() ? "" : ", ") + option.key;
+            continue;
+        }
+        if (equals != std::string::npos && option.set(options, item.substr(equals + 1)))
+            return true;
+        error = format("ddt: option \"{}\" is not allowed; allowed for {} are {}", item, key,
+                       option.allowed);
+        return false;
+    }
+    error = format("ddt: unknown option \"{}\"; allowed are {}", key, keys);
+    return false;
+}
+
+const FilterName* find_filter(const std::string& name) {
+    for (const FilterName& filter : filters)
+        if (name == filter.name)
+            return &filter;
+    return nullptr;
+}
+
+} // namespace
+
+std::vector<std::string> filter_names() {
+    std::vector<std::string> names;
+    for (const FilterName& filter : filters)
+        names.emplace_back(filter.name);
+    return names;
+}
+
+bool is_filter_name(OIIO::string_view spec) {
+    return find_filter(std::string(spec.substr(0, spec.find(',')))) != nullptr;
+}
+
+bool parse_filter(OIIO::string_view spec, Options& options, std::string& error) {
+    const std::vector<std::string> items = OIIO::Strutil::splits(spec, ",");
+    const std::string name = items.empty() ? "" : items[0];
+    const FilterName* filter = find_filter(name);
+    if (!filter) {
+        error = format("ddt: unknown filter \"{}\"; allowed are {}", name,
+                       OIIO::Strutil::join(filter_names(), ", "));
+        return false;
+    }
+    Options parsed = options;
+    parsed.surface = filter->surface;
+    for (size_t i = 1; i < items.size(); ++i)
+        if (!set_option(items[i], parsed, error))
+            return false;
+    options = parsed;
+    return true;
+}
+
+} // namespace ddt

@@ -1,0 +1,222 @@
+#include "request.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/strutil.h>
+
+namespace ddt {
+namespace {
+
+using OIIO::Strutil::fmt::format;
+
+constexpr char extension[] = ".ddt";
+constexpr size_t extension_length = sizeof(extension) - 1;
+constexpr size_t longest_sidecar = 65536;
+
+/// Far more than any image, far less than what overflows the arithmetic of windows.
+constexpr int largest_size = 1 << 24;
+
+std::string before_query(const std::string& name) {
+    return name.substr(0, name.find('?'));
+}
+
+template <typename Number>
+bool parse_number(const std::string& text, Number& number) {
+    const char* end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, number);
+    return parsed.ec == std::errc() && parsed.ptr == end;
+}
+
+/// Collects options in the order they come; nothing is checked before all are known.
+class Parser {
+public:
+    explicit Parser(Request& request) : m_request(request) {}
+
+    bool set(const std::string& item, std::string& error) {
+        const size_t equals = item.find('=');
+        const std::string key = item.substr(0, equals);
+        const std::string value = equals == std::string::npos ? "" : item.substr(equals + 1);
+        if (key == "scale")
+            return set_scale(item, value, error);
+        if (key == "width")
+            return set_size(item, value, m_request.width, error);
+        if (key == "height")
+            return set_size(item, value, m_request.height, error);
+        if (key == "filter") {
+            m_filter = value;
+            if (is_filter_name(value))
+                return true;
+            error = format("ddt: unknown filter \"{}\"; allowed are {}", value,
+                           OIIO::Strutil::join(filter_names(), ", "));
+            return false;
+        }
+        m_options += "," + item;
+        Options ignored;
+        if (parse_filter("ddt," + item, ignored, error))
+            return true;
+        error += "; and filter, height, scale, width";
+        return false;
+    }
+
+    bool finish(std::string& error) {
+        if (m_request.scale == 0 && m_request.width == 0 && m_request.height == 0) {
+            error = "ddt: no size; give scale=FACTOR or width=PIXELS or height=PIXELS";
+            return false;
+        }
+        return parse_filter(m_filter + m_options, m_request.options, error);
+    }
+
+private:
+    // A factor and sizes exclude each other; the last wins.
+    bool set_scale(const std::string& item, const std::string& value, std::string& error) {
+        if (!parse_number(value, m_request.scale) ||
+            !(m_request.scale > 0 && m_request.scale <= largest_size)) {
+            error = format("ddt: \"{}\" is not allowed; scale is a number above 0", item);
+            return false;
+        }
+        m_request.width = m_request.height = 0;
+        return true;
+    }
+
+    bool set_size(const std::string& item, const std::string& value, int& size,
+                  std::string& error) {
+        if (!parse_number(value, size) || size < 1 || size > largest_size) {
+            error = format("ddt: \"{}\" is not allowed; width and height are whole numbers from 1 "
+                           "to {}",
+                           item, largest_size);
+            return false;
+        }
+        m_request.scale = 0;
+        return true;
+    }
+
+    Request& m_request;
+    std::string m_filter = "ddt", m_options;
+};
+
+/// The lines that count.
+bool read_sidecar(const std::string& path, std::vector<std::string>& lines, std::string& error) {
+    std::string text;
+    if (OIIO::Filesystem::file_size(path) > longest_sidecar ||
+        !OIIO::Filesystem::read_text_file(path, text) || text.find('\0') != std::string::npos) {
+        error = format("ddt: \"{}\" is not a sidecar; its first line is the path of an image, the "
+                       "others are key=value",
+                       path);
+        return false;
+    }
+    for (OIIO::string_view line : OIIO::Strutil::splitsv(text, "\n")) {
+        line = OIIO::Strutil::strip(line);
+        if (!line.empty() && line[0] != '#')
+            lines.emplace_back(line);
+    }
+    if (lines.empty()) {
+        error = format("ddt: \"{}\" is empty; its first line is the path of an image", path);
+        return false;
+    }
+    return true;
+}
+
+std::string beside(const std::string& sidecar, const std::string& path) {
+    const std::string folder = OIIO::Filesystem::parent_path(sidecar);
+    return folder.empty() || OIIO::Filesystem::path_is_absolute(path) ? path : folder + "/" + path;
+}
+
+bool parse(const std::string& name, Request& request, std::string& error) {
+    const std::string path = before_query(name);
+    Parser parser(request);
+    if (OIIO::Filesystem::is_regular(path)) {
+        std::vector<std::string> lines;
+        if (!read_sidecar(path, lines, error))
+            return false;
+        request.source = beside(path, lines[0]);
+        for (size_t i = 1; i < lines.size(); ++i)
+            if (!parser.set(lines[i], error)) {
+                error += format("; in \"{}\"", path);
+                return false;
+            }
+    } else {
+        request.source = path.substr(0, path.size() - extension_length);
+    }
+    // A sidecar that names itself, or a chain of them, would never end.
+    if (request.source.empty() || is_request_name(request.source)) {
+        error = format("ddt: \"{}\" does not name an image to enlarge; allowed is a file that is "
+                       "not itself a .ddt",
+                       request.source);
+        return false;
+    }
+    if (path.size() < name.size())
+        for (const std::string& item : OIIO::Strutil::splits(name.substr(path.size() + 1), "&"))
+            if (!item.empty() && !parser.set(item, error))
+                return false;
+    return parser.finish(error);
+}
+
+/// Floor and ceiling of a * b / c, c > 0.
+int64_t scale_down(int64_t a, int64_t b, int64_t c) {
+    const int64_t product = a * b;
+    return product / c - (product % c < 0);
+}
+int64_t scale_up(int64_t a, int64_t b, int64_t c) {
+    return -scale_down(-a, b, c);
+}
+
+} // namespace
+
+bool is_request_name(const std::string& name) noexcept {
+    const size_t end = std::min(name.find('?'), name.size());
+    if (end < extension_length)
+        return false;
+    for (size_t i = 0; i < extension_length; ++i) {
+        const char c = name[end - extension_length + i];
+        if ((c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) != extension[i])
+            return false;
+    }
+    return true;
+}
+
+bool parse_request(const std::string& name, Request& request, std::string& error) {
+    Request parsed;
+    if (!parse(name, parsed, error))
+        return false;
+    request = parsed;
+    return true;
+}
+
+bool Request::windows(const OIIO::ImageSpec& from, OIIO::ImageSpec& to, std::string& error) const {
+    const double w = from.full_width, h = from.full_height;
+    const double x_factor = scale > 0 ? scale : width > 0 ? width / w : height / h;
+    const double y_factor = scale > 0 ? scale : height > 0 ? height / h : width / w;
+    const double full_w = std::max(1.0, std::round(w * x_factor));
+    const double full_h = std::max(1.0, std::round(h * y_factor));
+    if (!(full_w <= largest_size && full_h <= largest_size)) {
+        error = format("ddt: the output of {:.0f} x {:.0f} pixels is too large; a side may have {}",
+                       full_w, full_h, largest_size);
+        return false;
+    }
+    to.full_width = int(full_w);
+    to.full_height = int(full_h);
+    const int64_t x0 = scale_down(int64_t(from.x) - from.full_x, to.full_width, from.full_width);
+    const int64_t y0 = scale_down(int64_t(from.y) - from.full_y, to.full_height, from.full_height);
+    const int64_t x1 =
+        scale_up(int64_t(from.x) - from.full_x + from.width, to.full_width, from.full_width);
+    const int64_t y1 =
+        scale_up(int64_t(from.y) - from.full_y + from.height, to.full_height, from.full_height);
+    // The origin stays, as with oiiotool --resize.
+    constexpr int64_t limit = 1 << 29;
+    if (x0 < -limit || y0 < -limit || x1 > limit || y1 > limit) {
+        error = format("ddt: the output's data window of {} x {} pixels is too large", x1 - x0,
+                       y1 - y0);
+        return false;
+    }
+    to.x = int(from.full_x + x0);
+    to.y = int(from.full_y + y0);
+    to.width = int(x1 - x0);
+    to.height = int(y1 - y0);
+    return true;
+}
+
+} // namespace ddt

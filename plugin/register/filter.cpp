@@ -1,0 +1,46 @@
+#include "filter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace ddt {
+
+float Filter::tent(float x, float width) {
+    return width > 0.0f ? std::max(0.0f, 1.0f - std::fabs(x) * 2.0f / width) : 0.0f;
+}
+
+const Filter* as_ours(const OIIO::Filter2D* filter) {
+    return dynamic_cast<const Filter*>(filter);
+}
+
+static const std::vector<OIIO::FilterDesc>& descriptions() {
+    // Never freed: OpenImageIO hands out references, until the last moment of the process.
+    static const auto* list = [] {
+        static const auto* names = new std::vector<std::string>(filter_names());
+        auto* made = new std::vector<OIIO::FilterDesc>;
+        // Like OIIO's "triangle": two pixels wide, scalable, separable.
+        for (const std::string& name : *names)
+            made->push_back({name.c_str(), 2, 2.0f, false, true, true});
+        return made;
+    }();
+    return *list;
+}
+
+int filter_count() {
+    return int(descriptions().size());
+}
+
+const OIIO::FilterDesc& filter_description(int index) {
+    return descriptions()[size_t(index)];
+}
+
+bool parse_filter_for(OIIO::ImageBuf& dst, OIIO::string_view spec, Options& options) {
+    std::string error;
+    if (parse_filter(spec, options, error))
+        return true;
+    dst.errorfmt("{}", error);
+    return false;
+}
+
+} // namespace ddt

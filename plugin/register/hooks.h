@@ -1,0 +1,27 @@
+// The functions of OpenImageIO that are redirected, and what stands in for them.
+//
+// A stand-in takes over when it is given one of our filters and otherwise calls the function that
+// it stands in for: this module's own calls are not redirected (see got.h).
+#pragma once
+
+#include <vector>
+
+#include "got.h"
+
+namespace ddt {
+
+using Redirects = std::vector<got::Redirect>;
+
+/// `from` may name a set of overloads: `to` chooses among them.
+template <typename F>
+void add(Redirects& list, const char* label, F* from, F* to) {
+    list.push_back({label, reinterpret_cast<void*>(from), reinterpret_cast<void*>(to)});
+}
+
+/// Filter2D's list of filters and their creation: --help, maketx and others follow.
+void add_filter_list(Redirects& list);
+
+/// ImageBufAlgo's resize, fit, warp and rotate.
+void add_algorithms(Redirects& list);
+
+} // namespace ddt

@@ -1,0 +1,30 @@
+// An ImageBuf read off its mesh under any mapping.
+#pragma once
+
+#include <string>
+
+#include <OpenImageIO/imagebuf.h>
+
+#include "ddt/resize.h"
+
+namespace ddt {
+
+/// Write those pixels of `roi` that `mapping` gives, in the roi's channels, from src's mesh. Both
+/// images have passed check_source() and prepare(). False with one line in `error`.
+bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& mapping,
+              const OIIO::ROI& roi, const Options& options, int nthreads, std::string& error);
+
+/// OpenImageIO's default filter for the pixels and channels of `roi` (its own resize writes all
+/// channels).
+bool resize_by_oiio(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::ROI& roi,
+                    int nthreads, std::string& error);
+
+/// What shows where the source has no pixels.
+enum class Beyond { edge, black };
+
+/// Write the pixels of `roi` from the source moved by (dx, dy): the same bits where the pixel types
+/// are the same.
+bool copy_moved(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::ROI& roi, int dx,
+                int dy, Beyond beyond, std::string& error);
+
+} // namespace ddt

@@ -1,0 +1,36 @@
+// The ways of enlarging that are compared: one row of the table each.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <OpenImageIO/imagebuf.h>
+
+#include "light.h"
+
+namespace bench {
+
+/// Enlarges a float RGB image by a whole factor, in the light its values are in. Returns a buffer
+/// that has_error() on failure.
+using Enlarge = std::function<OIIO::ImageBuf(const OIIO::ImageBuf&, int scale)>;
+
+struct Row {
+    std::string name;
+    Enlarge enlarge;
+};
+
+/// OpenImageIO's own filters, by their names.
+std::vector<Row> oiio_rows();
+
+/// ImageMagick in a child process, if it is installed. Values reach it as 16-bit integers, so what
+/// lies beyond 0..1 is clipped, and are resized as they are, whatever the light.
+std::vector<Row> imagemagick_rows();
+
+/// This project's filters. `light` is what the values are in.
+std::vector<Row> ddt_rows(Light light);
+
+/// A filter specification such as "ddt,cost=scf".
+Row ddt_row(const std::string& specification, Light light);
+
+} // namespace bench

@@ -1,0 +1,188 @@
+// The plugin loaded into a program that calls OpenImageIO's C++ functions.
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <dlfcn.h>
+
+#include <gtest/gtest.h>
+
+#include <OpenImageIO/Imath.h>
+#include <OpenImageIO/filter.h>
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+
+namespace {
+
+using namespace OIIO;
+
+struct Destroy {
+    void operator()(Filter2D* filter) const { Filter2D::destroy(filter); }
+};
+using Handle = std::unique_ptr<Filter2D, Destroy>;
+
+/// A filter that no table lists.
+class Foreign final : public Filter2D {
+public:
+    Foreign() : Filter2D(2.0f, 2.0f) {}
+    float operator()(float x, float y) const override { return x * x + y * y < 1.0f ? 1.0f : 0.0f; }
+    string_view name() const override { return "ddt"; } // the name is not what counts
+};
+
+ImageBuf picture() {
+    ImageSpec spec(9, 7, 1, TypeFloat);
+    ImageBuf image(spec);
+    uint32_t state = 1;
+    for (ImageBuf::Iterator<float> p(image); !p.done(); ++p) {
+        state = state * 1664525u + 1013904223u;
+        p[0] = float(state >> 8) / float(1 << 24);
+    }
+    return image;
+}
+
+std::vector<float> pixels(const ImageBuf& image) {
+    std::vector<float> values(size_t(image.spec().image_pixels()) * size_t(image.nchannels()));
+    EXPECT_TRUE(image.get_pixels(image.roi(), TypeFloat, values.data())) << image.geterror();
+    return values;
+}
+
+const ROI large(0, 36, 0, 28, 0, 1, 0, 1);
+
+std::vector<float> resized(const Filter2D* filter) {
+    ImageBuf result;
+    EXPECT_TRUE(ImageBufAlgo::resize(result, picture(), const_cast<Filter2D*>(filter), large))
+        << result.geterror();
+    return pixels(result);
+}
+
+std::vector<float> resized(string_view name) {
+    const ImageBuf result = ImageBufAlgo::resize(picture(), name, 0.0f, large);
+    EXPECT_FALSE(result.has_error()) << result.geterror();
+    return pixels(result);
+}
+
+/// What stock gives has to be taken down before the plugin is there.
+class Registered : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        stock_filters = Filter2D::num_filters();
+        stock_lanczos = resized("lanczos3");
+        const Foreign foreign;
+        stock_foreign = resized(&foreign);
+        stock_null = resized(static_cast<const Filter2D*>(nullptr));
+        ASSERT_NE(dlopen(DDT_PLUGIN_FILE, RTLD_NOW | RTLD_LOCAL), nullptr) << dlerror();
+    }
+
+    inline static int stock_filters;
+    inline static std::vector<float> stock_lanczos, stock_foreign, stock_null;
+};
+
+TEST_F(Registered, ListsItsFiltersAfterThoseOfStock) {
+    std::set<std::string> ours;
+    for (int i = stock_filters; i < Filter2D::num_filters(); ++i) {
+        FilterDesc copy;
+        Filter2D::get_filterdesc(i, &copy);
+        EXPECT_STREQ(copy.name, Filter2D::get_filterdesc(i).name);
+        EXPECT_EQ(copy.dim, 2);
+        EXPECT_GT(copy.width, 0.0f);
+        ours.insert(copy.name);
+    }
+    EXPECT_EQ(ours.count("ddt"), 1u);
+    EXPECT_EQ(ours.count("ddt-linear"), 1u);
+    EXPECT_STREQ(Filter2D::get_filterdesc(0).name, "box");
+}
+
+TEST_F(Registered, CreatesFiltersThatCanBeEvaluated) {
+    const Handle filter(Filter2D::create("ddt-linear,light=encoded", 2.0f, 4.0f));
+    ASSERT_NE(filter, nullptr);
+    EXPECT_EQ(filter->name(), "ddt-linear,light=encoded");
+    EXPECT_EQ(filter->width(), 2.0f);
+    EXPECT_EQ(filter->height(), 4.0f);
+    EXPECT_TRUE(filter->separable());
+    EXPECT_EQ((*filter)(0.0f, 0.0f), 1.0f);
+    EXPECT_EQ((*filter)(0.5f, 0.0f), 0.5f);
+    EXPECT_EQ((*filter)(0.5f, -1.0f), 0.25f);
+    EXPECT_EQ(filter->xfilt(-1.5f), 0.0f);
+    EXPECT_EQ(filter->yfilt(1.0f), 0.5f);
+}
+
+TEST_F(Registered, CreatesNothingByNamesThatAreNotFilters) {
+    EXPECT_EQ(Filter2D::create("ddt,light=encoded,nonsense=1", 2.0f, 2.0f), nullptr);
+    EXPECT_EQ(Filter2D::create("ddtx", 2.0f, 2.0f), nullptr);
+    EXPECT_EQ(Filter2D::create("", 2.0f, 2.0f), nullptr);
+    EXPECT_NE(Handle(Filter2D::create("mitchell", 4.0f, 4.0f)), nullptr);
+}
+
+TEST_F(Registered, AFilterObjectGivesWhatItsNameGives) {
+    const Handle filter(Filter2D::create("ddt", 2.0f, 2.0f));
+    EXPECT_EQ(resized(filter.get()), resized("ddt"));
+    EXPECT_NE(resized("ddt"), resized("ddt-linear"));
+    EXPECT_NE(resized("ddt"), resized("triangle"));
+    EXPECT_NE(resized("ddt,scheme=pixel"), resized("ddt"));
+}
+
+TEST_F(Registered, OtherFiltersGiveTheSameBits) {
+    EXPECT_EQ(resized("lanczos3"), stock_lanczos);
+    const Foreign foreign;
+    EXPECT_EQ(resized(&foreign), stock_foreign);
+    EXPECT_EQ(resized(static_cast<const Filter2D*>(nullptr)), stock_null);
+}
+
+TEST_F(Registered, OptionsReachEveryFunctionThatTakesAName) {
+    const std::string bad = "ddt,nonsense=1";
+    ImageBuf resize, fit, warp, rotate, rotate_around;
+    const Imath::M33f M(2, 0, 0, 0, 2, 0, 0, 0, 1);
+    EXPECT_FALSE(ImageBufAlgo::resize(resize, picture(), bad, 0.0f, large));
+    EXPECT_FALSE(ImageBufAlgo::fit(fit, picture(), bad, 0.0f, "letterbox", true, large));
+    EXPECT_FALSE(ImageBufAlgo::warp(warp, picture(), M, bad));
+    EXPECT_FALSE(ImageBufAlgo::rotate(rotate, picture(), 0.5f, bad));
+    EXPECT_FALSE(ImageBufAlgo::rotate(rotate_around, picture(), 0.5f, 1.0f, 2.0f, bad));
+    for (const ImageBuf* result : {&resize, &fit, &warp, &rotate, &rotate_around}) {
+        const std::string error = result->geterror();
+        EXPECT_NE(error.find("nonsense"), std::string::npos) << error;
+        EXPECT_NE(error.find("light"), std::string::npos) << error; // one that is allowed
+        EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+    }
+}
+
+TEST_F(Registered, ExactFitCentresTheImage) {
+    // 9 x 7 fits 36 x 36 at a factor of 4, 28 high: 4 black rows above and below.
+    const ROI square(0, 36, 0, 36, 0, 1, 0, 1);
+    const ImageBuf fitted = ImageBufAlgo::fit(picture(), "ddt", 0.0f, "letterbox", true, square);
+    ASSERT_FALSE(fitted.has_error()) << fitted.geterror();
+    EXPECT_EQ(fitted.roi(), square);
+    const std::vector<float> plain = resized("ddt"), values = pixels(fitted);
+    for (int y = 0; y < 36; ++y)
+        for (int x = 0; x < 36; ++x) {
+            const float expected = y < 4 || y >= 32 ? 0.0f : plain[size_t(x) + 36 * size_t(y - 4)];
+            ASSERT_NEAR(values[size_t(x) + 36 * size_t(y)], expected, 1e-5f) << x << " " << y;
+        }
+}
+
+TEST_F(Registered, FitFillsAsAsked) {
+    const ROI square(0, 36, 0, 36, 0, 1, 0, 1);
+    for (const bool exact : {false, true}) {
+        // Filled to the height the factor is 36/7; filled to the width it is 4.
+        const ImageBuf height = ImageBufAlgo::fit(picture(), "ddt", 0.0f, "height", exact, square);
+        const ImageBuf width = ImageBufAlgo::fit(picture(), "ddt", 0.0f, "width", exact, square);
+        EXPECT_GT(height.getchannel(18, 1, 0, 0), 0.0f) << exact;
+        EXPECT_EQ(width.getchannel(18, 1, 0, 0, ImageBuf::WrapBlack), 0.0f) << exact;
+    }
+}
+
+TEST_F(Registered, RotateAndWarpAgree) {
+    const float quarter = 1.5707963f;
+    const Imath::M33f M(0, 1, 0, -1, 0, 0, 8, -1, 1); // about (4.5, 3.5)
+    const ImageBuf rotated = ImageBufAlgo::rotate(picture(), quarter, "ddt");
+    const ImageBuf warped = ImageBufAlgo::warp(picture(), M, "ddt");
+    ASSERT_FALSE(rotated.has_error()) << rotated.geterror();
+    ASSERT_FALSE(warped.has_error()) << warped.geterror();
+    const std::vector<float> a = pixels(rotated), b = pixels(warped);
+    ASSERT_EQ(a.size(), b.size());
+    for (size_t i = 0; i < a.size(); ++i)
+        EXPECT_NEAR(a[i], b[i], 1e-4f) << i;
+}
+
+} // namespace

@@ -1,0 +1,15 @@
+# The unit tests once more, compiled with the address and undefined-behaviour sanitizers in
+# build/sanitize. A test configuration of its own, as compiling takes a while: ctest -C Sanitize
+# runs it with everything else, a bare ctest leaves it out.
+set(sanitize_dir ${CMAKE_BINARY_DIR}/sanitize)
+add_test(NAME sanitize.build CONFIGURATIONS Sanitize
+  COMMAND ${CMAKE_CTEST_COMMAND}
+    --build-and-test ${CMAKE_SOURCE_DIR} ${sanitize_dir}
+    --build-generator ${CMAKE_GENERATOR}
+    --build-noclean
+    --build-options -DCMAKE_BUILD_TYPE=Sanitize -DDDT_PLUGIN=OFF -DDDT_WERROR=${DDT_WERROR}
+      -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_C_COMPILER=${CMAKE_C_COMPILER})
+set_tests_properties(sanitize.build PROPERTIES FIXTURES_SETUP sanitized RUN_SERIAL TRUE)
+add_test(NAME sanitize.run CONFIGURATIONS Sanitize
+  COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${sanitize_dir} --output-on-failure -j 2)
+set_tests_properties(sanitize.run PROPERTIES FIXTURES_REQUIRED sanitized RUN_SERIAL TRUE)
