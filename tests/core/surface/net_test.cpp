@@ -11,7 +11,9 @@ Net make(const Scene& scene, Surface surface, const std::vector<float>& values, 
     const DenormalsAreZero zero;
     Net net;
     Gradients gradients;
-    make_net(scene.lattice, surface, values.data(), channels, first, count, net, gradients);
+    set_vertices(scene.lattice, values.data(), channels, first, count, net);
+    if (surface == Surface::patch)
+        bend_edges(scene.lattice, scene.all(), net, gradients);
     return net;
 }
 
@@ -146,6 +148,35 @@ TEST(Net, NonFiniteValuesBendNothingFartherThanTheNextTriangle) {
     }
 }
 
+TEST(Net, APartsEdgesBendAsInTheWhole) {
+    Random random(7);
+    Scene scene(20, 17, 800, random);
+    const auto values = make_values(Values::unit, scene.pixels(), random);
+    const Net whole = make(scene, Surface::patch, values);
+    for (int k = 0; k < 40; ++k) {
+        Rect part;
+        part.x0 = random.below(19);
+        part.y0 = random.below(16);
+        part.x1 = random.between(part.x0 + 1, 20);
+        part.y1 = random.between(part.y0 + 1, 17);
+        Net net;
+        Gradients gradients;
+        set_vertices(scene.lattice, values.data(), 1, 0, 1, net);
+        bend_edges(scene.lattice, part, net, gradients);
+        const auto inside = [&](Pixel p) {
+            return p.x >= part.x0 && p.x < part.x1 && p.y >= part.y0 && p.y < part.y1;
+        };
+        scene.lattice.each_edge([&](int m) {
+            const EdgeView e = view(scene.lattice, m);
+            ASSERT_TRUE(!inside(e.a) || !inside(e.b) ||
+                        bits_of(net.at(m)[0]) == bits_of(whole.at(m)[0]));
+        });
+        for (int y = 0; y < 17; ++y)
+            for (int x = 0; x < 20; ++x)
+                ASSERT_EQ(net.at(scene.lattice.vertex_site(x, y))[0], values[size_t(20 * y + x)]);
+    }
+}
+
 TEST(Net, WhatTheMemoryHeldBeforeDoesNotMatter) {
     Random random(6);
     Net net;
@@ -153,7 +184,8 @@ TEST(Net, WhatTheMemoryHeldBeforeDoesNotMatter) {
     for (const Pixel size : {Pixel{9, 12}, Pixel{4, 3}, Pixel{12, 9}}) {
         Scene scene(size.x, size.y, 100, random);
         const auto values = make_values(Values::unit, scene.pixels(), random);
-        make_net(scene.lattice, Surface::patch, values.data(), 1, 0, 1, net, gradients);
+        set_vertices(scene.lattice, values.data(), 1, 0, 1, net);
+        bend_edges(scene.lattice, scene.all(), net, gradients);
         const Net fresh = make(scene, Surface::patch, values);
         scene.lattice.each_edge(
             [&](int m) { ASSERT_EQ(bits_of(net.at(m)[0]), bits_of(fresh.at(m)[0])); });

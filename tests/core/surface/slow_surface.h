@@ -100,7 +100,7 @@ private:
             const float square = g.x * g.x + g.y * g.y;
             float w = 0;
             if (square <= FLT_MAX)
-                w = scalar::rsqrt(square + gradient_epsilon);
+                w = scalar::rsqrt<1>(square + gradient_epsilon);
             else
                 g = {};
             if (i == 0)
@@ -109,7 +109,7 @@ private:
             sum.y = sum.y + w * (g.y - base.y);
             weight = weight + w;
         }
-        const float r = scalar::rsqrt(weight > 0 ? weight : 1.0f);
+        const float r = scalar::rsqrt<3>(weight > 0 ? weight : 1.0f);
         return {base.x + sum.x * (r * r), base.y + sum.y * (r * r)};
     }
 
@@ -142,6 +142,7 @@ struct Scene {
         faces = faces_of(lattice);
         lattice.find_first_edges();
     }
+    Rect all() const { return {0, 0, lattice.width(), lattice.height()}; }
     size_t pixels() const { return size_t(lattice.width()) * size_t(lattice.height()); }
 };
 

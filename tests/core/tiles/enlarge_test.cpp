@@ -4,6 +4,8 @@
 #include <new>
 #include <stdexcept>
 
+#include <tbb/global_control.h>
+
 #include "core/arith/arith.h"
 #include "core/sample/evaluate.h"
 #include "core/triangulate/triangulate.h"
@@ -37,7 +39,13 @@ std::vector<float> crop(const std::vector<float>& values, Rect whole, Rect part,
     return r;
 }
 
+/// More threads than this machine may have cores.
+class ManyThreads {
+    tbb::global_control m_control{tbb::global_control::max_allowed_parallelism, 8};
+};
+
 TEST(Enlarge, AnyNumberOfThreadsGivesTheSameBits) {
+    const ManyThreads allowed;
     TestSource source({-20, 5, 560, 320}, 3, 1);
     const Rect out{0, 0, 900, 600};
     const auto mapping = mapping_of(source.window(), out, out);
@@ -100,8 +108,10 @@ std::vector<float> untiled(const TestSource& source, const Job& job, const Resiz
     const DenormalsAreZero zero;
     triangulate(lattice, job.mesh, workspace, statistics);
     lattice.find_first_edges();
-    make_net(lattice, job.surface, source.values().data(), 1, 0, 1, net, gradients);
-    std::vector<float> values(out.area() + group_size);
+    set_vertices(lattice, source.values().data(), 1, 0, 1, net);
+    bend_edges(lattice, {0, 0, w.width(), w.height()}, net, gradients);
+    row.forget(0, 0);
+    std::vector<float> values(out.area() + row_padding);
     std::vector<Position> positions(size_t(out.width()));
     std::vector<uint8_t> inside(size_t(out.width()));
     for (int y = out.y0; y < out.y1; ++y) {
@@ -307,6 +317,7 @@ TEST(Enlarge, NothingWantedIsNothingDone) {
 
 TEST(Enlarge, ManyChannelsWorkOnFewerTilesAtOnce) {
     // 64 channels take some 130 MB a tile; only one may be in flight.
+    const ManyThreads allowed;
     TestSource source({0, 0, 400, 280}, 64, 14, Kind::flat);
     const Rect to{0, 0, 400, 280};
     const auto mapping = mapping_of(source.window(), to, to);
@@ -346,6 +357,7 @@ TEST(Enlarge, StatisticsAreSumsOverTheTiles) {
 TEST(Enlarge, ProgressRisesToOneAndIsNeverCalledTwiceAtOnce) {
     TestSource source({0, 0, 600, 530}, 1, 16, Kind::flat);
     const Rect out{0, 0, 600, 530};
+    const ManyThreads allowed;
     for (const int threads : {1, 4}) {
         Job job = job_of(source, 1, threads);
         std::vector<float> shares;
@@ -367,6 +379,7 @@ TEST(Enlarge, ProgressRisesToOneAndIsNeverCalledTwiceAtOnce) {
 TEST(Enlarge, ProgressCanCancel) {
     TestSource source({0, 0, 600, 530}, 1, 17, Kind::flat);
     const Rect out{0, 0, 600, 530};
+    const ManyThreads allowed;
     for (const int threads : {1, 3}) {
         source.reads.clear();
         Job job = job_of(source, 1, threads);
@@ -410,6 +423,7 @@ struct FailingSink final : TestSink {
 TEST(Enlarge, AFailingSourceOrSinkEndsTheWork) {
     const Rect window{0, 0, 600, 530};
     const auto mapping = mapping_of(window, window, window);
+    const ManyThreads allowed;
     for (const int threads : {1, 3}) {
         std::string error;
         FailingSource source(window, 1, 18, Kind::flat);

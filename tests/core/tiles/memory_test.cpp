@@ -16,7 +16,8 @@ std::atomic<int64_t> heap_now{0}, heap_peak{0};
 
 } // namespace
 
-void* operator new(size_t size) {
+// Not inlined, or the compiler takes malloc and delete for a mismatched pair.
+__attribute__((noinline)) void* operator new(size_t size) {
     void* p = std::malloc(size ? size : 1);
     if (!p)
         throw std::bad_alloc();
@@ -29,7 +30,7 @@ void* operator new(size_t size) {
 void* operator new[](size_t size) {
     return operator new(size);
 }
-void operator delete(void* p) noexcept {
+__attribute__((noinline)) void operator delete(void* p) noexcept {
     if (p)
         heap_now -= int64_t(malloc_usable_size(p));
     std::free(p);
