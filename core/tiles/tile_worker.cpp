@@ -22,6 +22,14 @@ bool contains(const Rect& outer, const Rect& inner) {
            inner.y1 <= outer.y1;
 }
 
+/// Pixels of the largest tile of a window; a lattice has at least 2 x 2.
+size_t largest_tile(const Rect& window) {
+    const auto along = [](int pixels) {
+        return size_t(std::clamp(pixels, 2, tile_size + 1 + 2 * tile_halo));
+    };
+    return along(window.width()) * along(window.height());
+}
+
 int group_count(int channels) {
     return (channels + group_size - 1) / group_size;
 }
@@ -69,10 +77,7 @@ Point local(const Tile& tile, const Position& p) {
 } // namespace
 
 size_t TileWorker::memory(const Job& job) {
-    const auto along = [](int window) {
-        return size_t(std::min(window, tile_size + 1 + 2 * tile_halo));
-    };
-    const size_t pixels = along(job.window.width()) * along(job.window.height());
+    const size_t pixels = largest_tile(job.window);
     const size_t sites = 4 * pixels;
     // Lattice, gains, work lists; then what the surface takes; guide and values.
     const size_t mesh = sites * (sizeof(Site) + sizeof(float) + 4 * sizeof(int));
@@ -84,6 +89,22 @@ size_t TileWorker::memory(const Job& job) {
     return mesh + nets + soft + gradients + consistency + planes + 2 * strip_floats * sizeof(float);
 }
 
+void TileWorker::reserve() {
+    const size_t pixels = largest_tile(m_job.window), sites = 4 * pixels;
+    m_values.reserve(pixels * size_t(m_job.channels));
+    m_guide.reserve(pixels);
+    m_lattice.reserve(sites);
+    m_workspace.gain.reserve(sites);
+    m_nets.resize(size_t(group_count(m_job.channels)));
+    for (Net& net : m_nets)
+        net.values.reserve(sites * group_size);
+    if (m_job.surface.soft > 0)
+        for (Net& net : m_nets)
+            net.soft.reserve(sites * group_size);
+    if (m_job.surface.kind != Surface::linear)
+        m_gradients.xy.reserve((sites + 1) * group_size);
+}
+
 Outcome TileWorker::work(const Tile& tile) {
     constexpr double beyond = std::numeric_limits<double>::infinity();
     const Rect reach =
@@ -92,6 +113,8 @@ Outcome TileWorker::work(const Tile& tile) {
                         tile.last_x ? beyond : tile.cells.x1, tile.last_y ? beyond : tile.cells.y1);
     if (reach.empty())
         return Outcome::done;
+    if (m_nets.empty())
+        reserve();
     if (!read(tile))
         return Outcome::source_failed;
     make_surface(tile);
@@ -124,9 +147,7 @@ void TileWorker::make_surface(const Tile& tile) {
         find_gains(m_lattice, m_job.mesh.cost, m_workspace);
 
     const Rect whole{0, 0, m_lattice.width(), m_lattice.height()};
-    const int groups = group_count(m_job.channels);
-    m_nets.resize(size_t(groups));
-    for (int g = 0; g < groups; ++g) {
+    for (int g = 0; g < int(m_nets.size()); ++g) {
         Net& net = m_nets[size_t(g)];
         set_vertices(m_lattice, m_values.data(), m_job.channels, g * group_size,
                      channels_in_group(m_job.channels, g), net);
