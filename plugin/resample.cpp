@@ -86,7 +86,7 @@ Writing plan_writing(const Reading& reading, const OIIO::ImageBuf& src, const OI
     writing.chbegin = roi.chbegin;
     writing.chend = roi.chend;
     if (reading.channels.raw)
-        writing.type = src.spec().format;
+        writing.bits = src.spec().format;
     const auto place = [&](int channel) {
         const auto& s = reading.selected;
         const auto it = std::find(s.begin(), s.end(), channel);

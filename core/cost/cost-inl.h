@@ -14,7 +14,7 @@ struct Abn {
         T x, y, z; ///< the unit normal
     };
     static DDT_INLINE Face face(T gx, T gy) {
-        const T r = rsqrt(((gx * gx) + (gy * gy)) + T(0.04f));
+        const T r = rsqrt<3>(((gx * gx) + (gy * gy)) + T(0.04f));
         return {gx * r, gy * r, T(0.2f) * r};
     }
     static DDT_INLINE T between(const Face& a, const Face& b) {
@@ -31,7 +31,7 @@ struct Scf {
     };
     static DDT_INLINE Face face(T gx, T gy) {
         const T square = (gx * gx) + (gy * gy);
-        return {gx, gy, square * rsqrt(square)};
+        return {gx, gy, square * rsqrt<3>(square)};
     }
     static DDT_INLINE T between(const Face& a, const Face& b) {
         return (a.length * b.length) - ((a.x * b.x) + (a.y * b.y));

@@ -72,18 +72,17 @@ void Lattice::flip(int m) {
 }
 
 void Lattice::find_first_edges() {
-    for (int y = 0; y < m_height; ++y)
-        for (int x = 0; x < m_width; ++x)
-            vertex(vertex_site(x, y)).first = Vec();
-    each_edge([&](int m) {
-        const Vec v = edge(m).v;
-        Vertex& a = vertex(m - offset(v));
-        Vertex& b = vertex(m + offset(v));
-        if (a.first.zero())
-            a.first = v;
-        if (b.first.zero())
-            b.first = -v;
-    });
+    // Backwards: the smallest address is written last.
+    for (int y = 2 * m_height - 2; y >= 0; --y) {
+        const int odd = y & 1;
+        for (int x = 2 * m_width - 2 - (1 - odd), step = 2 - odd; x >= 0; x -= step) {
+            const int m = site(x, y);
+            const Vec v = edge(m).v;
+            const int to_b = offset(v);
+            vertex(m - to_b).first = v;
+            vertex(m + to_b).first = -v;
+        }
+    }
 }
 
 } // namespace ddt

@@ -28,6 +28,9 @@ struct LocatedRow {
     /// Weights of the positions in spans of kind triangle; in cells the first two are the position
     /// relative to the cell's first corner. Exact multiples of 2^-16; padded to whole vectors.
     std::vector<float> weight[3];
+    /// Pixels of the lattice that hold the vertices of all triangles met (not of plain cells) since
+    /// forget().
+    Rect reach;
 
     /// A triangle met in the row before, tried before one is searched for; `end` is where it ended.
     struct Hint {
@@ -36,8 +39,9 @@ struct LocatedRow {
     };
     std::vector<Hint> hints, previous_hints;
 
-    /// To be called before the first row of another lattice.
-    void forget() {
+    /// To be called before the first row of another lattice; `start` is a pixel of it.
+    void forget(int start_x, int start_y) {
+        reach = {start_x, start_y, start_x + 1, start_y + 1};
         hints.clear();
         previous_hints.clear();
     }

@@ -14,14 +14,14 @@ struct GradientMean {
         : base_x(0.0f), base_y(0.0f), sum_x(0.0f), sum_y(0.0f), weight(0.0f), begun(false) {}
 
     /// Add the triangle vertex, vertex + j, vertex + k, det(j, k) = 1, with value differences.
-    DDT_INLINE void add(int jx, int jy, int kx, int ky, T dzj, T dzk) {
+    DDT_INLINE void add(T jx, T jy, T kx, T ky, T dzj, T dzk) {
         const T zero = T(0.0f);
-        T gx = dzj * T(float(ky)) - dzk * T(float(jy));
-        T gy = dzk * T(float(jx)) - dzj * T(float(kx));
+        T gx = dzj * ky - dzk * jy;
+        T gy = dzk * jx - dzj * kx;
         const T square = gx * gx + gy * gy;
         const T largest = T(FLT_MAX);
         // Not finite: no weight.
-        const T w = if_less_equal(square, largest, rsqrt(square + T(gradient_epsilon)), zero);
+        const T w = if_less_equal(square, largest, rsqrt<1>(square + T(gradient_epsilon)), zero);
         gx = if_less_equal(square, largest, gx, zero);
         gy = if_less_equal(square, largest, gy, zero);
         if (!begun) {
@@ -35,7 +35,7 @@ struct GradientMean {
     }
 
     DDT_INLINE void result(T& gx, T& gy) const {
-        const T r = rsqrt(if_less(T(0.0f), weight, weight, T(1.0f)));
+        const T r = rsqrt<3>(if_less(T(0.0f), weight, weight, T(1.0f)));
         const T reciprocal = r * r;
         gx = base_x + sum_x * reciprocal;
         gy = base_y + sum_y * reciprocal;
@@ -44,11 +44,11 @@ struct GradientMean {
 
 /// e of the edge from i to j = i + (vx, vy) (see net.h).
 template <class T>
-DDT_INLINE T edge_bend(T gix, T giy, T gjx, T gjy, T zi, T zj, int vx, int vy) {
+DDT_INLINE T edge_bend(T gix, T giy, T gjx, T gjy, T zi, T zj, T vx, T vy) {
     const T zero = T(0.0f);
     const T difference = zj - zi;
     const T limit = if_less(difference, zero, zero - difference, difference);
-    T e = (gix - gjx) * T(float(vx)) + (giy - gjy) * T(float(vy));
+    T e = (gix - gjx) * vx + (giy - gjy) * vy;
     e = if_less(e, zero - limit, zero - limit, e);
     e = if_less(limit, e, limit, e);
     return if_less_equal(limit, T(FLT_MAX), e, zero);

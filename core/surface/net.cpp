@@ -1,6 +1,8 @@
 #include "core/surface/net.h"
 
 #include <cfloat>
+#include <cstddef>
+#include <cstring>
 
 #include "core/arith/arith.h"
 
@@ -20,82 +22,92 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
 
-/// Walk round the vertex at site s and call f(j, k, zj - z, zk - z) for each of its triangles: j, k
-/// the other vertices relative to it in pixels, det(j, k) = 1. In a fixed order: from the first
-/// edge to the left, and at the hull's rim from the first edge to the right.
-template <class F>
-HWY_INLINE void each_triangle_round(const Lattice& lattice, const Net& net, int s, F&& f) {
-    const Vec first = lattice.vertex(s).first;
-    const auto apex = [&](Vec r, bool left) HWY_ATTR {
-        const Edge& e = lattice.edge(s + lattice.offset(r));
-        return (e.v == r) == left ? e.left : e.right;
-    };
-    const Lanes4 z = Lanes4::load(net.at(s));
-    const auto difference = [&](Vec r) HWY_ATTR {
-        return Lanes4::load(net.at(s + 2 * lattice.offset(r))) - z;
-    };
-    const Lanes4 dz_first = difference(first);
-    Vec r = first;
-    Lanes4 dz = dz_first;
-    for (;;) {
-        const Vec a = apex(r, true);
-        if (a.zero())
-            break;
-        const Vec next((r.x + a.x) / 2, (r.y + a.y) / 2);
-        const Lanes4 dz_next = difference(next);
-        f(r, next, dz, dz_next);
-        if (next == first)
-            return;
-        r = next;
-        dz = dz_next;
-    }
-    r = first;
-    dz = dz_first;
-    for (;;) {
-        const Vec a = apex(r, false);
-        if (a.zero())
-            return;
-        const Vec next((r.x + a.x) / 2, (r.y + a.y) / 2);
-        const Lanes4 dz_next = difference(next);
-        f(next, r, dz_next, dz);
-        r = next;
-        dz = dz_next;
-    }
+/// A neighbour of the vertex that is walked round, over the edge between them.
+struct Spoke {
+    int x, y;      ///< the neighbour relative to the vertex in pixels: the edge's midpoint in
+                   ///< doubled coordinates
+    Lanes4 fx, fy; ///< the same
+    Lanes4 dz;     ///< difference of the values
+
+    HWY_INLINE Spoke(int x_, int y_, Lanes4 z, const float* net, int stride)
+        : x(x_), y(y_), fx(float(x_)), fy(float(y_)),
+          dz(Lanes4::load(net + 2 * group_size * ptrdiff_t(y_ * stride + x_)) - z) {}
+};
+
+/// The next spoke to the left or right of one; false on the rim. On the record as one number: the
+/// walk is a chain of such steps, and its latency is what a gradient costs.
+HWY_INLINE bool next_spoke(const Site* vertex, int stride, bool left, int& x, int& y) {
+    static_assert(offsetof(Edge, v) == 0 && offsetof(Edge, left) == 2 && offsetof(Edge, right) == 4,
+                  "the shifts below");
+    uint64_t record;
+    std::memcpy(&record, vertex + (ptrdiff_t(y) * stride + x), sizeof record);
+    const bool outwards = uint16_t(record) == uint16_t((x & 255) | (y & 255) << 8);
+    const auto apex = uint16_t(record >> (outwards == left ? 16 : 32));
+    x = (x + int8_t(apex)) >> 1;
+    y = (y + int8_t(apex >> 8)) >> 1;
+    return apex != 0;
 }
 
-HWY_ATTR void make_gradients(const Lattice& lattice, const Net& net, Gradients& gradients) {
-    const int width = lattice.width(), height = lattice.height();
-    float* out = gradients.xy.data();
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x, out += 2 * group_size) {
-            GradientMean<Lanes4> mean;
-            each_triangle_round(lattice, net, lattice.vertex_site(x, y),
-                                [&](Vec j, Vec k, Lanes4 dzj, Lanes4 dzk)
-                                    HWY_ATTR { mean.add(j.x, j.y, k.x, k.y, dzj, dzk); });
+/// The mean gradient at a vertex: over its triangles in a fixed order, from the first edge to the
+/// left, and on the hull's rim from the first edge to the right.
+HWY_INLINE GradientMean<Lanes4> mean_round(const Site* vertex, const float* net, int stride) {
+    GradientMean<Lanes4> mean;
+    const Lanes4 z = Lanes4::load(net);
+    const Vec first = vertex->vertex.first;
+    const Spoke start(first.x, first.y, z, net, stride);
+    Spoke last = start;
+    int x = first.x, y = first.y;
+    while (next_spoke(vertex, stride, true, x, y)) {
+        const Spoke next(x, y, z, net, stride);
+        mean.add(last.fx, last.fy, next.fx, next.fy, last.dz, next.dz);
+        if (x == first.x && y == first.y)
+            return mean;
+        last = next;
+    }
+    x = first.x;
+    y = first.y;
+    last = start;
+    while (next_spoke(vertex, stride, false, x, y)) {
+        const Spoke next(x, y, z, net, stride);
+        mean.add(next.fx, next.fy, last.fx, last.fy, next.dz, last.dz);
+        last = next;
+    }
+    return mean;
+}
+
+HWY_ATTR void make_gradients(const Lattice& lattice, const Rect& part, const Net& net, float* out) {
+    const int stride = lattice.stride();
+    for (int y = part.y0; y < part.y1; ++y)
+        for (int x = part.x0; x < part.x1; ++x) {
+            const int s = lattice.vertex_site(x, y);
+            const auto mean = mean_round(lattice.sites() + s, net.at(s), stride);
             Lanes4 gx, gy;
             mean.result(gx, gy);
-            gx.store(out);
-            gy.store(out + group_size);
+            gx.store(out + size_t(s) * group_size);
+            gy.store(out + size_t(s + 1) * group_size);
         }
 }
 
-HWY_ATTR void make_edges(const Lattice& lattice, const Gradients& gradients, Net& net) {
-    const int width = lattice.width();
-    const auto gradient = [&](int doubled_x, int doubled_y) {
-        return gradients.xy.data() +
-               (size_t(doubled_y / 2) * size_t(width) + size_t(doubled_x / 2)) * (2 * group_size);
-    };
-    for (int y = 0; y < 2 * lattice.height() - 1; ++y)
-        for (int x = 1 - (y & 1), step = 2 - (y & 1); x < 2 * width - 1; x += step) {
-            const int m = lattice.site(x, y);
-            const Vec v = lattice.edge(m).v;
-            const float* gi = gradient(x - v.x, y - v.y);
-            const float* gj = gradient(x + v.x, y + v.y);
+HWY_ATTR void make_edges(const Lattice& lattice, const Rect& part, const float* gradients,
+                         Net& net) {
+    const int stride = lattice.stride();
+    for (int y = 2 * part.y0; y < 2 * part.y1 - 1; ++y) {
+        const int odd = y & 1;
+        int m = lattice.site(2 * part.x0 + 1 - odd, y);
+        const int end = lattice.site(2 * part.x1 - 1, y);
+        for (; m < end; m += 2 - odd) {
+            const Vec v = lattice.sites()[m].edge.v;
+            const ptrdiff_t to_j = group_size * ptrdiff_t(v.y * stride + v.x);
+            float* e = net.at(m);
+            // Where an end lies outside the part its gradient is not known, and e is never used.
+            const float* g = gradients + size_t(m) * group_size;
+            const float *gi = g - to_j, *gj = g + to_j;
             edge_bend(Lanes4::load(gi), Lanes4::load(gi + group_size), Lanes4::load(gj),
-                      Lanes4::load(gj + group_size), Lanes4::load(net.at(m - lattice.offset(v))),
-                      Lanes4::load(net.at(m + lattice.offset(v))), v.x, v.y)
-                .store(net.at(m));
+                      Lanes4::load(gj + group_size), Lanes4::load(e - to_j), Lanes4::load(e + to_j),
+                      Lanes4(float(v.x)), Lanes4(float(v.y)))
+                .store(e);
         }
+    }
 }
 
 } // namespace HWY_NAMESPACE
@@ -108,24 +120,22 @@ namespace ddt {
 HWY_EXPORT(make_gradients);
 HWY_EXPORT(make_edges);
 
-void make_net(const Lattice& lattice, Surface surface, const float* values, int channels, int first,
-              int count, Net& net, Gradients& gradients) {
+void set_vertices(const Lattice& lattice, const float* values, int channels, int first, int count,
+                  Net& net) {
     net.values.resize(lattice.size() * group_size);
     net.stride = lattice.stride();
-    const int width = lattice.width(), height = lattice.height();
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const float* in =
-                values + (size_t(y) * size_t(width) + size_t(x)) * size_t(channels) + first;
-            float* z = net.at(lattice.vertex_site(x, y));
+    for (int y = 0; y < lattice.height(); ++y) {
+        float* z = net.at(lattice.vertex_site(0, y));
+        for (int x = 0; x < lattice.width(); ++x, values += channels, z += 2 * group_size)
             for (int c = 0; c < group_size; ++c)
-                z[c] = c < count ? in[c] : 0.0f;
-        }
-    if (surface == Surface::linear)
-        return;
-    gradients.xy.resize(size_t(width) * size_t(height) * 2 * group_size);
-    HWY_DYNAMIC_DISPATCH(make_gradients)(lattice, net, gradients);
-    HWY_DYNAMIC_DISPATCH(make_edges)(lattice, gradients, net);
+                z[c] = c < count ? values[first + c] : 0.0f;
+    }
+}
+
+void bend_edges(const Lattice& lattice, const Rect& part, Net& net, Gradients& gradients) {
+    gradients.xy.resize((lattice.size() + 1) * group_size);
+    HWY_DYNAMIC_DISPATCH(make_gradients)(lattice, part, net, gradients.xy.data());
+    HWY_DYNAMIC_DISPATCH(make_edges)(lattice, part, gradients.xy.data(), net);
 }
 
 } // namespace ddt

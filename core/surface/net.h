@@ -10,7 +10,8 @@
 //
 // The gradient at a vertex is a mean over the triangles T round it,
 //     g = sum w_T grad_T / sum w_T,   w_T = 1 / sqrt(eps + |grad_T|^2),  eps = 0.02^2,
-// so that a vertex beside an edge takes its slope from the flat side of the mesh.
+// (w_T to 1 part in 500, which is exact enough for a weight,) so that a vertex beside an edge takes
+// its slope from the flat side of the mesh.
 //
 // Non-finite values stay inside the triangles that touch them: such a triangle counts for no
 // gradient and the edges of such a vertex have e = 0.
@@ -38,15 +39,19 @@ struct Net {
     float* at(int site) { return values.data() + size_t(site) * group_size; }
 };
 
-/// Gradients a vertex, kept between calls to spare the allocation.
+/// Gradients of a group at the vertices, kept between calls to spare the allocation.
 struct Gradients {
-    std::vector<float> xy; ///< x of the group, y of the group, a pixel
+    /// Over the doubled lattice like Net::values: x at a vertex' site, y at the site after it.
+    std::vector<float> xy;
 };
 
-/// Make the net of channels first .. first + count (count <= group_size) of `values`: `channels`
-/// interleaved floats for each pixel of the lattice. For Surface::patch the lattice's first edges
-/// must have been found. Unused lanes are 0.
-void make_net(const Lattice& lattice, Surface surface, const float* values, int channels, int first,
-              int count, Net& net, Gradients& gradients);
+/// Set the vertices of a net to channels first .. first + count (count <= group_size) of `values`:
+/// `channels` interleaved floats for each pixel of the lattice. Unused lanes are 0.
+void set_vertices(const Lattice& lattice, const float* values, int channels, int first, int count,
+                  Net& net);
+
+/// Bend the edges whose ends both lie in `part` (pixels of the lattice), for Surface::patch. The
+/// lattice's first edges must have been found.
+void bend_edges(const Lattice& lattice, const Rect& part, Net& net, Gradients& gradients);
 
 } // namespace ddt

@@ -13,6 +13,15 @@ namespace {
 /// Floats of output that are handed to the sink at once, about: half a megabyte.
 constexpr size_t strip_floats = size_t(1) << 17;
 
+/// Pixels that a tile's triangles usually do not reach beyond its cells. Where one does, the whole
+/// lattice's surface is made.
+constexpr int usual_reach = 6;
+
+bool contains(const Rect& outer, const Rect& inner) {
+    return inner.x0 >= outer.x0 && inner.y0 >= outer.y0 && inner.x1 <= outer.x1 &&
+           inner.y1 <= outer.y1;
+}
+
 int group_count(int channels) {
     return (channels + group_size - 1) / group_size;
 }
@@ -80,7 +89,7 @@ Outcome TileWorker::work(const Tile& tile) {
         return Outcome::done;
     if (!read(tile))
         return Outcome::source_failed;
-    make_surface();
+    make_surface(tile);
     return write(tile, reach);
 }
 
@@ -98,16 +107,28 @@ bool TileWorker::read(const Tile& tile) {
     return true;
 }
 
-void TileWorker::make_surface() {
+void TileWorker::make_surface(const Tile& tile) {
     const DenormalsAreZero as_on_gpus;
     triangulate(m_lattice, m_job.mesh, m_workspace, m_statistics);
-    if (m_job.surface != Surface::linear)
-        m_lattice.find_first_edges();
     const int groups = group_count(m_job.channels);
     m_nets.resize(size_t(groups));
     for (int g = 0; g < groups; ++g)
-        make_net(m_lattice, m_job.surface, m_values.data(), m_job.channels, g * group_size,
-                 channels_in_group(m_job.channels, g), m_nets[size_t(g)], m_gradients);
+        set_vertices(m_lattice, m_values.data(), m_job.channels, g * group_size,
+                     channels_in_group(m_job.channels, g), m_nets[size_t(g)]);
+    if (m_job.surface == Surface::linear)
+        return;
+    m_lattice.find_first_edges();
+    // The halo is not sampled, but triangles of the tile reach into it, seldom far.
+    const Rect &c = tile.cells, &p = tile.pixels;
+    bend({std::max(c.x0 - usual_reach - p.x0, 0), std::max(c.y0 - usual_reach - p.y0, 0),
+          std::min(c.x1 + 1 + usual_reach - p.x0, m_lattice.width()),
+          std::min(c.y1 + 1 + usual_reach - p.y0, m_lattice.height())});
+}
+
+void TileWorker::bend(const Rect& part) {
+    for (Net& net : m_nets)
+        bend_edges(m_lattice, part, net, m_gradients);
+    m_bent = part;
 }
 
 Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
@@ -115,7 +136,7 @@ Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
     m_positions.resize(size_t(reach.width()));
     m_inside.resize(size_t(reach.width()));
     m_points.resize(size_t(reach.width()));
-    m_row.forget();
+    m_row.forget(tile.cells.x0 - tile.pixels.x0, tile.cells.y0 - tile.pixels.y0);
     if (m_mapping.separable()) {
         m_mapping.row(reach.y0, reach.x0, reach.x1, m_positions.data(), m_inside.data());
         for (size_t i = 0; i < m_points.size(); ++i)
@@ -135,6 +156,8 @@ Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
 void TileWorker::sample(int n, float* out) {
     const DenormalsAreZero as_on_gpus;
     locate_row(m_lattice, m_points.data(), n, m_row);
+    if (m_job.surface != Surface::linear && !contains(m_bent, m_row.reach))
+        bend({0, 0, m_lattice.width(), m_lattice.height()});
     for (int g = 0; g < int(m_nets.size()); ++g)
         evaluate_row(m_nets[size_t(g)], m_job.surface, nearest_mask(m_job, g), m_row,
                      m_job.channels, g * group_size, channels_in_group(m_job.channels, g), out);

@@ -27,7 +27,8 @@ public:
 
 private:
     bool read(const Tile& tile);
-    void make_surface();
+    void make_surface(const Tile& tile);
+    void bend(const Rect& part);
     Outcome write(const Tile& tile, const Rect& reach);
     Outcome write_rows(const Tile& tile, const Rect& rows);
     Outcome write_runs(const Tile& tile, const Rect& row);
@@ -44,6 +45,7 @@ private:
     Workspace m_workspace;
     std::vector<Net> m_nets; ///< one a group of channels
     Gradients m_gradients;
+    Rect m_bent; ///< pixels of the lattice whose edges are bent
     std::vector<Position> m_positions;
     std::vector<uint8_t> m_inside;
     std::vector<Point> m_points;

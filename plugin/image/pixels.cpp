@@ -1,8 +1,53 @@
 #include "plugin/image/pixels.h"
 
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
 #include <OpenImageIO/imageio.h>
 
 namespace ddt {
+namespace {
+
+void write_strided(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend,
+                   OIIO::TypeDesc type, const void* values, OIIO::stride_t pixel) {
+    OIIO::convert_image(chend - chbegin, r.width(), r.height(), 1, values, type, pixel,
+                        pixel * r.width(), OIIO::AutoStride,
+                        image.pixeladdr(r.x0, r.y0, 0, chbegin), image.spec().format,
+                        image.pixel_stride(), image.scanline_stride(), OIIO::AutoStride);
+}
+
+/// 0 to 1 as 0 to the type's largest value. OpenImageIO does the same several times slower, which
+/// enlarging, with its many output pixels, would feel.
+template <class Code>
+Code code_of(float v) {
+    constexpr float scale = std::numeric_limits<Code>::max();
+    const float low = v > 0.0f ? v : 0.0f; // NaN too
+    return Code(int((low < 1.0f ? low : 1.0f) * scale + 0.5f));
+}
+
+template <class Code>
+void write_codes(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, const float* values,
+                 int stride) {
+    const int channels = chend - chbegin;
+    for (int y = r.y0; y < r.y1; ++y, values += size_t(stride) * size_t(r.width())) {
+        auto* row = static_cast<char*>(image.pixeladdr(r.x0, y, 0, chbegin));
+        const OIIO::stride_t pixel = image.pixel_stride();
+        if (stride == channels && pixel == OIIO::stride_t(sizeof(Code)) * channels) {
+            auto* codes = reinterpret_cast<Code*>(row);
+            for (int i = 0; i < r.width() * channels; ++i)
+                codes[i] = code_of<Code>(values[i]);
+            continue;
+        }
+        for (int x = 0; x < r.width(); ++x) {
+            auto* codes = reinterpret_cast<Code*>(row + x * pixel);
+            for (int c = 0; c < channels; ++c)
+                codes[c] = code_of<Code>(values[size_t(x) * size_t(stride) + size_t(c)]);
+        }
+    }
+}
+
+} // namespace
 
 bool read_pixels(const OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend,
                  OIIO::TypeDesc type, void* out, std::string& error) {
@@ -23,14 +68,26 @@ bool read_pixels(const OIIO::ImageBuf& image, const Rect& r, int chbegin, int ch
 }
 
 void write_pixels(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, OIIO::TypeDesc type,
-                  const void* values, OIIO::stride_t pixel_size) {
-    const int channels = chend - chbegin;
-    if (pixel_size == 0)
-        pixel_size = OIIO::stride_t(type.size()) * channels;
-    OIIO::convert_image(channels, r.width(), r.height(), 1, values, type, pixel_size,
-                        pixel_size * r.width(), OIIO::AutoStride,
-                        image.pixeladdr(r.x0, r.y0, 0, chbegin), image.spec().format,
-                        image.pixel_stride(), image.scanline_stride(), OIIO::AutoStride);
+                  const void* values) {
+    write_strided(image, r, chbegin, chend, type, values,
+                  OIIO::stride_t(type.size()) * (chend - chbegin));
+}
+
+void write_floats(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, float* values,
+                  int stride) {
+    const OIIO::TypeDesc type = image.spec().format;
+    if (type == OIIO::TypeUInt8) {
+        write_codes<uint8_t>(image, r, chbegin, chend, values, stride);
+    } else if (type == OIIO::TypeUInt16) {
+        write_codes<uint16_t>(image, r, chbegin, chend, values, stride);
+    } else {
+        // Converting NaN to an integer is undefined.
+        if (!type.is_floating_point())
+            for (size_t i = 0; i < r.area() * size_t(stride); ++i)
+                values[i] = std::isnan(values[i]) ? 0.0f : values[i];
+        write_strided(image, r, chbegin, chend, OIIO::TypeFloat, values,
+                      OIIO::stride_t(sizeof(float)) * stride);
+    }
 }
 
 } // namespace ddt

@@ -15,9 +15,14 @@ namespace ddt {
 bool read_pixels(const OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend,
                  OIIO::TypeDesc type, void* out, std::string& error);
 
-/// The other way, into an image in local memory; `pixel_size` is the distance between pixels in
-/// `values` in bytes, 0 for none but their own size. Thread-safe for different pixels.
+/// The other way, into an image in local memory; values without gaps. Thread-safe for different
+/// pixels.
 void write_pixels(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, OIIO::TypeDesc type,
-                  const void* values, OIIO::stride_t pixel_size = 0);
+                  const void* values);
+
+/// The same from floats of which `stride` make a pixel, the first of them being channel chbegin.
+/// Integers get the nearest value, and 0 for NaN. May change `values`.
+void write_floats(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, float* values,
+                  int stride);
 
 } // namespace ddt

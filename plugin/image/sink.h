@@ -15,7 +15,8 @@ struct Writing {
     ColourLayout colour;        ///< positions within what the core hands over
     int channels = 0;           ///< floats a pixel that the core hands over
     int chbegin = 0, chend = 0; ///< channels of the image; the first ones handed over go there
-    OIIO::TypeDesc type = OIIO::TypeFloat; ///< of what is handed over
+    /// Known: the floats are the bits of numbers of this 32-bit type, one a channel written.
+    OIIO::TypeDesc bits = OIIO::TypeUnknown;
 };
 
 class ImageSink final : public Sink {

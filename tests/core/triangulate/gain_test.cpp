@@ -1,0 +1,134 @@
+#include "core/triangulate/gain.h"
+
+#include "tests/core/helpers.h"
+#include "tests/core/triangulate/slow_mesh.h"
+
+namespace ddt::test {
+namespace {
+
+constexpr Cost costs[] = {Cost::abn, Cost::scf};
+
+float scalar_gain(const Lattice& lattice, Cost cost, int m) {
+    return dispatch(cost, [&](auto c) { return scalar::gain<decltype(c)>(lattice, m); });
+}
+
+/// Call f(lattice) for meshes of several kinds, sizes and amounts of random flipping, among them
+/// ones with edges as long as they get.
+template <class F>
+void each_mesh(F&& f) {
+    uint64_t seed = 7;
+    for (const Pixel size : {Pixel{2, 2}, Pixel{2, 7}, Pixel{9, 3}, Pixel{14, 11}})
+        for (const Kind kind : all_kinds)
+            for (const int flips : {0, 20, 400}) {
+                Random random(++seed);
+                Lattice lattice;
+                const auto guide = make_guide(kind, size.x, size.y, seed);
+                lattice.start(size.x, size.y, guide.data(), true);
+                flip_at_random(lattice, flips, random);
+                SCOPED_TRACE(::testing::Message() << size.x << " x " << size.y << ", kind "
+                                                  << int(kind) << ", " << flips << " flips");
+                f(lattice);
+            }
+    Lattice lattice;
+    const auto guide = make_guide(Kind::noise, 150, 2, seed);
+    lattice.start(150, 2, guide.data(), true);
+    flip_to_longest(lattice);
+    SCOPED_TRACE("longest edges");
+    f(lattice);
+}
+
+TEST(Gain, IsWhatTheTotalCostFallsBy) {
+    for (const Cost cost : costs)
+        each_mesh([&](Lattice& lattice) {
+            for (const int m : flippable_edges(lattice)) {
+                const double before = total_cost(lattice, cost);
+                const double gain = double(scalar_gain(lattice, cost, m));
+                lattice.flip(m);
+                const double after = total_cost(lattice, cost);
+                ASSERT_NEAR(gain, before - after, 2e-6 * (1 + before));
+                // Flipped again: all is as before but for the edge's direction.
+                ASSERT_NEAR(double(scalar_gain(lattice, cost, m)), -gain, 2e-6 * (1 + before));
+                lattice.flip(m);
+            }
+        });
+}
+
+TEST(Gain, TotalCostIsTheFormulasInDouble) {
+    for (const Cost cost : costs)
+        each_mesh([&](Lattice& lattice) {
+            const double exact = SlowMesh(lattice, cost).total_cost();
+            // Each edge is off by a few units of the last place of 1.
+            ASSERT_NEAR(total_cost(lattice, cost), exact,
+                        2e-7 * double(lattice.size()) + 1e-7 * exact);
+        });
+}
+
+TEST(Gain, IsThatOfTheSlowMesh) {
+    for (const Cost cost : costs)
+        each_mesh([&](Lattice& lattice) {
+            const SlowMesh slow(lattice, cost);
+            for (const int m : flippable_edges(lattice)) {
+                const Pixel middle{m % lattice.stride(), m / lattice.stride()};
+                ASSERT_TRUE(slow.flippable(middle));
+                ASSERT_EQ(bits_of(scalar_gain(lattice, cost, m)), bits_of(slow.gain(middle)));
+            }
+        });
+}
+
+TEST(Gain, EveryInstructionSetGivesTheScalarBits) {
+    constexpr float untouched = -12345.0f;
+    on_each_target([&] {
+        for (const Cost cost : costs)
+            each_mesh([&](Lattice& lattice) {
+                const auto sites = flippable_edges(lattice);
+                std::vector<float> out(lattice.size(), untouched);
+                gains(lattice, cost, sites.data(), sites.size(), out.data());
+                for (const int m : sites) {
+                    ASSERT_EQ(bits_of(out[size_t(m)]), bits_of(scalar_gain(lattice, cost, m)));
+                    out[size_t(m)] = untouched;
+                }
+                // Nothing else was written.
+                for (const float x : out)
+                    ASSERT_EQ(x, untouched);
+            });
+    });
+}
+
+TEST(Gain, AnyNumberOfEdgesIsPossible) {
+    Lattice lattice;
+    const auto guide = make_guide(Kind::noise, 12, 12, 4);
+    lattice.start(12, 12, guide.data(), true);
+    const auto sites = flippable_edges(lattice);
+    on_each_target([&] {
+        for (size_t n = 0; n <= 35; ++n) {
+            std::vector<float> out(lattice.size(), 7.0f);
+            gains(lattice, Cost::abn, sites.data() + 3, n, out.data());
+            size_t written = 0;
+            for (const float x : out)
+                written += x != 7.0f;
+            ASSERT_EQ(written, n);
+            for (size_t i = 0; i < n; ++i) {
+                const int m = sites[3 + i];
+                ASSERT_EQ(bits_of(out[size_t(m)]), bits_of(scalar_gain(lattice, Cost::abn, m)));
+            }
+        }
+    });
+}
+
+TEST(Gain, NothingToGainOnAPlane) {
+    std::vector<float> guide;
+    for (int y = 0; y < 9; ++y)
+        for (int x = 0; x < 10; ++x)
+            guide.push_back(float(30 * x - 17 * y) * (1.0f / 4096.0f));
+    Lattice lattice;
+    lattice.start(10, 9, guide.data(), true);
+    Random random(1);
+    flip_at_random(lattice, 100, random);
+    for (const int m : flippable_edges(lattice)) {
+        ASSERT_NEAR(scalar_gain(lattice, Cost::abn, m), 0.0f, 1e-6f);
+        ASSERT_NEAR(scalar_gain(lattice, Cost::scf, m), 0.0f, 1e-6f);
+    }
+}
+
+} // namespace
+} // namespace ddt::test

@@ -1,0 +1,227 @@
+#include "core/triangulate/triangulate.h"
+
+#include "core/triangulate/gain.h"
+#include "tests/core/helpers.h"
+#include "tests/core/triangulate/slow_mesh.h"
+
+namespace ddt::test {
+namespace {
+
+struct Result {
+    Lattice lattice;
+    Statistics statistics;
+};
+
+Result run(const std::vector<float>& guide, int width, int height, const MeshOptions& options) {
+    Result r;
+    Workspace workspace;
+    r.lattice.start(width, height, guide.data(), options.start == Start::flat);
+    triangulate(r.lattice, options, workspace, r.statistics);
+    return r;
+}
+
+MeshOptions options_of(Scheme scheme, Cost cost, float gain = -1.0f, int iterations = 64) {
+    MeshOptions o;
+    o.scheme = scheme;
+    o.cost = cost;
+    o.min_gain = gain;
+    o.max_iterations = iterations;
+    return o;
+}
+
+/// Call f(guide, width, height, options) for all kinds of guide and both schemes and costs.
+template <class F>
+void each_case(F&& f) {
+    uint64_t seed = 21;
+    for (const Pixel size : {Pixel{2, 2}, Pixel{2, 13}, Pixel{15, 2}, Pixel{13, 11}, Pixel{24, 17}})
+        for (const Kind kind : all_kinds)
+            for (const Cost cost : {Cost::abn, Cost::scf})
+                for (const Scheme scheme : {Scheme::one_round, Scheme::lawson})
+                    for (const Start start : {Start::flat, Start::diagonal}) {
+                        SCOPED_TRACE(::testing::Message()
+                                     << size.x << " x " << size.y << ", kind " << int(kind)
+                                     << ", cost " << int(cost) << ", scheme " << int(scheme)
+                                     << ", start " << int(start));
+                        MeshOptions o = options_of(scheme, cost);
+                        o.start = start;
+                        f(make_guide(kind, size.x, size.y, ++seed), size.x, size.y, o);
+                    }
+}
+
+TEST(Triangulate, TheMeshIsThatOfTheSlowReferenceFlipForFlip) {
+    each_case([](const std::vector<float>& guide, int w, int h, MeshOptions o) {
+        Lattice start;
+        start.start(w, h, guide.data(), o.start == Start::flat);
+        for (const float gain : {-1.0f, 0.0f, 0.1f})
+            for (const int iterations : {1, 2, 3, 7, 64}) {
+                if (gain >= 0 && iterations != 64)
+                    continue;
+                o.min_gain = gain;
+                o.max_iterations = iterations;
+                const Result r = run(guide, w, h, o);
+                SlowMesh slow(start, o.cost);
+                const SlowCounts counts = o.scheme == Scheme::lawson
+                                              ? slow_lawson(slow, min_gain(o), iterations)
+                                              : slow_one_round(slow, min_gain(o), iterations);
+                ASSERT_EQ(records(r.lattice), slow.records());
+                ASSERT_EQ(r.statistics.flips, counts.flips);
+                ASSERT_EQ(r.statistics.iterations, counts.iterations);
+                // Gains are computed for what a flip touched, never for more.
+                ASSERT_LE(r.statistics.evaluations, counts.evaluations);
+                ASSERT_EQ(r.statistics.pixels, w * h);
+                ASSERT_TRUE(is_triangulation(r.lattice));
+            }
+    });
+}
+
+TEST(Triangulate, OnALargerPictureToo) {
+    // Enough candidates that long chains of them wait for one another.
+    for (const Kind kind : {Kind::few, Kind::shapes}) {
+        const int w = 60, h = 41;
+        const auto guide = make_guide(kind, w, h, 77);
+        const auto o = options_of(Scheme::one_round, Cost::abn, 1e-5f, 250);
+        const Result r = run(guide, w, h, o);
+        Lattice start;
+        start.start(w, h, guide.data(), true);
+        SlowMesh slow(start, o.cost);
+        const SlowCounts counts = slow_one_round(slow, o.min_gain, o.max_iterations);
+        EXPECT_EQ(records(r.lattice), slow.records());
+        EXPECT_EQ(r.statistics.flips, counts.flips);
+        EXPECT_EQ(r.statistics.iterations, counts.iterations);
+        EXPECT_GT(counts.iterations, 5);
+        EXPECT_GT(counts.flips, w * h / 4);
+    }
+}
+
+TEST(Triangulate, TheCostNeverRisesFromIterationToIteration) {
+    each_case([](const std::vector<float>& guide, int w, int h, MeshOptions o) {
+        o.max_iterations = 0;
+        double before = total_cost(run(guide, w, h, o).lattice, o.cost);
+        int64_t flips_before = 0;
+        for (int i = 1;; ++i) {
+            o.max_iterations = i;
+            const Result r = run(guide, w, h, o);
+            const double cost = total_cost(r.lattice, o.cost);
+            const auto flips = double(r.statistics.flips - flips_before);
+            // Each flip gains more than min_gain; rounding apart.
+            ASSERT_LE(cost, before - flips * double(min_gain(o)) + 1e-6 * (1 + before));
+            if (flips == 0)
+                break;
+            before = cost;
+            flips_before = r.statistics.flips;
+            ASSERT_LT(i, 100);
+        }
+    });
+}
+
+TEST(Triangulate, NoGainIsLeftAtTheEnd) {
+    each_case([](const std::vector<float>& guide, int w, int h, MeshOptions o) {
+        for (const float gain : {-1.0f, 0.05f}) {
+            o.min_gain = gain;
+            o.max_iterations = 250;
+            const Result r = run(guide, w, h, o);
+            for (const int m : flippable_edges(r.lattice)) {
+                const float left = dispatch(
+                    o.cost, [&](auto c) { return scalar::gain<decltype(c)>(r.lattice, m); });
+                ASSERT_LE(left, min_gain(o));
+            }
+        }
+    });
+}
+
+TEST(Triangulate, AFlipMustGainMoreThanMinGain) {
+    // The only edge there is to flip, on 2 x 2 pixels with one corner raised.
+    const std::vector<float> guide{1.0f, 0.0f, 0.0f, 0.0f};
+    Lattice lattice;
+    lattice.start(2, 2, guide.data(), false);
+    MeshOptions o = options_of(Scheme::one_round, Cost::abn);
+    o.start = Start::diagonal;
+    const float gain = scalar::gain<scalar::Abn<float>>(lattice, lattice.site(1, 1));
+    ASSERT_GT(gain, 0.1f);
+    for (const Scheme scheme : {Scheme::one_round, Scheme::lawson}) {
+        o.scheme = scheme;
+        o.min_gain = gain;
+        EXPECT_EQ(run(guide, 2, 2, o).statistics.flips, 0);
+        o.min_gain = std::nextafter(gain, 0.0f);
+        EXPECT_EQ(run(guide, 2, 2, o).statistics.flips, 1);
+    }
+}
+
+TEST(Triangulate, NegativeMinGainIsTheCostsDefault) {
+    EXPECT_EQ(min_gain(options_of(Scheme::one_round, Cost::abn)), default_min_gain(Cost::abn));
+    EXPECT_EQ(min_gain(options_of(Scheme::one_round, Cost::scf)), default_min_gain(Cost::scf));
+    EXPECT_EQ(min_gain(options_of(Scheme::one_round, Cost::scf, 0.0f)), 0.0f);
+    EXPECT_EQ(min_gain(options_of(Scheme::one_round, Cost::abn, 0.3f)), 0.3f);
+}
+
+TEST(Triangulate, PixelSchemeAndZeroIterationsLeaveTheStart) {
+    const auto guide = make_guide(Kind::noise, 14, 9, 3);
+    Lattice start;
+    start.start(14, 9, guide.data(), true);
+    for (const auto& o :
+         {options_of(Scheme::pixel, Cost::abn), options_of(Scheme::one_round, Cost::abn, -1.0f, 0),
+          options_of(Scheme::lawson, Cost::abn, -1.0f, 0)}) {
+        const Result r = run(guide, 14, 9, o);
+        EXPECT_EQ(records(r.lattice), records(start));
+        EXPECT_EQ(r.statistics.flips, 0);
+        EXPECT_EQ(r.statistics.iterations, 0);
+        EXPECT_EQ(r.statistics.pixels, 14 * 9);
+    }
+}
+
+TEST(Triangulate, StatisticsAddUp) {
+    const auto guide = make_guide(Kind::noise, 14, 9, 3);
+    for (const Scheme scheme : {Scheme::one_round, Scheme::lawson}) {
+        const auto o = options_of(scheme, Cost::abn);
+        const Statistics once = run(guide, 14, 9, o).statistics;
+        Statistics sum;
+        Workspace workspace;
+        for (int i = 0; i < 3; ++i) {
+            Lattice lattice;
+            lattice.start(14, 9, guide.data(), true);
+            triangulate(lattice, o, workspace, sum);
+        }
+        EXPECT_EQ(sum.pixels, 3 * once.pixels);
+        EXPECT_EQ(sum.evaluations, 3 * once.evaluations);
+        EXPECT_EQ(sum.flips, 3 * once.flips);
+        EXPECT_EQ(sum.iterations, once.iterations); // the largest
+        EXPECT_GT(once.flips, 0);
+        EXPECT_GT(once.iterations, 1);
+    }
+}
+
+TEST(Triangulate, WhatTheWorkspaceWasUsedForBeforeDoesNotMatter) {
+    Lattice lattice;
+    Workspace workspace;
+    Statistics statistics;
+    for (const Pixel size : {Pixel{31, 22}, Pixel{6, 9}, Pixel{22, 31}, Pixel{2, 2}, Pixel{31, 22}})
+        for (const Kind kind : {Kind::noise, Kind::few}) {
+            const auto o = options_of(Scheme::one_round, Cost::abn);
+            const auto guide = make_guide(kind, size.x, size.y, 8);
+            lattice.start(size.x, size.y, guide.data(), true);
+            triangulate(lattice, o, workspace, statistics);
+            ASSERT_EQ(records(lattice), records(run(guide, size.x, size.y, o).lattice));
+        }
+}
+
+TEST(Triangulate, EveryInstructionSetMakesTheSameMesh) {
+    const auto guide = make_guide(Kind::shapes, 40, 33, 6);
+    const auto o = options_of(Scheme::one_round, Cost::abn);
+    const auto expected = records(run(guide, 40, 33, o).lattice);
+    on_each_target([&] { EXPECT_EQ(records(run(guide, 40, 33, o).lattice), expected); });
+}
+
+TEST(Triangulate, AGuideOfAnyNumbersEndsInAMesh) {
+    Random random(12);
+    const float inf = std::numeric_limits<float>::infinity();
+    const float odd[] = {inf, -inf, std::nanf(""), 1e38f, -1e38f, 3e38f, 1e-40f, 0.0f, 1.0f};
+    for (const Scheme scheme : {Scheme::one_round, Scheme::lawson})
+        for (const Cost cost : {Cost::abn, Cost::scf}) {
+            const auto guide = fill(400, [&] { return odd[random.below(9)]; });
+            const Result r = run(guide, 20, 20, options_of(scheme, cost));
+            EXPECT_TRUE(is_triangulation(r.lattice));
+        }
+}
+
+} // namespace
+} // namespace ddt::test
