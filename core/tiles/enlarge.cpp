@@ -120,6 +120,7 @@ Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job) 
             sum.pixels += s.pixels;
             sum.evaluations += s.evaluations;
             sum.flips += s.flips;
+            sum.rounds += s.rounds;
             sum.iterations = std::max(sum.iterations, s.iterations);
         }
     }

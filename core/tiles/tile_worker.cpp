@@ -108,6 +108,8 @@ bool TileWorker::read(const Tile& tile) {
     int guide_width = width, guide_height = height;
     repeat_to_two(m_guide, guide_width, guide_height, 1);
     repeat_to_two(m_values, width, height, m_job.channels);
+    m_workspace.origin_x = r.x0 - m_job.window.x0;
+    m_workspace.origin_y = r.y0 - m_job.window.y0;
     m_lattice.start(width, height, m_guide.data(), m_job.mesh.start == Start::flat);
     return true;
 }
