@@ -54,7 +54,7 @@ struct Jnd {
     static DDT_INLINE T between(const Face& a, const Face& b, T, T) {
         const T dx = a.x - b.x, dy = a.y - b.y;
         const T square = (dx * dx) + (dy * dy);
-        return square * rsqrt(square);
+        return square * rsqrt<3>(square);
     }
 };
 
@@ -65,7 +65,7 @@ struct Dlp {
     using Face = typename Jnd<T>::Face;
     static DDT_INLINE Face face(T gx, T gy) { return {gx, gy}; }
     static DDT_INLINE T between(const Face& a, const Face& b, T ex, T ey) {
-        return Jnd<T>::between(a, b, ex, ey) * rsqrt((ex * ex) + (ey * ey));
+        return Jnd<T>::between(a, b, ex, ey) * rsqrt<3>((ex * ex) + (ey * ey));
     }
 };
 
@@ -77,12 +77,12 @@ struct Dp {
         T x, y, r;
     };
     static DDT_INLINE Face face(T gx, T gy) {
-        return {gx, gy, rsqrt(((gx * gx) + (gy * gy)) + T(0.04f))};
+        return {gx, gy, rsqrt<3>(((gx * gx) + (gy * gy)) + T(0.04f))};
     }
     static DDT_INLINE T between(const Face& a, const Face& b, T ex, T ey) {
         const T dx = a.x - b.x, dy = a.y - b.y;
         const T square = (dx * dx) + (dy * dy);
-        const T vertical = (square * rsqrt(square)) * rsqrt((ex * ex) + (ey * ey));
+        const T vertical = (square * rsqrt<3>(square)) * rsqrt<3>((ex * ex) + (ey * ey));
         return vertical * (a.r + b.r);
     }
 };
