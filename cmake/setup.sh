@@ -57,15 +57,19 @@ install_packages() {
     [ -z "$missing" ] || die "still missing after apt-get install:" "$missing"
 }
 
-# Configures and compiles into build/. Arguments go to cmake and stay in its cache, so a later call
-# without them keeps the choice.
-build_all() {
+# Configures build/. Arguments go to cmake and stay in its cache, so a later call without them keeps
+# the choice.
+configure_build() {
     local generator=()
     [ -e "$ddt_build/CMakeCache.txt" ] || generator=(-G Ninja)
     mkdir -p "$ddt_build" || die "cannot write to $ddt_root"
     quietly configure.log cmake -S "$ddt_root" -B "$ddt_build" "${generator[@]}" "$@" ||
         die "cmake could not configure the build (its messages are above)."
-    cmake --build "$ddt_build" >&2 ||
+}
+
+# Compiles in build/. Arguments are cmake --build's, such as --target NAME.
+compile_build() {
+    cmake --build "$ddt_build" "$@" >&2 ||
         die "the build failed: the first message with 'error' above names the file and line."
 }
 

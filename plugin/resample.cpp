@@ -53,7 +53,7 @@ GuideRecipe recipe(const Channels& channels, const Light& light, bool linear) {
 bool plan_reading(const OIIO::ImageBuf& src, const Options& options, const OIIO::ROI& roi,
                   Reading& reading, std::string& error) {
     const OIIO::ImageSpec& spec = src.spec();
-    reading.channels = channels_of(spec);
+    reading.channels = channels_of(spec, src.nativespec().format);
     const bool encoded = options.light == "encoded";
     std::shared_ptr<const Light> light = std::make_shared<Light>();
     if (reading.channels.colour.count) {

@@ -3,6 +3,8 @@
 #include <OpenImageIO/imagebufalgo_util.h>
 
 #include "plugin/guarded.h"
+#include "plugin/image/channels.h"
+#include "plugin/image/pixels.h"
 #include "plugin/image/windows.h"
 #include "plugin/resample.h"
 
@@ -30,9 +32,7 @@ bool enlarge_then_shrink(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const O
     }
     OIIO::ImageSpec spec = src.spec();
     // Float: rounding is left to the second step.
-    const bool integers_are_ids =
-        spec.format == OIIO::TypeDesc::UINT32 || spec.format == OIIO::TypeDesc::INT32;
-    if (!integers_are_ids)
+    if (!is_id_type(spec.format))
         spec.set_format(OIIO::TypeFloat);
     OIIO::set_roi(spec, part);
     OIIO::set_roi_full(spec, full);
@@ -80,8 +80,11 @@ bool resize(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& optio
         return resize(dst, copy, options, roi, nthreads);
     }
     return guarded(dst, [&](OIIO::ROI& touched, std::string& error) {
-        return check_source(src, error) &&
-               resize_checked(dst, src, options, roi, nthreads, touched, error);
+        if (!check_source(src, error))
+            return false;
+        OIIO::ImageBuf ids;
+        const OIIO::ImageBuf& exact = read_ids(src, ids) ? ids : src;
+        return resize_checked(dst, exact, options, roi, nthreads, touched, error);
     });
 }
 

@@ -5,6 +5,7 @@
 
 #include "ddt/resize.h"
 #include "plugin/guarded.h"
+#include "plugin/image/pixels.h"
 #include "plugin/image/windows.h"
 #include "plugin/matrix.h"
 #include "plugin/resample.h"
@@ -96,8 +97,12 @@ bool warp(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fParam M, con
         return warp(dst, copy, M, options, recompute_roi, wrap, roi, nthreads);
     }
     return guarded(dst, [&](OIIO::ROI& touched, std::string& error) {
-        return check_source(src, error) && warp_checked(dst, src, M, options, recompute_roi, wrap,
-                                                        roi, nthreads, touched, error);
+        if (!check_source(src, error))
+            return false;
+        OIIO::ImageBuf ids;
+        const OIIO::ImageBuf& exact = read_ids(src, ids) ? ids : src;
+        return warp_checked(dst, exact, M, options, recompute_roi, wrap, roi, nthreads, touched,
+                            error);
     });
 }
 

@@ -60,6 +60,27 @@ struct Edge {
     }
 };
 
+/// How a cell (2x2 pixels) is divided, told by the edge at its centre.
+enum class Division {
+    down,  ///< in two, by the diagonal from upper left to lower right
+    up,    ///< in two, by the other diagonal
+    other, ///< edges that are not the cell's own cross it
+};
+
+/// The division of the cell that `centre` is the central edge of. The edge may run either way; its
+/// apexes must be the cell's other corners.
+inline Division division(const Edge& centre) {
+    const Vec v = centre.v.y < 0 ? -centre.v : centre.v;
+    const Vec apex = centre.left;
+    if (apex != -centre.right)
+        return Division::other;
+    if (v == Vec(1, 1) && (apex == Vec(-1, 1) || apex == Vec(1, -1)))
+        return Division::down;
+    if (v == Vec(-1, 1) && (apex == Vec(-1, -1) || apex == Vec(1, 1)))
+        return Division::up;
+    return Division::other;
+}
+
 struct Vertex {
     float guide = 0;
     Vec first; ///< midpoint of the incident edge with the smallest address, relative to the vertex

@@ -29,6 +29,9 @@ using Blocks = Lanes<D>;
 HWY_INLINE Blocks at_site(const Net& net, int site) {
     return hn::LoadDup128(D(), net.at(site));
 }
+HWY_INLINE Blocks soft_at_site(const Net& net, int site) {
+    return hn::LoadDup128(D(), net.soft.data() + size_t(site) * group_size);
+}
 
 /// Block k filled with p[k].
 HWY_INLINE Blocks spread(const float* p) {
@@ -68,7 +71,7 @@ struct Output {
     }
 };
 
-template <bool quadratic>
+template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_triangle(const Net& net, const LocatedRow& row, const Span& span,
                                   const Output& out) {
     Patch<Blocks> patch;
@@ -80,15 +83,20 @@ HWY_INLINE void evaluate_triangle(const Net& net, const LocatedRow& row, const S
         patch.e12 = at_site(net, span.edge[1]);
         patch.e20 = at_site(net, span.edge[2]);
     }
-    patch.find_range();
+    if (soft) {
+        patch.q01 = soft_at_site(net, span.edge[0]);
+        patch.q12 = soft_at_site(net, span.edge[1]);
+        patch.q20 = soft_at_site(net, span.edge[2]);
+    }
+    patch.template find_range<soft>(hn::LoadDup128(D(), net.strict));
     for (int i = span.begin; i < span.end; i += int(hn::Lanes(D())) / group_size)
-        out.store(patch.template at<quadratic>(spread(row.weight[0].data() + i),
-                                               spread(row.weight[1].data() + i),
-                                               spread(row.weight[2].data() + i)),
+        out.store(patch.template at<quadratic, soft>(spread(row.weight[0].data() + i),
+                                                     spread(row.weight[1].data() + i),
+                                                     spread(row.weight[2].data() + i)),
                   i, span.end);
 }
 
-template <bool quadratic>
+template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_cell(const Net& net, int stride, const LocatedRow& row, const Span& span,
                               const Output& out) {
     const int s = span.vertex[0];
@@ -104,36 +112,51 @@ HWY_INLINE void evaluate_cell(const Net& net, int stride, const LocatedRow& row,
         cell.e13 = at_site(net, s + stride + 2);
         cell.e23 = at_site(net, s + 2 * stride + 1);
     }
+    if (soft) {
+        cell.q01 = soft_at_site(net, s + 1);
+        cell.q02 = soft_at_site(net, s + stride);
+        cell.soft_diagonal = soft_at_site(net, s + stride + 1);
+        cell.q13 = soft_at_site(net, s + stride + 2);
+        cell.q23 = soft_at_site(net, s + 2 * stride + 1);
+    }
+    const Blocks strict = hn::LoadDup128(D(), net.strict);
     const int step = int(hn::Lanes(D())) / group_size;
     const float *x = row.weight[0].data(), *y = row.weight[1].data();
     if (span.kind == Span::cell_down) {
-        cell.divide_down();
+        cell.template divide_down<soft>(strict);
         for (int i = span.begin; i < span.end; i += step)
-            out.store(cell.template at_down<quadratic>(spread(x + i), spread(y + i)), i, span.end);
+            out.store(cell.template at_down<quadratic, soft>(spread(x + i), spread(y + i)), i,
+                      span.end);
     } else {
-        cell.divide_up();
+        cell.template divide_up<soft>(strict);
         for (int i = span.begin; i < span.end; i += step)
-            out.store(cell.template at_up<quadratic>(spread(x + i), spread(y + i)), i, span.end);
+            out.store(cell.template at_up<quadratic, soft>(spread(x + i), spread(y + i)), i,
+                      span.end);
     }
 }
 
-template <bool quadratic>
+template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_spans(const Net& net, int stride, const LocatedRow& row,
                                const Output& out) {
     for (const Span& span : row.spans)
         if (span.kind == Span::triangle)
-            evaluate_triangle<quadratic>(net, row, span, out);
+            evaluate_triangle<quadratic, soft>(net, row, span, out);
         else
-            evaluate_cell<quadratic>(net, stride, row, span, out);
+            evaluate_cell<quadratic, soft>(net, stride, row, span, out);
 }
 
 HWY_ATTR void evaluate(const Net& net, Surface surface, int stride, const LocatedRow& row,
                        int channels, int first, int count, float* to) {
     const Output out{to + first, channels, count, channels <= group_size};
-    if (surface == Surface::linear)
-        evaluate_spans<false>(net, stride, row, out);
+    const bool soft = !net.soft.empty();
+    if (surface == Surface::linear && soft)
+        evaluate_spans<false, true>(net, stride, row, out);
+    else if (surface == Surface::linear)
+        evaluate_spans<false, false>(net, stride, row, out);
+    else if (soft)
+        evaluate_spans<true, true>(net, stride, row, out);
     else
-        evaluate_spans<true>(net, stride, row, out);
+        evaluate_spans<true, false>(net, stride, row, out);
 }
 
 } // namespace HWY_NAMESPACE

@@ -8,17 +8,15 @@ namespace {
 
 constexpr float unit = 1.0f / float(position_one);
 
-/// How the cell is divided, by its diagonal edge. That may run either way; its apexes must be the
-/// cell's other corners.
-Span::Kind kind_of(const Edge& diagonal) {
-    const Vec v = diagonal.v.y < 0 ? -diagonal.v : diagonal.v;
-    const Vec apex = diagonal.left;
-    if (apex != -diagonal.right)
-        return Span::triangle;
-    if (v == Vec(1, 1) && (apex == Vec(-1, 1) || apex == Vec(1, -1)))
+Span::Kind kind_of(const Edge& centre) {
+    switch (division(centre)) {
+    case Division::down:
         return Span::cell_down;
-    if (v == Vec(-1, 1) && (apex == Vec(-1, -1) || apex == Vec(1, 1)))
+    case Division::up:
         return Span::cell_up;
+    case Division::other:
+        break;
+    }
     return Span::triangle;
 }
 

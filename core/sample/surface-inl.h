@@ -6,14 +6,24 @@ template <class T>
 struct Patch {
     T z0, z1, z2;    ///< values at the vertices
     T e01, e12, e20; ///< bends of the edges
-    T low, high;     ///< range of the three values
+    T q01, q12, q20; ///< their softness
+    T low, high;     ///< range that the surface is clamped to
 
-    DDT_INLINE void find_range() {
+    /// The range of the three values; with soft edges, where `strict` is 0, only the sign is kept.
+    template <bool soft>
+    DDT_INLINE void find_range(T strict) {
         low = if_less(z1, z0, z1, z0);
         low = if_less(z2, low, z2, low);
         high = if_less(z0, z1, z1, z0);
         high = if_less(high, z2, z2, high);
+        if (soft) {
+            const T zero = T(0.0f);
+            low = if_less(zero, strict, low, if_less(low, zero, T(-INFINITY), zero));
+            high = if_less(zero, strict, high, T(INFINITY));
+        }
     }
+
+    static DDT_INLINE T smaller(T a, T b) { return if_less(a, b, a, b); }
 
     /// b z, but 0 where b = 0, whatever z is.
     static DDT_INLINE T term(T b, T z) {
@@ -22,11 +32,13 @@ struct Patch {
     }
 
     /// The surface at barycentric weights b, all >= 0.
-    template <bool quadratic>
+    template <bool quadratic, bool soft>
     DDT_INLINE T at(T b0, T b1, T b2) const {
         T f = (term(b0, z0) + term(b1, z1)) + term(b2, z2);
         if (quadratic)
             f = f + (((b0 * b1) * e01 + (b1 * b2) * e12) + (b2 * b0) * e20);
+        if (soft)
+            f = f + ((smaller(b0, b1) * q01 + smaller(b1, b2) * q12) + smaller(b2, b0) * q20);
         f = if_less(f, low, low, f);
         f = if_less(high, f, high, f);
         return if_less_equal(f, T(INFINITY), f, T(quiet_nan));
@@ -43,29 +55,40 @@ struct Patch {
 template <class T>
 struct PlainCell {
     T z0, z1, z2, z3;
-    T e01, e02, e13, e23, diagonal;
+    T e01, e02, e13, e23, diagonal;      // bends
+    T q01, q02, q13, q23, soft_diagonal; // softness
     Patch<T> first, second;
 
-    DDT_INLINE void divide_down() {
+    template <bool soft>
+    DDT_INLINE void divide_down(T strict) {
         first.z0 = z0, first.z1 = z3, first.z2 = z2;
         first.e01 = diagonal, first.e12 = e23, first.e20 = e02;
         second.z0 = z0, second.z1 = z1, second.z2 = z3;
         second.e01 = e01, second.e12 = e13, second.e20 = diagonal;
-        first.find_range();
-        second.find_range();
+        if (soft) {
+            first.q01 = soft_diagonal, first.q12 = q23, first.q20 = q02;
+            second.q01 = q01, second.q12 = q13, second.q20 = soft_diagonal;
+        }
+        first.template find_range<soft>(strict);
+        second.template find_range<soft>(strict);
     }
-    DDT_INLINE void divide_up() {
+    template <bool soft>
+    DDT_INLINE void divide_up(T strict) {
         first.z0 = z0, first.z1 = z1, first.z2 = z2;
         first.e01 = e01, first.e12 = diagonal, first.e20 = e02;
         second.z0 = z1, second.z1 = z3, second.z2 = z2;
         second.e01 = e13, second.e12 = e23, second.e20 = diagonal;
-        first.find_range();
-        second.find_range();
+        if (soft) {
+            first.q01 = q01, first.q12 = soft_diagonal, first.q20 = q02;
+            second.q01 = q13, second.q12 = q23, second.q20 = soft_diagonal;
+        }
+        first.template find_range<soft>(strict);
+        second.template find_range<soft>(strict);
     }
 
     /// Both triangles' parameters, lane by lane that of the one that d, negative in the first,
     /// tells.
-    template <bool quadratic>
+    template <bool quadratic, bool soft>
     DDT_INLINE Patch<T> choose(T d) const {
         const T zero = T(0.0f);
         Patch<T> p;
@@ -77,22 +100,27 @@ struct PlainCell {
             p.e12 = if_less(d, zero, first.e12, second.e12);
             p.e20 = if_less(d, zero, first.e20, second.e20);
         }
+        if (soft) {
+            p.q01 = if_less(d, zero, first.q01, second.q01);
+            p.q12 = if_less(d, zero, first.q12, second.q12);
+            p.q20 = if_less(d, zero, first.q20, second.q20);
+        }
         p.low = if_less(d, zero, first.low, second.low);
         p.high = if_less(d, zero, first.high, second.high);
         return p;
     }
 
-    template <bool quadratic>
+    template <bool quadratic, bool soft>
     DDT_INLINE T at_down(T x, T y) const {
         const T zero = T(0.0f), one = T(1.0f), d = x - y;
-        return choose<quadratic>(d).template at<quadratic>(
+        return choose<quadratic, soft>(d).template at<quadratic, soft>(
             if_less(d, zero, one - y, one - x), if_less(d, zero, x, d), if_less(d, zero, y - x, y));
     }
-    template <bool quadratic>
+    template <bool quadratic, bool soft>
     DDT_INLINE T at_up(T x, T y) const {
         const T zero = T(0.0f), one = T(1.0f), d = (x + y) - one;
-        return choose<quadratic>(d).template at<quadratic>(if_less(d, zero, one - (x + y), one - y),
-                                                           if_less(d, zero, x, d),
-                                                           if_less(d, zero, y, one - x));
+        return choose<quadratic, soft>(d).template at<quadratic, soft>(
+            if_less(d, zero, one - (x + y), one - y), if_less(d, zero, x, d),
+            if_less(d, zero, y, one - x));
     }
 };

@@ -53,3 +53,12 @@ DDT_INLINE T edge_bend(T gix, T giy, T gjx, T gjy, T zi, T zj, T vx, T vy) {
     e = if_less(limit, e, limit, e);
     return if_less_equal(limit, T(FLT_MAX), e, zero);
 }
+
+/// q of an edge from i to j with apexes c and d, weight w (see net.h).
+template <class T>
+DDT_INLINE T edge_softness(T w, T zi, T zj, T zc, T zd) {
+    const T zero = T(0.0f);
+    const T q = w * ((zc + zd) - (zi + zj));
+    const T size = if_less(q, zero, zero - q, q);
+    return if_less_equal(size, T(FLT_MAX), q, zero);
+}

@@ -22,6 +22,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
 
+/// Weight of the flipped state of a flippable edge with this gain (see net.h), 0 to 1/2.
+HWY_INLINE float soft_weight(float gain, float reciprocal_tau) {
+    const float loss = gain < 0.0f ? gain : 0.0f;
+    const float w = 1.0f + loss * reciprocal_tau;
+    return w > 0.0f ? 0.5f * w : 0.0f;
+}
+
 /// A neighbour of the vertex that is walked round, over the edge between them.
 struct Spoke {
     int x, y;      ///< the neighbour relative to the vertex in pixels: the edge's midpoint in
@@ -110,6 +117,31 @@ HWY_ATTR void make_edges(const Lattice& lattice, const Rect& part, const float* 
     }
 }
 
+HWY_ATTR void make_soft(const Lattice& lattice, const Rect& part, const float* gain,
+                        float reciprocal_tau, Net& net) {
+    const int stride = lattice.stride();
+    for (int y = 2 * part.y0; y < 2 * part.y1 - 1; ++y) {
+        const int odd = y & 1;
+        int m = lattice.site(2 * part.x0 + 1 - odd, y);
+        const int end = lattice.site(2 * part.x1 - 1, y);
+        for (; m < end; m += 2 - odd) {
+            float* q = net.soft.data() + size_t(m) * group_size;
+            const Edge& e = lattice.edge(m);
+            const float w = e.flippable() ? soft_weight(gain[m], reciprocal_tau) : 0.0f;
+            if (w == 0.0f) {
+                Lanes4(0.0f).store(q);
+                continue;
+            }
+            const ptrdiff_t to_j = group_size * ptrdiff_t(e.v.y * stride + e.v.x);
+            const ptrdiff_t to_c = group_size * ptrdiff_t(e.left.y * stride + e.left.x);
+            const float* z = net.at(m);
+            edge_softness(Lanes4(w), Lanes4::load(z - to_j), Lanes4::load(z + to_j),
+                          Lanes4::load(z + to_c), Lanes4::load(z - to_c))
+                .store(q);
+        }
+    }
+}
+
 } // namespace HWY_NAMESPACE
 } // namespace ddt
 HWY_AFTER_NAMESPACE();
@@ -119,6 +151,7 @@ namespace ddt {
 
 HWY_EXPORT(make_gradients);
 HWY_EXPORT(make_edges);
+HWY_EXPORT(make_soft);
 
 void set_vertices(const Lattice& lattice, const float* values, int channels, int first, int count,
                   Net& net) {
@@ -136,6 +169,12 @@ void bend_edges(const Lattice& lattice, const Rect& part, Net& net, Gradients& g
     gradients.xy.resize((lattice.size() + 1) * group_size);
     HWY_DYNAMIC_DISPATCH(make_gradients)(lattice, part, net, gradients.xy.data());
     HWY_DYNAMIC_DISPATCH(make_edges)(lattice, part, gradients.xy.data(), net);
+}
+
+void soften_edges(const Lattice& lattice, const Rect& part, const float* gain, float tau,
+                  Net& net) {
+    net.soft.resize(lattice.size() * group_size);
+    HWY_DYNAMIC_DISPATCH(make_soft)(lattice, part, gain, 1.0f / tau, net);
 }
 
 } // namespace ddt

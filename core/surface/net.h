@@ -13,6 +13,11 @@
 // (w_T to 1 part in 500, which is exact enough for a weight,) so that a vertex beside an edge takes
 // its slope from the flat side of the mesh.
 //
+// Soft edges (SurfaceOptions::soft = tau) add, for each flippable edge ij with apexes c and d and
+// gain g,
+//     min(b_i, b_j) q_ij,   q_ij = w (z_c + z_d - z_i - z_j),   w = max(0, 1 + min(g, 0) / tau) / 2
+// the blend of the mesh with its flipped state: at g = 0 both diagonals count alike.
+//
 // Non-finite values stay inside the triangles that touch them: such a triangle counts for no
 // gradient and the edges of such a vertex have e = 0.
 #pragma once
@@ -34,6 +39,9 @@ constexpr float gradient_epsilon = 0.02f * 0.02f;
 /// [s * group_size], z at a vertex, e at an edge's midpoint.
 struct Net {
     std::vector<float> values;
+    std::vector<float> soft; ///< q at an edge's site; empty: no soft edges
+    /// 1 in the lanes whose values must stay within their triangle's range even with soft edges.
+    float strict[group_size] = {};
     int stride = 0; ///< the lattice's
     const float* at(int site) const { return values.data() + size_t(site) * group_size; }
     float* at(int site) { return values.data() + size_t(site) * group_size; }
@@ -53,5 +61,9 @@ void set_vertices(const Lattice& lattice, const float* values, int channels, int
 /// Bend the edges whose ends both lie in `part` (pixels of the lattice), for Surface::patch. The
 /// lattice's first edges must have been found.
 void bend_edges(const Lattice& lattice, const Rect& part, Net& net, Gradients& gradients);
+
+/// Set q of the edges whose midpoint lies in `part`; `gain` is Workspace::gain of the finished
+/// mesh, tau > 0.
+void soften_edges(const Lattice& lattice, const Rect& part, const float* gain, float tau, Net& net);
 
 } // namespace ddt

@@ -60,8 +60,8 @@ private:
 } // namespace
 
 Outcome enlarge(const float* src, int width, int height, int channels, const float* guide,
-                float* dst, int dst_width, int dst_height, Surface surface, const MeshOptions& mesh,
-                int threads, std::string* error) {
+                float* dst, int dst_width, int dst_height, const SurfaceOptions& surface,
+                const MeshOptions& mesh, int threads, std::string* error) {
     if (dst_width < width || dst_height < height || !src || !dst) {
         if (error)
             *error = "ddt: the output must not be smaller than the input, nor a buffer null";

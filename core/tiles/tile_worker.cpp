@@ -30,13 +30,15 @@ int channels_in_group(int channels, int group) {
     return std::min(group_size, channels - group * group_size);
 }
 
+Channel kind_of(const Job& job, int channel) {
+    return size_t(channel) < job.kinds.size() ? job.kinds[size_t(channel)] : Channel::blend;
+}
+
 NearestMask nearest_mask(const Job& job, int group) {
     NearestMask mask = 0;
-    for (int c = 0; c < channels_in_group(job.channels, group); ++c) {
-        const auto channel = size_t(group * group_size + c);
-        if (channel < job.kinds.size() && job.kinds[channel] == Channel::nearest)
+    for (int c = 0; c < channels_in_group(job.channels, group); ++c)
+        if (kind_of(job, group * group_size + c) == Channel::nearest)
             mask |= 1u << c;
-    }
     return mask;
 }
 
@@ -72,11 +74,14 @@ size_t TileWorker::memory(const Job& job) {
     };
     const size_t pixels = along(job.window.width()) * along(job.window.height());
     const size_t sites = 4 * pixels;
-    // Lattice, gains, work lists; nets; gradients, guide, values.
+    // Lattice, gains, work lists; then what the surface takes; guide and values.
     const size_t mesh = sites * (sizeof(Site) + sizeof(float) + 4 * sizeof(int));
     const size_t nets = sites * sizeof(float) * group_size * size_t(group_count(job.channels));
-    const size_t planes = pixels * sizeof(float) * (2 * group_size + 1 + size_t(job.channels));
-    return mesh + nets + planes + 2 * strip_floats * sizeof(float);
+    const size_t soft = job.surface.soft > 0 ? nets : 0;
+    const size_t gradients = sites * sizeof(float) * group_size;
+    const size_t consistency = job.surface.consistency > 0 ? gradients : 0;
+    const size_t planes = pixels * sizeof(float) * (1 + size_t(job.channels));
+    return mesh + nets + soft + gradients + consistency + planes + 2 * strip_floats * sizeof(float);
 }
 
 Outcome TileWorker::work(const Tile& tile) {
@@ -112,24 +117,46 @@ bool TileWorker::read(const Tile& tile) {
 void TileWorker::make_surface(const Tile& tile) {
     const DenormalsAreZero as_on_gpus;
     triangulate(m_lattice, m_job.mesh, m_workspace, m_statistics);
+    const SurfaceOptions& surface = m_job.surface;
+    if (surface.kind != Surface::linear)
+        m_lattice.find_first_edges();
+    if (surface.soft > 0)
+        find_gains(m_lattice, m_job.mesh.cost, m_workspace);
+
+    const Rect whole{0, 0, m_lattice.width(), m_lattice.height()};
     const int groups = group_count(m_job.channels);
     m_nets.resize(size_t(groups));
-    for (int g = 0; g < groups; ++g)
+    for (int g = 0; g < groups; ++g) {
+        Net& net = m_nets[size_t(g)];
         set_vertices(m_lattice, m_values.data(), m_job.channels, g * group_size,
-                     channels_in_group(m_job.channels, g), m_nets[size_t(g)]);
-    if (m_job.surface == Surface::linear)
-        return;
-    m_lattice.find_first_edges();
+                     channels_in_group(m_job.channels, g), net);
+        for (int c = 0; c < group_size; ++c)
+            net.strict[c] = kind_of(m_job, g * group_size + c) == Channel::alpha ? 1.0f : 0.0f;
+        if (surface.consistency == 0)
+            continue;
+        m_consistency.begin(m_lattice, net, surface.limit);
+        for (int round = 0; round < surface.consistency; ++round) {
+            shape(net, whole);
+            m_consistency.correct(m_lattice, surface.kind, net);
+        }
+    }
     // The halo is not sampled, but triangles of the tile reach into it, seldom far.
     const Rect &c = tile.cells, &p = tile.pixels;
     bend({std::max(c.x0 - usual_reach - p.x0, 0), std::max(c.y0 - usual_reach - p.y0, 0),
-          std::min(c.x1 + 1 + usual_reach - p.x0, m_lattice.width()),
-          std::min(c.y1 + 1 + usual_reach - p.y0, m_lattice.height())});
+          std::min(c.x1 + 1 + usual_reach - p.x0, whole.x1),
+          std::min(c.y1 + 1 + usual_reach - p.y0, whole.y1)});
+}
+
+void TileWorker::shape(Net& net, const Rect& part) {
+    if (m_job.surface.kind != Surface::linear)
+        bend_edges(m_lattice, part, net, m_gradients);
+    if (m_job.surface.soft > 0)
+        soften_edges(m_lattice, part, m_workspace.gain.data(), m_job.surface.soft, net);
 }
 
 void TileWorker::bend(const Rect& part) {
     for (Net& net : m_nets)
-        bend_edges(m_lattice, part, net, m_gradients);
+        shape(net, part);
     m_bent = part;
 }
 
@@ -158,10 +185,10 @@ Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
 void TileWorker::sample(int n, float* out) {
     const DenormalsAreZero as_on_gpus;
     locate_row(m_lattice, m_points.data(), n, m_row);
-    if (m_job.surface != Surface::linear && !contains(m_bent, m_row.reach))
+    if (!contains(m_bent, m_row.reach))
         bend({0, 0, m_lattice.width(), m_lattice.height()});
     for (int g = 0; g < int(m_nets.size()); ++g)
-        evaluate_row(m_nets[size_t(g)], m_job.surface, nearest_mask(m_job, g), m_row,
+        evaluate_row(m_nets[size_t(g)], m_job.surface.kind, nearest_mask(m_job, g), m_row,
                      m_job.channels, g * group_size, channels_in_group(m_job.channels, g), out);
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/sample/evaluate.h"
+#include "core/surface/consistency.h"
 #include "core/surface/net.h"
 #include "core/tiles/grid.h"
 #include "core/triangulate/triangulate.h"
@@ -29,6 +30,7 @@ private:
     bool read(const Tile& tile);
     void make_surface(const Tile& tile);
     void bend(const Rect& part);
+    void shape(Net& net, const Rect& part);
     Outcome write(const Tile& tile, const Rect& reach);
     Outcome write_rows(const Tile& tile, const Rect& rows);
     Outcome write_runs(const Tile& tile, const Rect& row);
@@ -45,6 +47,7 @@ private:
     Workspace m_workspace;
     std::vector<Net> m_nets; ///< one a group of channels
     Gradients m_gradients;
+    Consistency m_consistency;
     Rect m_bent; ///< pixels of the lattice whose edges are bent
     std::vector<Position> m_positions;
     std::vector<uint8_t> m_inside;

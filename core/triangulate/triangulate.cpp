@@ -1,6 +1,7 @@
 #include "core/triangulate/triangulate.h"
 
 #include "core/cost/cost.h"
+#include "core/triangulate/gain.h"
 #include "core/triangulate/schemes.h"
 
 namespace ddt {
@@ -57,6 +58,16 @@ void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& worksp
     case Scheme::pixel:
         return;
     }
+}
+
+void find_gains(const Lattice& lattice, Cost cost, Workspace& w) {
+    w.gain.resize(lattice.size());
+    w.flippable.clear();
+    lattice.each_edge([&](int m) {
+        if (lattice.edge(m).flippable())
+            w.flippable.push_back(m);
+    });
+    gains(lattice, cost, w.flippable.data(), w.flippable.size(), w.gain.data());
 }
 
 } // namespace ddt

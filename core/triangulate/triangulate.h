@@ -32,6 +32,9 @@ float min_gain(const MeshOptions& options);
 void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& workspace,
                  Statistics& statistics);
 
+/// Fill workspace.gain with the gains of all flippable edges of a finished mesh.
+void find_gains(const Lattice& lattice, Cost cost, Workspace& workspace);
+
 /// Sequential local optimization (Lawson 1977): sweeps over all edges in address order; an edge
 /// that gains flips at once; until a sweep flips nothing. The reference.
 void lawson(Lattice& lattice, Cost cost, float min_gain, int max_sweeps, Statistics& statistics);

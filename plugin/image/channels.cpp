@@ -78,21 +78,28 @@ bool is_id_name(OIIO::string_view name) {
                         [&](const char* w) { return iequals(word, w); });
 }
 
-Channels channels_of(const OIIO::ImageSpec& spec) {
+bool is_id_type(OIIO::TypeDesc type) {
+    return type == OIIO::TypeDesc::UINT32 || type == OIIO::TypeDesc::INT32;
+}
+
+Channels channels_of(const OIIO::ImageSpec& spec, OIIO::TypeDesc native) {
     const int count = spec.nchannels;
     Channels channels;
     channels.alpha =
         spec.alpha_channel >= 0 && spec.alpha_channel < count ? spec.alpha_channel : -1;
-    channels.raw = spec.format == OIIO::TypeDesc::UINT32 || spec.format == OIIO::TypeDesc::INT32;
+    channels.raw = is_id_type(spec.format);
+    const bool ids = channels.raw || is_id_type(native);
 
     const std::vector<std::string> layers = cryptomattes(spec);
     for (int c = 0; c < count; ++c) {
         const std::string name = spec.channel_name(c);
-        const bool id = channels.raw || is_id_name(name) || looks_like_cryptomatte(name) ||
+        const bool id = ids || is_id_name(name) || looks_like_cryptomatte(name) ||
                         std::any_of(layers.begin(), layers.end(), [&](const std::string& layer) {
                             return is_rank_of(name, layer);
                         });
-        channels.kinds.push_back(id ? Channel::nearest : Channel::blend);
+        channels.kinds.push_back(id                    ? Channel::nearest
+                                 : c == channels.alpha ? Channel::alpha
+                                                       : Channel::blend);
     }
 
     const auto blends = [&](int c) {

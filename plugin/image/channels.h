@@ -26,11 +26,16 @@ struct Channels {
     int alpha = -1; ///< the image's alpha, or -1
     int guide = -1; ///< without colour: the first channel that is neither alpha nor an ID
     std::vector<Channel> kinds; ///< one a channel; nearest: an ID
-    /// Pixels are 32-bit integers: every channel is an ID and travels as raw bits.
+    /// Pixels are 32-bit integers and travel as raw bits.
     bool raw = false;
 };
 
-Channels channels_of(const OIIO::ImageSpec& spec);
+/// True for the types whose numbers are IDs: 32-bit integers.
+bool is_id_type(OIIO::TypeDesc type);
+
+/// `native` is the type of the file the pixels were read from: all channels are IDs if it says so,
+/// even where a host has made floats of them.
+Channels channels_of(const OIIO::ImageSpec& spec, OIIO::TypeDesc native = OIIO::TypeUnknown);
 
 /// True for the name of a channel of identifiers: its last word ends in "id" in any case, as in
 /// "id", "objectId", "prim_id", "materialid", "layer.ID". A word of English that ends so (grid,

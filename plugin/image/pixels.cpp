@@ -6,6 +6,8 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include "plugin/image/channels.h"
+
 namespace ddt {
 namespace {
 
@@ -65,6 +67,20 @@ bool read_pixels(const OIIO::ImageBuf& image, const Rect& r, int chbegin, int ch
         return true;
     error = image.has_error() ? image.geterror(false) : "the source image cannot be read";
     return false;
+}
+
+bool read_ids(const OIIO::ImageBuf& src, OIIO::ImageBuf& ids) {
+    const OIIO::TypeDesc native = src.nativespec().format;
+    if (src.storage() != OIIO::ImageBuf::IMAGECACHE || !is_id_type(native))
+        return false;
+    ids.reset(src.name(), src.subimage(), src.miplevel());
+    if (!ids.read(src.subimage(), src.miplevel(), true, native))
+        return false;
+    // What the caller may have changed since.
+    ids.specmod().extra_attribs = src.spec().extra_attribs;
+    ids.set_origin(src.spec().x, src.spec().y);
+    ids.set_roi_full(src.roi_full());
+    return true;
 }
 
 void write_pixels(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, OIIO::TypeDesc type,

@@ -15,6 +15,10 @@ namespace ddt {
 bool read_pixels(const OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend,
                  OIIO::TypeDesc type, void* out, std::string& error);
 
+/// OpenImageIO's cache, which may stand behind `src`, makes floats of 32-bit integers. If it does,
+/// read them into `ids` as they are and return true.
+bool read_ids(const OIIO::ImageBuf& src, OIIO::ImageBuf& ids);
+
 /// The other way, into an image in local memory; values without gaps. Thread-safe for different
 /// pixels.
 void write_pixels(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, OIIO::TypeDesc type,

@@ -58,7 +58,26 @@ enum class Surface : uint8_t {
 /// What a channel's numbers are.
 enum class Channel : uint8_t {
     blend,   ///< a quantity: interpolated over the surface
+    alpha,   ///< a quantity that no option may take out of the range of its triangle's 3 values
     nearest, ///< an identifier: copied, bit for bit, from the vertex with the largest weight
+};
+
+/// How values are read off the mesh.
+struct SurfaceOptions {
+    /// Implicit: a plain Surface is one without corrections.
+    SurfaceOptions(Surface kind_ = Surface::patch) : kind(kind_) {}
+
+    Surface kind;
+    /// Rounds that correct the vertices so that the surface's mean over each source pixel comes
+    /// back to that pixel's value; 0 to 16. More than 0 can overshoot the source's values.
+    int consistency = 0;
+    /// How far a corrected vertex may leave the range of its 3x3 source pixels, as a share of that
+    /// range; 0 or more. It never gets negative where none of the nine is.
+    float limit = 0.25f;
+    /// Edges that would lose less than this by a flip are blended with their flipped state, so that
+    /// the picture is nearly continuous in its input; in units of the cost, 0: none. More than 0
+    /// can leave the triangle's range (not that of its neighbours' values).
+    float soft = 0.0f;
 };
 
 struct MeshOptions {
@@ -162,7 +181,7 @@ struct Job {
     int channels = 1;           ///< floats a pixel, 1 or more
     std::vector<Channel> kinds; ///< one a channel; empty: all blend
     MeshOptions mesh;
-    Surface surface = Surface::patch;
+    SurfaceOptions surface;
     int threads = 0; ///< 0: as many as there are cores
     /// Called from time to time with the share done, 0 to 1, one thread at a time; return false
     /// to cancel. May be empty.
@@ -182,7 +201,7 @@ Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& j
 /// `dst` likewise for the output size; `guide` is width x height floats or null, then the mean of
 /// the first up to three channels serves as it is.
 Outcome enlarge(const float* src, int width, int height, int channels, const float* guide,
-                float* dst, int dst_width, int dst_height, Surface surface = Surface::patch,
+                float* dst, int dst_width, int dst_height, const SurfaceOptions& surface = {},
                 const MeshOptions& mesh = {}, int threads = 0, std::string* error = nullptr);
 
 } // namespace ddt

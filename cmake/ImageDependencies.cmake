@@ -1,5 +1,5 @@
-# The image libraries the plugin needs, as the imported targets OpenImageIO::OpenImageIO and
-# PkgConfig::OpenColorIO.
+# The image libraries the plugin and the ImageBuf library need, as the imported targets
+# OpenImageIO::OpenImageIO and PkgConfig::OpenColorIO. Used as CoreDependencies.cmake is, after it.
 find_package(OpenImageIO 2.4 REQUIRED)
 
 # Debian's OpenImageIO names OpenCV's headers among its own, though nothing public uses them and

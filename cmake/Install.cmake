@@ -1,0 +1,28 @@
+# Installs the libraries for other CMake projects:
+#
+#   find_package(oiio-ddt)
+#   target_link_libraries(mine PRIVATE ddt::ddt_image)   # ImageBuf in and out
+#   target_link_libraries(mine PRIVATE ddt::ddt_core)    # plain float buffers, no OpenImageIO
+#
+# plugin/ installs the plugin and its wrapper script itself. tests/install holds the list of all
+# files that are installed.
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/oiio-ddt)
+
+install(DIRECTORY core/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(TARGETS ddt_core EXPORT oiio-ddt-targets)
+if(DDT_PLUGIN)
+  install(DIRECTORY plugin/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(TARGETS ddt_image EXPORT oiio-ddt-targets)
+endif()
+install(EXPORT oiio-ddt-targets NAMESPACE ddt:: DESTINATION ${package_dir})
+
+configure_package_config_file(cmake/oiio-ddt-config.cmake.in oiio-ddt-config.cmake
+  INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/oiio-ddt-config-version.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES
+  ${CMAKE_CURRENT_BINARY_DIR}/oiio-ddt-config.cmake
+  ${CMAKE_CURRENT_BINARY_DIR}/oiio-ddt-config-version.cmake
+  cmake/CoreDependencies.cmake cmake/ImageDependencies.cmake
+  DESTINATION ${package_dir})

@@ -1,0 +1,63 @@
+// Included inside a namespace, once for each SIMD target: T is a vector of floats, a lane a
+// channel. GLSL twin: shaders/consistency.glsl.
+//
+// A source pixel is four quadrants, each a quarter of one of the cells round its vertex V. The mean
+// of the surface over a quadrant is taken at 4 positions, (1/8 or 3/8, 1/8 or 3/8) from V, relative
+// to V's value. In a cell divided by its own diagonal that is a fixed sum over the cell's corners
+// V, X (beside V), Y (above or below V), D (opposite) and its edges, with dyadic weights, so that
+// where the values are a plane the sum over the four quadrants is exactly 0.
+
+template <class T>
+struct QuadrantCell {
+    T v, x, y, d;                     ///< values at the corners
+    T vx, vy, xd, yd, diagonal;       ///< bends of the edges
+    T qvx, qvy, qxd, qyd, q_diagonal; ///< their softness
+
+    /// The mean where the diagonal goes from V to D.
+    template <bool quadratic, bool soft>
+    DDT_INLINE T through() const {
+        T mean = ((x - v) + (y - v)) * T(1.0f / 16) + (d - v) * T(3.0f / 16);
+        if (quadratic)
+            mean = mean + ((diagonal * T(1.0f / 8) + (vx + vy) * T(5.0f / 128)) +
+                           (xd + yd) * T(1.0f / 128));
+        if (soft)
+            mean = mean + ((q_diagonal * T(3.0f / 16) + (qvx + qvy) * T(1.0f / 16)) +
+                           (qxd + qyd) * T(1.0f / 32));
+        return mean;
+    }
+
+    /// The mean where it goes from X to Y.
+    template <bool quadratic, bool soft>
+    DDT_INLINE T across() const {
+        T mean = ((x - v) + (y - v)) * T(1.0f / 4);
+        if (quadratic)
+            mean = mean + ((vx + vy) * T(7.0f / 64) + diagonal * T(1.0f / 16));
+        if (soft)
+            mean = mean + ((qvx + qvy) * T(7.0f / 32) + q_diagonal * T(3.0f / 16));
+        return mean;
+    }
+};
+
+/// A vertex moved from z so that the surface's mean over its pixel, z + sum / 4 where `sum` adds
+/// its quadrants' means, comes closer to `source`; within [low, high]. Where that is not finite: z.
+template <class T>
+DDT_INLINE T corrected(T z, T source, T sum, T low, T high) {
+    const T zero = T(0.0f);
+    const T step = (source - z) - sum * T(0.25f);
+    const T size = if_less(step, zero, zero - step, step);
+    T moved = z + step;
+    moved = if_less(moved, low, low, moved);
+    moved = if_less(high, moved, high, moved);
+    return if_less_equal(size, T(FLT_MAX), moved, z);
+}
+
+/// The range a vertex may be moved in, from the range of its 3x3 source pixels and the share of
+/// that by which it may be left.
+template <class T>
+DDT_INLINE void widen(T limit, T& low, T& high) {
+    const T zero = T(0.0f);
+    const T margin = limit * (high - low);
+    const T wide = low - margin;
+    high = high + margin;
+    low = if_less(low, zero, wide, if_less(wide, zero, zero, wide));
+}

@@ -1,0 +1,215 @@
+#include "core/surface/consistency.h"
+
+#include <cfloat>
+#include <cmath>
+#include <limits>
+
+#include "core/arith/arith.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/surface/consistency.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ddt {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
+
+#include "core/arith/lanes-inl.h"
+#include "core/sample/surface-inl.h"
+#include "core/surface/consistency-inl.h"
+
+using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
+
+HWY_ATTR void find_limits(int width, int height, const float* limit, Consistency& c) {
+    const ptrdiff_t row = ptrdiff_t(width) * group_size;
+    const Lanes4 margin = Lanes4::load(limit);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const ptrdiff_t at = y * row + ptrdiff_t(x) * group_size;
+            const float* z = c.source.data() + at;
+            Lanes4 low = Lanes4::load(z), high = low;
+            for (int dy = y > 0 ? -1 : 0; dy <= (y + 1 < height ? 1 : 0); ++dy)
+                for (int dx = x > 0 ? -1 : 0; dx <= (x + 1 < width ? 1 : 0); ++dx) {
+                    const Lanes4 n = Lanes4::load(z + dy * row + dx * group_size);
+                    low = if_less(n, low, n, low);
+                    high = if_less(high, n, n, high);
+                }
+            widen(margin, low, high);
+            low.store(c.low.data() + at);
+            high.store(c.high.data() + at);
+        }
+}
+
+/// The means of a plain cell's quadrants, added to its corners' sums.
+template <bool quadratic, bool soft>
+HWY_INLINE void add_plain_cell(const Net& net, int site, bool down, float* sum, ptrdiff_t row) {
+    const int stride = net.stride;
+    const auto load = [&](int s) HWY_ATTR { return Lanes4::load(net.at(s)); };
+    const auto load_soft = [&](int s) HWY_ATTR {
+        return Lanes4::load(net.soft.data() + size_t(s) * group_size);
+    };
+    const Lanes4 z0 = load(site), z1 = load(site + 2), z2 = load(site + 2 * stride),
+                 z3 = load(site + 2 * stride + 2);
+    const int top = site + 1, left = site + stride, middle = left + 1, right = left + 2,
+              bottom = top + 2 * stride;
+    Lanes4 e[5], q[5];
+    const int edges[5] = {top, left, right, bottom, middle};
+    for (int i = 0; i < 5; ++i) {
+        if (quadratic)
+            e[i] = load(edges[i]);
+        if (soft)
+            q[i] = load_soft(edges[i]);
+    }
+    enum { t, l, r, b, m };
+    const auto add = [&](float* to, const QuadrantCell<Lanes4>& c, bool through) HWY_ATTR {
+        const Lanes4 mean =
+            through ? c.template through<quadratic, soft>() : c.template across<quadratic, soft>();
+        (Lanes4::load(to) + mean).store(to);
+    };
+    const auto cell = [&](Lanes4 v, Lanes4 x, Lanes4 y, Lanes4 d, int vx, int vy, int xd,
+                          int yd) HWY_ATTR {
+        QuadrantCell<Lanes4> c;
+        c.v = v, c.x = x, c.y = y, c.d = d;
+        if (quadratic)
+            c.vx = e[vx], c.vy = e[vy], c.xd = e[xd], c.yd = e[yd], c.diagonal = e[m];
+        if (soft)
+            c.qvx = q[vx], c.qvy = q[vy], c.qxd = q[xd], c.qyd = q[yd], c.q_diagonal = q[m];
+        return c;
+    };
+    add(sum, cell(z0, z1, z2, z3, t, l, r, b), down);
+    add(sum + group_size, cell(z1, z0, z3, z2, t, r, l, b), !down);
+    add(sum + row, cell(z2, z3, z0, z1, b, l, r, t), !down);
+    add(sum + row + group_size, cell(z3, z2, z1, z0, b, r, l, t), down);
+}
+
+/// The same where other edges cross the cell: by locating the positions.
+template <bool quadratic, bool soft>
+HWY_INLINE void add_other_cell(const Lattice& lattice, const Net& net, int cx, int cy, float* sum,
+                               ptrdiff_t row) {
+    const Lanes4 strict = Lanes4::load(net.strict);
+    Triangle triangle;
+    Patch<Lanes4> patch;
+    bool known = false;
+    // Row by row through all 16 positions, so that most lie in the triangle of the one before.
+    Lanes4 mean[4] = {Lanes4(0.0f), Lanes4(0.0f), Lanes4(0.0f), Lanes4(0.0f)};
+    for (int i = 0; i < 16; ++i) {
+        const int py = i / 4, px = py % 2 ? 3 - i % 4 : i % 4;
+        const Point p{cx * position_one + (2 * px + 1) * (position_one / 8),
+                      cy * position_one + (2 * py + 1) * (position_one / 8)};
+        int32_t w[3] = {};
+        if (known)
+            triangle.weights(p, w);
+        if (!known || !triangle.holds(w)) {
+            triangle = locate(lattice, p);
+            triangle.weights(p, w);
+            known = true;
+            const auto load = [&](int s) HWY_ATTR { return Lanes4::load(net.at(s)); };
+            const auto load_soft = [&](int s) HWY_ATTR {
+                return Lanes4::load(net.soft.data() + size_t(s) * group_size);
+            };
+            patch.z0 = load(triangle.vertex[0]);
+            patch.z1 = load(triangle.vertex[1]);
+            patch.z2 = load(triangle.vertex[2]);
+            if (quadratic) {
+                patch.e01 = load(triangle.edge[0]);
+                patch.e12 = load(triangle.edge[1]);
+                patch.e20 = load(triangle.edge[2]);
+            }
+            if (soft) {
+                patch.q01 = load_soft(triangle.edge[0]);
+                patch.q12 = load_soft(triangle.edge[1]);
+                patch.q20 = load_soft(triangle.edge[2]);
+            }
+            patch.template find_range<soft>(strict);
+        }
+        constexpr float unit = 1.0f / float(position_one);
+        const int corner = px / 2 + 2 * (py / 2);
+        const Lanes4 z =
+            Lanes4::load(net.at(lattice.vertex_site(cx + (corner & 1), cy + (corner >> 1))));
+        const Lanes4 f = patch.template at<quadratic, soft>(
+            Lanes4(float(w[0]) * unit), Lanes4(float(w[1]) * unit), Lanes4(float(w[2]) * unit));
+        mean[corner] = mean[corner] + (f - z);
+    }
+    for (int corner = 0; corner < 4; ++corner) {
+        float* to = sum + (corner >> 1) * row + (corner & 1) * group_size;
+        (Lanes4::load(to) + mean[corner] * Lanes4(0.25f)).store(to);
+    }
+}
+
+template <bool quadratic, bool soft>
+HWY_INLINE void add_cells(const Lattice& lattice, const Net& net, float* sum) {
+    const ptrdiff_t row = ptrdiff_t(lattice.width()) * group_size;
+    for (int y = 0; y + 1 < lattice.height(); ++y)
+        for (int x = 0; x + 1 < lattice.width(); ++x) {
+            float* corner = sum + y * row + ptrdiff_t(x) * group_size;
+            const int site = lattice.vertex_site(x, y);
+            switch (division(lattice.edge(site + lattice.stride() + 1))) {
+            case Division::down:
+                add_plain_cell<quadratic, soft>(net, site, true, corner, row);
+                break;
+            case Division::up:
+                add_plain_cell<quadratic, soft>(net, site, false, corner, row);
+                break;
+            case Division::other:
+                add_other_cell<quadratic, soft>(lattice, net, x, y, corner, row);
+                break;
+            }
+        }
+}
+
+HWY_ATTR void correct(const Lattice& lattice, Surface surface, Net& net, Consistency& c) {
+    const bool soft = !net.soft.empty();
+    if (surface == Surface::linear && soft)
+        add_cells<false, true>(lattice, net, c.sum.data());
+    else if (surface == Surface::linear)
+        add_cells<false, false>(lattice, net, c.sum.data());
+    else if (soft)
+        add_cells<true, true>(lattice, net, c.sum.data());
+    else
+        add_cells<true, false>(lattice, net, c.sum.data());
+    for (int y = 1; y + 1 < lattice.height(); ++y)
+        for (int x = 1; x + 1 < lattice.width(); ++x) {
+            const size_t at = (size_t(y) * size_t(lattice.width()) + size_t(x)) * group_size;
+            float* z = net.at(lattice.vertex_site(x, y));
+            corrected(Lanes4::load(z), Lanes4::load(&c.source[at]), Lanes4::load(&c.sum[at]),
+                      Lanes4::load(&c.low[at]), Lanes4::load(&c.high[at]))
+                .store(z);
+        }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace ddt
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ddt {
+
+HWY_EXPORT(find_limits);
+HWY_EXPORT(correct);
+
+void Consistency::begin(const Lattice& lattice, const Net& net, float limit) {
+    const size_t n = size_t(lattice.width()) * size_t(lattice.height()) * group_size;
+    source.resize(n);
+    low.resize(n);
+    high.resize(n);
+    float* to = source.data();
+    for (int y = 0; y < lattice.height(); ++y)
+        for (int x = 0; x < lattice.width(); ++x, to += group_size)
+            std::memcpy(to, net.at(lattice.vertex_site(x, y)), group_size * sizeof(float));
+    float limits[group_size];
+    for (int c = 0; c < group_size; ++c)
+        limits[c] = net.strict[c] > 0 ? 0.0f : limit;
+    HWY_DYNAMIC_DISPATCH(find_limits)(lattice.width(), lattice.height(), limits, *this);
+}
+
+void Consistency::correct(const Lattice& lattice, Surface surface, Net& net) {
+    sum.assign(source.size(), 0.0f);
+    HWY_DYNAMIC_DISPATCH(correct)(lattice, surface, net, *this);
+}
+
+} // namespace ddt
+#endif

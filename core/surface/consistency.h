@@ -1,0 +1,32 @@
+// Correcting the vertices so that the surface's mean over each source pixel is the pixel's value.
+//
+// A camera's or renderer's pixel is a mean over an area; a surface through the pixel values has
+// other means. One round moves each vertex by the difference: z <- z + (source - mean). Vertices on
+// the lattice's rim, whose pixels the mesh covers only in part, stay. What comes out is limited to
+// the range of the 3x3 source pixels, widened (SurfaceOptions::limit).
+#pragma once
+
+#include <vector>
+
+#include "core/sample/locate.h"
+#include "core/surface/net.h"
+#include "ddt/core.h"
+
+namespace ddt {
+
+/// One group's source values and limits, kept from one tile to the next.
+class Consistency {
+public:
+    /// Take the net's vertices as the source. limit: SurfaceOptions::limit; 0 in strict lanes.
+    void begin(const Lattice& lattice, const Net& net, float limit);
+
+    /// One round on the whole lattice, whose edges must all have been bent (for Surface::patch) and
+    /// softened (where the net has soft edges).
+    void correct(const Lattice& lattice, Surface surface, Net& net);
+
+    // For the SIMD twins: group_size floats a pixel.
+    std::vector<float> source, low, high;
+    std::vector<float> sum; ///< of the quadrants' means
+};
+
+} // namespace ddt

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Installs into a scratch folder; compares the list of files with files.txt; builds a project
+# against the result that compiles every installed header alone and the examples of README.md.
+#
+#   install_test.sh SOURCE_DIR BUILD_DIR
+set -euo pipefail
+source_dir=$1 build_dir=$2
+here=$source_dir/tests/install
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+cmake --install "$build_dir" --prefix "$scratch/prefix" >/dev/null
+# The folder of libraries and the build type are in some names; the list is without either.
+(cd "$scratch/prefix" && find . -type f -printf '%P\n') |
+    sed -e 's,^lib/[a-z0-9_]*-linux-gnu/,lib/,' -e 's,targets-[a-z]*\.cmake,targets-TYPE.cmake,' |
+    LC_ALL=C sort >"$scratch/files.txt"
+diff -u "$here/files.txt" "$scratch/files.txt" ||
+    { echo "FAILED: the files installed are not those of tests/install/files.txt"; exit 1; }
+
+mkdir "$scratch/consumer"
+cp "$here"/consumer/* "$scratch/consumer/"
+awk -v folder="$scratch/consumer" '
+    /^```cpp/ { file = folder "/readme_" ++count ".cpp"; next }
+    /^```/ { file = "" }
+    file != "" { print >file }
+' "$source_dir/README.md"
+(cd "$scratch/prefix/include" && find . -name '*.h' -printf '%P\n') | while read -r header; do
+    echo "#include <$header>" >"$scratch/consumer/header_${header//[^a-z]/_}.cpp"
+done
+cmake -S "$scratch/consumer" -B "$scratch/consumer/build" -DCMAKE_PREFIX_PATH="$scratch/prefix" \
+    >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
+cmake --build "$scratch/consumer/build" -j 2 >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
+"$scratch/consumer/build/consumer" "$source_dir/testimages/scene.png" "$scratch/large.png"
+iinfo "$scratch/large.png" | grep '768 x  576'
+
+# The plugin and the wrapper find each other in the installed tree.
+"$scratch/prefix/bin/ddt-oiiotool" --pattern constant:color=1,0,0 8x8 3 --resize:filter=ddt 200% \
+    -o "$scratch/constant.png"

@@ -1,0 +1,244 @@
+#include "plugin/colour/light.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+
+#include "tests/plugin/images.h"
+
+namespace {
+
+/// Sets $OCIO for as long as it lives.
+class Ocio {
+public:
+    explicit Ocio(const std::string& path) { setenv("OCIO", path.c_str(), 1); }
+    ~Ocio() { unsetenv("OCIO"); }
+};
+
+class LightTest : public testing::Test {
+protected:
+    void SetUp() override { unsetenv("OCIO"); }
+
+    static std::shared_ptr<const ddt::Light> light(const std::string& space,
+                                                   const std::string& option = "auto") {
+        std::string error;
+        auto found = ddt::find_light(option, space, error);
+        EXPECT_TRUE(found) << error;
+        return found ? found : std::make_shared<ddt::Light>();
+    }
+
+    static std::string error_of(const std::string& space, const std::string& option = "auto") {
+        std::string error;
+        EXPECT_FALSE(ddt::find_light(option, space, error));
+        EXPECT_EQ(error.find('\n'), std::string::npos);
+        return error;
+    }
+
+    static std::array<float, 3> to(const ddt::Light& l, float r, float g, float b) {
+        std::array<float, 3> v{r, g, b};
+        l.to_light(v.data(), 1);
+        return v;
+    }
+
+    /// A config of a user: its reference is ACEScg-like, "curvy" mixes channels round a curve.
+    static std::string write_config() {
+        const std::string path = testing::TempDir() + "ddt_light_test.ocio";
+        std::ofstream(path) << R"(ocio_profile_version: 2
+luma: [0.5, 0.25, 0.25]
+roles: {default: raw, scene_linear: studio linear}
+displays:
+  none:
+    - !<View> {name: raw, colorspace: raw}
+colorspaces:
+  - !<ColorSpace>
+    name: studio linear
+  - !<ColorSpace>
+    name: raw
+    isdata: true
+  - !<ColorSpace>
+    name: sRGB
+    to_scene_reference: !<GroupTransform>
+      children:
+        - !<ExponentWithLinearTransform> {gamma: 2.4, offset: 0.055, style: mirror}
+        - !<MatrixTransform> {matrix: [0.6, 0.3, 0.1, 0, 0.1, 0.8, 0.1, 0, 0.1, 0.1, 0.8, 0, 0, 0, 0, 1]}
+  - !<ColorSpace>
+    name: curvy
+    to_scene_reference: !<GroupTransform>
+      children:
+        - !<MatrixTransform> {matrix: [0.6, 0.3, 0.1, 0, 0.1, 0.8, 0.1, 0, 0.1, 0.1, 0.8, 0, 0, 0, 0, 1]}
+        - !<ExponentTransform> {value: 2.2, style: mirror}
+  - !<ColorSpace>
+    name: log
+    to_scene_reference: !<LogAffineTransform> {base: 2, log_side_slope: 0.1, log_side_offset: 0.5, lin_side_slope: 1, lin_side_offset: 0.01, direction: inverse}
+)";
+        return path;
+    }
+};
+
+TEST_F(LightTest, KnownValues) {
+    EXPECT_NEAR(to(*light("sRGB"), 0.5f, 0, 1)[0], 0.2140411f, 1e-6f);
+    EXPECT_EQ(to(*light("sRGB"), 0.5f, 0, 1)[1], 0.0f);
+    EXPECT_NEAR(to(*light("sRGB"), 0.5f, 0, 1)[2], 1.0f, 1e-6f);
+    EXPECT_NEAR(to(*light("Rec709"), 0.5f, 0, 1)[0], 0.2595894f, 1e-5f);
+    EXPECT_NEAR(to(*light("Gamma2.2"), 0.5f, 0, 1)[0], std::pow(0.5f, 2.2f), 1e-6f);
+    EXPECT_NEAR(to(*light("gamma1.8"), 0.5f, 0, 1)[0], std::pow(0.5f, 1.8f), 1e-6f);
+    EXPECT_NEAR(to(*light("Gamma2.4"), 0.5f, 0, 1)[0], std::pow(0.5f, 2.4f), 1e-6f);
+    EXPECT_NEAR(to(*light("Gamma2.6"), 0.5f, 0, 1)[0], std::pow(0.5f, 2.6f), 1e-6f);
+    // The image's own primaries: no matrix is left.
+    EXPECT_NEAR(to(*light("AdobeRGB"), 0.5f, 0, 1)[0], std::pow(0.5f, 563.0f / 256), 1e-6f);
+    EXPECT_NEAR(to(*light("AdobeRGB"), 0.5f, 0, 1)[1], 0.0f, 1e-6f);
+}
+
+TEST_F(LightTest, LinearSpacesAreLeftAlone) {
+    for (const char* space : {"Linear", "linear", "scene_linear", "lin_rec709", "ACEScg",
+                              "ACES2065-1", "lin_srgb", "Gamma1"}) {
+        EXPECT_FALSE(light(space)->converts()) << space;
+        EXPECT_TRUE(light(space)->known()) << space;
+    }
+}
+
+TEST_F(LightTest, LumaIsThatOfThePrimaries) {
+    EXPECT_NEAR(light("sRGB")->luma()[1], 0.7152f, 1e-6f);
+    // AP1 in Rec.709's luminance: the row sums of the white stay 1.
+    const auto& l = light("ACEScg")->luma();
+    EXPECT_NEAR(l[0] + l[1] + l[2], 1.0f, 1e-5f);
+    EXPECT_NEAR(l[0], 0.267f, 0.01f);
+}
+
+TEST_F(LightTest, UnknownAndDataSpacesAreNotConverted) {
+    for (const char* space : {"", "KodakLog", "CMYK", "raw", "Gamma", "Gamma0", "Gamma2.2x"}) {
+        EXPECT_FALSE(light(space)->converts()) << space;
+        EXPECT_FALSE(light(space)->known()) << space;
+    }
+}
+
+TEST_F(LightTest, EveryCodeComesBack) {
+    for (const char* space : {"sRGB", "Rec709", "Gamma1.8", "Gamma2.2", "Gamma2.4", "AdobeRGB",
+                              "GammaCorrected", "Gamma2.6"})
+        for (const int top : {255, 65535}) {
+            const auto l = light(space);
+            ASSERT_TRUE(l->converts()) << space;
+            for (int code = 0; code <= top; ++code) {
+                float v[3];
+                for (float& c : v)
+                    c = float(code) / float(top);
+                l->to_light(v, 1);
+                l->from_light(v, 1);
+                for (const float c : v)
+                    ASSERT_EQ(int(c * float(top) + 0.5f), code) << space;
+            }
+        }
+}
+
+TEST_F(LightTest, BeyondTheTableAndNegative) {
+    const auto l = light("sRGB");
+    for (const float x : {-3.0f, -0.5f, -1e-12f, 1e-12f, 1e-30f, 7.0f, 1e3f, 3e5f}) {
+        float v[3] = {x, x, x};
+        l->to_light(v, 1);
+        const double a = std::fabs(double(x));
+        // OpenColorIO starts its straight part with the slope that makes no corner.
+        const double e = a <= 0.0392857 ? a / 12.9232102 : std::pow((a + 0.055) / 1.055, 2.4);
+        EXPECT_NEAR(std::fabs(v[0]) / e, 1.0, 2e-5) << x;
+        EXPECT_EQ(std::signbit(v[0]), std::signbit(x));
+        l->from_light(v, 1);
+        EXPECT_NEAR(v[0] / x, 1.0, 2e-5) << x;
+    }
+}
+
+TEST_F(LightTest, NumbersThatAreNotFiniteStayAlone) {
+    const float infinity = std::numeric_limits<float>::infinity();
+    const auto v = to(*light("sRGB"), std::nanf(""), 0.5f, infinity);
+    EXPECT_TRUE(std::isnan(v[0]));
+    EXPECT_NEAR(v[1], 0.2140411f, 1e-6f);
+    EXPECT_EQ(v[2], infinity);
+}
+
+TEST_F(LightTest, NamedSpaceMustBeKnown) {
+    EXPECT_TRUE(light("", "sRGB")->converts());
+    EXPECT_TRUE(light("Linear", "sRGB")->converts());
+    const std::string error = error_of("sRGB", "nosuch");
+    EXPECT_NE(error.find("\"nosuch\""), std::string::npos) << error;
+    for (const char* name : {"auto", "encoded", "sRGB", "ACEScg"})
+        EXPECT_NE(error.find(name), std::string::npos) << error;
+}
+
+TEST_F(LightTest, MissingOrBrokenConfigIsAnError) {
+    {
+        const Ocio ocio("/nowhere/config.ocio");
+        const std::string error = error_of("sRGB");
+        EXPECT_NE(error.find("/nowhere/config.ocio"), std::string::npos) << error;
+    }
+    const std::string path = testing::TempDir() + "ddt_broken.ocio";
+    std::ofstream(path) << "this is no config\n";
+    const Ocio ocio(path);
+    EXPECT_NE(error_of("sRGB").find(path), std::string::npos);
+    EXPECT_NE(error_of("", "sRGB").find(path), std::string::npos);
+    EXPECT_TRUE(light("")); // nothing to look up
+}
+
+TEST_F(LightTest, UsersConfigComesFirst) {
+    const Ocio ocio(write_config());
+    const auto srgb = light("sRGB");
+    EXPECT_NEAR(to(*srgb, 0.5f, 0, 1)[0], 0.2140411f, 1e-5f); // the matrix is left out
+    EXPECT_NEAR(to(*srgb, 0.5f, 0, 1)[1], 0.0f, 1e-5f);
+    // 0.5 * 0.6 + 0.25 * 0.1 + 0.25 * 0.1
+    EXPECT_NEAR(srgb->luma()[0], 0.35f, 1e-5f);
+    EXPECT_FALSE(light("Linear")->converts());
+    // Spaces it lacks: known to the carried config for images, unknown for the user.
+    EXPECT_TRUE(light("Rec709")->converts());
+    const std::string error = error_of("", "Rec709");
+    EXPECT_NE(error.find("studio linear"), std::string::npos) << error;
+    EXPECT_EQ(error.find("ACEScg"), std::string::npos) << error;
+}
+
+TEST_F(LightTest, SpaceThatMixesChannelsGoesThroughOcio) {
+    const Ocio ocio(write_config());
+    const auto curvy = light("curvy");
+    const auto v = to(*curvy, 0.2f, 0.4f, 0.9f);
+    EXPECT_NEAR(v[0], std::pow(0.6 * 0.2 + 0.3 * 0.4 + 0.1 * 0.9, 2.2), 1e-5);
+    EXPECT_NEAR(v[2], std::pow(0.1 * 0.2 + 0.1 * 0.4 + 0.8 * 0.9, 2.2), 1e-5);
+    std::vector<float> many(3000);
+    for (size_t i = 0; i < many.size(); ++i)
+        many[i] = float(i % 97) / 97.0f;
+    std::vector<float> back = many;
+    curvy->to_light(back.data(), back.size() / 3);
+    curvy->from_light(back.data(), back.size() / 3);
+    for (size_t i = 0; i < many.size(); ++i)
+        ASSERT_NEAR(back[i], many[i], 1e-5f);
+}
+
+TEST_F(LightTest, LogarithmicSpaceComesBack) {
+    const Ocio ocio(write_config());
+    const auto log = light("log");
+    ASSERT_TRUE(log->converts());
+    EXPECT_FALSE(log->keeps_unit());
+    for (int code = 0; code <= 255; ++code) {
+        float v[3] = {float(code) / 255, float(code) / 255, float(code) / 255};
+        log->to_light(v, 1);
+        log->from_light(v, 1);
+        ASSERT_EQ(int(v[1] * 255 + 0.5f), code);
+    }
+}
+
+// What it is for: the middle between black and white is half the light, code 188 of 255.
+TEST_F(LightTest, MiddleOfBlackAndWhite) {
+    auto middle = [](const char* option, const char* space) {
+        auto src = images::make(2, 2, 3, OIIO::TypeUInt8);
+        images::fill(src, [](int x, int, int) { return float(x); });
+        src.specmod().attribute("oiio:ColorSpace", space);
+        ddt::Options options;
+        options.surface = ddt::Surface::linear;
+        options.light = option;
+        const auto dst = images::enlarged(src, 6, 6, options);
+        return int(std::lround(images::value(dst, 2, 2) * 255));
+    };
+    // Pixel 2 of 6 shows position 1/3: a third of the light.
+    EXPECT_EQ(middle("auto", "sRGB"), 156);
+    EXPECT_EQ(middle("encoded", "sRGB"), 85);
+    EXPECT_EQ(middle("auto", "Linear"), 85);
+    EXPECT_EQ(middle("auto", ""), 85);
+    EXPECT_EQ(middle("sRGB", ""), 156);
+}
+
+} // namespace

@@ -1,0 +1,144 @@
+// What fails, fails with one line, and leaves nothing half done.
+#include <fstream>
+
+#include "tests/plugin/images.h"
+
+namespace {
+
+using images::make;
+using images::value;
+using images::window;
+using OIIO::ImageBuf;
+using OIIO::ImageSpec;
+using OIIO::ROI;
+
+void expect_error(ImageBuf& dst, const char* what) {
+    ASSERT_TRUE(dst.has_error());
+    const std::string error = dst.geterror();
+    EXPECT_EQ(error.compare(0, 5, "ddt: "), 0) << error;
+    EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+    EXPECT_NE(error.find(what), std::string::npos) << error;
+}
+
+void expect_failure(const ImageBuf& src, const char* what, ROI roi = window(0, 64, 0, 64),
+                    const ddt::Options& options = {}) {
+    ImageBuf dst;
+    EXPECT_FALSE(ddt::resize(dst, src, options, roi));
+    EXPECT_FALSE(dst.initialized());
+    expect_error(dst, what);
+    ImageBuf warped;
+    const float M[3][3] = {{2, 0, 0}, {0, 2, 0}, {0, 0, 1}};
+    EXPECT_FALSE(ddt::warp(warped, src, M, options, false, ImageBuf::WrapDefault, roi));
+    EXPECT_FALSE(warped.initialized());
+    expect_error(warped, what);
+}
+
+TEST(Errors, UninitialisedSource) {
+    expect_failure(ImageBuf(), "uninitialised");
+}
+
+TEST(Errors, FileThatIsNotThere) {
+    expect_failure(ImageBuf("/nowhere/picture.png"), "/nowhere/picture.png");
+}
+
+TEST(Errors, FileThatIsCutShort) {
+    const std::string path = testing::TempDir() + "ddt_cut.tif";
+    auto whole = make(200, 200, 3, OIIO::TypeUInt8);
+    images::noise(whole);
+    ASSERT_TRUE(whole.write(path));
+    std::ifstream in(path, std::ios::binary);
+    std::string content((std::istreambuf_iterator<char>(in)), {});
+    std::ofstream(path, std::ios::binary | std::ios::trunc) << content.substr(0, 30000);
+    ImageBuf dst;
+    EXPECT_FALSE(ddt::resize(dst, ImageBuf(path), {}, window(0, 400, 0, 400)));
+    EXPECT_FALSE(dst.initialized());
+    EXPECT_TRUE(dst.has_error());
+}
+
+TEST(Errors, DeepImage) {
+    ImageSpec spec(8, 8, 3, OIIO::TypeFloat);
+    spec.deep = true;
+    expect_failure(ImageBuf(spec), "deep");
+    const auto src = make(8, 8, 3);
+    ImageBuf dst(spec);
+    EXPECT_FALSE(ddt::resize(dst, src));
+    expect_error(dst, "deep");
+}
+
+TEST(Errors, Volume) {
+    ImageSpec spec(8, 8, 3, OIIO::TypeFloat);
+    spec.depth = spec.full_depth = 4;
+    expect_failure(ImageBuf(spec), "volume");
+}
+
+TEST(Errors, EmptyDisplayWindow) {
+    auto src = make(8, 8, 3);
+    src.specmod().full_width = 0;
+    expect_failure(src, "display window");
+    src.specmod().full_width = -5;
+    expect_failure(src, "display window");
+}
+
+TEST(Errors, AbsurdSize) {
+    const auto src = make(8, 8, 3);
+    expect_failure(src, "2000000 x 2000000", window(0, 2000000, 0, 2000000));
+    expect_failure(src, "coordinates", window(0, 2147483647, 0, 1));
+    ImageBuf dst;
+    const float M[3][3] = {{1e9f, 0, 0}, {0, 1e9f, 0}, {0, 0, 1}};
+    EXPECT_FALSE(ddt::warp(dst, src, M, {}, true));
+    expect_error(dst, "coordinates");
+}
+
+TEST(Errors, MatrixWithoutInverse) {
+    const auto src = make(8, 8, 3);
+    const float nan = std::nanf("");
+    const float flat[3][3] = {{1, 1, 0}, {1, 1, 0}, {0, 0, 1}};
+    const float none[3][3] = {{nan, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (const auto& M : {flat, none}) {
+        ImageBuf dst;
+        EXPECT_FALSE(ddt::warp(dst, src, *reinterpret_cast<const float(*)[3][3]>(M)));
+        expect_error(dst, "inverse");
+    }
+}
+
+TEST(Errors, UnknownColourSpace) {
+    ddt::Options options;
+    options.light = "nosuch";
+    expect_failure(make(8, 8, 3), "nosuch", window(0, 64, 0, 64), options);
+}
+
+TEST(Errors, MissingConfig) {
+    auto src = make(8, 8, 3);
+    src.specmod().attribute("oiio:ColorSpace", "sRGB");
+    setenv("OCIO", "/nowhere/config.ocio", 1);
+    expect_failure(src, "/nowhere/config.ocio");
+    ddt::Options encoded;
+    encoded.light = "encoded";
+    ImageBuf dst;
+    EXPECT_TRUE(ddt::resize(dst, src, encoded, window(0, 64, 0, 64))) << dst.geterror();
+    unsetenv("OCIO");
+}
+
+TEST(Errors, CancelledLeavesNothing) {
+    auto src = make(600, 300, 3);
+    images::fill(src, [](int, int, int) { return 0.5f; });
+    ddt::Options options;
+    options.progress = [](float) { return false; };
+    expect_failure(src, "cancelled", window(0, 700, 0, 400), options);
+    auto dst = make(700, 400, 3);
+    images::fill(dst, [](int, int, int) { return 0.25f; });
+    EXPECT_FALSE(ddt::resize(dst, src, options, window(0, 700, 0, 200)));
+    expect_error(dst, "cancelled");
+    for (int y = 0; y < 400; ++y)
+        for (int x = 0; x < 700; ++x)
+            ASSERT_EQ(value(dst, x, y), y < 200 ? 0.0f : 0.25f);
+}
+
+TEST(Errors, CallbackThatThrows) {
+    auto src = make(16, 16, 1);
+    ddt::Options options;
+    options.progress = [](float) -> bool { throw std::runtime_error("from the callback"); };
+    expect_failure(src, "from the callback", window(0, 64, 0, 64), options);
+}
+
+} // namespace

@@ -1,0 +1,96 @@
+#include "plugin/image/channels.h"
+
+#include "tests/plugin/images.h"
+
+namespace {
+
+using OIIO::ImageSpec;
+using OIIO::TypeDesc;
+
+ImageSpec named(std::vector<std::string> names, TypeDesc type = OIIO::TypeFloat) {
+    ImageSpec spec(4, 4, int(names.size()), type);
+    spec.alpha_channel = -1;
+    spec.z_channel = -1;
+    for (size_t i = 0; i < names.size(); ++i) {
+        if (names[i] == "A")
+            spec.alpha_channel = int(i);
+        if (names[i] == "Z")
+            spec.z_channel = int(i);
+    }
+    spec.channelnames = std::move(names);
+    return spec;
+}
+
+TEST(Channels, NamesOfIds) {
+    for (const char* name : {"id", "ID", "Id", "objectId", "objectID", "materialid", "prim_id",
+                             "layer.ID", "node.id", "OBJECTID", "instance2id"})
+        EXPECT_TRUE(ddt::is_id_name(name)) << name;
+    for (const char* name : {"", "d", "i", "R", "grid", "GRID", "uvGrid", "fluid", "layer.solid",
+                             "Void", "idle", "id.R", "centroid"})
+        EXPECT_FALSE(ddt::is_id_name(name)) << name;
+}
+
+TEST(Channels, ColourByNameInAnyOrder) {
+    const auto c = ddt::channels_of(named({"A", "B", "G", "R", "Z"}));
+    EXPECT_EQ(c.colour.count, 3);
+    EXPECT_EQ(c.colour.channel[0], 3);
+    EXPECT_EQ(c.colour.channel[1], 2);
+    EXPECT_EQ(c.colour.channel[2], 1);
+    EXPECT_EQ(c.colour.alpha, 0);
+    EXPECT_EQ(c.alpha, 0);
+}
+
+TEST(Channels, ColourIsTheFirstThreeWithoutNames) {
+    EXPECT_EQ(ddt::channels_of(named({"diffuse.R", "diffuse.G", "diffuse.B"})).colour.count, 3);
+    EXPECT_EQ(ddt::channels_of(named({"u", "A", "v"})).colour.count, 0);
+    EXPECT_EQ(ddt::channels_of(named({"Z", "u", "v"})).colour.count, 0);
+    EXPECT_EQ(ddt::channels_of(named({"objectId", "u", "v"})).colour.count, 0);
+}
+
+TEST(Channels, GreyIsColour) {
+    const auto c = ddt::channels_of(named({"A", "Y"}));
+    EXPECT_EQ(c.colour.count, 1);
+    EXPECT_EQ(c.colour.channel[0], 1);
+    EXPECT_EQ(c.colour.alpha, 0);
+    EXPECT_EQ(ddt::channels_of(named({"height"})).colour.count, 1);
+    EXPECT_EQ(ddt::channels_of(named({"u", "v"})).colour.count, 0);
+    EXPECT_EQ(ddt::channels_of(named({"Z"})).colour.count, 0);
+}
+
+TEST(Channels, GuideWithoutColour) {
+    EXPECT_EQ(ddt::channels_of(named({"A", "id", "u", "v"})).guide, 2);
+    EXPECT_EQ(ddt::channels_of(named({"A", "id"})).guide, -1);
+    EXPECT_EQ(ddt::channels_of(named({"Z"})).guide, 0);
+}
+
+TEST(Channels, UnassociatedAlphaIsNotDividedBy) {
+    ImageSpec spec = named({"R", "G", "B", "A"});
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    EXPECT_EQ(ddt::channels_of(spec).colour.alpha, -1);
+    EXPECT_EQ(ddt::channels_of(spec).alpha, 3);
+}
+
+TEST(Channels, IntegersAreIds) {
+    for (const auto type : {TypeDesc::UINT32, TypeDesc::INT32}) {
+        const auto c = ddt::channels_of(named({"R", "G", "B"}, TypeDesc(type)));
+        EXPECT_TRUE(c.raw);
+        EXPECT_EQ(c.colour.count, 0);
+        for (const auto kind : c.kinds)
+            EXPECT_EQ(kind, ddt::Channel::nearest);
+    }
+    EXPECT_FALSE(ddt::channels_of(named({"R"}, OIIO::TypeUInt16)).raw);
+}
+
+TEST(Channels, Cryptomatte) {
+    ImageSpec spec = named({"R", "G", "B", "matte.R", "matte00.R", "matte01.A", "matte000",
+                            "CryptoObject00.G", "CryptoObject.R"});
+    spec.attribute("cryptomatte/1a2b3c/name", "matte");
+    const auto c = ddt::channels_of(spec);
+    const std::vector<int> ids{4, 5, 7};
+    for (int i = 0; i < spec.nchannels; ++i)
+        EXPECT_EQ(c.kinds[size_t(i)] == ddt::Channel::nearest,
+                  std::find(ids.begin(), ids.end(), i) != ids.end())
+            << spec.channelnames[size_t(i)];
+}
+
+} // namespace
