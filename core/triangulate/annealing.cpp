@@ -108,6 +108,8 @@ void annealing(Lattice& lattice, Cost cost, float min_gain, int iterations, uint
         const float left = float(iterations - i) / float(iterations);
         scheme.iterate(i, (hottest * left) * left);
     }
+    // Stamps of the first one_round would be taken for those of the second.
+    lattice.each_edge([&](int m) { lattice.edge(m).stamp = 0; });
     one_round(lattice, cost, min_gain, iterations, w, statistics);
 }
 
