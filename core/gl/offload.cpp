@@ -22,7 +22,7 @@ bool place(const Job& job, Placement& placement, std::string& why) {
     if (wanted == Device::cpu)
         return true;
     const bool named = wanted != Device::automatic;
-    if (!named && (!gl::Mesh::knows(job.mesh.scheme) ||
+    if (!named && (!gl::Mesh::knows(job.mesh) ||
                    job.window.area() < (gl::is_open(wanted) ? worth_using : worth_opening)))
         return true;
     bool forked = false;

@@ -6,6 +6,7 @@
 #include <new>
 
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -25,11 +26,16 @@ constexpr size_t memory_limit = size_t(192) << 20;
 /// Largest coordinate of a window, so that positions and sites stay far from overflow.
 constexpr int largest_coordinate = 1 << 29;
 
+/// Largest number of pixels of a window, so that its tiles can be counted.
+constexpr double largest_area = double(int64_t(1) << 45);
+
 bool check(const Job& job, std::string& error) {
     const Rect& w = job.window;
     if (w.empty() || std::min(w.x0, w.y0) < -largest_coordinate ||
         std::max(w.x1, w.y1) > largest_coordinate)
         error = "ddt: the source window must not be empty, its coordinates within +-2^29";
+    else if (double(w.width()) * double(w.height()) > largest_area)
+        error = "ddt: the source window must not have more than 2^45 pixels";
     else if (job.channels < 1)
         error = "ddt: there must be at least 1 channel";
     else if (!job.kinds.empty() && job.kinds.size() != size_t(job.channels))
@@ -68,11 +74,16 @@ void add(const Statistics& s, Statistics& sum) {
     sum.pixels += s.pixels;
     sum.evaluations += s.evaluations;
     sum.flips += s.flips;
+    sum.rounds += s.rounds;
     sum.iterations = std::max(sum.iterations, s.iterations);
 }
 
 int thread_count(const Job& job) {
-    return job.threads > 0 ? job.threads : tbb::this_task_arena::max_concurrency();
+    const int wanted = job.threads > 0 ? job.threads : tbb::this_task_arena::max_concurrency();
+    // More than there can be would make oneTBB print a warning.
+    const size_t most =
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    return int(std::min<size_t>(size_t(wanted), most));
 }
 
 /// Work on all tiles that are not done.

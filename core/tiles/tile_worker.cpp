@@ -21,13 +21,18 @@ bool contains(const Rect& outer, const Rect& inner) {
            inner.y1 <= outer.y1;
 }
 
+/// Pixels of the largest tile of a window; a lattice has at least 2 x 2.
+size_t largest_tile(const Rect& window) {
+    const auto along = [](int pixels) {
+        return size_t(std::clamp(pixels, 2, tile_size + 1 + 2 * tile_halo));
+    };
+    return along(window.width()) * along(window.height());
+}
+
 } // namespace
 
 size_t TileWorker::memory(const Job& job) {
-    const auto along = [](int window) {
-        return size_t(std::min(window, tile_size + 1 + 2 * tile_halo));
-    };
-    const size_t pixels = along(job.window.width()) * along(job.window.height());
+    const size_t pixels = largest_tile(job.window);
     const size_t sites = 4 * pixels;
     // Lattice, gains, work lists; then what the surface takes; guide and values.
     const size_t mesh = sites * (sizeof(Site) + sizeof(float) + 4 * sizeof(int));
@@ -39,11 +44,29 @@ size_t TileWorker::memory(const Job& job) {
     return mesh + nets + soft + gradients + consistency + planes + 2 * strip_floats * sizeof(float);
 }
 
+void TileWorker::reserve() {
+    const size_t pixels = largest_tile(m_job.window), sites = 4 * pixels;
+    m_values.reserve(pixels * size_t(m_job.channels));
+    m_guide.reserve(pixels);
+    m_lattice.reserve(sites);
+    m_workspace.gain.reserve(sites);
+    m_nets.resize(size_t(group_count(m_job.channels)));
+    for (Net& net : m_nets)
+        net.values.reserve(sites * group_size);
+    if (m_job.surface.soft > 0)
+        for (Net& net : m_nets)
+            net.soft.reserve(sites * group_size);
+    if (m_job.surface.kind != Surface::linear)
+        m_gradients.xy.reserve((sites + 1) * group_size);
+}
+
 Outcome TileWorker::work(const Tile& tile, int first_row) {
     Rect reach = reach_of(tile, m_job.window, m_mapping);
     reach.y0 = std::max(reach.y0, first_row);
     if (reach.empty())
         return Outcome::done;
+    if (m_nets.empty())
+        reserve();
     if (!read(tile))
         return Outcome::source_failed;
     make_surface(tile);
@@ -54,6 +77,8 @@ bool TileWorker::read(const Tile& tile) {
     int width = 0, height = 0;
     if (!read_tile(m_source, tile, m_job, m_values, m_guide, width, height))
         return false;
+    m_workspace.origin_x = tile.pixels.x0 - m_job.window.x0;
+    m_workspace.origin_y = tile.pixels.y0 - m_job.window.y0;
     const DenormalsAreZero as_on_gpus;
     m_lattice.start(width, height, m_guide.data(), m_job.mesh.start == Start::flat);
     return true;
@@ -69,9 +94,7 @@ void TileWorker::make_surface(const Tile& tile) {
         find_gains(m_lattice, m_job.mesh.cost, m_workspace);
 
     const Rect whole{0, 0, m_lattice.width(), m_lattice.height()};
-    const int groups = group_count(m_job.channels);
-    m_nets.resize(size_t(groups));
-    for (int g = 0; g < groups; ++g) {
+    for (int g = 0; g < int(m_nets.size()); ++g) {
         Net& net = m_nets[size_t(g)];
         set_vertices(m_lattice, m_values.data(), m_job.channels, g * group_size,
                      channels_in_group(m_job.channels, g), net);
@@ -84,6 +107,7 @@ void TileWorker::make_surface(const Tile& tile) {
             shape(net, whole);
             m_consistency.correct(m_lattice, surface.kind, net);
         }
+        m_consistency.restore(m_lattice, nearest_mask(m_job, g), net);
     }
     // The halo is not sampled, but triangles of the tile reach into it, seldom far.
     const Rect &c = tile.cells, &p = tile.pixels;

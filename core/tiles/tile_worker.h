@@ -28,6 +28,9 @@ public:
     static size_t memory(const Job& job);
 
 private:
+    /// Take the memory that the largest tile needs: a vector that grows from tile to tile would
+    /// take up to twice of it.
+    void reserve();
     bool read(const Tile& tile);
     void make_surface(const Tile& tile);
     void bend(const Rect& part);

@@ -17,17 +17,30 @@
 #include <string>
 #include <vector>
 
+#include "ddt/costs.h"
+
 namespace ddt {
 
 /// How much an edge of the mesh costs, from the gradients of the guide in its two triangles.
-/// Formulas and sources are in core/cost/cost.h.
-enum class Cost : uint8_t { abn, scf };
+/// Formulas and sources are in core/cost/cost-inl.h.
+enum class Cost : uint8_t {
+#define DDT_ENUMERATOR(name, ...) name,
+    DDT_COSTS(DDT_ENUMERATOR)
+#undef DDT_ENUMERATOR
+};
 
-/// Which edges flip, in which order.
+/// Which edges flip, in which order. Sources are in core/triangulate/; names in ddt/names.h.
 enum class Scheme : uint8_t {
-    one_round, ///< parallel: of the edges that gain, those that are the best of their 2-region
-    lawson,    ///< sequential reference: sweeps in address order, an edge that gains flips at once
-    pixel,     ///< the starting mesh as it is (Su & Willis 2004)
+    one_round,        ///< parallel: of the edges that gain, those that are the best of their region
+    lawson,           ///< sequential: sweeps in address order, an edge that gains flips at once
+    basic,            ///< the paper's: edges with the smallest addresses, accepted in rounds
+    exproi,           ///< the paper's: basic with the wide region
+    maxgain,          ///< the paper's: edges with the largest gains, accepted in rounds
+    exproi_maxgain,   ///< the paper's: maxgain with the wide region
+    exproi_n_maxgain, ///< the paper's: maxgain, the region wide for the first iterations only
+    look_ahead,       ///< sequential: also flips that pay together with a second (Yu et al. 2001)
+    annealing,        ///< parallel: flips that lose, at random, then one_round (Schumaker 1993)
+    pixel,            ///< the starting mesh as it is (Su & Willis 2004)
 };
 
 /// Which diagonal a 2x2 cell of pixels starts with.
@@ -71,10 +84,14 @@ struct MeshOptions {
     Cost cost = Cost::abn;
     Scheme scheme = Scheme::one_round;
     Start start = Start::flat;
-    /// A flip must gain more than this, in units of the cost. Negative: the cost's own default.
+    /// A flip must gain more than this, in units of the cost. Negative: the cost's own default (see
+    /// ddt/costs.h), for lawson and the paper's schemes a bare guard against rounding.
     float min_gain = -1.0f;
-    /// Iterations (lawson: sweeps) after which flipping ends; 0 to 250.
+    /// Iterations after which flipping ends; 0 to 250. For lawson and look_ahead these are sweeps,
+    /// for annealing it is the number of random iterations and the limit of those that follow.
     int max_iterations = 64;
+    int wide_iterations = 2; ///< exproi_n_maxgain: iterations with the wide region
+    uint32_t seed = 1;       ///< annealing: another seed, another mesh
 };
 
 /// Pixels x0 <= x < x1, y0 <= y < y1.
@@ -164,6 +181,7 @@ struct Statistics {
     int64_t pixels = 0;      ///< vertices of all meshes
     int64_t evaluations = 0; ///< gains computed
     int64_t flips = 0;
+    int64_t rounds = 0; ///< of accepting and rejecting, in the schemes that do
     int iterations = 0; ///< the largest of any tile
     /// Where the tiles were worked on; cpu if at least one was. Never automatic.
     Device device = Device::cpu;
