@@ -121,7 +121,7 @@ std::vector<float> untiled(const TestSource& source, const Job& job, const Resiz
             points.push_back({int32_t(p.x - int64_t(w.x0) * position_one),
                               int32_t(p.y - int64_t(w.y0) * position_one)});
         locate_row(lattice, points.data(), out.width(), row);
-        evaluate_row(net, job.surface, 0, row, 1, 0, 1,
+        evaluate_row(net, job.surface.kind, 0, row, 1, 0, 1,
                      values.data() + size_t(y - out.y0) * size_t(out.width()));
     }
     values.resize(out.area());
