@@ -26,9 +26,16 @@ std::string name_of(const SurfaceOptions& s) {
 
 class SameBits : public OnDevice {};
 
-constexpr Scheme schemes[] = {
-    Scheme::one_round,      Scheme::lawson,           Scheme::basic,      Scheme::exproi,    Scheme::maxgain,
-    Scheme::exproi_maxgain, Scheme::exproi_n_maxgain, Scheme::look_ahead, Scheme::annealing, Scheme::pixel};
+constexpr Scheme schemes[] = {Scheme::one_round,
+                              Scheme::lawson,
+                              Scheme::basic,
+                              Scheme::exproi,
+                              Scheme::maxgain,
+                              Scheme::exproi_maxgain,
+                              Scheme::exproi_n_maxgain,
+                              Scheme::look_ahead,
+                              Scheme::annealing,
+                              Scheme::pixel};
 constexpr Cost costs[] = {Cost::abn, Cost::scf, Cost::jnd, Cost::dlp, Cost::dp};
 
 TEST_P(SameBits, EverySchemeAndCost) {
