@@ -26,7 +26,8 @@ struct TileSize {
 };
 
 /// What an iteration did on one tile: gains computed, edges flipped, candidates left waiting, edges
-/// a flip had touched, rounds of accepting and rejecting. The layout of Counts in shaders/work.glsl.
+/// a flip had touched, rounds of accepting and rejecting. The layout of Counts in
+/// shaders/work.glsl.
 struct IterationCounts {
     uint32_t evaluated = 0, selected = 0, blocked = 0, dirty = 0, rounds = 0;
 };
@@ -82,8 +83,7 @@ private:
     void accept_reject(const Rules& rules);
     void evaluate_all(int iteration);
     void iteration(int i);
-    void use(const char* shader, int first_iteration, int last_iteration,
-             const char* defines = "");
+    void use(const char* shader, int first_iteration, int last_iteration, const char* defines = "");
     void barrier(bool with_arguments = false);
     void dispatch_indirect(size_t offset);
 
