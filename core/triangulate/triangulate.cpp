@@ -40,7 +40,7 @@ void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& worksp
     case Scheme::one_round:
         return one_round(lattice, cost, threshold, iterations, workspace, statistics);
     case Scheme::lawson:
-        return lawson(lattice, cost, threshold, iterations, statistics);
+        return lawson(lattice, cost, threshold, iterations, workspace, statistics);
     case Scheme::basic:
         return by_rules({false, 0, true});
     case Scheme::exproi:
@@ -52,7 +52,7 @@ void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& worksp
     case Scheme::exproi_n_maxgain:
         return by_rules({true, options.wide_iterations, true});
     case Scheme::look_ahead:
-        return look_ahead(lattice, cost, threshold, iterations, statistics);
+        return look_ahead(lattice, cost, threshold, iterations, workspace, statistics);
     case Scheme::annealing:
         return annealing(lattice, cost, threshold, iterations, options.seed, workspace, statistics);
     case Scheme::pixel:

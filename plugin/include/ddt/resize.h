@@ -57,10 +57,10 @@ std::vector<std::string> filter_names();
 bool is_filter_name(OIIO::string_view spec);
 
 /// Parse "ddt,key=value,...": the name sets the surface, each key its option; what is not named
-/// keeps its value in `options`. Keys: consistency, cost, iterations,
-/// light, limit, min_gain, scheme, soft, start. On failure
-/// return false with one line in `error` that names the option and lists what is allowed; `options`
-/// is then unchanged.
+/// keeps its value in `options`. Keys: consistency, cost, iterations, light, limit, min_gain,
+/// scheme, seed, soft, start; values with names are those of ddt/names.h. On failure return false
+/// with one line in `error` that names the option and lists what is allowed; `options` is then
+/// unchanged.
 bool parse_filter(OIIO::string_view spec, Options& options, std::string& error);
 
 /// Resize: the source's display window maps onto dst's, pixel centres at half integers; data
