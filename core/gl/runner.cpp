@@ -65,7 +65,8 @@ void Runner::drop_meshes() {
 }
 
 size_t Runner::affordable_tiles() const {
-    const size_t a_tile = Mesh::bytes(m_shape) + Surfaces::bytes(m_shape, size_t(m_groups), m_job.surface);
+    const size_t a_tile =
+        Mesh::bytes(m_shape) + Surfaces::bytes(m_shape, size_t(m_groups), m_job.surface);
     const size_t largest =
         std::max(Mesh::largest_bytes(m_shape), Surfaces::largest_bytes(m_shape, m_job.surface));
     const size_t budget = m_gpu.context->software ? software_budget : hardware_budget;
@@ -143,7 +144,7 @@ bool Runner::read(HostTile& t) {
             for (int g = 0; g < m_groups; ++g, in += group_size, out += pixels * group_size)
                 std::memcpy(out, in, size_t(channels_in_group(m_job.channels, g)) * sizeof(float));
         }
-    if (!Mesh::knows(m_job.mesh.scheme)) {
+    if (!Mesh::knows(m_job.mesh)) {
         triangulate_here(t, guide);
         return true;
     }
@@ -159,6 +160,8 @@ void Runner::triangulate_here(HostTile& t, const std::vector<float>& guide) {
     const DenormalsAreZero as_on_gpus;
     Lattice lattice;
     Workspace workspace;
+    workspace.origin_x = t.tile.pixels.x0 - m_job.window.x0;
+    workspace.origin_y = t.tile.pixels.y0 - m_job.window.y0;
     lattice.start(t.size.width, t.size.height, guide.data(), m_job.mesh.start == Start::flat);
     triangulate(lattice, m_job.mesh, workspace, t.statistics);
     t.sites.resize(m_shape.sites());
@@ -218,6 +221,7 @@ void Runner::start_batch() {
         for (size_t k = 0; k < counts[i].size(); ++k) {
             t.statistics.evaluations += counts[i][k].evaluated;
             t.statistics.flips += counts[i][k].selected;
+            t.statistics.rounds += counts[i][k].rounds;
             if (counts[i][k].selected > 0)
                 t.statistics.iterations = int(k) + 1;
         }
@@ -292,6 +296,7 @@ void Runner::write(const Strip& strip) {
     m_statistics.pixels += t.statistics.pixels;
     m_statistics.evaluations += t.statistics.evaluations;
     m_statistics.flips += t.statistics.flips;
+    m_statistics.rounds += t.statistics.rounds;
     m_statistics.iterations = std::max(m_statistics.iterations, t.statistics.iterations);
 }
 

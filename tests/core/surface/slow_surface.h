@@ -62,7 +62,7 @@ public:
         high = high < z3[2] ? z3[2] : high;
         r = r < low ? low : r;
         r = high < r ? high : r;
-        return r == r ? r : float_of(0x7fc00000);
+        return r == r ? r + 0.0f : float_of(0x7fc00000); // zero without sign
     }
 
 private:
