@@ -18,7 +18,7 @@ struct Patch {
         high = if_less(high, z2, z2, high);
         if (soft) {
             const T zero = T(0.0f);
-            low = if_less(zero, strict, low, if_less(low, zero, T(-INFINITY), zero));
+            low = if_less(zero, strict, low, if_less_equal(zero, low, zero, T(-INFINITY)));
             high = if_less(zero, strict, high, T(INFINITY));
         }
     }
