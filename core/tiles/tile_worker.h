@@ -18,8 +18,9 @@ public:
     TileWorker(Source& source, Sink& sink, const Mapping& mapping, const Job& job)
         : m_source(source), m_sink(sink), m_mapping(mapping), m_job(job) {}
 
-    /// Read, triangulate, sample and write the tile; nothing if the mapping shows none of it.
-    Outcome work(const Tile& tile);
+    /// Read, triangulate, sample and write the tile's output rows from first_row on; nothing if the
+    /// mapping shows none of it.
+    Outcome work(const Tile& tile, int first_row);
 
     const Statistics& statistics() const { return m_statistics; }
 

@@ -51,7 +51,8 @@ class Commands(Case):
                 self.assertEqual(len(set(hashes.values())), len(filters), hashes)
 
     def test_the_filter_is_ours(self):
-        self.check_all_differ("photo.tif", ("ddt", "ddt-linear", "triangle", "lanczos3"))
+        self.check_all_differ("photo.tif", ("ddt", "ddt-linear", "ddt-sharp", "triangle",
+                                          "lanczos3"))
 
     def test_options_reach_the_filter(self):
         self.check_all_differ("photo.png",
@@ -68,8 +69,8 @@ class Commands(Case):
             if "Filters available" in line:
                 names = line.replace(",", " ").split()
                 break
-        self.assertIn("ddt", names)
-        self.assertIn("ddt-linear", names)
+        for name in ("ddt", "ddt-linear", "ddt-sharp"):
+            self.assertIn(name, names)
 
     def test_fit_matches_resize(self):
         self.succeed("oiiotool", "photo.png", "--fit:filter=ddt", "160x200", "--fullpixels", "-o",

@@ -62,14 +62,14 @@ TEST(Request, ReadsOptionsFromTheName) {
                              "&scheme=lawson");
     EXPECT_EQ(r.source, "some/photo.png");
     EXPECT_EQ(r.scale, 2.5);
-    EXPECT_EQ(r.options.surface, ddt::Surface::linear);
+    EXPECT_EQ(r.options.surface.kind, ddt::Surface::linear);
     EXPECT_EQ(r.options.light, "encoded");
     EXPECT_EQ(r.options.mesh.scheme, ddt::Scheme::lawson);
 }
 
 TEST(Request, TakesAFilterSpecificationWithOptions) {
     const Request r = parsed("a.png.ddt?scale=2&filter=ddt-linear,light=encoded&light=sRGB");
-    EXPECT_EQ(r.options.surface, ddt::Surface::linear);
+    EXPECT_EQ(r.options.surface.kind, ddt::Surface::linear);
     EXPECT_EQ(r.options.light, "sRGB"); // the last wins
 }
 
@@ -85,9 +85,9 @@ TEST(Request, ReadsSidecars) {
     const Request r = parsed(File::path());
     EXPECT_EQ(r.source, testing::TempDir() + "photo.png");
     EXPECT_EQ(r.scale, 3);
-    EXPECT_EQ(r.options.surface, ddt::Surface::linear);
+    EXPECT_EQ(r.options.surface.kind, ddt::Surface::linear);
     EXPECT_EQ(parsed(File::path() + "?width=7").width, 7);
-    EXPECT_EQ(parsed(File::path() + "?filter=ddt").options.surface, ddt::Surface::patch);
+    EXPECT_EQ(parsed(File::path() + "?filter=ddt").options.surface.kind, ddt::Surface::patch);
 }
 
 TEST(Request, KeepsAbsolutePathsOfSidecars) {
