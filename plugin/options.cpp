@@ -13,9 +13,13 @@ using OIIO::Strutil::fmt::format;
 
 struct FilterName {
     const char* name;
-    Surface surface;
+    Surface kind;
+    int consistency;
+    float soft;
 };
-constexpr FilterName filters[] = {{"ddt", Surface::patch}, {"ddt-linear", Surface::linear}};
+constexpr FilterName filters[] = {{"ddt", Surface::patch, 0, 0.0f},
+                                  {"ddt-linear", Surface::linear, 0, 0.0f},
+                                  {"ddt-sharp", Surface::patch, 2, 0.3f}};
 
 /// One key of a specification.
 struct Option {
@@ -66,6 +70,7 @@ const std::vector<Option>& table() {
     static const auto* options = new std::vector<Option>{
         choice<Cost>("cost", {{"abn", Cost::abn}, {"scf", Cost::scf}},
                      [](Options& o) -> Cost& { return o.mesh.cost; }),
+        number("consistency", 0, 16, [](Options& o) -> int& { return o.surface.consistency; }),
         number("iterations", 0, 250, [](Options& o) -> int& { return o.mesh.max_iterations; }),
         // Whether a colour space has the name is known only once the config is read.
         {"light", "auto, encoded and names of colour spaces",
@@ -73,12 +78,14 @@ const std::vector<Option>& table() {
              o.light = text;
              return !text.empty();
          }},
+        number("limit", 0.0f, 1e6f, [](Options& o) -> float& { return o.surface.limit; }),
         number("min_gain", 0.0f, 1e6f, [](Options& o) -> float& { return o.mesh.min_gain; }),
         choice<Scheme>("scheme",
                        {{"one_round", Scheme::one_round},
                         {"lawson", Scheme::lawson},
                         {"pixel", Scheme::pixel}},
                        [](Options& o) -> Scheme& { return o.mesh.scheme; }),
+        number("soft", 0.0f, 1e6f, [](Options& o) -> float& { return o.surface.soft; }),
         choice<Start>("start", {{"flat", Start::flat}, {"diagonal", Start::diagonal}},
                       [](Options& o) -> Start& { return o.mesh.start; }),
     };
@@ -134,7 +141,9 @@ bool parse_filter(OIIO::string_view spec, Options& options, std::string& error) 
         return false;
     }
     Options parsed = options;
-    parsed.surface = filter->surface;
+    parsed.surface.kind = filter->kind;
+    parsed.surface.consistency = filter->consistency;
+    parsed.surface.soft = filter->soft;
     for (size_t i = 1; i < items.size(); ++i)
         if (!set_option(items[i], parsed, error))
             return false;

@@ -2,11 +2,17 @@
 // vector of floats. GLSL twin: shaders/cost.glsl.
 //
 // A cost is a class with a Face, what it needs to know of a triangle, made once from the gradient
-// (gx, gy) of the guide in that triangle, and between(), the cost of the edge two triangles share.
-// An edge on the hull's rim costs nothing. Every cost is symmetric and finite.
+// (gx, gy) of the guide in that triangle, and between(), the cost of the edge (ex, ey), in pixels,
+// that two triangles share. An edge on the hull's rim costs nothing. Every cost is finite and the
+// same with the triangles exchanged or the edge reversed.
+//
+// "DLR" is Dyn, Levin & Rippa 1990, "Data dependent triangulations for piecewise linear
+// interpolation", IMA Journal of Numerical Analysis 10. Theirs hold for any triangles; here, with
+// all areas 1/2, the third vertex of a triangle is 1/|e| away from its edge e, and since the two
+// gradients differ across the edge only, each plane misses the other's third vertex by
+// |g1 - g2| / |e|.
 
-/// Angle between normals (Dyn, Levin & Rippa 1990, "Data dependent triangulations for piecewise
-/// linear interpolation"): 1 - cos of the angle between (g1, s) and (g2, s); 0 to 2.
+/// Angle between normals (DLR): 1 - cos of the angle between (g1, s) and (g2, s); 0 to 2.
 /// s = 0.2 is the slope, in guide units a pixel, that counts as 45 degrees.
 template <class T>
 struct Abn {
@@ -17,7 +23,7 @@ struct Abn {
         const T r = rsqrt<3>(((gx * gx) + (gy * gy)) + T(0.04f));
         return {gx * r, gy * r, T(0.2f) * r};
     }
-    static DDT_INLINE T between(const Face& a, const Face& b) {
+    static DDT_INLINE T between(const Face& a, const Face& b, T, T) {
         return T(1.0f) - (((a.x * b.x) + (a.y * b.y)) + (a.z * b.z));
     }
 };
@@ -33,7 +39,50 @@ struct Scf {
         const T square = (gx * gx) + (gy * gy);
         return {gx, gy, square * rsqrt<3>(square)};
     }
-    static DDT_INLINE T between(const Face& a, const Face& b) {
+    static DDT_INLINE T between(const Face& a, const Face& b, T, T) {
         return (a.length * b.length) - ((a.x * b.x) + (a.y * b.y));
+    }
+};
+
+/// Jump in normal derivatives (DLR): how much the derivative across the edge jumps, |g1 - g2|.
+template <class T>
+struct Jnd {
+    struct Face {
+        T x, y;
+    };
+    static DDT_INLINE Face face(T gx, T gy) { return {gx, gy}; }
+    static DDT_INLINE T between(const Face& a, const Face& b, T, T) {
+        const T dx = a.x - b.x, dy = a.y - b.y;
+        const T square = (dx * dx) + (dy * dy);
+        return square * rsqrt<3>(square);
+    }
+};
+
+/// Deviation from linear polynomials (DLR): the norm of the two vertical distances of a plane from
+/// the other's third vertex. Both are |g1 - g2| / |e|, so every norm is that up to a factor.
+template <class T>
+struct Dlp {
+    using Face = typename Jnd<T>::Face;
+    static DDT_INLINE Face face(T gx, T gy) { return {gx, gy}; }
+    static DDT_INLINE T between(const Face& a, const Face& b, T ex, T ey) {
+        return Jnd<T>::between(a, b, ex, ey) * rsqrt<3>((ex * ex) + (ey * ey));
+    }
+};
+
+/// Distance from planes (DLR): the same with distances at right angles to the planes, the guide
+/// in units of s as for Abn: |g1 - g2| / |e| * (1 / |(g1, s)| + 1 / |(g2, s)|), the 1-norm.
+template <class T>
+struct Dp {
+    struct Face {
+        T x, y, r;
+    };
+    static DDT_INLINE Face face(T gx, T gy) {
+        return {gx, gy, rsqrt<3>(((gx * gx) + (gy * gy)) + T(0.04f))};
+    }
+    static DDT_INLINE T between(const Face& a, const Face& b, T ex, T ey) {
+        const T dx = a.x - b.x, dy = a.y - b.y;
+        const T square = (dx * dx) + (dy * dy);
+        const T vertical = (square * rsqrt<3>(square)) * rsqrt<3>((ex * ex) + (ey * ey));
+        return vertical * (a.r + b.r);
     }
 };

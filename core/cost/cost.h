@@ -6,12 +6,20 @@
 
 namespace ddt {
 
-/// A flip must gain more than this where MeshOptions::min_gain is negative.
-///
-/// For abn it is more than a guard against rounding: small gains are noise, and leaving them alone
-/// costs no picture quality while it halves the work. scf keeps a bare guard.
-inline float default_min_gain(Cost cost) {
-    return cost == Cost::abn ? 5e-3f : 1e-6f;
+/// A cost's entry in the list of ddt/costs.h, without formula.
+struct CostTraits {
+    float min_gain, temperature;
+};
+
+inline CostTraits traits(Cost cost) {
+    switch (cost) {
+#define DDT_TRAITS(name, Class, min_gain, temperature)                                             \
+    case Cost::name:                                                                               \
+        return {min_gain, temperature};
+        DDT_COSTS(DDT_TRAITS)
+#undef DDT_TRAITS
+    }
+    return {};
 }
 
 namespace scalar {
@@ -22,12 +30,13 @@ namespace scalar {
 template <class F>
 auto dispatch(Cost cost, F&& f) {
     switch (cost) {
-    case Cost::scf:
-        return f(scalar::Scf<float>());
-    case Cost::abn:
-    default:
-        return f(scalar::Abn<float>());
+#define DDT_CALL(name, Class, ...)                                                                 \
+    case Cost::name:                                                                               \
+        return f(scalar::Class<float>());
+        DDT_COSTS(DDT_CALL)
+#undef DDT_CALL
     }
+    __builtin_unreachable();
 }
 
 } // namespace ddt

@@ -116,6 +116,9 @@ public:
     /// one). `guide`: width x height floats. Memory is kept from one use to the next.
     void start(int width, int height, const float* guide, bool flat);
 
+    /// Take the memory for so many sites: 4 a pixel are enough.
+    void reserve(size_t sites) { m_sites.reserve(sites); }
+
     int width() const { return m_width; }
     int height() const { return m_height; }
     int stride() const { return m_stride; }

@@ -43,15 +43,17 @@ DDT_INLINE T flip_gain(const Neighbourhood<T>& n) {
     const auto beyond_da = face_of<T, Cost>(zero - ux, zero - uy, n.outer[3].ox, n.outer[3].oy,
                                             zero - d_a, n.outer[3].z - n.zd);
 
-    T before = Cost::between(abc, abd);
-    before = before + n.outer[0].present * Cost::between(beyond_ac, abc);
-    before = before + n.outer[1].present * Cost::between(beyond_cb, abc);
-    before = before + n.outer[2].present * Cost::between(beyond_bd, abd);
-    before = before + n.outer[3].present * Cost::between(beyond_da, abd);
-    T after = Cost::between(adc, bcd);
-    after = after + n.outer[0].present * Cost::between(beyond_ac, adc);
-    after = after + n.outer[1].present * Cost::between(beyond_cb, bcd);
-    after = after + n.outer[2].present * Cost::between(beyond_bd, bcd);
-    after = after + n.outer[3].present * Cost::between(beyond_da, adc);
+    // The edge that the flip makes, d to c.
+    const T fx = n.wx - ux, fy = n.wy - uy;
+    T before = Cost::between(abc, abd, n.vx, n.vy);
+    before = before + n.outer[0].present * Cost::between(beyond_ac, abc, n.wx, n.wy);
+    before = before + n.outer[1].present * Cost::between(beyond_cb, abc, ux, uy);
+    before = before + n.outer[2].present * Cost::between(beyond_bd, abd, n.wx, n.wy);
+    before = before + n.outer[3].present * Cost::between(beyond_da, abd, ux, uy);
+    T after = Cost::between(adc, bcd, fx, fy);
+    after = after + n.outer[0].present * Cost::between(beyond_ac, adc, n.wx, n.wy);
+    after = after + n.outer[1].present * Cost::between(beyond_cb, bcd, ux, uy);
+    after = after + n.outer[2].present * Cost::between(beyond_bd, bcd, n.wx, n.wy);
+    after = after + n.outer[3].present * Cost::between(beyond_da, adc, ux, uy);
     return before - after;
 }

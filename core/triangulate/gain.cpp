@@ -20,7 +20,7 @@ double total_cost(const Lattice& lattice, Cost cost) {
             const float dr = lattice.guide(m + lattice.offset(e.right)) - za;
             const auto left = scalar::face_of<float, C>(v.x, v.y, l.x, l.y, de, dl);
             const auto right = scalar::face_of<float, C>(r.x, r.y, v.x, v.y, dr, de);
-            sum += double(C::between(left, right));
+            sum += double(C::between(left, right, v.x, v.y));
         });
         return sum;
     });

@@ -110,10 +110,11 @@ HWY_INLINE void each_block(const Lattice& lattice, const int* sites, size_t coun
 
 HWY_ATTR void gains(const Lattice& lattice, Cost cost, const int* sites, size_t count, float* out) {
     switch (cost) {
-    case Cost::scf:
-        return each_block<Scf<Floats>>(lattice, sites, count, out);
-    case Cost::abn:
-        return each_block<Abn<Floats>>(lattice, sites, count, out);
+#define DDT_CALL(name, Class, ...)                                                                 \
+    case Cost::name:                                                                               \
+        return each_block<Class<Floats>>(lattice, sites, count, out);
+        DDT_COSTS(DDT_CALL)
+#undef DDT_CALL
     }
 }
 

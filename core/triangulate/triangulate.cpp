@@ -2,26 +2,61 @@
 
 #include "core/cost/cost.h"
 #include "core/triangulate/gain.h"
+#include "core/triangulate/schemes.h"
 
 namespace ddt {
 
 float min_gain(const MeshOptions& options) {
-    return options.min_gain < 0 ? default_min_gain(options.cost) : options.min_gain;
+    constexpr float guard = 1e-6f;
+    if (options.min_gain >= 0)
+        return options.min_gain;
+    switch (options.scheme) {
+    case Scheme::one_round:
+    case Scheme::look_ahead:
+    case Scheme::annealing:
+    case Scheme::pixel:
+        return traits(options.cost).min_gain;
+    case Scheme::lawson:
+    case Scheme::basic:
+    case Scheme::exproi:
+    case Scheme::maxgain:
+    case Scheme::exproi_maxgain:
+    case Scheme::exproi_n_maxgain:
+        return guard;
+    }
+    return guard;
 }
 
 void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& workspace,
                  Statistics& statistics) {
+    const Cost cost = options.cost;
+    const float threshold = min_gain(options);
+    const int iterations = options.max_iterations;
+    const auto by_rules = [&](const Rules& rules) {
+        accept_reject(lattice, cost, threshold, iterations, rules, workspace, statistics);
+    };
     statistics.pixels += int64_t(lattice.width()) * lattice.height();
     switch (options.scheme) {
-    case Scheme::pixel:
-        break;
-    case Scheme::lawson:
-        lawson(lattice, options.cost, min_gain(options), options.max_iterations, statistics);
-        break;
     case Scheme::one_round:
-        one_round(lattice, options.cost, min_gain(options), options.max_iterations, workspace,
-                  statistics);
-        break;
+        return one_round(lattice, cost, threshold, iterations, workspace, statistics);
+    case Scheme::lawson:
+        return lawson(lattice, cost, threshold, iterations, statistics);
+    case Scheme::basic:
+        return by_rules({false, 0, true});
+    case Scheme::exproi:
+        return by_rules({false, Rules::always, true});
+    case Scheme::maxgain:
+        return by_rules({true, 0, true});
+    case Scheme::exproi_maxgain:
+        return by_rules({true, Rules::always, true});
+    case Scheme::exproi_n_maxgain:
+        return by_rules({true, options.wide_iterations, true});
+    case Scheme::look_ahead:
+        return look_ahead(lattice, cost, threshold, iterations, statistics);
+    case Scheme::annealing:
+        return annealing(lattice, cost, threshold, iterations, options.seed, workspace, statistics);
+    case Scheme::pixel:
+        return;
     }
 }
 

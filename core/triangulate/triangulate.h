@@ -14,15 +14,18 @@ struct Workspace {
         int site;    ///< a candidate that was not the best of its region,
         int blocker; ///< and a better one in it
     };
-    std::vector<float> gain;      ///< a site; only meaningful for edges
-    std::vector<int> dirty;       ///< edges to evaluate in this iteration
-    std::vector<int> flippable;   ///< those of them that can be flipped
-    std::vector<int> candidates;  ///< edges to look at in this iteration's selection
-    std::vector<int> selected;    ///< edges to flip
-    std::vector<Blocked> blocked; ///< candidates that wait
+    std::vector<float> gain;        ///< a site; only meaningful for edges
+    std::vector<int> dirty;         ///< edges to evaluate in this iteration
+    std::vector<int> flippable;     ///< those of them that can be flipped
+    std::vector<int> candidates;    ///< edges to look at in this iteration's selection
+    std::vector<int> selected;      ///< edges to flip
+    std::vector<Blocked> blocked;   ///< candidates that wait
+    int origin_x = 0, origin_y = 0; ///< the lattice's first pixel in the image: chance is drawn by
+                                    ///< an edge's place in the image, whatever tile it is in
 };
 
-/// The threshold in use: options.min_gain or the cost's default.
+/// The threshold in use: options.min_gain or, where that is negative, the cost's own; for lawson
+/// and the paper's schemes 1e-6, a bare guard against rounding.
 float min_gain(const MeshOptions& options);
 
 /// Flip edges of a started lattice by options.scheme. Adds to `statistics`.

@@ -97,7 +97,9 @@ Channels channels_of(const OIIO::ImageSpec& spec, OIIO::TypeDesc native) {
                         std::any_of(layers.begin(), layers.end(), [&](const std::string& layer) {
                             return is_rank_of(name, layer);
                         });
-        channels.kinds.push_back(id ? Channel::nearest : Channel::blend);
+        channels.kinds.push_back(id                    ? Channel::nearest
+                                 : c == channels.alpha ? Channel::alpha
+                                                       : Channel::blend);
     }
 
     const auto blends = [&](int c) {

@@ -4,53 +4,59 @@ import unittest
 
 from support import PLUGINS, Case
 
-# Command with FILTER in place of the filter, its arguments, and the size of a 40x32 image's result.
+# Command with FILTER in place of the filter, its argument, and the size of a 40x32 image's result.
 COMMANDS = {
     "resize": ("--resize:filter=FILTER", "160x128", (160, 128)),
-    "resize by percent": ("--resize:filter=FILTER", "250%x400%", (100, 128)),
+    "percent": ("--resize:filter=FILTER", "250%x400%", (100, 128)),
     "fit": ("--fit:filter=FILTER", "200x200", (200, 160)),
-    "exact fit": ("--fit:exact=1:filter=FILTER", "201x203", (201, 203)),
-    "pixelaspect": ("--pixelaspect:filter=FILTER", "0.5", (80, 32)),
+    "exact": ("--fit:exact=1:filter=FILTER", "201x203", (201, 203)),
+    "aspect": ("--pixelaspect:filter=FILTER", "0.5", (80, 32)),
     "rotate": ("--rotate:filter=FILTER", "30", (40, 32)),
-    "recomputed rotate": ("--rotate:recompute_roi=1:filter=FILTER", "45", (51, 51)),
+    "turn": ("--rotate:recompute_roi=1:filter=FILTER", "45", (50, 50)),
     "warp": ("--warp:recompute_roi=1:filter=FILTER", "2,0.3,0,-0.2,2.5,0,0,0,1", (85, 90)),
 }
 
 
 class Commands(Case):
-    def make(self, out, image, command, size, filter):
-        self.succeed("oiiotool", image, command.replace("FILTER", filter), size, "-o", out)
+    def make_all(self, image, filter, extension):
+        """Run every command on the image, in one process; return the files' names."""
+        arguments, made = [], {}
+        for name, (command, argument, _) in COMMANDS.items():
+            made[name] = name + extension
+            # PNG and TIFF cannot hold pixels left of or above 0.
+            arguments += ["--dup", command.replace("FILTER", filter), argument, "--origin", "+0+0",
+                          "--fullpixels", "-o", made[name], "--pop"]
+        self.succeed("oiiotool", image, *arguments)
+        return made
 
     def test_each_command_on_each_format(self):
-        for name, (command, size, expected) in COMMANDS.items():
-            for image in ("photo.png", "photo.tif", "scene.exr"):
+        for image in ("photo.png", "photo.tif", "scene.exr"):
+            source = self.extrema(image)
+            for name, out in self.make_all(image, "ddt", image[-4:]).items():
                 with self.subTest(command=name, image=image):
-                    out = image.replace(".", "-out.")
-                    self.make(out, image, command, size, "ddt")
-                    self.assertEqual(self.size(out), expected)
+                    self.assertEqual(self.size(out), COMMANDS[name][2])
                     # Within the source's range and black: no ringing, but something there.
-                    for (low, high), (least, most) in zip(self.extrema(out), self.extrema(image)):
+                    for (low, high), (least, most) in zip(self.extrema(out), source):
                         self.assertGreaterEqual(low, min(least, 0.0))
                         self.assertLessEqual(high, most)
                         self.assertGreater(high, 0.3 * most)
 
-    def test_the_filter_is_ours(self):
-        for name, (command, size, _) in COMMANDS.items():
+    def check_all_differ(self, image, filters):
+        made = {}
+        for filter in filters:
+            for name, out in self.make_all(image, filter, image[-4:]).items():
+                made.setdefault(name, {})[filter] = tuple(self.hashes(out))
+        for name, hashes in made.items():
             with self.subTest(command=name):
-                made = {}
-                for filter in ("ddt", "ddt-linear", "triangle", "lanczos3"):
-                    self.make("out.tif", "photo.tif", command, size, filter)
-                    made[filter] = tuple(self.hashes("out.tif"))
-                self.assertEqual(len(set(made.values())), 4, made)
+                self.assertEqual(len(set(hashes.values())), len(filters), hashes)
+
+    def test_the_filter_is_ours(self):
+        self.check_all_differ("photo.tif", ("ddt", "ddt-linear", "ddt-sharp", "triangle",
+                                          "lanczos3"))
 
     def test_options_reach_the_filter(self):
-        for name, (command, size, _) in COMMANDS.items():
-            with self.subTest(command=name):
-                made = set()
-                for filter in ("ddt", "ddt,scheme=pixel", "ddt,scheme=pixel,light=encoded"):
-                    self.make("out.tif", "photo.png", command, size, filter)
-                    made.add(tuple(self.hashes("out.tif")))
-                self.assertEqual(len(made), 3)
+        self.check_all_differ("photo.png",
+                              ("ddt", "ddt,scheme=pixel", "ddt,scheme=pixel,light=encoded"))
 
     def test_plugin_path_by_attribute(self):
         self.succeed("oiiotool", "photo.png", "--resize:filter=ddt", "300%", "-o", "a.png")
@@ -63,38 +69,40 @@ class Commands(Case):
             if "Filters available" in line:
                 names = line.replace(",", " ").split()
                 break
-        self.assertIn("ddt", names)
-        self.assertIn("ddt-linear", names)
+        for name in ("ddt", "ddt-linear", "ddt-sharp"):
+            self.assertIn(name, names)
 
     def test_fit_matches_resize(self):
-        self.succeed("oiiotool", "photo.png", "--fit:filter=ddt", "160x200", "-o", "fit.png")
+        self.succeed("oiiotool", "photo.png", "--fit:filter=ddt", "160x200", "--fullpixels", "-o",
+                     "fit.png")
         self.succeed("oiiotool", "photo.png", "--resize:filter=ddt", "160x128", "-o", "resize.png")
         self.assert_same("fit.png", "resize.png")
 
     def test_windows(self):
-        how = ("window.exr", "--resize:filter=FILTER", "300%")
-        self.make("ours.exr", *how, "ddt")
-        self.make("stock.exr", *how, "lanczos3")
-        ours, stock = (self.succeed("iinfo", "-v", f) for f in ("ours.exr", "stock.exr"))
-        for text in ("pixel data origin", "full/display size", "full/display origin"):
-            find = [line for line in stock.splitlines() if text in line]
-            self.assertTrue(find, stock)
-            self.assertIn(find[0], ours)
+        for filter in ("ddt", "lanczos3"):
+            self.succeed("oiiotool", "window.exr", f"--resize:filter={filter}", "300%", "-o",
+                         f"{filter}.exr")
+        ours, stock = (self.load(f).spec() for f in ("ddt.exr", "lanczos3.exr"))
+        self.assertEqual(ours.roi, stock.roi)
+        self.assertEqual(ours.roi_full, stock.roi_full)
+        self.assertEqual(ours.full_width, 108)
 
     def test_subimages(self):
-        self.succeed("oiiotool", "scene.exr", "window.exr", "--siappend", "-o", "two.exr")
+        self.succeed("oiiotool", "scene.exr", "scene.exr", "--flip", "--mulc", "0.5", "--siappend",
+                     "-o", "two.exr")
         self.succeed("oiiotool", "-a", "two.exr", "--resize:filter=ddt", "200%", "-o", "out.exr")
-        self.assertEqual(len(self.hashes("out.exr")), 2)
         for i in (0, 1):
             self.succeed("oiiotool", "-a", "two.exr", "--subimage", str(i),
                          "--resize:filter=ddt", "200%", "-o", f"{i}.exr")
-            self.succeed("oiiotool", "-a", "out.exr", "--subimage", str(i), "-o", f"of{i}.exr")
-            self.assert_same(f"{i}.exr", f"of{i}.exr")
+        self.assertEqual(self.hashes("out.exr"), self.hashes("0.exr") + self.hashes("1.exr"))
+        self.assertEqual(len(set(self.hashes("out.exr"))), 2)
 
     def test_threads_change_nothing(self):
         for threads in ("1", "2", "7"):
-            self.succeed("oiiotool", "--threads", threads, "scene.exr", "--resize:filter=ddt",
-                         "700%", "-o", f"{threads}.exr")
+            # TBB may say that there are fewer processors.
+            done = self.attempt("oiiotool", "--threads", threads, "scene.exr",
+                                "--resize:filter=ddt", "700%", "-o", f"{threads}.exr")
+            self.assertEqual(done.returncode, 0, done.stderr)
         self.assert_same("1.exr", "2.exr")
         self.assert_same("1.exr", "7.exr")
 
@@ -105,7 +113,7 @@ class Commands(Case):
     def test_several_operations_in_one_run(self):
         self.succeed("oiiotool", "photo.png", "--resize:filter=ddt", "200%", "--rotate:filter=ddt",
                      "10", "--resize:filter=lanczos3", "50%", "--fit:filter=ddt-linear",
-                     "100x100", "-o", "out.png")
+                     "100x100", "--fullpixels", "-o", "out.png")
         self.assertEqual(self.size("out.png"), (100, 80))
 
     def test_from_to(self):

@@ -10,14 +10,15 @@ COMMANDS = (("--resize:filter=FILTER", "200%"), ("--pixelaspect:filter=FILTER", 
 
 
 class Errors(Case):
-    def refuse(self, filter, *says):
-        for command, argument in COMMANDS:
+    def refuse(self, filter, *says, commands=COMMANDS[:1]):
+        for command, argument in commands:
             with self.subTest(command=command):
                 self.fail_with("oiiotool", "photo.png", command.replace("FILTER", filter),
                                argument, "-o", "out.png", says=("ddt", *says), out="out.png")
 
     def test_unknown_option(self):
-        self.refuse("ddt,nonsense=1", '"nonsense"', "allowed", "light", "scheme")
+        self.refuse("ddt,nonsense=1", '"nonsense"', "allowed", "light", "scheme",
+                    commands=COMMANDS)
 
     def test_unknown_value(self):
         self.refuse("ddt-linear,scheme=magic", '"scheme=magic"', "allowed", "one_round", "lawson")
@@ -29,7 +30,7 @@ class Errors(Case):
         self.refuse("ddt,iterations=1000", '"iterations=1000"', "250")
 
     def test_unknown_colour_space(self):
-        self.refuse("ddt,light=nosuchspace", '"nosuchspace"')
+        self.refuse("ddt,light=nosuchspace", '"nosuchspace"', commands=COMMANDS)
 
     def test_missing_colour_config(self):
         self.fail_with("oiiotool", "photo.png", "--resize:filter=ddt,light=sRGB", "200%", "-o",

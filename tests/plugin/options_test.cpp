@@ -27,9 +27,9 @@ TEST(Options, NameSetsSurface) {
     ddt::Options options;
     std::string error;
     ASSERT_TRUE(ddt::parse_filter("ddt-linear", options, error));
-    EXPECT_EQ(options.surface, ddt::Surface::linear);
+    EXPECT_EQ(options.surface.kind, ddt::Surface::linear);
     ASSERT_TRUE(ddt::parse_filter("ddt", options, error));
-    EXPECT_EQ(options.surface, ddt::Surface::patch);
+    EXPECT_EQ(options.surface.kind, ddt::Surface::patch);
 }
 
 TEST(Options, EveryKey) {
@@ -85,7 +85,7 @@ TEST(Options, FailureChangesNothing) {
     EXPECT_FALSE(ddt::parse_filter("ddt-linear,light=encoded,cost=scf,bad=1", options, error));
     EXPECT_EQ(options.light, "kept");
     EXPECT_EQ(options.mesh.cost, ddt::Cost::abn);
-    EXPECT_EQ(options.surface, ddt::Surface::patch);
+    EXPECT_EQ(options.surface.kind, ddt::Surface::patch);
 }
 
 } // namespace

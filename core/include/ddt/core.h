@@ -6,7 +6,7 @@
 // Graphics 2010.
 //
 // The result is a function of the pixels and of these options alone: it has the same bits for
-// every number of threads, every instruction set, every part of the output asked for.
+// every number of threads, every instruction set, every device, every part of the output asked for.
 //
 // Nothing here throws; functions that can fail return false and describe why.
 #pragma once
@@ -17,17 +17,30 @@
 #include <string>
 #include <vector>
 
+#include "ddt/costs.h"
+
 namespace ddt {
 
 /// How much an edge of the mesh costs, from the gradients of the guide in its two triangles.
-/// Formulas and sources are in core/cost/cost.h.
-enum class Cost : uint8_t { abn, scf };
+/// Formulas and sources are in core/cost/cost-inl.h.
+enum class Cost : uint8_t {
+#define DDT_ENUMERATOR(name, ...) name,
+    DDT_COSTS(DDT_ENUMERATOR)
+#undef DDT_ENUMERATOR
+};
 
-/// Which edges flip, in which order.
+/// Which edges flip, in which order. Sources are in core/triangulate/; names in ddt/names.h.
 enum class Scheme : uint8_t {
-    one_round, ///< parallel: of the edges that gain, those that are the best of their 2-region
-    lawson,    ///< sequential reference: sweeps in address order, an edge that gains flips at once
-    pixel,     ///< the starting mesh as it is (Su & Willis 2004)
+    one_round,        ///< parallel: of the edges that gain, those that are the best of their region
+    lawson,           ///< sequential: sweeps in address order, an edge that gains flips at once
+    basic,            ///< the paper's: edges with the smallest addresses, accepted in rounds
+    exproi,           ///< the paper's: basic with the wide region
+    maxgain,          ///< the paper's: edges with the largest gains, accepted in rounds
+    exproi_maxgain,   ///< the paper's: maxgain with the wide region
+    exproi_n_maxgain, ///< the paper's: maxgain, the region wide for the first iterations only
+    look_ahead,       ///< sequential: also flips that pay together with a second (Yu et al. 2001)
+    annealing,        ///< parallel: flips that lose, at random, then one_round (Schumaker 1993)
+    pixel,            ///< the starting mesh as it is (Su & Willis 2004)
 };
 
 /// Which diagonal a 2x2 cell of pixels starts with.
@@ -71,10 +84,14 @@ struct MeshOptions {
     Cost cost = Cost::abn;
     Scheme scheme = Scheme::one_round;
     Start start = Start::flat;
-    /// A flip must gain more than this, in units of the cost. Negative: the cost's own default.
+    /// A flip must gain more than this, in units of the cost. Negative: the cost's own default (see
+    /// ddt/costs.h), for lawson and the paper's schemes a bare guard against rounding.
     float min_gain = -1.0f;
-    /// Iterations (lawson: sweeps) after which flipping ends; 0 to 250.
+    /// Iterations after which flipping ends; 0 to 250. For lawson and look_ahead these are sweeps,
+    /// for annealing it is the number of random iterations and the limit of those that follow.
     int max_iterations = 64;
+    int wide_iterations = 2; ///< exproi_n_maxgain: iterations with the wide region
+    uint32_t seed = 1;       ///< annealing: another seed, another mesh
 };
 
 /// Pixels x0 <= x < x1, y0 <= y < y1.
@@ -149,12 +166,25 @@ private:
     Axis m_x, m_y;
 };
 
+/// What the work is done on. The result has the same bits on all of them.
+enum class Device : uint8_t {
+    /// What the environment variable DDT_DEVICE names (auto, cpu, egl, osmesa); without it a
+    /// hardware GPU if there is one and the image is large enough to gain from it, else the CPU.
+    automatic,
+    cpu,
+    egl,    ///< OpenGL through libEGL, on a GPU or, where there is none, a software renderer
+    osmesa, ///< OpenGL through libOSMesa, a software renderer: for tests
+};
+
 /// What was done; sums over all tiles, so halos count.
 struct Statistics {
     int64_t pixels = 0;      ///< vertices of all meshes
     int64_t evaluations = 0; ///< gains computed
     int64_t flips = 0;
+    int64_t rounds = 0; ///< of accepting and rejecting, in the schemes that do
     int iterations = 0; ///< the largest of any tile
+    /// Where the tiles were worked on; cpu if at least one was. Never automatic.
+    Device device = Device::cpu;
 };
 
 /// A piece of work.
@@ -165,17 +195,30 @@ struct Job {
     MeshOptions mesh;
     SurfaceOptions surface;
     int threads = 0; ///< 0: as many as there are cores
+    /// A device that is named and cannot be had is Outcome::device_unavailable, before anything is
+    /// read. A device that fails later, also for lack of memory, leaves the rest to the CPU. A
+    /// process forked from one that used a GPU has none and uses the CPU, whatever is named.
+    Device device = Device::automatic;
     /// Called from time to time with the share done, 0 to 1, one thread at a time; return false
     /// to cancel. May be empty.
     std::function<bool(float)> progress;
     Statistics* statistics = nullptr; ///< filled in when not null
 };
 
-enum class Outcome { done, cancelled, source_failed, sink_failed, bad_job, out_of_memory };
+enum class Outcome {
+    done,
+    cancelled,
+    source_failed,
+    sink_failed,
+    bad_job,
+    out_of_memory,
+    device_unavailable,
+};
 
 /// Read the source tile by tile, triangulate, and write every output pixel the mapping gives.
 /// Memory: a few MB a thread beside what source and sink hold. Never throws. `error`, when not
-/// null, receives one line if the outcome is not `done`.
+/// null, receives one line if the outcome is not `done`. With the environment variable DDT_VERBOSE
+/// set to 1, lines on stderr tell the device, the iterations and where the time went.
 Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                 std::string* error = nullptr);
 

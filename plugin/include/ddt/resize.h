@@ -38,7 +38,7 @@ namespace ddt {
 
 /// How to resize; the defaults are those of the filter name "ddt".
 struct Options {
-    Surface surface = Surface::patch; ///< filter names: ddt-linear, ddt
+    SurfaceOptions surface; ///< filter names: ddt-linear, ddt, ddt-sharp
     MeshOptions mesh;
     /// Light in which values are interpolated. "auto": linear, from the colour space in the image's
     /// "oiio:ColorSpace"; as the numbers are where that is absent, unknown or a space of data.
@@ -50,14 +50,15 @@ struct Options {
     std::function<bool(float)> progress;
 };
 
-/// The names a filter specification starts with: "ddt", "ddt-linear".
+/// The names a filter specification starts with: "ddt", "ddt-linear", "ddt-sharp".
 std::vector<std::string> filter_names();
 
 /// True if `spec` is one of filter_names(), or one followed by a comma and options.
 bool is_filter_name(OIIO::string_view spec);
 
 /// Parse "ddt,key=value,...": the name sets the surface, each key its option; what is not named
-/// keeps its value in `options`. Keys: cost, iterations, light, min_gain, scheme, start. On failure
+/// keeps its value in `options`. Keys: consistency, cost, iterations,
+/// light, limit, min_gain, scheme, soft, start. On failure
 /// return false with one line in `error` that names the option and lists what is allowed; `options`
 /// is then unchanged.
 bool parse_filter(OIIO::string_view spec, Options& options, std::string& error);

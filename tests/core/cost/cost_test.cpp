@@ -17,9 +17,10 @@ Gradient random_gradient(Random& random) {
     return {number(), number()};
 }
 
+/// Of the edge (ex, ey); abn, scf and jnd do not depend on it.
 template <class C>
-float cost(Gradient a, Gradient b) {
-    return C::between(C::face(a.x, a.y), C::face(b.x, b.y));
+float cost(Gradient a, Gradient b, float ex = 1, float ey = 0) {
+    return C::between(C::face(a.x, a.y), C::face(b.x, b.y), ex, ey);
 }
 
 TEST(Cost, AbnIsOneMinusTheCosineBetweenTheNormals) {
@@ -47,6 +48,80 @@ TEST(Cost, ScfIsTheProductOfLengthsMinusTheInnerProduct) {
     }
 }
 
+/// Two triangles p, p + e, p + l and p + e, p, p + r of area 1/2 with heights at the four vertices:
+/// what the costs of Dyn, Levin & Rippa are defined on.
+struct Pair {
+    int ex, ey, lx, ly, rx, ry;
+    double zp, ze, zl, zr;
+
+    explicit Pair(Random& random) {
+        // A unimodular frame from random shears; the right apex anywhere with area 1/2.
+        ex = 1, ey = 0, lx = 0, ly = 1;
+        for (int i = 0; i < 6; ++i) {
+            const int k = random.between(-2, 2);
+            if (random.below(2))
+                lx += k * ex, ly += k * ey;
+            else
+                ex += k * lx, ey += k * ly;
+        }
+        const int k = random.between(-3, 3);
+        rx = k * ex - lx, ry = k * ey - ly;
+        for (double* z : {&zp, &ze, &zl, &zr})
+            *z = random.between(0, 4096) / 4096.0;
+    }
+    /// Gradient of the plane over p, p + e, p + (x, y), whose z there is given.
+    Gradient gradient(int x, int y, double z) const {
+        const double area = double(ex) * y - double(x) * ey, de = ze - zp, d = z - zp;
+        return {float((de * y - d * ey) / area), float((d * ex - de * x) / area)};
+    }
+    Gradient left() const { return gradient(lx, ly, zl); }
+    Gradient right() const { return gradient(rx, ry, zr); }
+    /// How far the plane with gradient g is from height z over p + (x, y), measured upwards.
+    double miss(Gradient g, int x, int y, double z) const {
+        return std::fabs(zp + double(g.x) * x + double(g.y) * y - z);
+    }
+};
+
+TEST(Cost, JndIsTheJumpOfTheDerivativeAcrossTheEdge) {
+    Random random(4);
+    for (int i = 0; i < 5000; ++i) {
+        const Pair pair(random);
+        const Gradient g = pair.left(), h = pair.right();
+        const double length = std::hypot(pair.ex, pair.ey);
+        const double jump = std::fabs((double(g.x) - double(h.x)) * -pair.ey +
+                                      (double(g.y) - double(h.y)) * pair.ex) /
+                            length;
+        ASSERT_NEAR(double(cost<scalar::Jnd<float>>(g, h)), jump, 1e-5 * (1 + jump));
+    }
+}
+
+TEST(Cost, DlpIsHowFarEachPlaneMissesTheOtherApexUpwards) {
+    Random random(5);
+    for (int i = 0; i < 5000; ++i) {
+        const Pair pair(random);
+        const Gradient g = pair.left(), h = pair.right();
+        const auto c = double(cost<scalar::Dlp<float>>(g, h, float(pair.ex), float(pair.ey)));
+        ASSERT_NEAR(c, pair.miss(g, pair.rx, pair.ry, pair.zr), 1e-4);
+        ASSERT_NEAR(c, pair.miss(h, pair.lx, pair.ly, pair.zl), 1e-4);
+    }
+}
+
+TEST(Cost, DpIsTheSumOfTheDistancesOfThePlanesFromTheOtherApex) {
+    Random random(6);
+    for (int i = 0; i < 5000; ++i) {
+        const Pair pair(random);
+        const Gradient g = pair.left(), h = pair.right();
+        // Heights in units of s, so distances are too.
+        const auto slant = [](Gradient k) {
+            return std::sqrt(0.04 + double(k.x) * k.x + double(k.y) * k.y);
+        };
+        const double expected = pair.miss(g, pair.rx, pair.ry, pair.zr) / slant(g) +
+                                pair.miss(h, pair.lx, pair.ly, pair.zl) / slant(h);
+        ASSERT_NEAR(double(cost<scalar::Dp<float>>(g, h, float(pair.ex), float(pair.ey))), expected,
+                    1e-3);
+    }
+}
+
 template <class C>
 void check_common() {
     Random random(3);
@@ -65,6 +140,9 @@ void check_common() {
 TEST(Cost, SymmetricFiniteAndNothingBetweenEqualGradients) {
     check_common<scalar::Abn<float>>();
     check_common<scalar::Scf<float>>();
+    check_common<scalar::Jnd<float>>();
+    check_common<scalar::Dlp<float>>();
+    check_common<scalar::Dp<float>>();
 }
 
 TEST(Cost, DispatchCallsTheOneAskedFor) {
@@ -73,11 +151,14 @@ TEST(Cost, DispatchCallsTheOneAskedFor) {
     };
     EXPECT_NEAR(of(Cost::scf), 2.0f, 1e-6f);
     EXPECT_NEAR(of(Cost::abn), 2.0f - 2 * 0.04f / 1.04f, 1e-6f);
+    EXPECT_NEAR(of(Cost::jnd), 2.0f, 1e-6f);
+    EXPECT_NEAR(of(Cost::dlp), 2.0f, 1e-6f);
+    EXPECT_NEAR(of(Cost::dp), 4.0f / std::sqrt(1.04f), 1e-6f);
 }
 
 TEST(Cost, DefaultMinGain) {
-    EXPECT_EQ(default_min_gain(Cost::abn), 5e-3f);
-    EXPECT_EQ(default_min_gain(Cost::scf), 1e-6f);
+    EXPECT_EQ(traits(Cost::abn).min_gain, 5e-3f);
+    EXPECT_EQ(traits(Cost::scf).min_gain, 1e-6f);
 }
 
 } // namespace

@@ -148,8 +148,10 @@ TEST(Triangulate, AFlipMustGainMoreThanMinGain) {
 }
 
 TEST(Triangulate, NegativeMinGainIsTheCostsDefault) {
-    EXPECT_EQ(min_gain(options_of(Scheme::one_round, Cost::abn)), default_min_gain(Cost::abn));
-    EXPECT_EQ(min_gain(options_of(Scheme::one_round, Cost::scf)), default_min_gain(Cost::scf));
+    EXPECT_EQ(min_gain(options_of(Scheme::one_round, Cost::abn)), traits(Cost::abn).min_gain);
+    EXPECT_EQ(min_gain(options_of(Scheme::one_round, Cost::scf)), traits(Cost::scf).min_gain);
+    EXPECT_EQ(min_gain(options_of(Scheme::lawson, Cost::abn)), 1e-6f);
+    EXPECT_EQ(min_gain(options_of(Scheme::exproi_n_maxgain, Cost::abn)), 1e-6f);
     EXPECT_EQ(min_gain(options_of(Scheme::one_round, Cost::scf, 0.0f)), 0.0f);
     EXPECT_EQ(min_gain(options_of(Scheme::one_round, Cost::abn, 0.3f)), 0.3f);
 }

@@ -1,0 +1,35 @@
+// The mesh itself, for programs that want triangles instead of a larger picture.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "ddt/core.h"
+
+namespace ddt {
+
+/// A triangulation of an image: vertex y * width + x is pixel (x, y), at (x, y).
+struct Mesh {
+    int width = 0, height = 0;
+    /// Vertices of each triangle; every triangle has area 1/2 and runs the same way round: from x
+    /// towards y. There are 2 (width - 1) (height - 1). Their order is that of their first edge's
+    /// midpoint, row by row.
+    std::vector<std::array<int32_t, 3>> triangles;
+};
+
+/// What became of the cost.
+struct MeshReport {
+    double cost_start = 0; ///< of the starting mesh: the sum over its edges
+    double cost = 0;       ///< of the mesh
+    Statistics statistics;
+};
+
+/// Triangulate a whole image at once. (enlarge() does it tile by tile: the same mesh but for edges,
+/// less than one in a million, that depend on something more than a halo away.) Takes about 80
+/// bytes a pixel meanwhile. False, with one line in `error`, if the image has less than 2 x 2
+/// pixels or more than 2^28, or memory runs out. Never throws.
+bool build_mesh(const float* guide, int width, int height, const MeshOptions& options, Mesh& mesh,
+                MeshReport* report = nullptr, std::string* error = nullptr);
+
+} // namespace ddt

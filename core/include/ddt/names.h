@@ -1,0 +1,30 @@
+// The names of costs, schemes and starts, as options, tables and tools spell them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ddt/core.h"
+
+namespace ddt {
+
+/// "abn", "scf", ...
+const char* cost_name(Cost cost);
+/// Set `cost` to the one of that name; false, and nothing changed, if there is none.
+bool find_cost(std::string_view name, Cost& cost);
+std::vector<std::string> cost_names();
+
+/// "one-round", "exproi2-maxgain", ...: from MeshOptions::scheme and wide_iterations.
+std::string scheme_name(const MeshOptions& options);
+/// Set scheme and wide_iterations by name; false, and nothing changed, if there is none.
+bool find_scheme(std::string_view name, MeshOptions& options);
+/// All names; the family exproi1-maxgain, exproi2-maxgain ... as "exproiN-maxgain".
+std::vector<std::string> scheme_names();
+
+/// "flat" or "diagonal".
+const char* start_name(Start start);
+bool find_start(std::string_view name, Start& start);
+std::vector<std::string> start_names();
+
+} // namespace ddt

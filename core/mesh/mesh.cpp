@@ -1,0 +1,69 @@
+#include "ddt/mesh.h"
+
+#include <new>
+
+#include "core/arith/arith.h"
+#include "core/mesh/list_triangles.h"
+#include "core/triangulate/gain.h"
+#include "core/triangulate/triangulate.h"
+
+namespace ddt {
+
+namespace {
+
+/// A lattice's site indices, doubled, must fit an int32.
+constexpr int64_t most_pixels = int64_t(1) << 28;
+
+void list(const Lattice& lattice, Mesh& mesh) {
+    const int stride = lattice.stride();
+    const auto vertex = [&](int site) {
+        return int32_t(site / stride / 2 * lattice.width() + site % stride / 2);
+    };
+    mesh.width = lattice.width();
+    mesh.height = lattice.height();
+    mesh.triangles.clear();
+    mesh.triangles.reserve(2 * size_t(mesh.width - 1) * size_t(mesh.height - 1));
+    each_triangle(lattice, [&](int a, int b, int c) {
+        mesh.triangles.push_back({vertex(a), vertex(b), vertex(c)});
+    });
+}
+
+void build(const float* guide, int width, int height, const MeshOptions& options, Mesh& mesh,
+           MeshReport* report) {
+    const DenormalsAreZero as_on_gpus;
+    Lattice lattice;
+    Workspace workspace;
+    Statistics statistics;
+    lattice.start(width, height, guide, options.start == Start::flat);
+    const double cost_start = report ? total_cost(lattice, options.cost) : 0;
+    triangulate(lattice, options, workspace, statistics);
+    if (report)
+        *report = {cost_start, total_cost(lattice, options.cost), statistics};
+    workspace = {};
+    list(lattice, mesh);
+}
+
+} // namespace
+
+bool build_mesh(const float* guide, int width, int height, const MeshOptions& options, Mesh& mesh,
+                MeshReport* report, std::string* error) {
+    std::string why;
+    if (width < 2 || height < 2)
+        why = "ddt: a mesh needs at least 2 x 2 pixels";
+    else if (int64_t(width) * height > most_pixels)
+        why = "ddt: the image is too large for one mesh";
+    else if (options.max_iterations < 0 || options.max_iterations > 250)
+        why = "ddt: max_iterations must be 0 to 250";
+    if (why.empty()) {
+        try {
+            build(guide, width, height, options, mesh, report);
+        } catch (const std::bad_alloc&) {
+            why = "ddt: out of memory";
+        }
+    }
+    if (error)
+        *error = why;
+    return why.empty();
+}
+
+} // namespace ddt

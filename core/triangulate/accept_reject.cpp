@@ -1,0 +1,168 @@
+#include "core/triangulate/gain.h"
+#include "core/triangulate/region.h"
+#include "core/triangulate/schemes.h"
+
+namespace ddt {
+
+namespace {
+
+/// What Edge::stamp says while the scheme runs.
+enum Mark : uint8_t { idle, dirty, untreated, accepted, rejected };
+
+class AcceptReject {
+public:
+    AcceptReject(Lattice& lattice, Cost cost, float min_gain, const Rules& rules, Workspace& w,
+                 Statistics& statistics)
+        : m_lattice(lattice), m_cost(cost), m_min_gain(min_gain), m_rules(rules), m_w(w),
+          m_statistics(statistics) {
+        m_w.gain.resize(lattice.size());
+        m_w.candidates.clear();
+        m_w.dirty.clear();
+        lattice.each_edge([&](int m) { touch(m); });
+    }
+
+    /// False if there was nothing to flip.
+    bool iterate(int iteration) {
+        evaluate();
+        if (m_w.candidates.empty())
+            return false;
+        m_wide = iteration <= m_rules.wide_iterations;
+        select();
+        flip();
+        return true;
+    }
+
+private:
+    uint8_t& mark(int m) { return m_lattice.edge(m).stamp; }
+
+    void touch(int m) {
+        if (mark(m) != dirty) {
+            mark(m) = dirty;
+            m_w.dirty.push_back(m);
+        }
+    }
+
+    /// Evaluate the dirty edges; keep the candidates that are not, add those that become some.
+    void evaluate() {
+        size_t kept = 0;
+        for (const int m : m_w.candidates)
+            if (mark(m) != dirty)
+                m_w.candidates[kept++] = m;
+        m_w.candidates.resize(kept);
+        m_w.flippable.clear();
+        for (const int m : m_w.dirty) {
+            mark(m) = idle;
+            if (m_lattice.edge(m).flippable())
+                m_w.flippable.push_back(m);
+        }
+        gains(m_lattice, m_cost, m_w.flippable.data(), m_w.flippable.size(), m_w.gain.data());
+        m_statistics.evaluations += int64_t(m_w.flippable.size());
+        for (const int m : m_w.flippable)
+            if (m_w.gain[size_t(m)] > m_min_gain)
+                m_w.candidates.push_back(m);
+    }
+
+    template <class F>
+    bool any_of_region(int m, F&& f) const {
+        return m_wide ? any_of_wide_region(m_lattice, m, f) : m_lattice.any_of_region(m, f);
+    }
+
+    /// Whether candidate m comes before n.
+    bool before(int m, int n) const {
+        if (m_rules.by_gain) {
+            const float a = m_w.gain[size_t(m)], b = m_w.gain[size_t(n)];
+            if (a != b)
+                return a > b;
+        }
+        return m < n;
+    }
+
+    /// An untreated candidate in m's region that comes before m, or -1.
+    int find_blocker(int m) {
+        int blocker = -1;
+        any_of_region(m, [&](int other) {
+            if (mark(other) != untreated || !before(other, m))
+                return false;
+            blocker = other;
+            return true;
+        });
+        return blocker;
+    }
+
+    /// Rounds of accepting and rejecting; the accepted are in m_w.selected.
+    void select() {
+        m_w.selected.clear();
+        m_w.blocked.clear();
+        for (const int m : m_w.candidates) {
+            mark(m) = untreated;
+            m_w.blocked.push_back({m, -1});
+        }
+        do {
+            const size_t first = m_w.selected.size();
+            accept();
+            for (size_t i = first; i < m_w.selected.size(); ++i)
+                reject_round(m_w.selected[i]);
+            ++m_statistics.rounds;
+        } while (m_rules.all_rounds && !m_w.blocked.empty());
+    }
+
+    /// Move every candidate that nothing blocks from m_w.blocked to m_w.selected. All see the marks
+    /// as they were before the round, as if treated at once.
+    void accept() {
+        size_t kept = 0;
+        for (auto& waiting : m_w.blocked) {
+            if (mark(waiting.site) != untreated)
+                continue;
+            if (waiting.blocker < 0 || mark(waiting.blocker) != untreated)
+                waiting.blocker = find_blocker(waiting.site);
+            if (waiting.blocker < 0)
+                m_w.selected.push_back(waiting.site);
+            else
+                m_w.blocked[kept++] = waiting;
+        }
+        m_w.blocked.resize(kept);
+    }
+
+    void reject_round(int winner) {
+        mark(winner) = accepted;
+        any_of_region(winner, [&](int other) {
+            if (mark(other) == untreated)
+                mark(other) = rejected;
+            return false;
+        });
+    }
+
+    /// Flip the selected and collect what must be evaluated again: their 2-regions.
+    void flip() {
+        for (const int m : m_w.candidates)
+            mark(m) = idle;
+        m_w.dirty.clear();
+        for (const int m : m_w.selected)
+            m_lattice.flip(m);
+        for (const int m : m_w.selected) {
+            touch(m);
+            m_lattice.each_of_region(m, [&](int other) { touch(other); });
+        }
+        m_statistics.flips += int64_t(m_w.selected.size());
+    }
+
+    Lattice& m_lattice;
+    const Cost m_cost;
+    const float m_min_gain;
+    const Rules m_rules;
+    bool m_wide = false; ///< in this iteration
+    Workspace& m_w;
+    Statistics& m_statistics;
+};
+
+} // namespace
+
+void accept_reject(Lattice& lattice, Cost cost, float min_gain, int max_iterations,
+                   const Rules& rules, Workspace& workspace, Statistics& statistics) {
+    AcceptReject scheme(lattice, cost, min_gain, rules, workspace, statistics);
+    for (int i = 1; i <= max_iterations && scheme.iterate(i); ++i)
+        if (statistics.iterations < i)
+            statistics.iterations = i;
+}
+
+} // namespace ddt

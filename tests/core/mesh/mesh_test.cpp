@@ -1,0 +1,67 @@
+#include "ddt/mesh.h"
+
+#include "core/triangulate/gain.h"
+#include "core/triangulate/triangulate.h"
+#include "tests/core/helpers.h"
+
+namespace ddt::test {
+namespace {
+
+TEST(Mesh, HasTwoTrianglesACellAllOfAreaOneHalf) {
+    for (const Pixel size : {Pixel{2, 2}, Pixel{2, 7}, Pixel{9, 2}, Pixel{31, 23}}) {
+        const auto guide = make_guide(Kind::shapes, size.x, size.y, 3);
+        Mesh mesh;
+        ASSERT_TRUE(build_mesh(guide.data(), size.x, size.y, {}, mesh));
+        EXPECT_EQ(mesh.width, size.x);
+        EXPECT_EQ(mesh.height, size.y);
+        ASSERT_EQ(mesh.triangles.size(), 2 * size_t(size.x - 1) * size_t(size.y - 1));
+        for (const auto& t : mesh.triangles) {
+            const auto at = [&](int32_t v) { return Pixel{v % size.x, v / size.x}; };
+            EXPECT_EQ(det(at(t[1]) - at(t[0]), at(t[2]) - at(t[0])), 1);
+        }
+    }
+}
+
+TEST(Mesh, HasTheTrianglesOfTheLattice) {
+    const int w = 23, h = 17;
+    const auto guide = make_guide(Kind::noise, w, h, 3);
+    MeshOptions o;
+    o.cost = Cost::scf;
+    Mesh mesh;
+    MeshReport report;
+    ASSERT_TRUE(build_mesh(guide.data(), w, h, o, mesh, &report));
+    Lattice lattice;
+    Workspace workspace;
+    Statistics statistics;
+    lattice.start(w, h, guide.data(), true);
+    EXPECT_EQ(report.cost_start, total_cost(lattice, o.cost));
+    triangulate(lattice, o, workspace, statistics);
+    EXPECT_EQ(report.cost, total_cost(lattice, o.cost));
+    EXPECT_EQ(report.statistics.flips, statistics.flips);
+    std::vector<Face> faces;
+    for (const auto& t : mesh.triangles) {
+        const auto at = [&](int32_t v) { return Pixel{v % w, v / w}; };
+        faces.push_back(make_face(at(t[0]), at(t[1]), at(t[2])));
+    }
+    std::sort(faces.begin(), faces.end());
+    EXPECT_EQ(faces, faces_of(lattice));
+}
+
+TEST(Mesh, SaysWhyThereIsNone) {
+    const std::vector<float> guide(8, 0.0f);
+    Mesh mesh;
+    std::string error;
+    EXPECT_FALSE(build_mesh(guide.data(), 8, 1, {}, mesh, nullptr, &error));
+    EXPECT_EQ(error, "ddt: a mesh needs at least 2 x 2 pixels");
+    EXPECT_FALSE(build_mesh(guide.data(), 1 << 15, 1 << 15, {}, mesh, nullptr, &error));
+    EXPECT_EQ(error, "ddt: the image is too large for one mesh");
+    MeshOptions o;
+    o.max_iterations = 251;
+    EXPECT_FALSE(build_mesh(guide.data(), 4, 2, o, mesh, nullptr, &error));
+    EXPECT_EQ(error, "ddt: max_iterations must be 0 to 250");
+    EXPECT_TRUE(build_mesh(guide.data(), 4, 2, {}, mesh, nullptr, &error));
+    EXPECT_EQ(error, "");
+}
+
+} // namespace
+} // namespace ddt::test

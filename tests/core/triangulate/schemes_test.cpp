@@ -1,0 +1,283 @@
+#include "core/triangulate/schemes.h"
+
+#include "core/triangulate/gain.h"
+#include "core/triangulate/region.h"
+#include "ddt/names.h"
+#include "tests/core/helpers.h"
+#include "tests/core/triangulate/slow_mesh.h"
+
+namespace ddt::test {
+namespace {
+
+constexpr Scheme flipping_schemes[] = {
+    Scheme::one_round,        Scheme::lawson,     Scheme::basic,
+    Scheme::exproi,           Scheme::maxgain,    Scheme::exproi_maxgain,
+    Scheme::exproi_n_maxgain, Scheme::look_ahead, Scheme::annealing};
+
+constexpr Cost all_costs[] = {
+#define DDT_COST(name, ...) Cost::name,
+    DDT_COSTS(DDT_COST)
+#undef DDT_COST
+};
+
+struct Result {
+    Lattice lattice;
+    Statistics statistics;
+    double cost_start, cost;
+};
+
+Result run(const std::vector<float>& guide, int width, int height, const MeshOptions& o) {
+    Result r;
+    Workspace workspace;
+    r.lattice.start(width, height, guide.data(), o.start == Start::flat);
+    r.cost_start = total_cost(r.lattice, o.cost);
+    triangulate(r.lattice, o, workspace, r.statistics);
+    r.cost = total_cost(r.lattice, o.cost);
+    return r;
+}
+
+/// Edges of the triangles at most `steps` away from those at m, without m; by breadth first.
+std::set<int> slow_region(const Lattice& lattice, int m, int steps) {
+    const std::vector<Face> faces = faces_of(lattice);
+    std::set<int> edges{m};
+    for (int i = 0; i <= steps; ++i) {
+        std::set<int> more;
+        for (const int e : edges)
+            for (const Face& f : faces) {
+                std::set<int> sides;
+                for (size_t k = 0; k < 3; ++k)
+                    sides.insert(
+                        lattice.site(f[k].x + f[(k + 1) % 3].x, f[k].y + f[(k + 1) % 3].y));
+                if (sides.count(e))
+                    more.merge(sides);
+            }
+        edges.merge(more);
+    }
+    edges.erase(m);
+    return edges;
+}
+
+TEST(Region, TheWideOneHasAllEdgesOfTheNextRingOfTriangles) {
+    const auto guide = make_guide(Kind::noise, 9, 8, 5);
+    MeshOptions o;
+    o.cost = Cost::scf;
+    const Result r = run(guide, 9, 8, o);
+    r.lattice.each_edge([&](int m) {
+        if (!r.lattice.edge(m).flippable())
+            return;
+        std::set<int> narrow, wide;
+        r.lattice.each_of_region(m, [&](int e) { narrow.insert(e); });
+        any_of_wide_region(r.lattice, m, [&](int e) {
+            wide.insert(e);
+            return false;
+        });
+        wide.erase(m);
+        ASSERT_EQ(narrow, slow_region(r.lattice, m, 1));
+        ASSERT_EQ(wide, slow_region(r.lattice, m, 2));
+    });
+}
+
+TEST(Region, FarFromTheRimThereAre12And28Edges) {
+    const std::vector<float> guide(12 * 12, 0.0f);
+    Lattice lattice;
+    lattice.start(12, 12, guide.data(), false);
+    const int m = lattice.site(11, 11);
+    EXPECT_EQ(slow_region(lattice, m, 1).size(), 12u);
+    int visits = 0;
+    any_of_wide_region(lattice, m, [&](int) {
+        ++visits;
+        return false;
+    });
+    EXPECT_EQ(visits, 28);
+}
+
+TEST(Schemes, EveryOneEndsInACheaperTriangulation) {
+    uint64_t seed = 1;
+    for (const Pixel size : {Pixel{2, 2}, Pixel{2, 9}, Pixel{11, 2}, Pixel{19, 14}})
+        for (const Kind kind : all_kinds)
+            for (const Cost cost : all_costs)
+                for (const Scheme scheme : flipping_schemes) {
+                    MeshOptions o;
+                    o.scheme = scheme;
+                    o.cost = cost;
+                    o.start = ++seed % 2 ? Start::flat : Start::diagonal;
+                    SCOPED_TRACE(scheme_name(o) + " " + cost_name(cost));
+                    const Result r = run(make_guide(kind, size.x, size.y, seed), size.x, size.y, o);
+                    ASSERT_TRUE(is_triangulation(r.lattice));
+                    ASSERT_LE(r.cost, r.cost_start + 1e-6 * size.x * size.y);
+                    ASSERT_EQ(r.statistics.pixels, size.x * size.y);
+                    ASSERT_TRUE(r.statistics.flips > 0 || r.cost == r.cost_start);
+                }
+}
+
+TEST(Schemes, NoFlipThatGainsIsLeft) {
+    for (const Scheme scheme : flipping_schemes)
+        for (const Cost cost : all_costs) {
+            MeshOptions o;
+            o.scheme = scheme;
+            o.cost = cost;
+            o.max_iterations = 250;
+            SCOPED_TRACE(scheme_name(o) + " " + cost_name(cost));
+            const Result r = run(make_guide(Kind::shapes, 30, 22, 8), 30, 22, o);
+            dispatch(cost, [&](auto which) {
+                for (const int m : flippable_edges(r.lattice))
+                    ASSERT_LE(scalar::gain<decltype(which)>(r.lattice, m), min_gain(o));
+            });
+        }
+}
+
+/// One accept/reject iteration as the paper words it, without haste: candidates in order of
+/// priority, each accepted unless the region of one accepted before holds it.
+std::vector<int> slow_accepted(const Lattice& lattice, Cost cost, float min_gain, bool by_gain,
+                               int steps, bool all_rounds) {
+    std::vector<std::pair<float, int>> candidates;
+    dispatch(cost, [&](auto which) {
+        for (const int m : flippable_edges(lattice)) {
+            const float g = scalar::gain<decltype(which)>(lattice, m);
+            if (g > min_gain)
+                candidates.push_back({by_gain ? -g : 0.0f, m});
+        }
+    });
+    std::sort(candidates.begin(), candidates.end());
+    std::set<int> barred;
+    std::vector<int> accepted;
+    for (const auto& [priority, m] : candidates) {
+        const std::set<int> region = slow_region(lattice, m, steps);
+        if (!barred.count(m)) {
+            accepted.push_back(m);
+            barred.insert(region.begin(), region.end());
+        } else if (!all_rounds) {
+            // A candidate that was not the best of its region bars those after it all the same.
+            barred.insert(region.begin(), region.end());
+        }
+    }
+    std::sort(accepted.begin(), accepted.end());
+    return accepted;
+}
+
+TEST(AcceptReject, FlipsWhatTheSlowReferenceAccepts) {
+    for (const Kind kind : {Kind::noise, Kind::few, Kind::shapes})
+        for (const bool by_gain : {false, true})
+            for (const int wide : {0, 2, int(Rules::always)})
+                for (const bool all_rounds : {false, true}) {
+                    const auto guide = make_guide(kind, 11, 9, 77);
+                    const Rules rules{by_gain, wide, all_rounds};
+                    Lattice slow;
+                    slow.start(11, 9, guide.data(), false);
+                    for (int iteration = 1; iteration <= 3; ++iteration) {
+                        for (const int m : slow_accepted(slow, Cost::scf, 1e-6f, by_gain,
+                                                         iteration <= wide ? 2 : 1, all_rounds))
+                            slow.flip(m);
+                        Lattice fast;
+                        fast.start(11, 9, guide.data(), false);
+                        Workspace w;
+                        Statistics s;
+                        accept_reject(fast, Cost::scf, 1e-6f, iteration, rules, w, s);
+                        ASSERT_EQ(records(fast), records(slow))
+                            << by_gain << " " << wide << " " << all_rounds << " " << iteration;
+                    }
+                }
+}
+
+TEST(AcceptReject, ByGainInOneRoundIsOneRound) {
+    for (const Kind kind : all_kinds) {
+        const auto guide = make_guide(kind, 50, 37, 4);
+        Lattice a, b;
+        a.start(50, 37, guide.data(), true);
+        b.start(50, 37, guide.data(), true);
+        Workspace w;
+        Statistics of_a, of_b;
+        one_round(a, Cost::abn, 1e-3f, 64, w, of_a);
+        accept_reject(b, Cost::abn, 1e-3f, 64, {true, 0, false}, w, of_b);
+        EXPECT_EQ(records(a), records(b));
+        EXPECT_EQ(of_a.flips, of_b.flips);
+    }
+}
+
+TEST(AcceptReject, AllRoundsTreatEveryCandidate) {
+    const auto guide = make_guide(Kind::noise, 40, 40, 4);
+    const auto first_iteration = [&](bool all_rounds) {
+        Lattice lattice;
+        lattice.start(40, 40, guide.data(), false);
+        Workspace w;
+        Statistics s;
+        accept_reject(lattice, Cost::scf, 1e-6f, 1, {true, 0, all_rounds}, w, s);
+        return s;
+    };
+    EXPECT_EQ(first_iteration(false).rounds, 1);
+    EXPECT_GT(first_iteration(true).rounds, 1);
+    EXPECT_GT(first_iteration(true).flips, first_iteration(false).flips);
+}
+
+TEST(LookAhead, NoPairThatGainsIsLeft) {
+    for (const Kind kind : {Kind::noise, Kind::shapes}) {
+        MeshOptions o;
+        o.scheme = Scheme::look_ahead;
+        o.cost = Cost::scf;
+        o.max_iterations = 250;
+        Result r = run(make_guide(kind, 25, 20, 8), 25, 20, o);
+        using C = scalar::Scf<float>;
+        for (const int m : flippable_edges(r.lattice)) {
+            Lattice other = r.lattice;
+            const float first = scalar::gain<C>(other, m);
+            other.flip(m);
+            const Quad q(other.edge(m));
+            for (const Vec middle : q.middle) {
+                const int side = m + other.offset(middle);
+                if (!other.edge(side).flippable())
+                    continue;
+                // The last bits depend on which way round the first edge is stored.
+                ASSERT_LE(first + scalar::gain<C>(other, side), min_gain(o) + 1e-6f);
+            }
+        }
+    }
+}
+
+TEST(LookAhead, EndsBelowLawson) {
+    MeshOptions o;
+    o.cost = Cost::scf;
+    const auto guide = make_guide(Kind::shapes, 80, 60, 9);
+    o.scheme = Scheme::lawson;
+    const double lawson = run(guide, 80, 60, o).cost;
+    o.scheme = Scheme::look_ahead;
+    EXPECT_LT(run(guide, 80, 60, o).cost, lawson);
+}
+
+TEST(Annealing, DependsOnTheSeedAndOnNothingElse) {
+    const auto guide = make_guide(Kind::shapes, 60, 40, 9);
+    MeshOptions o;
+    o.scheme = Scheme::annealing;
+    o.max_iterations = 10;
+    const auto once = records(run(guide, 60, 40, o).lattice);
+    on_each_target([&] { EXPECT_EQ(records(run(guide, 60, 40, o).lattice), once); });
+    o.seed = 2;
+    EXPECT_NE(records(run(guide, 60, 40, o).lattice), once);
+}
+
+TEST(Annealing, EndsBelowOneRound) {
+    MeshOptions o;
+    o.cost = Cost::scf;
+    const auto guide = make_guide(Kind::shapes, 80, 60, 9);
+    const double before = run(guide, 80, 60, o).cost;
+    o.scheme = Scheme::annealing;
+    EXPECT_LT(run(guide, 80, 60, o).cost, before);
+}
+
+TEST(Annealing, ThePictureIsTheSameForAnyNumberOfThreads) {
+    // Wider than a tile, so that tiles overlap.
+    const int w = 300, h = 20;
+    const auto guide = make_guide(Kind::shapes, w, h, 9);
+    MeshOptions o;
+    o.scheme = Scheme::annealing;
+    o.max_iterations = 5;
+    const auto picture = [&](int threads) {
+        std::vector<float> out(size_t(2 * w) * size_t(2 * h));
+        EXPECT_TRUE(enlarge(guide.data(), w, h, 1, guide.data(), out.data(), 2 * w, 2 * h,
+                            Surface::linear, o, threads) == Outcome::done);
+        return out;
+    };
+    EXPECT_EQ(differing(picture(1), picture(3)), 0u);
+}
+
+} // namespace
+} // namespace ddt::test
