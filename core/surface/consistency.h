@@ -24,7 +24,8 @@ public:
     /// softened (where the net has soft edges).
     void correct(const Lattice& lattice, Surface surface, Net& net);
 
-    /// Give the lanes whose bit is set their source values back: identifiers are nothing to correct.
+    /// Give the lanes whose bit is set their source values back: identifiers are nothing to
+    /// correct.
     void restore(const Lattice& lattice, unsigned lanes, Net& net) const;
 
     // For the SIMD twins: group_size floats a pixel.

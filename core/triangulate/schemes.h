@@ -33,7 +33,7 @@ void accept_reject(Lattice& lattice, Cost cost, float min_gain, int max_iteratio
 /// data-dependent triangulation": an edge that does not gain by itself is flipped together with the
 /// best of its parallelogram's sides if the two flips gain together. Sequential.
 void look_ahead(Lattice& lattice, Cost cost, float min_gain, int max_sweeps,
-                Statistics& statistics);
+                const Workspace& workspace, Statistics& statistics);
 
 /// Simulated annealing (Schumaker 1993, "Computing optimal triangulations using simulated
 /// annealing"), in parallel: in each iteration, edges drawn at random that are outside each other's

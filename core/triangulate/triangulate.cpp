@@ -62,9 +62,9 @@ void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& worksp
     case Scheme::one_round:
         return one_round(lattice, cost, threshold, iterations, workspace, statistics);
     case Scheme::lawson:
-        return lawson(lattice, cost, threshold, iterations, statistics);
+        return lawson(lattice, cost, threshold, iterations, workspace, statistics);
     case Scheme::look_ahead:
-        return look_ahead(lattice, cost, threshold, iterations, statistics);
+        return look_ahead(lattice, cost, threshold, iterations, workspace, statistics);
     case Scheme::annealing:
         return annealing(lattice, cost, threshold, iterations, options.seed, workspace, statistics);
     default:
