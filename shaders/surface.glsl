@@ -84,7 +84,7 @@ void find_range(inout Patch p, vec4 strict) {
     p.high = if_less(p.high, p.z2, p.z2, p.high);
 #ifdef SOFT
     const vec4 zero = vec4(0.0), infinity = uintBitsToFloat(uvec4(0x7f800000u));
-    p.low = if_less(zero, strict, p.low, if_less(p.low, zero, -infinity, zero));
+    p.low = if_less(zero, strict, p.low, if_less_equal(zero, p.low, zero, -infinity));
     p.high = if_less(zero, strict, p.high, infinity);
 #endif
 }
