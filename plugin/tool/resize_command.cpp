@@ -1,4 +1,4 @@
-#include <cstdio>
+#include <cmath>
 
 #include <OpenImageIO/filesystem.h>
 
@@ -19,7 +19,7 @@ public:
         paragraphs = {
             "The same pixels as oiiotool IN --resize:filter=ddt SIZE -o OUT with the plugin.",
             "Sizes are oiiotool's: 640x480; 0x480 keeps the shape; 640x480+10-20 moves the origin; "
-            "50%, 50%x75%; 2.5 is a factor. They are those of the data window."};
+            "50%, 50%x75%; 2.5 is a factor. They are those of the display window."};
         operands = {{"IN", "any image OpenImageIO reads"},
                     {"SIZE", "size of the result"},
                     {"OUT", "any image OpenImageIO writes"}};
@@ -58,17 +58,27 @@ public:
     }
 
 private:
-    /// As oiiotool does: the size is the data window's, and the display window becomes the same.
+    /// The windows that oiiotool makes: the size is the display window's; the data window is scaled
+    /// along with it, its origin rounded down, its size up. Of a size that does not change, neither
+    /// does the origin.
     bool prepare(const OIIO::ImageSpec& from, const std::string& text,
                  OIIO::ImageBuf& result) const {
         Size size;
-        if (!parse_size(text, {from.width, from.height, from.x, from.y}, size))
+        if (!parse_size(text, {from.full_width, from.full_height, from.full_x, from.full_y}, size))
             return false;
         OIIO::ImageSpec spec = from;
-        spec.x = spec.full_x = size.x;
-        spec.y = spec.full_y = size.y;
-        spec.width = spec.full_width = size.width;
-        spec.height = spec.full_height = size.height;
+        if (size.width != from.full_width || size.height != from.full_height) {
+            const double across = double(size.width) / from.full_width;
+            const double down = double(size.height) / from.full_height;
+            spec.x = size.x + int(std::floor((from.x - from.full_x) * across));
+            spec.y = size.y + int(std::floor((from.y - from.full_y) * down));
+            spec.width = int(std::ceil(from.width * across));
+            spec.height = int(std::ceil(from.height * down));
+            spec.full_x = size.x;
+            spec.full_y = size.y;
+            spec.full_width = size.width;
+            spec.full_height = size.height;
+        }
         if (!m_type.empty()) {
             spec.set_format(OIIO::TypeDesc(m_type));
             spec.channelformats.clear();
