@@ -57,6 +57,8 @@ const std::vector<Option>& table() {
         choice("cost", cost_names(),
                [](const std::string& name, Options& o) { return find_cost(name, o.mesh.cost); }),
         number("consistency", 0, 16, [](Options& o) -> int& { return o.surface.consistency; }),
+        choice("device", device_names(),
+               [](const std::string& name, Options& o) { return find_device(name, o.device); }),
         number("iterations", 0, 250, [](Options& o) -> int& { return o.mesh.max_iterations; }),
         // Whether a colour space has the name is known only once the config is read.
         {"light", "auto, encoded and names of colour spaces",

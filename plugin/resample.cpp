@@ -72,6 +72,7 @@ bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& map
     job.mesh = options.mesh;
     job.surface = options.surface;
     job.threads = thread_count(nthreads);
+    job.device = options.device;
     job.progress = options.progress;
     job.statistics = &statistics;
     if (enlarge(source, sink, mapping, job, &error) != Outcome::done) {

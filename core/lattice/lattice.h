@@ -53,10 +53,11 @@ struct Edge {
     uint8_t stamp = 0; ///< iteration of the last evaluation (scratch of the triangulation)
     uint8_t unused = 0;
 
-    /// True for the diagonal of a parallelogram.
+    /// True for the diagonal of a parallelogram. Without branches, since half of all edges are.
     bool flippable() const {
-        return !left.zero() && left == -right && left.x <= longest_edge &&
-               left.x >= -longest_edge && left.y <= longest_edge && left.y >= -longest_edge;
+        const auto allowed = [](int n) { return unsigned(n + longest_edge) <= 2u * longest_edge; };
+        return ((left.x | left.y) != 0) & (left.x + right.x == 0) & (left.y + right.y == 0) &
+               allowed(left.x) & allowed(left.y);
     }
 };
 
@@ -115,6 +116,9 @@ public:
     /// 2x2 cell, or with `flat` the diagonal whose ends differ less in the guide (on a tie that
     /// one). `guide`: width x height floats. Memory is kept from one use to the next.
     void start(int width, int height, const float* guide, bool flat);
+
+    /// Take the memory for so many sites: 4 a pixel are enough.
+    void reserve(size_t sites) { m_sites.reserve(sites); }
 
     int width() const { return m_width; }
     int height() const { return m_height; }

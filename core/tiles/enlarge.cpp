@@ -1,15 +1,18 @@
 #include <algorithm>
-#include <atomic>
+#include <chrono>
+#include <cstdio>
 #include <exception>
 #include <memory>
-#include <mutex>
 #include <new>
 
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "core/gl/offload.h"
 #include "core/tiles/grid.h"
+#include "core/tiles/run.h"
 #include "core/tiles/tile_worker.h"
 #include "ddt/core.h"
 
@@ -23,11 +26,16 @@ constexpr size_t memory_limit = size_t(192) << 20;
 /// Largest coordinate of a window, so that positions and sites stay far from overflow.
 constexpr int largest_coordinate = 1 << 29;
 
+/// Largest number of pixels of a window, so that its tiles can be counted.
+constexpr double largest_area = double(int64_t(1) << 45);
+
 bool check(const Job& job, std::string& error) {
     const Rect& w = job.window;
     if (w.empty() || std::min(w.x0, w.y0) < -largest_coordinate ||
         std::max(w.x1, w.y1) > largest_coordinate)
         error = "ddt: the source window must not be empty, its coordinates within +-2^29";
+    else if (double(w.width()) * double(w.height()) > largest_area)
+        error = "ddt: the source window must not have more than 2^45 pixels";
     else if (job.channels < 1)
         error = "ddt: there must be at least 1 channel";
     else if (!job.kinds.empty() && job.kinds.size() != size_t(job.channels))
@@ -55,56 +63,47 @@ const char* describe(Outcome outcome) {
         return "ddt: the job makes no sense";
     case Outcome::out_of_memory:
         return "ddt: out of memory";
+    case Outcome::device_unavailable:
+        return "ddt: the device is unavailable";
     }
     return "ddt: unknown failure";
 }
 
-/// The state shared by the threads of one job.
-class Run {
-public:
-    Run(const Job& job, int tiles) : m_job(job), m_tiles(tiles) {}
+/// Add what tiles were worth.
+void add(const Statistics& s, Statistics& sum) {
+    sum.pixels += s.pixels;
+    sum.evaluations += s.evaluations;
+    sum.flips += s.flips;
+    sum.rounds += s.rounds;
+    sum.iterations = std::max(sum.iterations, s.iterations);
+}
 
-    bool going() const { return m_outcome.load(std::memory_order_relaxed) == Outcome::done; }
-    void end(Outcome outcome) {
-        auto expected = Outcome::done;
-        m_outcome.compare_exchange_strong(expected, outcome);
-    }
-    void tile_done() {
-        if (!m_job.progress)
-            return;
-        const std::lock_guard<std::mutex> lock(m_mutex);
-        if (going() && !m_job.progress(float(++m_done) / float(m_tiles)))
-            end(Outcome::cancelled);
-    }
-    Outcome outcome() const { return m_outcome; }
+int thread_count(const Job& job) {
+    const int wanted = job.threads > 0 ? job.threads : tbb::this_task_arena::max_concurrency();
+    // More than there can be would make oneTBB print a warning.
+    const size_t most =
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    return int(std::min<size_t>(size_t(wanted), most));
+}
 
-private:
-    const Job& m_job;
-    const int m_tiles;
-    std::atomic<Outcome> m_outcome{Outcome::done};
-    std::mutex m_mutex;
-    int m_done = 0;
-};
-
-Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job) {
-    const Grid grid(job.window);
-    Run state(job, grid.count());
+/// Work on all tiles that are not done.
+void work_on_cpu(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
+                 const Grid& grid, Run& run, Statistics& statistics) {
     const size_t in_flight = std::max<size_t>(1, memory_limit / TileWorker::memory(job));
-    int threads = job.threads > 0 ? job.threads : tbb::this_task_arena::max_concurrency();
-    threads = int(std::min<size_t>(size_t(threads), in_flight));
+    const int threads = int(std::min<size_t>(size_t(thread_count(job)), in_flight));
 
     tbb::enumerable_thread_specific<std::unique_ptr<TileWorker>> workers;
     const auto work = [&](int index) {
-        if (!state.going())
+        if (!run.going() || run.is_done(index))
             return;
         auto& worker = workers.local();
         if (!worker)
             worker = std::make_unique<TileWorker>(source, sink, mapping, job);
-        const Outcome outcome = worker->work(grid.tile(index));
+        const Outcome outcome = worker->work(grid.tile(index), run.next_row(index));
         if (outcome == Outcome::done)
-            state.tile_done();
+            run.tile_done(index);
         else
-            state.end(outcome);
+            run.end(outcome);
     };
     if (threads == 1) {
         for (int i = 0; i < grid.count(); ++i)
@@ -113,18 +112,44 @@ Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job) 
         tbb::task_arena arena(threads);
         arena.execute([&] { tbb::parallel_for(0, grid.count(), work); });
     }
-    if (job.statistics) {
-        Statistics& sum = *job.statistics = {};
-        for (const auto& worker : workers) {
-            const Statistics& s = worker->statistics();
-            sum.pixels += s.pixels;
-            sum.evaluations += s.evaluations;
-            sum.flips += s.flips;
-            sum.rounds += s.rounds;
-            sum.iterations = std::max(sum.iterations, s.iterations);
-        }
-    }
-    return state.outcome();
+    for (const auto& worker : workers)
+        add(worker->statistics(), statistics);
+}
+
+/// Tell of a job on stderr, for DDT_VERBOSE.
+void report(const Placement& placement, const std::string& failure, const Statistics& statistics,
+            double seconds) {
+    if (!failure.empty())
+        std::fprintf(stderr, "ddt: %s failed, finished on the CPU: %s\n",
+                     describe(placement).c_str(), failure.c_str());
+    std::fprintf(stderr, "ddt: device %s; %lld pixels, %lld flips, %d iterations, %.1f ms\n",
+                 failure.empty() ? describe(placement).c_str() : "cpu",
+                 static_cast<long long>(statistics.pixels),
+                 static_cast<long long>(statistics.flips), statistics.iterations, seconds * 1e3);
+}
+
+Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, std::string& why) {
+    const auto begin = std::chrono::steady_clock::now();
+    Placement placement;
+    if (!place(job, placement, why))
+        return Outcome::device_unavailable;
+    const Grid grid(job.window);
+    Run run(job, grid.count());
+    Statistics statistics;
+    std::string failure;
+    if (placement.gpu)
+        failure = work_on_gpu(*placement.gpu, source, sink, mapping, job, grid, thread_count(job),
+                              run, statistics);
+    const bool on_cpu = !placement.gpu || !failure.empty();
+    statistics.device = on_cpu ? Device::cpu : placement.device;
+    if (on_cpu)
+        work_on_cpu(source, sink, mapping, job, grid, run, statistics);
+    if (job.statistics)
+        *job.statistics = statistics;
+    if (verbose())
+        report(placement, failure, statistics,
+               std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    return run.outcome();
 }
 
 } // namespace
@@ -135,7 +160,7 @@ Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& j
     std::string why;
     try {
         if (check(job, why))
-            outcome = run(source, sink, mapping, job);
+            outcome = run(source, sink, mapping, job, why);
         if (outcome != Outcome::done && why.empty())
             why = describe(outcome);
     } catch (const std::bad_alloc&) {

@@ -1,10 +1,9 @@
 #include "core/tiles/tile_worker.h"
 
 #include <algorithm>
-#include <cstring>
-#include <limits>
 
 #include "core/arith/arith.h"
+#include "core/tiles/tile_io.h"
 
 namespace ddt {
 
@@ -22,57 +21,18 @@ bool contains(const Rect& outer, const Rect& inner) {
            inner.y1 <= outer.y1;
 }
 
-int group_count(int channels) {
-    return (channels + group_size - 1) / group_size;
-}
-
-int channels_in_group(int channels, int group) {
-    return std::min(group_size, channels - group * group_size);
-}
-
-Channel kind_of(const Job& job, int channel) {
-    return size_t(channel) < job.kinds.size() ? job.kinds[size_t(channel)] : Channel::blend;
-}
-
-NearestMask nearest_mask(const Job& job, int group) {
-    NearestMask mask = 0;
-    for (int c = 0; c < channels_in_group(job.channels, group); ++c)
-        if (kind_of(job, group * group_size + c) == Channel::nearest)
-            mask |= 1u << c;
-    return mask;
-}
-
-/// Widen a picture one pixel wide or high to two by repeating it: a lattice has at least 2 x 2.
-void repeat_to_two(std::vector<float>& v, int& width, int& height, int channels) {
-    const auto n = size_t(channels);
-    if (width == 1) {
-        v.resize(size_t(height) * 2 * n);
-        for (int y = height - 1; y >= 0; --y)
-            for (size_t k = 2; k-- > 0;)
-                std::memmove(&v[(size_t(y) * 2 + k) * n], &v[size_t(y) * n], n * sizeof(float));
-        width = 2;
-    }
-    if (height == 1) {
-        const size_t row = size_t(width) * n;
-        v.resize(2 * row);
-        std::memcpy(&v[row], &v[0], row * sizeof(float));
-        height = 2;
-    }
-}
-
-/// A position in the lattice of the tile.
-Point local(const Tile& tile, const Position& p) {
-    return {int32_t(p.x - int64_t(tile.pixels.x0) * position_one),
-            int32_t(p.y - int64_t(tile.pixels.y0) * position_one)};
+/// Pixels of the largest tile of a window; a lattice has at least 2 x 2.
+size_t largest_tile(const Rect& window) {
+    const auto along = [](int pixels) {
+        return size_t(std::clamp(pixels, 2, tile_size + 1 + 2 * tile_halo));
+    };
+    return along(window.width()) * along(window.height());
 }
 
 } // namespace
 
 size_t TileWorker::memory(const Job& job) {
-    const auto along = [](int window) {
-        return size_t(std::min(window, tile_size + 1 + 2 * tile_halo));
-    };
-    const size_t pixels = along(job.window.width()) * along(job.window.height());
+    const size_t pixels = largest_tile(job.window);
     const size_t sites = 4 * pixels;
     // Lattice, gains, work lists; then what the surface takes; guide and values.
     const size_t mesh = sites * (sizeof(Site) + sizeof(float) + 4 * sizeof(int));
@@ -84,14 +44,29 @@ size_t TileWorker::memory(const Job& job) {
     return mesh + nets + soft + gradients + consistency + planes + 2 * strip_floats * sizeof(float);
 }
 
-Outcome TileWorker::work(const Tile& tile) {
-    constexpr double beyond = std::numeric_limits<double>::infinity();
-    const Rect reach =
-        m_mapping.reach(tile.cells.x0 == m_job.window.x0 ? -beyond : tile.cells.x0,
-                        tile.cells.y0 == m_job.window.y0 ? -beyond : tile.cells.y0,
-                        tile.last_x ? beyond : tile.cells.x1, tile.last_y ? beyond : tile.cells.y1);
+void TileWorker::reserve() {
+    const size_t pixels = largest_tile(m_job.window), sites = 4 * pixels;
+    m_values.reserve(pixels * size_t(m_job.channels));
+    m_guide.reserve(pixels);
+    m_lattice.reserve(sites);
+    m_workspace.gain.reserve(sites);
+    m_nets.resize(size_t(group_count(m_job.channels)));
+    for (Net& net : m_nets)
+        net.values.reserve(sites * group_size);
+    if (m_job.surface.soft > 0)
+        for (Net& net : m_nets)
+            net.soft.reserve(sites * group_size);
+    if (m_job.surface.kind != Surface::linear)
+        m_gradients.xy.reserve((sites + 1) * group_size);
+}
+
+Outcome TileWorker::work(const Tile& tile, int first_row) {
+    Rect reach = reach_of(tile, m_job.window, m_mapping);
+    reach.y0 = std::max(reach.y0, first_row);
     if (reach.empty())
         return Outcome::done;
+    if (m_nets.empty())
+        reserve();
     if (!read(tile))
         return Outcome::source_failed;
     make_surface(tile);
@@ -99,17 +74,12 @@ Outcome TileWorker::work(const Tile& tile) {
 }
 
 bool TileWorker::read(const Tile& tile) {
-    const Rect& r = tile.pixels;
-    m_values.resize(r.area() * size_t(m_job.channels));
-    m_guide.resize(r.area());
-    if (!m_source.read(r, m_values.data(), m_guide.data()))
+    int width = 0, height = 0;
+    if (!read_tile(m_source, tile, m_job, m_values, m_guide, width, height))
         return false;
-    int width = r.width(), height = r.height();
-    int guide_width = width, guide_height = height;
-    repeat_to_two(m_guide, guide_width, guide_height, 1);
-    repeat_to_two(m_values, width, height, m_job.channels);
-    m_workspace.origin_x = r.x0 - m_job.window.x0;
-    m_workspace.origin_y = r.y0 - m_job.window.y0;
+    m_workspace.origin_x = tile.pixels.x0 - m_job.window.x0;
+    m_workspace.origin_y = tile.pixels.y0 - m_job.window.y0;
+    const DenormalsAreZero as_on_gpus;
     m_lattice.start(width, height, m_guide.data(), m_job.mesh.start == Start::flat);
     return true;
 }
@@ -124,9 +94,7 @@ void TileWorker::make_surface(const Tile& tile) {
         find_gains(m_lattice, m_job.mesh.cost, m_workspace);
 
     const Rect whole{0, 0, m_lattice.width(), m_lattice.height()};
-    const int groups = group_count(m_job.channels);
-    m_nets.resize(size_t(groups));
-    for (int g = 0; g < groups; ++g) {
+    for (int g = 0; g < int(m_nets.size()); ++g) {
         Net& net = m_nets[size_t(g)];
         set_vertices(m_lattice, m_values.data(), m_job.channels, g * group_size,
                      channels_in_group(m_job.channels, g), net);
@@ -139,6 +107,7 @@ void TileWorker::make_surface(const Tile& tile) {
             shape(net, whole);
             m_consistency.correct(m_lattice, surface.kind, net);
         }
+        m_consistency.restore(m_lattice, nearest_mask(m_job, g), net);
     }
     // The halo is not sampled, but triangles of the tile reach into it, seldom far.
     const Rect &c = tile.cells, &p = tile.pixels;
@@ -210,12 +179,7 @@ Outcome TileWorker::write_runs(const Tile& tile, const Rect& row) {
     const int width = row.width();
     m_mapping.row(row.y0, row.x0, row.x1, m_positions.data(), m_inside.data());
     const auto serves = [&](int i) {
-        if (!m_inside[size_t(i)])
-            return false;
-        const int64_t x = m_positions[size_t(i)].x >> position_bits;
-        const int64_t y = m_positions[size_t(i)].y >> position_bits;
-        return x >= tile.cells.x0 && y >= tile.cells.y0 && (tile.last_x || x < tile.cells.x1) &&
-               (tile.last_y || y < tile.cells.y1);
+        return m_inside[size_t(i)] && ddt::serves(tile, m_positions[size_t(i)]);
     };
     for (int i = 0; i < width;) {
         if (!serves(i)) {

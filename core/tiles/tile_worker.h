@@ -18,8 +18,9 @@ public:
     TileWorker(Source& source, Sink& sink, const Mapping& mapping, const Job& job)
         : m_source(source), m_sink(sink), m_mapping(mapping), m_job(job) {}
 
-    /// Read, triangulate, sample and write the tile; nothing if the mapping shows none of it.
-    Outcome work(const Tile& tile);
+    /// Read, triangulate, sample and write the tile's output rows from first_row on; nothing if the
+    /// mapping shows none of it.
+    Outcome work(const Tile& tile, int first_row);
 
     const Statistics& statistics() const { return m_statistics; }
 
@@ -27,6 +28,9 @@ public:
     static size_t memory(const Job& job);
 
 private:
+    /// Take the memory that the largest tile needs: a vector that grows from tile to tile would
+    /// take up to twice of it.
+    void reserve();
     bool read(const Tile& tile);
     void make_surface(const Tile& tile);
     void bend(const Rect& part);

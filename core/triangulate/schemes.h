@@ -16,6 +16,9 @@ struct Rules {
     static constexpr int always = 1 << 30;
 };
 
+/// The rules of the options' scheme; false if it is not one of the paper's.
+bool find_rules(const MeshOptions& options, Rules& rules);
+
 /// Cervenansky et al. 2010, section 4 and figure 6. An iteration: evaluate; edges that gain more
 /// than min_gain are candidates. Rounds: a candidate with the highest priority among the untreated
 /// of its region is accepted; untreated candidates in the region of an accepted one are rejected.

@@ -1,8 +1,8 @@
 // The plugin as a genuine ImageInput: enlarged images under names of their own, see request.h.
 //
 // It does not claim to be "procedural": a failing open would crash oiiotool. While OIIO looks for a
-// reader of a file that nobody else wants, it asks every reader under a mutex that most of its
-// functions take: foreign names are refused before any of them is called.
+// reader of a file that nobody else wants, it asks every reader under a mutex that opening a file
+// takes, too: foreign names are refused before anything is called.
 #include <cstring>
 #include <exception>
 #include <memory>
@@ -41,7 +41,7 @@ public:
                                void* data) override;
 
 private:
-    bool open_source(const std::string& name, const OIIO::ImageSpec& config, std::string& error);
+    bool open_source(const OIIO::ImageSpec& config, std::string& error);
     /// Go to a subimage that the source has; the result's description becomes m_spec.
     bool describe(int subimage, std::string& error);
     /// Enlarge the current subimage, unless that has been done.
@@ -75,12 +75,14 @@ bool Reader::report(F f) {
 
 bool Reader::open(const std::string& name, OIIO::ImageSpec& newspec,
                   const OIIO::ImageSpec& config) {
-    if (!is_request_name(name))
+    // "nowait" is OIIO's word to readers that it tries in turn. It has asked us before, by the
+    // extension, and without that mutex.
+    if (!is_request_name(name) || config.get_int_attribute("nowait"))
         return false;
     lock_guard lock(*this);
     close();
     const bool ok = report([&](std::string& error) {
-        return parse_request(name, m_request, error) && open_source(name, config, error) &&
+        return parse_request(name, m_request, error) && open_source(config, error) &&
                describe(0, error);
     });
     if (ok)
@@ -90,7 +92,7 @@ bool Reader::open(const std::string& name, OIIO::ImageSpec& newspec,
     return ok;
 }
 
-bool Reader::open_source(const std::string&, const OIIO::ImageSpec& config, std::string& error) {
+bool Reader::open_source(const OIIO::ImageSpec& config, std::string& error) {
     OIIO::ImageSpec hints = config;
     // Meant for the file that we are, not for the one that we read.
     hints.erase_attribute("oiio:ioproxy");

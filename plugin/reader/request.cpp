@@ -75,7 +75,8 @@ private:
     bool set_scale(const std::string& item, const std::string& value, std::string& error) {
         if (!parse_number(value, m_request.scale) ||
             !(m_request.scale > 0 && m_request.scale <= largest_size)) {
-            error = format("ddt: \"{}\" is not allowed; scale is a number above 0", item);
+            error = format("ddt: \"{}\" is not allowed; scale is a number above 0, at most {}",
+                           item, largest_size);
             return false;
         }
         m_request.width = m_request.height = 0;
@@ -168,7 +169,9 @@ int64_t scale_up(int64_t a, int64_t b, int64_t c) {
 
 bool is_request_name(const std::string& name) noexcept {
     const size_t end = std::min(name.find('?'), name.size());
-    if (end < extension_length)
+    // At least one character of the file's name before it: ".ddt" itself is a hidden file without
+    // an extension.
+    if (end <= extension_length || name[end - extension_length - 1] == '/')
         return false;
     for (size_t i = 0; i < extension_length; ++i) {
         const char c = name[end - extension_length + i];

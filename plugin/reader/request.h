@@ -40,7 +40,8 @@ struct Request {
     bool windows(const OIIO::ImageSpec& from, OIIO::ImageSpec& to, std::string& error) const;
 };
 
-/// True if the name, up to a question mark, ends in ".ddt". Calls nothing of OIIO.
+/// True if the name, up to a question mark, has the extension ".ddt", in the sense that OIIO looks
+/// for a reader by it. Calls nothing of OIIO.
 bool is_request_name(const std::string& name) noexcept;
 
 /// Read the request from a name for which is_request_name() holds; opens the sidecar if there is

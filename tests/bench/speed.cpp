@@ -124,6 +124,15 @@ int main(int argc, char** argv) {
         args.print_help();
         return 2;
     }
+    std::vector<double> factors;
+    for (const std::string& scale : OIIO::Strutil::splits(scales, ",")) {
+        factors.push_back(OIIO::Strutil::string_is_float(scale) ? OIIO::Strutil::stof(scale) : 0);
+        if (!(factors.back() > 1 && factors.back() <= 64)) {
+            std::fprintf(stderr, "speed: --scales takes factors above 1, up to 64; not \"%s\"\n",
+                         scale.c_str());
+            return 2;
+        }
+    }
     OIIO::ImageBuf picture;
     if (path.empty()) {
         picture = made_picture(megapixels);
@@ -144,8 +153,8 @@ int main(int argc, char** argv) {
                         eight_bit ? "8-bit sRGB" : "linear float", threads, threads > 1 ? "s" : "");
             std::printf("%-18s %15s %15s %15s %13s\n", "times as fast as:", stock_filters[0],
                         stock_filters[1], stock_filters[2], "ns/pixel out");
-            for (const std::string& scale : OIIO::Strutil::splits(scales, ","))
-                compare(image, OIIO::Strutil::stof(scale), threads, rounds);
+            for (double scale : factors)
+                compare(image, scale, threads, rounds);
         }
     return 0;
 }

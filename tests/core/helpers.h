@@ -360,12 +360,16 @@ inline std::vector<Point> make_points(const Lattice& lattice, int n, Random& ran
     return points;
 }
 
-/// Call f once for every instruction set that was compiled and this machine has.
+/// Call f once for every instruction set that was compiled and this machine has, and for what is
+/// there for machines with none of them.
 template <class F>
 void on_each_target(F&& f) {
-    for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    auto targets = hwy::SupportedAndGeneratedTargets();
+    if (std::find(targets.begin(), targets.end(), HWY_STATIC_TARGET) == targets.end())
+        targets.push_back(HWY_STATIC_TARGET);
+    for (const int64_t target : targets) {
         hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        hwy::GetChosenTarget().Update(target);
         SCOPED_TRACE(hwy::TargetName(target));
         f();
     }

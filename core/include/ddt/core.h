@@ -6,7 +6,7 @@
 // Graphics 2010.
 //
 // The result is a function of the pixels and of these options alone: it has the same bits for
-// every number of threads, every instruction set, every part of the output asked for.
+// every number of threads, every instruction set, every device, every part of the output asked for.
 //
 // Nothing here throws; functions that can fail return false and describe why.
 #pragma once
@@ -166,6 +166,16 @@ private:
     Axis m_x, m_y;
 };
 
+/// What the work is done on. The result has the same bits on all of them.
+enum class Device : uint8_t {
+    /// What the environment variable DDT_DEVICE names (auto, cpu, egl, osmesa); without it a
+    /// hardware GPU if there is one and the image is large enough to gain from it, else the CPU.
+    automatic,
+    cpu,
+    egl,    ///< OpenGL through libEGL, on a GPU or, where there is none, a software renderer
+    osmesa, ///< OpenGL through libOSMesa, a software renderer: for tests
+};
+
 /// What was done; sums over all tiles, so halos count.
 struct Statistics {
     int64_t pixels = 0;      ///< vertices of all meshes
@@ -173,6 +183,8 @@ struct Statistics {
     int64_t flips = 0;
     int64_t rounds = 0; ///< of accepting and rejecting, in the schemes that do
     int iterations = 0; ///< the largest of any tile
+    /// Where the tiles were worked on; cpu if at least one was. Never automatic.
+    Device device = Device::cpu;
 };
 
 /// A piece of work.
@@ -183,17 +195,30 @@ struct Job {
     MeshOptions mesh;
     SurfaceOptions surface;
     int threads = 0; ///< 0: as many as there are cores
+    /// A device that is named and cannot be had is Outcome::device_unavailable, before anything is
+    /// read. A device that fails later, also for lack of memory, leaves the rest to the CPU. A
+    /// process forked from one that used a GPU has none and uses the CPU, whatever is named.
+    Device device = Device::automatic;
     /// Called from time to time with the share done, 0 to 1, one thread at a time; return false
     /// to cancel. May be empty.
     std::function<bool(float)> progress;
     Statistics* statistics = nullptr; ///< filled in when not null
 };
 
-enum class Outcome { done, cancelled, source_failed, sink_failed, bad_job, out_of_memory };
+enum class Outcome {
+    done,
+    cancelled,
+    source_failed,
+    sink_failed,
+    bad_job,
+    out_of_memory,
+    device_unavailable,
+};
 
 /// Read the source tile by tile, triangulate, and write every output pixel the mapping gives.
 /// Memory: a few MB a thread beside what source and sink hold. Never throws. `error`, when not
-/// null, receives one line if the outcome is not `done`.
+/// null, receives one line if the outcome is not `done`. With the environment variable DDT_VERBOSE
+/// set to 1, lines on stderr tell the device, the iterations and where the time went.
 Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                 std::string* error = nullptr);
 

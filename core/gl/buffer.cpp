@@ -1,0 +1,80 @@
+#include "core/gl/buffer.h"
+
+#include <algorithm>
+#include <string>
+
+#include "core/gl/failure.h"
+#include "core/gl/faults.h"
+
+namespace ddt::gl {
+
+Buffer::Buffer(const Functions& gl, size_t bytes) : m_gl(gl), m_bytes(std::max<size_t>(bytes, 16)) {
+    check(gl, "before glBufferData");
+    if (strikes(Fault::allocation))
+        throw OutOfMemory("glBufferData: out of memory");
+    gl.GenBuffers(1, &m_name);
+    gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, m_name);
+    gl.BufferData(GL_SHADER_STORAGE_BUFFER, GLsizeiptr(m_bytes), nullptr, GL_DYNAMIC_COPY);
+    const GLenum error = gl.GetError();
+    if (error == GL_NO_ERROR)
+        return;
+    gl.DeleteBuffers(1, &m_name);
+    throw OutOfMemory("glBufferData of " + std::to_string(m_bytes) +
+                      " bytes: " + error_name(error));
+}
+
+Buffer::~Buffer() {
+    m_gl.DeleteBuffers(1, &m_name);
+}
+
+void Buffer::bind(GLuint storage_binding) const {
+    m_gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, storage_binding, m_name);
+}
+
+void Buffer::bind_uniform(GLuint binding) const {
+    m_gl.BindBufferBase(GL_UNIFORM_BUFFER, binding, m_name);
+}
+
+void Buffer::write(size_t offset, size_t bytes, const void* data) const {
+    m_gl.BindBuffer(GL_COPY_WRITE_BUFFER, m_name);
+    m_gl.BufferSubData(GL_COPY_WRITE_BUFFER, GLintptr(offset), GLsizeiptr(bytes), data);
+}
+
+void Buffer::read(size_t offset, size_t bytes, void* data) const {
+    m_gl.BindBuffer(GL_COPY_READ_BUFFER, m_name);
+    m_gl.GetBufferSubData(GL_COPY_READ_BUFFER, GLintptr(offset), GLsizeiptr(bytes), data);
+}
+
+void Buffer::clear() const {
+    m_gl.BindBuffer(GL_COPY_WRITE_BUFFER, m_name);
+    m_gl.ClearBufferData(GL_COPY_WRITE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+}
+
+void check(const Functions& gl, const char* where) {
+    if (strikes(Fault::lost) ||
+        (gl.GetGraphicsResetStatus && gl.GetGraphicsResetStatus() != GL_NO_ERROR))
+        throw ContextLost(std::string(where) + ": the context was lost");
+    const GLenum error = gl.GetError();
+    if (error == GL_NO_ERROR)
+        return;
+    const std::string message = std::string(where) + ": " + error_name(error);
+    if (error == GL_CONTEXT_LOST)
+        throw ContextLost(message);
+    if (error == GL_OUT_OF_MEMORY)
+        throw OutOfMemory(message);
+    throw Failure(message);
+}
+
+void finish(const Functions& gl, const char* where) {
+    constexpr GLuint64 half_a_minute = 30'000'000'000u;
+    const GLsync fence = gl.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    const GLenum state =
+        fence ? gl.ClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, half_a_minute) : GL_NO_ERROR;
+    if (fence)
+        gl.DeleteSync(fence);
+    check(gl, where);
+    if (state == GL_TIMEOUT_EXPIRED)
+        throw ContextLost(std::string(where) + ": the device does not answer");
+}
+
+} // namespace ddt::gl

@@ -1,0 +1,42 @@
+// Buffers on the device.
+#pragma once
+
+#include <cstddef>
+
+#include "core/gl/functions.h"
+
+namespace ddt::gl {
+
+/// A buffer of a fixed size. To be made, used and destroyed on the context's thread.
+class Buffer {
+public:
+    /// Throws OutOfMemory if it cannot be had. A size of 0 is rounded up.
+    Buffer(const Functions& gl, size_t bytes);
+    ~Buffer();
+    Buffer(const Buffer&) = delete;
+    Buffer& operator=(const Buffer&) = delete;
+
+    size_t bytes() const { return m_bytes; }
+    GLuint name() const { return m_name; }
+
+    void bind(GLuint storage_binding) const;
+    void bind_uniform(GLuint binding) const;
+    void write(size_t offset, size_t bytes, const void* data) const;
+    /// Waits for the device to be done with the buffer.
+    void read(size_t offset, size_t bytes, void* data) const;
+    void clear() const;
+
+private:
+    const Functions& m_gl;
+    GLuint m_name = 0;
+    size_t m_bytes;
+};
+
+/// Throw ContextLost, OutOfMemory or Failure if GL has recorded an error; `where` names the step.
+void check(const Functions& gl, const char* where);
+
+/// Wait until the device has done all that was asked of it, then check(). A device that does not
+/// get there within half a minute counts as lost.
+void finish(const Functions& gl, const char* where);
+
+} // namespace ddt::gl

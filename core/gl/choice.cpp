@@ -1,0 +1,30 @@
+#include "core/gl/choice.h"
+
+#include <cstdlib>
+
+#include "core/gl/offload.h"
+#include "ddt/names.h"
+
+namespace ddt {
+
+namespace gl {
+
+bool wish(const Job& job, Device& device, std::string& why) {
+    device = job.device;
+    const char* name = std::getenv("DDT_DEVICE");
+    if (device != Device::automatic || !name || !*name)
+        return true;
+    if (find_device(name, device))
+        return true;
+    why = "ddt: DDT_DEVICE=" + std::string(name) + " is not one of auto, cpu, egl, osmesa";
+    return false;
+}
+
+} // namespace gl
+
+bool verbose() {
+    const char* value = std::getenv("DDT_VERBOSE");
+    return value && std::string(value) == "1";
+}
+
+} // namespace ddt

@@ -1,0 +1,102 @@
+// Triangulation of several tiles at once on the device.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/gl/buffer.h"
+#include "core/gl/gpu.h"
+#include "core/triangulate/schemes.h"
+#include "ddt/core.h"
+
+namespace ddt::gl {
+
+/// What one tile's share of each buffer is made for; the same for all tiles of a job.
+struct SlotShape {
+    int width = 0, height = 0; ///< pixels; no tile has more
+    int stride() const { return 2 * width; }
+    size_t pixels() const { return size_t(width) * size_t(height); }
+    size_t sites() const { return size_t(stride()) * size_t(2 * height - 1); }
+    size_t edges() const { return size_t(2 * width - 1) * size_t(2 * height - 1) - pixels(); }
+};
+
+/// Sizes of a tile within its slot, both at least 2.
+struct TileSize {
+    int width = 0, height = 0;
+};
+
+/// What an iteration did on one tile: gains computed, edges flipped, candidates left waiting, edges
+/// a flip had touched, rounds of accepting and rejecting. The layout of Counts in
+/// shaders/work.glsl.
+struct IterationCounts {
+    uint32_t evaluated = 0, selected = 0, blocked = 0, dirty = 0, rounds = 0;
+};
+
+/// Where the counts begin in `Work` of shaders/work.glsl: after the arguments of dispatches.
+constexpr size_t arguments_bytes = sizeof(GLuint) * 6 * (max_iterations + 2);
+
+/// Meshes of up to `tiles` tiles. To be used on the context's thread; throws Failure.
+class Mesh {
+public:
+    Mesh(Gpu& gpu, const SlotShape& shape, int tiles);
+
+    /// Device memory a tile takes, and the largest single buffer of it.
+    static size_t bytes(const SlotShape& shape);
+    static size_t largest_bytes(const SlotShape& shape);
+
+    /// Which tiles are in the slots.
+    void set_tiles(const std::vector<TileSize>& sizes);
+    /// The guide of a slot: shape.pixels() floats in rows of shape.width.
+    void write_guide(int slot, const float* guide);
+    /// A slot's mesh as it is: shape.sites() records as Site has them, in rows of shape.stride().
+    void write_sites(int slot, const void* sites);
+
+    /// Whether triangulate() knows the scheme; of others the finished mesh must be written.
+    static bool knows(const MeshOptions& options);
+    void triangulate(const MeshOptions& options);
+    /// On the finished mesh: offer the vertices their first edges, for gradients.
+    void find_first_edges();
+    /// On the finished mesh: the gains of all edges, for soft ones.
+    void find_gains(Cost cost);
+    const Buffer& gains() const { return m_gain; }
+
+    /// Counts of each iteration of the last triangulate(), a slot; waits for the device.
+    std::vector<std::vector<IterationCounts>> read_counts();
+    /// A slot's mesh, for tests.
+    void read_sites(int slot, void* sites);
+
+    /// Bind what lattice.glsl needs.
+    void bind() const;
+    const SlotShape& shape() const { return m_shape; }
+    int tiles() const { return m_tiles; }
+    int dispatches() const { return m_dispatches; }
+
+    /// One invocation a pixel or site of every tile, in groups of x times y.
+    void dispatch_over(int width, int height, int group_x, int group_y);
+
+private:
+    // The steps of triangulate(), in schemes.cpp.
+    void start(const MeshOptions& options);
+    void prepare_lists();
+    void bind_lists();
+    void one_round();
+    void accept_reject(const Rules& rules);
+    void evaluate_all(int iteration);
+    void iteration(int i);
+    void use(const char* shader, int first_iteration, int last_iteration, const char* defines = "");
+    void barrier(bool with_arguments = false);
+    void dispatch_indirect(size_t offset);
+
+    Gpu& m_gpu;
+    const Functions& m_gl;
+    SlotShape m_shape;
+    int m_tiles = 0;      ///< in use
+    int m_iterations = 0; ///< of the last triangulate(), at most
+    float m_min_gain = 0;
+    std::string m_cost; ///< the macro that chooses it
+    int m_dispatches = 0;
+    Buffer m_batch, m_sites, m_guide, m_gain, m_stamp, m_dirty, m_selected, m_blocked_even,
+        m_blocked_odd, m_work;
+};
+
+} // namespace ddt::gl

@@ -1,0 +1,50 @@
+#include "core/gl/offload.h"
+#include "ddt/names.h"
+
+#include "core/gl/choice.h"
+#include "core/gl/gpu.h"
+#include "core/gl/mesh.h"
+
+namespace ddt {
+
+namespace {
+
+/// Source pixels from which a GPU gains over the CPU, when it must be opened first (a fifth of a
+/// second) and when it is open already.
+constexpr size_t worth_opening = 4'000'000, worth_using = 250'000;
+
+} // namespace
+
+bool place(const Job& job, Placement& placement, std::string& why) {
+    placement = {};
+    Device wanted;
+    if (!gl::wish(job, wanted, why))
+        return false;
+    if (wanted == Device::cpu)
+        return true;
+    const bool named = wanted != Device::automatic;
+    if (!named && (!gl::Mesh::knows(job.mesh) ||
+                   job.window.area() < (gl::is_open(wanted) ? worth_using : worth_opening)))
+        return true;
+    bool forked = false;
+    std::string reason;
+    placement.gpu = gl::open(wanted, reason, forked);
+    if (placement.gpu) {
+        placement.device = named ? wanted : Device::egl;
+        return true;
+    }
+    if (!named || forked)
+        return true;
+    why = std::string("ddt: device ") + device_name(wanted) + " is unavailable: " + reason;
+    return false;
+}
+
+std::string describe(const Placement& placement) {
+    if (!placement.gpu)
+        return "cpu";
+    const gl::Context& context = *placement.gpu->context;
+    return std::string(device_name(placement.device)) + ": " + context.renderer + ", OpenGL " +
+           context.version + ", by " + context.platform;
+}
+
+} // namespace ddt

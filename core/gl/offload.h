@@ -1,0 +1,40 @@
+// What the rest of the core knows of GPUs: choosing one for a job and giving it the job's tiles.
+// offload_stub.cpp stands in where OpenGL's headers were missing when this was built.
+#pragma once
+
+#include <string>
+
+#include "core/tiles/grid.h"
+#include "core/tiles/run.h"
+#include "ddt/core.h"
+
+namespace ddt {
+
+namespace gl {
+struct Gpu;
+}
+
+/// Where a job is worked on.
+struct Placement {
+    Device device = Device::cpu; ///< never automatic
+    gl::Gpu* gpu = nullptr;      ///< null: the CPU
+};
+
+/// Choose by Job::device and DDT_DEVICE. False if a device that was named cannot be had; `why` says
+/// what stood in the way.
+bool place(const Job& job, Placement& placement, std::string& why);
+
+/// Work on the tiles of a job as far as the GPU gets; `run` knows how far that is. Adds to
+/// `statistics` for the tiles it finished. `threads`: how many may read the source and write to the
+/// sink at a time. Returns an empty text, or what the GPU failed at when it did.
+std::string work_on_gpu(gl::Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping,
+                        const Job& job, const Grid& grid, int threads, Run& run,
+                        Statistics& statistics);
+
+/// One line about a placement for people: "egl: llvmpipe (...), OpenGL 4.5 ...".
+std::string describe(const Placement& placement);
+
+/// Whether DDT_VERBOSE asks for lines on stderr.
+bool verbose();
+
+} // namespace ddt

@@ -1,0 +1,29 @@
+// Stands in for offload.cpp and runner.cpp where OpenGL's headers were missing when this was built.
+#include "core/gl/choice.h"
+#include "core/gl/offload.h"
+#include "ddt/names.h"
+
+namespace ddt {
+
+bool place(const Job& job, Placement& placement, std::string& why) {
+    placement = {};
+    Device wanted;
+    if (!gl::wish(job, wanted, why))
+        return false;
+    if (wanted == Device::automatic || wanted == Device::cpu)
+        return true;
+    why = std::string("ddt: device ") + device_name(wanted) +
+          " is unavailable: built without OpenGL's headers";
+    return false;
+}
+
+std::string work_on_gpu(gl::Gpu&, Source&, Sink&, const Mapping&, const Job&, const Grid&, int,
+                        Run&, Statistics&) {
+    return "there is no GPU";
+}
+
+std::string describe(const Placement&) {
+    return "cpu";
+}
+
+} // namespace ddt

@@ -1,0 +1,334 @@
+#include "core/gl/runner.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+
+#include <tbb/parallel_for.h>
+
+#include "core/arith/arith.h"
+#include "core/gl/failure.h"
+#include "core/gl/offload.h"
+#include "core/tiles/tile_io.h"
+#include "core/triangulate/triangulate.h"
+
+namespace ddt::gl {
+
+namespace {
+
+/// Device memory for tiles in flight. A software renderer's is the machine's own.
+constexpr size_t hardware_budget = size_t(1) << 30, software_budget = size_t(256) << 20;
+
+/// Bytes of output sampled in one go, about.
+constexpr size_t strip_bytes = size_t(16) << 20;
+
+/// Rows that are handed to the sink at once.
+constexpr int rows_a_write = 64;
+
+SlotShape shape_for(const Rect& window) {
+    const auto along = [](int pixels) {
+        return std::max(2, std::min(pixels, tile_size + 1 + 2 * tile_halo));
+    };
+    return {along(window.width()), along(window.height())};
+}
+
+} // namespace
+
+Runner::Runner(Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping, const Job& job,
+               const Grid& grid, int threads, Run& run)
+    : m_gpu(gpu), m_source(source), m_sink(sink), m_mapping(mapping), m_job(job), m_grid(grid),
+      m_run(run), m_arena(threads), m_shape(shape_for(job.window)),
+      m_groups(group_count(job.channels)), m_in_flight(affordable_tiles()),
+      m_counting(job.statistics || verbose()) {
+    for (int g = 0; g < group_count(job.channels); ++g) {
+        GroupKinds kinds;
+        kinds.nearest = nearest_mask(job, g);
+        for (int c = 0; c < group_size; ++c)
+            if (kind_of(job, g * group_size + c) == Channel::alpha)
+                kinds.strict |= 1u << c;
+        m_kinds.push_back(kinds);
+    }
+}
+
+Runner::~Runner() {
+    drop_meshes();
+}
+
+void Runner::drop_meshes() {
+    m_gpu.thread
+        .post([this] {
+            m_surfaces.reset();
+            m_mesh.reset();
+            m_stages.reset();
+        })
+        .wait();
+}
+
+size_t Runner::affordable_tiles() const {
+    const size_t a_tile =
+        Mesh::bytes(m_shape) + Surfaces::bytes(m_shape, size_t(m_groups), m_job.surface);
+    const size_t largest =
+        std::max(Mesh::largest_bytes(m_shape), Surfaces::largest_bytes(m_shape, m_job.surface));
+    const size_t budget = m_gpu.context->software ? software_budget : hardware_budget;
+    const size_t n = std::min(
+        {budget / a_tile, m_gpu.block_limit / largest, size_t(m_grid.count()), size_t(max_tiles)});
+    return std::max<size_t>(1, n);
+}
+
+void Runner::work() {
+    read_ahead();
+    while (m_run.going() && !m_ready.empty()) {
+        m_batch.clear();
+        while (!m_ready.empty() && m_batch.size() < m_in_flight) {
+            m_batch.push_back(std::move(m_ready.front()));
+            m_ready.pop_front();
+        }
+        try {
+            auto started = m_gpu.thread.post([this] { start_batch(); });
+            read_ahead();
+            started.get();
+            sample_batch();
+        } catch (const OutOfMemory&) {
+            if (m_in_flight == 1)
+                throw;
+            retry_with_fewer();
+        }
+    }
+    if (m_stages && m_stages->on())
+        m_gpu.thread.post([this] { report(); }).wait();
+}
+
+void Runner::retry_with_fewer() {
+    drop_meshes();
+    m_in_flight = (m_in_flight + 1) / 2;
+    while (!m_batch.empty()) {
+        m_ready.push_front(std::move(m_batch.back()));
+        m_batch.pop_back();
+    }
+}
+
+void Runner::read_ahead() {
+    std::vector<std::unique_ptr<HostTile>> tiles;
+    while (m_next_tile < m_grid.count() && m_ready.size() + tiles.size() < m_in_flight) {
+        auto t = std::make_unique<HostTile>();
+        t->index = m_next_tile++;
+        t->tile = m_grid.tile(t->index);
+        t->reach = reach_of(t->tile, m_job.window, m_mapping);
+        if (t->reach.empty())
+            m_run.tile_done(t->index);
+        else
+            tiles.push_back(std::move(t));
+    }
+    m_arena.execute([&] {
+        tbb::parallel_for(size_t(0), tiles.size(), [&](size_t i) {
+            if (m_run.going() && !read(*tiles[i]))
+                m_run.end(Outcome::source_failed);
+        });
+    });
+    for (auto& t : tiles)
+        m_ready.push_back(std::move(t));
+}
+
+bool Runner::read(HostTile& t) {
+    std::vector<float> values, guide;
+    if (!read_tile(m_source, t.tile, m_job, values, guide, t.size.width, t.size.height))
+        return false;
+    const size_t pixels = m_shape.pixels();
+    t.values.assign(pixels * size_t(m_groups) * group_size, 0.0f);
+    for (int y = 0; y < t.size.height; ++y)
+        for (int x = 0; x < t.size.width; ++x) {
+            const float* in = values.data() + (size_t(y) * size_t(t.size.width) + size_t(x)) *
+                                                  size_t(m_job.channels);
+            float* out =
+                t.values.data() + (size_t(y) * size_t(m_shape.width) + size_t(x)) * group_size;
+            for (int g = 0; g < m_groups; ++g, in += group_size, out += pixels * group_size)
+                std::memcpy(out, in, size_t(channels_in_group(m_job.channels, g)) * sizeof(float));
+        }
+    if (!Mesh::knows(m_job.mesh)) {
+        triangulate_here(t, guide);
+        return true;
+    }
+    t.guide.resize(pixels);
+    for (int y = 0; y < t.size.height; ++y)
+        std::memcpy(t.guide.data() + size_t(y) * size_t(m_shape.width),
+                    guide.data() + size_t(y) * size_t(t.size.width),
+                    size_t(t.size.width) * sizeof(float));
+    return true;
+}
+
+void Runner::triangulate_here(HostTile& t, const std::vector<float>& guide) {
+    const DenormalsAreZero as_on_gpus;
+    Lattice lattice;
+    Workspace workspace;
+    workspace.origin_x = t.tile.pixels.x0 - m_job.window.x0;
+    workspace.origin_y = t.tile.pixels.y0 - m_job.window.y0;
+    lattice.start(t.size.width, t.size.height, guide.data(), m_job.mesh.start == Start::flat);
+    triangulate(lattice, m_job.mesh, workspace, t.statistics);
+    t.sites.resize(m_shape.sites());
+    const size_t row = size_t(2 * t.size.width - 1);
+    for (int y = 0; y < 2 * t.size.height - 1; ++y)
+        std::memcpy(&t.sites[size_t(y) * size_t(m_shape.stride())],
+                    lattice.sites() + lattice.site(0, y), row * sizeof(Site));
+    // A vertex' second word: no first edge was offered yet.
+    for (int y = 0; y < t.size.height; ++y)
+        for (int x = 0; x < t.size.width; ++x)
+            t.sites[size_t(2 * y) * size_t(m_shape.stride()) + size_t(2 * x)] |=
+                uint64_t(0xffffffffu) << 32;
+}
+
+void Runner::start_batch() {
+    const Functions& gl = m_gpu.context->gl;
+    if (!m_stages)
+        m_stages = std::make_unique<Stages>(gl, verbose());
+    if (!m_mesh || !m_surfaces) {
+        m_mesh = std::make_unique<Mesh>(m_gpu, m_shape, int(m_in_flight));
+        m_surfaces =
+            std::make_unique<Surfaces>(m_gpu, m_shape, int(m_in_flight), m_kinds, m_job.surface);
+    }
+    std::vector<TileSize> sizes;
+    for (const auto& t : m_batch)
+        sizes.push_back(t->size);
+
+    m_stages->begin(Stage::upload);
+    m_mesh->set_tiles(sizes);
+    for (size_t i = 0; i < m_batch.size(); ++i) {
+        const HostTile& t = *m_batch[i];
+        if (t.sites.empty())
+            m_mesh->write_guide(int(i), t.guide.data());
+        else
+            m_mesh->write_sites(int(i), t.sites.data());
+        for (int g = 0; g < m_groups; ++g)
+            m_surfaces->write_values(int(i), g,
+                                     t.values.data() + size_t(g) * m_shape.pixels() * group_size);
+    }
+    m_stages->end();
+
+    if (m_batch[0]->sites.empty()) {
+        m_stages->begin(Stage::triangulate);
+        m_mesh->triangulate(m_job.mesh);
+        m_stages->end();
+    }
+    m_stages->begin(Stage::surface);
+    m_surfaces->make(*m_mesh, m_job.mesh.cost);
+    m_stages->end();
+    finish(gl, "triangulation");
+    if (!m_counting || !m_batch[0]->sites.empty())
+        return;
+    const auto counts = m_mesh->read_counts();
+    for (size_t i = 0; i < m_batch.size(); ++i) {
+        HostTile& t = *m_batch[i];
+        t.statistics.pixels = int64_t(t.size.width) * t.size.height;
+        for (size_t k = 0; k < counts[i].size(); ++k) {
+            t.statistics.evaluations += counts[i][k].evaluated;
+            t.statistics.flips += counts[i][k].selected;
+            t.statistics.rounds += counts[i][k].rounds;
+            if (counts[i][k].selected > 0)
+                t.statistics.iterations = int(k) + 1;
+        }
+    }
+}
+
+void Runner::sample_batch() {
+    const Strip* unwritten = nullptr;
+    int turn = 0;
+    for (size_t i = 0; i < m_batch.size() && m_run.going(); ++i) {
+        const HostTile& t = *m_batch[i];
+        const size_t row_bytes = size_t(t.reach.width()) * size_t(m_job.channels) * sizeof(float);
+        const int height = int(std::max<size_t>(1, strip_bytes / row_bytes));
+        for (int y = std::max(t.reach.y0, m_run.next_row(t.index)); y < t.reach.y1 && m_run.going();
+             y += height) {
+            Strip& strip = m_strips[turn];
+            turn = 1 - turn;
+            strip.batch_index = int(i);
+            strip.rows = {t.reach.x0, y, t.reach.x1, std::min(y + height, t.reach.y1)};
+            strip.last = strip.rows.y1 == t.reach.y1;
+            plan_strip(m_mapping, t.tile, int(i), strip);
+            sample(strip, unwritten);
+            unwritten = &strip;
+        }
+    }
+    if (unwritten && m_run.going())
+        write(*unwritten);
+}
+
+void Runner::sample(Strip& strip, const Strip* write_meanwhile) {
+    const size_t floats = size_t(strip.plan.count) * size_t(m_job.channels);
+    strip.results.resize(floats);
+    auto sampled = m_gpu.thread.post([&, floats] {
+        if (floats == 0)
+            return;
+        m_stages->begin(Stage::sample);
+        m_surfaces->write_positions(strip.positions);
+        m_surfaces->sample(*m_mesh, strip.plan, m_job.channels);
+        m_stages->end();
+        m_stages->begin(Stage::download);
+        m_surfaces->read_result(floats, strip.results.data());
+        m_stages->end();
+        check(m_gpu.context->gl, "sampling");
+    });
+    if (write_meanwhile)
+        write(*write_meanwhile);
+    sampled.get();
+}
+
+void Runner::write(const Strip& strip) {
+    const auto channels = size_t(m_job.channels);
+    // The sink may change the values, so they are not const here.
+    auto* values = const_cast<float*>(strip.results.data());
+    std::vector<std::pair<Rect, float*>> parts;
+    for (const Rect& run : strip.runs)
+        for (int y = run.y0; y < run.y1; y += rows_a_write) {
+            const Rect part{run.x0, y, run.x1, std::min(y + rows_a_write, run.y1)};
+            parts.emplace_back(part, values);
+            values += part.area() * channels;
+        }
+    m_arena.execute([&] {
+        tbb::parallel_for(size_t(0), parts.size(), [&](size_t i) {
+            if (m_run.going() && !m_sink.write(parts[i].first, parts[i].second))
+                m_run.end(Outcome::sink_failed);
+        });
+    });
+    const HostTile& t = *m_batch[size_t(strip.batch_index)];
+    m_run.wrote_rows_before(strip.rows.y1, t.index);
+    if (!strip.last || !m_run.going())
+        return;
+    m_run.tile_done(t.index);
+    m_statistics.pixels += t.statistics.pixels;
+    m_statistics.evaluations += t.statistics.evaluations;
+    m_statistics.flips += t.statistics.flips;
+    m_statistics.rounds += t.statistics.rounds;
+    m_statistics.iterations = std::max(m_statistics.iterations, t.statistics.iterations);
+}
+
+void Runner::report() {
+    const auto ms = [&](Stage stage) { return m_stages->milliseconds(stage); };
+    std::fprintf(stderr,
+                 "ddt: upload %.2f ms, triangulate %.2f ms, surface %.2f ms, sample %.2f ms, "
+                 "download %.2f ms; opened in %.0f ms, %d shaders compiled in %.0f ms\n",
+                 ms(Stage::upload), ms(Stage::triangulate), ms(Stage::surface), ms(Stage::sample),
+                 ms(Stage::download), m_gpu.open_milliseconds, m_gpu.programs->compiled(),
+                 m_gpu.programs->milliseconds());
+}
+
+} // namespace ddt::gl
+
+namespace ddt {
+
+std::string work_on_gpu(gl::Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping,
+                        const Job& job, const Grid& grid, int threads, Run& run,
+                        Statistics& statistics) {
+    std::string failure;
+    gl::Runner runner(gpu, source, sink, mapping, job, grid, threads, run);
+    try {
+        runner.work();
+    } catch (const gl::ContextLost& e) {
+        gpu.broken = true;
+        failure = e.what();
+    } catch (const gl::Failure& e) {
+        failure = e.what();
+    }
+    statistics = runner.statistics();
+    return failure;
+}
+
+} // namespace ddt

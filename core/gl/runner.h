@@ -1,0 +1,88 @@
+// The tiles of one job on a GPU.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <tbb/task_arena.h>
+
+#include "core/gl/gpu.h"
+#include "core/gl/mesh.h"
+#include "core/gl/stages.h"
+#include "core/gl/strip.h"
+#include "core/gl/surfaces.h"
+#include "core/tiles/grid.h"
+#include "core/tiles/run.h"
+#include "ddt/core.h"
+
+namespace ddt::gl {
+
+/// Reads tiles ahead, gives them to the device several at a time, and writes what comes back, strip
+/// by strip, while the device makes the next. Everything that touches GL is posted to its thread.
+class Runner {
+public:
+    Runner(Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping, const Job& job,
+           const Grid& grid, int threads, Run& run);
+    /// Waits for what was posted.
+    ~Runner();
+
+    /// Work until all tiles are done or the run has ended. Throws Failure.
+    void work();
+
+    /// Of the tiles that are done; filled in if the job or DDT_VERBOSE wants it.
+    const Statistics& statistics() const { return m_statistics; }
+
+private:
+    /// A tile in the layout of a slot.
+    struct HostTile {
+        int index = 0;
+        Tile tile;
+        Rect reach;
+        TileSize size;
+        std::vector<float> guide;
+        std::vector<float> values;   ///< a group after the other
+        std::vector<uint64_t> sites; ///< the finished mesh, of a scheme the device does not know
+        Statistics statistics;
+    };
+
+    void read_ahead();
+    bool read(HostTile& tile);
+    void triangulate_here(HostTile& tile, const std::vector<float>& guide);
+    void start_batch(); ///< on the context's thread
+    void sample_batch();
+    void sample(Strip& strip, const Strip* write_meanwhile);
+    void write(const Strip& strip);
+    void retry_with_fewer();
+    void drop_meshes();
+    size_t affordable_tiles() const;
+    void report();
+
+    Gpu& m_gpu;
+    Source& m_source;
+    Sink& m_sink;
+    const Mapping& m_mapping;
+    const Job& m_job;
+    const Grid& m_grid;
+    Run& m_run;
+    tbb::task_arena m_arena;
+    SlotShape m_shape;
+    int m_groups;
+    std::vector<GroupKinds> m_kinds;
+    Statistics m_statistics;
+
+    int m_next_tile = 0;
+    std::deque<std::unique_ptr<HostTile>> m_ready;  ///< read, not begun
+    std::vector<std::unique_ptr<HostTile>> m_batch; ///< on the device
+    size_t m_in_flight;                             ///< tiles a batch may have
+    Strip m_strips[2];                              ///< one sampled while the other is written
+    bool m_counting;                                ///< statistics are wanted
+
+    // On the context's thread only.
+    std::unique_ptr<Mesh> m_mesh;
+    std::unique_ptr<Surfaces> m_surfaces;
+    std::unique_ptr<Stages> m_stages;
+};
+
+} // namespace ddt::gl

@@ -1,0 +1,41 @@
+// Time that the device spends on each stage of the work.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/gl/functions.h"
+
+namespace ddt::gl {
+
+enum class Stage { upload, triangulate, surface, sample, download, count };
+
+/// Collects time stamps; reading them waits for the device. To be used on the context's thread.
+class Stages {
+public:
+    /// Off: measures nothing and costs nothing.
+    Stages(const Functions& gl, bool on) : m_gl(gl), m_on(on) {}
+    ~Stages();
+    Stages(const Stages&) = delete;
+    Stages& operator=(const Stages&) = delete;
+
+    void begin(Stage stage);
+    void end();
+    /// Milliseconds of a stage, of all its begin()-end() pairs together.
+    double milliseconds(Stage stage);
+    bool on() const { return m_on; }
+
+private:
+    struct Span {
+        Stage stage;
+        GLuint queries[2];
+    };
+    void collect();
+
+    const Functions& m_gl;
+    bool m_on;
+    std::vector<Span> m_spans;
+    double m_milliseconds[int(Stage::count)] = {};
+};
+
+} // namespace ddt::gl

@@ -1,0 +1,152 @@
+#include "core/gl/surfaces.h"
+
+#include <algorithm>
+
+#include "core/gl/failure.h"
+#include "core/surface/net.h"
+
+namespace ddt::gl {
+
+namespace {
+
+// A vertex has group_size floats as its value, twice that as its gradient.
+size_t value_bytes(const SlotShape& shape) {
+    return shape.pixels() * group_size * sizeof(float);
+}
+size_t gradient_bytes(const SlotShape& shape, const SurfaceOptions& options) {
+    return options.kind == Surface::linear ? 0 : 2 * value_bytes(shape);
+}
+int corrected_buffers(const SurfaceOptions& options) {
+    return std::min(options.consistency, 2);
+}
+
+float lane(unsigned mask, int i) {
+    return (mask >> i & 1u) != 0 ? 1.0f : 0.0f;
+}
+
+} // namespace
+
+Surfaces::Surfaces(Gpu& gpu, const SlotShape& shape, int tiles,
+                   const std::vector<GroupKinds>& groups, const SurfaceOptions& options)
+    : m_gpu(gpu), m_gl(gpu.context->gl), m_shape(shape), m_options(options) {
+    const auto n = size_t(tiles);
+    for (const GroupKinds& kinds : groups) {
+        Group g;
+        g.kinds = kinds;
+        g.source = std::make_unique<Buffer>(m_gl, value_bytes(shape) * n);
+        for (int i = 0; i < corrected_buffers(options); ++i)
+            g.corrected[i] = std::make_unique<Buffer>(m_gl, value_bytes(shape) * n);
+        g.gradients = std::make_unique<Buffer>(m_gl, gradient_bytes(shape, options) * n);
+        m_groups.push_back(std::move(g));
+    }
+}
+
+size_t Surfaces::bytes(const SlotShape& shape, size_t groups, const SurfaceOptions& options) {
+    return groups * (value_bytes(shape) * size_t(1 + corrected_buffers(options)) +
+                     gradient_bytes(shape, options));
+}
+
+size_t Surfaces::largest_bytes(const SlotShape& shape, const SurfaceOptions& options) {
+    return std::max(value_bytes(shape), gradient_bytes(shape, options));
+}
+
+void Surfaces::write_values(int slot, int group, const float* values) {
+    const size_t bytes = value_bytes(m_shape);
+    m_groups[size_t(group)].source->write(size_t(slot) * bytes, bytes, values);
+}
+
+std::string Surfaces::defines() const {
+    return std::string(m_options.kind == Surface::linear ? "" : "QUADRATIC ") +
+           (m_options.soft > 0 ? "SOFT" : "");
+}
+
+void Surfaces::make(Mesh& mesh, Cost cost) {
+    if (m_options.kind != Surface::linear)
+        mesh.find_first_edges();
+    if (m_options.soft > 0)
+        mesh.find_gains(cost);
+    for (Group& group : m_groups) {
+        group.values = group.source.get();
+        for (int round = 0; round < m_options.consistency; ++round) {
+            find_gradients(mesh, group);
+            correct(mesh, group, round);
+        }
+        find_gradients(mesh, group);
+    }
+}
+
+void Surfaces::find_gradients(Mesh& mesh, const Group& group) {
+    if (m_options.kind == Surface::linear)
+        return;
+    m_gpu.programs->use("gradients.comp");
+    mesh.bind();
+    group.values->bind(1);
+    group.gradients->bind(2);
+    mesh.dispatch_over(m_shape.width, m_shape.height, 32, 4);
+    m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void Surfaces::bind_net(const Mesh& mesh, const Group& group) {
+    mesh.bind();
+    group.values->bind(1);
+    group.gradients->bind(2);
+    mesh.gains().bind(3);
+    m_gl.Uniform1f(0, m_options.soft > 0 ? 1.0f / m_options.soft : 0.0f);
+    const unsigned strict = group.kinds.strict;
+    m_gl.Uniform4f(1, lane(strict, 0), lane(strict, 1), lane(strict, 2), lane(strict, 3));
+}
+
+void Surfaces::correct(Mesh& mesh, Group& group, int round) {
+    const Buffer* to = group.corrected[round & 1].get();
+    m_gpu.programs->use("correct.comp", defines());
+    bind_net(mesh, group);
+    group.source->bind(4);
+    to->bind(5);
+    const auto limit = [&](int i) { return lane(~group.kinds.strict, i) * m_options.limit; };
+    m_gl.Uniform4f(2, limit(0), limit(1), limit(2), limit(3));
+    mesh.dispatch_over(m_shape.width, m_shape.height, 32, 4);
+    m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    group.values = to;
+}
+
+void Surfaces::reserve(std::unique_ptr<Buffer>& buffer, size_t bytes) {
+    if (buffer && buffer->bytes() >= bytes)
+        return;
+    if (bytes > m_gpu.block_limit)
+        throw Failure("a row of output is larger than a storage block");
+    buffer.reset();
+    buffer = std::make_unique<Buffer>(m_gl, bytes);
+}
+
+void Surfaces::write_positions(const std::vector<int32_t>& positions) {
+    reserve(m_positions, positions.size() * sizeof(int32_t));
+    m_positions->write(0, positions.size() * sizeof(int32_t), positions.data());
+}
+
+void Surfaces::sample(Mesh& mesh, const SamplePlan& plan, int channels) {
+    reserve(m_result, size_t(plan.count) * size_t(channels) * sizeof(float));
+    m_gpu.programs->use("sample.comp",
+                        defines() + (channels % group_size == 0 ? " WHOLE_GROUPS" : ""));
+    m_gl.Uniform1i(2, plan.slot);
+    m_gl.Uniform1i(3, plan.separable);
+    m_gl.Uniform3i(4, plan.columns, plan.rows, plan.count);
+    m_gl.Uniform2i(5, plan.first_x, plan.first_y);
+    for (size_t g = 0; g < m_groups.size(); ++g) {
+        const Group& group = m_groups[g];
+        bind_net(mesh, group);
+        m_positions->bind(4);
+        m_result->bind(5);
+        group.source->bind(6);
+        const int first = int(g) * group_size;
+        m_gl.Uniform3i(6, channels, first, std::min(group_size, channels - first));
+        m_gl.Uniform1ui(7, group.kinds.nearest);
+        m_gl.DispatchCompute(GLuint(plan.columns + 15) / 16, GLuint(plan.rows + 7) / 8, 1);
+    }
+}
+
+void Surfaces::read_result(size_t floats, float* out) {
+    m_gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    m_result->read(0, floats * sizeof(float), out);
+}
+
+} // namespace ddt::gl

@@ -1,0 +1,72 @@
+// The surfaces over the meshes of several tiles, and reading them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/gl/mesh.h"
+
+namespace ddt::gl {
+
+/// A job's channels, in groups of group_size.
+struct GroupKinds {
+    unsigned nearest = 0, strict = 0; ///< a bit a lane: Channel::nearest, Channel::alpha
+};
+
+/// Positions to read one tile's surface at.
+struct SamplePlan {
+    int slot = 0;
+    /// Separable: columns x rows positions, the x at x[column], the y at y[row]; else `count`
+    /// positions, x and y by turns in `points`.
+    bool separable = true;
+    int columns = 0, rows = 0;
+    int first_x = 0, first_y = 0; ///< separable: where in the positions the x and the y begin
+    int count = 0;                ///< positions in all
+};
+
+/// Values and gradients of all tiles of a Mesh. To be used on the context's thread; throws Failure.
+class Surfaces {
+public:
+    Surfaces(Gpu& gpu, const SlotShape& shape, int tiles, const std::vector<GroupKinds>& groups,
+             const SurfaceOptions& options);
+
+    /// Device memory a tile takes, and the largest single buffer of it.
+    static size_t bytes(const SlotShape& shape, size_t groups, const SurfaceOptions& options);
+    static size_t largest_bytes(const SlotShape& shape, const SurfaceOptions& options);
+
+    /// A slot's values of one group: shape.pixels() x 4 floats in rows of shape.width.
+    void write_values(int slot, int group, const float* values);
+    /// After the mesh is finished; `cost` is what it was made with.
+    void make(Mesh& mesh, Cost cost);
+
+    /// The positions that plans refer to.
+    void write_positions(const std::vector<int32_t>& positions);
+    /// Dispatch the reading of the surface: `channels` floats a position into result().
+    void sample(Mesh& mesh, const SamplePlan& plan, int channels);
+    /// Copy what the last sample() made; waits for the device.
+    void read_result(size_t floats, float* out);
+
+private:
+    struct Group {
+        GroupKinds kinds;
+        std::unique_ptr<Buffer> source;       ///< values as they were read
+        std::unique_ptr<Buffer> corrected[2]; ///< by consistency rounds, in turn
+        std::unique_ptr<Buffer> gradients;
+        const Buffer* values = nullptr; ///< what the surface goes through now
+    };
+    std::string defines() const;
+    void bind_net(const Mesh& mesh, const Group& group);
+    void find_gradients(Mesh& mesh, const Group& group);
+    void correct(Mesh& mesh, Group& group, int round);
+    void reserve(std::unique_ptr<Buffer>& buffer, size_t bytes);
+
+    Gpu& m_gpu;
+    const Functions& m_gl;
+    SlotShape m_shape;
+    SurfaceOptions m_options;
+    std::vector<Group> m_groups;
+    std::unique_ptr<Buffer> m_positions, m_result;
+};
+
+} // namespace ddt::gl

@@ -1,0 +1,109 @@
+#include "core/tiles/tile_io.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+namespace ddt {
+
+namespace {
+
+void repeat_to_two(std::vector<float>& v, int& width, int& height, int channels) {
+    const auto n = size_t(channels);
+    if (width == 1) {
+        v.resize(size_t(height) * 2 * n);
+        for (int y = height - 1; y >= 0; --y)
+            for (size_t k = 2; k-- > 0;)
+                std::memmove(&v[(size_t(y) * 2 + k) * n], &v[size_t(y) * n], n * sizeof(float));
+        width = 2;
+    }
+    if (height == 1) {
+        const size_t row = size_t(width) * n;
+        v.resize(2 * row);
+        std::memcpy(&v[row], &v[0], row * sizeof(float));
+        height = 2;
+    }
+}
+
+uint32_t bits_of(float v) {
+    uint32_t bits;
+    std::memcpy(&bits, &v, sizeof bits);
+    return bits;
+}
+
+void zero_small(float* values, size_t n, float least) {
+    const uint32_t limit = bits_of(least);
+    for (size_t i = 0; i < n; ++i)
+        values[i] = (bits_of(values[i]) & 0x7fffffffu) < limit ? 0.0f : values[i];
+}
+
+void zero_small_blended(std::vector<float>& values, const std::vector<Channel>& kinds) {
+    for (size_t i = 0; i < values.size();)
+        for (size_t c = 0; c < kinds.size(); ++c, ++i)
+            if (kinds[c] != Channel::nearest)
+                zero_small(&values[i], 1, least_value);
+}
+
+} // namespace
+
+Rect reach_of(const Tile& tile, const Rect& window, const Mapping& mapping) {
+    constexpr double beyond = std::numeric_limits<double>::infinity();
+    return mapping.reach(tile.cells.x0 == window.x0 ? -beyond : tile.cells.x0,
+                         tile.cells.y0 == window.y0 ? -beyond : tile.cells.y0,
+                         tile.last_x ? beyond : tile.cells.x1,
+                         tile.last_y ? beyond : tile.cells.y1);
+}
+
+bool serves(const Tile& tile, const Position& p) {
+    const int64_t x = p.x >> position_bits, y = p.y >> position_bits;
+    return x >= tile.cells.x0 && y >= tile.cells.y0 && (tile.last_x || x < tile.cells.x1) &&
+           (tile.last_y || y < tile.cells.y1);
+}
+
+Point local(const Tile& tile, const Position& p) {
+    return {int32_t(p.x - int64_t(tile.pixels.x0) * position_one),
+            int32_t(p.y - int64_t(tile.pixels.y0) * position_one)};
+}
+
+bool read_tile(Source& source, const Tile& tile, const Job& job, std::vector<float>& values,
+               std::vector<float>& guide, int& width, int& height) {
+    const Rect& r = tile.pixels;
+    const int channels = job.channels;
+    values.resize(r.area() * size_t(channels));
+    guide.resize(r.area());
+    if (!source.read(r, values.data(), guide.data()))
+        return false;
+    zero_small(guide.data(), guide.size(), least_guide);
+    if (job.kinds.empty())
+        zero_small(values.data(), values.size(), least_value);
+    else
+        zero_small_blended(values, job.kinds);
+    width = r.width();
+    height = r.height();
+    int guide_width = width, guide_height = height;
+    repeat_to_two(guide, guide_width, guide_height, 1);
+    repeat_to_two(values, width, height, channels);
+    return true;
+}
+
+int group_count(int channels) {
+    return (channels + group_size - 1) / group_size;
+}
+
+int channels_in_group(int channels, int group) {
+    return std::min(group_size, channels - group * group_size);
+}
+
+Channel kind_of(const Job& job, int channel) {
+    return size_t(channel) < job.kinds.size() ? job.kinds[size_t(channel)] : Channel::blend;
+}
+
+NearestMask nearest_mask(const Job& job, int group) {
+    NearestMask mask = 0;
+    for (int c = 0; c < channels_in_group(job.channels, group); ++c)
+        if (kind_of(job, group * group_size + c) == Channel::nearest)
+            mask |= 1u << c;
+    return mask;
+}
+
+} // namespace ddt

@@ -1,0 +1,41 @@
+// What goes into a tile and out of it, for all devices alike.
+#pragma once
+
+#include <vector>
+
+#include "core/sample/evaluate.h"
+#include "core/sample/locate.h"
+#include "core/tiles/grid.h"
+#include "ddt/core.h"
+
+namespace ddt {
+
+/// Output pixels whose positions the tile may serve; empty if the mapping shows none of it.
+Rect reach_of(const Tile& tile, const Rect& window, const Mapping& mapping);
+
+/// Whether a position, not outside the window, is the tile's to sample.
+bool serves(const Tile& tile, const Position& p);
+
+/// A position in the lattice of the tile.
+Point local(const Tile& tile, const Position& p);
+
+/// Numbers nearer to zero than these become zero when a tile is read. So nothing
+/// that is computed from them comes near the denormal floats, which some devices keep and others
+/// take for zero, unless terms of that size cancel.
+constexpr float least_value = 0x1p-80f, least_guide = 0x1p-24f;
+
+/// Read the tile's pixels, small numbers zeroed as said above (but not in nearest channels). A
+/// picture one pixel wide or high is widened to two by repeating it: a lattice has at least 2 x 2;
+/// `width` and `height` receive its size.
+bool read_tile(Source& source, const Tile& tile, const Job& job, std::vector<float>& values,
+               std::vector<float>& guide, int& width, int& height);
+
+/// Channels are worked on in groups of group_size.
+int group_count(int channels);
+int channels_in_group(int channels, int group);
+/// What a channel is; also those past Job::channels in the last group are something.
+Channel kind_of(const Job& job, int channel);
+/// Which channels of a job's group are Channel::nearest.
+NearestMask nearest_mask(const Job& job, int group);
+
+} // namespace ddt

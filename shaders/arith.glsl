@@ -1,0 +1,33 @@
+// Arithmetic with the same bits as core/arith: float +, -, * in one written order, every result
+// `precise`, so that nothing is contracted to a fused multiply-add; no division, no square root.
+
+// C++ twin: core/arith/rsqrt-inl.h
+float rsqrt(int steps, float x) {
+    precise float half_x = 0.5 * x;
+    precise float y = intBitsToFloat(0x5f3759df - (floatBitsToInt(x) >> 1));
+    for (int i = 0; i < steps; ++i)
+        y = y * (1.5 - (half_x * y) * y);
+    return y;
+}
+
+vec4 rsqrt(int steps, vec4 x) {
+    precise vec4 half_x = 0.5 * x;
+    precise vec4 y = intBitsToFloat(0x5f3759df - (floatBitsToInt(x) >> 1));
+    for (int i = 0; i < steps; ++i)
+        y = y * (1.5 - (half_x * y) * y);
+    return y;
+}
+
+// a < b ? yes : no and a <= b ? yes : no, a lane: as selections, which leave NaN and the sign of
+// zero alone. Twins: core/arith/lanes4-inl.h
+vec4 if_less(vec4 a, vec4 b, vec4 yes, vec4 no) {
+    return mix(no, yes, lessThan(a, b));
+}
+vec4 if_less_equal(vec4 a, vec4 b, vec4 yes, vec4 no) {
+    return mix(no, yes, lessThanEqual(a, b));
+}
+
+// c ? yes : no, a lane.
+uvec4 if_true(bvec4 c, uvec4 yes, uvec4 no) {
+    return uvec4(c.x ? yes.x : no.x, c.y ? yes.y : no.y, c.z ? yes.z : no.z, c.w ? yes.w : no.w);
+}

@@ -1,0 +1,92 @@
+// One consistency round, one invocation a vertex. C++ twin: core/surface/consistency.cpp, which goes
+// through the cells and adds to their corners; the sum here takes the cells in the same order.
+#include "net.glsl"
+#include "locate.glsl"
+#include "consistency.glsl"
+
+layout(local_size_x = 32, local_size_y = 4) in; // z: a tile
+
+layout(std430, binding = 4) readonly buffer Source { uvec4 source[]; };
+layout(std430, binding = 5) writeonly buffer Corrected { uvec4 corrected_value[]; };
+
+layout(location = 2) uniform vec4 limit;
+
+vec4 source_at(ivec2 p) {
+    return uintBitsToFloat(source[pixel_of(p)]);
+}
+
+// The cell seen from its corner v; its diagonal goes from v or from one of v's neighbours.
+QuadrantCell quadrant_cell(ivec2 cell, ivec2 v, bool v_to_d) {
+    ivec2 d = 2 * cell + 1 - v, x = ivec2(d.x, v.y), y = ivec2(v.x, d.y);
+    QuadrantCell c;
+    c.v = value_at(v);
+    c.x = value_at(x);
+    c.y = value_at(y);
+    c.d = value_at(d);
+#ifdef QUADRATIC
+    c.vx = bend(v, x);
+    c.vy = bend(v, y);
+    c.xd = bend(x, d);
+    c.yd = bend(y, d);
+    c.diagonal = v_to_d ? bend(v, d) : bend(x, y);
+#endif
+#ifdef SOFT
+    c.qvx = softness(v, x);
+    c.qvy = softness(v, y);
+    c.qxd = softness(x, d);
+    c.qyd = softness(y, d);
+    c.q_diagonal = v_to_d ? softness(v, d) : softness(x, y);
+#endif
+    return c;
+}
+
+// The mean over the quadrant of the cell at its corner v where other edges cross the cell.
+vec4 mean_by_position(int tile, ivec2 cell, ivec2 v) {
+    ivec2 quadrant = v - cell;
+    vec4 z = value_at(v);
+    precise vec4 mean = vec4(0.0);
+    for (int i = 0; i < 4; ++i) {
+        // From left to right, and back in the row below.
+        ivec2 at_eighth = 4 * quadrant + ivec2(i == 1 || i == 2 ? 3 : 1, i < 2 ? 1 : 3);
+        Triangle t = locate(tile, cell * position_one + at_eighth * (position_one / 8));
+        Patch p = patch_of(t.vertex[0], t.vertex[1], t.vertex[2]);
+        vec3 b = weights(t);
+        vec4 f = uintBitsToFloat(result_bits(at(p, b.x, b.y, b.z)));
+        mean = mean + (f - z);
+    }
+    precise vec4 quarter = mean * 0.25;
+    return quarter;
+}
+
+vec4 mean_of(int tile, ivec2 cell, ivec2 v) {
+    int how = division(first_site, cell);
+    if (how == division_other)
+        return mean_by_position(tile, cell, v);
+    bool v_to_d = (how == division_down) == ((v.x == cell.x) == (v.y == cell.y));
+    QuadrantCell c = quadrant_cell(cell, v, v_to_d);
+    return v_to_d ? through(c) : across(c);
+}
+
+void main() {
+    int tile = int(gl_GlobalInvocationID.z);
+    ivec2 p = ivec2(gl_GlobalInvocationID.xy), size = extent[tile].xy;
+    if (p.x >= size.x || p.y >= size.y)
+        return;
+    first_site = tile * slot_sites;
+    first_pixel = tile * slot_pixels;
+    vec4 z = value_at(p);
+    if (p.x > 0 && p.y > 0 && p.x + 1 < size.x && p.y + 1 < size.y) {
+        precise vec4 sum = vec4(0.0);
+        vec4 low = source_at(p), high = low;
+        for (int i = 0; i < 4; ++i)
+            sum = sum + mean_of(tile, p - 1 + ivec2(i & 1, i >> 1), p);
+        for (int i = 0; i < 9; ++i) {
+            vec4 n = source_at(p + ivec2(i % 3 - 1, i / 3 - 1));
+            low = if_less(n, low, n, low);
+            high = if_less(high, n, n, high);
+        }
+        widen(limit, low, high);
+        z = corrected(z, source_at(p), sum, low, high);
+    }
+    corrected_value[pixel_of(p)] = floatBitsToUint(z);
+}

@@ -1,0 +1,62 @@
+// Gradients at the vertices, one invocation a pixel. C++ twin: make_gradients in
+// core/surface/net.cpp.
+#include "lattice.glsl"
+#include "first.glsl"
+#include "surface.glsl"
+
+layout(local_size_x = 32, local_size_y = 4) in; // z: a tile
+
+layout(std430, binding = 1) readonly buffer Values { uvec4 value[]; };      // a pixel
+layout(std430, binding = 2) writeonly buffer Gradients { vec4 gradient[]; }; // two a pixel: x, y
+
+vec4 value_at(int pixel) {
+    return uintBitsToFloat(value[pixel]);
+}
+
+// The apex on one side of the edge with midpoint r relative to the vertex at s, seen from there.
+ivec2 apex(int s, ivec2 r, bool left) {
+    Edge e = edge_at(s + offset(r));
+    return (e.v == r) == left ? e.left : e.right;
+}
+
+void main() {
+    int tile = int(gl_GlobalInvocationID.z);
+    int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
+    if (x >= extent[tile].x || y >= extent[tile].y)
+        return;
+    int s = tile * slot_sites + 2 * y * stride + 2 * x;
+    int pixel = tile * slot_pixels + y * slot_width + x;
+    ivec2 first = first_of_key(site[s].y);
+    vec4 z = value_at(pixel);
+    precise vec4 dz_first = value_at(pixel + first.y * slot_width + first.x) - z;
+
+    GradientMean mean = no_triangles;
+    ivec2 r = first;
+    vec4 dz = dz_first;
+    bool left = true; // first round to the left, at the rim then from the first edge to the right
+    for (;;) {
+        ivec2 a = apex(s, r, left);
+        if (is_zero(a)) {
+            if (!left)
+                break;
+            left = false;
+            r = first;
+            dz = dz_first;
+            continue;
+        }
+        ivec2 next = (r + a) / 2;
+        precise vec4 dz_next = value_at(pixel + next.y * slot_width + next.x) - z;
+        if (left)
+            add(mean, r, next, dz, dz_next);
+        else
+            add(mean, next, r, dz_next, dz);
+        if (next == first)
+            break;
+        r = next;
+        dz = dz_next;
+    }
+    vec4 gx, gy;
+    result(mean, gx, gy);
+    gradient[2 * pixel] = gx;
+    gradient[2 * pixel + 1] = gy;
+}

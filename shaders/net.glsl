@@ -1,0 +1,59 @@
+// The control net over the meshes, its edges made where they are read: a few numbers a lane from
+// vertices that are in the cache cost less than arrays of 48 bytes a pixel through memory. C++ twin:
+// core/surface/net.h. QUADRATIC, SOFT: edges bend, are soft.
+#include "lattice.glsl"
+#include "surface.glsl"
+
+layout(std430, binding = 1) readonly buffer Values { uvec4 value[]; };      // a pixel
+layout(std430, binding = 2) readonly buffer Gradients { vec4 gradient[]; }; // two a pixel: x, y
+layout(std430, binding = 3) readonly buffer Gains { float gain[]; };        // a site
+
+layout(location = 0) uniform float reciprocal_tau;
+layout(location = 1) uniform vec4 strict;
+
+int first_site, first_pixel; // of the tile; to be set before anything below is called
+
+int pixel_of(ivec2 p) {
+    return first_pixel + p.y * slot_width + p.x;
+}
+vec4 value_at(ivec2 p) {
+    return uintBitsToFloat(value[pixel_of(p)]);
+}
+
+// e of the edge between i and j; seen from either end the same, but for the sign of zero.
+vec4 bend(ivec2 i, ivec2 j) {
+    int at_i = 2 * pixel_of(i), at_j = 2 * pixel_of(j);
+    return edge_bend(gradient[at_i], gradient[at_i + 1], gradient[at_j], gradient[at_j + 1],
+                     value_at(i), value_at(j), j - i);
+}
+
+// q of the edge between i and j.
+vec4 softness(ivec2 i, ivec2 j) {
+    ivec2 m = i + j;
+    int s = first_site + offset(m);
+    Edge e = edge_at(s);
+    float w = flippable(e) ? soft_weight(gain[s], reciprocal_tau) : 0.0;
+    if (w == 0.0)
+        return vec4(0.0);
+    return edge_softness(w, value_at(i), value_at(j), value_at((m + e.left) / 2),
+                         value_at((m - e.left) / 2));
+}
+
+Patch patch_of(ivec2 p0, ivec2 p1, ivec2 p2) {
+    Patch p;
+    p.z0 = value_at(p0);
+    p.z1 = value_at(p1);
+    p.z2 = value_at(p2);
+#ifdef QUADRATIC
+    p.e01 = bend(p0, p1);
+    p.e12 = bend(p1, p2);
+    p.e20 = bend(p2, p0);
+#endif
+#ifdef SOFT
+    p.q01 = softness(p0, p1);
+    p.q12 = softness(p1, p2);
+    p.q20 = softness(p2, p0);
+#endif
+    find_range(p, strict);
+    return p;
+}

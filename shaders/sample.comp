@@ -1,0 +1,48 @@
+// Read the surface at output positions, one invocation each. C++ twin: core/sample/evaluate.cpp.
+#include "net.glsl"
+#include "locate.glsl"
+
+layout(local_size_x = 16, local_size_y = 8) in;
+
+// A separable mapping: the x of the columns, then the y of the rows; else x, y of each position.
+layout(std430, binding = 4) readonly buffer Positions { int position[]; };
+#ifdef WHOLE_GROUPS
+layout(std430, binding = 5) writeonly buffer Result { uvec4 pixels[]; }; // channels / 4 a pixel
+#else
+layout(std430, binding = 5) writeonly buffer Result { uint pixels[]; }; // `channels` a pixel
+#endif
+layout(std430, binding = 6) readonly buffer Source { uvec4 source[]; }; // as it was read
+
+layout(location = 2) uniform int tile;
+layout(location = 3) uniform bool separable;
+layout(location = 4) uniform ivec3 size;     // columns and rows of invocations, positions in all
+layout(location = 5) uniform ivec2 first;    // separable: of the first column and row in `position`
+layout(location = 6) uniform ivec3 channels; // in a pixel; first and count of this group
+layout(location = 7) uniform uint nearest;   // a bit a channel
+
+void main() {
+    int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
+    int index = y * size.x + x;
+    if (x >= size.x || y >= size.y || index >= size.z)
+        return;
+    first_site = tile * slot_sites;
+    first_pixel = tile * slot_pixels;
+    ivec2 p = separable ? ivec2(position[first.x + x], position[first.y + y])
+                        : ivec2(position[2 * index], position[2 * index + 1]);
+    Triangle t = locate(tile, p);
+    Patch patch_ = patch_of(t.vertex[0], t.vertex[1], t.vertex[2]);
+    vec3 b = weights(t);
+    uvec4 bits = result_bits(at(patch_, b.x, b.y, b.z));
+    if (nearest != 0u) {
+        ivec3 w = t.weight;
+        int most = w.y > w.x ? (w.z > w.y ? 2 : 1) : (w.z > w.x ? 2 : 0);
+        bvec4 copy = notEqual(uvec4(nearest) & uvec4(1u, 2u, 4u, 8u), uvec4(0u));
+        bits = if_true(copy, source[pixel_of(t.vertex[most])], bits);
+    }
+#ifdef WHOLE_GROUPS
+    pixels[index * (channels.x / 4) + channels.y / 4] = bits;
+#else
+    for (int c = 0; c < channels.z; ++c)
+        pixels[index * channels.x + channels.y + c] = bits[c];
+#endif
+}

@@ -1,0 +1,121 @@
+// The surface's formulas, a lane a channel. C++ twins: core/surface/gradient-inl.h and
+// core/sample/surface-inl.h.
+#include "arith.glsl"
+
+const float largest = 3.402823466e+38;
+const float gradient_epsilon = 0.02 * 0.02;
+
+struct GradientMean {
+    vec4 base_x, base_y, sum_x, sum_y, weight;
+    bool begun;
+};
+const GradientMean no_triangles =
+    GradientMean(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), false);
+
+// Add the triangle vertex, vertex + j, vertex + k, det(j, k) = 1, with value differences.
+void add(inout GradientMean mean, ivec2 j, ivec2 k, vec4 dzj, vec4 dzk) {
+    const vec4 zero = vec4(0.0);
+    precise vec4 gx = dzj * float(k.y) - dzk * float(j.y);
+    precise vec4 gy = dzk * float(j.x) - dzj * float(k.x);
+    precise vec4 square = gx * gx + gy * gy;
+    precise vec4 raised = square + gradient_epsilon;
+    vec4 w = if_less_equal(square, vec4(largest), rsqrt(1, raised), zero);
+    gx = if_less_equal(square, vec4(largest), gx, zero);
+    gy = if_less_equal(square, vec4(largest), gy, zero);
+    if (!mean.begun) {
+        mean.base_x = gx;
+        mean.base_y = gy;
+        mean.begun = true;
+    }
+    precise vec4 sum_x = mean.sum_x + w * (gx - mean.base_x);
+    precise vec4 sum_y = mean.sum_y + w * (gy - mean.base_y);
+    precise vec4 weight = mean.weight + w;
+    mean.sum_x = sum_x;
+    mean.sum_y = sum_y;
+    mean.weight = weight;
+}
+
+void result(GradientMean mean, out vec4 gx, out vec4 gy) {
+    precise vec4 r = rsqrt(3, if_less(vec4(0.0), mean.weight, mean.weight, vec4(1.0)));
+    precise vec4 reciprocal = r * r;
+    precise vec4 x = mean.base_x + mean.sum_x * reciprocal;
+    precise vec4 y = mean.base_y + mean.sum_y * reciprocal;
+    gx = x;
+    gy = y;
+}
+
+// e of the edge from i to j = i + v.
+vec4 edge_bend(vec4 gix, vec4 giy, vec4 gjx, vec4 gjy, vec4 zi, vec4 zj, ivec2 v) {
+    const vec4 zero = vec4(0.0);
+    precise vec4 difference = zj - zi;
+    precise vec4 negated = zero - difference;
+    precise vec4 limit = if_less(difference, zero, negated, difference);
+    precise vec4 lower = zero - limit;
+    precise vec4 e = (gix - gjx) * float(v.x) + (giy - gjy) * float(v.y);
+    e = if_less(e, lower, lower, e);
+    e = if_less(limit, e, limit, e);
+    return if_less_equal(limit, vec4(largest), e, zero);
+}
+
+// Weight of the flipped state of a flippable edge with this gain.
+float soft_weight(float gain, float reciprocal_tau) {
+    float loss = gain < 0.0 ? gain : 0.0;
+    precise float w = 1.0 + loss * reciprocal_tau;
+    return w > 0.0 ? 0.5 * w : 0.0;
+}
+
+// q of an edge from i to j with apexes c and d, weight w.
+vec4 edge_softness(float w, vec4 zi, vec4 zj, vec4 zc, vec4 zd) {
+    const vec4 zero = vec4(0.0);
+    precise vec4 q = w * ((zc + zd) - (zi + zj));
+    precise vec4 negated = zero - q;
+    vec4 size = if_less(q, zero, negated, q);
+    return if_less_equal(size, vec4(largest), q, zero);
+}
+
+struct Patch {
+    vec4 z0, z1, z2, e01, e12, e20, q01, q12, q20, low, high;
+};
+
+void find_range(inout Patch p, vec4 strict) {
+    p.low = if_less(p.z1, p.z0, p.z1, p.z0);
+    p.low = if_less(p.z2, p.low, p.z2, p.low);
+    p.high = if_less(p.z0, p.z1, p.z1, p.z0);
+    p.high = if_less(p.high, p.z2, p.z2, p.high);
+#ifdef SOFT
+    const vec4 zero = vec4(0.0), infinity = uintBitsToFloat(uvec4(0x7f800000u));
+    p.low = if_less(zero, strict, p.low, if_less_equal(zero, p.low, zero, -infinity));
+    p.high = if_less(zero, strict, p.high, infinity);
+#endif
+}
+
+float smaller(float a, float b) {
+    return a < b ? a : b;
+}
+
+// b z, but 0 where b = 0, whatever z is.
+vec4 term(float b, vec4 z) {
+    precise vec4 t = b * z;
+    return b > 0.0 ? t : vec4(0.0);
+}
+
+// The surface at barycentric weights b, all >= 0.
+vec4 at(Patch p, float b0, float b1, float b2) {
+    precise vec4 f = (term(b0, p.z0) + term(b1, p.z1)) + term(b2, p.z2);
+#ifdef QUADRATIC
+    precise float b01 = b0 * b1, b12 = b1 * b2, b20 = b2 * b0;
+    f = f + ((b01 * p.e01 + b12 * p.e12) + b20 * p.e20);
+#endif
+#ifdef SOFT
+    f = f + ((smaller(b0, b1) * p.q01 + smaller(b1, b2) * p.q12) + smaller(b2, b0) * p.q20);
+#endif
+    f = if_less(f, p.low, p.low, f);
+    f = if_less(p.high, f, p.high, f);
+    return f;
+}
+
+// The bits of a result: zeros have no sign, and all NaN are alike.
+uvec4 result_bits(vec4 f) {
+    uvec4 bits = if_true(equal(f, vec4(0.0)), uvec4(0u), floatBitsToUint(f));
+    return if_true(lessThanEqual(f, uintBitsToFloat(uvec4(0x7f800000u))), bits, uvec4(0x7fc00000u));
+}

@@ -1,0 +1,127 @@
+// The reader by way of OIIO: ImageInput, ImageCache, TextureSystem.
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/imagecache.h>
+#include <OpenImageIO/texture.h>
+
+namespace {
+
+using namespace OIIO;
+
+class Reader : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        OIIO::attribute("plugin_searchpath", DDT_PLUGIN_FOLDER);
+        ImageSpec spec(11, 9, 3, TypeDesc::UINT16);
+        ImageBuf image(spec);
+        uint32_t state = 7;
+        for (ImageBuf::Iterator<uint16_t> p(image); !p.done(); ++p)
+            for (int c = 0; c < 3; ++c) {
+                state = state * 1664525u + 1013904223u;
+                p[c] = float(state >> 16) / 65535.0f;
+            }
+        ASSERT_TRUE(image.write(path())) << image.geterror();
+        const ImageBuf source(path());
+        expected = ImageBufAlgo::resize(source, "ddt", 0.0f, ROI(0, 44, 0, 36, 0, 1, 0, 3));
+        ASSERT_FALSE(expected.has_error()) << expected.geterror();
+    }
+
+    static std::string path() { return testing::TempDir() + "ddt_reader_test.tif"; }
+    static std::string name() { return path() + ".ddt?scale=4"; }
+
+    inline static ImageBuf expected;
+};
+
+std::vector<float> values(const ImageBuf& image) {
+    std::vector<float> result(image.spec().image_pixels() * size_t(image.nchannels()));
+    EXPECT_TRUE(image.get_pixels(image.roi(), TypeFloat, result.data()));
+    return result;
+}
+
+TEST_F(Reader, ReadsTheWholeImage) {
+    auto input = ImageInput::open(name());
+    ASSERT_TRUE(input) << OIIO::geterror();
+    EXPECT_STREQ(input->format_name(), "ddt");
+    EXPECT_EQ(input->spec().format, TypeDesc::UINT16);
+    EXPECT_EQ(input->spec().tile_width, 0);
+    EXPECT_FALSE(input->supports("procedural"));
+    std::vector<float> pixels(44 * 36 * 3);
+    ASSERT_TRUE(input->read_image(0, 0, 0, 3, TypeFloat, pixels.data())) << input->geterror();
+    EXPECT_EQ(pixels, values(expected));
+}
+
+TEST_F(Reader, ReadsSingleRowsInAnyOrder) {
+    auto input = ImageInput::open(name());
+    ASSERT_TRUE(input) << OIIO::geterror();
+    const std::vector<float> all = values(expected);
+    std::vector<float> row(44 * 3);
+    for (const int y : {35, 0, 17, 18}) {
+        ASSERT_TRUE(input->read_scanline(y, 0, TypeFloat, row.data())) << input->geterror();
+        EXPECT_TRUE(std::equal(row.begin(), row.end(), all.begin() + y * 44 * 3)) << y;
+    }
+    EXPECT_FALSE(input->read_scanline(36, 0, TypeFloat, row.data()));
+    EXPECT_FALSE(input->read_scanline(-1, 0, TypeFloat, row.data()));
+    EXPECT_FALSE(input->geterror().empty());
+}
+
+TEST_F(Reader, HasTheSubimagesOfItsSource) {
+    auto input = ImageInput::open(name());
+    ASSERT_TRUE(input) << OIIO::geterror();
+    EXPECT_TRUE(input->seek_subimage(0, 0));
+    EXPECT_FALSE(input->seek_subimage(1, 0));
+    EXPECT_FALSE(input->seek_subimage(0, 1));
+    EXPECT_FALSE(input->seek_subimage(-1, 0));
+    EXPECT_EQ(input->current_subimage(), 0);
+}
+
+TEST_F(Reader, CanBeClosedAndOpenedAgain) {
+    auto input = ImageInput::open(name());
+    ASSERT_TRUE(input) << OIIO::geterror();
+    EXPECT_TRUE(input->close());
+    ImageSpec spec;
+    EXPECT_FALSE(input->open(path(), spec)); // a foreign name
+    ASSERT_TRUE(input->open(path() + ".ddt?scale=2", spec)) << input->geterror();
+    EXPECT_EQ(spec.width, 22);
+}
+
+TEST_F(Reader, ServesAnImageCacheFromSeveralThreads) {
+    auto cache = ImageCache::create(false);
+    cache->attribute("autotile", 8);
+    std::vector<std::vector<float>> read(4, std::vector<float>(44 * 36 * 3));
+    std::vector<std::thread> threads;
+    for (auto& pixels : read)
+        threads.emplace_back([&] {
+            EXPECT_TRUE(cache->get_pixels(ustring(name()), 0, 0, 0, 44, 0, 36, 0, 1, TypeFloat,
+                                          pixels.data()))
+                << cache->geterror();
+        });
+    for (std::thread& thread : threads)
+        thread.join();
+    for (const auto& pixels : read)
+        EXPECT_EQ(pixels, values(expected));
+    ImageCache::destroy(cache);
+}
+
+TEST_F(Reader, ServesATextureSystem) {
+    auto system = TextureSystem::create(false);
+    TextureOpt options;
+    options.interpmode = TextureOpt::InterpClosest;
+    float texel[3];
+    // The centre of pixel (10, 20).
+    ASSERT_TRUE(
+        system->texture(ustring(name()), options, 10.5f / 44, 20.5f / 36, 0, 0, 0, 0, 3, texel))
+        << system->geterror();
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(texel[c], expected.getchannel(10, 20, 0, c), 1e-4f);
+    TextureSystem::destroy(system);
+}
+
+} // namespace

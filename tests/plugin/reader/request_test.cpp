@@ -1,0 +1,169 @@
+#include "request.h"
+
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using ddt::Request;
+
+Request parsed(const std::string& name) {
+    Request request;
+    std::string error;
+    EXPECT_TRUE(ddt::parse_request(name, request, error)) << name << ": " << error;
+    return request;
+}
+
+/// The error for a name, which must leave the request as it was.
+std::string refused(const std::string& name) {
+    Request request;
+    request.source = "untouched";
+    std::string error;
+    EXPECT_FALSE(ddt::parse_request(name, request, error)) << name;
+    EXPECT_EQ(request.source, "untouched");
+    EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+    return error;
+}
+
+/// A file that is gone when the test is over.
+class File {
+public:
+    explicit File(const std::string& text) { std::ofstream(path(), std::ios::binary) << text; }
+    ~File() { std::remove(path().c_str()); }
+    static std::string path() { return testing::TempDir() + "ddt_request_test.ddt"; }
+};
+
+OIIO::ImageSpec spec(int x, int y, int width, int height, int full_x, int full_y, int full_width,
+                     int full_height) {
+    OIIO::ImageSpec s(width, height, 3, OIIO::TypeFloat);
+    s.x = x;
+    s.y = y;
+    s.full_x = full_x;
+    s.full_y = full_y;
+    s.full_width = full_width;
+    s.full_height = full_height;
+    return s;
+}
+
+TEST(Request, KnowsItsNames) {
+    for (const char* name : {"a.ddt", "a.png.ddt", "a.png.ddt?scale=2", "/x/a.DDT", "a.b/c.ddt?",
+                             "..ddt", "a.ddt?x=y.png"})
+        EXPECT_TRUE(ddt::is_request_name(name)) << name;
+    for (const char* name : {"", "ddt", ".ddt", "x/.ddt", ".ddt?scale=2", "a.png", "a.ddtx",
+                             "a.ddt.png", "a.png?x=.ddt", "addt", "?.ddt", "a.dd"})
+        EXPECT_FALSE(ddt::is_request_name(name)) << name;
+}
+
+TEST(Request, ReadsOptionsFromTheName) {
+    const Request r = parsed("some/photo.png.ddt?scale=2.5&filter=ddt-linear&light=encoded"
+                             "&scheme=lawson");
+    EXPECT_EQ(r.source, "some/photo.png");
+    EXPECT_EQ(r.scale, 2.5);
+    EXPECT_EQ(r.options.surface.kind, ddt::Surface::linear);
+    EXPECT_EQ(r.options.light, "encoded");
+    EXPECT_EQ(r.options.mesh.scheme, ddt::Scheme::lawson);
+}
+
+TEST(Request, TakesAFilterSpecificationWithOptions) {
+    const Request r = parsed("a.png.ddt?scale=2&filter=ddt-linear,light=encoded&light=sRGB");
+    EXPECT_EQ(r.options.surface.kind, ddt::Surface::linear);
+    EXPECT_EQ(r.options.light, "sRGB"); // the last wins
+}
+
+TEST(Request, TheLastSizeWins) {
+    EXPECT_EQ(parsed("a.ddt?scale=2&width=10").scale, 0);
+    EXPECT_EQ(parsed("a.ddt?scale=2&width=10").width, 10);
+    EXPECT_EQ(parsed("a.ddt?width=10&height=9&scale=3").height, 0);
+    EXPECT_EQ(parsed("a.ddt?width=10&width=11").width, 11);
+}
+
+TEST(Request, ReadsSidecars) {
+    const File file("# a comment\r\n\r\n  photo.png \r\nscale=3\nfilter=ddt-linear\n");
+    const Request r = parsed(File::path());
+    EXPECT_EQ(r.source, testing::TempDir() + "photo.png");
+    EXPECT_EQ(r.scale, 3);
+    EXPECT_EQ(r.options.surface.kind, ddt::Surface::linear);
+    EXPECT_EQ(parsed(File::path() + "?width=7").width, 7);
+    EXPECT_EQ(parsed(File::path() + "?filter=ddt").options.surface.kind, ddt::Surface::patch);
+}
+
+TEST(Request, KeepsAbsolutePathsOfSidecars) {
+    const File file("/somewhere/photo.png\nwidth=5");
+    EXPECT_EQ(parsed(File::path()).source, "/somewhere/photo.png");
+}
+
+TEST(Request, RefusesWhatItDoesNotKnow) {
+    EXPECT_NE(refused("a.ddt").find("scale="), std::string::npos);
+    EXPECT_NE(refused("a.ddt?scale=-1").find("\"scale=-1\""), std::string::npos);
+    EXPECT_NE(refused("a.ddt?scale=1e300").find("16777216"), std::string::npos);
+    EXPECT_NE(refused("a.ddt?width=99999999999").find("whole numbers"), std::string::npos);
+    EXPECT_NE(refused("a.ddt?width=2.5").find("whole numbers"), std::string::npos);
+    EXPECT_NE(refused("a.ddt?scale=2&filter=ddtx").find("\"ddtx\""), std::string::npos);
+    EXPECT_NE(refused("a.ddt?scale=2&filter=").find("ddt-linear"), std::string::npos);
+    EXPECT_NE(refused("a.ddt?scale=2&x=1").find("height, scale, width"), std::string::npos);
+    EXPECT_NE(refused("a.ddt.ddt?scale=2").find("\"a.ddt\""), std::string::npos);
+}
+
+TEST(Request, RefusesSidecarsThatLeadToSidecars) {
+    const File file("ddt_request_test.ddt\nscale=2\n");
+    EXPECT_NE(refused(File::path()).find("not itself a .ddt"), std::string::npos);
+}
+
+TEST(Request, ScalesWindowsOutwards) {
+    Request r;
+    r.scale = 2.5;
+    std::string error;
+    const OIIO::ImageSpec from = spec(-3, 1, 7, 5, 10, 20, 100, 50);
+    OIIO::ImageSpec to = from;
+    ASSERT_TRUE(r.windows(from, to, error)) << error;
+    EXPECT_EQ(to.full_x, 10);
+    EXPECT_EQ(to.full_y, 20);
+    EXPECT_EQ(to.full_width, 250);
+    EXPECT_EQ(to.full_height, 125);
+    // -13 * 2.5 = -32.5 and -6 * 2.5 = -15; -19 * 2.5 = -47.5 and -14 * 2.5 = -35.
+    EXPECT_EQ(to.x, 10 - 33);
+    EXPECT_EQ(to.width, 33 - 15);
+    EXPECT_EQ(to.y, 20 - 48);
+    EXPECT_EQ(to.height, 48 - 35);
+}
+
+TEST(Request, KeepsTheShapeIfOneSizeIsGiven) {
+    const OIIO::ImageSpec from = spec(0, 0, 30, 20, 0, 0, 30, 20);
+    std::string error;
+    Request r;
+    OIIO::ImageSpec to = from;
+    r.width = 100;
+    ASSERT_TRUE(r.windows(from, to, error));
+    EXPECT_EQ(to.height, 67);
+    r = {};
+    r.height = 1;
+    ASSERT_TRUE(r.windows(from, to, error));
+    EXPECT_EQ(to.width, 2);
+    // Never nothing.
+    const OIIO::ImageSpec thin = spec(0, 0, 1000, 1, 0, 0, 1000, 1);
+    r = {};
+    r.width = 10;
+    ASSERT_TRUE(r.windows(thin, to, error));
+    EXPECT_EQ(to.height, 1);
+}
+
+TEST(Request, BoundsSizes) {
+    Request r;
+    r.scale = 1e6;
+    std::string error;
+    const OIIO::ImageSpec from = spec(0, 0, 300, 200, 0, 0, 300, 200);
+    OIIO::ImageSpec to = from;
+    EXPECT_FALSE(r.windows(from, to, error));
+    EXPECT_NE(error.find("300000000 x 200000000"), std::string::npos) << error;
+    // A small display window with a large data window far away.
+    const OIIO::ImageSpec far = spec(1 << 28, 0, 1 << 20, 2, 0, 0, 2, 2);
+    r.scale = 1 << 20;
+    error.clear();
+    EXPECT_FALSE(r.windows(far, to, error));
+    EXPECT_NE(error.find("data window"), std::string::npos) << error;
+}
+
+} // namespace
