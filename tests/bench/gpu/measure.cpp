@@ -170,7 +170,7 @@ private:
 
     void count(Measured& m) {
         const auto counts = m_mesh.read_counts();
-        double pixels = 0, dirty = 0, selected = 0, visits = 0, out = 0;
+        double pixels = 0, evaluated = 0, selected = 0, visits = 0, candidates = 0, out = 0;
         for (size_t t = 0; t < counts.size(); ++t) {
             pixels += double(m_tiles[t].size.width) * m_tiles[t].size.height;
             out += double(m_tiles[t].reach.area());
@@ -183,7 +183,8 @@ private:
                 sum.selected += c.selected;
                 sum.blocked += c.blocked;
                 sum.dirty += c.dirty;
-                dirty += c.dirty;
+                evaluated += i > 0 ? c.evaluated : 0;
+                candidates += c.selected + c.blocked;
                 selected += c.selected;
                 visits += c.dirty + c.blocked;
             }
@@ -191,11 +192,11 @@ private:
         while (!m.iterations.empty() && m.iterations.back().selected == 0)
             m.iterations.pop_back();
         // A site is 8 bytes and there are 4 a pixel. First pass: guide to sites; sites to gains;
-        // gains and sites to lists. Later: an evaluation reads 5 edges and 8 vertices and writes a
-        // gain; a visit reads 12 gains and 5 edges; a flip writes 5 edges and 13 stamps and
-        // entries.
-        m.bytes[0] += pixels * (4 + 32 + 32 + 16 + 16 + 32) + dirty * (4 + 40 + 64 + 4) +
-                      visits * (8 + 48 + 40) + selected * (40 + 13 * 8);
+        // gains to lists. Later: an evaluation reads an entry, 5 edges and 8 vertices and writes a
+        // gain; a visit reads an entry, a gain and stamps; a candidate 12 gains and 5 edges; a flip
+        // reads 13 edges, writes 5 of them, and 13 stamps and entries.
+        m.bytes[0] += pixels * (4 + 32 + 32 + 16 + 16) + evaluated * (4 + 40 + 64 + 4) +
+                      visits * 12 + candidates * (48 + 40 + 8) + selected * (104 + 40 + 13 * 8);
         // First edges: sites and a key; gradients: sites and values to two values.
         m.bytes[1] += pixels * (32 + 8) + pixels * (32 + 16 + 32);
         // Sites, values, gradients, once each; results.
