@@ -5,6 +5,7 @@
 #include <OpenImageIO/strutil.h>
 #include <OpenImageIO/sysutil.h>
 
+#include "core/gl/offload.h"
 #include "ddt/names.h"
 #include "ddt/resize.h"
 #include "plugin/tool/commands.h"
@@ -31,6 +32,9 @@ public:
         line("OCIO config", config && *config ? config : "none in $OCIO; the one built in");
         line("cpu",
              OIIO::Strutil::fmt::format("{} threads", OIIO::Sysutil::hardware_concurrency()));
+        for (const Device device : {Device::egl, Device::osmesa})
+            line(device_name(device), describe_device(device));
+        line("auto", automatic_device());
         line("filters", OIIO::Strutil::join(filter_names(), ", "));
         line("schemes", OIIO::Strutil::join(scheme_names(), ", "));
         line("costs", OIIO::Strutil::join(cost_names(), ", "));
@@ -38,6 +42,27 @@ public:
     }
 
 private:
+    /// The renderer, or why there is none.
+    static std::string describe_device(Device device) {
+        Job job;
+        job.device = device;
+        Placement placement;
+        std::string why;
+        if (!place(job, placement, why))
+            return "not used: " + why.substr(why.find(": ", 5) + 2);
+        return describe(placement);
+    }
+    /// What a large image is worked on when no device is named.
+    static std::string automatic_device() {
+        Job job;
+        job.window = {0, 0, 8192, 8192};
+        Placement placement;
+        std::string why;
+        place(job, placement, why);
+        return (why.empty() ? describe(placement) : why) +
+               " (for a large image; small ones, schemes a GPU does not know, and machines whose "
+               "only renderer is software use the cpu)";
+    }
     static std::string OIIO_version(int v) {
         return OIIO::Strutil::fmt::format("{}.{}.{}", v / 10000, v / 100 % 100, v % 100);
     }
