@@ -76,7 +76,7 @@ void main() {
         if (own == 0) {
             n_dirty = next_dirty;
             counts[counts_of(iteration, tile)] =
-                Counts(evaluated, n_selected, n_blocked, dirty_now);
+                Counts(evaluated, n_selected, n_blocked, dirty_now, 0);
         }
         synchronize();
     }

@@ -14,7 +14,7 @@ layout(std430, binding = 5) ACCESS buffer BlockedEven { ivec2 blocked_even[]; };
 layout(std430, binding = 6) ACCESS buffer BlockedOdd { ivec2 blocked_odd[]; }; // (site, blocker)
 
 struct Counts {
-    uint evaluated, selected, blocked, dirty;
+    uint evaluated, selected, blocked, dirty, rounds;
 };
 layout(std430, binding = 7) ACCESS buffer Work {
     // Groups of indirect dispatches, (x, tiles, 1) each: of iteration i's evaluate and select at

@@ -113,6 +113,8 @@ void one_round(Lattice& lattice, Cost cost, float min_gain, int max_iterations, 
         statistics.flips += int64_t(w.selected.size());
         if (statistics.iterations < iteration)
             statistics.iterations = iteration;
+        if (!w.go_on(w.dirty.size(), lattice.size()))
+            break;
     }
 }
 
