@@ -20,15 +20,15 @@ float between(Face a, Face b, float ex, float ey) {
 #elif defined(COST_scf)
 
 struct Face {
-    float x, y, length;
+    float x, y, norm; // the twin's `length` is a function of arrays here
 };
 Face face(float gx, float gy) {
     precise float square = (gx * gx) + (gy * gy);
-    precise float length = square * rsqrt(3, square);
-    return Face(gx, gy, length);
+    precise float norm = square * rsqrt(3, square);
+    return Face(gx, gy, norm);
 }
 float between(Face a, Face b, float ex, float ey) {
-    precise float cost = (a.length * b.length) - ((a.x * b.x) + (a.y * b.y));
+    precise float cost = (a.norm * b.norm) - ((a.x * b.x) + (a.y * b.y));
     return cost;
 }
 
@@ -45,8 +45,8 @@ float between(Face a, Face b, float ex, float ey) {
     precise float square = (dx * dx) + (dy * dy);
     precise float cost = square * rsqrt(3, square);
 #ifdef COST_dlp
-    precise float length = (ex * ex) + (ey * ey);
-    cost = cost * rsqrt(3, length);
+    precise float along = (ex * ex) + (ey * ey);
+    cost = cost * rsqrt(3, along);
 #endif
     return cost;
 }
@@ -62,8 +62,8 @@ Face face(float gx, float gy) {
 }
 float between(Face a, Face b, float ex, float ey) {
     precise float dx = a.x - b.x, dy = a.y - b.y;
-    precise float square = (dx * dx) + (dy * dy), length = (ex * ex) + (ey * ey);
-    precise float vertical = (square * rsqrt(3, square)) * rsqrt(3, length);
+    precise float square = (dx * dx) + (dy * dy), along = (ex * ex) + (ey * ey);
+    precise float vertical = (square * rsqrt(3, square)) * rsqrt(3, along);
     precise float cost = vertical * (a.r + b.r);
     return cost;
 }

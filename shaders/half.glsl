@@ -8,7 +8,8 @@ uint widened(uint h) {
         return sign | 0x7f800000u | (a & 0x3ffu) << 13;
     if (a >= 0x400u)
         return sign | ((a << 13) + (112u << 23));
-    return sign | floatBitsToUint(float(a) * (1.0 / 16777216.0));
+    precise float small = float(a) * (1.0 / 16777216.0);
+    return sign | floatBitsToUint(small);
 }
 
 uint narrowed(uint f) {

@@ -84,5 +84,6 @@ Triangle locate(int tile, ivec2 p) {
 // Barycentric weights.
 vec3 weights(Triangle t) {
     const float unit = 1.0 / float(position_one);
-    return vec3(t.weight) * unit;
+    precise vec3 b = vec3(t.weight) * unit;
+    return b;
 }

@@ -61,7 +61,8 @@ vec4 edge_bend(vec4 gix, vec4 giy, vec4 gjx, vec4 gjy, vec4 zi, vec4 zj, ivec2 v
 float soft_weight(float gain, float reciprocal_tau) {
     float loss = gain < 0.0 ? gain : 0.0;
     precise float w = 1.0 + loss * reciprocal_tau;
-    return w > 0.0 ? 0.5 * w : 0.0;
+    precise float half_w = 0.5 * w;
+    return w > 0.0 ? half_w : 0.0;
 }
 
 // q of an edge from i to j with apexes c and d, weight w.
@@ -83,8 +84,9 @@ void find_range(inout Patch p, vec4 strict) {
     p.high = if_less(p.z0, p.z1, p.z1, p.z0);
     p.high = if_less(p.high, p.z2, p.z2, p.high);
 #ifdef SOFT
-    const vec4 zero = vec4(0.0), infinity = uintBitsToFloat(uvec4(0x7f800000u));
-    p.low = if_less(zero, strict, p.low, if_less_equal(zero, p.low, zero, -infinity));
+    const vec4 zero = vec4(0.0), infinity = uintBitsToFloat(uvec4(0x7f800000u)),
+               minus_infinity = uintBitsToFloat(uvec4(0xff800000u));
+    p.low = if_less(zero, strict, p.low, if_less_equal(zero, p.low, zero, minus_infinity));
     p.high = if_less(zero, strict, p.high, infinity);
 #endif
 }

@@ -77,11 +77,20 @@ void start(Device device, Slot& slot) {
             gpu->context = make_context(device, why);
             slot.why = gpu->context ? prepare(*gpu) : why;
         })
-        .wait();
+        .get();
     gpu->open_milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     if (gpu->context && slot.why.empty())
         slot.gpu = gpu; // else its idle thread is left behind
+}
+
+/// start(), whatever happens: a machine without a thread to spare has no device.
+void try_to_start(Device device, Slot& slot) {
+    try {
+        start(device, slot);
+    } catch (const std::exception& e) {
+        slot.why = e.what();
+    }
     slot.tried = true;
 }
 
@@ -103,7 +112,7 @@ Gpu* open(Device device, std::string& why, bool& forked) {
     }
     Registry& registry = *g_registry;
     const auto slot_of = [&](Device kind, Slot& slot) -> Slot& {
-        std::call_once(slot.once, [&] { start(kind, slot); });
+        std::call_once(slot.once, [&] { try_to_start(kind, slot); });
         return slot;
     };
     Slot& slot = device == Device::osmesa ? slot_of(device, registry.osmesa)

@@ -210,7 +210,7 @@ void Runner::start_batch() {
 }
 
 void Runner::sample_batch() {
-    const Strip* unwritten = nullptr;
+    Strip* unwritten = nullptr;
     int turn = 0;
     for (size_t i = 0; i < m_batch.size() && m_run.going(); ++i) {
         const HostTile& t = *m_batch[i];
@@ -232,7 +232,7 @@ void Runner::sample_batch() {
         write(*unwritten);
 }
 
-void Runner::sample(Strip& strip, const Strip* write_meanwhile) {
+void Runner::sample(Strip& strip, Strip* write_meanwhile) {
     const size_t floats = size_t(strip.plan.count) * size_t(m_job.channels);
     strip.results.resize(floats);
     auto sampled = m_gpu.thread.post([&, floats] {
@@ -252,10 +252,9 @@ void Runner::sample(Strip& strip, const Strip* write_meanwhile) {
     sampled.get();
 }
 
-void Runner::write(const Strip& strip) {
+void Runner::write(Strip& strip) {
     const auto channels = size_t(m_job.channels);
-    // The sink may change the values, so they are not const here.
-    auto* values = const_cast<float*>(strip.results.data());
+    float* values = strip.results.data();
     std::vector<std::pair<Rect, float*>> parts;
     for (const Rect& run : strip.runs)
         for (int y = run.y0; y < run.y1; y += rows_a_write) {

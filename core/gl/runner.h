@@ -52,8 +52,8 @@ private:
     void triangulate_here(HostTile& tile, const std::vector<float>& guide);
     void start_batch(); ///< on the context's thread
     void sample_batch();
-    void sample(Strip& strip, const Strip* write_meanwhile);
-    void write(const Strip& strip);
+    void sample(Strip& strip, Strip* write_meanwhile);
+    void write(Strip& strip);
     void retry_with_fewer();
     void drop_meshes();
     void report();

@@ -1,0 +1,80 @@
+// The shaders before the reference compiler: accepted in every variant, and no float operation in
+// them may be contracted with another. That is what `precise` is for; one that was forgotten shows
+// here, while the compilers of the other tests may not make use of it.
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <regex>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "core/gl/programs.h"
+#include "ddt/names.h"
+
+namespace ddt::test {
+namespace {
+
+struct Variant {
+    std::string file, defines;
+};
+
+std::vector<Variant> variants() {
+    std::vector<Variant> all = {
+        {"start.comp", ""}, {"first_edges.comp", ""}, {"gradients.comp", ""}, {"widen.comp", ""}};
+    for (const std::string& cost : cost_names())
+        for (const char* file :
+             {"evaluate.comp", "evaluate.comp DENSE", "select.comp", "select.comp DENSE",
+              "flip.comp", "finish.comp", "accept_reject.comp"}) {
+            const std::string name = file;
+            const size_t space = name.find(' ');
+            all.push_back({name.substr(0, space),
+                           "COST_" + cost + (space == name.npos ? "" : name.substr(space))});
+        }
+    for (const char* net : {"", "QUADRATIC", "SOFT", "QUADRATIC SOFT"}) {
+        all.push_back({"correct.comp", net});
+        for (const char* result : {"", " WHOLE_GROUPS", " HALF"})
+            all.push_back({"sample.comp", std::string(net) + result});
+    }
+    return all;
+}
+
+/// What the compiler prints for the shader: messages and the code it makes of it.
+std::string compiled(const Variant& v) {
+    const std::string file = testing::TempDir() + "ddt_shader.comp";
+    std::ofstream(file) << gl::shader_source(v.file, v.defines);
+    const std::string command =
+        "glslangValidator -G -H -S comp -o " + testing::TempDir() + "ddt_shader.spv " + file;
+    FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+    std::string text;
+    char part[4096];
+    while (const size_t n = fread(part, 1, sizeof part, pipe))
+        text.append(part, n);
+    pclose(pipe);
+    return text;
+}
+
+TEST(Shaders, TheReferenceCompilerTakesThemAndContractsNothing) {
+    if (std::system("glslangValidator --version >/dev/null 2>&1") != 0)
+        GTEST_SKIP() << "glslangValidator is not installed (./check installs it)";
+    const std::regex decoration("Decorate (\\d+)(?:\\([^)]*\\))? NoContraction"),
+        operation(
+            "^\\s*(\\d+)(?:\\([^)]*\\))?:.*\\b(FAdd|FSub|FMul|FDiv|VectorTimesScalar|Fma)\\b");
+    for (const Variant& v : variants()) {
+        const std::string text = compiled(v), what = v.file + " " + v.defines;
+        EXPECT_EQ(text.find("ERROR"), std::string::npos) << what << ": " << text.substr(0, 500);
+        std::set<std::string> exact;
+        std::istringstream lines(text);
+        std::smatch match;
+        for (std::string line; std::getline(lines, line);) {
+            if (std::regex_search(line, match, decoration)) {
+                exact.insert(match[1]);
+            } else if (std::regex_search(line, match, operation)) {
+                EXPECT_TRUE(exact.count(match[1])) << what << ": not precise: " << line;
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace ddt::test
