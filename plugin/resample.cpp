@@ -75,7 +75,10 @@ bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& map
     job.device = options.device;
     job.progress = options.progress;
     job.statistics = &statistics;
-    if (enlarge(source, sink, mapping, job, &error) != Outcome::done) {
+    const Outcome outcome = enlarge(source, sink, mapping, job, &error);
+    if (options.statistics)
+        *options.statistics = statistics;
+    if (outcome != Outcome::done) {
         if (const std::string why = source.error(); !why.empty())
             error = why;
         return false;

@@ -25,9 +25,9 @@ struct TileSize {
     int width = 0, height = 0;
 };
 
-/// What an iteration did on one tile: gains computed, edges flipped, candidates left waiting, edges
-/// a flip had touched, rounds of accepting and rejecting. The layout of Counts in
-/// shaders/work.glsl.
+/// What an iteration did on one tile: gains computed, edges flipped, candidates left waiting,
+/// flippable edges that a flip had touched, rounds of accepting and rejecting. The layout of Counts
+/// in shaders/work.glsl.
 struct IterationCounts {
     uint32_t evaluated = 0, selected = 0, blocked = 0, dirty = 0, rounds = 0;
 };

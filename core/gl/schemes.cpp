@@ -9,8 +9,8 @@ namespace ddt::gl {
 namespace {
 
 /// Iterations of one_round done by dispatches over all tiles; the rest by one group a tile
-/// (finish.comp). By then a tile has a few hundred edges to look at.
-constexpr int dispatched_iterations = 6;
+/// (finish.comp). By then a tile has a few thousand edges to look at, soon a few hundred.
+constexpr int dispatched_iterations = 8;
 
 } // namespace
 

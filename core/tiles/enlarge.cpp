@@ -76,6 +76,11 @@ void add(const Statistics& s, Statistics& sum) {
     sum.flips += s.flips;
     sum.rounds += s.rounds;
     sum.iterations = std::max(sum.iterations, s.iterations);
+    sum.times.read += s.times.read;
+    sum.times.triangulate += s.times.triangulate;
+    sum.times.surface += s.times.surface;
+    sum.times.sample += s.times.sample;
+    sum.times.write += s.times.write;
 }
 
 int thread_count(const Job& job) {

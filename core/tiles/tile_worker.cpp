@@ -67,26 +67,32 @@ Outcome TileWorker::work(const Tile& tile, int first_row) {
         return Outcome::done;
     if (m_nets.empty())
         reserve();
+    StageTimes& times = m_statistics.times;
+    m_clock.start();
     if (!read(tile))
         return Outcome::source_failed;
+    m_clock.lap(times.read);
+    triangulate_tile();
+    m_clock.lap(times.triangulate);
     make_surface(tile);
+    m_clock.lap(times.surface);
     return write(tile, reach);
 }
 
 bool TileWorker::read(const Tile& tile) {
-    int width = 0, height = 0;
-    if (!read_tile(m_source, tile, m_job, m_values, m_guide, width, height))
-        return false;
     m_workspace.origin_x = tile.pixels.x0 - m_job.window.x0;
     m_workspace.origin_y = tile.pixels.y0 - m_job.window.y0;
+    return read_tile(m_source, tile, m_job, m_values, m_guide, m_width, m_height);
+}
+
+void TileWorker::triangulate_tile() {
     const DenormalsAreZero as_on_gpus;
-    m_lattice.start(width, height, m_guide.data(), m_job.mesh.start == Start::flat);
-    return true;
+    m_lattice.start(m_width, m_height, m_guide.data(), m_job.mesh.start == Start::flat);
+    triangulate(m_lattice, m_job.mesh, m_workspace, m_statistics);
 }
 
 void TileWorker::make_surface(const Tile& tile) {
     const DenormalsAreZero as_on_gpus;
-    triangulate(m_lattice, m_job.mesh, m_workspace, m_statistics);
     const SurfaceOptions& surface = m_job.surface;
     if (surface.kind != Surface::linear)
         m_lattice.find_first_edges();
@@ -161,6 +167,13 @@ void TileWorker::sample(int n, float* out) {
                      m_job.channels, g * group_size, channels_in_group(m_job.channels, g), out);
 }
 
+bool TileWorker::hand_over(const Rect& r) {
+    m_clock.lap(m_statistics.times.sample);
+    const bool taken = m_sink.write(r, m_out.data());
+    m_clock.lap(m_statistics.times.write);
+    return taken;
+}
+
 Outcome TileWorker::write_rows(const Tile& tile, const Rect& rows) {
     const auto channels = size_t(m_job.channels);
     m_out.resize(rows.area() * channels + row_padding);
@@ -172,7 +185,7 @@ Outcome TileWorker::write_rows(const Tile& tile, const Rect& rows) {
             p.y = row;
         sample(rows.width(), m_out.data() + size_t(y - rows.y0) * size_t(rows.width()) * channels);
     }
-    return m_sink.write(rows, m_out.data()) ? Outcome::done : Outcome::sink_failed;
+    return hand_over(rows) ? Outcome::done : Outcome::sink_failed;
 }
 
 Outcome TileWorker::write_runs(const Tile& tile, const Rect& row) {
@@ -192,7 +205,7 @@ Outcome TileWorker::write_runs(const Tile& tile, const Rect& row) {
         const int n = i - begin;
         m_out.resize(size_t(n) * size_t(m_job.channels) + row_padding);
         sample(n, m_out.data());
-        if (!m_sink.write({row.x0 + begin, row.y0, row.x0 + i, row.y1}, m_out.data()))
+        if (!hand_over({row.x0 + begin, row.y0, row.x0 + i, row.y1}))
             return Outcome::sink_failed;
     }
     return Outcome::done;

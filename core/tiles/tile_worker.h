@@ -7,6 +7,7 @@
 #include "core/surface/consistency.h"
 #include "core/surface/net.h"
 #include "core/tiles/grid.h"
+#include "core/tiles/stage_clock.h"
 #include "core/triangulate/triangulate.h"
 #include "ddt/core.h"
 
@@ -32,6 +33,7 @@ private:
     /// take up to twice of it.
     void reserve();
     bool read(const Tile& tile);
+    void triangulate_tile();
     void make_surface(const Tile& tile);
     void bend(const Rect& part);
     void shape(Net& net, const Rect& part);
@@ -39,14 +41,17 @@ private:
     Outcome write_rows(const Tile& tile, const Rect& rows);
     Outcome write_runs(const Tile& tile, const Rect& row);
     void sample(int n, float* out);
+    bool hand_over(const Rect& r); ///< m_out to the sink
 
     Source& m_source;
     Sink& m_sink;
     const Mapping& m_mapping;
     const Job& m_job;
     Statistics m_statistics;
+    StageClock m_clock;
 
     std::vector<float> m_values, m_guide;
+    int m_width = 0, m_height = 0; ///< of the lattice
     Lattice m_lattice;
     Workspace m_workspace;
     std::vector<Net> m_nets; ///< one a group of channels

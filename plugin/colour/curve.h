@@ -33,7 +33,13 @@ public:
         return v[0] + (v[1] - v[0]) * t;
     }
 
-private:
+    /// Replace numbers by the curve at them, by the widest vectors this machine has; the bits are
+    /// those of operator(). Stops early, at 0 or the last whole vector: returns how many were done.
+    size_t apply(float* x, size_t n) const;
+
+    /// What fill() took, for tables made from this one.
+    const float* values() const { return m_values.data(); }
+
     static constexpr int shift = 13; // of 23 bits of mantissa: 1024 points an octave
     static constexpr float lowest = 0x1p-40f;
     static constexpr uint32_t first = uint32_t(127 - 40) << 23; // the bits of 2^-40
@@ -41,15 +47,18 @@ private:
     // A half of the table: the value at 0, then those at 2^-40 to 2^17, both included.
     static constexpr size_t half = 1 + ((last - first) >> shift) + 1;
 
-    static uint32_t bits(float x) {
-        uint32_t u;
-        std::memcpy(&u, &x, sizeof u);
-        return u;
-    }
+    /// The float of these bits.
     static float mag(uint32_t u) {
         float x;
         std::memcpy(&x, &u, sizeof x);
         return x;
+    }
+
+private:
+    static uint32_t bits(float x) {
+        uint32_t u;
+        std::memcpy(&u, &x, sizeof u);
+        return u;
     }
 
     std::vector<float> m_values; // positive half, then negative half

@@ -127,6 +127,9 @@ Light::Light(const Space& found) {
     if (make_curves(m_to_light, *to_curves) && make_curves(m_from_light, *from_curves)) {
         m_to_curves = to_curves;
         m_from_curves = from_curves;
+        auto codes = std::make_shared<CodeTable>();
+        if (alike() && codes->fill(from_curves->channel[0]))
+            m_codes = codes;
     } else {
         // Nothing gained by leaving the matrix out, and the light is then the config's own.
         m_to_light = processor_of(found.config, to_linear, OCIO::TRANSFORM_DIR_FORWARD);
@@ -173,29 +176,48 @@ bool Light::make_curves(const Processor& processor, Curves& curves) {
 }
 
 void Light::apply(const Processor& processor, const Curves* curves, float* rgb, size_t count) {
+    if (curves && curves->same) {
+        apply_alike(processor, *curves, rgb, 3 * count);
+        return;
+    }
     const auto finite = [](float v) { return std::isfinite(v); };
     if (!curves && std::all_of(rgb, rgb + 3 * count, finite)) {
         run(processor, rgb, count);
         return;
     }
-    for (size_t i = 0; i < count; ++i) {
-        float* v = rgb + 3 * i;
-        if (!std::all_of(v, v + 3, finite)) {
-            // One bad number must not spoil its neighbours, nor be made a good one.
-            Triple t{v[0], v[1], v[2]};
-            for (float& c : t)
-                c = finite(c) ? c : 0.0f;
-            apply(processor, curves, t.data(), 1);
+    for (float* v = rgb; v < rgb + 3 * count; v += 3) {
+        if (curves) {
             for (int c = 0; c < 3; ++c)
-                v[c] = finite(v[c]) ? t[c] : v[c];
-        } else if (curves && Curve::covers(v[0]) && Curve::covers(v[1]) && Curve::covers(v[2])) {
-            v[0] = curves->channel[0](v[0]);
-            v[1] = curves->channel[curves->same ? 0 : 1](v[1]);
-            v[2] = curves->channel[curves->same ? 0 : 2](v[2]);
-        } else {
-            run(processor, v, 1);
+                v[c] = apply_one(processor, curves->channel[size_t(c)], c, v[c]);
+            continue;
         }
+        // One bad number must not spoil its neighbours, nor be made a good one.
+        Triple t{v[0], v[1], v[2]};
+        for (float& c : t)
+            c = finite(c) ? c : 0.0f;
+        t = run(processor, t);
+        for (int c = 0; c < 3; ++c)
+            v[c] = finite(v[c]) ? t[size_t(c)] : v[c];
     }
+}
+
+void Light::apply_alike(const Processor& processor, const Curves& curves, float* values,
+                        size_t count) {
+    constexpr size_t block = 1024; // one number that is not covered slows this many down
+    const Curve& curve = curves.channel[0];
+    for (size_t begin = 0; begin < count; begin += block) {
+        const size_t n = std::min(block, count - begin);
+        float* v = values + begin;
+        for (size_t i = curve.apply(v, n); i < n; ++i)
+            v[i] = apply_one(processor, curve, 0, v[i]);
+    }
+}
+
+/// The curve of one channel, beyond its table through OpenColorIO.
+float Light::apply_one(const Processor& processor, const Curve& curve, int channel, float v) {
+    if (Curve::covers(v))
+        return curve(v);
+    return std::isfinite(v) ? run(processor, {v, v, v})[size_t(channel)] : v;
 }
 
 void Light::to_light(float* rgb, size_t count) const {
@@ -206,6 +228,14 @@ void Light::to_light(float* rgb, size_t count) const {
 void Light::from_light(float* rgb, size_t count) const {
     if (m_from_light)
         apply(m_from_light, m_from_curves.get(), rgb, count);
+}
+
+void Light::to_light_alike(float* values, size_t count) const {
+    apply_alike(m_to_light, *m_to_curves, values, count);
+}
+
+void Light::from_light_alike(float* values, size_t count) const {
+    apply_alike(m_from_light, *m_from_curves, values, count);
 }
 
 std::shared_ptr<const Light> find_light(const std::string& option, const std::string& image_space,

@@ -8,6 +8,7 @@
 
 #include <OpenColorIO/OpenColorIO.h>
 
+#include "plugin/colour/codetable.h"
 #include "plugin/colour/config.h"
 #include "plugin/colour/curve.h"
 
@@ -41,6 +42,14 @@ public:
     void to_light(float* rgb, size_t count) const;
     void from_light(float* rgb, size_t count) const;
 
+    /// True if all channels convert alike, each by itself. Then numbers of any channels, in any
+    /// order, may be converted together; the bits are those of to_light() and from_light().
+    bool alike() const { return m_to_curves && m_to_curves->same && m_from_curves->same; }
+    void to_light_alike(float* values, size_t count) const;
+    void from_light_alike(float* values, size_t count) const;
+    /// When not null: the way back to 8-bit codes, for all channels alike.
+    const CodeTable* codes() const { return m_codes.get(); }
+
 private:
     using Processor = OCIO_NAMESPACE::ConstCPUProcessorRcPtr;
     struct Curves {
@@ -49,12 +58,16 @@ private:
     };
     static bool make_curves(const Processor& processor, Curves& curves);
     static void apply(const Processor& processor, const Curves* curves, float* rgb, size_t count);
+    static void apply_alike(const Processor& processor, const Curves& curves, float* values,
+                            size_t count);
+    static float apply_one(const Processor& processor, const Curve& curve, int channel, float v);
 
     bool m_known = false;
     bool m_keeps_unit = true;
     std::array<float, 3> m_luma{0.2126f, 0.7152f, 0.0722f};
     Processor m_to_light, m_from_light;
     std::shared_ptr<const Curves> m_to_curves, m_from_curves; ///< null: not a curve a channel
+    std::shared_ptr<const CodeTable> m_codes;
 };
 
 /// The light of an image whose metadata names the space `image_space` (may be empty), under the

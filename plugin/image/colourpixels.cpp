@@ -19,11 +19,15 @@ float coverage(const Light& light, float alpha, const float* rgb) {
     return cover > 0x1p-100f ? cover : 1.0f; // the quotient must not overflow
 }
 
-template <class Convert>
+template <class Convert, class AlikeConvert>
 void convert(const Light& light, const ColourLayout& layout, float* pixels, size_t count,
-             int stride, Convert&& rgb_convert) {
+             int stride, Convert&& rgb_convert, AlikeConvert&& alike_convert) {
     if (!light.converts() || layout.count == 0)
         return;
+    if (all_alike(light, layout, stride)) {
+        alike_convert(pixels, count * size_t(stride));
+        return;
+    }
     // Grey is the colour (y, y, y).
     const int at[3] = {layout.channel[0], layout.channel[layout.count == 3 ? 1 : 0],
                        layout.channel[layout.count == 3 ? 2 : 0]};
@@ -53,16 +57,23 @@ void convert(const Light& light, const ColourLayout& layout, float* pixels, size
 
 } // namespace
 
+bool all_alike(const Light& light, const ColourLayout& layout, int stride) {
+    return layout.alpha < 0 && layout.count == stride && light.alike();
+}
+
 void to_light(const Light& light, const ColourLayout& layout, float* pixels, size_t count,
               int stride) {
-    convert(light, layout, pixels, count, stride,
-            [&](float* rgb, size_t n) { light.to_light(rgb, n); });
+    convert(
+        light, layout, pixels, count, stride, [&](float* rgb, size_t n) { light.to_light(rgb, n); },
+        [&](float* values, size_t n) { light.to_light_alike(values, n); });
 }
 
 void from_light(const Light& light, const ColourLayout& layout, float* pixels, size_t count,
                 int stride) {
-    convert(light, layout, pixels, count, stride,
-            [&](float* rgb, size_t n) { light.from_light(rgb, n); });
+    convert(
+        light, layout, pixels, count, stride,
+        [&](float* rgb, size_t n) { light.from_light(rgb, n); },
+        [&](float* values, size_t n) { light.from_light_alike(values, n); });
 }
 
 } // namespace ddt

@@ -6,6 +6,9 @@
 
 namespace ddt {
 
+/// True if the pixels are nothing but numbers that all convert alike, each by itself.
+bool all_alike(const Light& light, const ColourLayout& layout, int stride);
+
 /// Convert the colour of `count` pixels of `stride` floats each, in place, to linear light.
 ///
 /// Colour that is associated with an alpha is divided by it for the conversion and multiplied

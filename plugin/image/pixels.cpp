@@ -2,11 +2,11 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include <OpenImageIO/imageio.h>
 
 #include "plugin/image/channels.h"
+#include "plugin/image/codes.h"
 
 namespace ddt {
 namespace {
@@ -19,15 +19,8 @@ void write_strided(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend,
                         image.pixel_stride(), image.scanline_stride(), OIIO::AutoStride);
 }
 
-/// 0 to 1 as 0 to the type's largest value. OpenImageIO does the same several times slower, which
-/// enlarging, with its many output pixels, would feel.
-template <class Code>
-Code code_of(float v) {
-    constexpr float scale = std::numeric_limits<Code>::max();
-    const float low = v > 0.0f ? v : 0.0f; // NaN too
-    return Code(int((low < 1.0f ? low : 1.0f) * scale + 0.5f));
-}
-
+/// OpenImageIO does the same several times slower, which enlarging, with its many output pixels,
+/// would feel.
 template <class Code>
 void write_codes(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, const float* values,
                  int stride) {

@@ -7,12 +7,29 @@ namespace ddt {
 
 bool ImageSink::write(const Rect& r, float* values) {
     const Writing& w = m_writing;
+    if (write_codes(r, values))
+        return true;
     if (w.bits != OIIO::TypeUnknown) {
         write_pixels(m_image, r, w.chbegin, w.chend, w.bits, values);
     } else {
         from_light(w.light, w.colour, values, r.area(), w.channels);
         write_floats(m_image, r, w.chbegin, w.chend, values, w.channels);
     }
+    return true;
+}
+
+/// The usual case at once: colour alone, alike in all channels, in 8 bits without gaps.
+bool ImageSink::write_codes(const Rect& r, const float* values) {
+    const Writing& w = m_writing;
+    const int channels = w.channels;
+    const CodeTable* codes = w.light.codes();
+    if (!codes || w.bits != OIIO::TypeUnknown || !all_alike(w.light, w.colour, channels) ||
+        w.chend - w.chbegin != channels || m_image.spec().format != OIIO::TypeUInt8 ||
+        m_image.pixel_stride() != channels)
+        return false;
+    const size_t row = size_t(r.width()) * size_t(channels);
+    for (int y = r.y0; y < r.y1; ++y, values += row)
+        codes->encode(values, static_cast<uint8_t*>(m_image.pixeladdr(r.x0, y, 0, w.chbegin)), row);
     return true;
 }
 

@@ -26,6 +26,8 @@ public:
     bool write(const Rect& r, float* values) override;
 
 private:
+    bool write_codes(const Rect& r, const float* values);
+
     OIIO::ImageBuf& m_image;
     const Writing& m_writing;
 };

@@ -176,6 +176,15 @@ enum class Device : uint8_t {
     osmesa, ///< OpenGL through libOSMesa, a software renderer: for tests
 };
 
+/// Nanoseconds that the threads spent, added up, in each stage of a job on the CPU.
+struct StageTimes {
+    int64_t read = 0;        ///< Source::read: with its conversions and the guide
+    int64_t triangulate = 0; ///< with the making of the starting mesh
+    int64_t surface = 0;     ///< gradients, bends, corrections
+    int64_t sample = 0;
+    int64_t write = 0; ///< Sink::write: with its conversions
+};
+
 /// What was done; sums over all tiles, so halos count.
 struct Statistics {
     int64_t pixels = 0;      ///< vertices of all meshes
@@ -183,6 +192,7 @@ struct Statistics {
     int64_t flips = 0;
     int64_t rounds = 0; ///< of accepting and rejecting, in the schemes that do
     int iterations = 0; ///< the largest of any tile
+    StageTimes times;
     /// Where the tiles were worked on; cpu if at least one was. Never automatic.
     Device device = Device::cpu;
 };

@@ -51,6 +51,7 @@ struct Options {
     /// Called now and then with the share done (0..1), one thread at a time; return false to
     /// cancel, which is a failure.
     std::function<bool(float)> progress;
+    Statistics* statistics = nullptr; ///< filled in when not null and the mesh was used
 };
 
 /// The names a filter specification starts with: "ddt", "ddt-linear", "ddt-sharp".

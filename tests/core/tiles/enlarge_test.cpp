@@ -146,9 +146,9 @@ std::vector<float> untiled(const TestSource& source, const Job& job, const Resiz
 }
 
 TEST(Enlarge, TilesShowNoSeams) {
-    for (const Kind kind : {Kind::shapes, Kind::noise, Kind::few, Kind::flat}) {
+    for (const Kind kind : {Kind::shapes, Kind::noise, Kind::few}) {
         TestSource source({3, -9, 603, 531}, 1, 6, kind);
-        const Rect out{0, 0, 900, 810};
+        const Rect out{0, 0, 700, 630};
         const auto mapping = mapping_of(source.window(), out, out);
         Job job = job_of(source, 1);
         const auto tiled = run(source, job, mapping, out);
@@ -158,7 +158,7 @@ TEST(Enlarge, TilesShowNoSeams) {
         job.surface.consistency = 2;
         const auto sharp = run(source, job, mapping, out);
         EXPECT_EQ(differing(sharp, untiled(source, job, mapping, out)), 0u) << int(kind);
-        EXPECT_TRUE(kind == Kind::flat || differing(sharp, tiled) > 100000);
+        EXPECT_GT(differing(sharp, tiled), 100000u);
     }
 }
 

@@ -1,0 +1,99 @@
+// How fast the filters are: as ratios to what else enlarges images, by stage, and over the image's
+// size. Tables and how their times are taken: tables.h.
+//
+//   speed                    everything: half an hour
+//   speed --quick            a look, in a minute
+//   speed photo.png --scales 4 --threads 1 --tables ratios,stages
+#include <algorithm>
+#include <cstdio>
+
+#include <OpenImageIO/argparse.h>
+#include <OpenImageIO/strutil.h>
+#include <OpenImageIO/sysutil.h>
+
+#include "ddt/resize.h"
+#include "tables.h"
+
+namespace {
+
+/// False, with a line on stderr, if a name is none of those allowed.
+bool check_names(const std::vector<std::string>& names, const std::vector<std::string>& allowed) {
+    for (const std::string& name : names)
+        if (std::find(allowed.begin(), allowed.end(), name) == allowed.end()) {
+            std::fprintf(stderr, "unknown: \"%s\"; allowed are %s\n", name.c_str(),
+                         OIIO::Strutil::join(allowed, ", ").c_str());
+            return false;
+        }
+    return true;
+}
+
+bool has(const std::vector<std::string>& names, const char* name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    using OIIO::Strutil::splits;
+    speed::Plan plan;
+    float megapixels = 1, largest = 64;
+    bool quick = false, no_programs = false;
+    const int all = int(OIIO::Sysutil::hardware_concurrency());
+    std::string path, scales = "1.5,2,4,8", threads = all > 1 ? "1,0" : "1", format = "float,8bit",
+                      filters = OIIO::Strutil::join(ddt::filter_names(), "+"),
+                      tables = "ratios,stages,threads,growth";
+    OIIO::ArgParse args;
+    args.intro("speed: ddt against other ways to enlarge\n").usage("speed [IMAGE] [options]");
+    args.arg("image").hidden().action([&](OIIO::cspan<const char*> a) { path = a[0]; });
+    args.arg("--quick", &quick).help("0.25 megapixels, one round, no other programs, 2x and 4x");
+    args.arg("--megapixels %f:N", &megapixels).help("size of the source (default: 1)");
+    args.arg("--largest %f:N", &largest).help("largest source for growth (default: 64)");
+    args.arg("--rounds %d:N", &plan.rounds).help("runs of each (default: 3)");
+    args.arg("--scales %s:LIST", &scales).help("factors (default: 1.5,2,4,8)");
+    args.arg("--threads %s:LIST", &threads).help("numbers of threads, 0 for all (default: 1,0)");
+    args.arg("--formats %s:LIST", &format).help("float, 8bit (default: both)");
+    args.arg("--filters %s:FILTER+FILTER", &filters)
+        .help("filters, with options if any (default: all)");
+    args.arg("--tables %s:LIST", &tables).help("ratios, stages, threads, growth (default: all)");
+    args.arg("--no-programs", &no_programs).help("without ImageMagick and libvips");
+    if (args.parse(argc, const_cast<const char**>(argv)) < 0 || plan.rounds < 1 ||
+        !(megapixels > 0)) {
+        std::fprintf(stderr, "%s\n", args.geterror().c_str());
+        args.print_help();
+        return 2;
+    }
+    if (quick) {
+        megapixels = 0.25f;
+        largest = 4;
+        plan.rounds = 1;
+        scales = "2,4";
+        no_programs = true;
+    }
+    const auto wanted = splits(tables, ","), formats = splits(format, ",");
+    if (!check_names(wanted, {"ratios", "stages", "threads", "growth"}) ||
+        !check_names(formats, {"float", "8bit"}))
+        return 2;
+    plan.megapixels = megapixels;
+    plan.largest = largest;
+    plan.programs = !no_programs;
+    plan.filters = splits(filters, "+");
+    for (const std::string& scale : splits(scales, ","))
+        plan.scales.push_back(OIIO::Strutil::stof(scale));
+    for (const std::string& n : splits(threads, ","))
+        plan.threads.push_back(OIIO::Strutil::stoi(n) > 0 ? OIIO::Strutil::stoi(n) : all);
+    for (const std::string& name : formats)
+        plan.formats.push_back(name == "float" ? speed::Format::linear_float
+                                               : speed::Format::srgb_8bit);
+
+    const speed::Pictures pictures(path);
+    bool good = true;
+    if (has(wanted, "ratios"))
+        good = good && print_ratios(pictures, plan);
+    if (has(wanted, "stages"))
+        good = good && print_stages(pictures, plan);
+    if (has(wanted, "threads"))
+        good = good && print_threads(pictures, plan);
+    if (has(wanted, "growth"))
+        good = good && print_growth(pictures, plan);
+    return good ? 0 : 1;
+}

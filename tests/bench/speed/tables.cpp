@@ -1,0 +1,175 @@
+#include "tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace speed {
+
+namespace {
+
+using Times = std::vector<double>; // a round each
+
+double median(Times values) {
+    std::sort(values.begin(), values.end());
+    const size_t n = values.size();
+    return n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
+}
+
+/// Median of a / b, round by round.
+double ratio(const Times& a, const Times& b) {
+    Times ratios;
+    for (size_t i = 0; i < a.size(); ++i)
+        ratios.push_back(a[i] / b[i]);
+    return median(ratios);
+}
+
+/// Times of every way, alternately; false if one failed.
+bool measure(const std::vector<Way>& ways, const OIIO::ImageBuf& image, double scale, int threads,
+             int rounds, std::vector<Times>& times) {
+    times.assign(ways.size(), {});
+    for (int round = 0; round < rounds; ++round)
+        for (size_t i = 0; i < ways.size(); ++i) {
+            times[i].push_back(ways[i].run(image, scale, threads));
+            if (times[i].back() < 0)
+                return false;
+        }
+    return true;
+}
+
+double output_pixels(const OIIO::ImageBuf& image, double scale) {
+    return double(image.spec().image_pixels()) * scale * scale;
+}
+
+void heading(const char* what, const OIIO::ImageBuf& image, Format format, int threads) {
+    std::printf("\n%s: %dx%d RGB, %s, %d thread%s\n", what, image.spec().width, image.spec().height,
+                name_of(format), threads, threads == 1 ? "" : "s");
+}
+
+} // namespace
+
+bool print_ratios(const Pictures& pictures, const Plan& plan) {
+    std::vector<Way> ways;
+    for (const std::string& filter : plan.filters)
+        ways.push_back(ddt_way(filter));
+    for (const Way& way : oiio_ways())
+        ways.push_back(way);
+    if (plan.programs)
+        for (const Way& way : program_ways())
+            ways.push_back(way);
+    const size_t ours = plan.filters.size();
+    std::vector<Times> times;
+    for (const Format format : plan.formats)
+        for (const int threads : plan.threads) {
+            const OIIO::ImageBuf image = pictures.make(plan.megapixels, format);
+            heading("times as fast as", image, format, threads);
+            std::printf("%-20s", "");
+            for (size_t other = ours; other < ways.size(); ++other)
+                std::printf(" %15s", ways[other].name.c_str());
+            std::printf(" %15s\n", "ns/output pixel");
+            for (const double scale : plan.scales) {
+                if (!measure(ways, image, scale, threads, plan.rounds, times))
+                    return false;
+                for (size_t i = 0; i < ours; ++i) {
+                    std::printf("%-14s %4gx", ways[i].name.c_str(), scale);
+                    for (size_t other = ours; other < ways.size(); ++other)
+                        std::printf(" %15.2f", ratio(times[other], times[i]));
+                    std::printf(" %15.2f\n", median(times[i]) * 1e9 / output_pixels(image, scale));
+                    std::fflush(stdout);
+                }
+            }
+        }
+    return true;
+}
+
+bool print_stages(const Pictures& pictures, const Plan& plan) {
+    for (const Format format : plan.formats) {
+        const OIIO::ImageBuf image = pictures.make(plan.megapixels, format);
+        heading("ns/output pixel", image, format, 1);
+        std::printf("%-20s %7s %11s %7s %7s %7s   evaluations, flips a source pixel\n", "", "guide",
+                    "triangulate", "surface", "sample", "encode");
+        for (const double scale : plan.scales)
+            for (const std::string& filter : plan.filters) {
+                ddt::Statistics s;
+                const Way way = ddt_way(filter, &s);
+                Times stage[5];
+                for (int round = 0; round < plan.rounds; ++round) {
+                    if (way.run(image, scale, 1) < 0)
+                        return false;
+                    const int64_t spent[5] = {s.times.read, s.times.triangulate, s.times.surface,
+                                              s.times.sample, s.times.write};
+                    for (int i = 0; i < 5; ++i)
+                        stage[i].push_back(double(spent[i]) / output_pixels(image, scale));
+                }
+                // Halos are worked on too: a pixel of the image is less than one of the tiles'.
+                const double source = double(image.spec().image_pixels());
+                std::printf("%-14s %4gx %7.2f %11.2f %7.2f %7.2f %7.2f   %.2f, %.2f\n",
+                            filter.c_str(), scale, median(stage[0]), median(stage[1]),
+                            median(stage[2]), median(stage[3]), median(stage[4]),
+                            double(s.evaluations) / source, double(s.flips) / source);
+                std::fflush(stdout);
+            }
+    }
+    return true;
+}
+
+bool print_growth(const Pictures& pictures, const Plan& plan) {
+    constexpr double scale = 2, smallest = 0.25;
+    std::printf("\nns/output pixel over megapixels of source: %gx, %s, 1 thread\n", scale,
+                name_of(Format::srgb_8bit));
+    std::printf("%-14s", "");
+    for (double size = smallest; size <= plan.largest; size *= 4)
+        std::printf(" %7g", size);
+    std::printf("   exponent\n");
+    std::vector<Way> ways;
+    for (const std::string& filter : plan.filters)
+        ways.push_back(ddt_way(filter));
+    std::vector<std::vector<double>> points(ways.size()); // seconds, a size each
+    Times sizes;
+    for (double size = smallest; size <= plan.largest; size *= 4) {
+        const OIIO::ImageBuf image = pictures.make(size, Format::srgb_8bit);
+        std::vector<Times> times;
+        if (!measure(ways, image, scale, 1, size > 4 ? 1 : plan.rounds, times))
+            return false;
+        sizes.push_back(double(image.spec().image_pixels()));
+        for (size_t i = 0; i < ways.size(); ++i)
+            points[i].push_back(median(times[i]));
+    }
+    for (size_t i = 0; i < ways.size(); ++i) {
+        std::printf("%-14s", ways[i].name.c_str());
+        // The slope of the logarithms, by least squares.
+        double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+        for (size_t k = 0; k < sizes.size(); ++k) {
+            std::printf(" %7.2f", points[i][k] * 1e9 / (sizes[k] * scale * scale));
+            const double u = std::log(sizes[k]), v = std::log(points[i][k]);
+            n += 1, x += u, y += v, xx += u * u, xy += u * v;
+        }
+        std::printf("   %.3f\n", (n * xy - x * y) / (n * xx - x * x));
+    }
+    return true;
+}
+
+bool print_threads(const Pictures& pictures, const Plan& plan) {
+    const int most = *std::max_element(plan.threads.begin(), plan.threads.end());
+    if (most == 1)
+        return true;
+    const Format format = plan.formats[0];
+    const OIIO::ImageBuf image = pictures.make(plan.megapixels, format);
+    heading("times as fast as 1 thread", image, format, most);
+    for (const double scale : plan.scales)
+        for (const std::string& filter : plan.filters) {
+            const Way way = ddt_way(filter);
+            Times one, several;
+            for (int round = 0; round < std::max(plan.rounds, 5); ++round) {
+                one.push_back(way.run(image, scale, 1));
+                several.push_back(way.run(image, scale, most));
+                if (one.back() < 0 || several.back() < 0)
+                    return false;
+            }
+            std::printf("%-14s %4gx %15.2f\n", filter.c_str(), scale, ratio(one, several));
+            std::fflush(stdout);
+        }
+    return true;
+}
+
+} // namespace speed

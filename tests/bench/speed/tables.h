@@ -1,0 +1,37 @@
+// The tables the program prints. Each takes its times alternately: a round runs every way once, one
+// after the other, so that a slow moment of the machine strikes all alike; what is printed are
+// medians over the rounds, of ratios those of the ratio within one round.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pictures.h"
+#include "ways.h"
+
+namespace speed {
+
+struct Plan {
+    std::vector<std::string> filters;
+    std::vector<double> scales;
+    std::vector<int> threads;
+    std::vector<Format> formats;
+    double megapixels = 1; ///< of the source
+    double largest = 64;   ///< megapixels up to which growth is looked at
+    int rounds = 3;
+    bool programs = true; ///< ImageMagick and libvips too
+};
+
+/// How many times as fast as the others, and nanoseconds an output pixel.
+bool print_ratios(const Pictures& pictures, const Plan& plan);
+
+/// Nanoseconds an output pixel by stage on one thread; evaluations and flips a source pixel.
+bool print_stages(const Pictures& pictures, const Plan& plan);
+
+/// Time over image size, and its exponent: 1 where twice the pixels take twice the time.
+bool print_growth(const Pictures& pictures, const Plan& plan);
+
+/// One thread's time over that of several.
+bool print_threads(const Pictures& pictures, const Plan& plan);
+
+} // namespace speed

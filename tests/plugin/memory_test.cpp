@@ -1,0 +1,70 @@
+// What a whole process takes at its peak: input, output and at most 256 MiB more.
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <tbb/global_control.h>
+
+#include "tests/plugin/images.h"
+
+namespace {
+
+constexpr int64_t allowed = int64_t(256) << 20;
+
+/// Peak resident bytes of a child process that runs `work`, which returns false on failure; -1
+/// then.
+template <class Work>
+int64_t peak_of(Work&& work) {
+    const pid_t child = fork();
+    if (child == 0)
+        _exit(work() ? 0 : 1);
+    int status = 1;
+    rusage usage{};
+    if (child < 0 || wait4(child, &status, 0, &usage) != child || status != 0)
+        return -1;
+    return int64_t(usage.ru_maxrss) * 1024;
+}
+
+/// Enlarge a picture by a factor, on more threads than there is memory for.
+int64_t peak_of_enlarging(const char* filter, int side, int channels, int factor) {
+    return peak_of([=] {
+        const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 16);
+        auto src = images::make(side, side, channels, OIIO::TypeUInt8);
+        auto* pixels = static_cast<unsigned char*>(src.localpixels());
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side * channels; ++x)
+                *pixels++ = (unsigned char)((x * x / 64 + y * y / 48) / 16 % 200);
+        src.specmod().attribute("oiio:ColorSpace", "sRGB");
+        ddt::Options options;
+        std::string error;
+        if (!ddt::parse_filter(filter, options, error))
+            return false;
+        OIIO::ImageBuf dst;
+        const int size = side * factor;
+        return ddt::resize(dst, src, options, OIIO::ROI(0, size, 0, size, 0, 1, 0, channels), 16);
+    });
+}
+
+void expect_bounded(const char* filter, int side, int channels, int factor) {
+    const int64_t in = int64_t(side) * side * channels, out = in * factor * factor;
+    const int64_t peak = peak_of_enlarging(filter, side, channels, factor);
+    ASSERT_GE(peak, out);
+    EXPECT_LE(peak, in + out + allowed) << (peak - in - out) / (1 << 20) << " MiB beside "
+                                        << "input and output";
+    RecordProperty("MiB", int((peak - in - out) >> 20));
+    std::printf("%s: %d MiB beside input and output\n", filter, int((peak - in - out) >> 20));
+}
+
+TEST(PeakMemory, SixtyFourMegapixels) {
+    expect_bounded("ddt", 1024, 3, 8);
+}
+
+TEST(PeakMemory, SixtyFourMegapixelsSharp) {
+    expect_bounded("ddt-sharp", 1024, 3, 8);
+}
+
+TEST(PeakMemory, TwoHundredAndFiftySixMegapixels) {
+    expect_bounded("ddt", 2048, 1, 8);
+}
+
+} // namespace
