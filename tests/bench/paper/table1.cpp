@@ -248,15 +248,13 @@ bool table1(const std::string& folder, int factor, const std::string& csv_folder
         add_row(table, schemes[i], figures[i], all_devices);
         means[label(schemes[i])] = figures[i].cost / figures[i].pixels;
     }
-    bool written = table.show(csv_folder);
+    const bool written = table.show(csv_folder) && by_image.write(csv_folder);
     for (size_t i = 0; i < std::size(claims); ++i) {
         std::printf("%s: %s; in %d of %d images%s%s\n", claims[i].text,
                     claims[i].holds(means) ? "yes" : "NO", held[i], images,
                     exceptions[i].empty() ? "" : ", not in", exceptions[i].c_str());
     }
     std::printf("\n");
-    if (!csv_folder.empty())
-        written = by_image.show(csv_folder) && written;
     return written;
 }
 
