@@ -21,10 +21,10 @@ class Errors(Case):
                     commands=COMMANDS)
 
     def test_unknown_value(self):
-        self.refuse("ddt-linear,scheme=magic", '"scheme=magic"', "allowed", "one_round", "lawson")
+        self.refuse("ddt-linear,scheme=magic", '"scheme=magic"', "allowed", "one-round", "lawson")
 
     def test_option_without_value(self):
-        self.refuse("ddt,scheme", '"scheme"', "allowed", "one_round")
+        self.refuse("ddt,scheme", '"scheme"', "allowed", "one-round")
 
     def test_number_out_of_range(self):
         self.refuse("ddt,iterations=1000", '"iterations=1000"', "250")

@@ -35,6 +35,10 @@ std::string Table::csv() const {
 bool Table::show(const std::string& csv_folder) const {
     std::printf("%s\n", text().c_str());
     std::fflush(stdout);
+    return write(csv_folder);
+}
+
+bool Table::write(const std::string& csv_folder) const {
     if (csv_folder.empty())
         return true;
     const std::string path = csv_folder + "/" + m_name + ".csv";

@@ -20,6 +20,8 @@ public:
 
     /// Print the text; with a folder, write the CSV there. False if that fails.
     bool show(const std::string& csv_folder) const;
+    /// Write the CSV to the folder unless that is empty.
+    bool write(const std::string& csv_folder) const;
 
 private:
     std::string m_name;
