@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <stdexcept>
 #include <string>
 
 #include "core/arith/arith.h"
@@ -64,6 +65,13 @@ SurfaceOptions surface_of(const Options& o) {
     return s;
 }
 
+Picture make_picture(const Options& o, int width, int height) {
+    Picture picture(width, height);
+    if (!o.picture.empty() && !picture.paint(o.picture))
+        throw std::runtime_error(o.picture + " is no binary PPM file of 8 bits");
+    return picture;
+}
+
 /// The CPU's output, as floats' or halves' bits.
 class CpuSink final : public Sink {
 public:
@@ -92,9 +100,7 @@ public:
 
 /// Bytes that differ between the device and the CPU on a picture of several tiles.
 size_t differing_bytes(gl::Gpu& gpu, const Options& o, gl::Numbers numbers) {
-    Picture picture(700, 530);
-    if (!o.picture.empty() && !picture.paint(o.picture))
-        return 0;
+    Picture picture = make_picture(o, 700, 530);
     const auto axis = [](int n) {
         ResizeMapping::Axis a;
         a.from_size = a.window1 = n;
@@ -131,9 +137,7 @@ void print_lists(const Measured& m) {
 
 void measure_case(gl::Gpu& gpu, const Options& o, const char* name, int width, int height,
                   double bandwidth) {
-    Picture picture(width, height);
-    if (!o.picture.empty())
-        picture.paint(o.picture);
+    Picture picture = make_picture(o, width, height);
     for (const gl::Numbers numbers : {gl::Numbers::floats, gl::Numbers::halves}) {
         const Measured m = measure(gpu, picture, surface_of(o), numbers, o.runs, false);
         const double* ms = m.milliseconds;
