@@ -136,7 +136,7 @@ TEST(CodeTable, RefusesCurvesItCannotHold) {
 
 // Where conversion and rounding are one step and where they are two: a part is a crop of the whole.
 TEST(CodeTable, OneChannelOfManyHasTheBitsOfAll) {
-    for (const auto type : {OIIO::TypeUInt8, OIIO::TypeUInt16}) {
+    for (const auto& type : {OIIO::TypeUInt8, OIIO::TypeUInt16}) {
         auto src = images::make(40, 30, 3, type);
         images::noise(src);
         src.specmod().attribute("oiio:ColorSpace", "sRGB");
