@@ -45,12 +45,11 @@ ResizeMapping::Axis axis(int from0, int from_size, int to0, int to_size, int win
     return a;
 }
 
-/// What IBAprep does with a dst that is not initialised, less making pixels black of which all will
-/// be written: that would take a tenth of the filter's time.
+/// What IBAprep does with a roi and a dst that is not initialised, less making pixels black of
+/// which all will be written: that would take a tenth of the filter's time.
 bool allocate(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int flags,
               std::string& error) {
-    const OIIO::ROI whole = roi.defined() ? roi : src.roi();
-    roi = whole;
+    const OIIO::ROI whole = roi;
     roi.xend = roi.xbegin + 1;
     roi.yend = roi.ybegin + 1;
     OIIO::ImageBuf pixel; // of what dst is to be like
@@ -154,10 +153,10 @@ bool prepare(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int
                            error)) {
         return false;
     }
-    if (!dst.initialized()) {
+    if (!dst.initialized() && roi.defined()) {
         if (!allocate(dst, src, roi, flags, error))
             return false;
-    } else if (!OIIO::ImageBufAlgo::IBAprep(roi, &dst, &src, flags)) {
+    } else if (!OIIO::ImageBufAlgo::IBAprep(roi, &dst, &src, flags) || !dst.initialized()) {
         error = dst.has_error() ? dst.geterror() : "the destination cannot be prepared";
         return false;
     }

@@ -67,7 +67,7 @@ TEST(PeakMemory, TwoHundredAndFiftySixMegapixels) {
 }
 
 TEST(PeakMemory, OneAxisGrowsTheOtherShrinks) {
-    expect_bounded("ddt-linear", 2048, 3, 8, 0.5);
+    expect_bounded("ddt-linear", 1024, 3, 8, 0.5);
 }
 
 } // namespace

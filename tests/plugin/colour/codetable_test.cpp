@@ -43,7 +43,7 @@ std::vector<float> sweep() {
     return x;
 }
 
-const char* const spaces[] = {"sRGB", "Rec709", "Gamma1.8", "Gamma2.2", "Gamma2.4"};
+const char* const spaces[] = {"sRGB", "Rec709", "Gamma1.8", "Gamma2.2", "Gamma2.4", "Gamma2.6"};
 
 TEST(CodeTable, EncodesToWithinHalfACodeOfOpenColorIO) {
     const std::vector<float> x = sweep();
