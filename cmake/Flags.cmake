@@ -9,5 +9,6 @@ if(DDT_WERROR)
 endif()
 
 # -DCMAKE_BUILD_TYPE=Sanitize: address and undefined-behaviour sanitizers for the unit tests.
-set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all")
+# -g1: enough for file and line in their reports, and a quarter of the time to compile.
+set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all")
 set(CMAKE_EXE_LINKER_FLAGS_SANITIZE "-fsanitize=address,undefined")

@@ -4,6 +4,7 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "ddt/names.h"
 #include "ddt/resize.h"
 
 namespace ddt {
@@ -27,26 +28,11 @@ struct Option {
     std::function<bool(Options&, const std::string&)> set; ///< false: the value is not allowed
 };
 
-template <class Value>
-struct Named {
-    const char* name;
-    Value value;
-};
-
-/// An option with named values; `field(options)` is where the value goes.
-template <class Value, class Field>
-Option choice(const char* key, std::vector<Named<Value>> values, Field field) {
-    std::string allowed;
-    for (const auto& v : values)
-        allowed += format("{}{}", allowed.empty() ? "" : ", ", v.name);
-    return {key, allowed, [=](Options& options, const std::string& text) {
-                for (const auto& v : values)
-                    if (text == v.name) {
-                        field(options) = v.value;
-                        return true;
-                    }
-                return false;
-            }};
+/// An option whose values have names that `find(name, options)` knows.
+template <class Find>
+Option choice(const char* key, const std::vector<std::string>& names, Find find) {
+    return {key, OIIO::Strutil::join(names, ", "),
+            [=](Options& options, const std::string& text) { return find(text, options); }};
 }
 
 /// An option that is a number from `low` to `high`.
@@ -68,9 +54,11 @@ Option number(const char* key, Number low, Number high, Field field) {
 
 const std::vector<Option>& table() {
     static const auto* options = new std::vector<Option>{
-        choice<Cost>("cost", {{"abn", Cost::abn}, {"scf", Cost::scf}},
-                     [](Options& o) -> Cost& { return o.mesh.cost; }),
+        choice("cost", cost_names(),
+               [](const std::string& name, Options& o) { return find_cost(name, o.mesh.cost); }),
         number("consistency", 0, 16, [](Options& o) -> int& { return o.surface.consistency; }),
+        choice("device", device_names(),
+               [](const std::string& name, Options& o) { return find_device(name, o.device); }),
         number("iterations", 0, 250, [](Options& o) -> int& { return o.mesh.max_iterations; }),
         // Whether a colour space has the name is known only once the config is read.
         {"light", "auto, encoded and names of colour spaces",
@@ -80,14 +68,12 @@ const std::vector<Option>& table() {
          }},
         number("limit", 0.0f, 1e6f, [](Options& o) -> float& { return o.surface.limit; }),
         number("min_gain", 0.0f, 1e6f, [](Options& o) -> float& { return o.mesh.min_gain; }),
-        choice<Scheme>("scheme",
-                       {{"one_round", Scheme::one_round},
-                        {"lawson", Scheme::lawson},
-                        {"pixel", Scheme::pixel}},
-                       [](Options& o) -> Scheme& { return o.mesh.scheme; }),
+        choice("scheme", scheme_names(),
+               [](const std::string& name, Options& o) { return find_scheme(name, o.mesh); }),
+        number("seed", 0u, ~0u, [](Options& o) -> uint32_t& { return o.mesh.seed; }),
         number("soft", 0.0f, 1e6f, [](Options& o) -> float& { return o.surface.soft; }),
-        choice<Start>("start", {{"flat", Start::flat}, {"diagonal", Start::diagonal}},
-                      [](Options& o) -> Start& { return o.mesh.start; }),
+        choice("start", start_names(),
+               [](const std::string& name, Options& o) { return find_start(name, o.mesh.start); }),
     };
     return *options;
 }

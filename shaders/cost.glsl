@@ -12,7 +12,7 @@ Face face(float gx, float gy) {
     precise float x = gx * r, y = gy * r, z = 0.2 * r;
     return Face(x, y, z);
 }
-float between(Face a, Face b) {
+float between(Face a, Face b, float ex, float ey) {
     precise float cost = 1.0 - (((a.x * b.x) + (a.y * b.y)) + (a.z * b.z));
     return cost;
 }
@@ -27,8 +27,44 @@ Face face(float gx, float gy) {
     precise float length = square * rsqrt(3, square);
     return Face(gx, gy, length);
 }
-float between(Face a, Face b) {
+float between(Face a, Face b, float ex, float ey) {
     precise float cost = (a.length * b.length) - ((a.x * b.x) + (a.y * b.y));
+    return cost;
+}
+
+#elif defined(COST_jnd) || defined(COST_dlp)
+
+struct Face {
+    float x, y;
+};
+Face face(float gx, float gy) {
+    return Face(gx, gy);
+}
+float between(Face a, Face b, float ex, float ey) {
+    precise float dx = a.x - b.x, dy = a.y - b.y;
+    precise float square = (dx * dx) + (dy * dy);
+    precise float cost = square * rsqrt(3, square);
+#ifdef COST_dlp
+    precise float length = (ex * ex) + (ey * ey);
+    cost = cost * rsqrt(3, length);
+#endif
+    return cost;
+}
+
+#elif defined(COST_dp)
+
+struct Face {
+    float x, y, r;
+};
+Face face(float gx, float gy) {
+    precise float square = ((gx * gx) + (gy * gy)) + 0.04;
+    return Face(gx, gy, rsqrt(3, square));
+}
+float between(Face a, Face b, float ex, float ey) {
+    precise float dx = a.x - b.x, dy = a.y - b.y;
+    precise float square = (dx * dx) + (dy * dy), length = (ex * ex) + (ey * ey);
+    precise float vertical = (square * rsqrt(3, square)) * rsqrt(3, length);
+    precise float cost = vertical * (a.r + b.r);
     return cost;
 }
 

@@ -64,7 +64,7 @@ void main() {
         synchronize();
         for (uint i = own; i < n_selected; i += size) {
             int m = selected[list + int(i)];
-            flip(m, edge_at(m));
+            flip_and_settle(m);
             int region[12];
             region_of(m, edge_at(m), region);
             touch(list, m, iteration + 1);
@@ -76,7 +76,7 @@ void main() {
         if (own == 0) {
             n_dirty = next_dirty;
             counts[counts_of(iteration, tile)] =
-                Counts(evaluated, n_selected, n_blocked, dirty_now);
+                Counts(evaluated, n_selected, n_blocked, dirty_now, 0);
         }
         synchronize();
     }

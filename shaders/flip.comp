@@ -20,7 +20,7 @@ void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i < counts[counts_of(first_iteration, tile)].selected) {
         int m = selected[tile * list_size + int(i)];
-        flip(m, edge_at(m));
+        flip_and_settle(m);
         int region[12];
         region_of(m, edge_at(m), region);
         touch(m);

@@ -36,16 +36,18 @@ float flip_gain(Neighbourhood n) {
     Face beyond_bd = face_of(0.0 - n.wx, 0.0 - n.wy, n.outer[2].ox, n.outer[2].oy, 0.0 - b_d, o2);
     Face beyond_da = face_of(0.0 - ux, 0.0 - uy, n.outer[3].ox, n.outer[3].oy, 0.0 - d_a, o3);
 
-    precise float before = between(abc, abd);
-    before = before + n.outer[0].present * between(beyond_ac, abc);
-    before = before + n.outer[1].present * between(beyond_cb, abc);
-    before = before + n.outer[2].present * between(beyond_bd, abd);
-    before = before + n.outer[3].present * between(beyond_da, abd);
-    precise float after = between(adc, bcd);
-    after = after + n.outer[0].present * between(beyond_ac, adc);
-    after = after + n.outer[1].present * between(beyond_cb, bcd);
-    after = after + n.outer[2].present * between(beyond_bd, bcd);
-    after = after + n.outer[3].present * between(beyond_da, adc);
+    // The edge that the flip makes, d to c.
+    precise float fx = n.wx - ux, fy = n.wy - uy;
+    precise float before = between(abc, abd, n.vx, n.vy);
+    before = before + n.outer[0].present * between(beyond_ac, abc, n.wx, n.wy);
+    before = before + n.outer[1].present * between(beyond_cb, abc, ux, uy);
+    before = before + n.outer[2].present * between(beyond_bd, abd, n.wx, n.wy);
+    before = before + n.outer[3].present * between(beyond_da, abd, ux, uy);
+    precise float after = between(adc, bcd, fx, fy);
+    after = after + n.outer[0].present * between(beyond_ac, adc, n.wx, n.wy);
+    after = after + n.outer[1].present * between(beyond_cb, bcd, ux, uy);
+    after = after + n.outer[2].present * between(beyond_bd, bcd, n.wx, n.wy);
+    after = after + n.outer[3].present * between(beyond_da, adc, ux, uy);
     precise float gain = before - after;
     return gain;
 }

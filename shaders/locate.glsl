@@ -15,6 +15,11 @@ bool tie_inside(ivec2 d) {
     return d.y < 0 || (d.y == 0 && d.x > 0);
 }
 
+// Whether a comes before b in the order of addresses.
+bool before(ivec2 a, ivec2 b) {
+    return a.y < b.y || (a.y == b.y && a.x < b.x);
+}
+
 // The triangle s, t, c (det > 0), corners relative to the cell, for the position f in it.
 Triangle describe(ivec2 cell, ivec2 f, ivec2 s, ivec2 t, ivec2 c) {
     ivec2 p0 = s, p1 = t, p2 = c;

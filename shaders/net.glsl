@@ -20,18 +20,8 @@ vec4 value_at(ivec2 p) {
     return uintBitsToFloat(value[pixel_of(p)]);
 }
 
-// Whether a comes before b in the order of addresses.
-bool before(ivec2 a, ivec2 b) {
-    return a.y < b.y || (a.y == b.y && a.x < b.x);
-}
-
-// e of the edge between i and j.
+// e of the edge between i and j; seen from either end the same, but for the sign of zero.
 vec4 bend(ivec2 i, ivec2 j) {
-    if (before(j, i)) {
-        ivec2 swap = i;
-        i = j;
-        j = swap;
-    }
     int at_i = 2 * pixel_of(i), at_j = 2 * pixel_of(j);
     return edge_bend(gradient[at_i], gradient[at_i + 1], gradient[at_j], gradient[at_j + 1],
                      value_at(i), value_at(j), j - i);

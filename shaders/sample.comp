@@ -1,12 +1,15 @@
 // Read the surface at output positions, one invocation each. C++ twin: core/sample/evaluate.cpp.
 #include "net.glsl"
 #include "locate.glsl"
+#include "half.glsl"
 
 layout(local_size_x = 16, local_size_y = 8) in;
 
 // A separable mapping: the x of the columns, then the y of the rows; else x, y of each position.
 layout(std430, binding = 4) readonly buffer Positions { int position[]; };
-#ifdef WHOLE_GROUPS
+#if defined(HALF)
+layout(std430, binding = 5) writeonly buffer Result { uvec2 pixels[]; }; // channels / 4 a pixel
+#elif defined(WHOLE_GROUPS)
 layout(std430, binding = 5) writeonly buffer Result { uvec4 pixels[]; }; // channels / 4 a pixel
 #else
 layout(std430, binding = 5) writeonly buffer Result { uint pixels[]; }; // `channels` a pixel
@@ -19,6 +22,7 @@ layout(location = 4) uniform ivec3 size;     // columns and rows of invocations,
 layout(location = 5) uniform ivec2 first;    // separable: of the first column and row in `position`
 layout(location = 6) uniform ivec3 channels; // in a pixel; first and count of this group
 layout(location = 7) uniform uint nearest;   // a bit a channel
+layout(location = 8) uniform int first_result;
 
 void main() {
     int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
@@ -29,6 +33,7 @@ void main() {
     first_pixel = tile * slot_pixels;
     ivec2 p = separable ? ivec2(position[first.x + x], position[first.y + y])
                         : ivec2(position[2 * index], position[2 * index + 1]);
+    index += first_result;
     Triangle t = locate(tile, p);
     Patch patch_ = patch_of(t.vertex[0], t.vertex[1], t.vertex[2]);
     vec3 b = weights(t);
@@ -39,7 +44,10 @@ void main() {
         bvec4 copy = notEqual(uvec4(nearest) & uvec4(1u, 2u, 4u, 8u), uvec4(0u));
         bits = if_true(copy, source[pixel_of(t.vertex[most])], bits);
     }
-#ifdef WHOLE_GROUPS
+#if defined(HALF)
+    uvec4 h = uvec4(narrowed(bits.x), narrowed(bits.y), narrowed(bits.z), narrowed(bits.w));
+    pixels[index * (channels.x / 4) + channels.y / 4] = uvec2(h.x | h.y << 16, h.z | h.w << 16);
+#elif defined(WHOLE_GROUPS)
     pixels[index * (channels.x / 4) + channels.y / 4] = bits;
 #else
     for (int c = 0; c < channels.z; ++c)

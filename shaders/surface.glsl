@@ -84,7 +84,7 @@ void find_range(inout Patch p, vec4 strict) {
     p.high = if_less(p.high, p.z2, p.z2, p.high);
 #ifdef SOFT
     const vec4 zero = vec4(0.0), infinity = uintBitsToFloat(uvec4(0x7f800000u));
-    p.low = if_less(zero, strict, p.low, if_less(p.low, zero, -infinity, zero));
+    p.low = if_less(zero, strict, p.low, if_less_equal(zero, p.low, zero, -infinity));
     p.high = if_less(zero, strict, p.high, infinity);
 #endif
 }
@@ -114,8 +114,8 @@ vec4 at(Patch p, float b0, float b1, float b2) {
     return f;
 }
 
-// The bits of a value, all NaN alike.
+// The bits of a result: zeros have no sign, and all NaN are alike.
 uvec4 result_bits(vec4 f) {
-    bvec4 number = lessThanEqual(f, uintBitsToFloat(uvec4(0x7f800000u)));
-    return if_true(number, floatBitsToUint(f), uvec4(0x7fc00000u));
+    uvec4 bits = if_true(equal(f, vec4(0.0)), uvec4(0u), floatBitsToUint(f));
+    return if_true(lessThanEqual(f, uintBitsToFloat(uvec4(0x7f800000u))), bits, uvec4(0x7fc00000u));
 }

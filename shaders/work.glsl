@@ -7,14 +7,14 @@
 #include "gain.glsl"
 
 layout(std430, binding = 1) ACCESS buffer Gains { float gain[]; };        // a site
-layout(std430, binding = 2) ACCESS buffer Stamps { uint stamp[]; };       // iteration evaluated in
+layout(std430, binding = 2) ACCESS buffer Stamps { uint stamp[]; };       // see first_touch()
 layout(std430, binding = 3) ACCESS buffer Dirty { int dirty[]; };         // to evaluate
 layout(std430, binding = 4) ACCESS buffer Selected { int selected[]; };   // to flip
 layout(std430, binding = 5) ACCESS buffer BlockedEven { ivec2 blocked_even[]; };
 layout(std430, binding = 6) ACCESS buffer BlockedOdd { ivec2 blocked_odd[]; }; // (site, blocker)
 
 struct Counts {
-    uint evaluated, selected, blocked, dirty;
+    uint evaluated, selected, blocked, dirty, rounds;
 };
 layout(std430, binding = 7) ACCESS buffer Work {
     // Groups of indirect dispatches, (x, tiles, 1) each: of iteration i's evaluate and select at
@@ -74,15 +74,35 @@ int find_blocker(int m) {
     return blocker;
 }
 
-// Whether a candidate that waited since an earlier iteration is to be looked at again (1), goes on
-// waiting (0), or was evaluated in this iteration, so is among the dirty (-1).
-int wake(ivec2 b, int iteration) {
-    if (stamp[b.x] == uint(iteration))
-        return -1;
-    return stamp[b.y] == uint(iteration) ? 1 : 0;
+// Stamps say in which iteration an edge is to be looked at again: 2 i, 2 i + 1 if it is among the
+// dirty, so can be flipped. The first in a row to say so puts it there.
+//
+// An edge's record is written by one flip of a dispatch at most. That flip sees what becomes of the
+// edge; others that touch it may still see what it was, but then the one that knows speaks up.
+bool first_touch(int m, int iteration) {
+    if (m < 0)
+        return false;
+    if (flippable(edge_at(m)))
+        return atomicMax(stamp[m], uint(2 * iteration + 1)) < uint(2 * iteration + 1);
+    atomicMax(stamp[m], uint(2 * iteration));
+    return false;
 }
 
-// Whether the site is to be evaluated in that iteration and this is the first to say so.
-bool first_touch(int m, int iteration) {
-    return m >= 0 && atomicExchange(stamp[m], uint(iteration)) != uint(iteration);
+// Flip the edge at m. Sides that can no longer be flipped gain nothing; they will not be evaluated.
+void flip_and_settle(int m) {
+    Quad q = quad_of(edge_at(m));
+    flip(m, edge_at(m));
+    for (int k = 0; k < 4; ++k) {
+        int side = m + offset(q.middle[k]);
+        if (!flippable(edge_at(side)))
+            gain[side] = no_gain;
+    }
+}
+
+// Whether a candidate that waited since an earlier iteration is to be looked at again (1), goes on
+// waiting (0), or was touched itself, so is among the dirty if it can still be flipped (-1).
+int wake(ivec2 b, int iteration) {
+    if (stamp[b.x] / 2 == uint(iteration))
+        return -1;
+    return stamp[b.y] / 2 == uint(iteration) ? 1 : 0;
 }

@@ -6,6 +6,7 @@
 
 #include "core/gl/buffer.h"
 #include "core/gl/gpu.h"
+#include "core/triangulate/schemes.h"
 #include "ddt/core.h"
 
 namespace ddt::gl {
@@ -24,11 +25,15 @@ struct TileSize {
     int width = 0, height = 0;
 };
 
-/// What an iteration did on one tile: gains computed, edges flipped, candidates left waiting, edges
-/// a flip had touched.
+/// What an iteration did on one tile: gains computed, edges flipped, candidates left waiting,
+/// flippable edges that a flip had touched, rounds of accepting and rejecting. The layout of Counts
+/// in shaders/work.glsl.
 struct IterationCounts {
-    int64_t evaluated = 0, selected = 0, blocked = 0, dirty = 0;
+    uint32_t evaluated = 0, selected = 0, blocked = 0, dirty = 0, rounds = 0;
 };
+
+/// Where the counts begin in `Work` of shaders/work.glsl: after the arguments of dispatches.
+constexpr size_t arguments_bytes = sizeof(GLuint) * 6 * (max_iterations + 2);
 
 /// Meshes of up to `tiles` tiles. To be used on the context's thread; throws Failure.
 class Mesh {
@@ -47,7 +52,7 @@ public:
     void write_sites(int slot, const void* sites);
 
     /// Whether triangulate() knows the scheme; of others the finished mesh must be written.
-    static bool knows(Scheme scheme);
+    static bool knows(const MeshOptions& options);
     void triangulate(const MeshOptions& options);
     /// On the finished mesh: offer the vertices their first edges, for gradients.
     void find_first_edges();
@@ -70,12 +75,15 @@ public:
     void dispatch_over(int width, int height, int group_x, int group_y);
 
 private:
+    // The steps of triangulate(), in schemes.cpp.
     void start(const MeshOptions& options);
     void prepare_lists();
     void bind_lists();
-    void first_iteration(const std::string& cost);
-    void iteration(int i, const std::string& cost);
-    void set_uniforms(int first_iteration, int last_iteration);
+    void one_round();
+    void accept_reject(const Rules& rules);
+    void evaluate_all(int iteration);
+    void iteration(int i);
+    void use(const char* shader, int first_iteration, int last_iteration, const char* defines = "");
     void barrier(bool with_arguments = false);
     void dispatch_indirect(size_t offset);
 
@@ -85,6 +93,7 @@ private:
     int m_tiles = 0;      ///< in use
     int m_iterations = 0; ///< of the last triangulate(), at most
     float m_min_gain = 0;
+    std::string m_cost; ///< the macro that chooses it
     int m_dispatches = 0;
     Buffer m_batch, m_sites, m_guide, m_gain, m_stamp, m_dirty, m_selected, m_blocked_even,
         m_blocked_odd, m_work;

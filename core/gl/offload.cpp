@@ -1,4 +1,5 @@
 #include "core/gl/offload.h"
+#include "ddt/names.h"
 
 #include "core/gl/choice.h"
 #include "core/gl/gpu.h"
@@ -22,7 +23,7 @@ bool place(const Job& job, Placement& placement, std::string& why) {
     if (wanted == Device::cpu)
         return true;
     const bool named = wanted != Device::automatic;
-    if (!named && (!gl::Mesh::knows(job.mesh.scheme) ||
+    if (!named && (!gl::Mesh::knows(job.mesh) ||
                    job.window.area() < (gl::is_open(wanted) ? worth_using : worth_opening)))
         return true;
     bool forked = false;
@@ -34,7 +35,7 @@ bool place(const Job& job, Placement& placement, std::string& why) {
     }
     if (!named || forked)
         return true;
-    why = std::string("ddt: device ") + gl::name_of(wanted) + " is unavailable: " + reason;
+    why = std::string("ddt: device ") + device_name(wanted) + " is unavailable: " + reason;
     return false;
 }
 
@@ -42,7 +43,7 @@ std::string describe(const Placement& placement) {
     if (!placement.gpu)
         return "cpu";
     const gl::Context& context = *placement.gpu->context;
-    return std::string(gl::name_of(placement.device)) + ": " + context.renderer + ", OpenGL " +
+    return std::string(device_name(placement.device)) + ": " + context.renderer + ", OpenGL " +
            context.version + ", by " + context.platform;
 }
 

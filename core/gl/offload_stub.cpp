@@ -1,6 +1,7 @@
 // Stands in for offload.cpp and runner.cpp where OpenGL's headers were missing when this was built.
 #include "core/gl/choice.h"
 #include "core/gl/offload.h"
+#include "ddt/names.h"
 
 namespace ddt {
 
@@ -11,7 +12,7 @@ bool place(const Job& job, Placement& placement, std::string& why) {
         return false;
     if (wanted == Device::automatic || wanted == Device::cpu)
         return true;
-    why = std::string("ddt: device ") + gl::name_of(wanted) +
+    why = std::string("ddt: device ") + device_name(wanted) +
           " is unavailable: built without OpenGL's headers";
     return false;
 }

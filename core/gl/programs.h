@@ -13,7 +13,7 @@ constexpr int max_tiles = 64;
 /// Largest value of MeshOptions::max_iterations.
 constexpr int max_iterations = 250;
 /// Invocations of the group that does a tile's late iterations.
-constexpr int finish_group = 256;
+constexpr int finish_group = 512;
 
 /// The programs compiled so far. To be used on the context's thread.
 class Programs {

@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/arith/arith.h"
+#include "core/gl/budget.h"
 #include "core/gl/failure.h"
 #include "core/gl/offload.h"
 #include "core/tiles/tile_io.h"
@@ -16,21 +17,11 @@ namespace ddt::gl {
 
 namespace {
 
-/// Device memory for tiles in flight. A software renderer's is the machine's own.
-constexpr size_t hardware_budget = size_t(1) << 30, software_budget = size_t(256) << 20;
-
 /// Bytes of output sampled in one go, about.
 constexpr size_t strip_bytes = size_t(16) << 20;
 
 /// Rows that are handed to the sink at once.
 constexpr int rows_a_write = 64;
-
-SlotShape shape_for(const Rect& window) {
-    const auto along = [](int pixels) {
-        return std::max(2, std::min(pixels, tile_size + 1 + 2 * tile_halo));
-    };
-    return {along(window.width()), along(window.height())};
-}
 
 } // namespace
 
@@ -38,7 +29,8 @@ Runner::Runner(Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping, con
                const Grid& grid, int threads, Run& run)
     : m_gpu(gpu), m_source(source), m_sink(sink), m_mapping(mapping), m_job(job), m_grid(grid),
       m_run(run), m_arena(threads), m_shape(shape_for(job.window)),
-      m_groups(group_count(job.channels)), m_in_flight(affordable_tiles()),
+      m_groups(group_count(job.channels)),
+      m_in_flight(affordable_tiles(gpu, m_shape, m_groups, job.surface, grid.count())),
       m_counting(job.statistics || verbose()) {
     for (int g = 0; g < group_count(job.channels); ++g) {
         GroupKinds kinds;
@@ -62,16 +54,6 @@ void Runner::drop_meshes() {
             m_stages.reset();
         })
         .wait();
-}
-
-size_t Runner::affordable_tiles() const {
-    const size_t a_tile = Mesh::bytes(m_shape) + Surfaces::bytes(m_shape, size_t(m_groups), m_job.surface);
-    const size_t largest =
-        std::max(Mesh::largest_bytes(m_shape), Surfaces::largest_bytes(m_shape, m_job.surface));
-    const size_t budget = m_gpu.context->software ? software_budget : hardware_budget;
-    const size_t n = std::min(
-        {budget / a_tile, m_gpu.block_limit / largest, size_t(m_grid.count()), size_t(max_tiles)});
-    return std::max<size_t>(1, n);
 }
 
 void Runner::work() {
@@ -143,7 +125,7 @@ bool Runner::read(HostTile& t) {
             for (int g = 0; g < m_groups; ++g, in += group_size, out += pixels * group_size)
                 std::memcpy(out, in, size_t(channels_in_group(m_job.channels, g)) * sizeof(float));
         }
-    if (!Mesh::knows(m_job.mesh.scheme)) {
+    if (!Mesh::knows(m_job.mesh)) {
         triangulate_here(t, guide);
         return true;
     }
@@ -159,6 +141,8 @@ void Runner::triangulate_here(HostTile& t, const std::vector<float>& guide) {
     const DenormalsAreZero as_on_gpus;
     Lattice lattice;
     Workspace workspace;
+    workspace.origin_x = t.tile.pixels.x0 - m_job.window.x0;
+    workspace.origin_y = t.tile.pixels.y0 - m_job.window.y0;
     lattice.start(t.size.width, t.size.height, guide.data(), m_job.mesh.start == Start::flat);
     triangulate(lattice, m_job.mesh, workspace, t.statistics);
     t.sites.resize(m_shape.sites());
@@ -218,6 +202,7 @@ void Runner::start_batch() {
         for (size_t k = 0; k < counts[i].size(); ++k) {
             t.statistics.evaluations += counts[i][k].evaluated;
             t.statistics.flips += counts[i][k].selected;
+            t.statistics.rounds += counts[i][k].rounds;
             if (counts[i][k].selected > 0)
                 t.statistics.iterations = int(k) + 1;
         }
@@ -258,7 +243,7 @@ void Runner::sample(Strip& strip, const Strip* write_meanwhile) {
         m_surfaces->sample(*m_mesh, strip.plan, m_job.channels);
         m_stages->end();
         m_stages->begin(Stage::download);
-        m_surfaces->read_result(floats, strip.results.data());
+        m_surfaces->read_result(floats * sizeof(float), strip.results.data());
         m_stages->end();
         check(m_gpu.context->gl, "sampling");
     });
@@ -292,6 +277,7 @@ void Runner::write(const Strip& strip) {
     m_statistics.pixels += t.statistics.pixels;
     m_statistics.evaluations += t.statistics.evaluations;
     m_statistics.flips += t.statistics.flips;
+    m_statistics.rounds += t.statistics.rounds;
     m_statistics.iterations = std::max(m_statistics.iterations, t.statistics.iterations);
 }
 

@@ -56,7 +56,6 @@ private:
     void write(const Strip& strip);
     void retry_with_fewer();
     void drop_meshes();
-    size_t affordable_tiles() const;
     void report();
 
     Gpu& m_gpu;

@@ -27,8 +27,9 @@ float lane(unsigned mask, int i) {
 } // namespace
 
 Surfaces::Surfaces(Gpu& gpu, const SlotShape& shape, int tiles,
-                   const std::vector<GroupKinds>& groups, const SurfaceOptions& options)
-    : m_gpu(gpu), m_gl(gpu.context->gl), m_shape(shape), m_options(options) {
+                   const std::vector<GroupKinds>& groups, const SurfaceOptions& options,
+                   Numbers numbers)
+    : m_gpu(gpu), m_gl(gpu.context->gl), m_shape(shape), m_options(options), m_numbers(numbers) {
     const auto n = size_t(tiles);
     for (const GroupKinds& kinds : groups) {
         Group g;
@@ -37,6 +38,8 @@ Surfaces::Surfaces(Gpu& gpu, const SlotShape& shape, int tiles,
         for (int i = 0; i < corrected_buffers(options); ++i)
             g.corrected[i] = std::make_unique<Buffer>(m_gl, value_bytes(shape) * n);
         g.gradients = std::make_unique<Buffer>(m_gl, gradient_bytes(shape, options) * n);
+        if (numbers == Numbers::halves)
+            g.halves = std::make_unique<Buffer>(m_gl, value_bytes(shape) / 2 * n);
         m_groups.push_back(std::move(g));
     }
 }
@@ -50,9 +53,23 @@ size_t Surfaces::largest_bytes(const SlotShape& shape, const SurfaceOptions& opt
     return std::max(value_bytes(shape), gradient_bytes(shape, options));
 }
 
-void Surfaces::write_values(int slot, int group, const float* values) {
-    const size_t bytes = value_bytes(m_shape);
-    m_groups[size_t(group)].source->write(size_t(slot) * bytes, bytes, values);
+void Surfaces::write_values(int slot, int group, const void* values) {
+    const Group& g = m_groups[size_t(group)];
+    const bool half = m_numbers == Numbers::halves;
+    const size_t bytes = value_bytes(m_shape) / (half ? 2 : 1);
+    (half ? g.halves : g.source)->write(size_t(slot) * bytes, bytes, values);
+}
+
+void Surfaces::widen(const Group& group) {
+    constexpr int columns = 65536, local_size = 64; // of invocations
+    const int count = int(group.source->bytes() / (group_size * sizeof(float)));
+    m_gpu.programs->use("widen.comp");
+    group.halves->bind(1);
+    group.source->bind(2);
+    m_gl.Uniform1i(0, count);
+    m_gl.DispatchCompute(columns / local_size, GLuint((count + columns - 1) / columns), 1);
+    ++m_dispatches;
+    m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 std::string Surfaces::defines() const {
@@ -66,6 +83,8 @@ void Surfaces::make(Mesh& mesh, Cost cost) {
     if (m_options.soft > 0)
         mesh.find_gains(cost);
     for (Group& group : m_groups) {
+        if (group.halves)
+            widen(group);
         group.values = group.source.get();
         for (int round = 0; round < m_options.consistency; ++round) {
             find_gradients(mesh, group);
@@ -123,14 +142,22 @@ void Surfaces::write_positions(const std::vector<int32_t>& positions) {
     m_positions->write(0, positions.size() * sizeof(int32_t), positions.data());
 }
 
+void Surfaces::reserve_results(size_t positions, int channels) {
+    const size_t number = m_numbers == Numbers::halves ? 2 : sizeof(float);
+    reserve(m_result, positions * size_t(channels) * number);
+}
+
 void Surfaces::sample(Mesh& mesh, const SamplePlan& plan, int channels) {
-    reserve(m_result, size_t(plan.count) * size_t(channels) * sizeof(float));
-    m_gpu.programs->use("sample.comp",
-                        defines() + (channels % group_size == 0 ? " WHOLE_GROUPS" : ""));
+    const bool half = m_numbers == Numbers::halves;
+    reserve_results(size_t(plan.first_result) + size_t(plan.count), channels);
+    m_gpu.programs->use("sample.comp", defines() + (half                         ? " HALF"
+                                                    : channels % group_size == 0 ? " WHOLE_GROUPS"
+                                                                                 : ""));
     m_gl.Uniform1i(2, plan.slot);
     m_gl.Uniform1i(3, plan.separable);
     m_gl.Uniform3i(4, plan.columns, plan.rows, plan.count);
     m_gl.Uniform2i(5, plan.first_x, plan.first_y);
+    m_gl.Uniform1i(8, plan.first_result);
     for (size_t g = 0; g < m_groups.size(); ++g) {
         const Group& group = m_groups[g];
         bind_net(mesh, group);
@@ -141,12 +168,13 @@ void Surfaces::sample(Mesh& mesh, const SamplePlan& plan, int channels) {
         m_gl.Uniform3i(6, channels, first, std::min(group_size, channels - first));
         m_gl.Uniform1ui(7, group.kinds.nearest);
         m_gl.DispatchCompute(GLuint(plan.columns + 15) / 16, GLuint(plan.rows + 7) / 8, 1);
+        ++m_dispatches;
     }
 }
 
-void Surfaces::read_result(size_t floats, float* out) {
+void Surfaces::read_result(size_t bytes, void* out) {
     m_gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    m_result->read(0, floats * sizeof(float), out);
+    m_result->read(0, bytes, out);
 }
 
 } // namespace ddt::gl

@@ -14,6 +14,9 @@ struct GroupKinds {
     unsigned nearest = 0, strict = 0; ///< a bit a lane: Channel::nearest, Channel::alpha
 };
 
+/// How values come and results go; half floats need a whole number of groups.
+enum class Numbers { floats, halves };
+
 /// Positions to read one tile's surface at.
 struct SamplePlan {
     int slot = 0;
@@ -23,29 +26,34 @@ struct SamplePlan {
     int columns = 0, rows = 0;
     int first_x = 0, first_y = 0; ///< separable: where in the positions the x and the y begin
     int count = 0;                ///< positions in all
+    int first_result = 0;         ///< where in the results they begin
 };
 
 /// Values and gradients of all tiles of a Mesh. To be used on the context's thread; throws Failure.
 class Surfaces {
 public:
     Surfaces(Gpu& gpu, const SlotShape& shape, int tiles, const std::vector<GroupKinds>& groups,
-             const SurfaceOptions& options);
+             const SurfaceOptions& options, Numbers numbers = Numbers::floats);
 
     /// Device memory a tile takes, and the largest single buffer of it.
     static size_t bytes(const SlotShape& shape, size_t groups, const SurfaceOptions& options);
     static size_t largest_bytes(const SlotShape& shape, const SurfaceOptions& options);
 
-    /// A slot's values of one group: shape.pixels() x 4 floats in rows of shape.width.
-    void write_values(int slot, int group, const float* values);
+    /// A slot's values of one group: shape.pixels() x group_size numbers in rows of shape.width.
+    void write_values(int slot, int group, const void* values);
     /// After the mesh is finished; `cost` is what it was made with.
     void make(Mesh& mesh, Cost cost);
 
     /// The positions that plans refer to.
     void write_positions(const std::vector<int32_t>& positions);
-    /// Dispatch the reading of the surface: `channels` floats a position into result().
+    /// Room for the results of plans that are sampled before anything is read back.
+    void reserve_results(size_t positions, int channels);
+    /// Dispatch the reading of the surface: `channels` numbers a position. Results of earlier plans
+    /// stay if there was room.
     void sample(Mesh& mesh, const SamplePlan& plan, int channels);
-    /// Copy what the last sample() made; waits for the device.
-    void read_result(size_t floats, float* out);
+    /// Copy results from the first on; waits for the device.
+    void read_result(size_t bytes, void* out);
+    int dispatches() const { return m_dispatches; }
 
 private:
     struct Group {
@@ -53,11 +61,13 @@ private:
         std::unique_ptr<Buffer> source;       ///< values as they were read
         std::unique_ptr<Buffer> corrected[2]; ///< by consistency rounds, in turn
         std::unique_ptr<Buffer> gradients;
+        std::unique_ptr<Buffer> halves; ///< what source is made of, if it comes so
         const Buffer* values = nullptr; ///< what the surface goes through now
     };
     std::string defines() const;
     void bind_net(const Mesh& mesh, const Group& group);
     void find_gradients(Mesh& mesh, const Group& group);
+    void widen(const Group& group);
     void correct(Mesh& mesh, Group& group, int round);
     void reserve(std::unique_ptr<Buffer>& buffer, size_t bytes);
 
@@ -65,6 +75,8 @@ private:
     const Functions& m_gl;
     SlotShape m_shape;
     SurfaceOptions m_options;
+    Numbers m_numbers;
+    int m_dispatches = 0;
     std::vector<Group> m_groups;
     std::unique_ptr<Buffer> m_positions, m_result;
 };

@@ -53,10 +53,11 @@ struct Edge {
     uint8_t stamp = 0; ///< iteration of the last evaluation (scratch of the triangulation)
     uint8_t unused = 0;
 
-    /// True for the diagonal of a parallelogram.
+    /// True for the diagonal of a parallelogram. Without branches, since half of all edges are.
     bool flippable() const {
-        return !left.zero() && left == -right && left.x <= longest_edge &&
-               left.x >= -longest_edge && left.y <= longest_edge && left.y >= -longest_edge;
+        const auto allowed = [](int n) { return unsigned(n + longest_edge) <= 2u * longest_edge; };
+        return ((left.x | left.y) != 0) & (left.x + right.x == 0) & (left.y + right.y == 0) &
+               allowed(left.x) & allowed(left.y);
     }
 };
 

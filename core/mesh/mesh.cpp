@@ -28,25 +28,33 @@ void list(const Lattice& lattice, Mesh& mesh) {
     });
 }
 
-void build(const float* guide, int width, int height, const MeshOptions& options, Mesh& mesh,
-           MeshReport* report) {
+/// False: cancelled.
+bool build(const float* guide, int width, int height, const MeshOptions& options, Mesh& mesh,
+           MeshReport* report, const std::function<bool(float)>& progress) {
     const DenormalsAreZero as_on_gpus;
     Lattice lattice;
     Workspace workspace;
     Statistics statistics;
+    bool going = true;
+    if (progress)
+        workspace.progress = [&](float share) { return going = progress(share); };
     lattice.start(width, height, guide, options.start == Start::flat);
     const double cost_start = report ? total_cost(lattice, options.cost) : 0;
     triangulate(lattice, options, workspace, statistics);
+    if (!going)
+        return false;
     if (report)
         *report = {cost_start, total_cost(lattice, options.cost), statistics};
     workspace = {};
     list(lattice, mesh);
+    return true;
 }
 
 } // namespace
 
 bool build_mesh(const float* guide, int width, int height, const MeshOptions& options, Mesh& mesh,
-                MeshReport* report, std::string* error) {
+                MeshReport* report, std::string* error,
+                const std::function<bool(float)>& progress) {
     std::string why;
     if (width < 2 || height < 2)
         why = "ddt: a mesh needs at least 2 x 2 pixels";
@@ -56,7 +64,8 @@ bool build_mesh(const float* guide, int width, int height, const MeshOptions& op
         why = "ddt: max_iterations must be 0 to 250";
     if (why.empty()) {
         try {
-            build(guide, width, height, options, mesh, report);
+            if (!build(guide, width, height, options, mesh, report, progress))
+                why = "ddt: cancelled";
         } catch (const std::bad_alloc&) {
             why = "ddt: out of memory";
         }

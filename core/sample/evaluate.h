@@ -61,7 +61,7 @@ constexpr int row_padding = 16;
 ///
 /// Every value is clamped to the range of its triangle's vertices, which takes off the last bit of
 /// rounding; a vertex with weight 0 contributes exactly nothing, even if it is not finite; NaN
-/// results have the bits 0x7fc00000.
+/// results have the bits 0x7fc00000, zeros no sign.
 void evaluate_row(const Net& net, Surface surface, NearestMask nearest, const LocatedRow& row,
                   int channels, int first, int count, float* out);
 

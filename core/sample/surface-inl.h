@@ -18,7 +18,7 @@ struct Patch {
         high = if_less(high, z2, z2, high);
         if (soft) {
             const T zero = T(0.0f);
-            low = if_less(zero, strict, low, if_less(low, zero, T(-INFINITY), zero));
+            low = if_less(zero, strict, low, if_less_equal(zero, low, zero, T(-INFINITY)));
             high = if_less(zero, strict, high, T(INFINITY));
         }
     }
@@ -31,7 +31,8 @@ struct Patch {
         return if_less(zero, b, b * z, zero);
     }
 
-    /// The surface at barycentric weights b, all >= 0.
+    /// The surface at barycentric weights b, all >= 0. Zero is never negative and NaN one and the
+    /// same: their signs would be up to each compiler.
     template <bool quadratic, bool soft>
     DDT_INLINE T at(T b0, T b1, T b2) const {
         T f = (term(b0, z0) + term(b1, z1)) + term(b2, z2);
@@ -41,7 +42,7 @@ struct Patch {
             f = f + ((smaller(b0, b1) * q01 + smaller(b1, b2) * q12) + smaller(b2, b0) * q20);
         f = if_less(f, low, low, f);
         f = if_less(high, f, high, f);
-        return if_less_equal(f, T(INFINITY), f, T(quiet_nan));
+        return if_less_equal(f, T(INFINITY), f + T(0.0f), T(quiet_nan));
     }
 };
 

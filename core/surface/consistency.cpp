@@ -2,6 +2,7 @@
 
 #include <cfloat>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "core/arith/arith.h"
@@ -209,6 +210,17 @@ void Consistency::begin(const Lattice& lattice, const Net& net, float limit) {
 void Consistency::correct(const Lattice& lattice, Surface surface, Net& net) {
     sum.assign(source.size(), 0.0f);
     HWY_DYNAMIC_DISPATCH(correct)(lattice, surface, net, *this);
+}
+
+void Consistency::restore(const Lattice& lattice, unsigned lanes, Net& net) const {
+    if (lanes == 0)
+        return;
+    const float* from = source.data();
+    for (int y = 0; y < lattice.height(); ++y)
+        for (int x = 0; x < lattice.width(); ++x, from += group_size)
+            for (int c = 0; c < group_size; ++c)
+                if (lanes >> c & 1u)
+                    std::memcpy(net.at(lattice.vertex_site(x, y)) + c, from + c, sizeof(float));
 }
 
 } // namespace ddt

@@ -24,6 +24,10 @@ public:
     /// softened (where the net has soft edges).
     void correct(const Lattice& lattice, Surface surface, Net& net);
 
+    /// Give the lanes whose bit is set their source values back: identifiers are nothing to
+    /// correct.
+    void restore(const Lattice& lattice, unsigned lanes, Net& net) const;
+
     // For the SIMD twins: group_size floats a pixel.
     std::vector<float> source, low, high;
     std::vector<float> sum; ///< of the quadrants' means

@@ -95,12 +95,6 @@ HWY_ATTR void make_gradients(const Lattice& lattice, const Rect& part, const Net
         }
 }
 
-/// v or -v, so that it starts at the end with the smaller address: which way an edge was stored may
-/// not show, not even in the sign of a zero.
-HWY_INLINE Vec downwards(Vec v) {
-    return v.y < 0 || (v.y == 0 && v.x < 0) ? -v : v;
-}
-
 HWY_ATTR void make_edges(const Lattice& lattice, const Rect& part, const float* gradients,
                          Net& net) {
     const int stride = lattice.stride();
@@ -109,7 +103,7 @@ HWY_ATTR void make_edges(const Lattice& lattice, const Rect& part, const float* 
         int m = lattice.site(2 * part.x0 + 1 - odd, y);
         const int end = lattice.site(2 * part.x1 - 1, y);
         for (; m < end; m += 2 - odd) {
-            const Vec v = downwards(lattice.sites()[m].edge.v);
+            const Vec v = lattice.sites()[m].edge.v;
             const ptrdiff_t to_j = group_size * ptrdiff_t(v.y * stride + v.x);
             float* e = net.at(m);
             // Where an end lies outside the part its gradient is not known, and e is never used.

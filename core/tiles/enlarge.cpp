@@ -84,18 +84,18 @@ void add(const Statistics& s, Statistics& sum) {
 }
 
 int thread_count(const Job& job) {
-    return job.threads > 0 ? job.threads : tbb::this_task_arena::max_concurrency();
+    const int wanted = job.threads > 0 ? job.threads : tbb::this_task_arena::max_concurrency();
+    // More than there can be would make oneTBB print a warning.
+    const size_t most =
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    return int(std::min<size_t>(size_t(wanted), most));
 }
 
 /// Work on all tiles that are not done.
 void work_on_cpu(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                  const Grid& grid, Run& run, Statistics& statistics) {
     const size_t in_flight = std::max<size_t>(1, memory_limit / TileWorker::memory(job));
-    int threads = int(std::min<size_t>(size_t(thread_count(job)), in_flight));
-    // More than there can be would make oneTBB print a warning.
-    threads =
-        int(std::min<size_t>(size_t(threads), tbb::global_control::active_value(
-                                                  tbb::global_control::max_allowed_parallelism)));
+    const int threads = int(std::min<size_t>(size_t(thread_count(job)), in_flight));
 
     tbb::enumerable_thread_specific<std::unique_ptr<TileWorker>> workers;
     const auto work = [&](int index) {

@@ -25,10 +25,6 @@ void repeat_to_two(std::vector<float>& v, int& width, int& height, int channels)
     }
 }
 
-uint32_t zeroed(uint32_t bits, uint32_t least) {
-    return (bits & 0x7fffffffu) < least ? bits & 0x80000000u : bits;
-}
-
 uint32_t bits_of(float v) {
     uint32_t bits;
     std::memcpy(&bits, &v, sizeof bits);
@@ -37,10 +33,8 @@ uint32_t bits_of(float v) {
 
 void zero_small(float* values, size_t n, float least) {
     const uint32_t limit = bits_of(least);
-    for (size_t i = 0; i < n; ++i) {
-        const uint32_t bits = zeroed(bits_of(values[i]), limit);
-        std::memcpy(values + i, &bits, sizeof bits);
-    }
+    for (size_t i = 0; i < n; ++i)
+        values[i] = (bits_of(values[i]) & 0x7fffffffu) < limit ? 0.0f : values[i];
 }
 
 void zero_small_blended(std::vector<float>& values, const std::vector<Channel>& kinds) {

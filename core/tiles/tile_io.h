@@ -19,7 +19,7 @@ bool serves(const Tile& tile, const Position& p);
 /// A position in the lattice of the tile.
 Point local(const Tile& tile, const Position& p);
 
-/// Numbers nearer to zero than these become zeros of their sign when a tile is read. So nothing
+/// Numbers nearer to zero than these become zero when a tile is read. So nothing
 /// that is computed from them comes near the denormal floats, which some devices keep and others
 /// take for zero, unless terms of that size cancel.
 constexpr float least_value = 0x1p-80f, least_guide = 0x1p-24f;

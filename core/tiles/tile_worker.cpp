@@ -113,6 +113,7 @@ void TileWorker::make_surface(const Tile& tile) {
             shape(net, whole);
             m_consistency.correct(m_lattice, surface.kind, net);
         }
+        m_consistency.restore(m_lattice, nearest_mask(m_job, g), net);
     }
     // The halo is not sampled, but triangles of the tile reach into it, seldom far.
     const Rect &c = tile.cells, &p = tile.pixels;

@@ -160,9 +160,12 @@ private:
 void accept_reject(Lattice& lattice, Cost cost, float min_gain, int max_iterations,
                    const Rules& rules, Workspace& workspace, Statistics& statistics) {
     AcceptReject scheme(lattice, cost, min_gain, rules, workspace, statistics);
-    for (int i = 1; i <= max_iterations && scheme.iterate(i); ++i)
+    for (int i = 1; i <= max_iterations && scheme.iterate(i); ++i) {
         if (statistics.iterations < i)
             statistics.iterations = i;
+        if (!workspace.go_on(workspace.dirty.size(), lattice.size()))
+            break;
+    }
 }
 
 } // namespace ddt

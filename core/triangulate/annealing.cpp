@@ -101,16 +101,25 @@ private:
 
 void annealing(Lattice& lattice, Cost cost, float min_gain, int iterations, uint32_t seed,
                Workspace& w, Statistics& statistics) {
-    one_round(lattice, cost, min_gain, iterations, w, statistics);
+    // The random iterations take nearly all the time; only they are reported.
+    const auto settle = [&] {
+        std::function<bool(float)> silent;
+        w.progress.swap(silent);
+        one_round(lattice, cost, min_gain, iterations, w, statistics);
+        w.progress.swap(silent);
+    };
+    settle();
     Annealing scheme(lattice, cost, seed, w, statistics);
     const float hottest = traits(cost).temperature;
     for (int i = 0; i < iterations; ++i) {
         const float left = float(iterations - i) / float(iterations);
         scheme.iterate(i, (hottest * left) * left);
+        if (!w.go_on(size_t(iterations - i), size_t(iterations)))
+            return;
     }
     // Stamps of the first one_round would be taken for those of the second.
     lattice.each_edge([&](int m) { lattice.edge(m).stamp = 0; });
-    one_round(lattice, cost, min_gain, iterations, w, statistics);
+    settle();
 }
 
 } // namespace ddt

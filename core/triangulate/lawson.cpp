@@ -3,7 +3,8 @@
 
 namespace ddt {
 
-void lawson(Lattice& lattice, Cost cost, float min_gain, int max_sweeps, Statistics& statistics) {
+void lawson(Lattice& lattice, Cost cost, float min_gain, int max_sweeps, const Workspace& workspace,
+            Statistics& statistics) {
     dispatch(cost, [&](auto which) {
         for (int sweep = 0; sweep < max_sweeps; ++sweep) {
             int64_t flips = 0;
@@ -19,7 +20,7 @@ void lawson(Lattice& lattice, Cost cost, float min_gain, int max_sweeps, Statist
             statistics.flips += flips;
             if (statistics.iterations <= sweep)
                 statistics.iterations = sweep + 1;
-            if (flips == 0)
+            if (flips == 0 || !workspace.go_on(size_t(flips), lattice.size()))
                 break;
         }
     });

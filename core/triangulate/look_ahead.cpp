@@ -92,14 +92,14 @@ private:
 } // namespace
 
 void look_ahead(Lattice& lattice, Cost cost, float min_gain, int max_sweeps,
-                Statistics& statistics) {
+                const Workspace& workspace, Statistics& statistics) {
     dispatch(cost, [&](auto which) {
         LookAhead<decltype(which)> scheme(lattice, min_gain, statistics);
         for (int sweep = 1; sweep <= max_sweeps; ++sweep) {
             const int64_t flips = scheme.sweep();
             if (statistics.iterations < sweep)
                 statistics.iterations = sweep;
-            if (flips == 0)
+            if (flips == 0 || !workspace.go_on(size_t(flips), lattice.size()))
                 break;
         }
     });

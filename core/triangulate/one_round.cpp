@@ -18,22 +18,32 @@ int find_blocker(const Lattice& lattice, const std::vector<float>& gain, int m) 
     return blocker;
 }
 
-/// Evaluate the dirty edges; those above min_gain become candidates.
+/// Put those of the edges that `each` calls its argument with that can be flipped into w.flippable;
+/// there are at most `count`. Without branches, since half of them can.
+template <class Each>
+void find_flippable(const Lattice& lattice, size_t count, Each&& each, Workspace& w) {
+    w.flippable.resize(count);
+    int* out = w.flippable.data();
+    each([&](int m) {
+        w.gain[size_t(m)] = no_gain;
+        *out = m;
+        out += lattice.edge(m).flippable();
+    });
+    w.flippable.resize(size_t(out - w.flippable.data()));
+}
+
+/// Evaluate the flippable edges; those above min_gain become candidates.
 void evaluate(const Lattice& lattice, Cost cost, float min_gain, Workspace& w,
               Statistics& statistics) {
-    w.flippable.clear();
-    for (const int m : w.dirty) {
-        if (lattice.edge(m).flippable())
-            w.flippable.push_back(m);
-        else
-            w.gain[size_t(m)] = no_gain;
-    }
     gains(lattice, cost, w.flippable.data(), w.flippable.size(), w.gain.data());
     statistics.evaluations += int64_t(w.flippable.size());
-    w.candidates.clear();
-    for (const int m : w.flippable)
-        if (w.gain[size_t(m)] > min_gain)
-            w.candidates.push_back(m);
+    w.candidates.resize(w.flippable.size() + 1);
+    int* out = w.candidates.data();
+    for (const int m : w.flippable) {
+        *out = m;
+        out += w.gain[size_t(m)] > min_gain;
+    }
+    w.candidates.resize(size_t(out - w.candidates.data()));
 }
 
 /// A candidate that waits is looked at again when its blocker was evaluated again. Nothing else can
@@ -75,8 +85,14 @@ void one_round(Lattice& lattice, Cost cost, float min_gain, int max_iterations, 
                Statistics& statistics) {
     w.gain.resize(lattice.size());
     w.blocked.clear();
-    w.dirty.clear();
-    lattice.each_edge([&](int m) { w.dirty.push_back(m); });
+    const auto all = [&](auto&& f) { lattice.each_edge(f); };
+    const auto dirty = [&](auto&& f) {
+        for (const int m : w.dirty)
+            f(m);
+    };
+    // One more than there are, since a place is written before it is known to be taken.
+    const size_t pixels = size_t(lattice.width()) * size_t(lattice.height());
+    find_flippable(lattice, 3 * pixels + 1, all, w);
 
     for (int iteration = 1; iteration <= max_iterations; ++iteration) {
         const auto stamp = uint8_t(iteration);
@@ -93,9 +109,12 @@ void one_round(Lattice& lattice, Cost cost, float min_gain, int max_iterations, 
                 w.blocked.push_back({m, blocker});
         }
         flip_selected(lattice, uint8_t(iteration + 1), w);
+        find_flippable(lattice, w.dirty.size() + 1, dirty, w);
         statistics.flips += int64_t(w.selected.size());
         if (statistics.iterations < iteration)
             statistics.iterations = iteration;
+        if (!w.go_on(w.dirty.size(), lattice.size()))
+            break;
     }
 }
 

@@ -16,6 +16,9 @@ struct Rules {
     static constexpr int always = 1 << 30;
 };
 
+/// The rules of the options' scheme; false if it is not one of the paper's.
+bool find_rules(const MeshOptions& options, Rules& rules);
+
 /// Cervenansky et al. 2010, section 4 and figure 6. An iteration: evaluate; edges that gain more
 /// than min_gain are candidates. Rounds: a candidate with the highest priority among the untreated
 /// of its region is accepted; untreated candidates in the region of an accepted one are rejected.
@@ -30,7 +33,7 @@ void accept_reject(Lattice& lattice, Cost cost, float min_gain, int max_iteratio
 /// data-dependent triangulation": an edge that does not gain by itself is flipped together with the
 /// best of its parallelogram's sides if the two flips gain together. Sequential.
 void look_ahead(Lattice& lattice, Cost cost, float min_gain, int max_sweeps,
-                Statistics& statistics);
+                const Workspace& workspace, Statistics& statistics);
 
 /// Simulated annealing (Schumaker 1993, "Computing optimal triangulations using simulated
 /// annealing"), in parallel: in each iteration, edges drawn at random that are outside each other's

@@ -27,36 +27,48 @@ float min_gain(const MeshOptions& options) {
     return guard;
 }
 
+bool find_rules(const MeshOptions& options, Rules& rules) {
+    switch (options.scheme) {
+    case Scheme::basic:
+        rules = {false, 0, true};
+        return true;
+    case Scheme::exproi:
+        rules = {false, Rules::always, true};
+        return true;
+    case Scheme::maxgain:
+        rules = {true, 0, true};
+        return true;
+    case Scheme::exproi_maxgain:
+        rules = {true, Rules::always, true};
+        return true;
+    case Scheme::exproi_n_maxgain:
+        rules = {true, options.wide_iterations, true};
+        return true;
+    default:
+        return false;
+    }
+}
+
 void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& workspace,
                  Statistics& statistics) {
     const Cost cost = options.cost;
     const float threshold = min_gain(options);
     const int iterations = options.max_iterations;
-    const auto by_rules = [&](const Rules& rules) {
-        accept_reject(lattice, cost, threshold, iterations, rules, workspace, statistics);
-    };
     statistics.pixels += int64_t(lattice.width()) * lattice.height();
+    Rules rules;
+    if (find_rules(options, rules))
+        return accept_reject(lattice, cost, threshold, iterations, rules, workspace, statistics);
     switch (options.scheme) {
     case Scheme::one_round:
         return one_round(lattice, cost, threshold, iterations, workspace, statistics);
     case Scheme::lawson:
-        return lawson(lattice, cost, threshold, iterations, statistics);
-    case Scheme::basic:
-        return by_rules({false, 0, true});
-    case Scheme::exproi:
-        return by_rules({false, Rules::always, true});
-    case Scheme::maxgain:
-        return by_rules({true, 0, true});
-    case Scheme::exproi_maxgain:
-        return by_rules({true, Rules::always, true});
-    case Scheme::exproi_n_maxgain:
-        return by_rules({true, options.wide_iterations, true});
+        return lawson(lattice, cost, threshold, iterations, workspace, statistics);
     case Scheme::look_ahead:
-        return look_ahead(lattice, cost, threshold, iterations, statistics);
+        return look_ahead(lattice, cost, threshold, iterations, workspace, statistics);
     case Scheme::annealing:
         return annealing(lattice, cost, threshold, iterations, options.seed, workspace, statistics);
-    case Scheme::pixel:
-        return;
+    default:
+        return; // pixel: the starting mesh is the result
     }
 }
 

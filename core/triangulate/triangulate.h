@@ -1,6 +1,7 @@
 // Flipping edges until the mesh follows the guide.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/lattice/lattice.h"
@@ -14,14 +15,21 @@ struct Workspace {
         int site;    ///< a candidate that was not the best of its region,
         int blocker; ///< and a better one in it
     };
-    std::vector<float> gain;        ///< a site; only meaningful for edges
-    std::vector<int> dirty;         ///< edges to evaluate in this iteration
-    std::vector<int> flippable;     ///< those of them that can be flipped
-    std::vector<int> candidates;    ///< edges to look at in this iteration's selection
-    std::vector<int> selected;      ///< edges to flip
-    std::vector<Blocked> blocked;   ///< candidates that wait
+    std::vector<float> gain;             ///< a site; only meaningful for edges
+    std::vector<int> dirty;              ///< edges to evaluate in this iteration
+    std::vector<int> flippable;          ///< those of them that can be flipped
+    std::vector<int> candidates;         ///< edges to look at in this iteration's selection
+    std::vector<int> selected;           ///< edges to flip
+    std::vector<Blocked> blocked;        ///< candidates that wait
+    std::function<bool(float)> progress; ///< see go_on(); may be empty
     int origin_x = 0, origin_y = 0; ///< the lattice's first pixel in the image: chance is drawn by
                                     ///< an edge's place in the image, whatever tile it is in
+
+    /// Called once an iteration by schemes: tells progress() the share that is not among the `left`
+    /// of `all` things to do. False: flip no more.
+    bool go_on(size_t left, size_t all) const {
+        return !progress || progress(1.0f - float(left) / float(all));
+    }
 };
 
 /// The threshold in use: options.min_gain or, where that is negative, the cost's own; for lawson
@@ -37,7 +45,8 @@ void find_gains(const Lattice& lattice, Cost cost, Workspace& workspace);
 
 /// Sequential local optimization (Lawson 1977): sweeps over all edges in address order; an edge
 /// that gains flips at once; until a sweep flips nothing. The reference.
-void lawson(Lattice& lattice, Cost cost, float min_gain, int max_sweeps, Statistics& statistics);
+void lawson(Lattice& lattice, Cost cost, float min_gain, int max_sweeps, const Workspace& workspace,
+            Statistics& statistics);
 
 /// The default parallel scheme. An iteration: evaluate the gains of all edges that a flip touched
 /// (at first, of all); select every edge whose gain exceeds min_gain and is the largest of its

@@ -7,20 +7,10 @@
 
 #include <OpenImageIO/imagebuf.h>
 
-#include "core/guide/guide.h"
 #include "ddt/core.h"
-#include "plugin/colour/light.h"
-#include "plugin/image/channels.h"
+#include "plugin/image/reading.h"
 
 namespace ddt {
-
-/// How an image is read: what is converted, what makes the guide, which channels are handed on.
-struct Reading {
-    Channels channels;
-    Light light;               ///< Light() when nothing is to be converted
-    GuideRecipe guide;         ///< positions are channels of the image
-    std::vector<int> selected; ///< channels of the image that the core gets, in this order
-};
 
 class ImageSource final : public Source {
 public:

@@ -36,14 +36,16 @@ TEST(Options, EveryKey) {
     ddt::Options options;
     std::string error;
     ASSERT_TRUE(ddt::parse_filter("ddt,cost=scf,iterations=7,light=ACEScg,min_gain=0.25,"
-                                  "scheme=lawson,start=diagonal",
+                                  "scheme=exproi3-maxgain,seed=9,start=diagonal",
                                   options, error))
         << error;
     EXPECT_EQ(options.mesh.cost, ddt::Cost::scf);
     EXPECT_EQ(options.mesh.max_iterations, 7);
     EXPECT_EQ(options.light, "ACEScg");
     EXPECT_EQ(options.mesh.min_gain, 0.25f);
-    EXPECT_EQ(options.mesh.scheme, ddt::Scheme::lawson);
+    EXPECT_EQ(options.mesh.scheme, ddt::Scheme::exproi_n_maxgain);
+    EXPECT_EQ(options.mesh.wide_iterations, 3);
+    EXPECT_EQ(options.mesh.seed, 9u);
     EXPECT_EQ(options.mesh.start, ddt::Start::diagonal);
 }
 
@@ -57,7 +59,7 @@ TEST(Options, SpacesWithinNames) {
 TEST(Options, UnknownKeyIsNamedAndKeysListed) {
     const std::string error = error_of("ddt,colour=red");
     EXPECT_NE(error.find("\"colour\""), std::string::npos) << error;
-    for (const char* key : {"cost", "iterations", "light", "min_gain", "scheme", "start"})
+    for (const char* key : {"cost", "iterations", "light", "min_gain", "scheme", "seed", "start"})
         EXPECT_NE(error.find(key), std::string::npos) << error;
 }
 

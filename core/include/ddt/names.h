@@ -1,4 +1,4 @@
-// The names of costs, schemes and starts, as options, tables and tools spell them.
+// The names of costs, schemes, starts and devices, as options, tables and tools spell them.
 #pragma once
 
 #include <string>
@@ -26,5 +26,10 @@ std::vector<std::string> scheme_names();
 const char* start_name(Start start);
 bool find_start(std::string_view name, Start& start);
 std::vector<std::string> start_names();
+
+/// "auto", "cpu", "egl" or "osmesa".
+const char* device_name(Device device);
+bool find_device(std::string_view name, Device& device);
+std::vector<std::string> device_names();
 
 } // namespace ddt

@@ -45,6 +45,9 @@ struct Options {
     /// "encoded": as the numbers are. Otherwise the name of the image's space, which the OCIO
     /// config must have.
     std::string light = "auto";
+    /// Where meshes are computed; the result is the same everywhere. A device named here that
+    /// cannot be had is a failure that says why.
+    Device device = Device::automatic;
     /// Called now and then with the share done (0..1), one thread at a time; return false to
     /// cancel, which is a failure.
     std::function<bool(float)> progress;
@@ -58,10 +61,11 @@ std::vector<std::string> filter_names();
 bool is_filter_name(OIIO::string_view spec);
 
 /// Parse "ddt,key=value,...": the name sets the surface, each key its option; what is not named
-/// keeps its value in `options`. Keys: consistency, cost, iterations,
-/// light, limit, min_gain, scheme, soft, start. On failure
-/// return false with one line in `error` that names the option and lists what is allowed; `options`
-/// is then unchanged.
+/// keeps its value in `options`. Keys: consistency, cost, device,
+/// iterations, light, limit, min_gain,
+/// scheme, seed, soft, start; values with names are those of ddt/names.h. On failure return false
+/// with one line in `error` that names the option and lists what is allowed; `options` is then
+/// unchanged.
 bool parse_filter(OIIO::string_view spec, Options& options, std::string& error);
 
 /// Resize: the source's display window maps onto dst's, pixel centres at half integers; data

@@ -113,6 +113,7 @@ inline void expect_same(Device device, const Picture& picture, const Order& orde
     EXPECT_EQ(gpu.statistics.flips, cpu.statistics.flips) << what;
     EXPECT_EQ(gpu.statistics.evaluations, cpu.statistics.evaluations) << what;
     EXPECT_EQ(gpu.statistics.iterations, cpu.statistics.iterations) << what;
+    EXPECT_EQ(gpu.statistics.rounds, cpu.statistics.rounds) << what;
     EXPECT_EQ(gpu.statistics.pixels, cpu.statistics.pixels) << what;
     EXPECT_EQ(gpu.times, cpu.times) << what;
     size_t differing = 0, first = 0;

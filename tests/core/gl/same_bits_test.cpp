@@ -1,4 +1,5 @@
 // The GPU's results against the CPU's, bit for bit.
+#include "ddt/names.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
 
@@ -25,25 +26,46 @@ std::string name_of(const SurfaceOptions& s) {
 
 class SameBits : public OnDevice {};
 
-TEST_P(SameBits, EverySchemeCostSurfaceAndPicture) {
-    for (const Scheme scheme : {Scheme::one_round, Scheme::pixel, Scheme::lawson})
-        for (const Cost cost : {Cost::abn, Cost::scf})
-            for (const SurfaceOptions& surface : surfaces())
-                for (int content = 0; content < int(Content::count); ++content) {
-                    const Picture p =
-                        make_picture(Content(content), 61, 43, 4, 7u + unsigned(content));
-                    Order order;
-                    order.job.mesh.scheme = scheme;
-                    order.job.mesh.cost = cost;
-                    order.job.surface = surface;
-                    order.out_width = 150;
-                    order.out_height = 101;
-                    expect_same(GetParam(), p, order,
-                                std::string(name_of(Content(content))) + " scheme " +
-                                    std::to_string(int(scheme)) + " cost " +
-                                    std::to_string(int(cost)) + " surface " +
-                                    name_of(surface));
-                }
+constexpr Scheme schemes[] = {Scheme::one_round,
+                              Scheme::lawson,
+                              Scheme::basic,
+                              Scheme::exproi,
+                              Scheme::maxgain,
+                              Scheme::exproi_maxgain,
+                              Scheme::exproi_n_maxgain,
+                              Scheme::look_ahead,
+                              Scheme::annealing,
+                              Scheme::pixel};
+constexpr Cost costs[] = {Cost::abn, Cost::scf, Cost::jnd, Cost::dlp, Cost::dp};
+
+TEST_P(SameBits, EverySchemeAndCost) {
+    for (const Scheme scheme : schemes)
+        for (const Cost cost : costs)
+            for (int content = 0; content < int(Content::count); ++content) {
+                const Picture p = make_picture(Content(content), 61, 43, 1, 7u + unsigned(content));
+                Order order;
+                order.job.mesh.scheme = scheme;
+                order.job.mesh.cost = cost;
+                order.out_width = 150;
+                order.out_height = 101;
+                expect_same(GetParam(), p, order,
+                            std::string(name_of(Content(content))) + " " +
+                                scheme_name(order.job.mesh) + " " + cost_name(cost));
+            }
+}
+
+TEST_P(SameBits, EverySurface) {
+    for (const SurfaceOptions& surface : surfaces())
+        for (int content = 0; content < int(Content::count); ++content) {
+            const Picture p = make_picture(Content(content), 61, 43, 4, 7u + unsigned(content));
+            Order order;
+            order.job.surface = surface;
+            order.job.kinds = {Channel::blend, Channel::blend, Channel::nearest, Channel::alpha};
+            order.out_width = 150;
+            order.out_height = 101;
+            expect_same(GetParam(), p, order,
+                        std::string(name_of(Content(content))) + " " + name_of(surface));
+        }
 }
 
 INSTANTIATE_TEST_SUITE_P(Devices, SameBits, testing::Values(Device::egl, Device::osmesa),

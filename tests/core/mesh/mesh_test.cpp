@@ -2,6 +2,7 @@
 
 #include "core/triangulate/gain.h"
 #include "core/triangulate/triangulate.h"
+#include "ddt/names.h"
 #include "tests/core/helpers.h"
 
 namespace ddt::test {
@@ -45,6 +46,27 @@ TEST(Mesh, HasTheTrianglesOfTheLattice) {
     }
     std::sort(faces.begin(), faces.end());
     EXPECT_EQ(faces, faces_of(lattice));
+}
+
+TEST(Mesh, EverySchemeTellsHowFarItIsAndCanBeCancelled) {
+    const int w = 40, h = 30;
+    const auto guide = make_guide(Kind::noise, w, h, 3);
+    for (const char* name : {"one-round", "lawson", "maxgain", "look-ahead", "annealing"}) {
+        SCOPED_TRACE(name);
+        MeshOptions o;
+        ASSERT_TRUE(find_scheme(name, o));
+        int calls = 0;
+        Mesh mesh;
+        std::string error;
+        const auto count = [&](float share) {
+            EXPECT_GE(share, 0.0f);
+            EXPECT_LE(share, 1.0f);
+            return ++calls != 2;
+        };
+        EXPECT_FALSE(build_mesh(guide.data(), w, h, o, mesh, nullptr, &error, count));
+        EXPECT_EQ(error, "ddt: cancelled");
+        EXPECT_EQ(calls, 2);
+    }
 }
 
 TEST(Mesh, SaysWhyThereIsNone) {

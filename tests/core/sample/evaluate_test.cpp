@@ -2,6 +2,7 @@
 
 #include <cfloat>
 
+#include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"
 #include "tests/core/surface/slow_surface.h"
 
@@ -14,7 +15,8 @@ constexpr Surface surfaces[] = {Surface::linear, Surface::patch};
 class Reader {
 public:
     Reader(const Scene& scene, Surface surface, const std::vector<float>& values, int channels = 1,
-           NearestMask nearest = 0)
+           NearestMask nearest = 0, const std::vector<float>& gain = {}, float tau = 0,
+           bool strict = false)
         : m_scene(scene), m_surface(surface), m_channels(channels), m_nearest(nearest) {
         const DenormalsAreZero zero;
         Gradients gradients;
@@ -24,6 +26,9 @@ public:
                          std::min(group_size, channels - c), m_nets.back());
             if (surface == Surface::patch)
                 bend_edges(scene.lattice, scene.all(), m_nets.back(), gradients);
+            if (tau > 0)
+                soften_edges(scene.lattice, scene.all(), gain.data(), tau, m_nets.back());
+            std::fill_n(m_nets.back().strict, group_size, strict ? 1.0f : 0.0f);
         }
         m_row.forget(0, 0);
     }
@@ -106,6 +111,73 @@ TEST(Evaluate, EveryInstructionSetGivesTheBitsOfTheFormulas) {
                     }
                 }
         });
+    });
+}
+
+/// A denormal as the zero it counts as: one may come through where a value is clamped to it.
+float flushed(float x) {
+    return std::fabs(x) < FLT_MIN ? std::copysign(0.0f, x) : x;
+}
+
+TEST(Evaluate, SoftEdgesHaveTheBitsOfTheFormulas) {
+    on_each_target([] {
+        int different = 0;
+        each_scene([&](const Scene& scene, Random& random) {
+            const Lattice& l = scene.lattice;
+            Workspace workspace;
+            find_gains(l, Cost::abn, workspace);
+            for (const Surface surface : surfaces)
+                for (const Values kind : all_values)
+                    for (const bool strict : {false, true}) {
+                        const float tau = 1.0f;
+                        const auto values = make_values(kind, scene.pixels(), random);
+                        Reader reader(scene, surface, values, 1, 0, workspace.gain, tau, strict);
+                        const DenormalsAreZero zero;
+                        SlowSurface slow(scene.faces, l.width(), l.height(), surface, values);
+                        const SlowSurface hard = slow;
+                        slow.soften(l, workspace.gain, tau, strict);
+                        for (const Point p : make_points(l, 100, random)) {
+                            const Face f = find_face(scene.faces, p) >= 0
+                                               ? closed_face(scene, p)
+                                               : face_of_triangle(l, locate(l, p));
+                            int32_t w[3];
+                            weights_in(f, p, w);
+                            const float r = reader.at(p), expected = slow.at(f, w);
+                            ASSERT_EQ(bits_of(flushed(r)), bits_of(flushed(expected)))
+                                << r << " not " << expected;
+                            different += bits_of(expected) != bits_of(hard.at(f, w));
+                        }
+                    }
+        });
+        EXPECT_GT(different, 1000);
+    });
+}
+
+TEST(Evaluate, SoftEdgesAtNoGainShowBothDiagonalsAlike) {
+    // The middle of a cell: the mean of its four corners.
+    Random random(3);
+    Scene scene(2, 2, 0, random);
+    const std::vector<float> gain(scene.lattice.size(), 0.0f);
+    Reader reader(scene, Surface::linear, {1, 2, 4, 16}, 1, 0, gain, 0.3f);
+    EXPECT_EQ(reader.at({position_one / 2, position_one / 2}), 5.75f);
+}
+
+TEST(Evaluate, AtAPixelThePixelComesBackWithSoftEdgesToo) {
+    each_scene([](const Scene& scene, Random& random) {
+        Workspace workspace;
+        find_gains(scene.lattice, Cost::abn, workspace);
+        for (const Surface surface : surfaces) {
+            auto values = make_values(Values::nonfinite, scene.pixels(), random);
+            for (size_t i = 0; i < values.size(); i += 2)
+                values[i] = -values[i];
+            Reader reader(scene, surface, values, 1, 0, workspace.gain, 10.0f);
+            for (int y = 0; y < scene.lattice.height(); ++y)
+                for (int x = 0; x < scene.lattice.width(); ++x) {
+                    const float z = values[size_t(y * scene.lattice.width() + x)];
+                    const float r = reader.at({x * position_one, y * position_one});
+                    ASSERT_TRUE(z == z ? r == z : bits_of(r) == 0x7fc00000u) << r << ' ' << z;
+                }
+        }
     });
 }
 

@@ -1,5 +1,6 @@
 #include "core/surface/net.h"
 
+#include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"
 #include "tests/core/surface/slow_surface.h"
 
@@ -52,6 +53,33 @@ TEST(Net, EveryInstructionSetGivesTheBitsOfTheFormulas) {
                 }
             }
         });
+    });
+}
+
+TEST(Net, SoftEdgesHaveTheBitsOfTheFormulas) {
+    on_each_target([] {
+        int some = 0;
+        each_scene([&](const Scene& scene, Random& random) {
+            for (const Values kind : all_values)
+                for (const float tau : {0.3f, 100.0f}) {
+                    const Lattice& l = scene.lattice;
+                    const auto values = make_values(kind, scene.pixels(), random);
+                    Workspace workspace;
+                    find_gains(l, Cost::abn, workspace);
+                    Net net = make(scene, Surface::linear, values);
+                    net.soft.assign(l.size() * group_size, 99.0f);
+                    const DenormalsAreZero zero;
+                    soften_edges(l, scene.all(), workspace.gain.data(), tau, net);
+                    SlowSurface slow(scene.faces, l.width(), l.height(), Surface::linear, values);
+                    slow.soften(l, workspace.gain, tau, false);
+                    l.each_edge([&](int m) {
+                        const EdgeView e = view(l, m);
+                        ASSERT_EQ(net.soft[size_t(m) * group_size], slow.q(e.a, e.b));
+                        some += slow.q(e.a, e.b) != 0.0f;
+                    });
+                }
+        });
+        EXPECT_GT(some, 1000);
     });
 }
 

@@ -44,6 +44,24 @@ public:
         return found == m_bends.end() ? 0.0f : found->second;
     }
 
+    /// Blend the edges with their flipped state (SurfaceOptions::soft); `gain` as find_gains() has
+    /// it. `strict`: the range of the three values holds all the same.
+    void soften(const Lattice& lattice, const std::vector<float>& gain, float tau, bool strict) {
+        m_soft = true;
+        m_strict = strict;
+        for (const int m : flippable_edges(lattice)) {
+            const EdgeView v = view(lattice, m);
+            const float g = gain[size_t(m)], w = 1.0f + (g < 0 ? g : 0.0f) * (1.0f / tau);
+            const float d = (z(v.left) + z(v.right)) - (z(v.a) + z(v.b));
+            const float q = (w > 0 ? 0.5f * w : 0.0f) * d;
+            m_softness[v.a + v.b] = w > 0 && std::fabs(q) <= FLT_MAX ? q : 0.0f;
+        }
+    }
+    float q(Pixel i, Pixel j) const {
+        const auto found = m_softness.find(i + j);
+        return found == m_softness.end() ? 0.0f : found->second;
+    }
+
     /// F in a triangle at weights in 2^-16.
     float at(const Face& f, const int32_t w[3]) const {
         float b[3], z3[3];
@@ -56,13 +74,20 @@ public:
         if (!m_bends.empty())
             r = r + ((b[0] * b[1] * e(f[0], f[1]) + b[1] * b[2] * e(f[1], f[2])) +
                      b[2] * b[0] * e(f[2], f[0]));
+        if (m_soft)
+            r = r + ((std::min(b[0], b[1]) * q(f[0], f[1]) + std::min(b[1], b[2]) * q(f[1], f[2])) +
+                     std::min(b[2], b[0]) * q(f[2], f[0]));
         // Not a number among the three: no limit from it, and the result says so itself.
         float low = z3[1] < z3[0] ? z3[1] : z3[0], high = z3[0] < z3[1] ? z3[1] : z3[0];
         low = z3[2] < low ? z3[2] : low;
         high = high < z3[2] ? z3[2] : high;
+        if (m_soft && !m_strict) {
+            low = low >= 0 ? 0.0f : -HUGE_VALF; // what is nowhere negative stays so
+            high = HUGE_VALF;
+        }
         r = r < low ? low : r;
         r = high < r ? high : r;
-        return r == r ? r : float_of(0x7fc00000);
+        return r == r ? r + 0.0f : float_of(0x7fc00000); // zero without sign
     }
 
 private:
@@ -124,7 +149,8 @@ private:
 
     int m_width;
     std::vector<float> m_values;
-    std::map<Pixel, float> m_bends;
+    std::map<Pixel, float> m_bends, m_softness;
+    bool m_soft = false, m_strict = false;
 };
 
 /// A mesh over random numbers, its triangles, and how to read surfaces over it.

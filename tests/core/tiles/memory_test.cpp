@@ -80,6 +80,15 @@ int64_t peak_of(const Job& job) {
 }
 
 TEST(Memory, AJobTakesWhatIsSaidWhateverThePicturesSize) {
+    {
+        // What a process takes once, whatever it enlarges.
+        Job first;
+        first.window = {0, 0, 8, 8};
+        Noise noise(1);
+        EXPECT_EQ(
+            enlarge(noise, noise, mapping_of(first.window, {0, 0, 16, 16}, {0, 0, 16, 16}), first),
+            Outcome::done);
+    }
     for (const int channels : {1, 3, 9}) {
         Job job;
         job.channels = channels;

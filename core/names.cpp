@@ -31,6 +31,10 @@ constexpr Named<Scheme> schemes[] = {
     {"pixel", Scheme::pixel},
 };
 
+constexpr Named<Device> devices[] = {{"auto", Device::automatic},
+                                     {"cpu", Device::cpu},
+                                     {"egl", Device::egl},
+                                     {"osmesa", Device::osmesa}};
 constexpr Named<Start> starts[] = {{"flat", Start::flat}, {"diagonal", Start::diagonal}};
 
 template <class Value, size_t n>
@@ -116,6 +120,16 @@ bool find_start(std::string_view name, Start& start) {
 }
 std::vector<std::string> start_names() {
     return names_of(starts);
+}
+
+const char* device_name(Device device) {
+    return name_of(devices, device);
+}
+bool find_device(std::string_view name, Device& device) {
+    return find(devices, name, device);
+}
+std::vector<std::string> device_names() {
+    return names_of(devices);
 }
 
 } // namespace ddt

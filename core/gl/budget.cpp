@@ -1,0 +1,34 @@
+#include "core/gl/budget.h"
+
+#include <algorithm>
+
+#include "core/tiles/grid.h"
+
+namespace ddt::gl {
+
+namespace {
+
+/// Device memory for tiles in flight. A software renderer's is the machine's own.
+constexpr size_t hardware_budget = size_t(1) << 30, software_budget = size_t(256) << 20;
+
+} // namespace
+
+SlotShape shape_for(const Rect& window) {
+    const auto along = [](int pixels) {
+        return std::clamp(pixels, 2, tile_size + 1 + 2 * tile_halo);
+    };
+    return {along(window.width()), along(window.height())};
+}
+
+size_t affordable_tiles(const Gpu& gpu, const SlotShape& shape, int groups,
+                        const SurfaceOptions& options, int tiles) {
+    const size_t a_tile = Mesh::bytes(shape) + Surfaces::bytes(shape, size_t(groups), options);
+    const size_t largest =
+        std::max(Mesh::largest_bytes(shape), Surfaces::largest_bytes(shape, options));
+    const size_t budget = gpu.context->software ? software_budget : hardware_budget;
+    const size_t n =
+        std::min({budget / a_tile, gpu.block_limit / largest, size_t(tiles), size_t(max_tiles)});
+    return std::max<size_t>(1, n);
+}
+
+} // namespace ddt::gl

@@ -1,0 +1,16 @@
+// How large slots are, and how many of them fit on a device.
+#pragma once
+
+#include "core/gl/surfaces.h"
+
+namespace ddt::gl {
+
+/// The slot for the tiles of a window.
+SlotShape shape_for(const Rect& window);
+
+/// Tiles to have on the device at a time: not more than `tiles`, than the device's memory and
+/// storage blocks take, or than a dispatch can hold; at least 1.
+size_t affordable_tiles(const Gpu& gpu, const SlotShape& shape, int groups,
+                        const SurfaceOptions& options, int tiles);
+
+} // namespace ddt::gl

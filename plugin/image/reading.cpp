@@ -1,0 +1,73 @@
+#include "plugin/image/reading.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace ddt {
+namespace {
+
+/// The channels the core works on: those wanted, then what the way back from linear light needs.
+std::vector<int> select(const Reading& reading, const OIIO::ROI& roi) {
+    std::vector<int> selected;
+    for (int c = roi.chbegin; c < roi.chend; ++c)
+        selected.push_back(c);
+    const ColourLayout& colour = reading.channels.colour;
+    const auto wanted = [&](int c) { return c >= roi.chbegin && c < roi.chend; };
+    if (reading.light.converts() &&
+        std::any_of(colour.channel, colour.channel + colour.count, wanted)) {
+        for (int k = 0; k < colour.count; ++k)
+            if (!wanted(colour.channel[k]))
+                selected.push_back(colour.channel[k]);
+        if (colour.alpha >= 0 && !wanted(colour.alpha))
+            selected.push_back(colour.alpha);
+    }
+    return selected;
+}
+
+GuideRecipe recipe(const Channels& channels, const Light& light, bool linear) {
+    GuideRecipe guide;
+    guide.linear = linear;
+    guide.alpha = channels.alpha;
+    for (int k = 0; k < channels.colour.count; ++k) {
+        guide.channel[k] = channels.colour.channel[k];
+        guide.weight[k] = channels.colour.count == 3 ? light.luma()[k] : 1.0f;
+    }
+    if (channels.colour.count == 0) {
+        guide.channel[0] = channels.guide;
+        guide.weight[0] = 1.0f;
+    }
+    return guide;
+}
+
+} // namespace
+
+bool plan_reading(const OIIO::ImageBuf& src, const Options& options, const OIIO::ROI& roi,
+                  Reading& reading, std::string& error) {
+    const OIIO::ImageSpec& spec = src.spec();
+    reading.channels = channels_of(spec, src.nativespec().format);
+    const bool encoded = options.light == "encoded";
+    std::shared_ptr<const Light> light = std::make_shared<Light>();
+    if (reading.channels.colour.count) {
+        std::string why;
+        auto found = find_light(options.light, spec.get_string_attribute("oiio:ColorSpace"), why);
+        if (!found && !encoded) {
+            error = why;
+            return false;
+        }
+        // With light=encoded a space only tells how to look at the numbers; without one it is
+        // guessed below.
+        if (found)
+            light = found;
+    }
+    // Numbers that are not converted are looked at as they are when they are an encoding, or
+    // integers of which nobody says: those mostly are one.
+    const bool linear =
+        light->known() ? !(encoded && light->converts()) : spec.format.is_floating_point();
+    reading.guide = recipe(reading.channels, *light, linear);
+    if (!encoded)
+        reading.light = *light;
+    reading.selected = select(reading, roi);
+    return true;
+}
+
+} // namespace ddt

@@ -1,0 +1,29 @@
+// How an image is read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <OpenImageIO/imagebuf.h>
+
+#include "core/guide/guide.h"
+#include "ddt/resize.h"
+#include "plugin/colour/light.h"
+#include "plugin/image/channels.h"
+
+namespace ddt {
+
+/// How an image is read: what is converted, what makes the guide, which channels are handed on.
+struct Reading {
+    Channels channels;
+    Light light;               ///< Light() when nothing is to be converted
+    GuideRecipe guide;         ///< positions are channels of the image
+    std::vector<int> selected; ///< channels of the image that the core gets, in this order
+};
+
+/// Decide on it for the channels of `roi` under options.light. False with one line in `error` for a
+/// colour space that does not exist.
+bool plan_reading(const OIIO::ImageBuf& src, const Options& options, const OIIO::ROI& roi,
+                  Reading& reading, std::string& error);
+
+} // namespace ddt

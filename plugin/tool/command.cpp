@@ -1,0 +1,140 @@
+#include "plugin/tool/command.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+
+#include <OpenImageIO/argparse.h>
+#include <OpenImageIO/strutil.h>
+
+namespace ddt::tool {
+
+using OIIO::Strutil::fmt::format;
+
+namespace {
+
+template <class Number>
+bool parse_number(const std::string& text, Number low, Number high, Number& number) {
+    Number n{};
+    const char* end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, n);
+    // Written so that NaN is not allowed.
+    if (parsed.ec != std::errc() || parsed.ptr != end || !(n >= low && n <= high))
+        return false;
+    number = n;
+    return true;
+}
+
+/// Hand the command's flags to OpenImageIO's parser, which also prints them for --help.
+class Parser {
+public:
+    explicit Parser(Command& command) : m_command(command) {
+        m_args.usage(usage(command)).exit_on_error(false).add_help(false);
+        m_args.intro(format("ddt {}: {}", command.name, command.summary));
+        std::string description;
+        for (const std::string& paragraph : command.paragraphs)
+            description += OIIO::Strutil::wordwrap(paragraph, 80) + "\n\n";
+        for (const Operand& operand : command.operands)
+            description += format("  {:<8} {}\n", operand.name, operand.help);
+        m_args.description(description);
+        m_args.arg("operand").hidden().action(
+            [this](OIIO::cspan<const char*> a) { m_operands.emplace_back(a[0]); });
+        for (const Flag& flag : command.flags)
+            add(flag);
+        m_args.arg("--help").help("print this and end").action([this](OIIO::cspan<const char*>) {
+            m_help = true;
+        });
+    }
+
+    ExitCode parse_and_run(const std::vector<std::string>& args) {
+        std::vector<const char*> pointers{"ddt"};
+        for (const std::string& arg : args)
+            pointers.push_back(arg.c_str());
+        const int status = m_args.parse_args(int(pointers.size()), pointers.data());
+        if (m_help) {
+            m_args.print_help();
+            return exit_done;
+        }
+        if (status < 0)
+            return wrong(m_args.geterror());
+        if (!m_error.empty())
+            return wrong(m_error);
+        if (m_operands.size() != m_command.operands.size())
+            return wrong(format("{} takes {} arguments, not {}", m_command.name,
+                                m_command.operands.size(), m_operands.size()));
+        return m_command.run(m_operands);
+    }
+
+private:
+    void add(const Flag& flag) {
+        const std::string spec = flag.value.empty() ? flag.name : flag.name + " %s:" + flag.value;
+        m_args.arg(spec.c_str()).help(flag.help).action([this, &flag](OIIO::cspan<const char*> a) {
+            const std::string value = a.size() > 1 ? a[1] : "";
+            if (m_error.empty() && !flag.set(value))
+                m_error = format("\"{} {}\" is not allowed; allowed are {}", flag.name, value,
+                                 flag.allowed);
+        });
+    }
+
+    ExitCode wrong(std::string why) const {
+        why = std::string(OIIO::Strutil::strip(why));
+        fail(why, exit_usage);
+        std::fprintf(stderr, "usage: %s\n", usage(m_command).c_str());
+        return exit_usage;
+    }
+
+    Command& m_command;
+    OIIO::ArgParse m_args;
+    std::vector<std::string> m_operands;
+    std::string m_error;
+    bool m_help = false;
+};
+
+} // namespace
+
+std::string usage(const Command& command) {
+    std::string text = "ddt " + command.name + " [options]";
+    for (const Operand& operand : command.operands)
+        text += " " + operand.name;
+    return text;
+}
+
+ExitCode parse_and_run(Command& command, const std::vector<std::string>& args) {
+    return Parser(command).parse_and_run(args);
+}
+
+ExitCode fail(const std::string& message, ExitCode code) {
+    const bool named = message.compare(0, 5, "ddt: ") == 0;
+    std::fprintf(stderr, "%s%s\n", named ? "" : "ddt: ", message.c_str());
+    return code;
+}
+
+Flag number_flag(const char* name, const char* value, const char* help, double low, double high,
+                 double& number) {
+    return {name, value, help,
+            [=, &number](const std::string& text) { return parse_number(text, low, high, number); },
+            format("numbers from {} to {}", low, high)};
+}
+
+Flag whole_flag(const char* name, const char* value, const char* help, int low, int high,
+                int& number) {
+    return {name, value, help,
+            [=, &number](const std::string& text) { return parse_number(text, low, high, number); },
+            format("whole numbers from {} to {}", low, high)};
+}
+
+Flag choice_flag(const char* name, const std::vector<std::string>& choices, const char* help,
+                 std::string& choice) {
+    return {name, OIIO::Strutil::join(choices, "|"), help,
+            [=, &choice](const std::string& text) {
+                choice = text;
+                return std::find(choices.begin(), choices.end(), text) != choices.end();
+            },
+            OIIO::Strutil::join(choices, ", ")};
+}
+
+Flag switch_flag(const char* name, const char* help, bool& on) {
+    return {name, "", help, [&on](const std::string&) { return on = true; }, ""};
+}
+
+} // namespace ddt::tool

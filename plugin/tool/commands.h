@@ -1,0 +1,19 @@
+// All commands.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "plugin/tool/command.h"
+
+namespace ddt::tool {
+
+std::unique_ptr<Command> make_mesh_command();
+std::unique_ptr<Command> make_resize_command();
+std::unique_ptr<Command> make_compare_command();
+std::unique_ptr<Command> make_info_command();
+
+/// In the order in which help lists them.
+std::vector<std::unique_ptr<Command>> make_commands();
+
+} // namespace ddt::tool

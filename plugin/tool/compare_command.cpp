@@ -1,0 +1,120 @@
+#include <cstdio>
+
+#include "metrics/correlation.h"
+#include "metrics/gmsd.h"
+#include "metrics/mse.h"
+#include "metrics/psnr.h"
+#include "metrics/snr.h"
+#include "metrics/ssim.h"
+#include "metrics/uiqi.h"
+#include "plugin/tool/commands.h"
+#include "plugin/tool/picture.h"
+#include "plugin/tool/progress.h"
+
+namespace ddt::tool {
+
+namespace {
+
+/// Display values 0 to 255, over white where there is alpha.
+metrics::Image image_of(const Picture& picture) {
+    metrics::Image image;
+    for (auto& plane : image.channels)
+        plane = metrics::Plane(picture.width, picture.height);
+    for (size_t i = 0; i < picture.colours.size(); ++i) {
+        const Colour& c = picture.colours[i];
+        const double alpha = picture.has_alpha ? double(c.alpha) : 1.0;
+        const float parts[3] = {c.red, c.green, c.blue};
+        for (size_t k = 0; k < 3; ++k)
+            image.channels[k].values[i] = 255 * (double(parts[k]) * alpha + 1 - alpha);
+    }
+    return image;
+}
+
+struct Metric {
+    const char* name;
+    double (*value)(const metrics::Image& a, const metrics::Image& b, const metrics::Plane& ya,
+                    const metrics::Plane& yb);
+};
+
+using metrics::Image;
+using metrics::Plane;
+constexpr Metric all_metrics[] = {
+    {"psnr", [](const Image& a, const Image& b, const Plane&, const Plane&) { return psnr(a, b); }},
+    {"mse", [](const Image&, const Image&, const Plane& a, const Plane& b) { return mse(a, b); }},
+    {"snr", [](const Image&, const Image&, const Plane& a, const Plane& b) { return snr(a, b); }},
+    {"correlation",
+     [](const Image&, const Image&, const Plane& a, const Plane& b) { return correlation(a, b); }},
+    {"cross-correlation", [](const Image&, const Image&, const Plane& a,
+                             const Plane& b) { return cross_correlation(a, b); }},
+    {"uiqi", [](const Image&, const Image&, const Plane& a, const Plane& b) { return uiqi(a, b); }},
+    {"ssim", [](const Image&, const Image&, const Plane& a, const Plane& b) { return ssim(a, b); }},
+    {"ms-ssim",
+     [](const Image&, const Image&, const Plane& a, const Plane& b) { return ms_ssim(a, b); }},
+    {"gmsd", [](const Image&, const Image&, const Plane& a, const Plane& b) { return gmsd(a, b); }},
+};
+
+class CompareCommand final : public Command {
+public:
+    CompareCommand() {
+        name = "compare";
+        summary = "Print how alike two images are";
+        paragraphs = {
+            "Values as displayed, 0 to 255; transparent pixels over white. PSNR is over red, green "
+            "and blue, the others are of luma. Equal images have psnr and snr inf, mse and gmsd 0, "
+            "the others 1. The first image is the reference."};
+        operands = {{"A", "the reference"}, {"B", "an image of the same size"}};
+        flags = {switch_flag("--csv", "print as comma-separated values", m_csv)};
+    }
+
+    ExitCode run(const std::vector<std::string>& values) override {
+        Picture pictures[2];
+        std::string error;
+        for (size_t k = 0; k < 2; ++k) {
+            OIIO::ImageBuf image;
+            if (!open_image(values[k], image, error) ||
+                !read_picture(image, {}, pictures[k], error))
+                return fail(error);
+        }
+        if (pictures[0].width != pictures[1].width || pictures[0].height != pictures[1].height)
+            return fail("the images are of different size: " + size_of(pictures[0]) + " and " +
+                        size_of(pictures[1]));
+        print(image_of(pictures[0]), image_of(pictures[1]));
+        return exit_done;
+    }
+
+private:
+    static std::string size_of(const Picture& p) {
+        return std::to_string(p.width) + " x " + std::to_string(p.height);
+    }
+
+    void print(const Image& a, const Image& b) const {
+        const Plane ya = luma(a), yb = luma(b);
+        constexpr size_t count = std::size(all_metrics);
+        double value[count];
+        {
+            Progress progress("comparing");
+            for (size_t i = 0; i < count; ++i) {
+                progress(float(i) / float(count));
+                value[i] = all_metrics[i].value(a, b, ya, yb);
+            }
+        }
+        for (size_t i = 0; i < count && m_csv; ++i)
+            std::printf("%s%s", all_metrics[i].name, i + 1 < count ? "," : "\n");
+        for (size_t i = 0; i < count; ++i) {
+            if (m_csv)
+                std::printf("%.9g%s", value[i], i + 1 < count ? "," : "\n");
+            else
+                std::printf("%-18s %12.6f\n", all_metrics[i].name, value[i]);
+        }
+    }
+
+    bool m_csv = false;
+};
+
+} // namespace
+
+std::unique_ptr<Command> make_compare_command() {
+    return std::make_unique<CompareCommand>();
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,80 @@
+#include <cstdio>
+
+#include <OpenColorIO/OpenColorIO.h>
+#include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
+#include <OpenImageIO/sysutil.h>
+
+#include "core/gl/offload.h"
+#include "ddt/names.h"
+#include "ddt/resize.h"
+#include "plugin/tool/commands.h"
+
+namespace ddt::tool {
+
+namespace {
+
+class InfoCommand final : public Command {
+public:
+    InfoCommand() {
+        name = "info";
+        summary = "Print versions, devices and what the filters' options allow";
+        paragraphs = {"A device that cannot be used is listed with the reason."};
+    }
+
+    ExitCode run(const std::vector<std::string>&) override {
+        line("ddt", DDT_VERSION);
+        line("OpenImageIO", OIIO::Strutil::fmt::format("{} (built with {})",
+                                                       OIIO_version(OIIO::openimageio_version()),
+                                                       OIIO_VERSION_STRING));
+        line("OpenColorIO", OCIO_NAMESPACE::GetVersion());
+        const char* config = std::getenv("OCIO");
+        line("OCIO config", config && *config ? config : "none in $OCIO; the one built in");
+        line("cpu",
+             OIIO::Strutil::fmt::format("{} threads", OIIO::Sysutil::hardware_concurrency()));
+        for (const Device device : {Device::egl, Device::osmesa})
+            line(device_name(device), describe_device(device));
+        line("auto", automatic_device());
+        line("filters", OIIO::Strutil::join(filter_names(), ", "));
+        line("schemes", OIIO::Strutil::join(scheme_names(), ", "));
+        line("costs", OIIO::Strutil::join(cost_names(), ", "));
+        return exit_done;
+    }
+
+private:
+    /// The renderer, or why there is none.
+    static std::string describe_device(Device device) {
+        Job job;
+        job.device = device;
+        Placement placement;
+        std::string why;
+        if (!place(job, placement, why))
+            return "not used: " + why.substr(why.find(": ", 5) + 2);
+        return describe(placement);
+    }
+    /// What a large image is worked on when no device is named.
+    static std::string automatic_device() {
+        Job job;
+        job.window = {0, 0, 8192, 8192};
+        Placement placement;
+        std::string why;
+        place(job, placement, why);
+        return (why.empty() ? describe(placement) : why) +
+               " (for a large image; small ones, schemes a GPU does not know, and machines whose "
+               "only renderer is software use the cpu)";
+    }
+    static std::string OIIO_version(int v) {
+        return OIIO::Strutil::fmt::format("{}.{}.{}", v / 10000, v / 100 % 100, v % 100);
+    }
+    static void line(const char* what, const std::string& text) {
+        std::printf("%-12s %s\n", what, text.c_str());
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Command> make_info_command() {
+    return std::make_unique<InfoCommand>();
+}
+
+} // namespace ddt::tool

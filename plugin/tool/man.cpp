@@ -1,0 +1,69 @@
+#include "plugin/tool/man.h"
+
+#include <OpenImageIO/strutil.h>
+
+namespace ddt::tool {
+
+using OIIO::Strutil::fmt::format;
+
+namespace {
+
+constexpr const char* about = "triangulates pictures by their content";
+
+struct Code {
+    ExitCode code;
+    const char* meaning;
+};
+constexpr Code codes[] = {
+    {exit_done, "Done."},
+    {exit_failed, "Something could not be read, made or written; a line on standard error tells. "
+                  "No unfinished file is left where there was none."},
+    {exit_usage, "The command line is wrong; nothing was done."},
+};
+
+/// Text as man(7) takes it: backslashes and hyphens escaped, no line that starts with a control
+/// character.
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text)
+        out += c == '\\' ? "\\e" : c == '-' ? "\\-" : std::string(1, c);
+    return out.empty() || (out[0] != '.' && out[0] != '\'') ? out : "\\&" + out;
+}
+
+} // namespace
+
+std::string man_page(const std::vector<std::unique_ptr<Command>>& commands) {
+    std::string page = format(".TH DDT 1 \"\" \"oiio-ddt {}\" \"User Commands\"\n", DDT_VERSION);
+    page += format(".SH NAME\nddt \\- {}\n.SH SYNOPSIS\n", about);
+    for (const auto& command : commands)
+        page += format(".B {}\n.br\n", escaped(usage(*command)));
+    page += ".B ddt \\-\\-help\n.br\n.B ddt \\-\\-version\n.SH COMMANDS\n";
+    for (const auto& command : commands) {
+        page += format(".SS {}\n{}.\n", escaped(usage(*command)), escaped(command->summary));
+        for (const std::string& paragraph : command->paragraphs)
+            page += format(".PP\n{}\n", escaped(paragraph));
+        for (const Operand& operand : command->operands)
+            page += format(".TP\n.I {}\n{}\n", escaped(operand.name), escaped(operand.help));
+        for (const Flag& flag : command->flags)
+            page += format(".TP\n.BR {}{}\n{}\n", escaped(flag.name),
+                           flag.value.empty() ? "" : " \" \\fI" + escaped(flag.value) + "\\fP\"",
+                           escaped(flag.help));
+    }
+    page += ".SH EXIT STATUS\n";
+    for (const Code& code : codes)
+        page += format(".TP\n.B {}\n{}\n", int(code.code), escaped(code.meaning));
+    page += ".SH SEE ALSO\n.BR oiiotool (1)\n";
+    return page;
+}
+
+std::string overview(const std::vector<std::unique_ptr<Command>>& commands) {
+    std::string text = format("ddt {}: {}\n\nusage:\n", DDT_VERSION, about);
+    for (const auto& command : commands)
+        text += format("  {:<38} {}\n", usage(*command), command->summary);
+    text += "  ddt COMMAND --help\n  ddt --help | --version\n\nexit status:\n";
+    for (const Code& code : codes)
+        text += format("  {}  {}\n", int(code.code), OIIO::Strutil::wordwrap(code.meaning, 76, 5));
+    return text;
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,102 @@
+#include <cstdio>
+
+#include "plugin/tool/commands.h"
+#include "plugin/tool/mesh_file.h"
+#include "plugin/tool/progress.h"
+
+namespace ddt::tool {
+
+namespace {
+
+class MeshCommand final : public Command {
+public:
+    MeshCommand() {
+        name = "mesh";
+        summary = "Write the triangles of an image to an SVG, PLY or OBJ file";
+        paragraphs = {"The image's pixels are the vertices; there are two triangles for every four "
+                      "neighbouring pixels. The whole image is triangulated at once.",
+                      "SVG is a vector picture of the image. PLY (binary) and OBJ are for 3D "
+                      "programs: a pixel "
+                      "a unit, y upwards, colours as displayed, flat unless --height is given."};
+        operands = {{"IN", "any image OpenImageIO reads"},
+                    {"OUT", "the mesh: a name that ends in .svg, .ply or .obj"}};
+        flags = {
+            {"--filter", "SPEC",
+             "how to triangulate, as the filter's name and options: ddt,scheme=lawson,cost=scf",
+             [this](const std::string& text) { return set_filter(text); }, "see below"},
+            choice_flag("--fill", {"gradient", "flat", "none"},
+                        "SVG: how triangles are filled (default: gradient)", m_fill),
+            number_flag("--lines", "WIDTH", "SVG: draw the edges too, so many pixels wide", 0, 1000,
+                        m_style.lines),
+            number_flag("--height", "Z",
+                        "PLY, OBJ: lift every vertex by its luminance, white by Z pixels", -1e6,
+                        1e6, m_style.height),
+            switch_flag("--verbose", "print the mesh's cost and what was done", m_verbose),
+        };
+    }
+
+    ExitCode run(const std::vector<std::string>& values) override {
+        if (!m_filter_error.empty())
+            return fail(m_filter_error, exit_usage);
+        m_style.fill = m_fill == "flat"   ? Fill::flat
+                       : m_fill == "none" ? Fill::none
+                                          : Fill::gradient;
+        if (m_style.fill == Fill::none && m_style.lines == 0)
+            m_style.lines = 0.1;
+        if (!writer_for(values[1]))
+            return fail("\"" + values[1] +
+                            "\" is not allowed; allowed are names that end in .svg, "
+                            ".ply or .obj",
+                        exit_usage);
+        OIIO::ImageBuf image;
+        Picture picture;
+        Mesh mesh;
+        MeshReport report;
+        std::string error;
+        if (!open_image(values[0], image, error) ||
+            !read_picture(image, m_options, picture, error) ||
+            !triangulate(picture, mesh, report, error))
+            return fail(error);
+        if (m_verbose)
+            print(report);
+        Progress progress("writing");
+        if (!write_mesh(values[1], mesh, picture, m_style, std::ref(progress), error))
+            return fail(error);
+        return exit_done;
+    }
+
+private:
+    /// The filter's own message says more than a list of values.
+    bool set_filter(const std::string& text) {
+        parse_filter(text, m_options, m_filter_error);
+        return true;
+    }
+    bool triangulate(const Picture& picture, Mesh& mesh, MeshReport& report,
+                     std::string& error) const {
+        Progress progress("triangulating");
+        return build_mesh(picture.guide.data(), picture.width, picture.height, m_options.mesh, mesh,
+                          m_verbose ? &report : nullptr, &error, std::ref(progress));
+    }
+    static void print(const MeshReport& report) {
+        const Statistics& s = report.statistics;
+        const double pixels = double(s.pixels);
+        std::printf(
+            "cost a pixel %.6g before, %.6g after; %.3f flips and %.2f evaluations a pixel, "
+            "%d iterations\n",
+            report.cost_start / pixels, report.cost / pixels, double(s.flips) / pixels,
+            double(s.evaluations) / pixels, s.iterations);
+    }
+
+    Options m_options;
+    MeshStyle m_style;
+    std::string m_fill = "gradient", m_filter_error;
+    bool m_verbose = false;
+};
+
+} // namespace
+
+std::unique_ptr<Command> make_mesh_command() {
+    return std::make_unique<MeshCommand>();
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,80 @@
+#include "plugin/tool/picture.h"
+
+#include "plugin/image/source.h"
+#include "plugin/image/windows.h"
+
+namespace ddt::tool {
+
+namespace {
+
+/// How a pixel's values become a Colour.
+class Display {
+public:
+    explicit Display(const Reading& reading)
+        : m_layout(reading.channels.colour), m_linear(reading.guide.linear),
+          m_alpha(reading.channels.alpha) {
+        if (m_layout.count == 0) {
+            m_layout.count = 1;
+            m_layout.channel[0] = reading.channels.guide;
+        }
+    }
+    Colour operator()(const float* pixel) const {
+        const float alpha = m_alpha >= 0 ? pixel[m_alpha] : 1.0f;
+        const bool divide = m_layout.alpha >= 0 && alpha != 0.0f;
+        float shown[3];
+        for (int k = 0; k < 3; ++k) {
+            const int channel = m_layout.channel[m_layout.count == 3 ? k : 0];
+            float v = channel >= 0 ? pixel[channel] : 0.0f;
+            v = divide ? v / alpha : v;
+            shown[k] = m_linear ? srgb_curve(v) : v;
+        }
+        return {shown[0], shown[1], shown[2], alpha};
+    }
+
+private:
+    ColourLayout m_layout;
+    bool m_linear;
+    int m_alpha;
+};
+
+} // namespace
+
+bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error) {
+    image.reset(path);
+    if (image.read(0, 0, true))
+        return true;
+    error = image.has_error() ? image.geterror() : "cannot read \"" + path + "\"";
+    if (error.find(path) == std::string::npos)
+        error = "\"" + path + "\": " + error;
+    return false;
+}
+
+bool read_picture(const OIIO::ImageBuf& image, const Options& options, Picture& picture,
+                  std::string& error) {
+    if (image.nchannels() < 1 || image.spec().deep) {
+        error = "\"" + std::string(image.name()) + "\" has no flat pixels";
+        return false;
+    }
+    Reading reading;
+    if (!plan_reading(image, options, image.roi(), reading, error))
+        return false;
+    ImageSource source(image, reading);
+    const Rect window = rect_of(image.roi());
+    const size_t channels = reading.selected.size();
+    std::vector<float> values(window.area() * channels);
+    picture.width = window.width();
+    picture.height = window.height();
+    picture.has_alpha = reading.channels.alpha >= 0;
+    picture.guide.resize(window.area());
+    if (!source.read(window, values.data(), picture.guide.data())) {
+        error = source.error();
+        return false;
+    }
+    const Display display(reading);
+    picture.colours.resize(window.area());
+    for (size_t i = 0; i < picture.colours.size(); ++i)
+        picture.colours[i] = display(&values[i * channels]);
+    return true;
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,34 @@
+// An image file as the commands look at it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <OpenImageIO/imagebuf.h>
+
+#include "ddt/resize.h"
+
+namespace ddt::tool {
+
+/// One pixel as a display shows it: not associated with alpha, 0 to 1 from black to white (values
+/// of a scene may be beyond).
+struct Colour {
+    float red = 0, green = 0, blue = 0, alpha = 1;
+};
+
+/// The pixels of an image's data window, row by row.
+struct Picture {
+    int width = 0, height = 0;
+    bool has_alpha = false;
+    std::vector<Colour> colours; ///< grey as three equal; without colour, the guide's channel
+    std::vector<float> guide;
+};
+
+/// Read the first image of a file, its pixels included. False with one line in `error`.
+bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error);
+
+/// Read an image under options.light. False with one line in `error`.
+bool read_picture(const OIIO::ImageBuf& image, const Options& options, Picture& picture,
+                  std::string& error);
+
+} // namespace ddt::tool

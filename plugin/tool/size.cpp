@@ -1,0 +1,107 @@
+#include "plugin/tool/size.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace ddt::tool {
+
+namespace {
+
+constexpr int largest = 1 << 24;
+
+/// Takes pieces off the front of a text.
+class Scanner {
+public:
+    explicit Scanner(const std::string& text)
+        : m_at(text.data()), m_end(text.data() + text.size()) {}
+
+    template <class Number>
+    bool number(Number& n) {
+        const auto parsed = std::from_chars(m_at, m_end, n);
+        if (parsed.ec != std::errc())
+            return false;
+        m_at = parsed.ptr;
+        return true;
+    }
+    /// A number with its sign.
+    bool offset(int& n) {
+        if (m_at == m_end || (*m_at != '+' && *m_at != '-'))
+            return false;
+        if (*m_at == '+' && (++m_at == m_end || *m_at == '-'))
+            return false;
+        return number(n);
+    }
+    bool character(char c) {
+        if (m_at == m_end || *m_at != c)
+            return false;
+        ++m_at;
+        return true;
+    }
+    bool end() const { return m_at == m_end; }
+
+private:
+    const char *m_at, *m_end;
+};
+
+/// Single precision, as oiiotool does it: the last pixel may depend on it.
+int scaled(int pixels, float factor) {
+    const float size = float(pixels) * factor + 0.5f;
+    return size >= 0 && size <= float(largest) ? int(size) : 0;
+}
+
+bool by_pixels(const std::string& text, const Size& from, Size& to) {
+    Scanner scan(text);
+    Size size = from;
+    if (!scan.number(size.width) || !scan.character('x') || !scan.number(size.height))
+        return false;
+    if (!scan.end() && !(scan.offset(size.x) && scan.offset(size.y) && scan.end()))
+        return false;
+    if (size.width == 0 && size.height > 0)
+        size.width = int(float(size.height) * float(from.width) / float(from.height) + 0.5f);
+    else if (size.height == 0 && size.width > 0)
+        size.height = int(float(size.width) * float(from.height) / float(from.width) + 0.5f);
+    to = size;
+    return true;
+}
+
+bool by_percent(const std::string& text, const Size& from, Size& to) {
+    Scanner scan(text);
+    float x = 0, y = 0;
+    if (!scan.number(x) || !scan.character('%'))
+        return false;
+    y = x;
+    if (!scan.end()) {
+        if (!scan.character('x') || !scan.number(y) || !scan.character('%') || !scan.end())
+            return false;
+        if (x == 0)
+            x = y;
+        if (y == 0)
+            y = x;
+    }
+    to = {scaled(from.width, x * 0.01f), scaled(from.height, y * 0.01f), from.x, from.y};
+    return true;
+}
+
+bool by_factor(const std::string& text, const Size& from, Size& to) {
+    Scanner scan(text);
+    float factor = 0;
+    if (!scan.number(factor) || !scan.end())
+        return false;
+    to = {scaled(from.width, factor), scaled(from.height, factor), from.x, from.y};
+    return true;
+}
+
+} // namespace
+
+bool parse_size(const std::string& text, const Size& from, Size& to) {
+    Size size;
+    if (!by_pixels(text, from, size) && !by_percent(text, from, size) &&
+        !by_factor(text, from, size))
+        return false;
+    if (size.width < 1 || size.height < 1 || size.width > largest || size.height > largest)
+        return false;
+    to = size;
+    return true;
+}
+
+} // namespace ddt::tool

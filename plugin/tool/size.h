@@ -1,0 +1,26 @@
+// oiiotool's grammar of sizes.
+#pragma once
+
+#include <string>
+
+namespace ddt::tool {
+
+struct Size {
+    int width = 0, height = 0;
+    int x = 0, y = 0; ///< origin
+};
+
+constexpr const char* allowed_sizes =
+    "WxH, Wx0 or 0xH (keeps the shape), WxH+X+Y, S%, W%xH%, S (a factor)";
+
+/// What oiiotool's --resize makes of `text` for an image of size `from`:
+///
+///     640x480          that size; a 0 is computed from the other to keep the shape
+///     640x480+10-20    and that origin
+///     50%   50%x75%    of the size, rounded to whole pixels
+///     2.5              the factor
+///
+/// False for anything else, and for a size that is not positive or beyond 2^24.
+bool parse_size(const std::string& text, const Size& from, Size& to);
+
+} // namespace ddt::tool

@@ -1,0 +1,38 @@
+// The wide region of an edge. C++ twin: core/triangulate/region.h, where any_beyond is recursive.
+// After lattice.glsl.
+
+// A side to look beyond: the site, its vector, the apex on the near side.
+struct Beyond {
+    int site;
+    ivec2 side, inner;
+};
+
+// The two other sides of the triangle beyond. False on the rim.
+bool next_sides(Beyond b, out Beyond minus, out Beyond plus) {
+    Edge e = edge_at(b.site);
+    ivec2 apex = e.left + e.right - b.inner;
+    ivec2 from_minus = (apex - b.side) / 2, from_plus = (apex + b.side) / 2;
+    minus = Beyond(b.site + offset(from_minus), from_plus, b.side - from_minus);
+    plus = Beyond(b.site + offset(from_plus), from_minus, -b.side - from_plus);
+    return !is_zero(apex);
+}
+
+const int wide_region_size = 28;
+
+// The region of degree 3 of the flippable edge e at m; -1 where there is none, some twice.
+void wide_region_of(int m, Edge e, out int region[wide_region_size]) {
+    Quad q = quad_of(e);
+    for (int k = 0; k < 4; ++k) {
+        Beyond b = Beyond(m + offset(q.middle[k]), q.side[k], q.inner[k]), next[2], last[2];
+        region[7 * k] = b.site;
+        bool there = next_sides(b, next[0], next[1]);
+        for (int i = 0; i < 2; ++i) {
+            region[7 * k + 1 + 3 * i] = there ? next[i].site : -1;
+            bool further = false;
+            if (there)
+                further = next_sides(next[i], last[0], last[1]);
+            region[7 * k + 2 + 3 * i] = further ? last[0].site : -1;
+            region[7 * k + 3 + 3 * i] = further ? last[1].site : -1;
+        }
+    }
+}

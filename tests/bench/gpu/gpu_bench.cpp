@@ -1,0 +1,204 @@
+// Speed of the GPU core, and that its bits are the CPU's. Needs no image library: it can be carried
+// to a bare machine with a driver (see CMakeLists.txt beside it).
+//
+//   gpu_bench [--device egl|osmesa] [--cases N] [--runs N] [--size WxH] [--sharp] [--lists]
+//             [--picture FILE.ppm]
+//
+// --cases: only the first N of 1080p to 4K, 4K to 8K, 8K to 16K; --size: one case of that source
+// size instead; --sharp: with consistency rounds, as the filter ddt-sharp; --lists: the work lists'
+// sizes by iteration; --picture: a photograph, mirrored to the size, in place of the drawn picture.
+#include <climits>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#include "core/arith/arith.h"
+#include "core/tiles/tile_worker.h"
+#include "tests/bench/gpu/half.h"
+#include "tests/bench/gpu/measure.h"
+
+namespace ddt::bench {
+namespace {
+
+struct Options {
+    Device device = Device::egl;
+    int cases = 3, runs = 10, width = 0, height = 0;
+    bool sharp = false, lists = false;
+    std::string picture;
+};
+
+bool parse(int argc, char** argv, Options& o) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string name = argv[i];
+        const char* value = i + 1 < argc ? argv[i + 1] : "";
+        if (name == "--sharp") {
+            o.sharp = true;
+            continue;
+        }
+        if (name == "--lists") {
+            o.lists = true;
+            continue;
+        }
+        ++i;
+        if (name == "--device" && (!std::strcmp(value, "egl") || !std::strcmp(value, "osmesa")))
+            o.device = value[0] == 'e' ? Device::egl : Device::osmesa;
+        else if (name == "--cases" && std::atoi(value) > 0)
+            o.cases = std::atoi(value);
+        else if (name == "--runs" && std::atoi(value) > 0)
+            o.runs = std::atoi(value);
+        else if (name == "--size" && std::sscanf(value, "%dx%d", &o.width, &o.height) == 2 &&
+                 o.width > 1 && o.height > 1)
+            o.cases = 1;
+        else if (name == "--picture" && *value)
+            o.picture = value;
+        else
+            return false;
+    }
+    return true;
+}
+
+SurfaceOptions surface_of(const Options& o) {
+    SurfaceOptions s;
+    s.consistency = o.sharp ? 2 : 0;
+    return s;
+}
+
+/// The CPU's output, as floats' or halves' bits.
+class CpuSink final : public Sink {
+public:
+    CpuSink(int width, int height, bool half)
+        : m_width(width), m_half(half),
+          result(size_t(width) * size_t(height) * 4 / (half ? 2 : 1)) {}
+    bool write(const Rect& r, float* values) override {
+        for (int y = r.y0; y < r.y1; ++y) {
+            const size_t first = (size_t(y) * size_t(m_width) + size_t(r.x0)) * 4;
+            for (size_t i = first; i < first + size_t(r.width()) * 4; ++i, ++values)
+                if (m_half)
+                    reinterpret_cast<uint16_t*>(result.data())[i] = narrowed(*values);
+                else
+                    std::memcpy(&result[i], values, 4);
+        }
+        return true;
+    }
+
+private:
+    int m_width;
+    bool m_half;
+
+public:
+    std::vector<uint32_t> result;
+};
+
+/// Bytes that differ between the device and the CPU on a picture of several tiles.
+size_t differing_bytes(gl::Gpu& gpu, const Options& o, gl::Numbers numbers) {
+    Picture picture(700, 530);
+    if (!o.picture.empty() && !picture.paint(o.picture))
+        return 0;
+    const auto axis = [](int n) {
+        ResizeMapping::Axis a;
+        a.from_size = a.window1 = n;
+        a.to_size = a.out1 = 2 * n;
+        return a;
+    };
+    const ResizeMapping mapping(axis(700), axis(530));
+    CpuSink sink(1400, 1060, numbers == gl::Numbers::halves);
+    Job job;
+    job.window = {0, 0, 700, 530};
+    job.channels = 4;
+    job.surface = surface_of(o);
+    TileWorker worker(picture, sink, mapping, job);
+    const Grid grid(job.window);
+    for (int i = 0; i < grid.count(); ++i)
+        worker.work(grid.tile(i), INT_MIN);
+    const Measured m = measure(gpu, picture, job.surface, numbers, 1, true);
+    size_t differing = 0;
+    const auto* a = reinterpret_cast<const char*>(sink.result.data());
+    const auto* b = reinterpret_cast<const char*>(m.result.data());
+    for (size_t i = 0; i < sink.result.size() * 4; ++i)
+        differing += a[i] != b[i];
+    return differing;
+}
+
+void print_lists(const Measured& m) {
+    std::printf("  iteration  evaluated  flipped  waiting  touched\n");
+    for (size_t i = 0; i < m.iterations.size(); ++i) {
+        const gl::IterationCounts& c = m.iterations[i];
+        std::printf("  %9zu  %9u  %7u  %7u  %7u\n", i + 1, c.evaluated, c.selected, c.blocked,
+                    c.dirty);
+    }
+}
+
+void measure_case(gl::Gpu& gpu, const Options& o, const char* name, int width, int height,
+                  double bandwidth) {
+    Picture picture(width, height);
+    if (!o.picture.empty())
+        picture.paint(o.picture);
+    for (const gl::Numbers numbers : {gl::Numbers::floats, gl::Numbers::halves}) {
+        const Measured m = measure(gpu, picture, surface_of(o), numbers, o.runs, false);
+        const double* ms = m.milliseconds;
+        const double mesh = ms[int(gl::Stage::triangulate)], surface = ms[int(gl::Stage::surface)],
+                     sample = ms[int(gl::Stage::sample)];
+        const double bytes = m.bytes[0] + m.bytes[1] + m.bytes[2];
+        std::printf("%-12s %-5s %9.3f %11.3f %9.3f %9.3f %9.3f %9.3f %8.0f %5.1f%% %6d %5zu %5d\n",
+                    name, numbers == gl::Numbers::floats ? "float" : "half",
+                    ms[int(gl::Stage::upload)], mesh, surface, sample, ms[int(gl::Stage::download)],
+                    mesh + surface + sample, bytes * 1e-6,
+                    100.0 * bytes / ((mesh + surface + sample) * 1e-3) / bandwidth, m.dispatches,
+                    m.iterations.size(), m.batches);
+        std::fflush(stdout);
+        if (o.lists && numbers == gl::Numbers::floats)
+            print_lists(m);
+    }
+}
+
+int run(const Options& o) {
+    std::string why;
+    bool forked = false;
+    gl::Gpu* gpu = gl::open(o.device, why, forked);
+    if (!gpu) {
+        std::fprintf(stderr, "gpu_bench: no device: %s\n", why.c_str());
+        return 1;
+    }
+    std::printf("%s, OpenGL %s, by %s; opened in %.0f ms\n", gpu->context->renderer.c_str(),
+                gpu->context->version.c_str(), gpu->context->platform.c_str(),
+                gpu->open_milliseconds);
+    size_t differing = 0;
+    for (const gl::Numbers numbers : {gl::Numbers::floats, gl::Numbers::halves})
+        differing += differing_bytes(*gpu, o, numbers);
+    std::printf("700x530 to 1400x1060: %zu bytes differ from the CPU's; %d shaders compiled in "
+                "%.0f ms\n",
+                differing, gpu->programs->compiled(), gpu->programs->milliseconds());
+    const double bandwidth = copy_bandwidth(*gpu);
+    std::printf("copy bandwidth %.1f GB/s (read + written)\n\n", bandwidth * 1e-9);
+    std::printf("milliseconds       upload triangulate   surface    sample  download   kernels"
+                "       MB share  disp. iter. batch\n");
+    constexpr struct {
+        const char* name;
+        int width, height;
+    } cases[] = {{"1080p to 4K", 1920, 1080}, {"4K to 8K", 3840, 2160}, {"8K to 16K", 7680, 4320}};
+    if (o.width > 0)
+        measure_case(*gpu, o, "own size", o.width, o.height, bandwidth);
+    for (int i = 0; o.width == 0 && i < o.cases && i < 3; ++i)
+        measure_case(*gpu, o, cases[i].name, cases[i].width, cases[i].height, bandwidth);
+    return differing == 0 ? 0 : 2;
+}
+
+} // namespace
+} // namespace ddt::bench
+
+int main(int argc, char** argv) {
+    ddt::bench::Options options;
+    if (!ddt::bench::parse(argc, argv, options)) {
+        std::fprintf(stderr, "usage: gpu_bench [--device egl|osmesa] [--cases N] [--runs N] "
+                             "[--size WxH] [--sharp] [--lists] [--picture FILE.ppm]\n");
+        return 1;
+    }
+    // Failures on the device arrive as exceptions.
+    try {
+        return ddt::bench::run(options);
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "gpu_bench: %s\n", e.what());
+        return 1;
+    }
+}

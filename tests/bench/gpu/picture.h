@@ -1,0 +1,32 @@
+// The picture that is measured.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ddt/core.h"
+
+namespace ddt::bench {
+
+/// RGBA, each number also a half float's value; the guide a multiple of 2^-12.
+class Picture final : public Source {
+public:
+    /// Shades, discs and stripes with a little noise, about as hard to triangulate as photographs.
+    Picture(int width, int height);
+    /// A binary PPM file (P6, 8 bits), mirrored over and over to the size. False if it is not one.
+    bool paint(const std::string& file);
+
+    int width() const { return m_width; }
+    int height() const { return m_height; }
+    bool read(const Rect& r, float* values, float* guide) override;
+
+private:
+    void set(int x, int y, float r, float g, float b);
+
+    int m_width, m_height;
+    std::vector<uint16_t> m_halves; ///< 4 a pixel
+    std::vector<float> m_guide;
+};
+
+} // namespace ddt::bench

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+namespace paper {
+
+/// The paper's table 1 over a folder of images reduced by `factor`: what each scheme does to the
+/// cost and how long it takes. Costs in squared grey levels a pixel of the reduced image; flips and
+/// evaluations a pixel; iterations and rounds the mean of an image.
+///
+/// Times are nanoseconds a pixel on one core: init, making the starting mesh; comp, flipping;
+/// final, the surface and the enlarged image (planes, the factor's size). Then, for each device
+/// there is, the sum for the whole of ddt::enlarge(), all threads; "-" where the device does not
+/// know the scheme.
+///
+/// Then the order of the paper's section 6 is checked, image by image. False on failure.
+bool table1(const std::string& folder, int factor, const std::string& csv_folder);
+
+} // namespace paper

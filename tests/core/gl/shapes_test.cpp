@@ -1,0 +1,147 @@
+// Sizes, channels, tiles and mappings on the GPU against the CPU, bit for bit.
+#include <cmath>
+
+#include "ddt/names.h"
+#include "tests/core/gl/devices.h"
+#include "tests/core/gl/pictures.h"
+
+namespace ddt::test {
+namespace {
+
+class Shapes : public OnDevice {};
+
+/// Turns and enlarges about the picture's middle; what falls outside is not shown.
+class Turn final : public Mapping {
+public:
+    Turn(const Picture& p, double angle, double scale)
+        : m_cx(p.width / 2.0), m_cy(p.height / 2.0), m_cos(std::cos(angle) / scale),
+          m_sin(std::sin(angle) / scale), m_scale(scale), m_width(p.width), m_height(p.height) {}
+    int size() const { return int(m_scale * 1.5 * std::max(m_width, m_height)); }
+    Rect reach(double, double, double, double) const override { return {0, 0, size(), size()}; }
+    void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override {
+        for (int x = x0; x < x1; ++x, ++positions, ++inside) {
+            const double u = x - size() / 2.0, v = y - size() / 2.0;
+            const double px = m_cx + u * m_cos - v * m_sin, py = m_cy + u * m_sin + v * m_cos;
+            *inside = px >= 0 && py >= 0 && px <= m_width - 1 && py <= m_height - 1;
+            *positions = {std::llround(px * 65536), std::llround(py * 65536)};
+        }
+    }
+
+private:
+    double m_cx, m_cy, m_cos, m_sin, m_scale;
+    int m_width, m_height;
+};
+
+Order order_for(const Picture& p, int width, int height) {
+    Order order;
+    order.out_width = width;
+    order.out_height = height;
+    order.job.surface.consistency = 1;
+    order.job.surface.soft = 0.3f;
+    order.job.threads = 2;
+    (void)p;
+    return order;
+}
+
+TEST_P(Shapes, EverySize) {
+    constexpr int sizes[][2] = {{1, 1},  {1, 7},   {9, 1},   {2, 2},   {3, 5},
+                                {64, 1}, {257, 2}, {1, 300}, {258, 31}};
+    for (const auto& size : sizes) {
+        const Picture p = make_picture(Content::photo, size[0], size[1], 3, 5);
+        expect_same(GetParam(), p, order_for(p, 2 * size[0] + 1, 3 * size[1]),
+                    std::to_string(size[0]) + " x " + std::to_string(size[1]));
+    }
+}
+
+TEST_P(Shapes, EveryNumberOfChannels) {
+    for (int channels = 1; channels <= 9; ++channels) {
+        const Picture p = make_picture(Content::nonfinite, 30, 20, channels, unsigned(channels));
+        Order order = order_for(p, 67, 45);
+        for (int c = 0; c < channels; ++c)
+            order.job.kinds.push_back(Channel(c % 3));
+        expect_same(GetParam(), p, order, std::to_string(channels) + " channels");
+    }
+}
+
+TEST_P(Shapes, SeveralTiles) {
+    const Picture p = make_picture(Content::photo, 531, 290, 4, 3);
+    expect_same(GetParam(), p, order_for(p, 1301, 601), "531 x 290");
+}
+
+TEST_P(Shapes, IdentitySizeGivesThePicture) {
+    const Picture p = make_picture(Content::noise, 40, 30, 4, 3);
+    Order order;
+    order.out_width = 40;
+    order.out_height = 30;
+    const Result result = enlarge_on(GetParam(), p, order);
+    ASSERT_EQ(result.outcome, Outcome::done);
+    std::vector<uint32_t> bits(p.values.size());
+    std::memcpy(bits.data(), p.values.data(), bits.size() * 4);
+    EXPECT_EQ(result.bits, bits);
+}
+
+TEST_P(Shapes, PartsOfTheOutputAndWindowsThatDoNotBeginAtZero) {
+    const Picture p = make_picture(Content::photo, 300, 50, 2, 8);
+    ResizeMapping::Axis x, y;
+    x.from_size = x.window1 = 300;
+    x.to_size = 900;
+    x.out0 = 0, x.out1 = 500;
+    y.from_size = y.window1 = 50;
+    y.to_size = 100;
+    y.to0 = -10;
+    y.out0 = 0, y.out1 = 60;
+    const ResizeMapping mapping(x, y);
+    Order order = order_for(p, 500, 60);
+    order.mapping = &mapping;
+    expect_same(GetParam(), p, order, "part");
+}
+
+TEST_P(Shapes, TurnedPictures) {
+    for (const double angle : {0.3, 2.0}) {
+        const Picture p = make_picture(Content::photo, 300, 60, 4, 9);
+        const Turn turn(p, angle, 1.7);
+        Order order = order_for(p, turn.size(), turn.size());
+        order.mapping = &turn;
+        expect_same(GetParam(), p, order, "turned by " + std::to_string(angle));
+    }
+}
+
+TEST_P(Shapes, RandomJobs) {
+    std::mt19937 random(20261);
+    const auto below = [&](int n) { return int(random() % unsigned(n)); };
+    for (int i = 0; i < 60; ++i) {
+        const Picture p = make_picture(Content(below(int(Content::count))), 1 + below(90),
+                                       1 + below(70), 1 + below(6), unsigned(random()));
+        Order order;
+        MeshOptions& mesh = order.job.mesh;
+        mesh.cost = Cost(below(5));
+        mesh.scheme = below(3) ? Scheme::one_round : Scheme(below(int(Scheme::pixel) + 1));
+        mesh.start = Start(below(2));
+        mesh.max_iterations = below(3) ? 64 : below(12);
+        mesh.min_gain = below(2) ? -1.0f : 0.01f * float(below(10));
+        mesh.wide_iterations = below(4);
+        SurfaceOptions& surface = order.job.surface;
+        surface.kind = Surface(below(2));
+        surface.consistency = below(4);
+        surface.limit = 0.25f * float(below(3));
+        surface.soft = below(2) ? 0.0f : 0.1f * float(below(8));
+        for (int c = 0; c < p.channels; ++c)
+            order.job.kinds.push_back(Channel(below(3)));
+        order.out_width = p.width + below(200);
+        order.out_height = p.height + below(200);
+        const Turn turn(p, 0.1 * below(60), 1.0 + 0.1 * below(20));
+        if (below(4) == 0) {
+            order.mapping = &turn;
+            order.out_width = order.out_height = turn.size();
+        }
+        expect_same(GetParam(), p, order,
+                    "job " + std::to_string(i) + ", " + scheme_name(mesh) + " " +
+                        cost_name(mesh.cost));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Devices, Shapes, testing::Values(Device::egl, Device::osmesa),
+                         device_name);
+
+} // namespace
+} // namespace ddt::test

@@ -1,0 +1,206 @@
+#include "core/surface/consistency.h"
+
+#include "core/triangulate/triangulate.h"
+#include "tests/core/helpers.h"
+#include "tests/core/surface/slow_surface.h"
+
+namespace ddt::test {
+namespace {
+
+struct Shape {
+    Surface surface = Surface::patch;
+    float tau = 0;
+    float limit = 0.25f;
+    bool strict = false;
+};
+
+/// The vertices after some rounds.
+std::vector<float> corrected(const Scene& scene, const std::vector<float>& values, Shape shape,
+                             int rounds) {
+    const DenormalsAreZero zero;
+    const Lattice& l = scene.lattice;
+    Net net;
+    Gradients gradients;
+    Workspace workspace;
+    Consistency consistency;
+    set_vertices(l, values.data(), 1, 0, 1, net);
+    std::fill_n(net.strict, group_size, shape.strict ? 1.0f : 0.0f);
+    find_gains(l, Cost::abn, workspace);
+    consistency.begin(l, net, shape.limit);
+    for (int i = 0; i < rounds; ++i) {
+        if (shape.surface == Surface::patch)
+            bend_edges(l, scene.all(), net, gradients);
+        if (shape.tau > 0)
+            soften_edges(l, scene.all(), workspace.gain.data(), shape.tau, net);
+        consistency.correct(l, shape.surface, net);
+    }
+    std::vector<float> result;
+    for (int y = 0; y < l.height(); ++y)
+        for (int x = 0; x < l.width(); ++x)
+            result.push_back(net.at(l.vertex_site(x, y))[0]);
+    return result;
+}
+
+/// One round by the definition: the mean over each inner pixel's area at 16 positions.
+std::vector<float> slow_round(const Scene& scene, const std::vector<float>& source,
+                              const std::vector<float>& values, Shape shape) {
+    const DenormalsAreZero zero;
+    const Lattice& l = scene.lattice;
+    SlowSurface slow(scene.faces, l.width(), l.height(), shape.surface, values);
+    if (shape.tau > 0) {
+        Workspace workspace;
+        find_gains(l, Cost::abn, workspace);
+        slow.soften(l, workspace.gain, shape.tau, shape.strict);
+    }
+    auto result = values;
+    for (int y = 1; y + 1 < l.height(); ++y)
+        for (int x = 1; x + 1 < l.width(); ++x) {
+            double sum = 0;
+            for (const int dy : {-3, -1, 1, 3})
+                for (const int dx : {-3, -1, 1, 3}) {
+                    const Point p{x * position_one + dx * position_one / 8,
+                                  y * position_one + dy * position_one / 8};
+                    const Face& f = scene.faces[size_t(find_face(scene.faces, p))];
+                    int32_t w[3];
+                    for (size_t k = 0; k < 3; ++k) {
+                        const Pixel a = f[(k + 1) % 3], d = f[(k + 2) % 3] - a;
+                        w[k] = d.x * (p.y - a.y * position_one) - d.y * (p.x - a.x * position_one);
+                    }
+                    sum += double(slow.at(f, w));
+                }
+            const auto at = [&](int i, int j) { return size_t(j * l.width() + i); };
+            float low = HUGE_VALF, high = -HUGE_VALF;
+            for (int j = y - 1; j <= y + 1; ++j)
+                for (int i = x - 1; i <= x + 1; ++i) {
+                    low = std::min(low, source[at(i, j)]);
+                    high = std::max(high, source[at(i, j)]);
+                }
+            const float margin = (shape.strict ? 0.0f : shape.limit) * (high - low);
+            const double to = double(values[at(x, y)]) + double(source[at(x, y)]) - sum / 16;
+            result[at(x, y)] =
+                float(std::clamp(to, double(low) - double(margin), double(high) + double(margin)));
+        }
+    return result;
+}
+
+/// Values well above 0, so that the rule about negative ones has nothing to do.
+std::vector<float> bright(const Scene& scene, Random& random) {
+    return fill(scene.pixels(), [&] { return 2.0f + random.unit(); });
+}
+
+TEST(Consistency, ARoundIsWhatItsDefinitionSays) {
+    each_scene([](const Scene& scene, Random& random) {
+        for (const Surface surface : {Surface::linear, Surface::patch})
+            for (const float tau : {0.0f, 0.5f})
+                for (const float limit : {0.25f, 0.0f, 10.0f}) {
+                    const Shape shape{surface, tau, limit, false};
+                    const auto source = bright(scene, random);
+                    auto expected = source;
+                    for (int rounds = 1; rounds <= 2; ++rounds) {
+                        expected = slow_round(scene, source, expected, shape);
+                        const auto got = corrected(scene, source, shape, rounds);
+                        for (size_t i = 0; i < got.size(); ++i)
+                            ASSERT_NEAR(got[i], expected[i], 2e-5f);
+                    }
+                }
+    });
+}
+
+TEST(Consistency, EveryInstructionSetGivesTheSameBits) {
+    Random random(2);
+    Scene scene(17, 13, 300, random);
+    for (const Surface surface : {Surface::linear, Surface::patch})
+        for (const float tau : {0.0f, 0.5f})
+            for (const Values kind : all_values) {
+                const auto source = make_values(kind, scene.pixels(), random);
+                const Shape shape{surface, tau, 0.25f, false};
+                const auto expected = corrected(scene, source, shape, 2);
+                on_each_target([&] {
+                    ASSERT_EQ(differing(corrected(scene, source, shape, 2), expected), 0u);
+                });
+            }
+}
+
+TEST(Consistency, AreaMeansComeCloserToThePixels) {
+    Random random(3);
+    Scene scene(20, 20, 0, random);
+    const auto source = bright(scene, random);
+    Shape shape;
+    shape.limit = 100.0f;
+    const auto error = [&](int rounds) {
+        // What the next round would still move.
+        const auto now = corrected(scene, source, shape, rounds);
+        const auto next = corrected(scene, source, shape, rounds + 1);
+        double sum = 0;
+        for (size_t i = 0; i < now.size(); ++i)
+            sum += std::fabs(double(next[i]) - double(now[i]));
+        return sum;
+    };
+    EXPECT_LT(error(1), 0.7 * error(0));
+    EXPECT_LT(error(2), 0.7 * error(1));
+}
+
+TEST(Consistency, APlaneIsLeftAlone) {
+    each_scene([](const Scene& scene, Random& random) {
+        const float gx = float(random.between(-9, 9)), gy = float(random.between(-9, 9));
+        std::vector<float> plane;
+        for (int y = 0; y < scene.lattice.height(); ++y)
+            for (int x = 0; x < scene.lattice.width(); ++x)
+                plane.push_back((gx * float(x) + gy * float(y) + 3.0f) / 8.0f);
+        for (const Surface surface : {Surface::linear, Surface::patch})
+            for (const float tau : {0.0f, 0.5f})
+                ASSERT_EQ(
+                    differing(corrected(scene, plane, {surface, tau, 0.25f, false}, 2), plane), 0u);
+    });
+}
+
+TEST(Consistency, TheRimStaysAndTheRestIsLimited) {
+    each_scene([](const Scene& scene, Random& random) {
+        const int w = scene.lattice.width(), h = scene.lattice.height();
+        for (const bool strict : {false, true})
+            for (const float limit : {0.0f, 0.25f}) {
+                // Some of it black: nothing gets negative there.
+                const auto source =
+                    fill(scene.pixels(), [&] { return random.below(2) ? 0.0f : random.unit(); });
+                const auto moved = corrected(scene, source, {Surface::patch, 0, limit, strict}, 3);
+                for (int y = 0; y < h; ++y)
+                    for (int x = 0; x < w; ++x) {
+                        const float v = moved[size_t(y * w + x)];
+                        if (x == 0 || y == 0 || x + 1 == w || y + 1 == h) {
+                            ASSERT_EQ(v, source[size_t(y * w + x)]);
+                            continue;
+                        }
+                        float low = HUGE_VALF, high = -HUGE_VALF;
+                        for (int j = y - 1; j <= y + 1; ++j)
+                            for (int i = x - 1; i <= x + 1; ++i) {
+                                low = std::min(low, source[size_t(j * w + i)]);
+                                high = std::max(high, source[size_t(j * w + i)]);
+                            }
+                        const float margin = strict ? 0.0f : limit * (high - low);
+                        ASSERT_GE(v, std::max(0.0f, low - margin));
+                        ASSERT_LE(v, high + margin);
+                    }
+            }
+    });
+}
+
+TEST(Consistency, NonFiniteValuesMoveNothing) {
+    Random random(4);
+    Scene scene(12, 12, 100, random);
+    auto source = bright(scene, random);
+    const auto clean = corrected(scene, source, {}, 1);
+    source[6 * 12 + 6] = std::nanf("");
+    const auto moved = corrected(scene, source, {}, 1);
+    for (int y = 0; y < 12; ++y)
+        for (int x = 0; x < 12; ++x) {
+            const float v = moved[size_t(y * 12 + x)];
+            if (x == 6 && y == 6)
+                EXPECT_NE(v, v);
+            else
+                EXPECT_TRUE(std::isfinite(v));
+        }
+    EXPECT_EQ(bits_of(moved[12 + 1]), bits_of(clean[12 + 1]));
+}
+
+} // namespace
+} // namespace ddt::test

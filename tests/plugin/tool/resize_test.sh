@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# ddt resize makes the windows and pixels that oiiotool makes with the plugin.
+#
+#   resize_test.sh BIN_DIR PLUGIN_DIR TESTIMAGES
+set -euo pipefail
+bin=$1 testimages=$3
+export OIIO_LIBRARY_PATH=$2
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+windows() { iinfo -v "$1" | grep -E '^ +(full/display|pixel data)'; }
+
+for image in window.exr scene.png; do
+    for size in 50% 333% 33.3%x120% 1.7 0x77 100x0 64x48+10-20 130x99+10-20; do
+        ours=$scratch/ours.exr theirs=$scratch/theirs.exr
+        "$bin/ddt" resize "$testimages/$image" "$size" "$ours" --type half
+        oiiotool "$testimages/$image" --resize:filter=ddt "$size" -d half -o "$theirs"
+        diff <(windows "$ours") <(windows "$theirs") ||
+            { echo "FAILED: windows of $image at $size"; exit 1; }
+        idiff -q "$ours" "$theirs" || { echo "FAILED: pixels of $image at $size"; exit 1; }
+    done
+done
