@@ -1,5 +1,7 @@
 #include "ddt/resize.h"
 
+#include <algorithm>
+
 #include <OpenImageIO/imagebufalgo_util.h>
 
 #include "plugin/guarded.h"
@@ -11,13 +13,17 @@
 namespace ddt {
 namespace {
 
+/// OpenImageIO's filter has this radius along an axis whose size it does not change. Pixels there
+/// make the result of a part that of the whole.
+constexpr int margin = 4;
+
+/// Bytes that the image between enlarging and shrinking may have, about.
+constexpr int64_t band_bytes = int64_t(48) << 20;
+
 /// Enlarge along the axis that grows into an image that still has the source's size along the
 /// other, and leave that to OpenImageIO.
 bool enlarge_then_shrink(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::ROI& roi,
                          bool shrink_x, const Options& options, int nthreads, std::string& error) {
-    // OpenImageIO's filter has this radius along the axis whose size it does not change. Pixels
-    // there make the result of a part that of the whole.
-    constexpr int margin = 4;
     OIIO::ROI part = src.roi(), full = src.roi_full();
     if (shrink_x) {
         part.ybegin = roi.ybegin - margin;
@@ -48,6 +54,32 @@ bool enlarge_then_shrink(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const O
            resize_by_oiio(dst, between, roi, nthreads, error);
 }
 
+/// The same in bands across the axis that grows, so that what is between never is large.
+bool enlarge_then_shrink_in_bands(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src,
+                                  const OIIO::ROI& roi, bool shrink_x, const Options& options,
+                                  int nthreads, std::string& error) {
+    const int begin = shrink_x ? roi.ybegin : roi.xbegin, end = shrink_x ? roi.yend : roi.xend;
+    const int64_t line = int64_t(shrink_x ? src.spec().width : src.spec().height) *
+                         src.nchannels() * int64_t(sizeof(float));
+    const int band =
+        int(std::min<int64_t>(end - begin, std::max<int64_t>(band_bytes / line - 2 * margin, 16)));
+    for (int at = begin; at < end; at += band) {
+        const int n = std::min(band, end - at);
+        OIIO::ROI part = roi;
+        (shrink_x ? part.ybegin : part.xbegin) = at;
+        (shrink_x ? part.yend : part.xend) = at + n;
+        Options of_part = options;
+        if (options.progress)
+            of_part.progress = [&](float share) {
+                return options.progress((float(at - begin) + share * float(n)) /
+                                        float(end - begin));
+            };
+        if (!enlarge_then_shrink(dst, src, part, shrink_x, of_part, nthreads, error))
+            return false;
+    }
+    return true;
+}
+
 bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options,
                     OIIO::ROI roi, int nthreads, OIIO::ROI& touched, std::string& error) {
     using namespace OIIO::ImageBufAlgo;
@@ -62,7 +94,7 @@ bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Option
     if ((shrink_x && !grow_y) || (shrink_y && !grow_x))
         return resize_by_oiio(dst, src, roi, nthreads, error);
     if (shrink_x || shrink_y)
-        return enlarge_then_shrink(dst, src, roi, shrink_x, options, nthreads, error);
+        return enlarge_then_shrink_in_bands(dst, src, roi, shrink_x, options, nthreads, error);
     if (!grow_x && !grow_y)
         return copy_moved(dst, src, roi, to.xbegin - from.xbegin, to.ybegin - from.ybegin,
                           Beyond::edge, error);

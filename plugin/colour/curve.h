@@ -8,7 +8,7 @@
 
 namespace ddt {
 
-/// A continuous function tabled at every 1024th of an octave, for arguments of 2^-40 to 2^17 in
+/// A continuous function tabled at every 1024th of an octave, for arguments of 2^-56 to 2^17 in
 /// magnitude and of either sign, and linear between these points: for the power curves of colour
 /// spaces that is within 2^-21 of the value, for a hundredth of pow's time.
 class Curve {
@@ -41,10 +41,10 @@ public:
     const float* values() const { return m_values.data(); }
 
     static constexpr int shift = 13; // of 23 bits of mantissa: 1024 points an octave
-    static constexpr float lowest = 0x1p-40f;
-    static constexpr uint32_t first = uint32_t(127 - 40) << 23; // the bits of 2^-40
+    static constexpr float lowest = 0x1p-56f;
+    static constexpr uint32_t first = uint32_t(127 - 56) << 23; // the bits of 2^-56
     static constexpr uint32_t last = uint32_t(127 + 17) << 23;  // the bits of 2^17
-    // A half of the table: the value at 0, then those at 2^-40 to 2^17, both included.
+    // A half of the table: the value at 0, then those at 2^-56 to 2^17, both included.
     static constexpr size_t half = 1 + ((last - first) >> shift) + 1;
 
     /// The float of these bits.

@@ -45,6 +45,32 @@ ResizeMapping::Axis axis(int from0, int from_size, int to0, int to_size, int win
     return a;
 }
 
+/// What IBAprep does with a roi and a dst that is not initialised, less making pixels black of
+/// which all will be written: that would take a tenth of the filter's time.
+bool allocate(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int flags,
+              std::string& error) {
+    const OIIO::ROI whole = roi;
+    roi.xend = roi.xbegin + 1;
+    roi.yend = roi.ybegin + 1;
+    OIIO::ImageBuf pixel; // of what dst is to be like
+    if (!OIIO::ImageBufAlgo::IBAprep(roi, &pixel, &src, flags)) {
+        error = pixel.geterror();
+        return false;
+    }
+    OIIO::ImageSpec spec = pixel.spec();
+    const bool full_is_roi = pixel.roi_full() == pixel.roi();
+    roi.xend = whole.xend;
+    roi.yend = whole.yend;
+    OIIO::set_roi(spec, roi);
+    if (full_is_roi)
+        OIIO::set_roi_full(spec, roi);
+    const bool all = roi.chbegin <= 0 && roi.chend >= spec.nchannels;
+    dst.reset(spec, all ? OIIO::InitializePixels::No : OIIO::InitializePixels::Yes);
+    if (!dst.initialized())
+        error = "the destination cannot be prepared";
+    return dst.initialized();
+}
+
 } // namespace
 
 bool check_source(const OIIO::ImageBuf& src, std::string& error) {
@@ -127,7 +153,10 @@ bool prepare(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int
                            error)) {
         return false;
     }
-    if (!OIIO::ImageBufAlgo::IBAprep(roi, &dst, &src, flags) || !dst.initialized()) {
+    if (!dst.initialized() && roi.defined()) {
+        if (!allocate(dst, src, roi, flags, error))
+            return false;
+    } else if (!OIIO::ImageBufAlgo::IBAprep(roi, &dst, &src, flags) || !dst.initialized()) {
         error = dst.has_error() ? dst.geterror() : "the destination cannot be prepared";
         return false;
     }

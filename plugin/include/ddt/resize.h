@@ -51,7 +51,7 @@ struct Options {
     /// Called now and then with the share done (0..1), one thread at a time; return false to
     /// cancel, which is a failure.
     std::function<bool(float)> progress;
-    Statistics* statistics = nullptr; ///< filled in when not null and the mesh was used
+    Statistics* statistics = nullptr; ///< filled in when not null and a mesh was made
 };
 
 /// The names a filter specification starts with: "ddt", "ddt-linear", "ddt-sharp".

@@ -19,12 +19,15 @@ OIIO::ImageBuf clouds() {
     OIIO::ImageBuf image(OIIO::ImageSpec(side, side, 3, OIIO::TypeDesc::FLOAT));
     for (OIIO::ImageBuf::Iterator<float> it(image); !it.done(); ++it) {
         const double x = it.x(), y = it.y();
-        const double texture = cloud(x / 90, y / 90, 1, 7), shade = cloud(x / 300, y / 300, 20, 3);
+        // Grain and leaves down to the single pixel, as busy a mesh as a photograph's.
+        const double grain = cloud(x / 5, y / 4, 7, 3), shade = cloud(x / 300, y / 300, 20, 3);
+        const double texture = 0.5 * cloud(x / 90, y / 90, 1, 7) + 0.5 * grain;
         const bool front = cloud(x / 120, y / 120, 40, 5) > 0.55,
                    thing = cloud(x / 50, y / 60, 60, 2) > 0.7;
         for (int c = 0; c < 3; ++c) {
             const double tint = 0.6 + 0.4 * testimages::hash01(c, front + 2 * thing, 80);
-            it[c] = float(tint * (front ? texture * texture : 0.3 + 0.5 * shade) + 0.2 * thing);
+            it[c] = float(tint * (front ? texture * texture : 0.3 + 0.4 * shade + 0.05 * grain) +
+                          0.2 * thing);
         }
     }
     return image;

@@ -1,0 +1,73 @@
+// Sources that are files behind OpenImageIO's cache.
+#include <cstdio>
+
+#include <OpenImageIO/imagecache.h>
+
+#include "tests/plugin/images.h"
+
+namespace {
+
+constexpr int side = 2048, tile = 64;
+
+/// A tiled file, and a cache that nobody else uses.
+class CacheTest : public testing::Test {
+protected:
+    CacheTest() : m_path(testing::TempDir() + "ddt_cache_test.tif") {
+        auto image = images::make(side, side, 1, OIIO::TypeUInt8);
+        images::fill(
+            image, [](int x, int y, int) { return float((x / 16 * 7 + y / 16 * 5) & 255) / 255; });
+        image.set_write_tiles(tile, tile);
+        EXPECT_TRUE(image.write(m_path)) << image.geterror();
+        m_pixels = image;
+        m_cache = OIIO::ImageCache::create(false);
+    }
+    ~CacheTest() override {
+        OIIO::ImageCache::destroy(m_cache);
+        std::remove(m_path.c_str());
+    }
+    int64_t statistic(const char* name) const {
+        long long value = -1;
+        EXPECT_TRUE(m_cache->getattribute(name, OIIO::TypeDesc::INT64, &value)) << name;
+        return value;
+    }
+
+    std::string m_path;
+    OIIO::ImageBuf m_pixels; ///< the same in memory
+    OIIO::ImageCache* m_cache;
+};
+
+TEST_F(CacheTest, AFileIsReadTileByTile) {
+    const OIIO::ImageBuf src(m_path, 0, 0, m_cache);
+    OIIO::ImageBuf dst, whole;
+    // Source pixels 1050 to 1100: one tile of the mesh's grid, 32 + 256 + 33 pixels wide.
+    const OIIO::ROI part(4200, 4400, 4200, 4400, 0, 1);
+    auto spec = src.spec();
+    OIIO::set_roi(spec, part);
+    OIIO::set_roi_full(spec, OIIO::ROI(0, 4 * side, 0, 4 * side, 0, 1));
+    dst.reset(spec);
+    auto same = dst;
+    ASSERT_TRUE(ddt::resize(dst, src, {}, part)) << dst.geterror();
+    EXPECT_EQ(src.storage(), OIIO::ImageBuf::IMAGECACHE);
+    constexpr int64_t most = 321 / tile + 2;
+    EXPECT_LE(statistic("stat:bytes_read"), most * most * tile * tile);
+    EXPECT_GT(statistic("stat:bytes_read"), 0);
+
+    ASSERT_TRUE(ddt::resize(same, m_pixels, {}, part)) << same.geterror();
+    EXPECT_EQ(images::bytes(dst), images::bytes(same));
+}
+
+// Every pixel of the whole, from a cache that holds a quarter of the file.
+TEST_F(CacheTest, AWholeFileIsNeverInMemory) {
+    m_cache->attribute("max_memory_MB", 1.0f);
+    const OIIO::ImageBuf src(m_path, 0, 0, m_cache);
+    OIIO::ImageBuf dst;
+    const OIIO::ROI size(0, side * 5 / 4, 0, side * 5 / 4);
+    ASSERT_TRUE(ddt::resize(dst, src, {}, size, 2)) << dst.geterror();
+    EXPECT_EQ(src.storage(), OIIO::ImageBuf::IMAGECACHE);
+    EXPECT_LE(statistic("stat:cache_memory_used"), 2 << 20);
+    OIIO::ImageBuf same;
+    ASSERT_TRUE(ddt::resize(same, m_pixels, {}, size, 2)) << same.geterror();
+    EXPECT_EQ(images::bytes(dst), images::bytes(same));
+}
+
+} // namespace
