@@ -2,6 +2,7 @@
 #include <fstream>
 
 #include "tests/plugin/images.h"
+#include "tests/temporary.h"
 
 namespace {
 
@@ -42,7 +43,7 @@ TEST(Errors, FileThatIsNotThere) {
 }
 
 TEST(Errors, FileThatIsCutShort) {
-    const std::string path = testing::TempDir() + "ddt_cut.tif";
+    const std::string path = ddt::temporary("cut.tif");
     auto whole = make(200, 200, 3, OIIO::TypeUInt8);
     images::noise(whole);
     ASSERT_TRUE(whole.write(path));

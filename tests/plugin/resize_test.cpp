@@ -3,6 +3,7 @@
 #include <set>
 
 #include "tests/plugin/images.h"
+#include "tests/temporary.h"
 
 namespace {
 
@@ -326,7 +327,7 @@ TEST(Resize, IntoItself) {
 }
 
 TEST(Resize, FromAFile) {
-    const std::string path = testing::TempDir() + "ddt_resize_test.tif";
+    const std::string path = ddt::temporary("resize_test.tif");
     auto src = make(50, 50, 3, OIIO::TypeUInt8);
     images::noise(src);
     ASSERT_TRUE(src.write(path));
@@ -336,7 +337,7 @@ TEST(Resize, FromAFile) {
 
 // OpenImageIO's cache would make them floats.
 TEST(Resize, IntegersFromAFileAreCopiedBitForBit) {
-    const std::string path = testing::TempDir() + "ddt_ids.tif";
+    const std::string path = ddt::temporary("ids.tif");
     auto src = make(10, 10, 1, TypeDesc::UINT32);
     auto* p = static_cast<uint32_t*>(src.localpixels());
     for (uint32_t i = 0; i < 100; ++i)

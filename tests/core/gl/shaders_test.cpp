@@ -11,6 +11,7 @@
 
 #include "core/gl/programs.h"
 #include "ddt/names.h"
+#include "tests/temporary.h"
 
 namespace ddt::test {
 namespace {
@@ -41,10 +42,10 @@ std::vector<Variant> variants() {
 
 /// What the compiler prints for the shader: messages and the code it makes of it.
 std::string compiled(const Variant& v) {
-    const std::string file = testing::TempDir() + "ddt_shader.comp";
+    const std::string file = temporary("shader.comp");
     std::ofstream(file) << gl::shader_source(v.file, v.defines);
     const std::string command =
-        "glslangValidator -G -H -S comp -o " + testing::TempDir() + "ddt_shader.spv " + file;
+        "glslangValidator -G -H -S comp -o " + temporary("shader.spv") + " " + file;
     FILE* pipe = popen((command + " 2>&1").c_str(), "r");
     std::string text;
     char part[4096];

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "tests/plugin/images.h"
+#include "tests/temporary.h"
 
 namespace {
 
@@ -43,7 +44,7 @@ protected:
 
     /// A config of a user: its reference is ACEScg-like, "curvy" mixes channels round a curve.
     static std::string write_config() {
-        const std::string path = testing::TempDir() + "ddt_light_test.ocio";
+        const std::string path = ddt::temporary("light_test.ocio");
         std::ofstream(path) << R"(ocio_profile_version: 2
 luma: [0.5, 0.25, 0.25]
 roles: {default: raw, scene_linear: studio linear}
@@ -169,7 +170,7 @@ TEST_F(LightTest, MissingOrBrokenConfigIsAnError) {
         const std::string error = error_of("sRGB");
         EXPECT_NE(error.find("/nowhere/config.ocio"), std::string::npos) << error;
     }
-    const std::string path = testing::TempDir() + "ddt_broken.ocio";
+    const std::string path = ddt::temporary("broken.ocio");
     std::ofstream(path) << "this is no config\n";
     const Ocio ocio(path);
     EXPECT_NE(error_of("sRGB").find(path), std::string::npos);

@@ -4,6 +4,7 @@
 #include <OpenImageIO/imagecache.h>
 
 #include "tests/plugin/images.h"
+#include "tests/temporary.h"
 
 namespace {
 
@@ -12,7 +13,7 @@ constexpr int side = 2048, tile = 64;
 /// A tiled file, and a cache that nobody else uses.
 class CacheTest : public testing::Test {
 protected:
-    CacheTest() : m_path(testing::TempDir() + "ddt_cache_test.tif") {
+    CacheTest() : m_path(ddt::temporary("cache_test.tif")) {
         auto image = images::make(side, side, 1, OIIO::TypeUInt8);
         images::fill(
             image, [](int x, int y, int) { return float((x / 16 * 7 + y / 16 * 5) & 255) / 255; });

@@ -1,4 +1,6 @@
 // The reader by way of OIIO: ImageInput, ImageCache, TextureSystem.
+#include "tests/temporary.h"
+
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -34,7 +36,7 @@ protected:
         ASSERT_FALSE(expected.has_error()) << expected.geterror();
     }
 
-    static std::string path() { return testing::TempDir() + "ddt_reader_test.tif"; }
+    static std::string path() { return ddt::temporary("reader_test.tif"); }
     static std::string name() { return path() + ".ddt?scale=4"; }
 
     inline static ImageBuf expected;

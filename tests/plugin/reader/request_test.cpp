@@ -1,4 +1,5 @@
 #include "request.h"
+#include "tests/temporary.h"
 
 #include <cstdio>
 #include <fstream>
@@ -33,7 +34,7 @@ class File {
 public:
     explicit File(const std::string& text) { std::ofstream(path(), std::ios::binary) << text; }
     ~File() { std::remove(path().c_str()); }
-    static std::string path() { return testing::TempDir() + "ddt_request_test.ddt"; }
+    static std::string path() { return ddt::temporary("request_test.ddt"); }
 };
 
 OIIO::ImageSpec spec(int x, int y, int width, int height, int full_x, int full_y, int full_width,
@@ -83,7 +84,7 @@ TEST(Request, TheLastSizeWins) {
 TEST(Request, ReadsSidecars) {
     const File file("# a comment\r\n\r\n  photo.png \r\nscale=3\nfilter=ddt-linear\n");
     const Request r = parsed(File::path());
-    EXPECT_EQ(r.source, testing::TempDir() + "photo.png");
+    EXPECT_EQ(r.source, ddt::temporary("photo.png"));
     EXPECT_EQ(r.scale, 3);
     EXPECT_EQ(r.options.surface.kind, ddt::Surface::linear);
     EXPECT_EQ(parsed(File::path() + "?width=7").width, 7);

@@ -6,6 +6,7 @@
 #include "plugin/tool/man.h"
 #include "plugin/tool/picture.h"
 #include "plugin/tool/progress.h"
+#include "tests/temporary.h"
 
 namespace ddt::tool {
 namespace {
@@ -25,10 +26,6 @@ Ran run(std::unique_ptr<Command> command, const std::vector<std::string>& args) 
 }
 
 const std::string scene = TESTIMAGES "/scene.png";
-
-std::string temporary(const char* name) {
-    return testing::TempDir() + "ddt_command_test_" + name;
-}
 
 TEST(Commands, HelpTellsOfEveryFlagAndOperand) {
     for (const auto& command : make_commands()) {

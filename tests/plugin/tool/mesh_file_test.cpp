@@ -1,5 +1,6 @@
 // Every kind of mesh file is read back and its triangles checked.
 #include "plugin/tool/mesh_file.h"
+#include "tests/temporary.h"
 
 #include <array>
 #include <cmath>
@@ -150,7 +151,7 @@ protected:
     }
 
     std::string write(const char* extension, const MeshStyle& style = {}) {
-        const std::string path = testing::TempDir() + "ddt_mesh_file_test" + extension;
+        const std::string path = temporary("mesh_file_test" + extension);
         std::string error;
         float last = 0;
         const auto progress = [&](float share) {
@@ -267,7 +268,7 @@ TEST_F(MeshFile, WhatCannotBeWrittenIsAnErrorThatNamesTheFile) {
     EXPECT_NE(error.find(".svg, .ply or .obj"), std::string::npos) << error;
 
     // A disk without room.
-    const std::string full = testing::TempDir() + "ddt_mesh_file_test_full.obj";
+    const std::string full = temporary("mesh_file_test_full.obj");
     std::remove(full.c_str());
     ASSERT_EQ(symlink("/dev/full", full.c_str()), 0);
     EXPECT_FALSE(write_mesh(full, m_mesh, m_picture, {}, progress, error));
