@@ -151,7 +151,7 @@ protected:
     }
 
     std::string write(const char* extension, const MeshStyle& style = {}) {
-        const std::string path = temporary("mesh_file_test" + extension);
+        const std::string path = temporary(std::string("mesh_file_test") + extension);
         std::string error;
         float last = 0;
         const auto progress = [&](float share) {
