@@ -37,7 +37,8 @@ std::vector<Row> ddt_rows(Light light) {
     std::vector<Row> rows;
     for (const std::string& name : ddt::filter_names())
         rows.push_back(ddt_row(name, light));
-    rows.push_back(row_of("ddt-sharp to integers", "ddt-sharp", light, OIIO::TypeUInt16));
+    if (light != Light::scene) // which integers cannot hold
+        rows.push_back(row_of("ddt-sharp to integers", "ddt-sharp", light, OIIO::TypeUInt16));
     return rows;
 }
 
