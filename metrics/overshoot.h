@@ -12,7 +12,8 @@ struct Overshoot {
 };
 
 /// `enlarged` is `scale` times as wide and high as `source`, neither clipped nor rounded. The range
-/// nearby is that of the 3x3 source pixels round the one the output pixel's centre lies in.
-Overshoot overshoot(const Image& source, const Image& enlarged, int scale);
+/// nearby is that of the source pixels at most `reach` columns and rows from the one the output
+/// pixel's centre lies in.
+Overshoot overshoot(const Image& source, const Image& enlarged, int scale, int reach = 1);
 
 } // namespace metrics

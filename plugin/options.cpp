@@ -12,15 +12,17 @@ namespace {
 
 using OIIO::Strutil::fmt::format;
 
+/// What a name stands for. `soft` and `min_gain` are in units of the cost abn; with other costs
+/// edges are not soft, and min_gain is the cost's own.
 struct FilterName {
     const char* name;
     Surface kind;
     int consistency;
-    float soft;
+    float soft, min_gain, blur;
 };
-constexpr FilterName filters[] = {{"ddt", Surface::patch, 0, 0.0f},
-                                  {"ddt-linear", Surface::linear, 0, 0.0f},
-                                  {"ddt-sharp", Surface::patch, 2, 0.3f}};
+constexpr FilterName filters[] = {{"ddt", Surface::patch, 0, 0.4f, 0.08f, 0.05f},
+                                  {"ddt-linear", Surface::linear, 0, 0.0f, -1.0f, 0.0f},
+                                  {"ddt-sharp", Surface::patch, 2, 0.3f, -1.0f, 0.05f}};
 
 /// One key of a specification.
 struct Option {
@@ -54,6 +56,7 @@ Option number(const char* key, Number low, Number high, Field field) {
 
 const std::vector<Option>& table() {
     static const auto* options = new std::vector<Option>{
+        number("blur", 0.0f, 0.25f, [](Options& o) -> float& { return o.mesh.blur; }),
         choice("cost", cost_names(),
                [](const std::string& name, Options& o) { return find_cost(name, o.mesh.cost); }),
         number("consistency", 0, 16, [](Options& o) -> int& { return o.surface.consistency; }),
@@ -106,6 +109,11 @@ const FilterName* find_filter(const std::string& name) {
 
 } // namespace
 
+Options::Options() {
+    std::string error;
+    parse_filter("ddt", *this, error);
+}
+
 std::vector<std::string> filter_names() {
     std::vector<std::string> names;
     for (const FilterName& filter : filters)
@@ -129,10 +137,16 @@ bool parse_filter(OIIO::string_view spec, Options& options, std::string& error) 
     Options parsed = options;
     parsed.surface.kind = filter->kind;
     parsed.surface.consistency = filter->consistency;
-    parsed.surface.soft = filter->soft;
+    parsed.surface.soft = parsed.mesh.min_gain = -1.0f; // not given
+    parsed.mesh.blur = filter->blur;
     for (size_t i = 1; i < items.size(); ++i)
         if (!set_option(items[i], parsed, error))
             return false;
+    const bool abn = parsed.mesh.cost == Cost::abn;
+    if (parsed.surface.soft < 0)
+        parsed.surface.soft = abn ? filter->soft : 0.0f;
+    if (parsed.mesh.min_gain < 0 && abn && parsed.mesh.scheme == Scheme::one_round)
+        parsed.mesh.min_gain = filter->min_gain;
     options = parsed;
     return true;
 }

@@ -71,6 +71,9 @@ bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& map
         job.kinds.push_back(reading.channels.kinds[c]);
     job.mesh = options.mesh;
     job.surface = options.surface;
+    job.surface.clipped |= !dst.spec().format.is_floating_point() &&
+                           dst.spec().format != OIIO::TypeInt16 &&
+                           dst.spec().format != OIIO::TypeInt8;
     job.threads = thread_count(nthreads);
     job.device = options.device;
     job.progress = options.progress;

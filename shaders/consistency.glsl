@@ -42,11 +42,11 @@ vec4 corrected(vec4 z, vec4 source, vec4 sum, vec4 low, vec4 high) {
     return if_less_equal(size, vec4(largest), moved, z);
 }
 
-void widen(vec4 limit, inout vec4 low, inout vec4 high) {
+void widen(vec4 limit, float lowest, inout vec4 low, inout vec4 high) {
     const vec4 zero = vec4(0.0);
     precise vec4 margin = limit * (high - low);
     precise vec4 wide = low - margin;
     precise vec4 raised = high + margin;
     high = raised;
-    low = if_less(low, zero, wide, if_less(wide, zero, zero, wide));
+    low = if_less(low, zero, wide, if_less(wide, vec4(lowest), vec4(lowest), wide));
 }

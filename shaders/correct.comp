@@ -10,6 +10,7 @@ layout(std430, binding = 4) readonly buffer Source { uvec4 source[]; };
 layout(std430, binding = 5) writeonly buffer Corrected { uvec4 corrected_value[]; };
 
 layout(location = 2) uniform vec4 limit;
+layout(location = 3) uniform float lowest;
 
 vec4 source_at(ivec2 p) {
     return uintBitsToFloat(source[pixel_of(p)]);
@@ -85,7 +86,7 @@ void main() {
             low = if_less(n, low, n, low);
             high = if_less(high, n, n, high);
         }
-        widen(limit, low, high);
+        widen(limit, lowest, low, high);
         z = corrected(z, source_at(p), sum, low, high);
     }
     corrected_value[pixel_of(p)] = floatBitsToUint(z);

@@ -36,7 +36,7 @@ Runner::Runner(Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping, con
         GroupKinds kinds;
         kinds.nearest = nearest_mask(job, g);
         for (int c = 0; c < group_size; ++c)
-            if (kind_of(job, g * group_size + c) == Channel::alpha)
+            if (is_strict(job, g * group_size + c))
                 kinds.strict |= 1u << c;
         m_kinds.push_back(kinds);
     }

@@ -1,6 +1,7 @@
 #include "core/gl/surfaces.h"
 
 #include <algorithm>
+#include <cfloat>
 
 #include "core/gl/failure.h"
 #include "core/surface/net.h"
@@ -123,6 +124,7 @@ void Surfaces::correct(Mesh& mesh, Group& group, int round) {
     to->bind(5);
     const auto limit = [&](int i) { return lane(~group.kinds.strict, i) * m_options.limit; };
     m_gl.Uniform4f(2, limit(0), limit(1), limit(2), limit(3));
+    m_gl.Uniform1f(3, m_options.clipped ? -FLT_MAX : 0.0f);
     mesh.dispatch_over(m_shape.width, m_shape.height, 32, 4);
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     group.values = to;

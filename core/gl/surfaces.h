@@ -11,7 +11,7 @@ namespace ddt::gl {
 
 /// A job's channels, in groups of group_size.
 struct GroupKinds {
-    unsigned nearest = 0, strict = 0; ///< a bit a lane: Channel::nearest, Channel::alpha
+    unsigned nearest = 0, strict = 0; ///< a bit a lane: Channel::nearest, is_strict()
 };
 
 /// How values come and results go; half floats need a whole number of groups.

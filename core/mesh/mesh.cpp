@@ -3,6 +3,7 @@
 #include <new>
 
 #include "core/arith/arith.h"
+#include "core/guide/blur.h"
 #include "core/mesh/list_triangles.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/triangulate.h"
@@ -38,6 +39,12 @@ bool build(const float* guide, int width, int height, const MeshOptions& options
     bool going = true;
     if (progress)
         workspace.progress = [&](float share) { return going = progress(share); };
+    std::vector<float> blurred;
+    if (options.blur > 0) {
+        blurred.assign(guide, guide + size_t(width) * size_t(height));
+        blur_guide(blurred, width, height, options.blur);
+        guide = blurred.data();
+    }
     lattice.start(width, height, guide, options.start == Start::flat);
     const double cost_start = report ? total_cost(lattice, options.cost) : 0;
     triangulate(lattice, options, workspace, statistics);
@@ -62,6 +69,8 @@ bool build_mesh(const float* guide, int width, int height, const MeshOptions& op
         why = "ddt: the image is too large for one mesh";
     else if (options.max_iterations < 0 || options.max_iterations > 250)
         why = "ddt: max_iterations must be 0 to 250";
+    else if (!(options.blur >= 0 && options.blur <= 0.25f))
+        why = "ddt: blur must be 0 to 1/4";
     if (why.empty()) {
         try {
             if (!build(guide, width, height, options, mesh, report, progress))

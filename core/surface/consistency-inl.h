@@ -52,12 +52,12 @@ DDT_INLINE T corrected(T z, T source, T sum, T low, T high) {
 }
 
 /// The range a vertex may be moved in, from the range of its 3x3 source pixels and the share of
-/// that by which it may be left.
+/// that by which it may be left. It does not go below `lowest` if the source does not go below 0.
 template <class T>
-DDT_INLINE void widen(T limit, T& low, T& high) {
+DDT_INLINE void widen(T limit, T lowest, T& low, T& high) {
     const T zero = T(0.0f);
     const T margin = limit * (high - low);
     const T wide = low - margin;
     high = high + margin;
-    low = if_less(low, zero, wide, if_less(wide, zero, zero, wide));
+    low = if_less(low, zero, wide, if_less(wide, lowest, lowest, wide));
 }

@@ -25,7 +25,7 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
 using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
 
-HWY_ATTR void find_limits(int width, int height, const float* limit, Consistency& c) {
+HWY_ATTR void find_limits(int width, int height, const float* limit, float lowest, Consistency& c) {
     const ptrdiff_t row = ptrdiff_t(width) * group_size;
     const Lanes4 margin = Lanes4::load(limit);
     for (int y = 0; y < height; ++y)
@@ -39,7 +39,7 @@ HWY_ATTR void find_limits(int width, int height, const float* limit, Consistency
                     low = if_less(n, low, n, low);
                     high = if_less(high, n, n, high);
                 }
-            widen(margin, low, high);
+            widen(margin, Lanes4(lowest), low, high);
             low.store(c.low.data() + at);
             high.store(c.high.data() + at);
         }
@@ -192,7 +192,7 @@ namespace ddt {
 HWY_EXPORT(find_limits);
 HWY_EXPORT(correct);
 
-void Consistency::begin(const Lattice& lattice, const Net& net, float limit) {
+void Consistency::begin(const Lattice& lattice, const Net& net, float limit, bool clipped) {
     const size_t n = size_t(lattice.width()) * size_t(lattice.height()) * group_size;
     source.resize(n);
     low.resize(n);
@@ -204,7 +204,8 @@ void Consistency::begin(const Lattice& lattice, const Net& net, float limit) {
     float limits[group_size];
     for (int c = 0; c < group_size; ++c)
         limits[c] = net.strict[c] > 0 ? 0.0f : limit;
-    HWY_DYNAMIC_DISPATCH(find_limits)(lattice.width(), lattice.height(), limits, *this);
+    HWY_DYNAMIC_DISPATCH(find_limits)
+    (lattice.width(), lattice.height(), limits, clipped ? -FLT_MAX : 0.0f, *this);
 }
 
 void Consistency::correct(const Lattice& lattice, Surface surface, Net& net) {

@@ -18,7 +18,8 @@ namespace ddt {
 class Consistency {
 public:
     /// Take the net's vertices as the source. limit: SurfaceOptions::limit; 0 in strict lanes.
-    void begin(const Lattice& lattice, const Net& net, float limit);
+    /// clipped: SurfaceOptions::clipped.
+    void begin(const Lattice& lattice, const Net& net, float limit, bool clipped = false);
 
     /// One round on the whole lattice, whose edges must all have been bent (for Surface::patch) and
     /// softened (where the net has soft edges).

@@ -4,6 +4,8 @@
 #include <cstring>
 #include <limits>
 
+#include "core/guide/blur.h"
+
 namespace ddt {
 
 namespace {
@@ -78,6 +80,8 @@ bool read_tile(Source& source, const Tile& tile, const Job& job, std::vector<flo
         zero_small(values.data(), values.size(), least_value);
     else
         zero_small_blended(values, job.kinds);
+    if (job.mesh.blur > 0)
+        blur_guide(guide, r.width(), r.height(), job.mesh.blur);
     width = r.width();
     height = r.height();
     int guide_width = width, guide_height = height;
@@ -96,6 +100,10 @@ int channels_in_group(int channels, int group) {
 
 Channel kind_of(const Job& job, int channel) {
     return size_t(channel) < job.kinds.size() ? job.kinds[size_t(channel)] : Channel::blend;
+}
+
+bool is_strict(const Job& job, int channel) {
+    return job.surface.consistency == 0 || kind_of(job, channel) == Channel::alpha;
 }
 
 NearestMask nearest_mask(const Job& job, int group) {

@@ -24,7 +24,8 @@ Point local(const Tile& tile, const Position& p);
 /// take for zero, unless terms of that size cancel.
 constexpr float least_value = 0x1p-80f, least_guide = 0x1p-24f;
 
-/// Read the tile's pixels, small numbers zeroed as said above (but not in nearest channels). A
+/// Read the tile's pixels, small numbers zeroed as said above (but not in nearest channels), the
+/// guide blurred as the job's mesh wants it. A
 /// picture one pixel wide or high is widened to two by repeating it: a lattice has at least 2 x 2;
 /// `width` and `height` receive its size.
 bool read_tile(Source& source, const Tile& tile, const Job& job, std::vector<float>& values,
@@ -35,6 +36,9 @@ int group_count(int channels);
 int channels_in_group(int channels, int group);
 /// What a channel is; also those past Job::channels in the last group are something.
 Channel kind_of(const Job& job, int channel);
+/// Whether a channel keeps to the range of its triangles' vertices even with soft edges: alpha, and
+/// every channel whose vertices are the pixels themselves.
+bool is_strict(const Job& job, int channel);
 /// Which channels of a job's group are Channel::nearest.
 NearestMask nearest_mask(const Job& job, int group);
 

@@ -105,10 +105,10 @@ void TileWorker::make_surface(const Tile& tile) {
         set_vertices(m_lattice, m_values.data(), m_job.channels, g * group_size,
                      channels_in_group(m_job.channels, g), net);
         for (int c = 0; c < group_size; ++c)
-            net.strict[c] = kind_of(m_job, g * group_size + c) == Channel::alpha ? 1.0f : 0.0f;
+            net.strict[c] = is_strict(m_job, g * group_size + c) ? 1.0f : 0.0f;
         if (surface.consistency == 0)
             continue;
-        m_consistency.begin(m_lattice, net, surface.limit);
+        m_consistency.begin(m_lattice, net, surface.limit, surface.clipped);
         for (int round = 0; round < surface.consistency; ++round) {
             shape(net, whole);
             m_consistency.correct(m_lattice, surface.kind, net);

@@ -11,17 +11,6 @@
 
 using bench::Light;
 
-namespace {
-
-std::vector<bench::Row> all_rows(Light light) {
-    std::vector<bench::Row> rows = bench::oiio_rows();
-    for (const auto& others : {bench::imagemagick_rows(), bench::ddt_rows(light)})
-        rows.insert(rows.end(), others.begin(), others.end());
-    return rows;
-}
-
-} // namespace
-
 // Pixel centres are at half integers: output pixel i shows the source at (i + 0.5) / scale - 0.5.
 // A shift by half an output pixel would drown every difference between filters.
 TEST(Rows, Siting) {
@@ -35,7 +24,7 @@ TEST(Rows, Siting) {
                 plane.at(x, y) = 90 + step_x * x + step_y * y;
     }
     OIIO::ImageBuf input = bench::to_light(ramp, Light::encoded);
-    for (const bench::Row& row : all_rows(Light::encoded))
+    for (const bench::Row& row : bench::all_rows(Light::encoded))
         for (int scale : {2, 3, 4}) {
             SCOPED_TRACE(row.name + " " + std::to_string(scale) + "x");
             OIIO::ImageBuf output = row.enlarge(input, scale);
@@ -83,6 +72,9 @@ TEST(Rows, DdtComesClosest) {
 TEST(Light, RoundTripBeyondTheUnitRange) {
     for (double v : {-0.5, 0.0, 0.002, 0.04, 0.5, 1.0, 3.0})
         EXPECT_NEAR(bench::encode_srgb(bench::decode_srgb(v)), v, 1e-7);
+    for (double v : {-2.0, 0.0, 0.002, 1.0, 64.0, 4096.0})
+        EXPECT_NEAR(bench::decode_log(bench::encode_log(v)), v, 1e-9 * (1 + v));
+    EXPECT_EQ(bench::encode_log(63.9990234375), 255);
 }
 
 TEST(Reference, BoxMeansInEitherLight) {
@@ -112,7 +104,8 @@ TEST(Reference, CubicKeepsAFlatImage) {
 TEST(Reference, AlphaOverWhiteAndCropped) {
     metrics::Image image;
     std::string error;
-    ASSERT_TRUE(bench::read_original(TESTIMAGES "/alpha.png", 5, image, error)) << error;
+    ASSERT_TRUE(bench::read_original(TESTIMAGES "/alpha.png", 5, Light::encoded, image, error))
+        << error;
     EXPECT_EQ(image.width(), 110); // of 112
     EXPECT_EQ(image.height(), 95); // of 96
     EXPECT_EQ(image.channels[0].at(0, 0), 255);
@@ -122,7 +115,7 @@ TEST(Reference, AlphaOverWhiteAndCropped) {
 TEST(Reference, FloatingPointIsRefused) {
     metrics::Image image;
     std::string error;
-    EXPECT_FALSE(bench::read_original(TESTIMAGES "/light.exr", 2, image, error));
+    EXPECT_FALSE(bench::read_original(TESTIMAGES "/light.exr", 2, Light::linear, image, error));
     EXPECT_NE(error.find("floating point"), std::string::npos);
 }
 

@@ -3,29 +3,42 @@
 
 namespace bench {
 
-Row ddt_row(const std::string& specification, Light light) {
+namespace {
+
+Row row_of(const std::string& name, const std::string& specification, Light light,
+           OIIO::TypeDesc type) {
     ddt::Options options;
     std::string error;
     if (!ddt::parse_filter(specification, options, error))
-        return {specification, [error](const OIIO::ImageBuf&, int) {
+        return {name, [error](const OIIO::ImageBuf&, int) {
                     OIIO::ImageBuf failed;
                     failed.errorfmt("{}", error);
                     return failed;
                 }};
     options.light = light == Light::linear ? "auto" : "encoded";
-    return {specification, [options](const OIIO::ImageBuf& image, int scale) {
-                OIIO::ROI roi(0, image.spec().width * scale, 0, image.spec().height * scale, 0, 1,
-                              0, 3);
-                OIIO::ImageBuf result;
-                ddt::resize(result, image, options, roi);
+    return {name, [options, type](const OIIO::ImageBuf& image, int scale) {
+                OIIO::ImageSpec spec = image.spec();
+                spec.width = spec.full_width = image.spec().width * scale;
+                spec.height = spec.full_height = image.spec().height * scale;
+                spec.set_format(type);
+                OIIO::ImageBuf result(spec);
+                ddt::resize(result, image, options);
                 return result;
             }};
+}
+
+} // namespace
+
+Row ddt_row(const std::string& specification, Light light) {
+    return row_of(specification, specification, light, OIIO::TypeFloat);
 }
 
 std::vector<Row> ddt_rows(Light light) {
     std::vector<Row> rows;
     for (const std::string& name : ddt::filter_names())
         rows.push_back(ddt_row(name, light));
+    if (light != Light::scene) // which integers cannot hold
+        rows.push_back(row_of("ddt-sharp to integers", "ddt-sharp", light, OIIO::TypeUInt16));
     return rows;
 }
 

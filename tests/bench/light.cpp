@@ -17,16 +17,46 @@ double encode_srgb(double linear) {
     return std::copysign(encoded, linear);
 }
 
+double decode_log(double display) {
+    return std::copysign((std::exp2(std::abs(display) * 16 / 255) - 1) / 1024, display);
+}
+
+double encode_log(double scene) {
+    return std::copysign(255.0 / 16 * std::log2(1 + 1024 * std::abs(scene)), scene);
+}
+
+double decode(double display, Light light) {
+    switch (light) {
+    case Light::linear:
+        return decode_srgb(display / 255);
+    case Light::encoded:
+        return display / 255;
+    case Light::scene:
+        return decode_log(display);
+    }
+    return 0;
+}
+
+double encode(double value, Light light) {
+    switch (light) {
+    case Light::linear:
+        return 255 * encode_srgb(value);
+    case Light::encoded:
+        return 255 * value;
+    case Light::scene:
+        return encode_log(value);
+    }
+    return 0;
+}
+
 OIIO::ImageBuf to_light(const metrics::Image& image, Light light) {
     OIIO::ImageSpec spec(image.width(), image.height(), 3, OIIO::TypeDesc::FLOAT);
-    spec.attribute("oiio:ColorSpace", light == Light::linear ? "Linear" : "sRGB");
+    spec.attribute("oiio:ColorSpace", light == Light::encoded ? "sRGB" : "Linear");
     std::vector<float> values;
     values.reserve(spec.image_pixels() * 3);
     for (size_t i = 0; i < spec.image_pixels(); ++i)
-        for (const metrics::Plane& plane : image.channels) {
-            double v = plane.values[i] / 255;
-            values.push_back(float(light == Light::linear ? decode_srgb(v) : v));
-        }
+        for (const metrics::Plane& plane : image.channels)
+            values.push_back(float(decode(plane.values[i], light)));
     OIIO::ImageBuf buffer(spec);
     buffer.set_pixels(buffer.roi(), OIIO::TypeDesc::FLOAT, values.data());
     return buffer;
@@ -41,16 +71,16 @@ metrics::Image to_display(const OIIO::ImageBuf& image, Light light) {
     metrics::Image out;
     for (size_t c = 0; c < 3; ++c) {
         metrics::Plane plane(spec.width, spec.height);
-        for (size_t i = 0; i < plane.values.size(); ++i) {
-            double v = values[i * 3 + c];
-            plane.values[i] = 255 * (light == Light::linear ? encode_srgb(v) : v);
-        }
+        for (size_t i = 0; i < plane.values.size(); ++i)
+            plane.values[i] = encode(double(values[i * 3 + c]), light);
         out.channels[c] = std::move(plane);
     }
     return out;
 }
 
-metrics::Image rounded(const metrics::Image& image) {
+metrics::Image stored(const metrics::Image& image, Light light) {
+    if (light == Light::scene)
+        return image;
     metrics::Image out = image;
     for (metrics::Plane& plane : out.channels)
         for (double& v : plane.values)

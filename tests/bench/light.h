@@ -1,4 +1,4 @@
-// Between display values (0..255, sRGB encoded) and the light in which an image is resized.
+// Between display values (0..255) and the light in which an image is resized.
 #pragma once
 
 #include <OpenImageIO/imagebuf.h>
@@ -7,11 +7,24 @@
 
 namespace bench {
 
-enum class Light { linear, encoded };
+enum class Light {
+    linear,  ///< linear light; display values are sRGB encoded
+    encoded, ///< the display values themselves
+    scene,   ///< linear light without a white; display values are its logarithm
+};
 
 /// IEC 61966-2-1 between 0..1 and 0..1, mirrored for negatives and carried on past 1.
 double decode_srgb(double encoded);
 double encode_srgb(double linear);
+
+/// 255 / 16 log2(1 + 1024 |scene|) with the sign of `scene`, and back: 0 to 255 for 0 to 64, and
+/// on past that.
+double decode_log(double display);
+double encode_log(double scene);
+
+/// One display value in a light, and back.
+double decode(double display, Light light);
+double encode(double value, Light light);
 
 /// Three float channels, 1 is white, "oiio:ColorSpace" set.
 OIIO::ImageBuf to_light(const metrics::Image& image, Light light);
@@ -19,7 +32,7 @@ OIIO::ImageBuf to_light(const metrics::Image& image, Light light);
 /// Back to 0..255, neither clipped nor rounded.
 metrics::Image to_display(const OIIO::ImageBuf& image, Light light);
 
-/// As 8 bits would hold it.
-metrics::Image rounded(const metrics::Image& image);
+/// As a file would hold it: 8 bits, or for scene light floats.
+metrics::Image stored(const metrics::Image& image, Light light);
 
 } // namespace bench

@@ -1,11 +1,16 @@
 // How good the filters are: every image of a folder is reduced, enlarged again with each of them,
 // and compared with what it was.
 //
-//   quality FOLDER [--scale N] [--light linear|encoded] [--reduce box|cubic]
+//   quality FOLDER [--scale N] [--light linear|encoded|scene] [--reduce box|cubic]
 //
 // Reducing and enlarging happen in the chosen light, on floats; the reduced image and the result
-// are rounded to 8 bits, and compared in encoded RGB without a border of N pixels. Figures are
-// means over the images.
+// are rounded to 8 bits, and compared in encoded RGB without a border of N pixels. With `scene` the
+// images are scene-linear floating point ones, nothing is rounded, and they are compared by their
+// logarithm (bench::encode_log). Figures are means over the images.
+//
+// Overshoot is what leaves the range of the source pixels within `overshoot_reach` of the output's
+// place. It is that wide because a triangle may be long: with all its pixels in that square, a
+// surface that keeps to its triangles' values has none.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -21,6 +26,8 @@
 #include "rows.h"
 
 namespace {
+
+constexpr int overshoot_reach = 8;
 
 struct Figures {
     double psnr = 0, ssim = 0, ms_ssim = 0, gmsd = 0;
@@ -46,9 +53,9 @@ bool measure(const bench::Row& row, const Case& c, int scale, bench::Light light
         return false;
     }
     metrics::Image result = bench::to_display(enlarged, light);
-    metrics::Overshoot beyond = metrics::overshoot(c.small, result, scale);
+    metrics::Overshoot beyond = metrics::overshoot(c.small, result, scale, overshoot_reach);
     metrics::Image a = metrics::without_border(c.original, scale);
-    metrics::Image b = metrics::without_border(bench::rounded(result), scale);
+    metrics::Image b = metrics::without_border(bench::stored(result, light), scale);
     metrics::Plane ya = metrics::luma(a), yb = metrics::luma(b);
 
     sum.psnr += metrics::psnr(a, b);
@@ -98,7 +105,7 @@ int main(int argc, char** argv) {
     args.arg("folder").hidden().action(
         [&](OIIO::cspan<const char*> a) { folders.push_back(a[0]); });
     args.arg("--scale %d:N", &scale).help("factor, 2 to 16 (default: 2)");
-    args.arg("--light %s:LIGHT", &light_name).help("linear (default) or encoded");
+    args.arg("--light %s:LIGHT", &light_name).help("linear (default), encoded or scene");
     args.arg("--reduce %s:HOW", &reduce_name).help("box (default) or cubic");
     args.arg("--only %s:NAME", &only).help("only the rows whose name contains NAME");
     args.arg("--also %s:SPEC")
@@ -109,14 +116,16 @@ int main(int argc, char** argv) {
         args.print_help();
         return 2;
     }
-    bool known_light = light_name == "linear" || light_name == "encoded";
+    bool known_light = light_name == "linear" || light_name == "encoded" || light_name == "scene";
     bool known_reduce = reduce_name == "box" || reduce_name == "cubic";
     if (scale < 2 || scale > 16 || !known_light || !known_reduce) {
-        std::fprintf(stderr, "quality: --scale takes 2 to 16, --light linear or encoded, --reduce "
-                             "box or cubic\n");
+        std::fprintf(stderr, "quality: --scale takes 2 to 16, --light linear, encoded or scene, "
+                             "--reduce box or cubic\n");
         return 2;
     }
-    auto light = light_name == "linear" ? bench::Light::linear : bench::Light::encoded;
+    auto light = light_name == "linear"    ? bench::Light::linear
+                 : light_name == "encoded" ? bench::Light::encoded
+                                           : bench::Light::scene;
     auto reduce = reduce_name == "box" ? bench::Reduce::box : bench::Reduce::cubic;
 
     std::vector<Case> cases;
@@ -124,7 +133,7 @@ int main(int argc, char** argv) {
         Case c;
         std::string error;
         c.name = file;
-        if (!bench::read_original(file, scale, c.original, error)) {
+        if (!bench::read_original(file, scale, light, c.original, error)) {
             std::fprintf(stderr, "%s is left out: %s\n", file.c_str(), error.c_str());
             continue;
         }
@@ -137,20 +146,11 @@ int main(int argc, char** argv) {
         return 1;
     }
 
-    std::vector<bench::Row> rows = bench::oiio_rows();
-    auto append = [&](const std::vector<bench::Row>& others) {
-        rows.insert(rows.end(), others.begin(), others.end());
-    };
-    append(bench::imagemagick_rows());
-    append(bench::ddt_rows(light));
-    for (const std::string& specification : more)
-        append({bench::ddt_row(specification, light)});
-
     std::printf("%zu images, %dx, %s light, reduced by %s\n\n", cases.size(), scale,
                 light_name.c_str(), reduce_name.c_str());
     print_head();
     bool all_well = true;
-    for (const bench::Row& row : rows) {
+    for (const bench::Row& row : bench::all_rows(light, more)) {
         if (row.name.find(only) == std::string::npos)
             continue;
         Figures sum;

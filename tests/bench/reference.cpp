@@ -18,14 +18,17 @@ std::vector<std::string> image_files(const std::string& folder) {
     return files;
 }
 
-bool read_original(const std::string& path, int scale, metrics::Image& image, std::string& error) {
+bool read_original(const std::string& path, int scale, Light light, metrics::Image& image,
+                   std::string& error) {
     OIIO::ImageBuf file(path);
     if (!file.read(0, 0, true, OIIO::TypeDesc::FLOAT)) {
         error = file.geterror();
         return false;
     }
-    if (file.nativespec().format.is_floating_point()) {
-        error = "its pixels are floating point, which has no white to measure against";
+    bool scene = light == Light::scene;
+    if (file.nativespec().format.is_floating_point() != scene) {
+        error = scene ? "its pixels are integers, not scene light"
+                      : "its pixels are floating point, which has no white to measure against";
         return false;
     }
     const OIIO::ImageSpec& spec = file.spec();
@@ -41,18 +44,19 @@ bool read_original(const std::string& path, int scale, metrics::Image& image, st
              file, OIIO::ROI(spec.x, spec.x + width, spec.y, spec.y + height));
          !it.done(); ++it) {
         float alpha = spec.alpha_channel >= 0 ? it[spec.alpha_channel] : 1.0f;
-        for (int c = 0; c < 3; ++c)
+        for (int c = 0; c < 3; ++c) {
+            auto v = double(it[colour ? c : 0]);
             image.channels[c].at(it.x() - spec.x, it.y() - spec.y) =
-                255 * double(it[colour ? c : 0] + 1 - alpha);
+                scene ? encode_log(v) : 255 * (v + 1 - double(alpha));
+        }
     }
-    image = rounded(image);
+    image = stored(image, light);
     return true;
 }
 
 namespace {
 
 metrics::Image box_means(const metrics::Image& image, int scale, Light light) {
-    auto to_linear = [](double v) { return decode_srgb(v / 255); };
     metrics::Image out;
     for (int c = 0; c < 3; ++c) {
         metrics::Plane small(image.width() / scale, image.height() / scale);
@@ -60,12 +64,9 @@ metrics::Image box_means(const metrics::Image& image, int scale, Light light) {
             for (int x = 0; x < small.width; ++x) {
                 double sum = 0;
                 for (int j = 0; j < scale; ++j)
-                    for (int i = 0; i < scale; ++i) {
-                        double v = image.channels[c].at(x * scale + i, y * scale + j);
-                        sum += light == Light::linear ? to_linear(v) : v;
-                    }
-                double mean = sum / (scale * scale);
-                small.at(x, y) = light == Light::linear ? 255 * encode_srgb(mean) : mean;
+                    for (int i = 0; i < scale; ++i)
+                        sum += decode(image.channels[c].at(x * scale + i, y * scale + j), light);
+                small.at(x, y) = encode(sum / (scale * scale), light);
             }
         out.channels[c] = std::move(small);
     }
@@ -76,10 +77,12 @@ metrics::Image box_means(const metrics::Image& image, int scale, Light light) {
 
 metrics::Image reduced(const metrics::Image& image, int scale, Light light, Reduce reduce) {
     if (reduce == Reduce::box)
-        return rounded(box_means(image, scale, light));
+        return stored(box_means(image, scale, light), light);
     OIIO::ROI roi(0, image.width() / scale, 0, image.height() / scale, 0, 1, 0, 3);
-    return rounded(to_display(
-        OIIO::ImageBufAlgo::resize(to_light(image, light), "catmull-rom", 0, roi), light));
+    return stored(
+        to_display(OIIO::ImageBufAlgo::resize(to_light(image, light), "catmull-rom", 0, roi),
+                   light),
+        light);
 }
 
 } // namespace bench

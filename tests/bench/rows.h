@@ -27,10 +27,14 @@ std::vector<Row> oiio_rows();
 /// lies beyond 0..1 is clipped, and are resized as they are, whatever the light.
 std::vector<Row> imagemagick_rows();
 
-/// This project's filters. `light` is what the values are in.
+/// This project's filters, and once more the one that gives integers another surface than floats.
+/// `light` is what the values are in.
 std::vector<Row> ddt_rows(Light light);
 
 /// A filter specification such as "ddt,cost=scf".
 Row ddt_row(const std::string& specification, Light light);
+
+/// All of the above that can show the light (ImageMagick clips), then a row for each specification.
+std::vector<Row> all_rows(Light light, const std::vector<std::string>& more = {});
 
 } // namespace bench

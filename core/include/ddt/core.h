@@ -72,12 +72,16 @@ struct SurfaceOptions {
     /// back to that pixel's value; 0 to 16. More than 0 can overshoot the source's values.
     int consistency = 0;
     /// How far a corrected vertex may leave the range of its 3x3 source pixels, as a share of that
-    /// range; 0 or more. It never gets negative where none of the nine is.
+    /// range; 0 or more. It never gets negative where none of the nine is, unless `clipped`.
     float limit = 0.25f;
     /// Edges that would lose less than this by a flip are blended with their flipped state, so that
-    /// the picture is nearly continuous in its input; in units of the cost, 0: none. More than 0
-    /// can leave the triangle's range (not that of its neighbours' values).
+    /// the picture is nearly continuous in its input; in units of the cost, 0: none. Without
+    /// `consistency` the surface still keeps to its triangle's range, with it to that of the
+    /// vertices near.
     float soft = 0.0f;
+    /// The output will be cut off at 0, as integers are: vertices may then get negative within the
+    /// limit, and what is left above 0 is sharper for it.
+    bool clipped = false;
 };
 
 struct MeshOptions {
@@ -90,6 +94,9 @@ struct MeshOptions {
     /// Iterations after which flipping ends; 0 to 250. For lawson and look_ahead these are sweeps,
     /// for annealing it is the number of random iterations and the limit of those that follow.
     int max_iterations = 64;
+    /// Share of each neighbour, in rows and then in columns, that is mixed into the guide before
+    /// edges are sought in it; 0 to 1/4. A little keeps single pixels' noise out of the mesh.
+    float blur = 0.0f;
     int wide_iterations = 2; ///< exproi_n_maxgain: iterations with the wide region
     uint32_t seed = 1;       ///< annealing: another seed, another mesh
 };

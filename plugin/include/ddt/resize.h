@@ -38,7 +38,11 @@ namespace ddt {
 
 /// How to resize; the defaults are those of the filter name "ddt".
 struct Options {
-    SurfaceOptions surface; ///< filter names: ddt-linear, ddt, ddt-sharp
+    Options();
+
+    /// Filter names: ddt-linear, ddt, ddt-sharp. `clipped` is set by itself for an unsigned integer
+    /// dst.
+    SurfaceOptions surface;
     MeshOptions mesh;
     /// Light in which values are interpolated. "auto": linear, from the colour space in the image's
     /// "oiio:ColorSpace"; as the numbers are where that is absent, unknown or a space of data.
@@ -60,8 +64,9 @@ std::vector<std::string> filter_names();
 /// True if `spec` is one of filter_names(), or one followed by a comma and options.
 bool is_filter_name(OIIO::string_view spec);
 
-/// Parse "ddt,key=value,...": the name sets the surface, each key its option; what is not named
-/// keeps its value in `options`. Keys: consistency, cost, device,
+/// Parse "ddt,key=value,...": the name sets the surface, blur and
+/// min_gain, each key its option; what is not named
+/// keeps its value in `options`. Keys: blur, consistency, cost, device,
 /// iterations, light, limit, min_gain,
 /// scheme, seed, soft, start; values with names are those of ddt/names.h. On failure return false
 /// with one line in `error` that names the option and lists what is allowed; `options` is then

@@ -1,0 +1,162 @@
+// How steady the filters are: every image of a folder is reduced, repeated with other noise in each
+// frame, and enlarged frame by frame with each of the filters.
+//
+//   flicker FOLDER [--scale N] [--light linear|encoded] [--frames N]
+//
+// The noise is Gaussian, 2 of 255 in display values. A value's deviation is its root mean square
+// distance, over the frames, from its mean over the frames; the table tells the output's, as
+// multiples of the input's: root mean square and 99.9th percentile over all pixels and channels of
+// all images.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+#include <OpenImageIO/argparse.h>
+
+#include "reference.h"
+#include "rows.h"
+
+namespace {
+
+constexpr double noise_level = 2;
+
+metrics::Image noisy(const metrics::Image& image, unsigned seed) {
+    std::mt19937 bits(seed);
+    std::normal_distribution<double> noise(0, noise_level);
+    metrics::Image out = image;
+    for (metrics::Plane& plane : out.channels)
+        for (double& v : plane.values)
+            v += noise(bits);
+    return out;
+}
+
+/// Deviations of all values over frames, one image added after the other.
+class Deviations {
+public:
+    void begin(size_t values) {
+        m_sum.assign(values, 0);
+        m_squares.assign(values, 0);
+        m_frames = 0;
+    }
+    void frame(const metrics::Image& image) {
+        size_t at = 0;
+        for (const metrics::Plane& plane : image.channels)
+            for (double v : plane.values) {
+                m_sum[at] += v;
+                m_squares[at++] += v * v;
+            }
+        ++m_frames;
+    }
+    void end() {
+        for (size_t i = 0; i < m_sum.size(); ++i) {
+            double mean = m_sum[i] / m_frames;
+            double variance = std::max(m_squares[i] / m_frames - mean * mean, 0.0);
+            m_total += variance;
+            m_all.push_back(float(std::sqrt(variance)));
+        }
+    }
+    double rms() const { return std::sqrt(m_total / double(m_all.size())); }
+    /// Changes the order of what was gathered.
+    double percentile(double share) {
+        auto nth = m_all.begin() + std::ptrdiff_t(share * double(m_all.size() - 1));
+        std::nth_element(m_all.begin(), nth, m_all.end());
+        return double(*nth);
+    }
+
+private:
+    std::vector<double> m_sum, m_squares;
+    int m_frames = 0;
+    std::vector<float> m_all;
+    double m_total = 0;
+};
+
+struct Settings {
+    int scale = 4, frames = 8;
+    bench::Light light = bench::Light::linear;
+};
+
+bool measure(const bench::Row& row, const std::vector<metrics::Image>& images,
+             const Settings& settings) {
+    Deviations in, out;
+    for (size_t k = 0; k < images.size(); ++k) {
+        const metrics::Image& image = images[k];
+        size_t values = image.channels[0].values.size() * 3;
+        in.begin(values);
+        out.begin(values * size_t(settings.scale * settings.scale));
+        for (int f = 0; f < settings.frames; ++f) {
+            metrics::Image frame = noisy(image, unsigned(k * 1000 + size_t(f)));
+            OIIO::ImageBuf enlarged =
+                row.enlarge(bench::to_light(frame, settings.light), settings.scale);
+            if (enlarged.has_error()) {
+                std::fprintf(stderr, "%s: %s\n", row.name.c_str(), enlarged.geterror().c_str());
+                return false;
+            }
+            in.frame(frame);
+            out.frame(bench::to_display(enlarged, settings.light));
+        }
+        in.end();
+        out.end();
+    }
+    std::printf("%-24s %6.2f %6.2f\n", row.name.c_str(), out.rms() / in.rms(),
+                out.percentile(0.999) / in.rms());
+    std::fflush(stdout);
+    return true;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    Settings settings;
+    std::string light_name = "linear", only;
+    std::vector<std::string> folders, more;
+    OIIO::ArgParse args;
+    args.intro("flicker: how steady the filters are under noise\n")
+        .usage("flicker FOLDER [options]");
+    args.arg("folder").hidden().action(
+        [&](OIIO::cspan<const char*> a) { folders.push_back(a[0]); });
+    args.arg("--scale %d:N", &settings.scale).help("factor, 2 to 16 (default: 4)");
+    args.arg("--light %s:LIGHT", &light_name).help("linear (default) or encoded");
+    args.arg("--frames %d:N", &settings.frames).help("2 to 1000 (default: 8)");
+    args.arg("--only %s:NAME", &only).help("only the rows whose name contains NAME");
+    args.arg("--also %s:SPEC")
+        .help("one more row, such as ddt,soft=0.5 (repeatable)")
+        .action([&](OIIO::cspan<const char*> a) { more.push_back(a[1]); });
+    if (args.parse(argc, const_cast<const char**>(argv)) < 0 || folders.size() != 1) {
+        std::fprintf(stderr, "%s\n", args.geterror().c_str());
+        args.print_help();
+        return 2;
+    }
+    bool known_light = light_name == "linear" || light_name == "encoded";
+    if (settings.scale < 2 || settings.scale > 16 || settings.frames < 2 ||
+        settings.frames > 1000 || !known_light) {
+        std::fprintf(stderr,
+                     "flicker: --scale takes 2 to 16, --frames 2 to 1000, --light linear or "
+                     "encoded\n");
+        return 2;
+    }
+    settings.light = light_name == "linear" ? bench::Light::linear : bench::Light::encoded;
+
+    std::vector<metrics::Image> images;
+    for (const std::string& file : bench::image_files(folders[0])) {
+        metrics::Image original;
+        std::string error;
+        if (bench::read_original(file, settings.scale, settings.light, original, error))
+            images.push_back(
+                bench::reduced(original, settings.scale, settings.light, bench::Reduce::box));
+        else
+            std::fprintf(stderr, "%s is left out: %s\n", file.c_str(), error.c_str());
+    }
+    if (images.empty()) {
+        std::fprintf(stderr, "flicker: no images in %s\n", folders[0].c_str());
+        return 1;
+    }
+
+    std::printf("%zu images, %dx, %s light, %d frames\n\n%-24s %6s %6s\n", images.size(),
+                settings.scale, light_name.c_str(), settings.frames, "", "rms", "99.9%");
+    bool all_well = true;
+    for (const bench::Row& row : bench::all_rows(settings.light, more))
+        if (row.name.find(only) != std::string::npos)
+            all_well &= measure(row, images, settings);
+    return all_well ? 0 : 1;
+}

@@ -1,0 +1,15 @@
+#include "rows.h"
+
+namespace bench {
+
+std::vector<Row> all_rows(Light light, const std::vector<std::string>& more) {
+    std::vector<Row> rows = oiio_rows();
+    for (const auto& others :
+         {light == Light::scene ? std::vector<Row>() : imagemagick_rows(), ddt_rows(light)})
+        rows.insert(rows.end(), others.begin(), others.end());
+    for (const std::string& specification : more)
+        rows.push_back(ddt_row(specification, light));
+    return rows;
+}
+
+} // namespace bench
