@@ -6,6 +6,7 @@ namespace ddt::gl {
 enum class Fault {
     library,    ///< a GL library cannot be loaded
     context,    ///< a context is refused
+    bits,       ///< the device is found to compute otherwise than the CPU
     shader,     ///< a shader does not compile
     allocation, ///< a buffer cannot be allocated
     lost,       ///< the context is lost at a point where that is looked for

@@ -5,7 +5,9 @@
 
 #include <pthread.h>
 
+#include "core/gl/failure.h"
 #include "core/gl/faults.h"
+#include "core/gl/self_check.h"
 
 namespace ddt::gl {
 
@@ -39,6 +41,25 @@ std::unique_ptr<Context> make_context(Device device, std::string& why) {
     }
 }
 
+/// Set up the device whose context was made. Returns why it is not to be used.
+std::string prepare(Gpu& gpu) {
+    const Functions& gl = gpu.context->gl;
+    GLint64 limit = 0;
+    gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &limit);
+    gpu.block_limit = size_t(limit);
+    gpu.programs = std::make_unique<Programs>(gl);
+    if (strikes(Fault::bits))
+        return gpu.context->renderer + " does not compute as the CPU does";
+    // Software renderers are asked for by name only, and tests compare them with the CPU.
+    if (gpu.context->software)
+        return {};
+    try {
+        return differs_from_cpu(gpu);
+    } catch (const Failure& e) {
+        return e.what();
+    }
+}
+
 void start(Device device, Slot& slot) {
     static std::once_flag once;
     std::call_once(once, [] {
@@ -52,19 +73,14 @@ void start(Device device, Slot& slot) {
     auto* gpu = new Gpu;
     gpu->thread
         .post([&] {
-            gpu->context = make_context(device, slot.why);
-            if (!gpu->context)
-                return;
-            const Functions& gl = gpu->context->gl;
-            GLint64 limit = 0;
-            gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &limit);
-            gpu->block_limit = size_t(limit);
-            gpu->programs = std::make_unique<Programs>(gl);
+            std::string why;
+            gpu->context = make_context(device, why);
+            slot.why = gpu->context ? prepare(*gpu) : why;
         })
         .wait();
     gpu->open_milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-    if (gpu->context)
+    if (gpu->context && slot.why.empty())
         slot.gpu = gpu; // else its idle thread is left behind
     slot.tried = true;
 }

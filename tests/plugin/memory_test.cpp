@@ -51,7 +51,7 @@ void expect_bounded(const char* filter, int side, int channels, int factor) {
     ASSERT_GE(peak, out);
     EXPECT_LE(peak, in + out + allowed) << (peak - in - out) / (1 << 20) << " MiB beside "
                                         << "input and output";
-    RecordProperty("MiB", int((peak - in - out) >> 20));
+    ::testing::Test::RecordProperty("MiB", int((peak - in - out) >> 20));
     std::printf("%s: %d MiB beside input and output\n", filter, int((peak - in - out) >> 20));
 }
 

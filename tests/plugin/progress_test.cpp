@@ -3,6 +3,7 @@
 #include <mutex>
 #include <thread>
 
+#include <OpenImageIO/Imath.h>
 #include <tbb/global_control.h>
 
 #include "tests/plugin/images.h"
@@ -120,7 +121,7 @@ TEST(Progress, WarpAndMixedResizeToo) {
     EXPECT_FALSE(ddt::resize(mixed, src, options, window(0, 1500, 0, 300), 2));
     EXPECT_EQ(mixed.geterror(), "ddt: cancelled");
     EXPECT_FALSE(mixed.initialized());
-    const float m[9] = {1.2f, 0.5f, 0, -0.5f, 1.2f, 0, 0, 0, 1};
+    const Imath::M33f m(1.2f, 0.5f, 0, -0.5f, 1.2f, 0, 0, 0, 1);
     EXPECT_FALSE(ddt::warp(turned, src, m, options, true));
     EXPECT_EQ(turned.geterror(), "ddt: cancelled");
     EXPECT_FALSE(turned.initialized());
