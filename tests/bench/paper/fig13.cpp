@@ -18,7 +18,7 @@ namespace {
 class Mosaic {
 public:
     explicit Mosaic(const std::string& folder) {
-        each_subject(folder, 1, [&](const Subject& s) {
+        each_subject(folder, 1, Reduce::bilinear, [&](const Subject& s) {
             // All cut to one size, the first's or smaller.
             if (m_tiles.empty()) {
                 m_width = s.width();

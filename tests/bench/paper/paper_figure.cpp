@@ -144,7 +144,7 @@ bool make(const std::string& path, const std::string& folder, Square square) {
     square.x = std::clamp(square.x, 0, original.width() - square.size);
     square.y = std::clamp(square.y, 0, original.height() - square.size);
     std::filesystem::create_directories(folder);
-    const Image reduced = paper::reduce(original, factor);
+    const Image reduced = paper::reduce(original, factor, paper::Reduce::bilinear);
     bool fine = write(folder + "/original.png", magnified(original, square));
     const OIIO::ROI close_up(square.x * zoom, (square.x + square.size) * zoom, square.y * zoom,
                              (square.y + square.size) * zoom, 0, 1, 0, 3);

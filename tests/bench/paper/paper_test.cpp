@@ -44,6 +44,20 @@ TEST(Schemes, AllOfThePapersAreThereOnce) {
         EXPECT_EQ(std::count(labels.begin(), labels.end(), name), 1) << name;
 }
 
+TEST(Reduce, BilinearIsTheMeanOfTheFourPixelsInTheMiddle) {
+    metrics::Plane plane(8, 4);
+    for (size_t i = 0; i < plane.values.size(); ++i)
+        plane.values[i] = double(i);
+    const metrics::Image image{{plane, plane, plane}};
+    const metrics::Image by4 = reduce(image, 4, Reduce::bilinear);
+    ASSERT_EQ(by4.width(), 2);
+    ASSERT_EQ(by4.height(), 1);
+    // 9, 10, 17, 18 and 13, 14, 21, 22; rounded.
+    EXPECT_NEAR(by4.channels[0].at(0, 0), 13.5, 0.5);
+    EXPECT_NEAR(by4.channels[0].at(1, 0), 17.5, 0.5);
+    EXPECT_EQ(reduce(image, 2, Reduce::bilinear).channels[1].at(0, 0), 5); // 0, 1, 8, 9: 4.5
+}
+
 TEST(Guide, IsLumaInStepsOf4096) {
     metrics::Image image{
         {metrics::Plane(2, 1, 255), metrics::Plane(2, 1, 255), metrics::Plane(2, 1, 255)}};

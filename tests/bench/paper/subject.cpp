@@ -12,15 +12,38 @@
 
 namespace paper {
 
-metrics::Image reduce(const metrics::Image& image, int factor) {
-    const OIIO::ROI roi(0, image.width() / factor, 0, image.height() / factor, 0, 1, 0, 3);
-    return bench::rounded(
-        bench::to_display(OIIO::ImageBufAlgo::resize(bench::to_light(image, bench::Light::encoded),
-                                                     "triangle", 0, roi),
-                          bench::Light::encoded));
+namespace {
+
+/// At an even factor the centre of a new pixel is a corner of four old ones.
+metrics::Plane between_four(const metrics::Plane& plane, int factor) {
+    metrics::Plane out(plane.width / factor, plane.height / factor);
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < out.width; ++x) {
+            const int right = x * factor + factor / 2, below = y * factor + factor / 2;
+            out.at(x, y) = (plane.at(right - 1, below - 1) + plane.at(right, below - 1) +
+                            plane.at(right - 1, below) + plane.at(right, below)) /
+                           4;
+        }
+    return out;
 }
 
-bool each_subject(const std::string& folder, int factor,
+} // namespace
+
+metrics::Image reduce(const metrics::Image& image, int factor, Reduce how) {
+    metrics::Image out;
+    if (how == Reduce::bilinear) {
+        for (size_t c = 0; c < 3; ++c)
+            out.channels[c] = between_four(image.channels[c], factor);
+    } else {
+        const OIIO::ROI roi(0, image.width() / factor, 0, image.height() / factor, 0, 1, 0, 3);
+        const OIIO::ImageBuf large = bench::to_light(image, bench::Light::encoded);
+        out = bench::to_display(OIIO::ImageBufAlgo::resize(large, "triangle", 0, roi),
+                                bench::Light::encoded);
+    }
+    return bench::rounded(out);
+}
+
+bool each_subject(const std::string& folder, int factor, Reduce how,
                   const std::function<void(const Subject&)>& f) {
     int count = 0;
     for (const std::string& path : bench::image_files(folder)) {
@@ -32,7 +55,7 @@ bool each_subject(const std::string& folder, int factor,
             std::fprintf(stderr, "%s: left out: %s\n", s.name.c_str(), error.c_str());
             continue;
         }
-        s.reduced = reduce(s.original, factor);
+        s.reduced = factor == 1 ? s.original : reduce(s.original, factor, how);
         f(s);
         ++count;
     }

@@ -10,9 +10,14 @@
 
 namespace paper {
 
-/// An image reduced in encoded light, as in section 6 of the paper: resampled bilinearly, by
-/// OpenImageIO's triangle filter as wide as the reduction needs; rounded to 8 bits.
-metrics::Image reduce(const metrics::Image& image, int factor);
+/// How images are reduced. The paper says "bilinear".
+enum class Reduce {
+    bilinear, ///< the value between the four pixels nearest the new pixel's centre
+    triangle, ///< OpenImageIO's triangle filter, as wide as the reduction needs: a smoother picture
+};
+
+/// An image reduced by an even factor in encoded light and rounded to 8 bits.
+metrics::Image reduce(const metrics::Image& image, int factor, Reduce how);
 
 /// An image and its reduction.
 struct Subject {
@@ -25,8 +30,8 @@ struct Subject {
 };
 
 /// Call f for every image of the folder that can be read; tell on stderr of the others. False if
-/// there is none.
-bool each_subject(const std::string& folder, int factor,
+/// there is none. With a factor of 1 the reduction is the original.
+bool each_subject(const std::string& folder, int factor, Reduce how,
                   const std::function<void(const Subject&)>& f);
 
 /// Luma as the core's guide: 0 to 1, multiples of 2^-12.

@@ -209,7 +209,7 @@ constexpr Claim claims[] = {
 
 } // namespace
 
-bool table1(const std::string& folder, int factor, const std::string& csv_folder) {
+bool table1(const std::string& folder, int factor, Reduce how, const std::string& csv_folder) {
     const auto schemes = all_schemes();
     const auto all_devices = devices();
     std::vector<Figures> figures(schemes.size());
@@ -217,7 +217,7 @@ bool table1(const std::string& folder, int factor, const std::string& csv_folder
     std::vector<std::string> exceptions(std::size(claims));
     int images = 0;
     Table by_image("table1-by-image-x" + std::to_string(factor), {"image", "scheme", "cost"});
-    const bool found = each_subject(folder, factor, [&](const Subject& s) {
+    const bool found = each_subject(folder, factor, how, [&](const Subject& s) {
         const auto guide = guide_of(s.reduced);
         Costs costs;
         for (size_t i = 0; i < schemes.size(); ++i) {

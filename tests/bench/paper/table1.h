@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "paper/subject.h"
+
 namespace paper {
 
 /// The paper's table 1 over a folder of images reduced by `factor`: what each scheme does to the
@@ -14,6 +16,6 @@ namespace paper {
 /// ddt::enlarge(), all threads; "-" where the device does not know the scheme.
 ///
 /// Then the order of the paper's section 6 is checked, image by image. False on failure.
-bool table1(const std::string& folder, int factor, const std::string& csv_folder);
+bool table1(const std::string& folder, int factor, Reduce how, const std::string& csv_folder);
 
 } // namespace paper

@@ -30,7 +30,7 @@ struct Way {
 
 std::vector<Way> all_ways() {
     std::vector<Way> ways{
-        {"bilinear", {}, "triangle"}, {"b-spline", {}, "b-spline"}, {"lanczos", {}, "lanczos3"}};
+        {"bilinear", {}, "triangle"}, {"b-spline", {}, "bspline"}, {"lanczos", {}, "lanczos3"}};
     for (const ddt::MeshOptions& o : all_schemes()) {
         Way way{label(o), {}, nullptr};
         way.options.mesh = o;
@@ -79,12 +79,12 @@ constexpr Metric all_metrics[] = {
 
 } // namespace
 
-bool table3(const std::string& folder, int factor, const std::string& csv_folder) {
+bool table3(const std::string& folder, int factor, Reduce how, const std::string& csv_folder) {
     const auto ways = all_ways();
     std::vector<std::vector<double>> sums(ways.size(), std::vector<double>(std::size(all_metrics)));
     int images = 0;
     bool fine = true;
-    const bool found = each_subject(folder, factor, [&](const Subject& s) {
+    const bool found = each_subject(folder, factor, how, [&](const Subject& s) {
         const Plane reference = without_border(luma(s.original), factor);
         for (size_t w = 0; w < ways.size(); ++w) {
             const Plane large = enlarged(ways[w], s);
