@@ -30,19 +30,19 @@ struct Egl {
     bool surfaceless = false;
 
     bool load(std::string& why) {
-        const auto* library = new Library({"libEGL.so.1", "libEGL.so"}); // never closed
-        if (!library->open()) {
-            why = library->error();
+        const Library library({"libEGL.so.1", "libEGL.so"});
+        if (!library.open()) {
+            why = library.error();
             return false;
         }
-        if (!library->find("eglGetProcAddress", GetProcAddress) ||
-            !library->find("eglQueryString", QueryString) ||
-            !library->find("eglGetDisplay", GetDisplay) ||
-            !library->find("eglInitialize", Initialize) || !library->find("eglBindAPI", BindAPI) ||
-            !library->find("eglCreateContext", CreateContext) ||
-            !library->find("eglDestroyContext", DestroyContext) ||
-            !library->find("eglMakeCurrent", MakeCurrent) ||
-            !library->find("eglGetError", GetError)) {
+        if (!library.find("eglGetProcAddress", GetProcAddress) ||
+            !library.find("eglQueryString", QueryString) ||
+            !library.find("eglGetDisplay", GetDisplay) ||
+            !library.find("eglInitialize", Initialize) || !library.find("eglBindAPI", BindAPI) ||
+            !library.find("eglCreateContext", CreateContext) ||
+            !library.find("eglDestroyContext", DestroyContext) ||
+            !library.find("eglMakeCurrent", MakeCurrent) ||
+            !library.find("eglGetError", GetError)) {
             why = "libEGL is not EGL 1.4";
             return false;
         }

@@ -19,18 +19,17 @@ using GetProcAddress = void* (*)(const char* name);
 } // namespace
 
 std::unique_ptr<Context> make_osmesa_context(std::string& why) {
-    // Never closed, see Context.
-    const auto* library = new Library({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"});
-    if (!library->open()) {
-        why = library->error();
+    const Library library({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"});
+    if (!library.open()) {
+        why = library.error();
         return nullptr;
     }
     CreateContextAttribs create;
     MakeCurrent make_current;
     static GetProcAddress get_address;
-    if (!library->find("OSMesaCreateContextAttribs", create) ||
-        !library->find("OSMesaMakeCurrent", make_current) ||
-        !library->find("OSMesaGetProcAddress", get_address)) {
+    if (!library.find("OSMesaCreateContextAttribs", create) ||
+        !library.find("OSMesaMakeCurrent", make_current) ||
+        !library.find("OSMesaGetProcAddress", get_address)) {
         why = "libOSMesa has no OSMesaCreateContextAttribs (Mesa 11.2 or later is needed)";
         return nullptr;
     }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "core/arith/arith.h"
 
@@ -45,9 +46,10 @@ HWY_INLINE Blocks spread(const float* p) {
 
 /// Where results go.
 struct Output {
-    float* to; ///< the row's first position, first channel of the group
-    int channels, count;
-    bool whole; ///< all lanes may be stored: what is too much is overwritten by what follows
+    float* to = nullptr; ///< the row's first position, first channel of the group
+    int channels = 0, count = 0;
+    bool whole =
+        false; ///< all lanes may be stored: what is too much is overwritten by what follows
 
     /// Blocks of positions i, i + 1, ... before end.
     HWY_INLINE void store(Blocks f, int i, int end) const {
@@ -96,10 +98,10 @@ HWY_INLINE void evaluate_triangle(const Net& net, const LocatedRow& row, const S
                   i, span.end);
 }
 
+/// The plain cell whose first corner is at site s.
 template <bool quadratic, bool soft>
-HWY_INLINE void evaluate_cell(const Net& net, int stride, const LocatedRow& row, const Span& span,
-                              const Output& out) {
-    const int s = span.vertex[0];
+HWY_INLINE PlainCell<Blocks> load_cell(const Net& net, int s) {
+    const int stride = net.stride;
     PlainCell<Blocks> cell;
     cell.z0 = at_site(net, s);
     cell.z1 = at_site(net, s + 2);
@@ -119,44 +121,113 @@ HWY_INLINE void evaluate_cell(const Net& net, int stride, const LocatedRow& row,
         cell.q13 = soft_at_site(net, s + stride + 2);
         cell.q23 = soft_at_site(net, s + 2 * stride + 1);
     }
+    return cell;
+}
+
+/// Call each(evaluator) with what evaluates the plain cell at x, y.
+template <bool quadratic, bool soft, class Each>
+HWY_INLINE void with_cell(const Net& net, Span::Kind kind, int site, Each&& each) {
+    PlainCell<Blocks> cell = load_cell<quadratic, soft>(net, site);
     const Blocks strict = hn::LoadDup128(D(), net.strict);
-    const int step = int(hn::Lanes(D())) / group_size;
-    const float *x = row.weight[0].data(), *y = row.weight[1].data();
-    if (span.kind == Span::cell_down) {
+    if (kind == Span::cell_down) {
         cell.template divide_down<soft>(strict);
-        for (int i = span.begin; i < span.end; i += step)
-            out.store(cell.template at_down<quadratic, soft>(spread(x + i), spread(y + i)), i,
-                      span.end);
+        each([&](Blocks x, Blocks y)
+                 HWY_ATTR { return cell.template at_down<quadratic, soft>(x, y); });
     } else {
         cell.template divide_up<soft>(strict);
-        for (int i = span.begin; i < span.end; i += step)
-            out.store(cell.template at_up<quadratic, soft>(spread(x + i), spread(y + i)), i,
-                      span.end);
+        each([&](Blocks x, Blocks y)
+                 HWY_ATTR { return cell.template at_up<quadratic, soft>(x, y); });
     }
 }
 
 template <bool quadratic, bool soft>
-HWY_INLINE void evaluate_spans(const Net& net, int stride, const LocatedRow& row,
-                               const Output& out) {
+HWY_INLINE void evaluate_cell(const Net& net, const LocatedRow& row, const Span& span,
+                              const Output& out) {
+    const int step = int(hn::Lanes(D())) / group_size;
+    const float *x = row.weight[0].data(), *y = row.weight[1].data();
+    with_cell<quadratic, soft>(net, span.kind, span.vertex[0], [&](auto&& at) HWY_ATTR {
+        for (int i = span.begin; i < span.end; i += step)
+            out.store(at(spread(x + i), spread(y + i)), i, span.end);
+    });
+}
+
+template <bool quadratic, bool soft>
+HWY_INLINE void evaluate_spans(const Net& net, const LocatedRow& row, const Output& out) {
     for (const Span& span : row.spans)
         if (span.kind == Span::triangle)
             evaluate_triangle<quadratic, soft>(net, row, span, out);
         else
-            evaluate_cell<quadratic, soft>(net, stride, row, span, out);
+            evaluate_cell<quadratic, soft>(net, row, span, out);
 }
 
-HWY_ATTR void evaluate(const Net& net, Surface surface, int stride, const LocatedRow& row,
-                       int channels, int first, int count, float* to) {
-    const Output out{to + first, channels, count, channels <= group_size};
+/// All of a block. What is stored too much is overwritten by the range to the right, except at the
+/// end of a row: there stands the next row's start.
+template <bool quadratic, bool soft>
+HWY_INLINE void evaluate_ranges(const Net& net, const Columns& columns, const LocatedBlock& block,
+                                const Output& first) {
+    const int step = int(hn::Lanes(D())) / group_size;
+    const int width = block.ranges.back().end;
+    Output out[LocatedBlock::most_rows];
+    size_t span[LocatedBlock::most_rows] = {};
+    for (int r = 0; r < block.count; ++r) {
+        out[r] = first;
+        out[r].to += size_t(r) * size_t(width) * size_t(first.channels);
+    }
+    for (const LocatedBlock::Range& range : block.ranges) {
+        const bool at_end = (width - range.end) * first.channels < row_padding;
+        for (int r = 0; at_end && r + 1 < block.count; ++r)
+            out[r].whole = false;
+        if (range.kind != Span::triangle) {
+            with_cell<quadratic, soft>(net, range.kind, range.site, [&](auto&& at) HWY_ATTR {
+                for (int r = 0; r < block.count; ++r) {
+                    const Blocks y(block.y[r]);
+                    for (int i = range.begin; i < range.end; i += step)
+                        out[r].store(at(spread(columns.x.data() + i), y), i, range.end);
+                }
+            });
+            continue;
+        }
+        for (int r = 0; r < block.count; ++r) {
+            const LocatedRow& row = block.rows[r];
+            size_t& s = span[r];
+            for (; s < row.spans.size() && row.spans[s].begin < range.end; ++s)
+                evaluate_triangle<quadratic, soft>(net, row, row.spans[s], out[r]);
+        }
+    }
+}
+
+/// Call f with the template arguments that the surface needs, as integral constants.
+template <class F>
+HWY_INLINE void for_surface(const Net& net, Surface surface, F&& f) {
+    const std::true_type yes;
+    const std::false_type no;
     const bool soft = !net.soft.empty();
     if (surface == Surface::linear && soft)
-        evaluate_spans<false, true>(net, stride, row, out);
+        f(no, yes);
     else if (surface == Surface::linear)
-        evaluate_spans<false, false>(net, stride, row, out);
+        f(no, no);
     else if (soft)
-        evaluate_spans<true, true>(net, stride, row, out);
+        f(yes, yes);
     else
-        evaluate_spans<true, false>(net, stride, row, out);
+        f(yes, no);
+}
+
+HWY_ATTR void evaluate(const Net& net, Surface surface, const LocatedRow& row, int channels,
+                       int first, int count, float* to) {
+    const Output out{to + first, channels, count, channels <= group_size};
+    for_surface(net, surface, [&](auto quadratic, auto soft) HWY_ATTR {
+        evaluate_spans<decltype(quadratic)::value, decltype(soft)::value>(net, row, out);
+    });
+}
+
+HWY_ATTR void evaluate_rows(const Net& net, Surface surface, const Columns& columns,
+                            const LocatedBlock& block, int channels, int first, int count,
+                            float* to) {
+    const Output out{to + first, channels, count, channels <= group_size};
+    for_surface(net, surface, [&](auto quadratic, auto soft) HWY_ATTR {
+        evaluate_ranges<decltype(quadratic)::value, decltype(soft)::value>(net, columns, block,
+                                                                           out);
+    });
 }
 
 } // namespace HWY_NAMESPACE
@@ -167,6 +238,7 @@ HWY_AFTER_NAMESPACE();
 namespace ddt {
 
 HWY_EXPORT(evaluate);
+HWY_EXPORT(evaluate_rows);
 
 namespace {
 
@@ -213,9 +285,14 @@ void copy_nearest(const Net& net, NearestMask nearest, int stride, const Located
 
 void evaluate_row(const Net& net, Surface surface, NearestMask nearest, const LocatedRow& row,
                   int channels, int first, int count, float* out) {
-    HWY_DYNAMIC_DISPATCH(evaluate)(net, surface, net.stride, row, channels, first, count, out);
+    HWY_DYNAMIC_DISPATCH(evaluate)(net, surface, row, channels, first, count, out);
     if (nearest)
         copy_nearest(net, nearest, net.stride, row, channels, first, count, out);
+}
+
+void evaluate_block(const Net& net, Surface surface, const Columns& columns,
+                    const LocatedBlock& block, int channels, int first, int count, float* out) {
+    HWY_DYNAMIC_DISPATCH(evaluate_rows)(net, surface, columns, block, channels, first, count, out);
 }
 
 } // namespace ddt

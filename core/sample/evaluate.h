@@ -28,8 +28,12 @@ struct LocatedRow {
     /// Weights of the positions in spans of kind triangle; in cells the first two are the position
     /// relative to the cell's first corner. Exact multiples of 2^-16; padded to whole vectors.
     std::vector<float> weight[3];
+};
+
+/// What is remembered from row to row while one lattice's positions are located.
+struct Search {
     /// Pixels of the lattice that hold the vertices of all triangles met (not of plain cells) since
-    /// forget().
+    /// begin().
     Rect reach;
 
     /// A triangle met in the row before, tried before one is searched for; `end` is where it ended.
@@ -40,7 +44,7 @@ struct LocatedRow {
     std::vector<Hint> hints, previous_hints;
 
     /// To be called before the first row of another lattice; `start` is a pixel of it.
-    void forget(int start_x, int start_y) {
+    void begin(int start_x, int start_y) {
         reach = {start_x, start_y, start_x + 1, start_y + 1};
         hints.clear();
         previous_hints.clear();
@@ -48,7 +52,44 @@ struct LocatedRow {
 };
 
 /// Locate n positions, neighbours within 2 pixels of each other.
-void locate_row(const Lattice& lattice, const Point* points, int n, LocatedRow& row);
+void locate_row(const Lattice& lattice, const Point* points, int n, Search& search,
+                LocatedRow& row);
+
+/// Where the positions of all rows lie along x, for mappings whose axes are independent.
+struct Columns {
+    /// Positions begin .. end - 1 lie in the cells with this first corner.
+    struct Run {
+        int cell, begin, end;
+    };
+    std::vector<Run> runs;
+    std::vector<float> x; ///< relative to the cell's first corner; padded to whole vectors
+
+    /// Of n positions in ascending order, on a lattice of `width` pixels.
+    void find(const Point* points, int n, int width);
+};
+
+/// The triangles and weights of neighbouring rows of positions within one row of cells. What plain
+/// cells need is found once for all rows.
+struct LocatedBlock {
+    static constexpr int most_rows = 8;
+
+    /// Neighbouring positions that lie in one plain cell, or (kind triangle) in other cells.
+    struct Range {
+        Span::Kind kind;
+        int begin, end;
+        int site; ///< of the plain cell's first corner
+    };
+    std::vector<Range> ranges;  ///< in order, without gaps
+    int count = 0;              ///< of rows
+    float y[most_rows];         ///< the rows' positions relative to the cells' first corners
+    LocatedRow rows[most_rows]; ///< the positions in ranges of kind triangle
+};
+
+/// Locate rows of positions until the row of cells ends, at most LocatedBlock::most_rows: those at
+/// y[0], y[1], ... y[n - 1] (ascending) and the x of `points`, whose y is overwritten. `columns` is
+/// what find() made of `points`. Returns the rows located, at least 1.
+int locate_block(const Lattice& lattice, const Columns& columns, std::vector<Point>& points,
+                 const int32_t* y, int n, Search& search, LocatedBlock& block);
 
 /// Which channels of a group are Channel::nearest, one bit each.
 using NearestMask = unsigned;
@@ -64,5 +105,10 @@ constexpr int row_padding = 16;
 /// results have the bits 0x7fc00000, zeros no sign.
 void evaluate_row(const Net& net, Surface surface, NearestMask nearest, const LocatedRow& row,
                   int channels, int first, int count, float* out);
+
+/// The same for a block's rows, which go to `out` one after the other; for groups that have no
+/// Channel::nearest.
+void evaluate_block(const Net& net, Surface surface, const Columns& columns,
+                    const LocatedBlock& block, int channels, int first, int count, float* out);
 
 } // namespace ddt

@@ -21,8 +21,8 @@ Span::Kind kind_of(const Edge& centre) {
 }
 
 /// A triangle of the row before that p belongs to, or null; `hint` moves on along the row.
-const Triangle* find_hint(const LocatedRow& row, size_t& hint, int i, Point p) {
-    const auto& previous = row.previous_hints;
+const Triangle* find_hint(const Search& search, size_t& hint, int i, Point p) {
+    const auto& previous = search.previous_hints;
     while (hint < previous.size() && previous[hint].end <= i)
         ++hint;
     for (size_t h = hint; h < hint + 2 && h < previous.size(); ++h) {
@@ -54,41 +54,35 @@ int cell_of(int32_t position, int size) {
     return cell < size - 1 ? cell : size - 2;
 }
 
-} // namespace
+/// The division of the cell with this first corner.
+Span::Kind kind_at(const Lattice& lattice, int site) {
+    return kind_of(lattice.edge(site + lattice.stride() + 1));
+}
 
-void locate_row(const Lattice& lattice, const Point* points, int n, LocatedRow& row) {
-    row.spans.clear();
-    for (auto& weight : row.weight)
-        if (weight.size() < size_t(n) + row_padding)
-            weight.resize(size_t(n) + row_padding);
-    float *w0 = row.weight[0].data(), *w1 = row.weight[1].data(), *w2 = row.weight[2].data();
-    row.hints.swap(row.previous_hints);
-    row.hints.clear();
-    size_t hint = 0;
-    for (int i = 0; i < n;) {
-        const Point p = points[i];
-        const int cx = cell_of(p.x, lattice.width()), cy = cell_of(p.y, lattice.height());
-        const int site = lattice.vertex_site(cx, cy);
-        const Span::Kind kind = kind_of(lattice.edge(site + lattice.stride() + 1));
-        const int begin = i;
-        if (kind != Span::triangle) {
-            int32_t x = p.x - cx * position_one, y = p.y - cy * position_one;
-            do {
-                w0[i] = float(x) * unit;
-                w1[i] = float(y) * unit;
-                if (++i == n)
-                    break;
-                x = points[i].x - cx * position_one;
-                y = points[i].y - cy * position_one;
-            } while (x >= 0 && x < position_one && y >= 0 && y < position_one);
-            row.spans.push_back({kind, begin, i, {site, 0, 0}, {0, 0, 0}});
-            continue;
-        }
-        const Triangle* known = find_hint(row, hint, i, p);
-        row.hints.push_back({known ? *known : locate(lattice, p), 0});
+/// Locates the positions of one row from left to right.
+class RowLocator {
+public:
+    RowLocator(const Lattice& lattice, const Point* points, int n, Search& search, LocatedRow& row)
+        : m_lattice(lattice), m_points(points), m_search(search), m_row(row) {
+        row.spans.clear();
+        for (auto& weight : row.weight)
+            if (weight.size() < size_t(n) + row_padding)
+                weight.resize(size_t(n) + row_padding);
+        search.hints.swap(search.previous_hints);
+        search.hints.clear();
+    }
+
+    /// Add the span of one triangle from `begin` on; returns where it ends, at most at `end`.
+    int triangle(int begin, int end) {
+        float *w0 = m_row.weight[0].data(), *w1 = m_row.weight[1].data(),
+              *w2 = m_row.weight[2].data();
+        int i = begin;
+        const Point p = m_points[i];
+        const Triangle* known = find_hint(m_search, m_hint, i, p);
+        m_search.hints.push_back({known ? *known : locate(m_lattice, p), 0});
         if (!known)
-            include(row.hints.back().triangle, row.reach);
-        const Triangle t = row.hints.back().triangle;
+            include(m_search.hints.back().triangle, m_search.reach);
+        const Triangle t = m_search.hints.back().triangle;
         int32_t w[3];
         t.weights(p, w);
         do {
@@ -97,17 +91,97 @@ void locate_row(const Lattice& lattice, const Point* points, int n, LocatedRow& 
             w0[i] = float(w[0]) * unit;
             w1[i] = float(w[1]) * unit;
             w2[i] = float(w[2]) * unit;
-            if (++i == n)
+            if (++i == end)
                 break;
-            t.weights(points[i], w);
+            t.weights(m_points[i], w);
         } while (t.holds(w));
-        row.hints.back().end = i;
-        row.spans.push_back({kind,
-                             begin,
-                             i,
-                             {t.vertex[0], t.vertex[1], t.vertex[2]},
-                             {t.edge[0], t.edge[1], t.edge[2]}});
+        m_search.hints.back().end = i;
+        m_row.spans.push_back({Span::triangle,
+                               begin,
+                               i,
+                               {t.vertex[0], t.vertex[1], t.vertex[2]},
+                               {t.edge[0], t.edge[1], t.edge[2]}});
+        return i;
     }
+
+    /// Add the span of a plain cell with first corner (cx, cy); returns where it ends.
+    int cell(Span::Kind kind, int cx, int cy, int begin, int end) {
+        float *w0 = m_row.weight[0].data(), *w1 = m_row.weight[1].data();
+        int i = begin;
+        int32_t x = m_points[i].x - cx * position_one, y = m_points[i].y - cy * position_one;
+        do {
+            w0[i] = float(x) * unit;
+            w1[i] = float(y) * unit;
+            if (++i == end)
+                break;
+            x = m_points[i].x - cx * position_one;
+            y = m_points[i].y - cy * position_one;
+        } while (x >= 0 && x < position_one && y >= 0 && y < position_one);
+        m_row.spans.push_back({kind, begin, i, {m_lattice.vertex_site(cx, cy), 0, 0}, {0, 0, 0}});
+        return i;
+    }
+
+private:
+    const Lattice& m_lattice;
+    const Point* m_points;
+    Search& m_search;
+    LocatedRow& m_row;
+    size_t m_hint = 0;
+};
+
+} // namespace
+
+void locate_row(const Lattice& lattice, const Point* points, int n, Search& search,
+                LocatedRow& row) {
+    RowLocator locator(lattice, points, n, search, row);
+    for (int i = 0; i < n;) {
+        const int cx = cell_of(points[i].x, lattice.width());
+        const int cy = cell_of(points[i].y, lattice.height());
+        const Span::Kind kind = kind_at(lattice, lattice.vertex_site(cx, cy));
+        i = kind == Span::triangle ? locator.triangle(i, n) : locator.cell(kind, cx, cy, i, n);
+    }
+}
+
+void Columns::find(const Point* points, int n, int width) {
+    runs.clear();
+    x.resize(size_t(n) + row_padding);
+    for (int i = 0; i < n; ++i) {
+        const int cell = cell_of(points[i].x, width);
+        if (runs.empty() || runs.back().cell != cell)
+            runs.push_back({cell, i, i});
+        runs.back().end = i + 1;
+        x[size_t(i)] = float(points[i].x - cell * position_one) * unit;
+    }
+}
+
+int locate_block(const Lattice& lattice, const Columns& columns, std::vector<Point>& points,
+                 const int32_t* y, int n, Search& search, LocatedBlock& block) {
+    const int cy = cell_of(y[0], lattice.height());
+    const int first_site = lattice.vertex_site(0, cy);
+    block.ranges.clear();
+    for (const Columns::Run& run : columns.runs) {
+        const int site = first_site + 2 * run.cell;
+        const Span::Kind kind = kind_at(lattice, site);
+        if (kind == Span::triangle && !block.ranges.empty() &&
+            block.ranges.back().kind == Span::triangle)
+            block.ranges.back().end = run.end;
+        else
+            block.ranges.push_back({kind, run.begin, run.end, site});
+    }
+    int& rows = block.count;
+    for (rows = 0; rows < std::min(n, LocatedBlock::most_rows); ++rows) {
+        if (cell_of(y[rows], lattice.height()) != cy)
+            break;
+        block.y[rows] = float(y[rows] - cy * position_one) * unit;
+        for (Point& p : points)
+            p.y = y[rows];
+        RowLocator locator(lattice, points.data(), int(points.size()), search, block.rows[rows]);
+        for (const LocatedBlock::Range& range : block.ranges)
+            if (range.kind == Span::triangle)
+                for (int i = range.begin; i < range.end;)
+                    i = locator.triangle(i, range.end);
+    }
+    return rows;
 }
 
 } // namespace ddt

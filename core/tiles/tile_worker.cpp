@@ -96,7 +96,7 @@ void TileWorker::make_surface(const Tile& tile) {
     const SurfaceOptions& surface = m_job.surface;
     if (surface.kind != Surface::linear)
         m_lattice.find_first_edges();
-    if (surface.soft > 0)
+    if (surface.soft > 0 && m_job.mesh.scheme != Scheme::one_round)
         find_gains(m_lattice, m_job.mesh.cost, m_workspace);
 
     const Rect whole{0, 0, m_lattice.width(), m_lattice.height()};
@@ -140,11 +140,12 @@ Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
     m_positions.resize(size_t(reach.width()));
     m_inside.resize(size_t(reach.width()));
     m_points.resize(size_t(reach.width()));
-    m_row.forget(tile.cells.x0 - tile.pixels.x0, tile.cells.y0 - tile.pixels.y0);
+    m_search.begin(tile.cells.x0 - tile.pixels.x0, tile.cells.y0 - tile.pixels.y0);
     if (m_mapping.separable()) {
         m_mapping.row(reach.y0, reach.x0, reach.x1, m_positions.data(), m_inside.data());
         for (size_t i = 0; i < m_points.size(); ++i)
             m_points[i] = local(tile, m_positions[i]);
+        m_columns.find(m_points.data(), int(m_points.size()), m_lattice.width());
     }
     const int strip = m_mapping.separable() ? int(std::max<size_t>(1, strip_floats / row)) : 1;
     for (int y = reach.y0; y < reach.y1; y += strip) {
@@ -157,14 +158,35 @@ Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
     return Outcome::done;
 }
 
+/// Triangles that reach beyond what is bent are rare.
+void TileWorker::bend_what_was_met() {
+    if (!contains(m_bent, m_search.reach))
+        bend({0, 0, m_lattice.width(), m_lattice.height()});
+}
+
 void TileWorker::sample(int n, float* out) {
     const DenormalsAreZero as_on_gpus;
-    locate_row(m_lattice, m_points.data(), n, m_row);
-    if (!contains(m_bent, m_row.reach))
-        bend({0, 0, m_lattice.width(), m_lattice.height()});
+    locate_row(m_lattice, m_points.data(), n, m_search, m_row);
+    bend_what_was_met();
     for (int g = 0; g < int(m_nets.size()); ++g)
         evaluate_row(m_nets[size_t(g)], m_job.surface.kind, nearest_mask(m_job, g), m_row,
                      m_job.channels, g * group_size, channels_in_group(m_job.channels, g), out);
+}
+
+/// Sample some of n rows at y[0], y[1], ...; returns how many.
+int TileWorker::sample_block(const int32_t* y, int n, float* out) {
+    const DenormalsAreZero as_on_gpus;
+    const int rows = locate_block(m_lattice, m_columns, m_points, y, n, m_search, m_block);
+    bend_what_was_met();
+    for (int g = 0; g < int(m_nets.size()); ++g)
+        evaluate_block(m_nets[size_t(g)], m_job.surface.kind, m_columns, m_block, m_job.channels,
+                       g * group_size, channels_in_group(m_job.channels, g), out);
+    return rows;
+}
+
+bool TileWorker::any_nearest() const {
+    const auto& kinds = m_job.kinds;
+    return std::find(kinds.begin(), kinds.end(), Channel::nearest) != kinds.end();
 }
 
 bool TileWorker::hand_over(const Rect& r) {
@@ -177,13 +199,23 @@ bool TileWorker::hand_over(const Rect& r) {
 Outcome TileWorker::write_rows(const Tile& tile, const Rect& rows) {
     const auto channels = size_t(m_job.channels);
     m_out.resize(rows.area() * channels + row_padding);
+    m_ys.clear();
     for (int y = rows.y0; y < rows.y1; ++y) {
         // Only y changes from row to row.
         m_mapping.row(y, rows.x0, rows.x0 + 1, m_positions.data(), m_inside.data());
-        const int32_t row = local(tile, m_positions[0]).y;
+        m_ys.push_back(local(tile, m_positions[0]).y);
+    }
+    const size_t row = size_t(rows.width()) * channels;
+    for (int y = 0; y < rows.height();) {
+        float* out = m_out.data() + size_t(y) * row;
+        if (!any_nearest()) {
+            y += sample_block(m_ys.data() + y, rows.height() - y, out);
+            continue;
+        }
         for (Point& p : m_points)
-            p.y = row;
-        sample(rows.width(), m_out.data() + size_t(y - rows.y0) * size_t(rows.width()) * channels);
+            p.y = m_ys[size_t(y)];
+        sample(rows.width(), out);
+        ++y;
     }
     return hand_over(rows) ? Outcome::done : Outcome::sink_failed;
 }

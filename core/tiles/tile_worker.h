@@ -41,6 +41,9 @@ private:
     Outcome write_rows(const Tile& tile, const Rect& rows);
     Outcome write_runs(const Tile& tile, const Rect& row);
     void sample(int n, float* out);
+    int sample_block(const int32_t* y, int n, float* out);
+    void bend_what_was_met();
+    bool any_nearest() const;
     bool hand_over(const Rect& r); ///< m_out to the sink
 
     Source& m_source;
@@ -61,7 +64,11 @@ private:
     std::vector<Position> m_positions;
     std::vector<uint8_t> m_inside;
     std::vector<Point> m_points;
-    LocatedRow m_row;
+    Search m_search;
+    LocatedRow m_row;  ///< where write_runs() is
+    Columns m_columns; ///< where write_rows() is
+    LocatedBlock m_block;
+    std::vector<int32_t> m_ys;
     std::vector<float> m_out;
 };
 

@@ -94,9 +94,11 @@ void one_round(Lattice& lattice, Cost cost, float min_gain, int max_iterations, 
     const size_t pixels = size_t(lattice.width()) * size_t(lattice.height());
     find_flippable(lattice, 3 * pixels + 1, all, w);
 
+    bool stale = true; // gains of w.flippable
     for (int iteration = 1; iteration <= max_iterations; ++iteration) {
         const auto stamp = uint8_t(iteration);
         evaluate(lattice, cost, min_gain, w, statistics);
+        stale = false;
         wake_blocked(lattice, stamp, w);
         if (w.candidates.empty())
             break;
@@ -110,12 +112,15 @@ void one_round(Lattice& lattice, Cost cost, float min_gain, int max_iterations, 
         }
         flip_selected(lattice, uint8_t(iteration + 1), w);
         find_flippable(lattice, w.dirty.size() + 1, dirty, w);
+        stale = true;
         statistics.flips += int64_t(w.selected.size());
         if (statistics.iterations < iteration)
             statistics.iterations = iteration;
         if (!w.go_on(w.dirty.size(), lattice.size()))
             break;
     }
+    if (stale)
+        gains(lattice, cost, w.flippable.data(), w.flippable.size(), w.gain.data());
 }
 
 } // namespace ddt

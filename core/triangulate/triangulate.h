@@ -54,7 +54,7 @@ void lawson(Lattice& lattice, Cost cost, float min_gain, int max_sweeps, const W
 ///
 /// Two edges outside each other's 2-region never write the same record, nor does one's flip change
 /// the other's gain, so the order of flips within an iteration is immaterial, and every flip lowers
-/// the total cost by its gain.
+/// the total cost by its gain. Leaves workspace.gain as find_gains() would.
 void one_round(Lattice& lattice, Cost cost, float min_gain, int max_iterations,
                Workspace& workspace, Statistics& statistics);
 

@@ -54,8 +54,8 @@ TEST(Rows, DdtComesClosest) {
     for (const char* name : {"scene", "strokes", "lines"}) {
         metrics::Image original;
         std::string error;
-        ASSERT_TRUE(
-            bench::read_original(std::string(TESTIMAGES "/") + name + ".png", 4, original, error))
+        ASSERT_TRUE(bench::read_original(std::string(TESTIMAGES "/") + name + ".png", 4,
+                                         Light::linear, original, error))
             << error;
         metrics::Image small = bench::reduced(original, 4, Light::linear, bench::Reduce::box);
         OIIO::ImageBuf input = bench::to_light(small, Light::linear);
@@ -63,7 +63,8 @@ TEST(Rows, DdtComesClosest) {
         rows.push_back(bench::ddt_row("ddt", Light::linear));
         for (const bench::Row& row : rows)
             sums[row.name] += metrics::psnr(
-                original, bench::rounded(bench::to_display(row.enlarge(input, 4), Light::linear)));
+                original, bench::stored(bench::to_display(row.enlarge(input, 4), Light::linear),
+                                        Light::linear));
     }
     for (const auto& [name, sum] : sums)
         EXPECT_LE(sum, sums["ddt"]) << name;

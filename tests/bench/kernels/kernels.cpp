@@ -149,11 +149,12 @@ void locate_rows(benchmark::State& state) {
     std::vector<std::vector<Point>> rows;
     for (int y = 0; y < scale * 32; ++y)
         rows.push_back(tile().points(y));
+    Search search;
     LocatedRow located;
     for (auto _ : state) {
-        located.forget(tile_halo, tile_halo);
+        search.begin(tile_halo, tile_halo);
         for (const auto& points : rows)
-            locate_row(tile().mesh, points.data(), int(points.size()), located);
+            locate_row(tile().mesh, points.data(), int(points.size()), search, located);
     }
     count(state, int64_t(rows.size() * rows[0].size()));
 }
@@ -164,10 +165,10 @@ void evaluate_rows(benchmark::State& state) {
     constexpr int rows = 32;
     std::vector<LocatedRow> located(rows);
     const size_t width = tile().points(0).size();
-    for (int y = 0; y < rows; ++y) {
-        located[size_t(y)].forget(tile_halo, tile_halo);
-        locate_row(tile().mesh, tile().points(y).data(), int(width), located[size_t(y)]);
-    }
+    Search search;
+    search.begin(tile_halo, tile_halo);
+    for (int y = 0; y < rows; ++y)
+        locate_row(tile().mesh, tile().points(y).data(), int(width), search, located[size_t(y)]);
     std::vector<float> out(width * channels + row_padding);
     for (auto _ : state)
         for (const LocatedRow& row : located) {
@@ -177,6 +178,32 @@ void evaluate_rows(benchmark::State& state) {
     count(state, int64_t(rows * width));
 }
 BENCHMARK(evaluate_rows);
+
+/// An output pixel at 4x, three channels: both of the above by blocks, as enlarging does.
+void sample_blocks(benchmark::State& state) {
+    constexpr int rows = 32;
+    std::vector<Point> points = tile().points(0);
+    const size_t width = points.size();
+    std::vector<int32_t> ys;
+    for (int y = 0; y < rows; ++y)
+        ys.push_back(tile().points(y)[0].y);
+    Columns columns;
+    columns.find(points.data(), int(width), tile().mesh.width());
+    LocatedBlock block;
+    std::vector<float> out(width * channels * LocatedBlock::most_rows + row_padding);
+    for (auto _ : state) {
+        Search search;
+        search.begin(tile_halo, tile_halo);
+        for (int y = 0; y < rows;) {
+            y += locate_block(tile().mesh, columns, points, ys.data() + y, rows - y, search, block);
+            evaluate_block(tile().net, Surface::patch, columns, block, channels, 0, channels,
+                           out.data());
+            benchmark::DoNotOptimize(out.data());
+        }
+    }
+    count(state, int64_t(rows * width));
+}
+BENCHMARK(sample_blocks);
 
 } // namespace
 } // namespace ddt

@@ -136,7 +136,7 @@ bool write(const std::string& path, const Image& image) {
 bool make(const std::string& path, const std::string& folder, Square square) {
     Image original;
     std::string error;
-    if (!bench::read_original(path, factor, original, error)) {
+    if (!bench::read_original(path, factor, bench::Light::encoded, original, error)) {
         std::fprintf(stderr, "paper_figure: %s: %s\n", path.c_str(), error.c_str());
         return false;
     }
@@ -157,7 +157,7 @@ bool make(const std::string& path, const std::string& folder, Square square) {
         options.max_iterations = 250;
         const std::string stem = folder + "/" + name;
         const Image picture = enlarged(reduced, factor * zoom, options, close_up);
-        const Image back = bench::rounded(enlarged(reduced, factor, options));
+        const Image back = bench::stored(enlarged(reduced, factor, options), bench::Light::encoded);
         fine = write(stem + ".png", picture) &&
                write(stem + "-difference.png", magnified(difference(original, back), square)) &&
                write(stem + "-mesh.png", mesh_drawing(picture, reduced, square, options)) && fine;

@@ -40,7 +40,7 @@ metrics::Image reduce(const metrics::Image& image, int factor, Reduce how) {
         out = bench::to_display(OIIO::ImageBufAlgo::resize(large, "triangle", 0, roi),
                                 bench::Light::encoded);
     }
-    return bench::rounded(out);
+    return bench::stored(out, bench::Light::encoded);
 }
 
 bool each_subject(const std::string& folder, int factor, Reduce how,
@@ -51,7 +51,7 @@ bool each_subject(const std::string& folder, int factor, Reduce how,
         s.name = std::filesystem::path(path).filename().string();
         s.factor = factor;
         std::string error;
-        if (!bench::read_original(path, factor, s.original, error)) {
+        if (!bench::read_original(path, factor, bench::Light::encoded, s.original, error)) {
             std::fprintf(stderr, "%s: left out: %s\n", s.name.c_str(), error.c_str());
             continue;
         }

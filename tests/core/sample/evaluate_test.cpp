@@ -30,17 +30,17 @@ public:
                 soften_edges(scene.lattice, scene.all(), gain.data(), tau, m_nets.back());
             std::fill_n(m_nets.back().strict, group_size, strict ? 1.0f : 0.0f);
         }
-        m_row.forget(0, 0);
+        m_search.begin(0, 0);
     }
 
     /// The channels at n positions that neighbour one another. What was located before may speed
     /// it up but not change it; `fresh`: nothing was.
     std::vector<float> row(const Point* points, int n, bool fresh = false) {
         const DenormalsAreZero zero;
-        LocatedRow none;
-        none.forget(0, 0);
-        LocatedRow& located = fresh ? none : m_row;
-        locate_row(m_scene.lattice, points, n, located);
+        Search none;
+        none.begin(0, 0);
+        LocatedRow& located = m_row;
+        locate_row(m_scene.lattice, points, n, fresh ? none : m_search, located);
         const size_t size = size_t(n) * size_t(m_channels);
         constexpr float canary = -77.0f;
         std::vector<float> out(size + row_padding + 1, canary);
@@ -55,12 +55,42 @@ public:
     }
     float at(Point p) { return row(&p, 1)[0]; }
 
+    /// The channels at all combinations of ascending x and y, by blocks of rows.
+    std::vector<float> grid(const std::vector<int32_t>& x, const std::vector<int32_t>& y) {
+        const DenormalsAreZero zero;
+        Search search;
+        search.begin(0, 0);
+        std::vector<Point> points;
+        for (const int32_t px : x)
+            points.push_back({px, 0});
+        Columns columns;
+        columns.find(points.data(), int(points.size()), m_scene.lattice.width());
+        const size_t row = x.size() * size_t(m_channels), size = row * y.size();
+        constexpr float canary = -77.0f;
+        std::vector<float> out(size + row_padding + 1, canary);
+        LocatedBlock block;
+        for (size_t at = 0; at < y.size();) {
+            const int rows = locate_block(m_scene.lattice, columns, points, y.data() + at,
+                                          int(y.size() - at), search, block);
+            EXPECT_GT(rows, 0);
+            for (int g = 0; g < int(m_nets.size()); ++g)
+                evaluate_block(m_nets[size_t(g)], m_surface, columns, block, m_channels,
+                               g * group_size, std::min(group_size, m_channels - g * group_size),
+                               out.data() + at * row);
+            at += size_t(rows);
+        }
+        EXPECT_EQ(out.back(), canary);
+        out.resize(size);
+        return out;
+    }
+
 private:
     const Scene& m_scene;
     Surface m_surface;
     int m_channels;
     NearestMask m_nearest;
     std::vector<Net> m_nets;
+    Search m_search;
     LocatedRow m_row;
 };
 
@@ -220,17 +250,56 @@ TEST(Evaluate, ARowIsItsPositionsOneByOne) {
     });
 }
 
+TEST(Evaluate, BlocksHaveTheBitsOfRows) {
+    on_each_target([] {
+        each_scene([](const Scene& scene, Random& random) {
+            const Lattice& l = scene.lattice;
+            const auto positions = [&](int size, int step) {
+                std::vector<int32_t> p;
+                const int32_t last = (size - 1) * position_one;
+                for (int32_t at = random.between(0, step); at < last; at += random.between(1, step))
+                    p.push_back(at);
+                p.push_back(last);
+                return p;
+            };
+            Workspace workspace;
+            find_gains(l, Cost::abn, workspace);
+            for (const Surface surface : surfaces)
+                for (const int channels : {1, 2, 3, 4, 7})
+                    for (const float tau : {0.0f, 0.5f}) {
+                        const auto values =
+                            make_values(all_values[size_t(channels) % std::size(all_values)],
+                                        scene.pixels() * channels, random);
+                        Reader reader(scene, surface, values, channels, 0, workspace.gain, tau);
+                        const auto x = positions(l.width(), channels * 20000);
+                        const auto y = positions(l.height(), 30000);
+                        const auto grid = reader.grid(x, y);
+                        for (size_t r = 0; r < y.size(); ++r) {
+                            std::vector<Point> points;
+                            for (const int32_t px : x)
+                                points.push_back({px, y[r]});
+                            const auto row = reader.row(points.data(), int(points.size()));
+                            const auto begin = grid.begin() + ptrdiff_t(r * row.size());
+                            const std::vector<float> same(begin, begin + ptrdiff_t(row.size()));
+                            ASSERT_EQ(differing(row, same), 0u) << r << ' ' << channels;
+                        }
+                    }
+        });
+    });
+}
+
 TEST(Evaluate, LocatedRowsHoldTheTrianglesOfTheirPositions) {
     int in_cells = 0, in_triangles = 0;
     each_scene([&](const Scene& scene, Random& random) {
         const Lattice& l = scene.lattice;
+        Search search;
         LocatedRow row;
-        row.forget(0, 0);
+        search.begin(0, 0);
         for (int y = 0; y <= (l.height() - 1) * position_one; y += 20011) {
             std::vector<Point> points;
             for (int x = 0; x <= (l.width() - 1) * position_one; x += random.between(1, 9000))
                 points.push_back({x, y});
-            locate_row(l, points.data(), int(points.size()), row);
+            locate_row(l, points.data(), int(points.size()), search, row);
             int at = 0;
             for (const Span& s : row.spans) {
                 ASSERT_EQ(s.begin, at);
@@ -248,9 +317,10 @@ TEST(Evaluate, LocatedRowsHoldTheTrianglesOfTheirPositions) {
                             ASSERT_EQ(s.vertex[k], t.vertex[k]);
                             ASSERT_EQ(s.edge[k], t.edge[k]);
                             ASSERT_EQ(row.weight[k][size_t(i)] * 65536.0f, float(w[k]));
-                            ASSERT_TRUE(
-                                f[size_t(k)].x >= row.reach.x0 && f[size_t(k)].x < row.reach.x1 &&
-                                f[size_t(k)].y >= row.reach.y0 && f[size_t(k)].y < row.reach.y1);
+                            ASSERT_TRUE(f[size_t(k)].x >= search.reach.x0 &&
+                                        f[size_t(k)].x < search.reach.x1 &&
+                                        f[size_t(k)].y >= search.reach.y0 &&
+                                        f[size_t(k)].y < search.reach.y1);
                         }
                         continue;
                     }

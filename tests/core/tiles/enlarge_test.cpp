@@ -106,6 +106,7 @@ std::vector<float> untiled(const TestSource& source, const Job& job, const Resiz
     Statistics statistics;
     Net net;
     Gradients gradients;
+    Search search;
     LocatedRow row;
     lattice.start(w.width(), w.height(), source.guide().data(), true);
     const DenormalsAreZero zero;
@@ -127,7 +128,7 @@ std::vector<float> untiled(const TestSource& source, const Job& job, const Resiz
         consistency.correct(lattice, job.surface.kind, net);
     }
     shape();
-    row.forget(0, 0);
+    search.begin(0, 0);
     std::vector<float> values(out.area() + row_padding);
     std::vector<Position> positions(size_t(out.width()));
     std::vector<uint8_t> inside(size_t(out.width()));
@@ -137,7 +138,7 @@ std::vector<float> untiled(const TestSource& source, const Job& job, const Resiz
         for (const Position& p : positions)
             points.push_back({int32_t(p.x - int64_t(w.x0) * position_one),
                               int32_t(p.y - int64_t(w.y0) * position_one)});
-        locate_row(lattice, points.data(), out.width(), row);
+        locate_row(lattice, points.data(), out.width(), search, row);
         evaluate_row(net, job.surface.kind, 0, row, 1, 0, 1,
                      values.data() + size_t(y - out.y0) * size_t(out.width()));
     }

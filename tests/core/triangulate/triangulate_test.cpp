@@ -114,6 +114,26 @@ TEST(Triangulate, TheCostNeverRisesFromIterationToIteration) {
     });
 }
 
+TEST(Triangulate, OneRoundLeavesTheGainsOfTheFinishedMesh) {
+    each_case([](const std::vector<float>& guide, int width, int height, MeshOptions o) {
+        o.scheme = Scheme::one_round;
+        for (const int iterations : {0, 1, 3, 64}) {
+            o.max_iterations = iterations;
+            Lattice lattice;
+            Workspace left, found;
+            Statistics statistics;
+            lattice.start(width, height, guide.data(), o.start == Start::flat);
+            triangulate(lattice, o, left, statistics);
+            find_gains(lattice, o.cost, found);
+            lattice.each_edge([&](int m) {
+                if (lattice.edge(m).flippable()) {
+                    ASSERT_EQ(bits_of(left.gain[size_t(m)]), bits_of(found.gain[size_t(m)]));
+                }
+            });
+        }
+    });
+}
+
 TEST(Triangulate, NoGainIsLeftAtTheEnd) {
     each_case([](const std::vector<float>& guide, int w, int h, MeshOptions o) {
         for (const float gain : {-1.0f, 0.05f}) {
