@@ -60,8 +60,8 @@ Plane enlarged(const Way& way, const Subject& s) {
         std::fprintf(stderr, "%s: %s\n", way.label.c_str(), large.geterror().c_str());
         return {};
     }
-    return luma(bench::stored(bench::to_display(large, bench::Light::encoded)),
-                bench::Light::encoded);
+    return luma(
+        bench::stored(bench::to_display(large, bench::Light::encoded), bench::Light::encoded));
 }
 
 struct Metric {
