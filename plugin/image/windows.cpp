@@ -1,5 +1,7 @@
 #include "plugin/image/windows.h"
 
+#include <sys/mman.h>
+
 #include <algorithm>
 
 #include <OpenImageIO/imagebufalgo.h>
@@ -45,6 +47,20 @@ ResizeMapping::Axis axis(int from0, int from_size, int to0, int to_size, int win
     return a;
 }
 
+/// Ask the system for large pages: to be given 4 KiB at a time takes longer than to fill them. It
+/// is no matter if there are none.
+void ask_for_large_pages(const OIIO::ImageBuf& image) {
+#ifdef MADV_HUGEPAGE
+    constexpr uintptr_t page = 4096;
+    const auto begin = (reinterpret_cast<uintptr_t>(image.localpixels()) + page - 1) / page * page;
+    const auto end =
+        (reinterpret_cast<uintptr_t>(image.localpixels()) + image.spec().image_bytes()) / page *
+        page;
+    if (image.localpixels() && begin < end)
+        madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+#endif
+}
+
 /// What IBAprep does with a roi and a dst that is not initialised, less making pixels black of
 /// which all will be written: that would take a tenth of the filter's time.
 bool allocate(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int flags,
@@ -68,6 +84,8 @@ bool allocate(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, in
     dst.reset(spec, all ? OIIO::InitializePixels::No : OIIO::InitializePixels::Yes);
     if (!dst.initialized())
         error = "the destination cannot be prepared";
+    else
+        ask_for_large_pages(dst);
     return dst.initialized();
 }
 
