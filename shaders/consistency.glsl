@@ -46,7 +46,9 @@ void widen(vec4 limit, float lowest, inout vec4 low, inout vec4 high) {
     const vec4 zero = vec4(0.0);
     precise vec4 margin = limit * (high - low);
     precise vec4 wide = low - margin;
+    precise vec4 dim = low - limit * low;
+    const vec4 bound = if_less(vec4(lowest), zero, vec4(lowest), if_less(dim, zero, zero, dim));
     precise vec4 raised = high + margin;
     high = raised;
-    low = if_less(low, zero, wide, if_less(wide, vec4(lowest), vec4(lowest), wide));
+    low = if_less(low, zero, wide, if_less(wide, bound, bound, wide));
 }
