@@ -57,6 +57,11 @@ Option number(const char* key, Number low, Number high, Field field) {
 const std::vector<Option>& table() {
     static const auto* options = new std::vector<Option>{
         number("blur", 0.0f, 0.25f, [](Options& o) -> float& { return o.mesh.blur; }),
+        {"clipped", "0 and 1",
+         [](Options& o, const std::string& text) {
+             o.surface.clipped = text == "1";
+             return text == "0" || text == "1";
+         }},
         choice("cost", cost_names(),
                [](const std::string& name, Options& o) { return find_cost(name, o.mesh.cost); }),
         number("consistency", 0, 16, [](Options& o) -> int& { return o.surface.consistency; }),

@@ -7,6 +7,7 @@ add_test(NAME sanitize.build CONFIGURATIONS Sanitize
     --build-and-test ${CMAKE_SOURCE_DIR} ${sanitize_dir}
     --build-generator ${CMAKE_GENERATOR}
     --build-noclean
+    --build-target unit_tests
     --build-options -DCMAKE_BUILD_TYPE=Sanitize -DDDT_PLUGIN=${DDT_PLUGIN} -DDDT_WERROR=${DDT_WERROR}
       -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_C_COMPILER=${CMAKE_C_COMPILER})
 set_tests_properties(sanitize.build PROPERTIES FIXTURES_SETUP sanitized RUN_SERIAL TRUE)

@@ -72,7 +72,8 @@ struct SurfaceOptions {
     /// back to that pixel's value; 0 to 16. More than 0 can overshoot the source's values.
     int consistency = 0;
     /// How far a corrected vertex may leave the range of its 3x3 source pixels, as a share of that
-    /// range; 0 or more. It never gets negative where none of the nine is, unless `clipped`.
+    /// range, and downwards, where none of the nine is negative, of the smallest of them if that is
+    /// less; 0 or more. So it never gets negative where none is, unless `clipped`.
     float limit = 0.25f;
     /// Edges that would lose less than this by a flip are blended with their flipped state, so that
     /// the picture is nearly continuous in its input; in units of the cost, 0: none. Without

@@ -64,9 +64,8 @@ std::vector<std::string> filter_names();
 /// True if `spec` is one of filter_names(), or one followed by a comma and options.
 bool is_filter_name(OIIO::string_view spec);
 
-/// Parse "ddt,key=value,...": the name sets the surface, blur and
-/// min_gain, each key its option; what is not named
-/// keeps its value in `options`. Keys: blur, consistency, cost, device,
+/// Parse "ddt,key=value,...": the name sets the surface, blur and min_gain, each key its option;
+/// what is not named keeps its value in `options`. Keys: blur, clipped, consistency, cost, device,
 /// iterations, light, limit, min_gain,
 /// scheme, seed, soft, start; values with names are those of ddt/names.h. On failure return false
 /// with one line in `error` that names the option and lists what is allowed; `options` is then
