@@ -4,6 +4,7 @@
 
 const float largest = 3.402823466e+38;
 const float gradient_epsilon = 0.02 * 0.02;
+const float bend_strength = 1.5;
 
 struct GradientMean {
     vec4 base_x, base_y, sum_x, sum_y, weight;
@@ -51,7 +52,7 @@ vec4 edge_bend(vec4 gix, vec4 giy, vec4 gjx, vec4 gjy, vec4 zi, vec4 zj, ivec2 v
     precise vec4 negated = zero - difference;
     precise vec4 limit = if_less(difference, zero, negated, difference);
     precise vec4 lower = zero - limit;
-    precise vec4 e = (gix - gjx) * float(v.x) + (giy - gjy) * float(v.y);
+    precise vec4 e = bend_strength * ((gix - gjx) * float(v.x) + (giy - gjy) * float(v.y));
     e = if_less(e, lower, lower, e);
     e = if_less(limit, e, limit, e);
     return if_less_equal(limit, vec4(largest), e, zero);

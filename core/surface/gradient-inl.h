@@ -48,7 +48,7 @@ DDT_INLINE T edge_bend(T gix, T giy, T gjx, T gjy, T zi, T zj, T vx, T vy) {
     const T zero = T(0.0f);
     const T difference = zj - zi;
     const T limit = if_less(difference, zero, zero - difference, difference);
-    T e = (gix - gjx) * vx + (giy - gjy) * vy;
+    T e = T(bend_strength) * ((gix - gjx) * vx + (giy - gjy) * vy);
     e = if_less(e, zero - limit, zero - limit, e);
     e = if_less(limit, e, limit, e);
     return if_less_equal(limit, T(FLT_MAX), e, zero);
