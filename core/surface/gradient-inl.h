@@ -13,25 +13,35 @@ struct GradientMean {
     DDT_INLINE GradientMean()
         : base_x(0.0f), base_y(0.0f), sum_x(0.0f), sum_y(0.0f), weight(0.0f), begun(false) {}
 
-    /// Add the triangle vertex, vertex + j, vertex + k, det(j, k) = 1, with value differences.
-    DDT_INLINE void add(T jx, T jy, T kx, T ky, T dzj, T dzk) {
+    /// The weight of a triangle with this gradient; one that is not finite becomes 0 and has none.
+    static DDT_INLINE T weigh(T& gx, T& gy) {
         const T zero = T(0.0f);
-        T gx = dzj * ky - dzk * jy;
-        T gy = dzk * jx - dzj * kx;
         const T square = gx * gx + gy * gy;
         const T largest = T(FLT_MAX);
-        // Not finite: no weight.
         const T w = if_less_equal(square, largest, rsqrt<1>(square + T(gradient_epsilon)), zero);
         gx = if_less_equal(square, largest, gx, zero);
         gy = if_less_equal(square, largest, gy, zero);
+        return w;
+    }
+
+    /// Add a gradient that was weighed.
+    DDT_INLINE void add(T w, T gx, T gy) {
+        sum_x = sum_x + w * (gx - base_x);
+        sum_y = sum_y + w * (gy - base_y);
+        weight = weight + w;
+    }
+
+    /// Add the triangle vertex, vertex + j, vertex + k, det(j, k) = 1, with value differences.
+    DDT_INLINE void add(T jx, T jy, T kx, T ky, T dzj, T dzk) {
+        T gx = dzj * ky - dzk * jy;
+        T gy = dzk * jx - dzj * kx;
+        const T w = weigh(gx, gy);
         if (!begun) {
             base_x = gx;
             base_y = gy;
             begun = true;
         }
-        sum_x = sum_x + w * (gx - base_x);
-        sum_y = sum_y + w * (gy - base_y);
-        weight = weight + w;
+        add(w, gx, gy);
     }
 
     DDT_INLINE void result(T& gx, T& gy) const {
@@ -41,6 +51,47 @@ struct GradientMean {
         gy = base_y + sum_y * reciprocal;
     }
 };
+
+/// Value differences to a vertex' eight neighbours, y downwards.
+template <class T>
+struct Differences {
+    T nw, n, ne, e, se, s, sw, w;
+};
+
+/// The mean gradient at a vertex whose four cells are each divided by a diagonal of their own, of
+/// which those run to the vertex whose flag is more than 0. The triangles come in the same order as
+/// to a walk round the vertex, and add the same; a place where there is none has no weight.
+template <class T>
+DDT_INLINE GradientMean<T> plain_mean(const Differences<T>& d, T nw, T ne, T se, T sw) {
+    using Mean = GradientMean<T>;
+    const T zero = T(0.0f);
+    const T minus_n = zero - d.n, minus_w = zero - d.w;
+    const auto either = [&](T flag, T a, T b) { return if_less(zero, flag, a, b); };
+    Mean mean;
+    T gx = d.n - d.nw, gy = minus_n;
+    T first = either(nw, Mean::weigh(gx, gy), zero);
+    T gx1 = either(ne, d.ne - d.n, d.e), gy1 = minus_n;
+    const T second = Mean::weigh(gx1, gy1);
+    mean.base_x = either(nw, gx, gx1);
+    mean.base_y = either(nw, gy, gy1);
+    mean.add(first, gx, gy);
+    mean.add(second, gx1, gy1);
+    const auto add = [&](T x, T y) {
+        const T w = Mean::weigh(x, y);
+        mean.add(w, x, y);
+    };
+    const auto add_if = [&](T flag, T x, T y) {
+        const T w = Mean::weigh(x, y);
+        mean.add(either(flag, w, zero), x, y);
+    };
+    add_if(ne, d.e, d.e - d.ne);
+    add(d.e, either(se, d.se - d.e, d.s));
+    add_if(se, d.se - d.s, d.s);
+    add(either(sw, d.s - d.sw, minus_w), d.s);
+    add_if(sw, minus_w, d.sw - d.w);
+    add(minus_w, either(nw, d.w - d.nw, minus_n));
+    return mean;
+}
 
 /// e of the edge from i to j = i + (vx, vy) (see net.h).
 template <class T>

@@ -1,5 +1,6 @@
 #include "core/surface/net.h"
 
+#include <algorithm>
 #include <cfloat>
 #include <cstddef>
 #include <cstring>
@@ -82,17 +83,110 @@ HWY_INLINE GradientMean<Lanes4> mean_round(const Site* vertex, const float* net,
     return mean;
 }
 
-HWY_ATTR void make_gradients(const Lattice& lattice, const Rect& part, const Net& net, float* out) {
-    const int stride = lattice.stride();
-    for (int y = part.y0; y < part.y1; ++y)
-        for (int x = part.x0; x < part.x1; ++x) {
+// One vertex a block of group_size lanes.
+using D2 = hn::CappedTag<float, 2 * group_size>;
+using Blocks = Lanes<D2>;
+
+/// The numbers at vertices next to one another, the first at p.
+HWY_INLINE Blocks load_vertices(const float* p) {
+    const D2 d;
+    if (hn::Lanes(d) == group_size)
+        return hn::LoadU(d, p);
+    return hn::ConcatLowerLower(d, hn::LoadU(d, p + 2 * group_size), hn::LoadU(d, p));
+}
+
+/// A block of ones for every bit that is set.
+HWY_INLINE Blocks flags(unsigned bits) {
+    HWY_ALIGN static constexpr float table[4][2 * group_size] = {
+        {0, 0, 0, 0, 0, 0, 0, 0},
+        {1, 1, 1, 1, 0, 0, 0, 0},
+        {0, 0, 0, 0, 1, 1, 1, 1},
+        {1, 1, 1, 1, 1, 1, 1, 1},
+    };
+    return Blocks::load(table[bits]);
+}
+
+/// How the cells round a row of vertices are divided, as Division.
+struct CellRows {
+    const Division *above, *below; ///< [x]: the cell to the right of vertex x
+    bool plain(int x) const {
+        return above[x - 1] != Division::other && above[x] != Division::other &&
+               below[x - 1] != Division::other && below[x] != Division::other;
+    }
+};
+
+/// Gradients at plain vertices x, x + 1, ... of as many as Blocks has; s is the site of the first.
+HWY_INLINE void plain_gradients(const CellRows& cells, int x, const Net& net, int s, float* out) {
+    const D2 d;
+    unsigned nw = 0, ne = 0, se = 0, sw = 0;
+    for (unsigned k = 0; k < hn::Lanes(d) / group_size; ++k) {
+        const int at = x + int(k);
+        nw |= unsigned(cells.above[at - 1] == Division::down) << k;
+        ne |= unsigned(cells.above[at] == Division::up) << k;
+        se |= unsigned(cells.below[at] == Division::down) << k;
+        sw |= unsigned(cells.below[at - 1] == Division::up) << k;
+    }
+    const float* p = net.at(s);
+    const ptrdiff_t side = 2 * group_size, down = side * net.stride;
+    const Blocks z = load_vertices(p);
+    const auto difference = [&](ptrdiff_t to) HWY_ATTR { return load_vertices(p + to) - z; };
+    Differences<Blocks> differences;
+    differences.nw = difference(-down - side);
+    differences.n = difference(-down);
+    differences.ne = difference(-down + side);
+    differences.e = difference(side);
+    differences.se = difference(down + side);
+    differences.s = difference(down);
+    differences.sw = difference(down - side);
+    differences.w = difference(-side);
+    Blocks gx, gy;
+    plain_mean(differences, flags(nw), flags(ne), flags(se), flags(sw)).result(gx, gy);
+    float* to = out + size_t(s) * group_size;
+    if (hn::Lanes(d) == group_size) {
+        gx.store(to);
+        gy.store(to + group_size);
+    } else {
+        hn::StoreU(hn::ConcatLowerLower(d, gy.v, gx.v), d, to);
+        hn::StoreU(hn::ConcatUpperUpper(d, gy.v, gx.v), d, to + 2 * group_size);
+    }
+}
+
+HWY_ATTR void make_gradients(const Lattice& lattice, const Rect& part, const Net& net,
+                             Gradients& gradients) {
+    const int stride = lattice.stride(), cells = lattice.width() - 1;
+    float* out = gradients.xy.data();
+    const auto divide = [&](int y, std::vector<Division>& row) {
+        row.resize(size_t(cells));
+        const int begin = std::max(part.x0 - 1, 0), end = std::min(part.x1, cells);
+        for (int x = begin; x < end; ++x)
+            row[size_t(x)] = division(lattice.edge(lattice.site(2 * x + 1, 2 * y + 1)));
+    };
+    auto &above = gradients.above, &below = gradients.below;
+    if (part.y0 > 0)
+        divide(part.y0 - 1, below);
+    const int step = int(hn::Lanes(D2())) / group_size;
+    for (int y = part.y0; y < part.y1; ++y) {
+        above.swap(below);
+        const bool inner = y > 0 && y < lattice.height() - 1;
+        if (y < lattice.height() - 1)
+            divide(y, below);
+        const CellRows rows{above.data(), below.data()};
+        const auto plain = [&](int x) { return inner && x > 0 && x < cells && rows.plain(x); };
+        for (int x = part.x0; x < part.x1;) {
             const int s = lattice.vertex_site(x, y);
+            if (x + step <= part.x1 && plain(x) && plain(x + step - 1)) {
+                plain_gradients(rows, x, net, s, out);
+                x += step;
+                continue;
+            }
             const auto mean = mean_round(lattice.sites() + s, net.at(s), stride);
             Lanes4 gx, gy;
             mean.result(gx, gy);
             gx.store(out + size_t(s) * group_size);
             gy.store(out + size_t(s + 1) * group_size);
+            ++x;
         }
+    }
 }
 
 HWY_ATTR void make_edges(const Lattice& lattice, const Rect& part, const float* gradients,
@@ -167,7 +261,7 @@ void set_vertices(const Lattice& lattice, const float* values, int channels, int
 
 void bend_edges(const Lattice& lattice, const Rect& part, Net& net, Gradients& gradients) {
     gradients.xy.resize((lattice.size() + 1) * group_size);
-    HWY_DYNAMIC_DISPATCH(make_gradients)(lattice, part, net, gradients.xy.data());
+    HWY_DYNAMIC_DISPATCH(make_gradients)(lattice, part, net, gradients);
     HWY_DYNAMIC_DISPATCH(make_edges)(lattice, part, gradients.xy.data(), net);
 }
 

@@ -55,6 +55,7 @@ struct Net {
 struct Gradients {
     /// Over the doubled lattice like Net::values: x at a vertex' site, y at the site after it.
     std::vector<float> xy;
+    std::vector<Division> above, below; ///< of the cells over and under a row of vertices
 };
 
 /// Set the vertices of a net to channels first .. first + count (count <= group_size) of `values`:
