@@ -20,7 +20,7 @@ struct FilterName {
     int consistency;
     float soft, min_gain, blur;
 };
-constexpr FilterName filters[] = {{"ddt", Surface::patch, 0, 0.4f, 0.08f, 0.05f},
+constexpr FilterName filters[] = {{"ddt", Surface::patch, 0, 0.4f, 0.1f, 0.07f},
                                   {"ddt-linear", Surface::linear, 0, 0.0f, -1.0f, 0.0f},
                                   {"ddt-sharp", Surface::patch, 2, 0.3f, -1.0f, 0.05f}};
 

@@ -4,7 +4,7 @@
 
 const float largest = 3.402823466e+38;
 const float gradient_epsilon = 0.02 * 0.02;
-const float bend_strength = 1.5;
+const float bend_strength = 1.75;
 
 struct GradientMean {
     vec4 base_x, base_y, sum_x, sum_y, weight;

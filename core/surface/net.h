@@ -3,10 +3,10 @@
 // With barycentric weights b of a triangle's vertices i, j, k
 //     F = sum b_i z_i + b_i b_j e_ij + b_j b_k e_jk + b_k b_i e_ki
 // where z is the pixel's value and e_ij, one number an edge,
-//     e_ij = clamp(1.5 (g_i - g_j) . (p_j - p_i), -|z_j - z_i|, |z_j - z_i|)
+//     e_ij = clamp(1.75 (g_i - g_j) . (p_j - p_i), -|z_j - z_i|, |z_j - z_i|)
 // bends the edge to the gradients g estimated at its ends (0 for Surface::linear). The clamp keeps
 // every Bezier control point between its edge's ends; so, by the convex hull property, F stays
-// between the triangle's three values. 1 instead of 1.5 would follow the gradients; but those are
+// between the triangle's three values. 1 instead of 1.75 would follow the gradients; but those are
 // means over pixels, which are less steep than the edges that were there (docs/quality.md).
 //
 // The gradient at a vertex is a mean over the triangles T round it,
@@ -37,7 +37,7 @@ constexpr int group_size = 4;
 constexpr float gradient_epsilon = 0.02f * 0.02f;
 
 /// How much more than by the gradients an edge is bent (see above).
-constexpr float bend_strength = 1.5f;
+constexpr float bend_strength = 1.75f;
 
 /// z and e of one group of channels over the doubled lattice: site s has its group_size numbers at
 /// [s * group_size], z at a vertex, e at an edge's midpoint.

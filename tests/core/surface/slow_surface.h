@@ -143,7 +143,7 @@ private:
         if (!(limit <= FLT_MAX))
             return 0;
         const Pixel v = j - i;
-        const float e = 1.5f * ((gi.x - gj.x) * float(v.x) + (gi.y - gj.y) * float(v.y));
+        const float e = 1.75f * ((gi.x - gj.x) * float(v.x) + (gi.y - gj.y) * float(v.y));
         return e < -limit ? -limit : e > limit ? limit : e;
     }
 
