@@ -27,7 +27,7 @@ awk -v folder="$scratch/consumer" '
 (cd "$scratch/prefix/include" && find . -name '*.h' -printf '%P\n') | while read -r header; do
     echo "#include <$header>" >"$scratch/consumer/header_${header//[^a-z]/_}.cpp"
 done
-cmake -S "$scratch/consumer" -B "$scratch/consumer/build" -DCMAKE_PREFIX_PATH="$scratch/prefix" \
+cmake -G Ninja -S "$scratch/consumer" -B "$scratch/consumer/build" -DCMAKE_PREFIX_PATH="$scratch/prefix" \
     >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
 cmake --build "$scratch/consumer/build" -j 2 >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
 "$scratch/consumer/build/consumer" "$source_dir/testimages/scene.png" "$scratch/large.png"
