@@ -1,4 +1,3 @@
-#include <charconv>
 #include <functional>
 #include <vector>
 
@@ -6,6 +5,7 @@
 
 #include "ddt/names.h"
 #include "ddt/resize.h"
+#include "plugin/parse_number.h"
 
 namespace ddt {
 namespace {
@@ -43,14 +43,7 @@ Option number(const char* key, Number low, Number high, Field field) {
     const char* kind = std::is_integral_v<Number> ? "whole numbers" : "numbers";
     return {key, format("{} from {} to {}", kind, low, high),
             [=](Options& options, const std::string& text) {
-                Number n{};
-                const char* end = text.data() + text.size();
-                const auto parsed = std::from_chars(text.data(), end, n);
-                // Written so that NaN is not allowed.
-                if (parsed.ec != std::errc() || parsed.ptr != end || !(n >= low && n <= high))
-                    return false;
-                field(options) = n;
-                return true;
+                return parse_number(text, low, high, field(options));
             }};
 }
 

@@ -67,10 +67,8 @@ bool build_mesh(const float* guide, int width, int height, const MeshOptions& op
         why = "ddt: a mesh needs at least 2 x 2 pixels";
     else if (int64_t(width) * height > most_pixels)
         why = "ddt: the image is too large for one mesh";
-    else if (options.max_iterations < 0 || options.max_iterations > 250)
-        why = "ddt: max_iterations must be 0 to 250";
-    else if (!(options.blur >= 0 && options.blur <= 0.25f))
-        why = "ddt: blur must be 0 to 1/4";
+    else
+        check_options(options, why);
     if (why.empty()) {
         try {
             if (!build(guide, width, height, options, mesh, report, progress))

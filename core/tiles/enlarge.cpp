@@ -40,10 +40,8 @@ bool check(const Job& job, std::string& error) {
         error = "ddt: there must be at least 1 channel";
     else if (!job.kinds.empty() && job.kinds.size() != size_t(job.channels))
         error = "ddt: Job::kinds must be empty or have one entry a channel";
-    else if (job.mesh.max_iterations < 0 || job.mesh.max_iterations > 250)
-        error = "ddt: max_iterations must be 0 to 250";
-    else if (!(job.mesh.blur >= 0 && job.mesh.blur <= 0.25f))
-        error = "ddt: blur must be 0 to 1/4";
+    else if (!check_options(job.mesh, error))
+        return false;
     else if (job.surface.consistency < 0 || job.surface.consistency > 16)
         error = "ddt: consistency must be 0 to 16";
     else if (!(job.surface.limit >= 0) || !(job.surface.soft >= 0))

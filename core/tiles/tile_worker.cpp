@@ -206,9 +206,10 @@ Outcome TileWorker::write_rows(const Tile& tile, const Rect& rows) {
         m_ys.push_back(local(tile, m_positions[0]).y);
     }
     const size_t row = size_t(rows.width()) * channels;
+    const bool blocks = !any_nearest();
     for (int y = 0; y < rows.height();) {
         float* out = m_out.data() + size_t(y) * row;
-        if (!any_nearest()) {
+        if (blocks) {
             y += sample_block(m_ys.data() + y, rows.height() - y, out);
             continue;
         }

@@ -27,6 +27,16 @@ float min_gain(const MeshOptions& options) {
     return guard;
 }
 
+bool check_options(const MeshOptions& options, std::string& error) {
+    if (options.max_iterations < 0 || options.max_iterations > 250)
+        error = "ddt: max_iterations must be 0 to 250";
+    else if (!(options.blur >= 0 && options.blur <= 0.25f))
+        error = "ddt: blur must be 0 to 1/4";
+    else
+        return true;
+    return false;
+}
+
 bool find_rules(const MeshOptions& options, Rules& rules) {
     switch (options.scheme) {
     case Scheme::basic:

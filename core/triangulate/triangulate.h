@@ -36,6 +36,9 @@ struct Workspace {
 /// and the paper's schemes 1e-6, a bare guard against rounding.
 float min_gain(const MeshOptions& options);
 
+/// Whether the options' numbers are allowed; if not, `error` says which is and what it may be.
+bool check_options(const MeshOptions& options, std::string& error);
+
 /// Flip edges of a started lattice by options.scheme. Adds to `statistics`.
 void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& workspace,
                  Statistics& statistics);

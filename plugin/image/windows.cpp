@@ -52,10 +52,9 @@ ResizeMapping::Axis axis(int from0, int from_size, int to0, int to_size, int win
 void ask_for_large_pages(const OIIO::ImageBuf& image) {
 #ifdef MADV_HUGEPAGE
     constexpr uintptr_t page = 4096;
-    const auto begin = (reinterpret_cast<uintptr_t>(image.localpixels()) + page - 1) / page * page;
-    const auto end =
-        (reinterpret_cast<uintptr_t>(image.localpixels()) + image.spec().image_bytes()) / page *
-        page;
+    const auto first = reinterpret_cast<uintptr_t>(image.localpixels());
+    const uintptr_t begin = (first + page - 1) / page * page;
+    const uintptr_t end = (first + image.spec().image_bytes()) / page * page;
     if (image.localpixels() && begin < end)
         madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
 #endif

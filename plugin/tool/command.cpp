@@ -1,29 +1,18 @@
 #include "plugin/tool/command.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 
 #include <OpenImageIO/argparse.h>
 #include <OpenImageIO/strutil.h>
+
+#include "plugin/parse_number.h"
 
 namespace ddt::tool {
 
 using OIIO::Strutil::fmt::format;
 
 namespace {
-
-template <class Number>
-bool parse_number(const std::string& text, Number low, Number high, Number& number) {
-    Number n{};
-    const char* end = text.data() + text.size();
-    const auto parsed = std::from_chars(text.data(), end, n);
-    // Written so that NaN is not allowed.
-    if (parsed.ec != std::errc() || parsed.ptr != end || !(n >= low && n <= high))
-        return false;
-    number = n;
-    return true;
-}
 
 /// Hand the command's flags to OpenImageIO's parser, which also prints them for --help.
 class Parser {

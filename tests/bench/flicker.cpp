@@ -127,7 +127,8 @@ int main(int argc, char** argv) {
         args.print_help();
         return 2;
     }
-    bool known_light = light_name == "linear" || light_name == "encoded";
+    bool known_light =
+        bench::find_light(light_name, settings.light) && settings.light != bench::Light::scene;
     if (settings.scale < 2 || settings.scale > 16 || settings.frames < 2 ||
         settings.frames > 1000 || !known_light) {
         std::fprintf(stderr,
@@ -135,8 +136,6 @@ int main(int argc, char** argv) {
                      "encoded\n");
         return 2;
     }
-    settings.light = light_name == "linear" ? bench::Light::linear : bench::Light::encoded;
-
     std::vector<metrics::Image> images;
     for (const std::string& file : bench::image_files(folders[0])) {
         metrics::Image original;

@@ -5,6 +5,18 @@
 
 namespace bench {
 
+bool find_light(const std::string& name, Light& light) {
+    if (name == "linear")
+        light = Light::linear;
+    else if (name == "encoded")
+        light = Light::encoded;
+    else if (name == "scene")
+        light = Light::scene;
+    else
+        return false;
+    return true;
+}
+
 double decode_srgb(double encoded) {
     double v = std::abs(encoded);
     double linear = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);

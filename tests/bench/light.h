@@ -1,6 +1,8 @@
 // Between display values (0..255) and the light in which an image is resized.
 #pragma once
 
+#include <string>
+
 #include <OpenImageIO/imagebuf.h>
 
 #include "metrics/image.h"
@@ -12,6 +14,9 @@ enum class Light {
     encoded, ///< the display values themselves
     scene,   ///< linear light without a white; display values are its logarithm
 };
+
+/// The light called "linear", "encoded" or "scene"; false if `name` is none of them.
+bool find_light(const std::string& name, Light& light);
 
 /// IEC 61966-2-1 between 0..1 and 0..1, mirrored for negatives and carried on past 1.
 double decode_srgb(double encoded);

@@ -116,16 +116,14 @@ int main(int argc, char** argv) {
         args.print_help();
         return 2;
     }
-    bool known_light = light_name == "linear" || light_name == "encoded" || light_name == "scene";
+    bench::Light light = bench::Light::linear;
+    bool known_light = bench::find_light(light_name, light);
     bool known_reduce = reduce_name == "box" || reduce_name == "cubic";
     if (scale < 2 || scale > 16 || !known_light || !known_reduce) {
         std::fprintf(stderr, "quality: --scale takes 2 to 16, --light linear, encoded or scene, "
                              "--reduce box or cubic\n");
         return 2;
     }
-    auto light = light_name == "linear"    ? bench::Light::linear
-                 : light_name == "encoded" ? bench::Light::encoded
-                                           : bench::Light::scene;
     auto reduce = reduce_name == "box" ? bench::Reduce::box : bench::Reduce::cubic;
 
     std::vector<Case> cases;

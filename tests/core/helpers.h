@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
 #include <limits>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@
 
 #include "core/lattice/lattice.h"
 #include "core/sample/locate.h"
+#include "ddt/core.h"
 
 namespace ddt::test {
 
@@ -49,6 +51,20 @@ inline float float_of(uint32_t bits) {
     float x;
     std::memcpy(&x, &bits, sizeof x);
     return x;
+}
+
+/// Both surfaces with so many rounds of correction each, with and without soft edges.
+inline std::vector<SurfaceOptions> surfaces_with(std::initializer_list<int> rounds) {
+    std::vector<SurfaceOptions> all;
+    for (const Surface kind : {Surface::linear, Surface::patch})
+        for (const int consistency : rounds)
+            for (const float soft : {0.0f, 0.3f}) {
+                SurfaceOptions s(kind);
+                s.consistency = consistency;
+                s.soft = soft;
+                all.push_back(s);
+            }
+    return all;
 }
 
 /// How many floats differ in any bit; all of them if the sizes do.

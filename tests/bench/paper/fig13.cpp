@@ -7,6 +7,7 @@
 #include "core/arith/arith.h"
 #include "core/triangulate/triangulate.h"
 #include "ddt/names.h"
+#include "growth.h"
 #include "paper/subject.h"
 #include "paper/table.h"
 
@@ -62,19 +63,6 @@ double seconds(const std::vector<float>& guide, int width, int height, const ddt
 
 } // namespace
 
-double growth_exponent(const std::vector<std::pair<double, double>>& points) {
-    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-    for (const auto& [size, time] : points) {
-        const double u = std::log(size), v = std::log(time);
-        n += 1;
-        x += u;
-        y += v;
-        xx += u * u;
-        xy += u * v;
-    }
-    return (n * xy - x * y) / (n * xx - x * x);
-}
-
 bool fig13(const std::string& folder, double megapixels, const std::string& csv_folder) {
     const Mosaic mosaic(folder);
     if (mosaic.empty()) {
@@ -104,7 +92,7 @@ bool fig13(const std::string& folder, double megapixels, const std::string& csv_
     }
     std::vector<std::string> cells{"exponent"};
     for (const auto& p : points)
-        cells.push_back(number(growth_exponent(p), 3));
+        cells.push_back(number(bench::growth_exponent(p), 3));
     table.add(cells);
     return table.show(csv_folder);
 }

@@ -12,7 +12,4 @@ namespace paper {
 /// failure.
 bool fig13(const std::string& folder, double megapixels, const std::string& csv_folder);
 
-/// Slope of the line that fits (log x, log y) best; the exponent e of y = c x^e.
-double growth_exponent(const std::vector<std::pair<double, double>>& points);
-
 } // namespace paper

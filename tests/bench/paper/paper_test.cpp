@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ddt/names.h"
-#include "paper/fig13.h"
+#include "growth.h"
 #include "paper/subject.h"
 #include "paper/table.h"
 
@@ -28,9 +28,9 @@ TEST(Table, Number) {
 }
 
 TEST(GrowthExponent, OfPowers) {
-    EXPECT_NEAR(growth_exponent({{1, 2}, {2, 4}, {8, 16}}), 1, 1e-12);
-    EXPECT_NEAR(growth_exponent({{1, 3}, {2, 12}, {4, 48}}), 2, 1e-12);
-    EXPECT_NEAR(growth_exponent({{1, 5}, {3, 5}, {4, 5}}), 0, 1e-12);
+    EXPECT_NEAR(bench::growth_exponent({{1, 2}, {2, 4}, {8, 16}}), 1, 1e-12);
+    EXPECT_NEAR(bench::growth_exponent({{1, 3}, {2, 12}, {4, 48}}), 2, 1e-12);
+    EXPECT_NEAR(bench::growth_exponent({{1, 5}, {3, 5}, {4, 5}}), 0, 1e-12);
 }
 
 TEST(Schemes, AllOfThePapersAreThereOnce) {

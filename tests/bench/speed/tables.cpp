@@ -1,8 +1,9 @@
 #include "tables.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
+
+#include "growth.h"
 
 namespace speed {
 
@@ -124,27 +125,20 @@ bool print_growth(const Pictures& pictures, const Plan& plan) {
     std::vector<Way> ways;
     for (const std::string& filter : plan.filters)
         ways.push_back(ddt_way(filter));
-    std::vector<std::vector<double>> points(ways.size()); // seconds, a size each
-    Times sizes;
+    std::vector<std::vector<std::pair<double, double>>> points(ways.size()); // pixels, seconds
     for (double size = smallest; size <= plan.largest; size *= 4) {
         const OIIO::ImageBuf image = pictures.make(size, Format::srgb_8bit);
         std::vector<Times> times;
         if (!measure(ways, image, scale, 1, size > 4 ? 1 : plan.rounds, times))
             return false;
-        sizes.push_back(double(image.spec().image_pixels()));
         for (size_t i = 0; i < ways.size(); ++i)
-            points[i].push_back(median(times[i]));
+            points[i].emplace_back(double(image.spec().image_pixels()), median(times[i]));
     }
     for (size_t i = 0; i < ways.size(); ++i) {
         std::printf("%-14s", ways[i].name.c_str());
-        // The slope of the logarithms, by least squares.
-        double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-        for (size_t k = 0; k < sizes.size(); ++k) {
-            std::printf(" %7.2f", points[i][k] * 1e9 / (sizes[k] * scale * scale));
-            const double u = std::log(sizes[k]), v = std::log(points[i][k]);
-            n += 1, x += u, y += v, xx += u * u, xy += u * v;
-        }
-        std::printf("   %.3f\n", (n * xy - x * y) / (n * xx - x * x));
+        for (const auto& [pixels, time] : points[i])
+            std::printf(" %7.2f", time * 1e9 / (pixels * scale * scale));
+        std::printf("   %.3f\n", bench::growth_exponent(points[i]));
     }
     return true;
 }

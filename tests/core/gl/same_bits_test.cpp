@@ -2,22 +2,10 @@
 #include "ddt/names.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
+#include "tests/core/helpers.h"
 
 namespace ddt::test {
 namespace {
-
-std::vector<SurfaceOptions> surfaces() {
-    std::vector<SurfaceOptions> all;
-    for (const Surface kind : {Surface::linear, Surface::patch})
-        for (const int consistency : {0, 1, 2})
-            for (const float soft : {0.0f, 0.3f}) {
-                SurfaceOptions s(kind);
-                s.consistency = consistency;
-                s.soft = soft;
-                all.push_back(s);
-            }
-    return all;
-}
 
 std::string name_of(const SurfaceOptions& s) {
     return (s.kind == Surface::linear ? "linear consistency " : "patch consistency ") +
@@ -55,7 +43,7 @@ TEST_P(SameBits, EverySchemeAndCost) {
 }
 
 TEST_P(SameBits, EverySurface) {
-    for (const SurfaceOptions& surface : surfaces())
+    for (const SurfaceOptions& surface : surfaces_with({0, 1, 2}))
         for (int content = 0; content < int(Content::count); ++content) {
             const Picture p = make_picture(Content(content), 61, 43, 4, 7u + unsigned(content));
             Order order;

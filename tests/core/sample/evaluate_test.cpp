@@ -113,6 +113,13 @@ const Face& closed_face(const Scene& scene, Point p) {
     return scene.faces[0];
 }
 
+/// The triangle that p is evaluated in. On the rim there may be several; which, locate() says.
+Face face_at(const Scene& scene, Point p) {
+    const int i = find_face(scene.faces, p);
+    return i >= 0 ? scene.faces[size_t(i)]
+                  : face_of_triangle(scene.lattice, locate(scene.lattice, p));
+}
+
 void weights_in(const Face& f, Point p, int32_t w[3]) {
     for (size_t k = 0; k < 3; ++k) {
         const Pixel a = f[(k + 1) % 3], d = f[(k + 2) % 3] - a;
@@ -131,10 +138,7 @@ TEST(Evaluate, EveryInstructionSetGivesTheBitsOfTheFormulas) {
                     const DenormalsAreZero zero;
                     const SlowSurface slow(scene.faces, l.width(), l.height(), surface, values);
                     for (const Point p : make_points(l, 150, random)) {
-                        // On the rim there may be several triangles; which, locate() says.
-                        const Face f = find_face(scene.faces, p) >= 0
-                                           ? closed_face(scene, p)
-                                           : face_of_triangle(l, locate(l, p));
+                        const Face f = face_at(scene, p);
                         int32_t w[3];
                         weights_in(f, p, w);
                         const float r = reader.at(p), expected = slow.at(f, w);
@@ -168,9 +172,7 @@ TEST(Evaluate, SoftEdgesHaveTheBitsOfTheFormulas) {
                         const SlowSurface hard = slow;
                         slow.soften(l, workspace.gain, tau, strict);
                         for (const Point p : make_points(l, 100, random)) {
-                            const Face f = find_face(scene.faces, p) >= 0
-                                               ? closed_face(scene, p)
-                                               : face_of_triangle(l, locate(l, p));
+                            const Face f = face_at(scene, p);
                             int32_t w[3];
                             weights_in(f, p, w);
                             const float r = reader.at(p), expected = slow.at(f, w);

@@ -1,0 +1,20 @@
+#include "growth.h"
+
+#include <cmath>
+
+namespace bench {
+
+double growth_exponent(const std::vector<std::pair<double, double>>& points) {
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    for (const auto& [size, time] : points) {
+        const double u = std::log(size), v = std::log(time);
+        n += 1;
+        x += u;
+        y += v;
+        xx += u * u;
+        xy += u * v;
+    }
+    return (n * xy - x * y) / (n * xx - x * x);
+}
+
+} // namespace bench
