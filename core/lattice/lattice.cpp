@@ -18,6 +18,7 @@ void Lattice::start(int width, int height, const float* guide, bool flat) {
     m_width = width;
     m_height = height;
     m_stride = 2 * width;
+    m_fresh = true;
     m_sites.resize(size_t(m_stride) * size_t(2 * height - 1));
     auto z = [&](int x, int y) { return guide[size_t(y) * size_t(width) + size_t(x)]; };
 
@@ -57,6 +58,7 @@ void Lattice::start(int width, int height, const float* guide, bool flat) {
 }
 
 void Lattice::flip(int m) {
+    m_fresh = false;
     Edge& e = edge(m);
     const Quad q(e);
     const Vec c = e.left, d = e.right;

@@ -137,6 +137,9 @@ public:
     const Site* sites() const { return m_sites.data(); }
     float guide(int site) const { return m_sites[size_t(site)].vertex.guide; }
 
+    /// Whether no edge was flipped since start().
+    bool fresh() const { return m_fresh; }
+
     /// Flip the flippable edge at m: (v, L, R) <- (L, -v, v); in its parallelogram's sides the apex
     /// that went away is replaced.
     void flip(int m);
@@ -194,6 +197,7 @@ public:
 
 private:
     int m_width = 0, m_height = 0, m_stride = 0;
+    bool m_fresh = false;
     std::vector<Site> m_sites;
 };
 

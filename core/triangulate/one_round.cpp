@@ -1,4 +1,5 @@
 #include "core/triangulate/gain.h"
+#include "core/triangulate/start_gains.h"
 #include "core/triangulate/triangulate.h"
 
 namespace ddt {
@@ -83,7 +84,6 @@ void flip_selected(Lattice& lattice, uint8_t next_iteration, Workspace& w) {
 
 void one_round(Lattice& lattice, Cost cost, float min_gain, int max_iterations, Workspace& w,
                Statistics& statistics) {
-    w.gain.resize(lattice.size());
     w.blocked.clear();
     const auto all = [&](auto&& f) { lattice.each_edge(f); };
     const auto dirty = [&](auto&& f) {
@@ -92,12 +92,14 @@ void one_round(Lattice& lattice, Cost cost, float min_gain, int max_iterations, 
     };
     // One more than there are, since a place is written before it is known to be taken.
     const size_t pixels = size_t(lattice.width()) * size_t(lattice.height());
-    find_flippable(lattice, 3 * pixels + 1, all, w);
 
-    bool stale = true; // gains of w.flippable
+    bool stale = !start_gains(lattice, cost, min_gain, w, statistics); // gains of w.flippable
+    if (stale)
+        find_flippable(lattice, 3 * pixels + 1, all, w);
     for (int iteration = 1; iteration <= max_iterations; ++iteration) {
         const auto stamp = uint8_t(iteration);
-        evaluate(lattice, cost, min_gain, w, statistics);
+        if (stale)
+            evaluate(lattice, cost, min_gain, w, statistics);
         stale = false;
         wake_blocked(lattice, stamp, w);
         if (w.candidates.empty())

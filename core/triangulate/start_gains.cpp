@@ -1,0 +1,452 @@
+// The gains of all edges of the mesh that a lattice starts with, without the walk from edge to
+// triangle to vertex that gains() makes: row by row of cells, neighbouring cells in the lanes.
+//
+// In that mesh a cell has two triangles, and a flip makes at most two others; a triangle's gradient
+// and the cost of an edge as it stands are found once instead of once for every edge near. With a
+// guide in steps all differences are exact (guide.h), so it is the same from whichever vertex it is
+// taken, and the gains have the bits of scalar::gain().
+#include "core/triangulate/start_gains.h"
+
+#include <cstring>
+#include <vector>
+
+#include "core/triangulate/gain.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/triangulate/start_gains.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ddt {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::ScalableTag<float>;
+using DI = hn::RebindToSigned<D>;
+
+#include "core/arith/lanes-inl.h"
+#include "core/arith/rsqrt-inl.h"
+#include "core/cost/cost-inl.h"
+
+using Floats = Lanes<D>;
+
+/// A row of numbers, with room for whole vectors past its end and for one number before it.
+class Row {
+public:
+    void resize(int n) { m_numbers.resize(size_t(n) + 2 * hn::MaxLanes(D()) + 1); }
+    float* at(int x) { return m_numbers.data() + x + 1; }
+    const float* at(int x) const { return m_numbers.data() + x + 1; }
+    HWY_INLINE Floats load(int x) const { return Floats::load(at(x)); }
+    HWY_INLINE void store(int x, Floats v) { v.store(at(x)); }
+
+private:
+    std::vector<float> m_numbers;
+};
+
+/// A row of what a cost needs to know of triangles.
+template <class Face>
+class FaceRow {
+public:
+    static constexpr int parts = sizeof(Face) / sizeof(Floats);
+    void resize(int n) {
+        for (Row& row : m_parts)
+            row.resize(n);
+    }
+    HWY_INLINE Face load(int x) const {
+        Floats part[parts];
+        for (int k = 0; k < parts; ++k)
+            part[k] = m_parts[k].load(x);
+        Face face;
+        std::memcpy(static_cast<void*>(&face), part, sizeof face);
+        return face;
+    }
+    HWY_INLINE void store(int x, const Face& face) {
+        Floats part[parts];
+        std::memcpy(static_cast<void*>(part), &face, sizeof face);
+        for (int k = 0; k < parts; ++k)
+            m_parts[k].store(x, part[k]);
+    }
+
+private:
+    Row m_parts[parts];
+};
+
+/// Where the flag is more than 0 `yes`, else `no`.
+template <class T>
+HWY_INLINE T either(Floats flag, const T& yes, const T& no) {
+    constexpr int parts = sizeof(T) / sizeof(Floats);
+    Floats a[parts], b[parts];
+    std::memcpy(static_cast<void*>(a), &yes, sizeof yes);
+    std::memcpy(static_cast<void*>(b), &no, sizeof no);
+    for (int k = 0; k < parts; ++k)
+        a[k] = if_less(Floats(0.0f), flag, a[k], b[k]);
+    T result;
+    std::memcpy(static_cast<void*>(&result), a, sizeof result);
+    return result;
+}
+
+/// A row of cells. "Down" is the diagonal from upper left to lower right.
+template <class Face>
+struct CellRow {
+    Row guide;                              ///< at the vertices on top
+    Row down;                               ///< 1 where the diagonal is down, else 0
+    FaceRow<Face> top, bottom;              ///< the triangles at the cell's horizontal sides,
+    FaceRow<Face> left, right;              ///< the same two by its vertical sides
+    FaceRow<Face> other_top, other_bottom;  ///< those that the other diagonal would make
+    Row top_cost, left_cost, diagonal_cost; ///< of the edges as they stand
+
+    void resize(int n) {
+        for (Row* row : {&guide, &down, &top_cost, &left_cost, &diagonal_cost})
+            row->resize(n);
+        for (FaceRow<Face>* row : {&top, &bottom, &left, &right, &other_top, &other_bottom})
+            row->resize(n);
+    }
+};
+
+/// One edge as it would be flipped: costs of it and its sides ac, cb, bd, da as they stand, the new
+/// triangles, and the triangles beyond the sides.
+template <class Cost>
+struct Flip {
+    using Face = typename Cost::Face;
+    Floats edge, ac, cb, bd, da;
+    Face adc, bcd, beyond_ac, beyond_cb, beyond_bd, beyond_da;
+    Floats fx, fy;         ///< the edge that the flip makes
+    Floats wx, wy, ux, uy; ///< sides ac and cb
+
+    /// As flip_gain().
+    HWY_INLINE Floats gain() const {
+        const Floats before = (((edge + ac) + cb) + bd) + da;
+        Floats after = Cost::between(adc, bcd, fx, fy);
+        after = after + Cost::between(beyond_ac, adc, wx, wy);
+        after = after + Cost::between(beyond_cb, bcd, ux, uy);
+        after = after + Cost::between(beyond_bd, bcd, wx, wy);
+        after = after + Cost::between(beyond_da, adc, ux, uy);
+        return before - after;
+    }
+};
+
+/// Goes down the rows of cells of a lattice.
+template <class Cost>
+class StartGains {
+public:
+    using Face = typename Cost::Face;
+    using Cells = CellRow<Face>;
+
+    HWY_ATTR StartGains(const Lattice& lattice, float min_gain, Workspace& w)
+        : m_lattice(lattice), m_min_gain(min_gain), m_w(w) {
+        for (Cells& row : m_rows)
+            row.resize(lattice.width());
+    }
+
+    /// False if the guide is not in steps: then nothing is worth anything.
+    HWY_ATTR bool run() {
+        const int rows = m_lattice.height() - 1;
+        load_guide(0, m_rows[0].guide);
+        for (int y = 0; y < rows; ++y) {
+            load_guide(y + 1, row(y + 1).guide);
+            if (!make_faces(y))
+                return false;
+            // In address order: what is stored past a row's end is overwritten by what follows.
+            if (y > 1)
+                odd_row(y - 1);
+            if (y > 0)
+                horizontal(y);
+        }
+        return true;
+    }
+
+    int64_t evaluations() const { return m_evaluations; }
+
+private:
+    static constexpr int ring = 4;
+    Cells& row(int y) { return m_rows[y % ring]; }
+
+    void load_guide(int y, Row& guide) {
+        const int s = m_lattice.vertex_site(0, y);
+        for (int x = 0; x < m_lattice.width(); ++x)
+            *guide.at(x) = m_lattice.guide(s + 2 * x);
+        // What lies past the end is computed with, to no effect.
+        for (int x = m_lattice.width(); x < m_lattice.width() + int(hn::Lanes(D())) + 1; ++x)
+            *guide.at(x) = 0.0f;
+    }
+
+    /// Whether all lanes are multiples of 2^-12 in -1024 to 1024.
+    static HWY_INLINE bool in_steps(Floats z) {
+        const D d;
+        const auto scaled = hn::Mul(z.v, hn::Set(d, 4096.0f));
+        const auto whole = hn::Eq(hn::Round(scaled), scaled);
+        const auto small = hn::Le(hn::Abs(z.v), hn::Set(d, 1024.0f));
+        return hn::AllTrue(d, hn::And(whole, small));
+    }
+
+    /// The triangles of row y of cells; costs of its diagonals and of the edges on its top.
+    HWY_ATTR bool make_faces(int y) {
+        Cells& cells = row(y);
+        const Row &above = cells.guide, &below = row(y + 1).guide;
+        const int count = m_lattice.width() - 1, lanes = int(hn::Lanes(D()));
+        for (int x = 0; x < count; ++x)
+            *cells.down.at(x) = m_lattice.edge(m_lattice.site(2 * x + 1, 2 * y + 1)).v.x > 0;
+        bool exact = true;
+        for (int x = 0; x <= count; x += lanes)
+            exact &= in_steps(above.load(x)) & in_steps(below.load(x));
+        if (!exact)
+            return false;
+        for (int x = 0; x < count; x += lanes) {
+            const Floats z0 = above.load(x), z1 = above.load(x + 1), z2 = below.load(x),
+                         z3 = below.load(x + 1);
+            const Floats top = z1 - z0, bottom = z3 - z2, left = z2 - z0, right = z3 - z1;
+            const Face ul = Cost::face(top, left), ur = Cost::face(top, right),
+                       ll = Cost::face(bottom, left), lr = Cost::face(bottom, right);
+            const Floats down = cells.down.load(x);
+            const Face t = either(down, ur, ul), b = either(down, ll, lr);
+            cells.top.store(x, t);
+            cells.bottom.store(x, b);
+            cells.left.store(x, either(down, ll, ul));
+            cells.right.store(x, either(down, ur, lr));
+            cells.other_top.store(x, either(down, ul, ur));
+            cells.other_bottom.store(x, either(down, lr, ll));
+            cells.diagonal_cost.store(x, Cost::between(t, b, Floats(1.0f), Floats(1.0f)));
+        }
+        const Cells& upper = row(y + ring - 1);
+        const Floats one(1.0f), zero(0.0f);
+        for (int x = 0; x < count && y > 0; x += lanes)
+            cells.top_cost.store(x,
+                                 Cost::between(upper.bottom.load(x), cells.top.load(x), one, zero));
+        for (int x = 1; x < count; x += lanes)
+            cells.left_cost.store(
+                x, Cost::between(cells.right.load(x - 1), cells.left.load(x), zero, one));
+        return true;
+    }
+
+    /// Gains of the edges on top of row y of cells.
+    HWY_ATTR void horizontal(int y) {
+        const Cells &above = row(y + ring - 1), &below = row(y);
+        const Floats one(1.0f), zero(0.0f);
+        const int end = m_lattice.width() - 2, lanes = int(hn::Lanes(D()));
+        const int first = m_lattice.vertex_site(0, y);
+        for (int x = 1; x < end; x += lanes) {
+            const Floats down = below.down.load(x);
+            const Floats z0 = above.guide.load(x), z1 = above.guide.load(x + 1);
+            const Floats za = below.guide.load(x), zb = below.guide.load(x + 1);
+            const Row& under = row(y + 1).guide;
+            const Floats z2 = under.load(x), z3 = under.load(x + 1);
+            const Floats zc = either(down, z3, z2), zd = either(down, z0, z1);
+            const Floats a1 = za - zd, a2 = zc - za, b1 = zb - zd, b2 = zc - zb;
+            Flip<Cost> f;
+            f.adc = Cost::face(a2 - a1, either(down, a1, a2));
+            f.bcd = Cost::face(b1 - b2, either(down, b2, b1));
+            f.edge = below.top_cost.load(x);
+            const Floats below_diagonal = below.diagonal_cost.load(x),
+                         above_diagonal = above.diagonal_cost.load(x);
+            f.ac = either(down, below_diagonal, below.left_cost.load(x));
+            f.cb = either(down, below.left_cost.load(x + 1), below_diagonal);
+            f.bd = either(down, above_diagonal, above.left_cost.load(x + 1));
+            f.da = either(down, above.left_cost.load(x), above_diagonal);
+            const Face under_face = below.bottom.load(x), over_face = above.top.load(x);
+            f.beyond_ac = either(down, under_face, below.right.load(x - 1));
+            f.beyond_cb = either(down, below.left.load(x + 1), under_face);
+            f.beyond_bd = either(down, over_face, above.left.load(x + 1));
+            f.beyond_da = either(down, above.right.load(x - 1), over_face);
+            // c - a is (1, 1) or (0, 1), c - b (0, 1) or (-1, 1).
+            f.wx = down;
+            f.wy = f.uy = one;
+            f.ux = one - down;
+            f.fx = f.wx - f.ux;
+            f.fy = one + one;
+            const Floats flippable = same(down, above.down.load(x));
+            const Floats gain = either(flippable, f.gain(), Floats(no_gain));
+            hn::StoreInterleaved2(zero.v, gain.v, D(), m_w.gain.data() + first + 2 * x);
+            count(flippable, end - x);
+            propose(gain, first + 2 * x + 1, end - x);
+        }
+    }
+
+    /// Gains of the diagonals of row y of cells and of the vertical edges between them.
+    HWY_ATTR void odd_row(int y) {
+        const int end = m_lattice.width() - 1, lanes = int(hn::Lanes(D()));
+        const int first = m_lattice.site(0, 2 * y + 1);
+        for (int x = 1; x < end; x += lanes) {
+            Floats flippable;
+            const Floats upright = vertical(y, x, flippable);
+            const Floats slanting = diagonal(y, x);
+            hn::StoreInterleaved2(upright.v, slanting.v, D(), m_w.gain.data() + first + 2 * x);
+            count(flippable, end - x);
+            propose(upright, first + 2 * x, end - x);
+            count(Floats(1.0f), end - 1 - x);
+            propose(slanting, first + 2 * x + 1, end - 1 - x);
+        }
+    }
+
+    HWY_INLINE Floats vertical(int y, int x, Floats& flippable) {
+        const Cells &above = row(y + ring - 1), &cells = row(y), &below = row(y + 1);
+        const Floats one(1.0f), zero(0.0f);
+        const Floats down = cells.down.load(x);
+        flippable = same(down, cells.down.load(x - 1));
+        const Floats za = cells.guide.load(x), zb = below.guide.load(x);
+        const Floats zc = either(down, cells.guide.load(x - 1), below.guide.load(x - 1));
+        const Floats zd = either(down, below.guide.load(x + 1), cells.guide.load(x + 1));
+        const Floats a1 = za - zc, a2 = zd - za, b1 = zb - zc, b2 = zd - zb;
+        Flip<Cost> f;
+        f.adc = Cost::face(either(down, a1, a2), a2 - a1);
+        f.bcd = Cost::face(either(down, b2, b1), b1 - b2);
+        f.edge = cells.left_cost.load(x);
+        const Floats left_diagonal = cells.diagonal_cost.load(x - 1),
+                     right_diagonal = cells.diagonal_cost.load(x);
+        f.ac = either(down, cells.top_cost.load(x - 1), left_diagonal);
+        f.cb = either(down, left_diagonal, below.top_cost.load(x - 1));
+        f.bd = either(down, below.top_cost.load(x), right_diagonal);
+        f.da = either(down, right_diagonal, cells.top_cost.load(x));
+        const Face left_face = cells.left.load(x - 1), right_face = cells.right.load(x);
+        f.beyond_ac = either(down, above.bottom.load(x - 1), left_face);
+        f.beyond_cb = either(down, left_face, below.top.load(x - 1));
+        f.beyond_bd = either(down, below.top.load(x), right_face);
+        f.beyond_da = either(down, right_face, above.bottom.load(x));
+        // c - a is (-1, 0) or (-1, 1), c - b (-1, -1) or (-1, 0).
+        f.wx = f.ux = one;
+        f.wy = one - down;
+        f.uy = down;
+        f.fx = one + one;
+        f.fy = f.wy - f.uy;
+        return either(flippable, f.gain(), Floats(no_gain));
+    }
+
+    HWY_INLINE Floats diagonal(int y, int x) {
+        const Cells &above = row(y + ring - 1), &cells = row(y), &below = row(y + 1);
+        const Floats one(1.0f), zero(0.0f);
+        const Floats down = cells.down.load(x);
+        const Face t = cells.other_top.load(x), b = cells.other_bottom.load(x);
+        const Floats top = cells.top_cost.load(x), bottom = below.top_cost.load(x),
+                     left = cells.left_cost.load(x), right = cells.left_cost.load(x + 1);
+        const Face beyond_top = above.bottom.load(x), beyond_bottom = below.top.load(x),
+                   beyond_left = cells.right.load(x - 1), beyond_right = cells.left.load(x + 1);
+        Flip<Cost> f;
+        // Down: a, b, c, d are upper left, lower right, lower left, upper right; up: upper right,
+        // lower left, upper left, lower right.
+        f.adc = t;
+        f.bcd = b;
+        f.edge = cells.diagonal_cost.load(x);
+        f.ac = either(down, left, top);
+        f.cb = either(down, bottom, left);
+        f.bd = either(down, right, bottom);
+        f.da = either(down, top, right);
+        f.beyond_ac = either(down, beyond_left, beyond_top);
+        f.beyond_cb = either(down, beyond_bottom, beyond_left);
+        f.beyond_bd = either(down, beyond_right, beyond_bottom);
+        f.beyond_da = either(down, beyond_top, beyond_right);
+        f.wx = f.uy = one - down;
+        f.wy = f.ux = down;
+        f.fx = f.fy = one;
+        return f.gain();
+    }
+
+    /// 1 where both flags are alike, else 0.
+    static HWY_INLINE Floats same(Floats a, Floats b) {
+        const D d;
+        return hn::IfThenElseZero(hn::Eq(a.v, b.v), hn::Set(d, 1.0f));
+    }
+
+    /// Count the flags set in the first n lanes as evaluations.
+    HWY_INLINE void count(Floats flags, int n) {
+        const D d;
+        const auto set =
+            hn::And(hn::FirstN(d, size_t(n < 0 ? 0 : n)), hn::Gt(flags.v, hn::Zero(d)));
+        m_evaluations += int64_t(hn::CountTrue(d, set));
+    }
+
+    /// Put the edges at `site`, site + 2, ... of the first n lanes that gain enough among the
+    /// candidates.
+    HWY_INLINE void propose(Floats gain, int site, int n) {
+        const D d;
+        const DI di;
+        const auto good =
+            hn::And(hn::FirstN(d, size_t(n < 0 ? 0 : n)), hn::Gt(gain.v, hn::Set(d, m_min_gain)));
+        if (hn::AllFalse(d, good))
+            return;
+        const auto sites = hn::Add(hn::Set(di, site), hn::ShiftLeft<1>(hn::Iota(di, 0)));
+        HWY_ALIGN int32_t found[HWY_MAX_BYTES / sizeof(int32_t)];
+        const size_t number = hn::CompressStore(sites, hn::RebindMask(di, good), di, found);
+        m_w.candidates.insert(m_w.candidates.end(), found, found + number);
+    }
+
+    const Lattice& m_lattice;
+    float m_min_gain;
+    Workspace& m_w;
+    int64_t m_evaluations = 0;
+    Cells m_rows[ring];
+};
+
+HWY_ATTR bool inner_gains(const Lattice& lattice, Cost cost, float min_gain, Workspace& w,
+                          int64_t& evaluations) {
+    const auto run = [&](auto which) HWY_ATTR {
+        StartGains<decltype(which)> gains(lattice, min_gain, w);
+        const bool exact = gains.run();
+        evaluations = gains.evaluations();
+        return exact;
+    };
+    switch (cost) {
+#define DDT_CALL(name, Class, ...)                                                                 \
+    case Cost::name:                                                                               \
+        return run(Class<Floats>());
+        DDT_COSTS(DDT_CALL)
+#undef DDT_CALL
+    }
+    return false;
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace ddt
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ddt {
+
+HWY_EXPORT(inner_gains);
+
+namespace {
+
+/// Numbers that may be stored past the last edge of a row.
+constexpr size_t start_gains_padding = 2 * HWY_MAX_BYTES / sizeof(float);
+
+/// Call f(site) for the edges whose gains StartGains does not find: near the rim, where triangles
+/// are missing.
+template <class F>
+void each_outer_edge(const Lattice& lattice, F&& f) {
+    const int columns = 2 * lattice.width() - 1, rows = 2 * lattice.height() - 1;
+    for (int y = 0; y < rows; ++y) {
+        const int odd = y & 1, step = 2 - odd;
+        const bool all = y < 2 || y >= rows - 2 || columns < 5;
+        for (int x = 1 - odd; x < columns; x += step)
+            if (all || x < 2 || x >= columns - 2)
+                f(lattice.site(x, y));
+            else
+                x = columns - 2 - step; // the row's last edges come next
+    }
+}
+
+} // namespace
+
+bool start_gains(const Lattice& lattice, Cost cost, float min_gain, Workspace& w,
+                 Statistics& statistics) {
+    w.gain.resize(lattice.size() + start_gains_padding);
+    w.candidates.clear();
+    int64_t evaluations = 0;
+    if (!lattice.fresh() ||
+        !HWY_DYNAMIC_DISPATCH(inner_gains)(lattice, cost, min_gain, w, evaluations))
+        return false;
+    w.flippable.clear();
+    each_outer_edge(lattice, [&](int m) {
+        w.gain[size_t(m)] = no_gain;
+        if (lattice.edge(m).flippable())
+            w.flippable.push_back(m);
+    });
+    gains(lattice, cost, w.flippable.data(), w.flippable.size(), w.gain.data());
+    for (const int m : w.flippable)
+        if (w.gain[size_t(m)] > min_gain)
+            w.candidates.push_back(m);
+    statistics.evaluations += evaluations + int64_t(w.flippable.size());
+    return true;
+}
+
+} // namespace ddt
+#endif
