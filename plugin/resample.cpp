@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/strutil.h>
 #include <OpenImageIO/sysutil.h>
 #include <OpenImageIO/timer.h>
 
+#include "core/verbose.h"
 #include "plugin/image/pixels.h"
 #include "plugin/image/sink.h"
 #include "plugin/image/source.h"
@@ -44,11 +44,6 @@ int thread_count(int nthreads) {
     if (nthreads <= 0)
         OIIO::getattribute("threads", nthreads);
     return std::max(nthreads, 0); // 0: the core takes all
-}
-
-bool verbose() {
-    const char* value = std::getenv("DDT_VERBOSE");
-    return value && *value && *value != '0';
 }
 
 } // namespace

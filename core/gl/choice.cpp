@@ -2,12 +2,9 @@
 
 #include <cstdlib>
 
-#include "core/gl/offload.h"
 #include "ddt/names.h"
 
-namespace ddt {
-
-namespace gl {
+namespace ddt::gl {
 
 bool wish(const Job& job, Device& device, std::string& why) {
     device = job.device;
@@ -20,11 +17,4 @@ bool wish(const Job& job, Device& device, std::string& why) {
     return false;
 }
 
-} // namespace gl
-
-bool verbose() {
-    const char* value = std::getenv("DDT_VERBOSE");
-    return value && std::string(value) == "1";
-}
-
-} // namespace ddt
+} // namespace ddt::gl

@@ -1,6 +1,8 @@
 // Failures made to happen, for tests of what follows them. Not thread-safe against running jobs.
 #pragma once
 
+#include <string>
+
 namespace ddt::gl {
 
 enum class Fault {
@@ -22,6 +24,9 @@ bool strikes(Fault fault);
 
 /// Chances the fault has had since it was armed.
 int chances(Fault fault);
+
+/// Where hardware's device files are, in place of /dev.
+void look_for_hardware_in(const std::string& folder);
 
 /// Forget the devices opened so far, so that the next job opens them anew.
 void forget_devices();

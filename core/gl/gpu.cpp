@@ -7,6 +7,7 @@
 
 #include "core/gl/failure.h"
 #include "core/gl/faults.h"
+#include "core/gl/hardware.h"
 #include "core/gl/self_check.h"
 
 namespace ddt::gl {
@@ -29,6 +30,7 @@ struct Registry {
 std::atomic<Registry*> g_registry{new Registry};
 std::atomic<bool> g_started{false}; ///< this process or one it was forked from has had a GL thread
 std::atomic<bool> g_forked{false};
+std::string& g_device_files = *new std::string("/dev");
 
 std::unique_ptr<Context> make_context(Device device, std::string& why) {
     switch (device) {
@@ -87,7 +89,10 @@ void start(Device device, Slot& slot) {
 /// start(), whatever happens: a machine without a thread to spare has no device.
 void try_to_start(Device device, Slot& slot) {
     try {
-        start(device, slot);
+        if (device == Device::automatic && !hardware_possible(g_device_files))
+            slot.why = "no GPU's driver has files in " + g_device_files;
+        else
+            start(device, slot);
     } catch (const std::exception& e) {
         slot.why = e.what();
     }
@@ -127,6 +132,10 @@ Gpu* open(Device device, std::string& why, bool& forked) {
 bool is_open(Device device) {
     const Registry& registry = *g_registry;
     return device == Device::osmesa ? registry.osmesa.tried : registry.hardware.tried;
+}
+
+void look_for_hardware_in(const std::string& folder) {
+    g_device_files = folder;
 }
 
 void forget_devices() {

@@ -34,7 +34,4 @@ std::string work_on_gpu(gl::Gpu& gpu, Source& source, Sink& sink, const Mapping&
 /// One line about a placement for people: "egl: llvmpipe (...), OpenGL 4.5 ...".
 std::string describe(const Placement& placement);
 
-/// Whether DDT_VERBOSE asks for lines on stderr.
-bool verbose();
-
 } // namespace ddt

@@ -12,6 +12,7 @@
 #include "core/gl/offload.h"
 #include "core/tiles/tile_io.h"
 #include "core/triangulate/triangulate.h"
+#include "core/verbose.h"
 
 namespace ddt::gl {
 

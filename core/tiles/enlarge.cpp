@@ -14,6 +14,7 @@
 #include "core/tiles/grid.h"
 #include "core/tiles/run.h"
 #include "core/tiles/tile_worker.h"
+#include "core/verbose.h"
 #include "ddt/core.h"
 
 namespace ddt {

@@ -8,6 +8,7 @@
 
 #include <dlfcn.h>
 
+#include "core/verbose.h"
 #include "hooks.h"
 
 namespace {
@@ -42,8 +43,7 @@ void leave_preload_list() {
 }
 
 __attribute__((constructor)) void on_load() noexcept {
-    const char* verbose = std::getenv("DDT_VERBOSE");
-    const bool talk = verbose && *verbose && *verbose != '0';
+    const bool talk = ddt::verbose();
     try {
         leave_preload_list();
         ddt::Redirects list;

@@ -236,7 +236,7 @@ enum class Outcome {
 /// Read the source tile by tile, triangulate, and write every output pixel the mapping gives.
 /// Memory: a few MB a thread beside what source and sink hold. Never throws. `error`, when not
 /// null, receives one line if the outcome is not `done`. With the environment variable DDT_VERBOSE
-/// set to 1, lines on stderr tell the device, the iterations and where the time went.
+/// set, and not to 0, lines on stderr tell the device, the iterations and where the time went.
 Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                 std::string* error = nullptr);
 

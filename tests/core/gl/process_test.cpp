@@ -2,11 +2,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
 #include <thread>
 
 #include "core/gl/context.h"
+#include "core/gl/faults.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
+#include "tests/temporary.h"
 
 namespace ddt::test {
 namespace {
@@ -94,9 +98,18 @@ TEST_P(Process, AutomaticNeverPicksASoftwareRenderer) {
     o.out_height = 2000;
     o.job.mesh.max_iterations = 0;
     o.job.surface = Surface::linear;
-    const Result result = enlarge_on(Device::automatic, large, o);
-    EXPECT_EQ(result.outcome, Outcome::done);
-    EXPECT_EQ(result.statistics.device, Device::cpu);
+    // Both with what devices the machine has and as if it had a card.
+    std::filesystem::create_directories(temporary("dev/dri"));
+    std::ofstream(temporary("dev/dri/card0")).put('x');
+    for (const std::string& folder : {std::string("/dev"), temporary("dev")}) {
+        gl::forget_devices();
+        gl::look_for_hardware_in(folder);
+        const Result result = enlarge_on(Device::automatic, large, o);
+        EXPECT_EQ(result.outcome, Outcome::done);
+        EXPECT_EQ(result.statistics.device, Device::cpu);
+    }
+    gl::look_for_hardware_in("/dev");
+    gl::forget_devices();
 }
 
 TEST_P(Process, TheEnvironmentNamesTheDeviceOfAutomaticJobs) {

@@ -1,0 +1,12 @@
+// A look for graphics hardware that loads nothing.
+#pragma once
+
+#include <string>
+
+namespace ddt::gl {
+
+/// Whether there could be a GPU: on Linux, whether a driver of one has its device files in
+/// `folder`; elsewhere always. Loading libEGL to find none takes a tenth of a second.
+bool hardware_possible(const std::string& folder = "/dev");
+
+} // namespace ddt::gl
