@@ -1,6 +1,8 @@
 #include "core/lattice/lattice.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace ddt {
 
@@ -19,6 +21,7 @@ void Lattice::start(int width, int height, const float* guide, bool flat) {
     m_height = height;
     m_stride = 2 * width;
     m_fresh = true;
+    m_longest = 1;
     m_sites.resize(size_t(m_stride) * size_t(2 * height - 1));
     auto z = [&](int x, int y) { return guide[size_t(y) * size_t(width) + size_t(x)]; };
 
@@ -71,6 +74,7 @@ void Lattice::flip(int m) {
     e.left = -e.v;
     e.right = e.v;
     e.v = c;
+    m_longest = std::max({m_longest, std::abs(int(c.x)), std::abs(int(c.y))});
 }
 
 void Lattice::find_first_edges() {

@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace ddt {
@@ -62,24 +63,36 @@ struct Edge {
 };
 
 /// How a cell (2x2 pixels) is divided, told by the edge at its centre.
-enum class Division {
+enum class Division : uint8_t {
     down,  ///< in two, by the diagonal from upper left to lower right
     up,    ///< in two, by the other diagonal
     other, ///< edges that are not the cell's own cross it
 };
 
+/// An edge's vectors as one number: v in the low two bytes, then left, then right.
+inline uint64_t vectors_of(const Edge& e) {
+    static_assert(offsetof(Edge, v) == 0 && offsetof(Edge, left) == 2 && offsetof(Edge, right) == 4,
+                  "v, left and right come first");
+    uint64_t record;
+    std::memcpy(&record, &e, sizeof record);
+    return record & 0xffffffffffffu;
+}
+
+/// The same of an edge with this v and left apex that is the diagonal of a parallelogram.
+constexpr uint64_t diagonal_vectors(int vx, int vy, int left_x, int left_y) {
+    const auto pack = [](int x, int y) { return uint64_t((x & 255) | (y & 255) << 8); };
+    return pack(vx, vy) | pack(left_x, left_y) << 16 | pack(-left_x, -left_y) << 32;
+}
+
 /// The division of the cell that `centre` is the central edge of. The edge may run either way; its
 /// apexes must be the cell's other corners.
 inline Division division(const Edge& centre) {
-    const Vec v = centre.v.y < 0 ? -centre.v : centre.v;
-    const Vec apex = centre.left;
-    if (apex != -centre.right)
-        return Division::other;
-    if (v == Vec(1, 1) && (apex == Vec(-1, 1) || apex == Vec(1, -1)))
-        return Division::down;
-    if (v == Vec(-1, 1) && (apex == Vec(-1, -1) || apex == Vec(1, 1)))
-        return Division::up;
-    return Division::other;
+    const uint64_t vectors = vectors_of(centre);
+    const bool down =
+        (vectors == diagonal_vectors(1, 1, -1, 1)) | (vectors == diagonal_vectors(-1, -1, 1, -1));
+    const bool up =
+        (vectors == diagonal_vectors(-1, 1, -1, -1)) | (vectors == diagonal_vectors(1, -1, 1, 1));
+    return Division(2 - 2 * int(down) - int(up));
 }
 
 struct Vertex {
@@ -93,7 +106,7 @@ union Site {
     Vertex vertex;
     Site() : edge() {}
 };
-static_assert(sizeof(Site) == 8, "one edge, 8 bytes");
+static_assert(sizeof(Site) == 8 && sizeof(Edge) == 8, "one edge, 8 bytes");
 
 /// The four sides of the parallelogram round a flippable edge ab, in the order ac, cb, bd, da, in
 /// which the triangle beyond each lies on the left.
@@ -137,6 +150,8 @@ public:
     const Site* sites() const { return m_sites.data(); }
     float guide(int site) const { return m_sites[size_t(site)].vertex.guide; }
 
+    /// No edge is longer than this in either coordinate, in pixels.
+    int longest() const { return m_longest; }
     /// Whether no edge was flipped since start().
     bool fresh() const { return m_fresh; }
 
@@ -197,6 +212,7 @@ public:
 
 private:
     int m_width = 0, m_height = 0, m_stride = 0;
+    int m_longest = 1;
     bool m_fresh = false;
     std::vector<Site> m_sites;
 };

@@ -32,10 +32,6 @@ struct LocatedRow {
 
 /// What is remembered from row to row while one lattice's positions are located.
 struct Search {
-    /// Pixels of the lattice that hold the vertices of all triangles met (not of plain cells) since
-    /// begin().
-    Rect reach;
-
     /// A triangle met in the row before, tried before one is searched for; `end` is where it ended.
     struct Hint {
         Triangle triangle;
@@ -43,9 +39,8 @@ struct Search {
     };
     std::vector<Hint> hints, previous_hints;
 
-    /// To be called before the first row of another lattice; `start` is a pixel of it.
-    void begin(int start_x, int start_y) {
-        reach = {start_x, start_y, start_x + 1, start_y + 1};
+    /// To be called before the first row of another lattice.
+    void begin() {
         hints.clear();
         previous_hints.clear();
     }

@@ -37,16 +37,6 @@ const Triangle* find_hint(const Search& search, size_t& hint, int i, Point p) {
     return nullptr;
 }
 
-void include(const Triangle& t, Rect& reach) {
-    const int x1 = t.at[0].x >> position_bits, y1 = t.at[0].y >> position_bits;
-    const int x2 = t.at[1].x >> position_bits, y2 = t.at[1].y >> position_bits;
-    const int x0 = x2 + t.e20.x, y0 = y2 + t.e20.y;
-    reach.x0 = std::min({reach.x0, x0, x1, x2});
-    reach.y0 = std::min({reach.y0, y0, y1, y2});
-    reach.x1 = std::max({reach.x1, x0 + 1, x1 + 1, x2 + 1});
-    reach.y1 = std::max({reach.y1, y0 + 1, y1 + 1, y2 + 1});
-}
-
 /// A cell's coordinate along an axis of `size` pixels: the last pixel belongs to the cell before
 /// it.
 int cell_of(int32_t position, int size) {
@@ -80,8 +70,6 @@ public:
         const Point p = m_points[i];
         const Triangle* known = find_hint(m_search, m_hint, i, p);
         m_search.hints.push_back({known ? *known : locate(m_lattice, p), 0});
-        if (!known)
-            include(m_search.hints.back().triangle, m_search.reach);
         const Triangle t = m_search.hints.back().triangle;
         int32_t w[3];
         t.weights(p, w);

@@ -51,24 +51,9 @@ struct Net {
     float* at(int site) { return values.data() + size_t(site) * group_size; }
 };
 
-/// Gradients of a group at the vertices, kept between calls to spare the allocation.
-struct Gradients {
-    /// Over the doubled lattice like Net::values: x at a vertex' site, y at the site after it.
-    std::vector<float> xy;
-    std::vector<Division> above, below; ///< of the cells over and under a row of vertices
-};
-
 /// Set the vertices of a net to channels first .. first + count (count <= group_size) of `values`:
 /// `channels` interleaved floats for each pixel of the lattice. Unused lanes are 0.
 void set_vertices(const Lattice& lattice, const float* values, int channels, int first, int count,
                   Net& net);
-
-/// Bend the edges whose ends both lie in `part` (pixels of the lattice), for Surface::patch. The
-/// lattice's first edges must have been found.
-void bend_edges(const Lattice& lattice, const Rect& part, Net& net, Gradients& gradients);
-
-/// Set q of the edges whose midpoint lies in `part`; `gain` is Workspace::gain of the finished
-/// mesh, tau > 0.
-void soften_edges(const Lattice& lattice, const Rect& part, const float* gain, float tau, Net& net);
 
 } // namespace ddt

@@ -12,15 +12,6 @@ namespace {
 /// Floats of output that are handed to the sink at once, about: half a megabyte.
 constexpr size_t strip_floats = size_t(1) << 17;
 
-/// Pixels that a tile's triangles usually do not reach beyond its cells. Where one does, the whole
-/// lattice's surface is made.
-constexpr int usual_reach = 6;
-
-bool contains(const Rect& outer, const Rect& inner) {
-    return inner.x0 >= outer.x0 && inner.y0 >= outer.y0 && inner.x1 <= outer.x1 &&
-           inner.y1 <= outer.y1;
-}
-
 /// Pixels of the largest tile of a window; a lattice has at least 2 x 2.
 size_t largest_tile(const Rect& window) {
     const auto along = [](int pixels) {
@@ -38,8 +29,8 @@ size_t TileWorker::memory(const Job& job) {
     const size_t mesh = sites * (sizeof(Site) + sizeof(float) + 4 * sizeof(int));
     const size_t nets = sites * sizeof(float) * group_size * size_t(group_count(job.channels));
     const size_t soft = job.surface.soft > 0 ? nets : 0;
-    const size_t gradients = sites * sizeof(float) * group_size;
-    const size_t consistency = job.surface.consistency > 0 ? gradients : 0;
+    const size_t gradients = sites * sizeof(float) * group_size / 2;
+    const size_t consistency = job.surface.consistency > 0 ? 2 * gradients : 0;
     const size_t planes = pixels * sizeof(float) * (1 + size_t(job.channels));
     return mesh + nets + soft + gradients + consistency + planes + 2 * strip_floats * sizeof(float);
 }
@@ -57,7 +48,7 @@ void TileWorker::reserve() {
         for (Net& net : m_nets)
             net.soft.reserve(sites * group_size);
     if (m_job.surface.kind != Surface::linear)
-        m_gradients.xy.reserve((sites + 1) * group_size);
+        m_edges.reserve(sites);
 }
 
 Outcome TileWorker::work(const Tile& tile, int first_row) {
@@ -110,29 +101,40 @@ void TileWorker::make_surface(const Tile& tile) {
             continue;
         m_consistency.begin(m_lattice, net, surface.limit, surface.clipped);
         for (int round = 0; round < surface.consistency; ++round) {
-            shape(net, whole);
+            begin_edges(net, whole);
+            m_edges.finish();
             m_consistency.correct(m_lattice, surface.kind, net);
         }
         m_consistency.restore(m_lattice, nearest_mask(m_job, g), net);
     }
-    // The halo is not sampled, but triangles of the tile reach into it, seldom far.
+    // The halo is not sampled, but triangles of the tile reach into it.
     const Rect &c = tile.cells, &p = tile.pixels;
-    bend({std::max(c.x0 - usual_reach - p.x0, 0), std::max(c.y0 - usual_reach - p.y0, 0),
-          std::min(c.x1 + 1 + usual_reach - p.x0, whole.x1),
-          std::min(c.y1 + 1 + usual_reach - p.y0, whole.y1)});
+    const int far = m_lattice.longest();
+    const Rect part{std::max(c.x0 - far - p.x0, 0), std::max(c.y0 - far - p.y0, 0),
+                    std::min(c.x1 + 1 + far - p.x0, whole.x1),
+                    std::min(c.y1 + 1 + far - p.y0, whole.y1)};
+    for (Net& net : m_nets) {
+        begin_edges(net, part);
+        // One net's edges are made as they are needed; several would want as many EdgeMakers.
+        if (m_nets.size() > 1)
+            m_edges.finish();
+    }
 }
 
-void TileWorker::shape(Net& net, const Rect& part) {
-    if (m_job.surface.kind != Surface::linear)
-        bend_edges(m_lattice, part, net, m_gradients);
-    if (m_job.surface.soft > 0)
-        soften_edges(m_lattice, part, m_workspace.gain.data(), m_job.surface.soft, net);
+void TileWorker::begin_edges(Net& net, const Rect& part) {
+    const SurfaceOptions& surface = m_job.surface;
+    m_edges.begin(m_lattice, part, surface.kind != Surface::linear,
+                  surface.soft > 0 ? m_workspace.gain.data() : nullptr, surface.soft, net);
 }
 
-void TileWorker::bend(const Rect& part) {
-    for (Net& net : m_nets)
-        shape(net, part);
-    m_bent = part;
+/// Make the edges that positions up to this y may need.
+void TileWorker::make_edges_for(int32_t y) {
+    if (m_nets.size() > 1)
+        return;
+    m_clock.lap(m_statistics.times.sample);
+    const DenormalsAreZero as_on_gpus;
+    m_edges.to_row((y >> position_bits) + m_lattice.longest());
+    m_clock.lap(m_statistics.times.surface);
 }
 
 Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
@@ -140,13 +142,14 @@ Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
     m_positions.resize(size_t(reach.width()));
     m_inside.resize(size_t(reach.width()));
     m_points.resize(size_t(reach.width()));
-    m_search.begin(tile.cells.x0 - tile.pixels.x0, tile.cells.y0 - tile.pixels.y0);
+    m_search.begin();
     if (m_mapping.separable()) {
         m_mapping.row(reach.y0, reach.x0, reach.x1, m_positions.data(), m_inside.data());
         for (size_t i = 0; i < m_points.size(); ++i)
             m_points[i] = local(tile, m_positions[i]);
         m_columns.find(m_points.data(), int(m_points.size()), m_lattice.width());
-    }
+    } else if (m_nets.size() == 1)
+        m_edges.finish();
     const int strip = m_mapping.separable() ? int(std::max<size_t>(1, strip_floats / row)) : 1;
     for (int y = reach.y0; y < reach.y1; y += strip) {
         const Rect rows{reach.x0, y, reach.x1, std::min(y + strip, reach.y1)};
@@ -158,16 +161,9 @@ Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
     return Outcome::done;
 }
 
-/// Triangles that reach beyond what is bent are rare.
-void TileWorker::bend_what_was_met() {
-    if (!contains(m_bent, m_search.reach))
-        bend({0, 0, m_lattice.width(), m_lattice.height()});
-}
-
 void TileWorker::sample(int n, float* out) {
     const DenormalsAreZero as_on_gpus;
     locate_row(m_lattice, m_points.data(), n, m_search, m_row);
-    bend_what_was_met();
     for (int g = 0; g < int(m_nets.size()); ++g)
         evaluate_row(m_nets[size_t(g)], m_job.surface.kind, nearest_mask(m_job, g), m_row,
                      m_job.channels, g * group_size, channels_in_group(m_job.channels, g), out);
@@ -177,7 +173,6 @@ void TileWorker::sample(int n, float* out) {
 int TileWorker::sample_block(const int32_t* y, int n, float* out) {
     const DenormalsAreZero as_on_gpus;
     const int rows = locate_block(m_lattice, m_columns, m_points, y, n, m_search, m_block);
-    bend_what_was_met();
     for (int g = 0; g < int(m_nets.size()); ++g)
         evaluate_block(m_nets[size_t(g)], m_job.surface.kind, m_columns, m_block, m_job.channels,
                        g * group_size, channels_in_group(m_job.channels, g), out);
@@ -209,6 +204,7 @@ Outcome TileWorker::write_rows(const Tile& tile, const Rect& rows) {
     const bool blocks = !any_nearest();
     for (int y = 0; y < rows.height();) {
         float* out = m_out.data() + size_t(y) * row;
+        make_edges_for(m_ys[size_t(y)]);
         if (blocks) {
             y += sample_block(m_ys.data() + y, rows.height() - y, out);
             continue;

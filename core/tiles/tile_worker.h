@@ -5,6 +5,7 @@
 
 #include "core/sample/evaluate.h"
 #include "core/surface/consistency.h"
+#include "core/surface/edge_maker.h"
 #include "core/surface/net.h"
 #include "core/tiles/grid.h"
 #include "core/tiles/stage_clock.h"
@@ -35,14 +36,13 @@ private:
     bool read(const Tile& tile);
     void triangulate_tile();
     void make_surface(const Tile& tile);
-    void bend(const Rect& part);
-    void shape(Net& net, const Rect& part);
+    void begin_edges(Net& net, const Rect& part);
+    void make_edges_for(int32_t y);
     Outcome write(const Tile& tile, const Rect& reach);
     Outcome write_rows(const Tile& tile, const Rect& rows);
     Outcome write_runs(const Tile& tile, const Rect& row);
     void sample(int n, float* out);
     int sample_block(const int32_t* y, int n, float* out);
-    void bend_what_was_met();
     bool any_nearest() const;
     bool hand_over(const Rect& r); ///< m_out to the sink
 
@@ -58,9 +58,8 @@ private:
     Lattice m_lattice;
     Workspace m_workspace;
     std::vector<Net> m_nets; ///< one a group of channels
-    Gradients m_gradients;
+    EdgeMaker m_edges;
     Consistency m_consistency;
-    Rect m_bent; ///< pixels of the lattice whose edges are bent
     std::vector<Position> m_positions;
     std::vector<uint8_t> m_inside;
     std::vector<Point> m_points;

@@ -86,6 +86,7 @@ void find_gains(const Lattice& lattice, Cost cost, Workspace& w) {
     w.gain.resize(lattice.size());
     w.flippable.clear();
     lattice.each_edge([&](int m) {
+        w.gain[size_t(m)] = no_gain;
         if (lattice.edge(m).flippable())
             w.flippable.push_back(m);
     });

@@ -43,7 +43,8 @@ bool check_options(const MeshOptions& options, std::string& error);
 void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& workspace,
                  Statistics& statistics);
 
-/// Fill workspace.gain with the gains of all flippable edges of a finished mesh.
+/// Fill workspace.gain with the gains of all flippable edges of a finished mesh, no_gain (gain.h)
+/// at the others.
 void find_gains(const Lattice& lattice, Cost cost, Workspace& workspace);
 
 /// Sequential local optimization (Lawson 1977): sweeps over all edges in address order; an edge

@@ -17,6 +17,7 @@
 
 #include "core/lattice/lattice.h"
 #include "core/sample/locate.h"
+#include "core/surface/edge_maker.h"
 #include "ddt/core.h"
 
 namespace ddt::test {
@@ -65,6 +66,13 @@ inline std::vector<SurfaceOptions> surfaces_with(std::initializer_list<int> roun
                 all.push_back(s);
             }
     return all;
+}
+
+/// All edges of a part at once: see EdgeMaker.
+inline void make_edges(const Lattice& lattice, const Rect& part, bool bend, const float* gain,
+                       float tau, EdgeMaker& edges, Net& net) {
+    edges.begin(lattice, part, bend, gain, tau, net);
+    edges.finish();
 }
 
 /// How many floats differ in any bit; all of them if the sizes do.

@@ -5,7 +5,7 @@
 #include "core/guide/guide.h"
 #include "core/lattice/lattice.h"
 #include "core/sample/evaluate.h"
-#include "core/surface/net.h"
+#include "core/surface/edge_maker.h"
 #include "core/tiles/grid.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/triangulate.h"
@@ -38,7 +38,7 @@ struct Tile {
     Workspace workspace;
     Statistics statistics;
     Net net;
-    Gradients gradients;
+    EdgeMaker edges;
 
     Tile() {
         for (const float v : guide)
@@ -48,7 +48,8 @@ struct Tile {
         triangulate(mesh, {}, workspace, statistics);
         mesh.find_first_edges();
         set_vertices(mesh, values.data(), channels, 0, channels, net);
-        bend_edges(mesh, {0, 0, side, side}, net, gradients);
+        edges.begin(mesh, {0, 0, side, side}, true, nullptr, 0, net);
+        edges.finish();
     }
 
     /// Positions of output row `row`.
@@ -135,14 +136,16 @@ void find_first_edges(benchmark::State& state) {
 BENCHMARK(find_first_edges);
 
 /// A source pixel, three channels.
-void bend_edges_whole(benchmark::State& state) {
+void make_edges_whole(benchmark::State& state) {
     Net net = tile().net;
-    Gradients gradients;
-    for (auto _ : state)
-        bend_edges(tile().mesh, {0, 0, side, side}, net, gradients);
+    EdgeMaker edges;
+    for (auto _ : state) {
+        edges.begin(tile().mesh, {0, 0, side, side}, true, nullptr, 0, net);
+        edges.finish();
+    }
     count(state, side * side);
 }
-BENCHMARK(bend_edges_whole);
+BENCHMARK(make_edges_whole);
 
 /// An output pixel at 4x.
 void locate_rows(benchmark::State& state) {
@@ -152,7 +155,7 @@ void locate_rows(benchmark::State& state) {
     Search search;
     LocatedRow located;
     for (auto _ : state) {
-        search.begin(tile_halo, tile_halo);
+        search.begin();
         for (const auto& points : rows)
             locate_row(tile().mesh, points.data(), int(points.size()), search, located);
     }
@@ -166,7 +169,7 @@ void evaluate_rows(benchmark::State& state) {
     std::vector<LocatedRow> located(rows);
     const size_t width = tile().points(0).size();
     Search search;
-    search.begin(tile_halo, tile_halo);
+    search.begin();
     for (int y = 0; y < rows; ++y)
         locate_row(tile().mesh, tile().points(y).data(), int(width), search, located[size_t(y)]);
     std::vector<float> out(width * channels + row_padding);
@@ -193,7 +196,7 @@ void sample_blocks(benchmark::State& state) {
     std::vector<float> out(width * channels * LocatedBlock::most_rows + row_padding);
     for (auto _ : state) {
         Search search;
-        search.begin(tile_halo, tile_halo);
+        search.begin();
         for (int y = 0; y < rows;) {
             y += locate_block(tile().mesh, columns, points, ys.data() + y, rows - y, search, block);
             evaluate_block(tile().net, Surface::patch, columns, block, channels, 0, channels,

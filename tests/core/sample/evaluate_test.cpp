@@ -19,18 +19,19 @@ public:
            bool strict = false)
         : m_scene(scene), m_surface(surface), m_channels(channels), m_nearest(nearest) {
         const DenormalsAreZero zero;
-        Gradients gradients;
+        EdgeMaker edges;
         for (int c = 0; c < channels; c += group_size) {
             m_nets.emplace_back();
             set_vertices(scene.lattice, values.data(), channels, c,
                          std::min(group_size, channels - c), m_nets.back());
             if (surface == Surface::patch)
-                bend_edges(scene.lattice, scene.all(), m_nets.back(), gradients);
+                make_edges(scene.lattice, scene.all(), true, nullptr, 0, edges, m_nets.back());
             if (tau > 0)
-                soften_edges(scene.lattice, scene.all(), gain.data(), tau, m_nets.back());
+                make_edges(scene.lattice, scene.all(), false, gain.data(), tau, edges,
+                           m_nets.back());
             std::fill_n(m_nets.back().strict, group_size, strict ? 1.0f : 0.0f);
         }
-        m_search.begin(0, 0);
+        m_search.begin();
     }
 
     /// The channels at n positions that neighbour one another. What was located before may speed
@@ -38,7 +39,7 @@ public:
     std::vector<float> row(const Point* points, int n, bool fresh = false) {
         const DenormalsAreZero zero;
         Search none;
-        none.begin(0, 0);
+        none.begin();
         LocatedRow& located = m_row;
         locate_row(m_scene.lattice, points, n, fresh ? none : m_search, located);
         const size_t size = size_t(n) * size_t(m_channels);
@@ -59,7 +60,7 @@ public:
     std::vector<float> grid(const std::vector<int32_t>& x, const std::vector<int32_t>& y) {
         const DenormalsAreZero zero;
         Search search;
-        search.begin(0, 0);
+        search.begin();
         std::vector<Point> points;
         for (const int32_t px : x)
             points.push_back({px, 0});
@@ -296,7 +297,7 @@ TEST(Evaluate, LocatedRowsHoldTheTrianglesOfTheirPositions) {
         const Lattice& l = scene.lattice;
         Search search;
         LocatedRow row;
-        search.begin(0, 0);
+        search.begin();
         for (int y = 0; y <= (l.height() - 1) * position_one; y += 20011) {
             std::vector<Point> points;
             for (int x = 0; x <= (l.width() - 1) * position_one; x += random.between(1, 9000))
@@ -315,14 +316,16 @@ TEST(Evaluate, LocatedRowsHoldTheTrianglesOfTheirPositions) {
                     t.weights(p, w);
                     if (s.kind == Span::triangle) {
                         ++in_triangles;
+                        const int cx = std::min(p.x >> position_bits, l.width() - 2);
+                        const int cy = std::min(p.y >> position_bits, l.height() - 2);
                         for (int k = 0; k < 3; ++k) {
                             ASSERT_EQ(s.vertex[k], t.vertex[k]);
                             ASSERT_EQ(s.edge[k], t.edge[k]);
                             ASSERT_EQ(row.weight[k][size_t(i)] * 65536.0f, float(w[k]));
-                            ASSERT_TRUE(f[size_t(k)].x >= search.reach.x0 &&
-                                        f[size_t(k)].x < search.reach.x1 &&
-                                        f[size_t(k)].y >= search.reach.y0 &&
-                                        f[size_t(k)].y < search.reach.y1);
+                            ASSERT_LE(f[size_t(k)].x, cx + l.longest());
+                            ASSERT_GE(f[size_t(k)].x, cx + 1 - l.longest());
+                            ASSERT_LE(f[size_t(k)].y, cy + l.longest());
+                            ASSERT_GE(f[size_t(k)].y, cy + 1 - l.longest());
                         }
                         continue;
                     }

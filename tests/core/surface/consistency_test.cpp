@@ -20,7 +20,7 @@ std::vector<float> corrected(const Scene& scene, const std::vector<float>& value
     const DenormalsAreZero zero;
     const Lattice& l = scene.lattice;
     Net net;
-    Gradients gradients;
+    EdgeMaker edges;
     Workspace workspace;
     Consistency consistency;
     set_vertices(l, values.data(), 1, 0, 1, net);
@@ -29,9 +29,9 @@ std::vector<float> corrected(const Scene& scene, const std::vector<float>& value
     consistency.begin(l, net, shape.limit);
     for (int i = 0; i < rounds; ++i) {
         if (shape.surface == Surface::patch)
-            bend_edges(l, scene.all(), net, gradients);
+            make_edges(l, scene.all(), true, nullptr, 0, edges, net);
         if (shape.tau > 0)
-            soften_edges(l, scene.all(), workspace.gain.data(), shape.tau, net);
+            make_edges(l, scene.all(), false, workspace.gain.data(), shape.tau, edges, net);
         consistency.correct(l, shape.surface, net);
     }
     std::vector<float> result;

@@ -11,10 +11,10 @@ Net make(const Scene& scene, Surface surface, const std::vector<float>& values, 
          int first = 0, int count = 1) {
     const DenormalsAreZero zero;
     Net net;
-    Gradients gradients;
+    EdgeMaker edges;
     set_vertices(scene.lattice, values.data(), channels, first, count, net);
     if (surface == Surface::patch)
-        bend_edges(scene.lattice, scene.all(), net, gradients);
+        make_edges(scene.lattice, scene.all(), true, nullptr, 0, edges, net);
     return net;
 }
 
@@ -69,7 +69,8 @@ TEST(Net, SoftEdgesHaveTheBitsOfTheFormulas) {
                     Net net = make(scene, Surface::linear, values);
                     net.soft.assign(l.size() * group_size, 99.0f);
                     const DenormalsAreZero zero;
-                    soften_edges(l, scene.all(), workspace.gain.data(), tau, net);
+                    EdgeMaker edges;
+                    make_edges(l, scene.all(), false, workspace.gain.data(), tau, edges, net);
                     SlowSurface slow(scene.faces, l.width(), l.height(), Surface::linear, values);
                     slow.soften(l, workspace.gain, tau, false);
                     l.each_edge([&](int m) {
@@ -188,9 +189,9 @@ TEST(Net, APartsEdgesBendAsInTheWhole) {
         part.x1 = random.between(part.x0 + 1, 20);
         part.y1 = random.between(part.y0 + 1, 17);
         Net net;
-        Gradients gradients;
+        EdgeMaker edges;
         set_vertices(scene.lattice, values.data(), 1, 0, 1, net);
-        bend_edges(scene.lattice, part, net, gradients);
+        make_edges(scene.lattice, part, true, nullptr, 0, edges, net);
         const auto inside = [&](Pixel p) {
             return p.x >= part.x0 && p.x < part.x1 && p.y >= part.y0 && p.y < part.y1;
         };
@@ -208,12 +209,12 @@ TEST(Net, APartsEdgesBendAsInTheWhole) {
 TEST(Net, WhatTheMemoryHeldBeforeDoesNotMatter) {
     Random random(6);
     Net net;
-    Gradients gradients;
+    EdgeMaker edges;
     for (const Pixel size : {Pixel{9, 12}, Pixel{4, 3}, Pixel{12, 9}}) {
         Scene scene(size.x, size.y, 100, random);
         const auto values = make_values(Values::unit, scene.pixels(), random);
         set_vertices(scene.lattice, values.data(), 1, 0, 1, net);
-        bend_edges(scene.lattice, scene.all(), net, gradients);
+        make_edges(scene.lattice, scene.all(), true, nullptr, 0, edges, net);
         const Net fresh = make(scene, Surface::patch, values);
         scene.lattice.each_edge(
             [&](int m) { ASSERT_EQ(bits_of(net.at(m)[0]), bits_of(fresh.at(m)[0])); });

@@ -105,7 +105,7 @@ std::vector<float> untiled(const TestSource& source, const Job& job, const Resiz
     Workspace workspace;
     Statistics statistics;
     Net net;
-    Gradients gradients;
+    EdgeMaker edges;
     Search search;
     LocatedRow row;
     lattice.start(w.width(), w.height(), source.guide().data(), true);
@@ -116,10 +116,9 @@ std::vector<float> untiled(const TestSource& source, const Job& job, const Resiz
     if (job.surface.soft > 0)
         find_gains(lattice, job.mesh.cost, workspace);
     const auto shape = [&] {
-        bend_edges(lattice, {0, 0, w.width(), w.height()}, net, gradients);
-        if (job.surface.soft > 0)
-            soften_edges(lattice, {0, 0, w.width(), w.height()}, workspace.gain.data(),
-                         job.surface.soft, net);
+        make_edges(lattice, {0, 0, w.width(), w.height()}, true,
+                   job.surface.soft > 0 ? workspace.gain.data() : nullptr, job.surface.soft, edges,
+                   net);
     };
     Consistency consistency;
     consistency.begin(lattice, net, job.surface.limit);
@@ -128,7 +127,7 @@ std::vector<float> untiled(const TestSource& source, const Job& job, const Resiz
         consistency.correct(lattice, job.surface.kind, net);
     }
     shape();
-    search.begin(0, 0);
+    search.begin();
     std::vector<float> values(out.area() + row_padding);
     std::vector<Position> positions(size_t(out.width()));
     std::vector<uint8_t> inside(size_t(out.width()));
