@@ -26,6 +26,13 @@ struct Lanes {
     friend HWY_INLINE Lanes if_less(Lanes a, Lanes b, Lanes yes, Lanes no) {
         return hn::IfThenElse(hn::Lt(a.v, b.v), yes.v, no.v);
     }
+    /// The smaller or larger, where neither is NaN; of zeros of two signs, either.
+    friend HWY_INLINE Lanes smaller(Lanes a, Lanes b) { return hn::Min(a.v, b.v); }
+    friend HWY_INLINE Lanes larger(Lanes a, Lanes b) { return hn::Max(a.v, b.v); }
+    /// Whether all lanes are from -limit to limit.
+    static HWY_INLINE bool all_within(float limit, Lanes a) {
+        return hn::AllTrue(D(), hn::Le(hn::Abs(a.v), hn::Set(D(), limit)));
+    }
     /// a <= b ? yes : no, a lane.
     friend HWY_INLINE Lanes if_less_equal(Lanes a, Lanes b, Lanes yes, Lanes no) {
         return hn::IfThenElse(hn::Le(a.v, b.v), yes.v, no.v);

@@ -124,20 +124,30 @@ HWY_INLINE PlainCell<Blocks> load_cell(const Net& net, int s) {
     return cell;
 }
 
+/// Call each(evaluator) with what evaluates the divided cell at x, y.
+template <bool quadratic, bool soft, bool tame, class Each>
+HWY_INLINE void with_divided(const PlainCell<Blocks>& cell, Span::Kind kind, Each&& each) {
+    if (kind == Span::cell_down)
+        each([&](Blocks x, Blocks y)
+                 HWY_ATTR { return cell.template at_down<quadratic, soft, tame>(x, y); });
+    else
+        each([&](Blocks x, Blocks y)
+                 HWY_ATTR { return cell.template at_up<quadratic, soft, tame>(x, y); });
+}
+
 /// Call each(evaluator) with what evaluates the plain cell at x, y.
 template <bool quadratic, bool soft, class Each>
 HWY_INLINE void with_cell(const Net& net, Span::Kind kind, int site, Each&& each) {
     PlainCell<Blocks> cell = load_cell<quadratic, soft>(net, site);
     const Blocks strict = hn::LoadDup128(D(), net.strict);
-    if (kind == Span::cell_down) {
+    if (kind == Span::cell_down)
         cell.template divide_down<soft>(strict);
-        each([&](Blocks x, Blocks y)
-                 HWY_ATTR { return cell.template at_down<quadratic, soft>(x, y); });
-    } else {
+    else
         cell.template divide_up<soft>(strict);
-        each([&](Blocks x, Blocks y)
-                 HWY_ATTR { return cell.template at_up<quadratic, soft>(x, y); });
-    }
+    if (cell.is_tame())
+        with_divided<quadratic, soft, true>(cell, kind, each);
+    else
+        with_divided<quadratic, soft, false>(cell, kind, each);
 }
 
 template <bool quadratic, bool soft>
@@ -161,37 +171,37 @@ HWY_INLINE void evaluate_spans(const Net& net, const LocatedRow& row, const Outp
 }
 
 /// All of a block. What is stored too much is overwritten by the range to the right, except at the
-/// end of a row: there stands the next row's start.
+/// end of a row: there stands what is not the block's.
 template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_ranges(const Net& net, const Columns& columns, const LocatedBlock& block,
-                                const Output& first) {
+                                const Output& first, size_t row) {
     const int step = int(hn::Lanes(D())) / group_size;
     const int width = block.ranges.back().end;
     Output out[LocatedBlock::most_rows];
     size_t span[LocatedBlock::most_rows] = {};
     for (int r = 0; r < block.count; ++r) {
         out[r] = first;
-        out[r].to += size_t(r) * size_t(width) * size_t(first.channels);
+        out[r].to += size_t(r) * row;
     }
     for (const LocatedBlock::Range& range : block.ranges) {
         const bool at_end = (width - range.end) * first.channels < row_padding;
-        for (int r = 0; at_end && r + 1 < block.count; ++r)
+        for (int r = 0; at_end && r < block.count; ++r)
             out[r].whole = false;
         if (range.kind != Span::triangle) {
             with_cell<quadratic, soft>(net, range.kind, range.site, [&](auto&& at) HWY_ATTR {
-                for (int r = 0; r < block.count; ++r) {
-                    const Blocks y(block.y[r]);
-                    for (int i = range.begin; i < range.end; i += step)
-                        out[r].store(at(spread(columns.x.data() + i), y), i, range.end);
+                for (int i = range.begin; i < range.end; i += step) {
+                    const Blocks x = spread(columns.x.data() + i);
+                    for (int r = 0; r < block.count; ++r)
+                        out[r].store(at(x, Blocks(block.y[r])), i, range.end);
                 }
             });
             continue;
         }
         for (int r = 0; r < block.count; ++r) {
-            const LocatedRow& row = block.rows[r];
+            const LocatedRow& located = block.rows[r];
             size_t& s = span[r];
-            for (; s < row.spans.size() && row.spans[s].begin < range.end; ++s)
-                evaluate_triangle<quadratic, soft>(net, row, row.spans[s], out[r]);
+            for (; s < located.spans.size() && located.spans[s].begin < range.end; ++s)
+                evaluate_triangle<quadratic, soft>(net, located, located.spans[s], out[r]);
         }
     }
 }
@@ -222,11 +232,11 @@ HWY_ATTR void evaluate(const Net& net, Surface surface, const LocatedRow& row, i
 
 HWY_ATTR void evaluate_rows(const Net& net, Surface surface, const Columns& columns,
                             const LocatedBlock& block, int channels, int first, int count,
-                            float* to) {
+                            float* to, size_t row) {
     const Output out{to + first, channels, count, channels <= group_size};
     for_surface(net, surface, [&](auto quadratic, auto soft) HWY_ATTR {
-        evaluate_ranges<decltype(quadratic)::value, decltype(soft)::value>(net, columns, block,
-                                                                           out);
+        evaluate_ranges<decltype(quadratic)::value, decltype(soft)::value>(net, columns, block, out,
+                                                                           row);
     });
 }
 
@@ -291,8 +301,10 @@ void evaluate_row(const Net& net, Surface surface, NearestMask nearest, const Lo
 }
 
 void evaluate_block(const Net& net, Surface surface, const Columns& columns,
-                    const LocatedBlock& block, int channels, int first, int count, float* out) {
-    HWY_DYNAMIC_DISPATCH(evaluate_rows)(net, surface, columns, block, channels, first, count, out);
+                    const LocatedBlock& block, int channels, int first, int count, float* out,
+                    size_t row) {
+    HWY_DYNAMIC_DISPATCH(evaluate_rows)
+    (net, surface, columns, block, channels, first, count, out, row);
 }
 
 } // namespace ddt

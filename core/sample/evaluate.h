@@ -101,9 +101,10 @@ constexpr int row_padding = 16;
 void evaluate_row(const Net& net, Surface surface, NearestMask nearest, const LocatedRow& row,
                   int channels, int first, int count, float* out);
 
-/// The same for a block's rows, which go to `out` one after the other; for groups that have no
-/// Channel::nearest.
+/// The same for a block's rows, `row` floats apart in `out`, nothing past their ends overwritten;
+/// for groups that have no Channel::nearest.
 void evaluate_block(const Net& net, Surface surface, const Columns& columns,
-                    const LocatedBlock& block, int channels, int first, int count, float* out);
+                    const LocatedBlock& block, int channels, int first, int count, float* out,
+                    size_t row);
 
 } // namespace ddt

@@ -161,13 +161,15 @@ int locate_block(const Lattice& lattice, const Columns& columns, std::vector<Poi
         if (cell_of(y[rows], lattice.height()) != cy)
             break;
         block.y[rows] = float(y[rows] - cy * position_one) * unit;
-        for (Point& p : points)
-            p.y = y[rows];
         RowLocator locator(lattice, points.data(), int(points.size()), search, block.rows[rows]);
-        for (const LocatedBlock::Range& range : block.ranges)
-            if (range.kind == Span::triangle)
-                for (int i = range.begin; i < range.end;)
-                    i = locator.triangle(i, range.end);
+        for (const LocatedBlock::Range& range : block.ranges) {
+            if (range.kind != Span::triangle)
+                continue;
+            for (int i = range.begin; i < range.end; ++i)
+                points[size_t(i)].y = y[rows];
+            for (int i = range.begin; i < range.end;)
+                i = locator.triangle(i, range.end);
+        }
     }
     return rows;
 }

@@ -23,7 +23,7 @@ struct Patch {
         }
     }
 
-    static DDT_INLINE T smaller(T a, T b) { return if_less(a, b, a, b); }
+    static DDT_INLINE T smaller_of(T a, T b) { return if_less(a, b, a, b); }
 
     /// b z, but 0 where b = 0, whatever z is.
     static DDT_INLINE T term(T b, T z) {
@@ -39,10 +39,25 @@ struct Patch {
         if (quadratic)
             f = f + (((b0 * b1) * e01 + (b1 * b2) * e12) + (b2 * b0) * e20);
         if (soft)
-            f = f + ((smaller(b0, b1) * q01 + smaller(b1, b2) * q12) + smaller(b2, b0) * q20);
+            f = f +
+                ((smaller_of(b0, b1) * q01 + smaller_of(b1, b2) * q12) + smaller_of(b2, b0) * q20);
         f = if_less(f, low, low, f);
         f = if_less(high, f, high, f);
         return if_less_equal(f, T(INFINITY), f + T(0.0f), T(quiet_nan));
+    }
+
+    /// Vertices up to this size make a surface whose every number is finite.
+    static constexpr float tame = 0x1p100f;
+
+    /// at() where the vertices are tame, which leaves nothing to look out for but the sign of zero.
+    template <bool quadratic, bool soft>
+    DDT_INLINE T at_tame(T b0, T b1, T b2) const {
+        T f = (b0 * z0 + b1 * z1) + b2 * z2;
+        if (quadratic)
+            f = f + (((b0 * b1) * e01 + (b1 * b2) * e12) + (b2 * b0) * e20);
+        if (soft)
+            f = f + ((smaller(b0, b1) * q01 + smaller(b1, b2) * q12) + smaller(b2, b0) * q20);
+        return smaller(larger(f, low), high) + T(0.0f);
     }
 };
 
@@ -111,17 +126,31 @@ struct PlainCell {
         return p;
     }
 
-    template <bool quadratic, bool soft>
+    /// Whether at_down() and at_up() may be told that the vertices are tame.
+    DDT_INLINE bool is_tame() const {
+        return T::all_within(Patch<T>::tame, z0) && T::all_within(Patch<T>::tame, z1) &&
+               T::all_within(Patch<T>::tame, z2) && T::all_within(Patch<T>::tame, z3);
+    }
+
+    template <bool quadratic, bool soft, bool tame>
     DDT_INLINE T at_down(T x, T y) const {
         const T zero = T(0.0f), one = T(1.0f), d = x - y;
-        return choose<quadratic, soft>(d).template at<quadratic, soft>(
-            if_less(d, zero, one - y, one - x), if_less(d, zero, x, d), if_less(d, zero, y - x, y));
+        return at<quadratic, soft, tame>(d, if_less(d, zero, one - y, one - x),
+                                         if_less(d, zero, x, d), if_less(d, zero, y - x, y));
     }
-    template <bool quadratic, bool soft>
+    template <bool quadratic, bool soft, bool tame>
     DDT_INLINE T at_up(T x, T y) const {
         const T zero = T(0.0f), one = T(1.0f), d = (x + y) - one;
-        return choose<quadratic, soft>(d).template at<quadratic, soft>(
-            if_less(d, zero, one - (x + y), one - y), if_less(d, zero, x, d),
-            if_less(d, zero, y, one - x));
+        return at<quadratic, soft, tame>(d, if_less(d, zero, one - (x + y), one - y),
+                                         if_less(d, zero, x, d), if_less(d, zero, y, one - x));
+    }
+
+private:
+    template <bool quadratic, bool soft, bool tame>
+    DDT_INLINE T at(T d, T b0, T b1, T b2) const {
+        const Patch<T> patch = choose<quadratic, soft>(d);
+        if (tame)
+            return patch.template at_tame<quadratic, soft>(b0, b1, b2);
+        return patch.template at<quadratic, soft>(b0, b1, b2);
     }
 };

@@ -228,9 +228,11 @@ HWY_INLINE void make_row(const Lattice& lattice, ptrdiff_t m, ptrdiff_t end, int
         const Lanes4 zi = Lanes4::load(e - to_j * group_size),
                      zj = Lanes4::load(e + to_j * group_size);
         if (soft) {
+            // An edge that cannot be flipped has weight 0; its apexes are read all the same.
             const ptrdiff_t to_c = int8_t(vectors >> 24) * stride + int8_t(vectors >> 16);
+            const ptrdiff_t to_d = int8_t(vectors >> 40) * stride + int8_t(vectors >> 32);
             edge_softness(Lanes4(*weights), zi, zj, Lanes4::load(e + to_c * group_size),
-                          Lanes4::load(e - to_c * group_size))
+                          Lanes4::load(e + to_d * group_size))
                 .store(net.soft.data() + m * group_size);
         }
         if (bend) {

@@ -52,6 +52,11 @@ public:
         return true;
     }
 
+    float* place(const Rect& r, size_t& row) override {
+        row = m_width * m_channels;
+        return m_pixels + (size_t(r.y0) * m_width + size_t(r.x0)) * m_channels;
+    }
+
 private:
     float* m_pixels;
     size_t m_width, m_channels;

@@ -169,13 +169,13 @@ void TileWorker::sample(int n, float* out) {
                      m_job.channels, g * group_size, channels_in_group(m_job.channels, g), out);
 }
 
-/// Sample some of n rows at y[0], y[1], ...; returns how many.
-int TileWorker::sample_block(const int32_t* y, int n, float* out) {
+/// Sample some of n rows at y[0], y[1], ..., `row` floats apart in `out`; returns how many.
+int TileWorker::sample_block(const int32_t* y, int n, float* out, size_t row) {
     const DenormalsAreZero as_on_gpus;
     const int rows = locate_block(m_lattice, m_columns, m_points, y, n, m_search, m_block);
     for (int g = 0; g < int(m_nets.size()); ++g)
         evaluate_block(m_nets[size_t(g)], m_job.surface.kind, m_columns, m_block, m_job.channels,
-                       g * group_size, channels_in_group(m_job.channels, g), out);
+                       g * group_size, channels_in_group(m_job.channels, g), out, row);
     return rows;
 }
 
@@ -193,20 +193,22 @@ bool TileWorker::hand_over(const Rect& r) {
 
 Outcome TileWorker::write_rows(const Tile& tile, const Rect& rows) {
     const auto channels = size_t(m_job.channels);
-    m_out.resize(rows.area() * channels + row_padding);
     m_ys.clear();
     for (int y = rows.y0; y < rows.y1; ++y) {
         // Only y changes from row to row.
         m_mapping.row(y, rows.x0, rows.x0 + 1, m_positions.data(), m_inside.data());
         m_ys.push_back(local(tile, m_positions[0]).y);
     }
-    const size_t row = size_t(rows.width()) * channels;
     const bool blocks = !any_nearest();
+    size_t row = size_t(rows.width()) * channels;
+    float* const place = blocks ? m_sink.place(rows, row) : nullptr;
+    if (!place)
+        m_out.resize(rows.area() * channels + row_padding);
     for (int y = 0; y < rows.height();) {
-        float* out = m_out.data() + size_t(y) * row;
+        float* out = (place ? place : m_out.data()) + size_t(y) * row;
         make_edges_for(m_ys[size_t(y)]);
         if (blocks) {
-            y += sample_block(m_ys.data() + y, rows.height() - y, out);
+            y += sample_block(m_ys.data() + y, rows.height() - y, out, row);
             continue;
         }
         for (Point& p : m_points)
@@ -214,7 +216,10 @@ Outcome TileWorker::write_rows(const Tile& tile, const Rect& rows) {
         sample(rows.width(), out);
         ++y;
     }
-    return hand_over(rows) ? Outcome::done : Outcome::sink_failed;
+    if (!place)
+        return hand_over(rows) ? Outcome::done : Outcome::sink_failed;
+    m_clock.lap(m_statistics.times.sample);
+    return Outcome::done;
 }
 
 Outcome TileWorker::write_runs(const Tile& tile, const Rect& row) {

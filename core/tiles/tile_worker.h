@@ -42,7 +42,7 @@ private:
     Outcome write_rows(const Tile& tile, const Rect& rows);
     Outcome write_runs(const Tile& tile, const Rect& row);
     void sample(int n, float* out);
-    int sample_block(const int32_t* y, int n, float* out);
+    int sample_block(const int32_t* y, int n, float* out, size_t row);
     bool any_nearest() const;
     bool hand_over(const Rect& r); ///< m_out to the sink
 

@@ -84,6 +84,7 @@ void flip_selected(Lattice& lattice, uint8_t next_iteration, Workspace& w) {
 
 void one_round(Lattice& lattice, Cost cost, float min_gain, int max_iterations, Workspace& w,
                Statistics& statistics) {
+    w.gain.resize(lattice.size());
     w.blocked.clear();
     const auto all = [&](auto&& f) { lattice.each_edge(f); };
     const auto dirty = [&](auto&& f) {
@@ -92,8 +93,8 @@ void one_round(Lattice& lattice, Cost cost, float min_gain, int max_iterations, 
     };
     // One more than there are, since a place is written before it is known to be taken.
     const size_t pixels = size_t(lattice.width()) * size_t(lattice.height());
-
-    bool stale = !start_gains(lattice, cost, min_gain, w, statistics); // gains of w.flippable
+    // Whether w.gain of w.flippable is to be found yet.
+    bool stale = max_iterations < 1 || !start_gains(lattice, cost, min_gain, w, statistics);
     if (stale)
         find_flippable(lattice, 3 * pixels + 1, all, w);
     for (int iteration = 1; iteration <= max_iterations; ++iteration) {

@@ -17,12 +17,20 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#ifndef DDT_START_GAINS_ONCE
+#define DDT_START_GAINS_ONCE
+namespace ddt {
+/// Cells that are worked on at once, at most, on any target.
+constexpr size_t most_lanes = 16;
+} // namespace ddt
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace ddt {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using D = hn::ScalableTag<float>;
+using D = hn::CappedTag<float, most_lanes>;
 using DI = hn::RebindToSigned<D>;
 
 #include "core/arith/lanes-inl.h"
@@ -34,7 +42,7 @@ using Floats = Lanes<D>;
 /// A row of numbers, with room for whole vectors past its end and for one number before it.
 class Row {
 public:
-    void resize(int n) { m_numbers.resize(size_t(n) + 2 * hn::MaxLanes(D()) + 1); }
+    void resize(int n) { m_numbers.resize(size_t(n) + 2 * most_lanes + 1); }
     float* at(int x) { return m_numbers.data() + x + 1; }
     const float* at(int x) const { return m_numbers.data() + x + 1; }
     HWY_INLINE Floats load(int x) const { return Floats::load(at(x)); }
@@ -364,7 +372,7 @@ private:
         if (hn::AllFalse(d, good))
             return;
         const auto sites = hn::Add(hn::Set(di, site), hn::ShiftLeft<1>(hn::Iota(di, 0)));
-        HWY_ALIGN int32_t found[HWY_MAX_BYTES / sizeof(int32_t)];
+        HWY_ALIGN int32_t found[most_lanes];
         const size_t number = hn::CompressStore(sites, hn::RebindMask(di, good), di, found);
         m_w.candidates.insert(m_w.candidates.end(), found, found + number);
     }
@@ -406,7 +414,7 @@ HWY_EXPORT(inner_gains);
 namespace {
 
 /// Numbers that may be stored past the last edge of a row.
-constexpr size_t start_gains_padding = 2 * HWY_MAX_BYTES / sizeof(float);
+constexpr size_t padding = 2 * most_lanes;
 
 /// Call f(site) for the edges whose gains StartGains does not find: near the rim, where triangles
 /// are missing.
@@ -428,7 +436,7 @@ void each_outer_edge(const Lattice& lattice, F&& f) {
 
 bool start_gains(const Lattice& lattice, Cost cost, float min_gain, Workspace& w,
                  Statistics& statistics) {
-    w.gain.resize(lattice.size() + start_gains_padding);
+    w.gain.resize(lattice.size() + padding);
     w.candidates.clear();
     int64_t evaluations = 0;
     if (!lattice.fresh() ||

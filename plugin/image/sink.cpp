@@ -18,6 +18,20 @@ bool ImageSink::write(const Rect& r, float* values) {
     return true;
 }
 
+/// Floats that stay as they are.
+float* ImageSink::place(const Rect& r, size_t& row) {
+    const Writing& w = m_writing;
+    constexpr OIIO::stride_t size = sizeof(float);
+    const bool whole = w.chend - w.chbegin == w.channels &&
+                       m_image.pixel_stride() == size * w.channels &&
+                       m_image.scanline_stride() % size == 0;
+    if (m_image.spec().format != OIIO::TypeFloat || w.bits != OIIO::TypeUnknown || !whole ||
+        (w.light.converts() && w.colour.count > 0))
+        return nullptr;
+    row = size_t(m_image.scanline_stride() / size);
+    return static_cast<float*>(m_image.pixeladdr(r.x0, r.y0, 0, w.chbegin));
+}
+
 /// The usual case at once: colour alone, alike in all channels, in 8 bits without gaps.
 bool ImageSink::write_codes(const Rect& r, const float* values) {
     const Writing& w = m_writing;

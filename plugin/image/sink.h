@@ -24,6 +24,7 @@ public:
     /// `image` is in local memory.
     ImageSink(OIIO::ImageBuf& image, const Writing& writing) : m_image(image), m_writing(writing) {}
     bool write(const Rect& r, float* values) override;
+    float* place(const Rect& r, size_t& row) override;
 
 private:
     bool write_codes(const Rect& r, const float* values);

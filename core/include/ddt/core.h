@@ -129,6 +129,9 @@ public:
     /// Take the output pixels of `r`: `channels` interleaved floats, rows without gaps. The sink
     /// may change `values`. Return false to end the work.
     virtual bool write(const Rect& r, float* values) = 0;
+    /// Memory of the sink's own where the pixels of `r` may be put instead of being handed to
+    /// write(), as they are: `row` receives the floats from one row to the next. Null: none.
+    virtual float* place(const Rect& /*r*/, size_t& /*row*/) { return nullptr; }
 };
 
 /// One position in the source: pixel centres at integers, in units of 2^-16 pixel.

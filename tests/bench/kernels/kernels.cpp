@@ -200,7 +200,7 @@ void sample_blocks(benchmark::State& state) {
         for (int y = 0; y < rows;) {
             y += locate_block(tile().mesh, columns, points, ys.data() + y, rows - y, search, block);
             evaluate_block(tile().net, Surface::patch, columns, block, channels, 0, channels,
-                           out.data());
+                           out.data(), width * channels);
             benchmark::DoNotOptimize(out.data());
         }
     }

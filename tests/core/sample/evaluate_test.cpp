@@ -66,9 +66,9 @@ public:
             points.push_back({px, 0});
         Columns columns;
         columns.find(points.data(), int(points.size()), m_scene.lattice.width());
-        const size_t row = x.size() * size_t(m_channels), size = row * y.size();
+        const size_t width = x.size() * size_t(m_channels), row = width + 3;
         constexpr float canary = -77.0f;
-        std::vector<float> out(size + row_padding + 1, canary);
+        std::vector<float> out(row * y.size(), canary);
         LocatedBlock block;
         for (size_t at = 0; at < y.size();) {
             const int rows = locate_block(m_scene.lattice, columns, points, y.data() + at,
@@ -77,12 +77,17 @@ public:
             for (int g = 0; g < int(m_nets.size()); ++g)
                 evaluate_block(m_nets[size_t(g)], m_surface, columns, block, m_channels,
                                g * group_size, std::min(group_size, m_channels - g * group_size),
-                               out.data() + at * row);
+                               out.data() + at * row, row);
             at += size_t(rows);
         }
-        EXPECT_EQ(out.back(), canary);
-        out.resize(size);
-        return out;
+        std::vector<float> values;
+        for (size_t at = 0; at < out.size(); at += row) {
+            const auto begin = out.begin() + ptrdiff_t(at), end = begin + ptrdiff_t(width);
+            values.insert(values.end(), begin, end);
+            for (size_t i = width; i < row; ++i)
+                EXPECT_EQ(out[at + i], canary); // what is between the rows is not the block's
+        }
+        return values;
     }
 
 private:
