@@ -4,80 +4,137 @@
 #include <cstdint>
 #include <cstring>
 
+#include "core/arith/arith.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/guide/guide.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
 namespace ddt {
+namespace HWY_NAMESPACE {
+
+#include "core/guide/guide-inl.h"
+
+/// What shows through where there is no alpha: the middle of the guide's range, in either light.
+HWY_INLINE float grey(bool linear) {
+    return linear ? 0.21404114f : 0.5f;
+}
+
+/// Luminance over mid-grey of n pixels.
+HWY_ATTR void luminance(const GuideRecipe& recipe, const float* pixels, size_t n, size_t stride,
+                        float* y) {
+    for (size_t i = 0; i < n; ++i)
+        y[i] = 0.0f;
+    for (int k = 0; k < 3; ++k) {
+        if (recipe.channel[k] < 0)
+            continue;
+        const float weight = recipe.weight[k];
+        const float* channel = pixels + recipe.channel[k];
+        for (size_t i = 0; i < n; ++i)
+            y[i] = y[i] + weight * channel[i * stride];
+    }
+    if (recipe.alpha < 0)
+        return;
+    const float back = grey(recipe.linear);
+    for (size_t i = 0; i < n; ++i) {
+        const float alpha = pixels[i * stride + size_t(recipe.alpha)];
+        const float low = alpha < 0.0f ? 0.0f : alpha;
+        const float over = y[i] + back * (1.0f - (low > 1.0f ? 1.0f : low));
+        y[i] = is_finite(alpha) ? over : y[i];
+    }
+}
+
+HWY_ATTR void make_guide(const GuideRecipe& recipe, const float* pixels, size_t count,
+                         size_t stride, float* guide) {
+    constexpr size_t block = 256;
+    float y[block];
+    for (size_t begin = 0; begin < count; begin += block, pixels += block * stride) {
+        const size_t n = std::min(block, count - begin);
+        luminance(recipe, pixels, n, stride, y);
+        // The curve's steps on exponents need a finite number.
+        if (recipe.linear)
+            for (size_t i = 0; i < n; ++i) {
+                const float v = srgb_curve(y[i]);
+                y[i] = is_finite(y[i]) ? v : 0.0f;
+            }
+        for (size_t i = 0; i < n; ++i)
+            guide[begin + i] = guide_step(y[i]);
+    }
+}
+
+/// A row mixed with its neighbours to the left and right.
+HWY_ATTR void blur_row(const float* row, size_t n, float own, float share, float* out) {
+    const auto mix = [=](float before, float here, float after)
+                         HWY_ATTR { return own * here + share * (before + after); };
+    out[0] = mix(row[0], row[0], row[n > 1 ? 1 : 0]);
+    for (size_t x = 1; x + 1 < n; ++x)
+        out[x] = mix(row[x - 1], row[x], row[x + 1]);
+    if (n > 1)
+        out[n - 1] = mix(row[n - 2], row[n - 1], row[n - 1]);
+}
+
+/// A row mixed with those above and below it.
+HWY_ATTR void blur_column(const float* above, const float* here, const float* below, size_t n,
+                          float own, float share, float* out) {
+    for (size_t x = 0; x < n; ++x)
+        out[x] = guide_step(own * here[x] + share * (above[x] + below[x]));
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace ddt
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ddt {
+
+HWY_EXPORT(make_guide);
+HWY_EXPORT(blur_row);
+HWY_EXPORT(blur_column);
+
+namespace scalar {
 namespace {
-
-uint32_t bits_of(float v) {
-    uint32_t u;
-    std::memcpy(&u, &v, sizeof u);
-    return u;
-}
-
-float float_of(uint32_t u) {
-    float v;
-    std::memcpy(&v, &u, sizeof v);
-    return v;
-}
-
-bool is_finite(float v) {
-    return (bits_of(v) & 0x7f800000u) != 0x7f800000u;
-}
-
-// x^(5/12) for a normal positive x = m * 2^e, 1 <= m < 2, is 2^q * 2^(r/12) * m^(5/12) where
-// 5e = 12q + r, 0 <= r < 12.
-float power_5_12(float x) {
-    static const float twelfth[12] = {1.0f,        1.05946314f, 1.12246203f, 1.18920708f,
-                                      1.25992107f, 1.33483982f, 1.41421354f, 1.49830711f,
-                                      1.58740103f, 1.68179286f, 1.78179741f, 1.8877486f};
-    // m^(5/12) in t = m - 1, through seven digits at six Chebyshev-Lobatto points of [1, 2]: both
-    // ends are among them, so neighbouring octaves meet. Largest relative error 2^-18.7.
-    static const float c[6] = {1.0f,          0.416594565f,   -0.120247677f,
-                               0.0571752861f, -0.0239196643f, 0.00523735536f};
-    // Without the low 7 bits a step of the mantissa outweighs the rounding of what follows: the
-    // curve can then not fall between neighbours.
-    const uint32_t u = bits_of(x) & ~0x7fu;
-    const int e5 = 5 * (int(u >> 23) - 127);
-    const int q = (e5 + 12 * 128) / 12 - 128; // floor(5e / 12)
-    const float t = float_of((u & 0x007fffffu) | 0x3f800000u) - 1.0f;
-    float p = c[5];
-    for (int k = 4; k >= 0; --k)
-        p = p * t + c[k];
-    return p * twelfth[e5 - 12 * q] * float_of(uint32_t(q + 127) << 23);
-}
-
+#include "core/guide/guide-inl.h"
 } // namespace
+} // namespace scalar
 
 float srgb_curve(float light) {
-    const float a = float_of(bits_of(light) & 0x7fffffffu);
-    const float v = a <= 0.0031308f ? 12.92f * a : 1.055f * power_5_12(a) - 0.055f;
-    return float_of(bits_of(v) | (bits_of(light) & 0x80000000u));
+    return scalar::srgb_curve(light);
 }
 
 float guide_step(float v) {
-    if (!is_finite(v))
-        return 0.0f;
-    const float steps = std::min(std::max(v, -1024.0f), 1024.0f) * 4096.0f;
-    // Conversion to int drops the fraction: halves go away from 0, alike on both sides of it.
-    return float(int32_t(steps < 0.0f ? steps - 0.5f : steps + 0.5f)) * (1.0f / 4096.0f);
+    return scalar::guide_step(v);
 }
 
 void make_guide(const GuideRecipe& recipe, const float* pixels, size_t count, int stride,
                 float* guide) {
-    // What shows through where there is no alpha: the middle of the guide's range, in either light.
-    const float grey = recipe.linear ? 0.21404114f : 0.5f;
-    for (size_t i = 0; i < count; ++i, pixels += stride) {
-        float y = 0.0f;
-        for (int k = 0; k < 3; ++k)
-            if (recipe.channel[k] >= 0)
-                y = y + recipe.weight[k] * pixels[recipe.channel[k]];
-        if (recipe.alpha >= 0) {
-            const float alpha = pixels[recipe.alpha];
-            if (is_finite(alpha))
-                y = y + grey * (1.0f - std::min(std::max(alpha, 0.0f), 1.0f));
-        }
-        // The curve's steps on exponents need a finite number.
-        guide[i] = !is_finite(y) ? 0.0f : guide_step(recipe.linear ? srgb_curve(y) : y);
+    HWY_DYNAMIC_DISPATCH(make_guide)(recipe, pixels, count, size_t(stride), guide);
+}
+
+void blur_guide(std::vector<float>& guide, int width, int height, float share) {
+    const float own = 1.0f - 2.0f * share;
+    const auto columns = size_t(width);
+    std::vector<float> above(columns), here(columns), below(columns);
+    const auto blur = [&](int y, std::vector<float>& out) {
+        HWY_DYNAMIC_DISPATCH(blur_row)
+        (guide.data() + size_t(y) * columns, columns, own, share, out.data());
+    };
+    blur(0, here);
+    above = here;
+    for (int y = 0; y < height; ++y) {
+        // The row below is still as it was.
+        if (y < height - 1)
+            blur(y + 1, below);
+        else
+            below = here;
+        HWY_DYNAMIC_DISPATCH(blur_column)
+        (above.data(), here.data(), below.data(), columns, own, share,
+         guide.data() + size_t(y) * columns);
+        std::swap(above, here);
+        std::swap(here, below);
     }
 }
 
 } // namespace ddt
+#endif

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 namespace ddt {
 
@@ -34,5 +35,12 @@ float guide_step(float v);
 /// The guide of `count` pixels of `stride` floats each.
 void make_guide(const GuideRecipe& recipe, const float* pixels, size_t count, int stride,
                 float* guide);
+
+/// Mix every number of a width x height guide with its neighbours': `share` (0 to 1/4) of each on
+/// the left and right, then of each above and below; at the rim the outermost repeat. The results
+/// are multiples of 2^-12 again; what a non-finite number touches is 0.
+///
+/// A little of it takes single pixels' noise out of the choice of edges and moves no edge.
+void blur_guide(std::vector<float>& guide, int width, int height, float share);
 
 } // namespace ddt

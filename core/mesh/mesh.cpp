@@ -3,7 +3,7 @@
 #include <new>
 
 #include "core/arith/arith.h"
-#include "core/guide/blur.h"
+#include "core/guide/guide.h"
 #include "core/mesh/list_triangles.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/triangulate.h"

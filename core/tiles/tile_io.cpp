@@ -4,7 +4,7 @@
 #include <cstring>
 #include <limits>
 
-#include "core/guide/blur.h"
+#include "core/guide/guide.h"
 
 namespace ddt {
 

@@ -1,0 +1,54 @@
+// Included inside a namespace, once for scalars and once for each SIMD target, where compilers make
+// vectors of the loops over it: so every choice is one between two numbers, both at hand.
+
+DDT_INLINE uint32_t bits_of(float v) {
+    uint32_t u;
+    std::memcpy(&u, &v, sizeof u);
+    return u;
+}
+
+DDT_INLINE float float_of(uint32_t u) {
+    float v;
+    std::memcpy(&v, &u, sizeof v);
+    return v;
+}
+
+DDT_INLINE bool is_finite(float v) {
+    return (bits_of(v) & 0x7f800000u) != 0x7f800000u;
+}
+
+// x^(5/12) for a normal positive x = m * 2^e, 1 <= m < 2, is 2^q * 2^(r/12) * m^(5/12) where
+// 5e = 12q + r, 0 <= r < 12. (Other x give some number.)
+DDT_INLINE float power_5_12(float x) {
+    static const float twelfth[12] = {1.0f,        1.05946314f, 1.12246203f, 1.18920708f,
+                                      1.25992107f, 1.33483982f, 1.41421354f, 1.49830711f,
+                                      1.58740103f, 1.68179286f, 1.78179741f, 1.8877486f};
+    // m^(5/12) in t = m - 1, through seven digits at six Chebyshev-Lobatto points of [1, 2]: both
+    // ends are among them, so neighbouring octaves meet. Largest relative error 2^-18.7.
+    const float c0 = 1.0f, c1 = 0.416594565f, c2 = -0.120247677f, c3 = 0.0571752861f,
+                c4 = -0.0239196643f, c5 = 0.00523735536f;
+    // Without the low 7 bits a step of the mantissa outweighs the rounding of what follows: the
+    // curve can then not fall between neighbours.
+    const uint32_t u = bits_of(x) & 0x7fffff80u;
+    const uint32_t e5 = 5 * (u >> 23) + (12 * 128 - 5 * 127); // 5e + 12 * 128
+    const uint32_t q = (e5 * 43691u) >> 19;                   // e5 / 12 for e5 < 2^16
+    const float t = float_of((u & 0x007fffffu) | 0x3f800000u) - 1.0f;
+    const float p = ((((c5 * t + c4) * t + c3) * t + c2) * t + c1) * t + c0;
+    return p * twelfth[e5 - 12 * q] * float_of((q - 128 + 127) << 23);
+}
+
+DDT_INLINE float srgb_curve(float light) {
+    const float a = float_of(bits_of(light) & 0x7fffffffu);
+    const float linear = 12.92f * a, power = 1.055f * power_5_12(a) - 0.055f;
+    const float v = a <= 0.0031308f ? linear : power;
+    return float_of(bits_of(v) | (bits_of(light) & 0x80000000u));
+}
+
+DDT_INLINE float guide_step(float v) {
+    const float low = v > -1024.0f ? v : -1024.0f; // NaN also, so that it can be converted
+    const float steps = (low < 1024.0f ? low : 1024.0f) * 4096.0f;
+    // Conversion to int drops the fraction: halves go away from 0, alike on both sides of it.
+    const float half = float_of(bits_of(0.5f) | (bits_of(steps) & 0x80000000u));
+    const float nearest = float(int32_t(steps + half)) * (1.0f / 4096.0f);
+    return float_of(bits_of(nearest) & (is_finite(v) ? 0xffffffffu : 0u));
+}
