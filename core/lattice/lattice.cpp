@@ -14,6 +14,24 @@ Site edge_site(Vec v, Vec left, Vec right) {
     return s;
 }
 
+// The edges of the starting mesh by how the cells beside them are divided: 1 down, 0 up.
+
+/// Horizontal, v = (1, 0): left (det > 0) is below.
+Site horizontal(int above, int below, bool has_above, bool has_below) {
+    return edge_site({1, 0}, has_below ? Vec(below ? 1 : -1, 2) : Vec(),
+                     has_above ? Vec(above ? -1 : 1, -2) : Vec());
+}
+
+/// Vertical, v = (0, 1): left is towards smaller x.
+Site vertical(int left, int right, bool has_left, bool has_right) {
+    return edge_site({0, 1}, has_left ? Vec(-2, left ? -1 : 1) : Vec(),
+                     has_right ? Vec(2, right ? 1 : -1) : Vec());
+}
+
+Site diagonal(int down) {
+    return down ? edge_site({1, 1}, {-1, 1}, {1, -1}) : edge_site({-1, 1}, {-1, -1}, {1, 1});
+}
+
 } // namespace
 
 void Lattice::start(int width, int height, const float* guide, bool flat) {
@@ -23,40 +41,55 @@ void Lattice::start(int width, int height, const float* guide, bool flat) {
     m_fresh = true;
     m_longest = 1;
     m_sites.resize(size_t(m_stride) * size_t(2 * height - 1));
-    auto z = [&](int x, int y) { return guide[size_t(y) * size_t(width) + size_t(x)]; };
+    const auto row = [&](int y) { return guide + size_t(y) * size_t(width); };
+    const Site uprights[4] = {vertical(0, 0, true, true), vertical(0, 1, true, true),
+                              vertical(1, 0, true, true), vertical(1, 1, true, true)};
+    const Site diagonals[2] = {diagonal(0), diagonal(1)};
 
     // down(x, y): the cell's diagonal goes from upper left to lower right. Kept for two rows of
     // cells, since a horizontal edge has its apexes in both.
+    const int last = width - 1;
     std::vector<uint8_t> above(size_t(width), 0), below(size_t(width), 0);
     for (int y = 0; y < height; ++y) {
-        const bool has_below = y + 1 < height;
-        if (has_below)
-            for (int x = 0; x + 1 < width; ++x)
-                below[size_t(x)] = !flat || std::fabs(z(x, y) - z(x + 1, y + 1)) <=
-                                                std::fabs(z(x + 1, y) - z(x, y + 1));
-        Site* even = m_sites.data() + site(0, 2 * y);
-        for (int x = 0; x < width; ++x) {
-            even[2 * x].vertex = Vertex{z(x, y), Vec(), 0};
-            if (x + 1 == width)
-                break;
-            // Horizontal edge, v = (1, 0): left (det > 0) is below.
-            even[2 * x + 1] =
-                edge_site({1, 0}, has_below ? Vec(below[size_t(x)] ? 1 : -1, 2) : Vec(),
-                          y > 0 ? Vec(above[size_t(x)] ? -1 : 1, -2) : Vec());
+        const float* z = row(y);
+        const bool has_above = y > 0, has_below = y + 1 < height;
+        if (has_below) {
+            const float* under = row(y + 1);
+            for (int x = 0; x < last; ++x)
+                below[size_t(x)] =
+                    !flat | (std::fabs(z[x] - under[x + 1]) <= std::fabs(z[x + 1] - under[x]));
         }
+        const Site levels[4] = {
+            horizontal(0, 0, has_above, has_below), horizontal(0, 1, has_above, has_below),
+            horizontal(1, 0, has_above, has_below), horizontal(1, 1, has_above, has_below)};
+        Site* even = m_sites.data() + site(0, 2 * y);
+        for (int x = 0; x < last; ++x) {
+            even[2 * x].vertex = Vertex{z[x], Vec(), 0};
+            even[2 * x + 1] = levels[2 * above[size_t(x)] + below[size_t(x)]];
+        }
+        even[2 * last].vertex = Vertex{z[last], Vec(), 0};
         if (!has_below)
             break;
         Site* odd = m_sites.data() + site(0, 2 * y + 1);
-        for (int x = 0; x < width; ++x) {
-            // Vertical edge, v = (0, 1): left is towards smaller x.
-            odd[2 * x] = edge_site({0, 1}, x > 0 ? Vec(-2, below[size_t(x) - 1] ? -1 : 1) : Vec(),
-                                   x + 1 < width ? Vec(2, below[size_t(x)] ? 1 : -1) : Vec());
-            if (x + 1 == width)
-                break;
-            odd[2 * x + 1] = below[size_t(x)] ? edge_site({1, 1}, {-1, 1}, {1, -1})
-                                              : edge_site({-1, 1}, {-1, -1}, {1, 1});
+        odd[0] = vertical(0, below[0], false, true);
+        odd[1] = diagonals[below[0]];
+        for (int x = 1; x < last; ++x) {
+            odd[2 * x] = uprights[2 * below[size_t(x) - 1] + below[size_t(x)]];
+            odd[2 * x + 1] = diagonals[below[size_t(x)]];
         }
+        odd[2 * last] = vertical(below[size_t(last) - 1], 0, true, false);
         above.swap(below);
+    }
+}
+
+void Lattice::find_divisions() {
+    const int columns = m_width - 1;
+    m_divisions.resize(size_t(columns) * size_t(m_height - 1));
+    Division* to = m_divisions.data();
+    for (int y = 0; y + 1 < m_height; ++y, to += columns) {
+        const Site* centre = m_sites.data() + site(1, 2 * y + 1);
+        for (int x = 0; x < columns; ++x)
+            to[x] = ddt::division(centre[2 * x].edge);
     }
 }
 

@@ -131,7 +131,10 @@ public:
     void start(int width, int height, const float* guide, bool flat);
 
     /// Take the memory for so many sites: 4 a pixel are enough.
-    void reserve(size_t sites) { m_sites.reserve(sites); }
+    void reserve(size_t sites) {
+        m_sites.reserve(sites);
+        m_divisions.reserve(sites / 4);
+    }
 
     int width() const { return m_width; }
     int height() const { return m_height; }
@@ -207,6 +210,13 @@ public:
         });
     }
 
+    /// Find how all cells are divided; after the last flip.
+    void find_divisions();
+    /// What it found of the cells with upper corners (0, y), (1, y), ...
+    const Division* divisions(int y) const {
+        return m_divisions.data() + size_t(y) * size_t(m_width - 1);
+    }
+
     /// Fill Vertex::first of all vertices; after the last flip.
     void find_first_edges();
 
@@ -215,6 +225,7 @@ private:
     int m_longest = 1;
     bool m_fresh = false;
     std::vector<Site> m_sites;
+    std::vector<Division> m_divisions; ///< a cell
 };
 
 } // namespace ddt

@@ -46,7 +46,8 @@ struct Search {
     }
 };
 
-/// Locate n positions, neighbours within 2 pixels of each other.
+/// Locate n positions, neighbours within 2 pixels of each other. Here and below, the lattice's
+/// divisions must have been found.
 void locate_row(const Lattice& lattice, const Point* points, int n, Search& search,
                 LocatedRow& row);
 

@@ -8,8 +8,8 @@ namespace {
 
 constexpr float unit = 1.0f / float(position_one);
 
-Span::Kind kind_of(const Edge& centre) {
-    switch (division(centre)) {
+Span::Kind kind_of(Division division) {
+    switch (division) {
     case Division::down:
         return Span::cell_down;
     case Division::up:
@@ -42,11 +42,6 @@ const Triangle* find_hint(const Search& search, size_t& hint, int i, Point p) {
 int cell_of(int32_t position, int size) {
     const int cell = position >> position_bits;
     return cell < size - 1 ? cell : size - 2;
-}
-
-/// The division of the cell with this first corner.
-Span::Kind kind_at(const Lattice& lattice, int site) {
-    return kind_of(lattice.edge(site + lattice.stride() + 1));
 }
 
 /// Locates the positions of one row from left to right.
@@ -125,7 +120,7 @@ void locate_row(const Lattice& lattice, const Point* points, int n, Search& sear
     for (int i = 0; i < n;) {
         const int cx = cell_of(points[i].x, lattice.width());
         const int cy = cell_of(points[i].y, lattice.height());
-        const Span::Kind kind = kind_at(lattice, lattice.vertex_site(cx, cy));
+        const Span::Kind kind = kind_of(lattice.divisions(cy)[cx]);
         i = kind == Span::triangle ? locator.triangle(i, n) : locator.cell(kind, cx, cy, i, n);
     }
 }
@@ -146,10 +141,11 @@ int locate_block(const Lattice& lattice, const Columns& columns, std::vector<Poi
                  const int32_t* y, int n, Search& search, LocatedBlock& block) {
     const int cy = cell_of(y[0], lattice.height());
     const int first_site = lattice.vertex_site(0, cy);
+    const Division* divisions = lattice.divisions(cy);
     block.ranges.clear();
     for (const Columns::Run& run : columns.runs) {
         const int site = first_site + 2 * run.cell;
-        const Span::Kind kind = kind_at(lattice, site);
+        const Span::Kind kind = kind_of(divisions[run.cell]);
         if (kind == Span::triangle && !block.ranges.empty() &&
             block.ranges.back().kind == Span::triangle)
             block.ranges.back().end = run.end;

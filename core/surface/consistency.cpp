@@ -148,7 +148,7 @@ HWY_INLINE void add_cells(const Lattice& lattice, const Net& net, float* sum) {
         for (int x = 0; x + 1 < lattice.width(); ++x) {
             float* corner = sum + y * row + ptrdiff_t(x) * group_size;
             const int site = lattice.vertex_site(x, y);
-            switch (division(lattice.edge(site + lattice.stride() + 1))) {
+            switch (lattice.divisions(y)[x]) {
             case Division::down:
                 add_plain_cell<quadratic, soft>(net, site, true, corner, row);
                 break;

@@ -22,7 +22,7 @@ public:
     void begin(const Lattice& lattice, const Net& net, float limit, bool clipped = false);
 
     /// One round on the whole lattice, whose edges must all have been bent (for Surface::patch) and
-    /// softened (where the net has soft edges).
+    /// softened (where the net has soft edges), and whose divisions have been found.
     void correct(const Lattice& lattice, Surface surface, Net& net);
 
     /// Give the lanes whose bit is set their source values back: identifiers are nothing to

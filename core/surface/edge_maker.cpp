@@ -131,11 +131,10 @@ void load_vertices(const Lattice& lattice, const Rect& part, int y, const Net& n
 void load_cells(const Lattice& lattice, const Rect& part, int y, EdgeScratch& scratch) {
     CellRow& row = scratch.cells[y % 2];
     const int begin = std::max(part.x0 - 1, 0), end = std::min(part.x1, lattice.width() - 1);
-    const int first = lattice.site(1, 2 * y + 1);
+    const Division* divisions = lattice.divisions(y);
     for (int x = begin; x < end; ++x) {
-        const Division division = ddt::division(lattice.edge(first + 2 * x));
-        row.down[size_t(x)] = division == Division::down ? 1.0f : 0.0f;
-        row.other[size_t(x)] = division == Division::other;
+        row.down[size_t(x)] = divisions[x] == Division::down ? 1.0f : 0.0f;
+        row.other[size_t(x)] = divisions[x] == Division::other;
     }
 }
 

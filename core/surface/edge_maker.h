@@ -30,7 +30,8 @@ public:
     void reserve(size_t sites);
 
     /// Start on the edges of a net whose ends both lie in `part`, a part of the lattice in pixels.
-    /// `bend`: make e, for Surface::patch; the lattice's first edges must then have been found.
+    /// `bend`: make e, for Surface::patch; the lattice's divisions and first edges must
+    /// then have been found.
     /// `gain`: make q, by Workspace::gain of the finished mesh and tau > 0; null: do not.
     void begin(const Lattice& lattice, const Rect& part, bool bend, const float* gain, float tau,
                Net& net);

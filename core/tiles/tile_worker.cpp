@@ -26,7 +26,8 @@ size_t TileWorker::memory(const Job& job) {
     const size_t pixels = largest_tile(job.window);
     const size_t sites = 4 * pixels;
     // Lattice, gains, work lists; then what the surface takes; guide and values.
-    const size_t mesh = sites * (sizeof(Site) + sizeof(float) + 4 * sizeof(int));
+    const size_t mesh =
+        sites * (sizeof(Site) + sizeof(float) + 4 * sizeof(int)) + pixels * sizeof(Division);
     const size_t nets = sites * sizeof(float) * group_size * size_t(group_count(job.channels));
     const size_t soft = job.surface.soft > 0 ? nets : 0;
     const size_t gradients = sites * sizeof(float) * group_size / 2;
@@ -85,6 +86,7 @@ void TileWorker::triangulate_tile() {
 void TileWorker::make_surface(const Tile& tile) {
     const DenormalsAreZero as_on_gpus;
     const SurfaceOptions& surface = m_job.surface;
+    m_lattice.find_divisions();
     if (surface.kind != Surface::linear)
         m_lattice.find_first_edges();
     if (surface.soft > 0 && m_job.mesh.scheme != Scheme::one_round)

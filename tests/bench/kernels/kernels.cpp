@@ -46,6 +46,7 @@ struct Tile {
         start.start(side, side, guide.data(), true);
         mesh = start;
         triangulate(mesh, {}, workspace, statistics);
+        mesh.find_divisions();
         mesh.find_first_edges();
         set_vertices(mesh, values.data(), channels, 0, channels, net);
         edges.begin(mesh, {0, 0, side, side}, true, nullptr, 0, net);

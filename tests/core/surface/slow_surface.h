@@ -166,6 +166,7 @@ struct Scene {
     }
     void finish() {
         faces = faces_of(lattice);
+        lattice.find_divisions();
         lattice.find_first_edges();
     }
     Rect all() const { return {0, 0, lattice.width(), lattice.height()}; }

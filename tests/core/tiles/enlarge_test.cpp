@@ -111,6 +111,7 @@ std::vector<float> untiled(const TestSource& source, const Job& job, const Resiz
     lattice.start(w.width(), w.height(), source.guide().data(), true);
     const DenormalsAreZero zero;
     triangulate(lattice, job.mesh, workspace, statistics);
+    lattice.find_divisions();
     lattice.find_first_edges();
     set_vertices(lattice, source.values().data(), 1, 0, 1, net);
     if (job.surface.soft > 0)
