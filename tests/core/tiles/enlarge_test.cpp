@@ -63,6 +63,73 @@ TEST(Enlarge, AnyNumberOfThreadsGivesTheSameBits) {
     }
 }
 
+/// Has memory of its own, with something between the rows that is not to be touched.
+class PlacingSink final : public TestSink {
+public:
+    static constexpr float untouched = -55.0f;
+    static constexpr size_t gap = 3;
+
+    PlacingSink(Rect out, int channels)
+        : TestSink(out, channels), m_out(out), m_channels(size_t(channels)),
+          m_row(size_t(out.width()) * m_channels + gap),
+          m_memory(m_row * size_t(out.height()), untouched) {}
+
+    float* place(const Rect& r, size_t& row) override {
+        ++places;
+        row = m_row;
+        return m_memory.data() + size_t(r.y0 - m_out.y0) * m_row +
+               size_t(r.x0 - m_out.x0) * m_channels;
+    }
+
+    /// The rows without what is between them, which is checked.
+    std::vector<float> rows() const {
+        std::vector<float> result;
+        for (size_t i = 0; i < m_memory.size(); ++i)
+            if (i % m_row < m_row - gap)
+                result.push_back(m_memory[i]);
+            else
+                EXPECT_EQ(m_memory[i], untouched);
+        return result;
+    }
+
+    std::atomic<int> places{0};
+
+private:
+    Rect m_out;
+    size_t m_channels, m_row;
+    std::vector<float> m_memory;
+};
+
+TEST(Enlarge, PutsTheSameBitsIntoTheSinksMemory) {
+    const ManyThreads allowed;
+    for (const int channels : {1, 2, 3, 4, 6})
+        for (const Rect out : {Rect{0, 0, 633, 402}, Rect{211, 100, 633, 300}}) {
+            TestSource source({-20, 5, 300, 200}, channels, 7);
+            const auto mapping = mapping_of(source.window(), {0, 0, 640, 410}, out);
+            Job job = job_of(source, channels, 3);
+            job.surface.soft = 0.4f;
+            const auto written = run(source, job, mapping, out);
+            PlacingSink sink(out, channels);
+            ASSERT_EQ(enlarge(source, sink, mapping, job, nullptr), Outcome::done);
+            EXPECT_EQ(sink.writes, 0);
+            EXPECT_GT(sink.places, 1);
+            EXPECT_EQ(differing(sink.rows(), written), 0u) << channels;
+        }
+}
+
+/// Copies of the nearest pixel come a row at a time, with something past its end: by write().
+TEST(Enlarge, PutsNothingIntoTheSinksMemoryWhereChannelsAreNearest) {
+    TestSource source({0, 0, 50, 40}, 2, 7);
+    const Rect out{0, 0, 120, 90};
+    Job job = job_of(source, 2);
+    job.kinds = {Channel::blend, Channel::nearest};
+    PlacingSink sink(out, 2);
+    ASSERT_EQ(enlarge(source, sink, mapping_of(source.window(), out, out), job, nullptr),
+              Outcome::done);
+    EXPECT_EQ(sink.places, 0);
+    EXPECT_EQ(sink.written(1), int64_t(out.area()));
+}
+
 TEST(Enlarge, AnyPartOfTheOutputHasTheBitsOfTheWhole) {
     TestSource source({-20, 5, 560, 320}, 2, 2);
     const Rect to{-10, 30, 690, 430};
