@@ -1,6 +1,7 @@
 // One consistency round, one invocation a vertex. C++ twin: core/surface/consistency.cpp, which goes
 // through the cells and adds to their corners; the sum here takes the cells in the same order.
 #include "net.glsl"
+#include "served.glsl"
 #include "locate.glsl"
 #include "consistency.glsl"
 
@@ -71,7 +72,7 @@ vec4 mean_of(int tile, ivec2 cell, ivec2 v) {
 void main() {
     int tile = int(gl_GlobalInvocationID.z);
     ivec2 p = ivec2(gl_GlobalInvocationID.xy), size = extent[tile].xy;
-    if (p.x >= size.x || p.y >= size.y)
+    if (p.x >= size.x || p.y >= size.y || !is_needed(tile, p))
         return;
     first_site = tile * slot_sites;
     first_pixel = tile * slot_pixels;

@@ -2,8 +2,6 @@
 #include "lattice.glsl"
 #include "cost.glsl"
 
-const float no_gain = -1e30;
-
 struct Outer {
     float ox, oy, z, present;
 };
@@ -54,12 +52,12 @@ float flip_gain(Neighbourhood n) {
 
 // Gather what the gain of the flippable edge e at m depends on.
 Neighbourhood neighbourhood(int m, Edge e) {
-    Quad q = quad_of(e);
+    Side s = first_side(e);
     Neighbourhood n;
-    n.vx = float(q.v.x);
-    n.vy = float(q.v.y);
-    n.wx = float(q.w.x);
-    n.wy = float(q.w.y);
+    n.vx = float(e.v.x);
+    n.vy = float(e.v.y);
+    n.wx = float(s.vector.x);
+    n.wy = float(s.vector.y);
     int dv = offset(e.v), dl = offset(e.left);
     n.za = guide_at(m - dv);
     n.zb = guide_at(m + dv);
@@ -67,12 +65,15 @@ Neighbourhood neighbourhood(int m, Edge e) {
     n.zd = guide_at(m - dl);
     float first_end[4] = float[4](n.za, n.zc, n.zb, n.zd);
     for (int k = 0; k < 4; ++k) {
-        ivec2 apex = outer_apex(m, q, k);
+        int middle = m + offset(middle_of(s));
+        Edge side = edge_at(middle);
+        ivec2 apex = side.left + side.right - s.inner;
         bool rim = is_zero(apex);
-        n.outer[k].ox = float((apex.x + q.side[k].x) >> 1);
-        n.outer[k].oy = float((apex.y + q.side[k].y) >> 1);
+        n.outer[k].ox = float((apex.x + s.vector.x) >> 1);
+        n.outer[k].oy = float((apex.y + s.vector.y) >> 1);
         n.outer[k].present = rim ? 0.0 : 1.0;
-        n.outer[k].z = rim ? first_end[k] : guide_at(m + offset(q.middle[k]) + offset(apex));
+        n.outer[k].z = rim ? first_end[k] : guide_at(middle + offset(apex));
+        s = next_side(s);
     }
     return n;
 }

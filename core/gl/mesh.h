@@ -6,6 +6,7 @@
 
 #include "core/gl/buffer.h"
 #include "core/gl/gpu.h"
+#include "core/tiles/grid.h"
 #include "core/triangulate/schemes.h"
 #include "ddt/core.h"
 
@@ -20,20 +21,24 @@ struct SlotShape {
     size_t edges() const { return size_t(2 * width - 1) * size_t(2 * height - 1) - pixels(); }
 };
 
-/// Sizes of a tile within its slot, both at least 2.
+/// A tile within its slot: its sizes, both at least 2, and the pixels about the positions that it
+/// serves, from the first to the last.
 struct TileSize {
     int width = 0, height = 0;
+    int served_x0 = 0, served_y0 = 0, served_x1 = 0, served_y1 = 0;
 };
 
-/// What an iteration did on one tile: gains computed, edges flipped, candidates left waiting,
-/// flippable edges that a flip had touched, rounds of accepting and rejecting. The layout of Counts
-/// in shaders/work.glsl.
+/// The same of a tile whose pixels were read as width x height.
+TileSize size_in_slot(const Tile& tile, int width, int height);
+
+/// What an iteration did on one tile: gains computed, those that were enough, edges flipped,
+/// candidates left waiting, flippable edges that a flip had touched, rounds of accepting and
+/// rejecting. The layout of Counts in shaders/counts.glsl.
 struct IterationCounts {
-    uint32_t evaluated = 0, selected = 0, blocked = 0, dirty = 0, rounds = 0;
+    uint32_t evaluated = 0, candidates = 0, selected = 0, blocked = 0, dirty = 0, rounds = 0;
 };
 
-/// Where the counts begin in `Work` of shaders/work.glsl: after the arguments of dispatches.
-constexpr size_t arguments_bytes = sizeof(GLuint) * 6 * (max_iterations + 2);
+enum class Step;
 
 /// Meshes of up to `tiles` tiles. To be used on the context's thread; throws Failure.
 class Mesh {
@@ -54,9 +59,8 @@ public:
     /// Whether triangulate() knows the scheme; of others the finished mesh must be written.
     static bool knows(const MeshOptions& options);
     void triangulate(const MeshOptions& options);
-    /// On the finished mesh: offer the vertices their first edges, for gradients.
-    void find_first_edges();
-    /// On the finished mesh: the gains of all edges, for soft ones.
+    /// On the finished mesh: the gains of all edges, for soft ones; nothing to do where
+    /// triangulate() keeps them.
     void find_gains(Cost cost);
     const Buffer& gains() const { return m_gain; }
 
@@ -76,16 +80,14 @@ public:
 
 private:
     // The steps of triangulate(), in schemes.cpp.
-    void start(const MeshOptions& options);
     void prepare_lists();
     void bind_lists();
+    void start(const MeshOptions& options);
     void one_round();
     void accept_reject(const Rules& rules);
-    void evaluate_all(int iteration);
-    void iteration(int i);
+    void step(const char* shader, int iteration, Step step);
     void use(const char* shader, int first_iteration, int last_iteration, const char* defines = "");
     void barrier(bool with_arguments = false);
-    void dispatch_indirect(size_t offset);
 
     Gpu& m_gpu;
     const Functions& m_gl;
@@ -94,9 +96,11 @@ private:
     int m_iterations = 0; ///< of the last triangulate(), at most
     float m_min_gain = 0;
     std::string m_cost; ///< the macro that chooses it
+    bool m_gains_known = false;
     int m_dispatches = 0;
-    Buffer m_batch, m_sites, m_guide, m_gain, m_stamp, m_dirty, m_selected, m_blocked_even,
+    Buffer m_batch, m_sites, m_guide, m_gain, m_stamp, m_list0, m_list1, m_blocked_even,
         m_blocked_odd, m_work;
+    const Buffer *m_from = &m_list0, *m_to = &m_list1; ///< in turn
 };
 
 } // namespace ddt::gl

@@ -66,9 +66,14 @@ private:
     };
     std::string defines() const;
     void bind_net(const Mesh& mesh, const Group& group);
-    void find_gradients(Mesh& mesh, const Group& group);
+    /// How far about the positions that tiles serve something is made: so many times the longest
+    /// edge, and so many pixels.
+    struct Margin {
+        int edges, pixels;
+    };
+    void find_gradients(Mesh& mesh, const Group& group, Margin margin);
     void widen(const Group& group);
-    void correct(Mesh& mesh, Group& group, int round);
+    void correct(Mesh& mesh, Group& group, int round, Margin margin);
     void reserve(std::unique_ptr<Buffer>& buffer, size_t bytes);
 
     Gpu& m_gpu;

@@ -93,7 +93,7 @@ private:
     void batch(gl::Stages& stages, Measured& m, bool keep) {
         std::vector<gl::TileSize> sizes;
         for (const HostTile& t : m_tiles)
-            sizes.push_back(t.size);
+            sizes.push_back(gl::size_in_slot(t.tile, t.size.width, t.size.height));
         const int surface_dispatches = m_surfaces.dispatches();
         stages.begin(Stage::upload);
         m_mesh.set_tiles(sizes);
