@@ -88,7 +88,8 @@ int division(int first_site, ivec2 cell) {
 }
 
 // A side of the quad round a flippable edge, in the order ac, cb, bd, da. Each is made of the one
-// before and not looked up in arrays: those make compilers unroll every loop over sides.
+// before and not looked up in arrays, and loops end when they are once round: compilers would unroll
+// them, and take a multiple of the time for programs that are no faster.
 struct Side {
     ivec2 vector, next;      // as vectors in pixels: this side, the next one
     ivec2 inner, next_inner; // the apex within the quad, relative to the side's midpoint
@@ -99,6 +100,10 @@ Side first_side(Edge e) {
 }
 Side next_side(Side s) {
     return Side(s.next, -s.vector, s.next_inner, -s.inner);
+}
+// Whether s, made of the last side of the quad round e, is the first again.
+bool once_round(Side s, Edge e) {
+    return s.vector == (e.v + e.left) / 2;
 }
 // The side's midpoint relative to the edge's.
 ivec2 middle_of(Side s) {

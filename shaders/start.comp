@@ -98,7 +98,7 @@ void main() {
             float g = no_gain;
             Edge e = edge_at(near);
             if (flippable(e)) {
-                g = flip_gain(neighbourhood(near, e));
+                g = flip_gain(near, e);
                 atomicAdd(evaluated, 1);
                 if (g > min_gain)
                     collect(m);

@@ -20,7 +20,8 @@ void flip_and_touch(int m, Edge e, int next_iteration, int where) {
     Side s = first_side(e);
     turn(m, e);
     touch(m, e, next_iteration, where); // can be flipped back
-    for (int k = 0; k < 4; ++k) {
+    int k = 0;
+    do {
         int middle = m + offset(middle_of(s));
         Edge side = edge_at(middle);
         ivec2 beyond = edges_beyond(middle, side, s);
@@ -35,5 +36,6 @@ void flip_and_touch(int m, Edge e, int next_iteration, int where) {
             beyond = beyond.yx;
         }
         s = next_side(s);
-    }
+        ++k;
+    } while (!once_round(s, e));
 }

@@ -26,9 +26,10 @@ int wake(ivec2 b, int iteration) {
 // A better candidate in the 2-region of the candidate at m, or -1 if m is the best.
 int find_blocker(int m) {
     float own = gain[m];
-    Side s = first_side(edge_at(m));
+    Edge e = edge_at(m);
+    Side s = first_side(e);
     int blocker = -1;
-    for (int k = 0; k < 4 && blocker < 0; ++k) {
+    do {
         int middle = m + offset(middle_of(s));
         ivec3 others = ivec3(middle, edges_beyond(middle, edge_at(middle), s));
         for (int i = 0; i < 3; ++i) {
@@ -38,6 +39,6 @@ int find_blocker(int m) {
             others = others.yzx;
         }
         s = next_side(s);
-    }
+    } while (blocker < 0 && !once_round(s, e));
     return blocker;
 }
