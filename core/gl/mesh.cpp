@@ -88,7 +88,6 @@ void Mesh::barrier(bool with_arguments) {
 void Mesh::dispatch_over(int width, int height, int group_x, int group_y) {
     m_gl.DispatchCompute(GLuint((width + group_x - 1) / group_x),
                          GLuint((height + group_y - 1) / group_y), GLuint(m_tiles));
-    ++m_dispatches;
 }
 
 std::vector<std::vector<IterationCounts>> Mesh::read_counts() {
@@ -102,6 +101,13 @@ std::vector<std::vector<IterationCounts>> Mesh::read_counts() {
         for (size_t t = 0; t < result.size(); ++t)
             result[t].push_back(counts[i * result.size() + t]);
     return result;
+}
+
+std::vector<uint32_t> Mesh::read_reach() {
+    std::vector<uint32_t> reach(static_cast<size_t>(m_tiles));
+    m_gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    m_work.read(reach_offset, reach.size() * sizeof(uint32_t), reach.data());
+    return reach;
 }
 
 } // namespace ddt::gl

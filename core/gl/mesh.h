@@ -40,6 +40,10 @@ struct IterationCounts {
 
 enum class Step;
 
+/// Iterations of one_round done by dispatches over all tiles; the rest by one group a tile
+/// (finish.comp). By then a tile of a photograph has a few hundred edges to look at.
+constexpr int dispatched_iterations = 6;
+
 /// Meshes of up to `tiles` tiles. To be used on the context's thread; throws Failure.
 class Mesh {
 public:
@@ -66,6 +70,8 @@ public:
 
     /// Counts of each iteration of the last triangulate(), a slot; waits for the device.
     std::vector<std::vector<IterationCounts>> read_counts();
+    /// How far edges go at most, a slot; waits for the device.
+    std::vector<uint32_t> read_reach();
     /// A slot's mesh, for tests.
     void read_sites(int slot, void* sites);
 
@@ -73,7 +79,6 @@ public:
     void bind() const;
     const SlotShape& shape() const { return m_shape; }
     int tiles() const { return m_tiles; }
-    int dispatches() const { return m_dispatches; }
 
     /// One invocation a pixel or site of every tile, in groups of x times y.
     void dispatch_over(int width, int height, int group_x, int group_y);
@@ -97,7 +102,6 @@ private:
     float m_min_gain = 0;
     std::string m_cost; ///< the macro that chooses it
     bool m_gains_known = false;
-    int m_dispatches = 0;
     Buffer m_batch, m_sites, m_guide, m_gain, m_stamp, m_list0, m_list1, m_blocked_even,
         m_blocked_odd, m_work;
     const Buffer *m_from = &m_list0, *m_to = &m_list1; ///< in turn

@@ -8,14 +8,6 @@
 
 namespace ddt::gl {
 
-namespace {
-
-/// Iterations of one_round done by dispatches over all tiles; the rest by one group a tile
-/// (finish.comp). By then a tile has a few thousand edges to look at, soon a few hundred.
-constexpr int dispatched_iterations = 8;
-
-} // namespace
-
 bool Mesh::knows(const MeshOptions& options) {
     Rules rules;
     return options.scheme == Scheme::one_round || options.scheme == Scheme::pixel ||
@@ -23,7 +15,6 @@ bool Mesh::knows(const MeshOptions& options) {
 }
 
 void Mesh::triangulate(const MeshOptions& options) {
-    m_dispatches = 0;
     m_iterations = options.scheme == Scheme::pixel ? 0 : options.max_iterations;
     m_min_gain = min_gain(options);
     m_cost = std::string("COST_") + cost_name(options.cost);
@@ -86,7 +77,6 @@ void Mesh::one_round() {
     bind_lists();
     use("finish.comp", dispatched + 1, m_iterations);
     m_gl.DispatchCompute(GLuint(m_tiles), 1, 1);
-    ++m_dispatches;
     barrier();
 }
 
@@ -95,7 +85,6 @@ void Mesh::step(const char* shader, int iteration, Step step) {
     bind_lists();
     use(shader, iteration, iteration);
     m_gl.DispatchComputeIndirect(GLintptr(arguments_of(iteration, step)));
-    ++m_dispatches;
     barrier(true);
 }
 
@@ -106,7 +95,6 @@ void Mesh::accept_reject(const Rules& rules) {
     m_gl.Uniform1i(6, rules.wide_iterations);
     m_gl.Uniform1i(7, rules.all_rounds);
     m_gl.DispatchCompute(GLuint(m_tiles), 1, 1);
-    ++m_dispatches;
     barrier();
 }
 

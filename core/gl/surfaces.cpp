@@ -69,7 +69,6 @@ void Surfaces::widen(const Group& group) {
     group.source->bind(2);
     m_gl.Uniform1i(0, count);
     m_gl.DispatchCompute(columns / local_size, GLuint((count + columns - 1) / columns), 1);
-    ++m_dispatches;
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
@@ -173,7 +172,6 @@ void Surfaces::sample(Mesh& mesh, const SamplePlan& plan, int channels) {
         m_gl.Uniform3i(6, channels, first, std::min(group_size, channels - first));
         m_gl.Uniform1ui(7, group.kinds.nearest);
         m_gl.DispatchCompute(GLuint(plan.columns + 15) / 16, GLuint(plan.rows + 7) / 8, 1);
-        ++m_dispatches;
     }
 }
 

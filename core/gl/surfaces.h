@@ -53,7 +53,6 @@ public:
     void sample(Mesh& mesh, const SamplePlan& plan, int channels);
     /// Copy results from the first on; waits for the device.
     void read_result(size_t bytes, void* out);
-    int dispatches() const { return m_dispatches; }
 
 private:
     struct Group {
@@ -81,7 +80,6 @@ private:
     SlotShape m_shape;
     SurfaceOptions m_options;
     Numbers m_numbers;
-    int m_dispatches = 0;
     std::vector<Group> m_groups;
     std::unique_ptr<Buffer> m_positions, m_result;
 };
