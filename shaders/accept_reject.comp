@@ -16,7 +16,8 @@ layout(location = 7) uniform bool all_rounds;
 
 // `from` is the list of dirty edges here, `to` that of selected ones.
 
-// What a stamp says here. A dirty edge's iteration is of no interest.
+// What the scheme knows of an edge. A dirty edge's iteration is of no interest.
+layout(std430, binding = 2) ACCESS buffer Stamps { uint stamp[]; }; // a site
 const uint idle = 0, is_dirty = 1, untreated = 2, accepted = 3, rejected = 4;
 
 shared uint evaluated, n_dirty, n_candidates, n_selected, n_waiting, own_reach;
@@ -87,7 +88,8 @@ void flip(int m, Edge e) {
         site[middle] = pack(with_apex(edge_at(middle), s, k < 2 ? e.right : e.left));
         s = next_side(s);
     }
-    turn(m, e);
+    site[m] = pack(turned(e));
+    tell_ends(m, e);
 }
 
 void main() {

@@ -1,7 +1,6 @@
 // Flip the selected edges and collect what must be evaluated again. The 2-regions of two selected
 // edges share no record that either flip writes or this kernel reads, so one dispatch does both.
 #include "lists.glsl"
-#include "waiting.glsl"
 
 layout(local_size_x = 64) in; // an entry of the list; y: a tile
 

@@ -11,10 +11,14 @@ Edge with_apex(Edge e, Side s, ivec2 came) {
     return e;
 }
 
-// Turn the edge e at m itself, and tell its old and new ends of an edge they have now.
-void turn(int m, Edge e) {
+// The edge e itself afterwards.
+Edge turned(Edge e) {
+    return Edge(e.left, -e.v, e.v);
+}
+
+// Tell the old and new ends of the edge e at m of an edge they have when it is flipped.
+void tell_ends(int m, Edge e) {
     ivec2 w = (e.v + e.left) / 2;
-    site[m] = pack(Edge(e.left, -e.v, e.v));
     site[m - offset(e.v)].y = edge_key(w);
     site[m + offset(e.v)].y = edge_key(w - e.v);
     site[m + offset(e.left)].y = edge_key(-e.left);

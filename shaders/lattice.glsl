@@ -22,8 +22,8 @@ layout(std140, binding = 0) uniform Batch {
 };
 
 layout(std430, binding = 0) ACCESS buffer Sites {
-    // An edge: the bytes v.x v.y left.x left.y, right.x right.y 0 0. A vertex: the guide's bits,
-    // and the key of one of its edges.
+    // An edge: the bytes v.x v.y left.x left.y, right.x right.y and its stamp (touch.glsl). A
+    // vertex: the guide's bits, and the key of one of its edges.
     uvec2 site[];
 };
 
@@ -53,6 +53,9 @@ ivec2 midpoint_of_key(uint key) {
     return ivec2(int(key & 255u) - 128, int(key >> 8) - 128);
 }
 
+uint stamp_at(int m) {
+    return site[m].y >> 16;
+}
 Edge edge_at(int m) {
     uvec2 record = SITE(m);
     return Edge(bytes(record.x, 0), bytes(record.x, 16), bytes(record.y, 0));

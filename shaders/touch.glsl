@@ -1,38 +1,51 @@
 // Flipping, and finding what must be evaluated again. Who includes it says where that goes:
-// add_dirty(m, where). After waiting.glsl.
+// add_dirty(m, where). After lists.glsl.
 #include "flip.glsl"
 
-// Stamps say in which iteration an edge is to be looked at again: 2 i, 2 i + 1 if it is among the
-// dirty, so can be flipped. The first in a row to say so puts it there.
+// Stamps say in which iteration an edge is to be looked at again: 4 i and up. It shares a word with a
+// part of the record, which is therefore written by atomicMax: what wins brings its own part along.
 //
-// An edge's record is written by one flip of a dispatch at most. That flip sees what becomes of the
-// edge; others that touch it may still see what it was, but then the one that knows speaks up.
-void touch(int m, Edge e, int iteration, int where) {
+// An edge's record is changed by one flip of a dispatch at most. That flip knows what becomes of the
+// edge and says so with a higher stamp, which wins whoever comes first; others that touch the edge
+// may still see what it was. 4 i + 1: who came first could flip it and has put it among the dirty.
+uint stamp(int m, Edge e, uint value) {
+    return atomicMax(site[m].y, value << 16 | (pack(e).y & 0xffffu)) >> 16;
+}
+
+// Look at the edge m again in this iteration.
+void touch(int m, int iteration, int where) {
+    Edge e = edge_at(m);
     bool can = flippable(e);
-    uint mark = uint(can ? 2 * iteration + 1 : 2 * iteration);
-    if (atomicMax(stamp[m], mark) < mark && can)
+    uint value = uint(4 * iteration) + (can ? 1u : 0u);
+    if (stamp(m, e, value) < value && can)
         add_dirty(m, where);
 }
 
-// Flip the edge at m and touch its 2-region for the next iteration. Sides that can no longer be
-// flipped gain nothing; they will not be evaluated.
+// Make e the record of the edge m, and look at it again.
+void change(int m, Edge e, int iteration, int where) {
+    site[m].x = pack(e).x;
+    uint before = stamp(m, e, uint(4 * iteration + 2));
+    // What can no longer be flipped gains nothing; it will not be evaluated.
+    if (!flippable(e))
+        gain[m] = no_gain;
+    else if (before != uint(4 * iteration + 1))
+        add_dirty(m, where);
+}
+
+// Flip the edge e at m and touch its 2-region for the next iteration.
 void flip_and_touch(int m, Edge e, int next_iteration, int where) {
     Side s = first_side(e);
-    turn(m, e);
-    touch(m, e, next_iteration, where); // can be flipped back
+    tell_ends(m, e);
+    change(m, turned(e), next_iteration, where);
     int k = 0;
     do {
         int middle = m + offset(middle_of(s));
         Edge side = edge_at(middle);
         ivec2 beyond = edges_beyond(middle, side, s);
-        side = with_apex(side, s, k < 2 ? e.right : e.left);
-        site[middle] = pack(side);
-        if (!flippable(side))
-            gain[middle] = no_gain;
-        touch(middle, side, next_iteration, where);
+        change(middle, with_apex(side, s, k < 2 ? e.right : e.left), next_iteration, where);
         for (int i = 0; i < 2; ++i) {
             if (beyond.x >= 0)
-                touch(beyond.x, edge_at(beyond.x), next_iteration, where);
+                touch(beyond.x, next_iteration, where);
             beyond = beyond.yx;
         }
         s = next_side(s);

@@ -1,6 +1,5 @@
 // Candidates that wait for a better one in their region, and what wakes them. After lists.glsl.
 
-layout(std430, binding = 2) ACCESS buffer Stamps { uint stamp[]; }; // see touch.glsl
 layout(std430, binding = 5) ACCESS buffer BlockedEven { ivec2 blocked_even[]; };
 layout(std430, binding = 6) ACCESS buffer BlockedOdd { ivec2 blocked_odd[]; }; // (site, blocker)
 
@@ -18,9 +17,9 @@ void put_blocked(int iteration, int i, ivec2 b) {
 // Whether a candidate that waited since an earlier iteration is to be looked at again (1), goes on
 // waiting (0), or was touched itself, so is among the evaluated if it can still be flipped (-1).
 int wake(ivec2 b, int iteration) {
-    if (stamp[b.x] / 2 == uint(iteration))
+    if (stamp_at(b.x) / 4 == uint(iteration))
         return -1;
-    return stamp[b.y] / 2 == uint(iteration) ? 1 : 0;
+    return stamp_at(b.y) / 4 == uint(iteration) ? 1 : 0;
 }
 
 // A better candidate in the 2-region of the candidate at m, or -1 if m is the best.

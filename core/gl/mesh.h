@@ -1,6 +1,7 @@
 // Triangulation of several tiles at once on the device.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,8 @@ struct IterationCounts {
 enum class Step;
 
 /// Iterations of one_round done by dispatches over all tiles; the rest by one group a tile
-/// (finish.comp). By then a tile of a photograph has a few hundred edges to look at.
-constexpr int dispatched_iterations = 6;
+/// (finish.comp). By then a tile has at most a few thousand edges to look at, soon a few hundred.
+constexpr int dispatched_iterations = 8;
 
 /// Meshes of up to `tiles` tiles. To be used on the context's thread; throws Failure.
 class Mesh {
@@ -90,20 +91,23 @@ private:
     void start(const MeshOptions& options);
     void one_round();
     void accept_reject(const Rules& rules);
-    void step(const char* shader, int iteration, Step step);
-    void use(const char* shader, int first_iteration, int last_iteration, const char* defines = "");
+    void step(const char* shader, int iteration, Step step, const std::string& defines);
+    void use(const char* shader, int first_iteration, int last_iteration,
+             const std::string& defines);
     void barrier(bool with_arguments = false);
 
     Gpu& m_gpu;
     const Functions& m_gl;
     SlotShape m_shape;
+    int m_capacity;       ///< tiles
     int m_tiles = 0;      ///< in use
     int m_iterations = 0; ///< of the last triangulate(), at most
     float m_min_gain = 0;
     std::string m_cost; ///< the macro that chooses it
     bool m_gains_known = false;
-    Buffer m_batch, m_sites, m_guide, m_gain, m_stamp, m_list0, m_list1, m_blocked_even,
-        m_blocked_odd, m_work;
+    Buffer m_batch, m_sites, m_guide, m_gain, m_list0, m_list1, m_blocked_even, m_blocked_odd,
+        m_work;
+    std::unique_ptr<Buffer> m_stamps;                  ///< accept_reject's
     const Buffer *m_from = &m_list0, *m_to = &m_list1; ///< in turn
 };
 

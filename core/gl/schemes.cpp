@@ -38,20 +38,22 @@ void Mesh::prepare_lists() {
     }
     m_work.clear();
     m_work.write(0, counts_offset, head.data());
-    m_stamp.clear();
     bind_lists();
     m_gl.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, m_work.name());
 }
 
 void Mesh::bind_lists() {
-    const Buffer* const bindings[] = {&m_sites, &m_gain,         &m_stamp,       m_from,
-                                      m_to,     &m_blocked_even, &m_blocked_odd, &m_work};
-    for (GLuint i = 0; i < 8; ++i)
-        bindings[i]->bind(i);
+    m_sites.bind(0);
+    m_gain.bind(1);
+    m_from->bind(3);
+    m_to->bind(4);
+    m_blocked_even.bind(5);
+    m_blocked_odd.bind(6);
+    m_work.bind(7);
 }
 
 void Mesh::start(const MeshOptions& options) {
-    use("start.comp", 1, 1);
+    use("start.comp", 1, 1, m_cost);
     m_gl.Uniform1i(5, options.start == Start::flat);
     m_gl.Uniform1i(6, m_iterations > 0);
     m_guide.bind(2);
@@ -64,33 +66,37 @@ void Mesh::one_round() {
     const int dispatched = std::min(m_iterations, dispatched_iterations);
     for (int i = 1; i <= dispatched; ++i) {
         if (i > 1) // else start() has
-            step("evaluate.comp", i, Step::evaluate);
-        step("select.comp", i, Step::select);
-        step("flip.comp", i, Step::flip);
+            step("evaluate.comp", i, Step::evaluate, m_cost);
+        step("select.comp", i, Step::select, {});
+        step("flip.comp", i, Step::flip, {});
     }
     m_gains_known = true;
     if (m_iterations == dispatched) {
-        step("evaluate.comp", dispatched + 1, Step::evaluate);
+        step("evaluate.comp", dispatched + 1, Step::evaluate, m_cost);
         return;
     }
     std::swap(m_from, m_to);
     bind_lists();
-    use("finish.comp", dispatched + 1, m_iterations);
+    use("finish.comp", dispatched + 1, m_iterations, m_cost);
     m_gl.DispatchCompute(GLuint(m_tiles), 1, 1);
     barrier();
 }
 
-void Mesh::step(const char* shader, int iteration, Step step) {
+void Mesh::step(const char* shader, int iteration, Step step, const std::string& defines) {
     std::swap(m_from, m_to);
     bind_lists();
-    use(shader, iteration, iteration);
+    use(shader, iteration, iteration, defines);
     m_gl.DispatchComputeIndirect(GLintptr(arguments_of(iteration, step)));
     barrier(true);
 }
 
 void Mesh::accept_reject(const Rules& rules) {
+    if (!m_stamps)
+        m_stamps = std::make_unique<Buffer>(m_gl, m_shape.sites() * 4 * size_t(m_capacity));
+    m_stamps->clear();
     bind_lists();
-    use("accept_reject.comp", 1, m_iterations);
+    m_stamps->bind(2);
+    use("accept_reject.comp", 1, m_iterations, m_cost);
     m_gl.Uniform1i(5, rules.by_gain);
     m_gl.Uniform1i(6, rules.wide_iterations);
     m_gl.Uniform1i(7, rules.all_rounds);
@@ -104,14 +110,15 @@ void Mesh::find_gains(Cost cost) {
     m_cost = std::string("COST_") + cost_name(cost);
     bind();
     bind_lists();
-    use("evaluate.comp", 0, 0, " DENSE");
+    use("evaluate.comp", 0, 0, m_cost + " DENSE");
     dispatch_over(2 * m_shape.width - 1, 2 * m_shape.height - 1, 64, 2);
     barrier();
     m_gains_known = true;
 }
 
-void Mesh::use(const char* shader, int first_iteration, int last_iteration, const char* defines) {
-    m_gpu.programs->use(shader, m_cost + defines);
+void Mesh::use(const char* shader, int first_iteration, int last_iteration,
+               const std::string& defines) {
+    m_gpu.programs->use(shader, defines);
     m_gl.Uniform1i(0, m_tiles);
     m_gl.Uniform1i(1, GLint(m_shape.edges()));
     m_gl.Uniform1i(2, first_iteration);

@@ -6,8 +6,8 @@ namespace ddt::bench {
 
 namespace {
 
-// Bytes a pixel: four sites, the gains and stamps of four sites, RGBA and its gradients.
-constexpr double sites = 32, gains = 16, stamps = 16, values = 16, two_gradients = 32;
+// Bytes a pixel: four sites, their gains, RGBA and its gradients.
+constexpr double sites = 32, gains = 16, values = 16, two_gradients = 32;
 // Bytes of an entry: of a list of edges, of the list of those that wait.
 constexpr double entry = 4, waiting_entry = 8;
 
@@ -39,9 +39,7 @@ void add_tile(const gl::TileSize& tile, double positions, int reach, const Surfa
 std::map<std::string, double> traffic(const Workload& w, const SurfaceOptions& surface,
                                       double number_bytes) {
     std::map<std::string, double> bytes;
-    const double all_sites = w.pixels * sites, all_gains = w.pixels * gains,
-                 all_stamps = w.pixels * stamps;
-    bytes["(clear)"] = all_stamps;
+    const double all_sites = w.pixels * sites, all_gains = w.pixels * gains;
     bytes["start.comp"] = w.pixels * 4 + all_sites + all_gains;
     double waiting = 0, dirty = 0;
     for (size_t i = 0; i < w.iterations.size(); ++i) {
@@ -55,18 +53,19 @@ std::map<std::string, double> traffic(const Workload& w, const SurfaceOptions& s
                                        std::min(dirty * 4, all_gains) + c.candidates * entry;
         else
             bytes["start.comp"] += c.candidates * entry;
-        // The edge and four about it, its gain and twelve; stamps of what waits.
+        // The edge and four about it, its gain and twelve; stamps of what waits, and for whom.
         kernel("select.comp") +=
             c.candidates * entry + std::min(double(c.candidates) * 40, all_sites) +
             std::min(double(c.candidates) * 13 * 4, all_gains) + waiting * (waiting_entry + 8) +
             c.selected * entry + c.blocked * waiting_entry;
         dirty = i + 1 < w.iterations.size() ? w.iterations[i + 1].dirty : 0;
         waiting = c.blocked;
-        // Thirteen edges and their stamps, five of them written, and a word of four vertices.
+        // Thirteen edges, whose second word is written, the first of five too, and a word of four
+        // vertices.
         kernel("flip.comp") +=
             c.selected * entry +
-            std::min(double(c.selected) * (13 * 8 + 5 * 8 + 4 * 4), 2 * all_sites) +
-            std::min(double(c.selected) * 13 * 8, 2 * all_stamps) + dirty * entry;
+            std::min(double(c.selected) * (13 * 8 + 13 * 4 + 5 * 4 + 4 * 4), 2 * all_sites) +
+            dirty * entry;
     }
     const double soft = surface.soft > 0 ? gains : 0;
     const double net =

@@ -21,10 +21,11 @@ struct Variant {
 };
 
 std::vector<Variant> variants() {
-    std::vector<Variant> all = {{"gradients.comp", ""}, {"widen.comp", ""}};
+    std::vector<Variant> all = {
+        {"select.comp", ""}, {"flip.comp", ""}, {"gradients.comp", ""}, {"widen.comp", ""}};
     for (const std::string& cost : cost_names())
         for (const char* file : {"start.comp", "evaluate.comp", "evaluate.comp DENSE",
-                                 "select.comp", "flip.comp", "finish.comp", "accept_reject.comp"}) {
+                                 "finish.comp", "accept_reject.comp"}) {
             const std::string name = file;
             const size_t space = name.find(' ');
             all.push_back({name.substr(0, space),
