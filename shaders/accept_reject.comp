@@ -2,8 +2,11 @@
 // another too often for dispatches. C++ twin: core/triangulate/accept_reject.cpp. The first
 // iteration's gains are there already.
 #define ACCESS coherent
-#include "work.glsl"
+#include "lists.glsl"
+#include "waiting.glsl"
+#include "evaluate.glsl"
 #include "region.glsl"
+#include "flip.glsl"
 
 layout(local_size_x = FINISH_GROUP) in; // x: a tile
 
@@ -11,10 +14,13 @@ layout(location = 5) uniform bool by_gain;
 layout(location = 6) uniform int wide_iterations;
 layout(location = 7) uniform bool all_rounds;
 
-// What a stamp says here. A dirty edge's iteration is of no interest.
+// `from` is the list of dirty edges here, `to` that of selected ones.
+
+// What the scheme knows of an edge. A dirty edge's iteration is of no interest.
+layout(std430, binding = 2) ACCESS buffer Stamps { uint stamp[]; }; // a site
 const uint idle = 0, is_dirty = 1, untreated = 2, accepted = 3, rejected = 4;
 
-shared uint evaluated, n_dirty, n_candidates, n_selected, n_waiting;
+shared uint evaluated, n_dirty, n_candidates, n_selected, n_waiting, own_reach;
 
 void synchronize() {
     memoryBarrierBuffer();
@@ -72,7 +78,18 @@ void gather(int tile, int list) {
 
 void touch(int list, int m) {
     if (m >= 0 && atomicExchange(stamp[m], is_dirty) != is_dirty)
-        dirty[list + int(atomicAdd(n_dirty, 1))] = m;
+        from[list + int(atomicAdd(n_dirty, 1))] = m;
+}
+
+void flip(int m, Edge e) {
+    Side s = first_side(e);
+    for (int k = 0; k < 4; ++k) {
+        int middle = m + offset(middle_of(s));
+        site[middle] = pack(with_apex(edge_at(middle), s, k < 2 ? e.right : e.left));
+        s = next_side(s);
+    }
+    site[m] = pack(turned(e));
+    tell_ends(m, e);
 }
 
 void main() {
@@ -81,6 +98,7 @@ void main() {
     if (own == 0) {
         n_dirty = 0;
         n_candidates = 0;
+        own_reach = 0;
     }
     synchronize();
     for (int iteration = first_iteration; iteration <= last_iteration; ++iteration) {
@@ -98,7 +116,7 @@ void main() {
         if (iteration == first_iteration)
             gather(tile, list);
         for (uint i = own; i < touched; i += size)
-            if (evaluate(dirty[list + int(i)]))
+            if (evaluate(from[list + int(i)]))
                 atomicAdd(evaluated, 1);
         for (uint i = own; i < before; i += size) {
             int m = blocked_at(iteration - 1, list + int(i)).x;
@@ -107,7 +125,7 @@ void main() {
         }
         synchronize();
         for (uint i = own; i < touched; i += size) {
-            int m = dirty[list + int(i)];
+            int m = from[list + int(i)];
             stamp[m] = idle;
             add_candidate(iteration, list, m);
         }
@@ -132,13 +150,13 @@ void main() {
                     put_blocked(iteration, list + int(i), c);
                 }
                 if (c.y < 0)
-                    selected[list + int(atomicAdd(n_selected, 1))] = c.x;
+                    to[list + int(atomicAdd(n_selected, 1))] = c.x;
                 else
                     atomicAdd(n_waiting, 1);
             }
             synchronize();
             for (uint i = first + own; i < n_selected; i += size) {
-                int winner = selected[list + int(i)];
+                int winner = to[list + int(i)];
                 stamp[winner] = accepted;
                 int region[wide_region_size];
                 region_in(wide, winner, region);
@@ -152,7 +170,7 @@ void main() {
         synchronize();
         if (own == 0) {
             counts[counts_of(iteration, tile)] =
-                Counts(evaluated, n_selected, 0, touched, rounds);
+                Counts(evaluated, candidates, n_selected, 0, touched, rounds);
             n_dirty = 0;
         }
         if (candidates == 0)
@@ -161,7 +179,8 @@ void main() {
             stamp[blocked_at(iteration, list + int(i)).x] = idle;
         synchronize();
         for (uint i = own; i < n_selected; i += size) {
-            int m = selected[list + int(i)];
+            int m = to[list + int(i)];
+            atomicMax(own_reach, reach_of(edge_at(m)));
             flip(m, edge_at(m));
             int region[12];
             region_of(m, edge_at(m), region);
@@ -171,4 +190,6 @@ void main() {
         }
         synchronize();
     }
+    if (own == 0)
+        atomicMax(reach[tile], own_reach);
 }

@@ -1,11 +1,32 @@
 // All iterations that remain, one group a tile. Late iterations treat a few edges each: here they
 // cost a barrier of one group where dispatches would each wait for the whole device.
 #define ACCESS coherent
-#include "work.glsl"
+#include "lists.glsl"
+#include "waiting.glsl"
+#include "evaluate.glsl"
 
 layout(local_size_x = FINISH_GROUP) in; // x: a tile
 
-shared uint evaluated, n_dirty, n_selected, n_blocked, next_dirty;
+shared uint evaluated, n_dirty, n_candidates, n_selected, n_blocked, own_reach;
+
+// Which of the two lists the iteration's dirty edges are in; its candidates are in the other one,
+// the selected in this one again, then what is dirty next in the other.
+bool second = false;
+
+int listed(bool in_second, int i) {
+    return in_second ? to[i] : from[i];
+}
+void put_listed(bool in_second, int i, int m) {
+    if (in_second)
+        to[i] = m;
+    else
+        from[i] = m;
+}
+
+void add_dirty(int m, int list) {
+    put_listed(!second, list + int(atomicAdd(n_dirty, 1)), m);
+}
+#include "touch.glsl"
 
 void synchronize() {
     memoryBarrierBuffer();
@@ -13,71 +34,66 @@ void synchronize() {
     barrier();
 }
 
-void touch(int list, int m, int iteration) {
-    if (first_touch(m, iteration))
-        dirty[list + int(atomicAdd(next_dirty, 1))] = m;
-}
-
-void consider(int list, int m, int iteration) {
-    if (!(gain[m] > min_gain))
-        return;
-    int blocker = find_blocker(m);
-    if (blocker < 0)
-        selected[list + int(atomicAdd(n_selected, 1))] = m;
-    else
-        put_blocked(iteration, list + int(atomicAdd(n_blocked, 1)), ivec2(m, blocker));
-}
-
 void main() {
     const uint size = gl_WorkGroupSize.x, own = gl_LocalInvocationIndex;
     int tile = int(gl_WorkGroupID.x), list = tile * list_size;
     uint waiting = counts[counts_of(first_iteration - 1, tile)].blocked;
+    uint dirty = counts[counts_of(first_iteration, tile)].dirty;
     if (own == 0)
-        n_dirty = counts[counts_of(first_iteration, tile)].dirty;
-    synchronize();
-    for (int iteration = first_iteration; iteration <= last_iteration; ++iteration) {
-        uint dirty_now = n_dirty;
-        if (dirty_now == 0)
-            break;
+        own_reach = 0;
+    for (int iteration = first_iteration; dirty > 0; ++iteration) {
         synchronize();
         if (own == 0) {
             evaluated = 0;
+            n_dirty = 0;
+            n_candidates = 0;
             n_selected = 0;
             n_blocked = 0;
-            next_dirty = 0;
         }
         synchronize();
-        for (uint i = own; i < dirty_now; i += size)
-            if (evaluate(dirty[list + int(i)]))
-                atomicAdd(evaluated, 1);
+        for (uint i = own; i < dirty; i += size) {
+            int m = listed(second, list + int(i));
+            if (!evaluate(m))
+                continue;
+            atomicAdd(evaluated, 1);
+            if (gain[m] > min_gain)
+                put_listed(!second, list + int(atomicAdd(n_candidates, 1)), m);
+        }
+        if (iteration > last_iteration)
+            break; // gains are wanted of all edges
         synchronize();
-        for (uint i = own; i < dirty_now; i += size)
-            consider(list, dirty[list + int(i)], iteration);
-        for (uint i = own; i < waiting; i += size) {
-            ivec2 b = blocked_at(iteration - 1, list + int(i));
-            int state = wake(b, iteration);
+        uint candidates = n_candidates, visits = candidates + waiting;
+        for (uint i = own; i < visits; i += size) {
+            ivec2 b; // a candidate and what it waits for
+            int state = 1;
+            if (i < candidates) {
+                b.x = listed(!second, list + int(i));
+            } else {
+                b = blocked_at(iteration - 1, list + int(i - candidates));
+                state = wake(b, iteration);
+            }
             if (state == 1)
-                consider(list, b.x, iteration);
-            else if (state == 0)
+                b.y = find_blocker(b.x);
+            if (state == 1 && b.y < 0)
+                put_listed(second, list + int(atomicAdd(n_selected, 1)), b.x);
+            else if (state >= 0)
                 put_blocked(iteration, list + int(atomicAdd(n_blocked, 1)), b);
         }
         synchronize();
         for (uint i = own; i < n_selected; i += size) {
-            int m = selected[list + int(i)];
-            flip_and_settle(m);
-            int region[12];
-            region_of(m, edge_at(m), region);
-            touch(list, m, iteration + 1);
-            for (int k = 0; k < 12; ++k)
-                touch(list, region[k], iteration + 1);
+            int m = listed(second, list + int(i));
+            Edge e = edge_at(m);
+            atomicMax(own_reach, reach_of(e));
+            flip_and_touch(m, e, iteration + 1, list);
         }
         synchronize();
-        waiting = n_blocked;
-        if (own == 0) {
-            n_dirty = next_dirty;
+        if (own == 0)
             counts[counts_of(iteration, tile)] =
-                Counts(evaluated, n_selected, n_blocked, dirty_now, 0);
-        }
-        synchronize();
+                Counts(evaluated, candidates, n_selected, n_blocked, dirty, 0);
+        waiting = n_blocked;
+        dirty = n_dirty;
+        second = !second;
     }
+    if (own == 0)
+        atomicMax(reach[tile], own_reach);
 }

@@ -1,7 +1,7 @@
 // Gradients at the vertices, one invocation a pixel. C++ twin: make_gradients in
 // core/surface/net.cpp.
 #include "lattice.glsl"
-#include "first.glsl"
+#include "served.glsl"
 #include "surface.glsl"
 
 layout(local_size_x = 32, local_size_y = 4) in; // z: a tile
@@ -19,14 +19,37 @@ ivec2 apex(int s, ivec2 r, bool left) {
     return (e.v == r) == left ? e.left : e.right;
 }
 
+// The edge of the vertex at s with the smallest address, found from any of its edges: round to the
+// left, at the rim then to the right.
+ivec2 first_edge(int s, ivec2 any_edge) {
+    ivec2 first = any_edge, r = any_edge;
+    bool left = true;
+    for (;;) {
+        ivec2 a = apex(s, r, left);
+        if (is_zero(a)) {
+            if (!left)
+                break;
+            left = false;
+            r = any_edge;
+            continue;
+        }
+        r = (r + a) / 2;
+        if (r == any_edge)
+            break;
+        if (edge_key(r) < edge_key(first))
+            first = r;
+    }
+    return first;
+}
+
 void main() {
     int tile = int(gl_GlobalInvocationID.z);
     int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
-    if (x >= extent[tile].x || y >= extent[tile].y)
+    if (x >= extent[tile].x || y >= extent[tile].y || !is_needed(tile, ivec2(x, y)))
         return;
     int s = tile * slot_sites + 2 * y * stride + 2 * x;
     int pixel = tile * slot_pixels + y * slot_width + x;
-    ivec2 first = first_of_key(site[s].y);
+    ivec2 first = first_edge(s, midpoint_of_key(site[s].y));
     vec4 z = value_at(pixel);
     precise vec4 dz_first = value_at(pixel + first.y * slot_width + first.x) - z;
 

@@ -2,9 +2,14 @@
 //
 // Each tile has a slot of slot_sites sites, in rows of `stride` whatever the tile's own width, and
 // `site` numbers run through all slots. ACCESS is `coherent` where invocations read what others of
-// the same dispatch wrote.
+// the same dispatch wrote. SITE and STRIDE are set where a part of the lattice is looked at in
+// another array.
 #ifndef ACCESS
 #define ACCESS
+#endif
+#ifndef SITE
+#define SITE(m) site[m]
+#define STRIDE stride
 #endif
 
 layout(std140, binding = 0) uniform Batch {
@@ -13,11 +18,12 @@ layout(std140, binding = 0) uniform Batch {
     int slot_width;  // pixels in a row of a slot
     int slot_pixels;
     ivec4 extent[MAX_TILES]; // xy: a tile's width and height in pixels
+    ivec4 served[MAX_TILES]; // first and last pixels about the positions a tile serves
 };
 
 layout(std430, binding = 0) ACCESS buffer Sites {
-    // An edge: the bytes v.x v.y left.x left.y, right.x right.y 0 0. A vertex: the guide's bits,
-    // and the key of its first edge (first_edges.comp).
+    // An edge: the bytes v.x v.y left.x left.y, right.x right.y and its stamp (touch.glsl). A
+    // vertex: the guide's bits, and the key of one of its edges.
     uvec2 site[];
 };
 
@@ -26,7 +32,6 @@ struct Edge {
 };
 
 const int longest_edge = 63;
-const uint no_first = 0xffffffffu;
 
 ivec2 bytes(uint word, int first) {
     int w = int(word);
@@ -39,15 +44,27 @@ uvec2 pack(Edge e) {
     return uvec2(pack(e.v, e.left), pack(e.right, ivec2(0)));
 }
 
+// One of a vertex's edges, given as its midpoint relative to the vertex, in a key that orders
+// midpoints as their addresses do.
+uint edge_key(ivec2 midpoint) {
+    return uint(midpoint.y + 128) << 8 | uint(midpoint.x + 128);
+}
+ivec2 midpoint_of_key(uint key) {
+    return ivec2(int(key & 255u) - 128, int(key >> 8) - 128);
+}
+
+uint stamp_at(int m) {
+    return site[m].y >> 16;
+}
 Edge edge_at(int m) {
-    uvec2 record = site[m];
+    uvec2 record = SITE(m);
     return Edge(bytes(record.x, 0), bytes(record.x, 16), bytes(record.y, 0));
 }
 float guide_at(int m) {
-    return uintBitsToFloat(site[m].x);
+    return uintBitsToFloat(SITE(m).x);
 }
 int offset(ivec2 v) {
-    return v.y * stride + v.x;
+    return v.y * STRIDE + v.x;
 }
 bool is_zero(ivec2 v) {
     return v == ivec2(0);
@@ -73,47 +90,33 @@ int division(int first_site, ivec2 cell) {
     return division_other;
 }
 
-struct Quad {
-    ivec2 v, w;
-    ivec2 side[4], middle[4], inner[4];
+// A side of the quad round a flippable edge, in the order ac, cb, bd, da. Each is made of the one
+// before and not looked up in arrays, and loops end when they are once round: compilers would unroll
+// them, and take a multiple of the time for programs that are no faster.
+struct Side {
+    ivec2 vector, next;      // as vectors in pixels: this side, the next one
+    ivec2 inner, next_inner; // the apex within the quad, relative to the side's midpoint
 };
-Quad quad_of(Edge e) {
+Side first_side(Edge e) {
     ivec2 v = e.v, w = (e.v + e.left) / 2;
-    return Quad(v, w, ivec2[4](w, v - w, -w, w - v), ivec2[4](w - v, w, v - w, -w),
-                ivec2[4](v + v - w, -v - w, w - v - v, v + w));
+    return Side(w, v - w, v + v - w, -v - w);
+}
+Side next_side(Side s) {
+    return Side(s.next, -s.vector, s.next_inner, -s.inner);
+}
+// Whether s, made of the last side of the quad round e, is the first again.
+bool once_round(Side s, Edge e) {
+    return s.vector == (e.v + e.left) / 2;
+}
+// The side's midpoint relative to the edge's.
+ivec2 middle_of(Side s) {
+    return -s.next;
 }
 
-ivec2 outer_apex(int m, Quad q, int k) {
-    Edge e = edge_at(m + offset(q.middle[k]));
-    return e.left + e.right - q.inner[k];
-}
-
-// The 2-region of the flippable edge at m without m itself: 12 sites, -1 where there is none.
-void region_of(int m, Edge e, out int region[12]) {
-    Quad q = quad_of(e);
-    for (int k = 0; k < 4; ++k) {
-        int middle = m + offset(q.middle[k]);
-        ivec2 apex = outer_apex(m, q, k), s = q.side[k];
-        bool rim = is_zero(apex);
-        region[3 * k] = middle;
-        region[3 * k + 1] = rim ? -1 : middle + offset((apex - s) / 2);
-        region[3 * k + 2] = rim ? -1 : middle + offset((apex + s) / 2);
-    }
-}
-
-void flip(int m, Edge e) {
-    Quad q = quad_of(e);
-    ivec2 c = e.left, d = e.right;
-    ivec2 came[4] = ivec2[4](d, d, c, c);
-    for (int k = 0; k < 4; ++k) {
-        int s = m + offset(q.middle[k]);
-        Edge side = edge_at(s);
-        ivec2 apex = came[k] - q.middle[k];
-        if (side.left == q.inner[k])
-            side.left = apex;
-        else
-            side.right = apex;
-        site[s] = pack(side);
-    }
-    site[m] = pack(Edge(c, -e.v, e.v));
+// The two other edges of the triangle beyond the side, whose site is `middle` and whose record is e;
+// -1 on the rim. With the sides themselves they are the 2-region.
+ivec2 edges_beyond(int middle, Edge e, Side s) {
+    ivec2 apex = e.left + e.right - s.inner;
+    return is_zero(apex) ? ivec2(-1) : ivec2(middle + offset((apex - s.vector) / 2),
+                                             middle + offset((apex + s.vector) / 2));
 }

@@ -1,5 +1,18 @@
-// The wide region of an edge. C++ twin: core/triangulate/region.h, where any_beyond is recursive.
+// Regions of an edge as arrays. C++ twin: core/triangulate/region.h, where any_beyond is recursive.
 // After lattice.glsl.
+
+// The 2-region of the flippable edge e at m without m itself; -1 where there is none.
+void region_of(int m, Edge e, out int region[12]) {
+    Side s = first_side(e);
+    for (int k = 0; k < 4; ++k) {
+        int middle = m + offset(middle_of(s));
+        ivec2 beyond = edges_beyond(middle, edge_at(middle), s);
+        region[3 * k] = middle;
+        region[3 * k + 1] = beyond.x;
+        region[3 * k + 2] = beyond.y;
+        s = next_side(s);
+    }
+}
 
 // A side to look beyond: the site, its vector, the apex on the near side.
 struct Beyond {
@@ -21,9 +34,9 @@ const int wide_region_size = 28;
 
 // The region of degree 3 of the flippable edge e at m; -1 where there is none, some twice.
 void wide_region_of(int m, Edge e, out int region[wide_region_size]) {
-    Quad q = quad_of(e);
+    Side s = first_side(e);
     for (int k = 0; k < 4; ++k) {
-        Beyond b = Beyond(m + offset(q.middle[k]), q.side[k], q.inner[k]), next[2], last[2];
+        Beyond b = Beyond(m + offset(middle_of(s)), s.vector, s.inner), next[2], last[2];
         region[7 * k] = b.site;
         bool there = next_sides(b, next[0], next[1]);
         for (int i = 0; i < 2; ++i) {
@@ -34,5 +47,6 @@ void wide_region_of(int m, Edge e, out int region[wide_region_size]) {
             region[7 * k + 2 + 3 * i] = further ? last[0].site : -1;
             region[7 * k + 3 + 3 * i] = further ? last[1].site : -1;
         }
+        s = next_side(s);
     }
 }

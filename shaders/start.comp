@@ -1,11 +1,28 @@
-// The starting mesh, one invocation a pixel. C++ twin: Lattice::start.
-#include "lattice.glsl"
+// The starting mesh and the gains of its edges, one invocation a pixel. C++ twin: Lattice::start.
+//
+// A group makes the part of the mesh that its gains depend on in an array of its own, so that they
+// do not wait for the whole mesh to go to memory and come back.
+const int group_width = 32, group_height = 8;
+// Gains of a pixel's edges look one pixel back and two ahead.
+const int near_width = group_width + 3, near_height = group_height + 3;
+const int near_stride = 2 * near_width;
+shared uvec2 near_site[near_stride * 2 * near_height];
+#define SITE(m) near_site[m]
+#define STRIDE near_stride
+#include "lists.glsl"
+#include "gain.glsl"
 
-layout(local_size_x = 32, local_size_y = 4) in;
+layout(local_size_x = 32, local_size_y = 8) in; // z: a tile
 
-layout(std430, binding = 1) readonly buffer Guide { float guide[]; };
+const int own_most = group_width * group_height * 3;
+#include "append.glsl"
 
-layout(location = 0) uniform bool flat_start;
+layout(std430, binding = 2) readonly buffer Guide { float guide[]; };
+
+layout(location = 5) uniform bool flat_start;
+layout(location = 6) uniform bool with_gains;
+
+shared uint evaluated;
 
 int width, height, first_pixel;
 
@@ -19,31 +36,83 @@ bool down(int x, int y) {
     return !flat_start || falling <= rising;
 }
 
+// Make the sites of the pixel (x, y), which is at s in near_site.
+void make_sites(int x, int y, int s) {
+    bool has_left = x > 0, has_above = y > 0, has_right = x + 1 < width, has_below = y + 1 < height;
+    near_site[s] =
+        uvec2(floatBitsToUint(z(x, y)), edge_key(has_right ? ivec2(1, 0) : ivec2(-1, 0)));
+    bool own = has_right && has_below && down(x, y);
+    if (has_right) {
+        bool above = has_above && down(x, y - 1);
+        near_site[s + 1] =
+            pack(Edge(ivec2(1, 0), has_below ? ivec2(own ? 1 : -1, 2) : ivec2(0),
+                      has_above ? ivec2(above ? -1 : 1, -2) : ivec2(0)));
+    }
+    if (has_below) {
+        bool before = has_left && down(x - 1, y);
+        near_site[s + near_stride] =
+            pack(Edge(ivec2(0, 1), has_left ? ivec2(-2, before ? -1 : 1) : ivec2(0),
+                      has_right ? ivec2(2, own ? 1 : -1) : ivec2(0)));
+    }
+    if (has_right && has_below)
+        near_site[s + near_stride + 1] = pack(own ? Edge(ivec2(1, 1), ivec2(-1, 1), ivec2(1, -1))
+                                                  : Edge(ivec2(-1, 1), ivec2(-1, -1), ivec2(1, 1)));
+}
+
+// Whether the pixel has the site of this bit pattern: 1 the edge to the right, 2 to below, 3 the
+// diagonal.
+bool has_site(int x, int y, int k) {
+    return ((k & 1) == 0 || x + 1 < width) && ((k & 2) == 0 || y + 1 < height);
+}
+
 void main() {
     int tile = int(gl_GlobalInvocationID.z);
     int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
     width = extent[tile].x;
     height = extent[tile].y;
     first_pixel = tile * slot_pixels;
-    if (x >= width || y >= height)
-        return;
-    bool has_left = x > 0, has_above = y > 0, has_right = x + 1 < width, has_below = y + 1 < height;
-    int s = tile * slot_sites + 2 * y * stride + 2 * x;
+    if (gl_LocalInvocationIndex == 0)
+        evaluated = 0;
+    begin_list();
 
-    site[s] = uvec2(floatBitsToUint(z(x, y)), no_first);
-    bool own = has_right && has_below && down(x, y);
-    if (has_right) {
-        bool above = has_above && down(x, y - 1);
-        site[s + 1] = pack(Edge(ivec2(1, 0), has_below ? ivec2(own ? 1 : -1, 2) : ivec2(0),
-                                  has_above ? ivec2(above ? -1 : 1, -2) : ivec2(0)));
+    ivec2 corner = ivec2(gl_WorkGroupID.xy) * ivec2(group_width, group_height) - 1;
+    for (int i = int(gl_LocalInvocationIndex); i < near_width * near_height;
+         i += group_width * group_height) {
+        ivec2 at = ivec2(i % near_width, i / near_width), p = corner + at;
+        if (p.x >= 0 && p.y >= 0 && p.x < width && p.y < height)
+            make_sites(p.x, p.y, 2 * at.y * near_stride + 2 * at.x);
     }
-    if (has_below) {
-        bool before = has_left && down(x - 1, y);
-        site[s + stride] =
-            pack(Edge(ivec2(0, 1), has_left ? ivec2(-2, before ? -1 : 1) : ivec2(0),
-                        has_right ? ivec2(2, own ? 1 : -1) : ivec2(0)));
+    barrier();
+
+    if (x < width && y < height) {
+        int s = tile * slot_sites + 2 * y * stride + 2 * x;
+        int own = 2 * (int(gl_LocalInvocationID.y) + 1) * near_stride +
+                  2 * (int(gl_LocalInvocationID.x) + 1);
+        for (int k = 0; k < 4; ++k) {
+            int m = s + (k >> 1) * stride + (k & 1), near = own + (k >> 1) * near_stride + (k & 1);
+            if (!has_site(x, y, k))
+                continue;
+            site[m] = near_site[near];
+            if (k == 0 || !with_gains)
+                continue;
+            float g = no_gain;
+            Edge e = edge_at(near);
+            if (flippable(e)) {
+                g = flip_gain(near, e);
+                atomicAdd(evaluated, 1);
+                if (g > min_gain)
+                    collect(m);
+            }
+            gain[m] = g;
+        }
     }
-    if (has_right && has_below)
-        site[s + stride + 1] = pack(own ? Edge(ivec2(1, 1), ivec2(-1, 1), ivec2(1, -1))
-                                          : Edge(ivec2(-1, 1), ivec2(-1, -1), ivec2(1, 1)));
+    barrier();
+    if (gl_LocalInvocationIndex == 0 && evaluated > 0) {
+        int c = counts_of(first_iteration, tile);
+        atomicAdd(counts[c].evaluated, evaluated);
+        own_base = atomicAdd(counts[c].candidates, own_count);
+        atomicMax(arguments[arguments_of(first_iteration, 1)], (own_base + own_count + 63) / 64);
+    }
+    barrier();
+    append_list(tile);
 }

@@ -60,6 +60,7 @@ void Programs::use(const std::string& file, const std::string& defines) {
                 .count();
     }
     m_gl.UseProgram(program);
+    ++m_uses[file];
 }
 
 GLuint Programs::compile(const std::string& file, const std::string& defines) {

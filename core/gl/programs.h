@@ -24,6 +24,8 @@ public:
     /// compiling it at the first use. Throws Failure with the compiler's messages.
     void use(const std::string& file, const std::string& defines = "");
 
+    /// How often each shader was used, whatever its macros: nearly all uses are one dispatch.
+    const std::map<std::string, int>& uses() const { return m_uses; }
     int compiled() const { return int(m_programs.size()); }
     double milliseconds() const { return m_milliseconds; }
 
@@ -32,6 +34,7 @@ private:
 
     const Functions& m_gl;
     std::map<std::string, GLuint> m_programs;
+    std::map<std::string, int> m_uses;
     double m_milliseconds = 0; ///< spent compiling
 };
 

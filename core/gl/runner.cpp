@@ -151,11 +151,15 @@ void Runner::triangulate_here(HostTile& t, const std::vector<float>& guide) {
     for (int y = 0; y < 2 * t.size.height - 1; ++y)
         std::memcpy(&t.sites[size_t(y) * size_t(m_shape.stride())],
                     lattice.sites() + lattice.site(0, y), row * sizeof(Site));
-    // A vertex' second word: no first edge was offered yet.
+    // A vertex' second word: the key of one of its edges (edge_key in shaders/lattice.glsl).
+    lattice.find_first_edges();
     for (int y = 0; y < t.size.height; ++y)
-        for (int x = 0; x < t.size.width; ++x)
-            t.sites[size_t(2 * y) * size_t(m_shape.stride()) + size_t(2 * x)] |=
-                uint64_t(0xffffffffu) << 32;
+        for (int x = 0; x < t.size.width; ++x) {
+            const Vertex& vertex = lattice.vertex(lattice.vertex_site(x, y));
+            const auto key = unsigned(vertex.first.y + 128) << 8 | unsigned(vertex.first.x + 128);
+            uint64_t& site = t.sites[size_t(2 * y) * size_t(m_shape.stride()) + size_t(2 * x)];
+            site = (site & 0xffffffffu) | uint64_t(key) << 32;
+        }
 }
 
 void Runner::start_batch() {
@@ -169,7 +173,7 @@ void Runner::start_batch() {
     }
     std::vector<TileSize> sizes;
     for (const auto& t : m_batch)
-        sizes.push_back(t->size);
+        sizes.push_back(size_in_slot(t->tile, t->size.width, t->size.height));
 
     m_stages->begin(Stage::upload);
     m_mesh->set_tiles(sizes);

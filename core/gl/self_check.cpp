@@ -83,7 +83,7 @@ Bits on_gpu(Gpu& gpu, const Job& job, const Tile& tile) {
     const SlotShape shape = shape_for(job.window);
     Mesh mesh(gpu, shape, 1);
     Surfaces surfaces(gpu, shape, 1, std::vector<GroupKinds>(1), job.surface);
-    mesh.set_tiles({{width, height}});
+    mesh.set_tiles({size_in_slot(tile, width, height)});
     mesh.write_guide(0, guide.data());
     surfaces.write_values(0, 0, values.data());
     mesh.triangulate(job.mesh);

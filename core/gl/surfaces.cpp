@@ -69,7 +69,6 @@ void Surfaces::widen(const Group& group) {
     group.source->bind(2);
     m_gl.Uniform1i(0, count);
     m_gl.DispatchCompute(columns / local_size, GLuint((count + columns - 1) / columns), 1);
-    ++m_dispatches;
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
@@ -79,8 +78,6 @@ std::string Surfaces::defines() const {
 }
 
 void Surfaces::make(Mesh& mesh, Cost cost) {
-    if (m_options.kind != Surface::linear)
-        mesh.find_first_edges();
     if (m_options.soft > 0)
         mesh.find_gains(cost);
     for (Group& group : m_groups) {
@@ -88,20 +85,24 @@ void Surfaces::make(Mesh& mesh, Cost cost) {
             widen(group);
         group.values = group.source.get();
         for (int round = 0; round < m_options.consistency; ++round) {
-            find_gradients(mesh, group);
-            correct(mesh, group, round);
+            // Values are read as far off as the surface and the apexes beyond its triangles go;
+            // each later round reads about as far again round those, and a pixel further.
+            const int later = m_options.consistency - 1 - round;
+            find_gradients(mesh, group, {3 + 2 * later, 1 + later});
+            correct(mesh, group, round, {2 + 2 * later, later});
         }
-        find_gradients(mesh, group);
+        find_gradients(mesh, group, {1, 0});
     }
 }
 
-void Surfaces::find_gradients(Mesh& mesh, const Group& group) {
+void Surfaces::find_gradients(Mesh& mesh, const Group& group, Margin margin) {
     if (m_options.kind == Surface::linear)
         return;
     m_gpu.programs->use("gradients.comp");
     mesh.bind();
     group.values->bind(1);
     group.gradients->bind(2);
+    m_gl.Uniform2i(9, margin.edges, margin.pixels);
     mesh.dispatch_over(m_shape.width, m_shape.height, 32, 4);
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
@@ -116,7 +117,7 @@ void Surfaces::bind_net(const Mesh& mesh, const Group& group) {
     m_gl.Uniform4f(1, lane(strict, 0), lane(strict, 1), lane(strict, 2), lane(strict, 3));
 }
 
-void Surfaces::correct(Mesh& mesh, Group& group, int round) {
+void Surfaces::correct(Mesh& mesh, Group& group, int round, Margin margin) {
     const Buffer* to = group.corrected[round & 1].get();
     m_gpu.programs->use("correct.comp", defines());
     bind_net(mesh, group);
@@ -125,6 +126,7 @@ void Surfaces::correct(Mesh& mesh, Group& group, int round) {
     const auto limit = [&](int i) { return lane(~group.kinds.strict, i) * m_options.limit; };
     m_gl.Uniform4f(2, limit(0), limit(1), limit(2), limit(3));
     m_gl.Uniform1f(3, m_options.clipped ? -FLT_MAX : 0.0f);
+    m_gl.Uniform2i(9, margin.edges, margin.pixels);
     mesh.dispatch_over(m_shape.width, m_shape.height, 32, 4);
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     group.values = to;
@@ -170,7 +172,6 @@ void Surfaces::sample(Mesh& mesh, const SamplePlan& plan, int channels) {
         m_gl.Uniform3i(6, channels, first, std::min(group_size, channels - first));
         m_gl.Uniform1ui(7, group.kinds.nearest);
         m_gl.DispatchCompute(GLuint(plan.columns + 15) / 16, GLuint(plan.rows + 7) / 8, 1);
-        ++m_dispatches;
     }
 }
 

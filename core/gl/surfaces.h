@@ -53,7 +53,6 @@ public:
     void sample(Mesh& mesh, const SamplePlan& plan, int channels);
     /// Copy results from the first on; waits for the device.
     void read_result(size_t bytes, void* out);
-    int dispatches() const { return m_dispatches; }
 
 private:
     struct Group {
@@ -66,9 +65,14 @@ private:
     };
     std::string defines() const;
     void bind_net(const Mesh& mesh, const Group& group);
-    void find_gradients(Mesh& mesh, const Group& group);
+    /// How far about the positions that tiles serve something is made: so many times the longest
+    /// edge, and so many pixels.
+    struct Margin {
+        int edges, pixels;
+    };
+    void find_gradients(Mesh& mesh, const Group& group, Margin margin);
     void widen(const Group& group);
-    void correct(Mesh& mesh, Group& group, int round);
+    void correct(Mesh& mesh, Group& group, int round, Margin margin);
     void reserve(std::unique_ptr<Buffer>& buffer, size_t bytes);
 
     Gpu& m_gpu;
@@ -76,7 +80,6 @@ private:
     SlotShape m_shape;
     SurfaceOptions m_options;
     Numbers m_numbers;
-    int m_dispatches = 0;
     std::vector<Group> m_groups;
     std::unique_ptr<Buffer> m_positions, m_result;
 };

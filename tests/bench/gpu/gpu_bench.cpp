@@ -1,12 +1,13 @@
 // Speed of the GPU core, and that its bits are the CPU's. Needs no image library: it can be carried
 // to a bare machine with a driver (see CMakeLists.txt beside it).
 //
-//   gpu_bench [--device egl|osmesa] [--cases N] [--runs N] [--size WxH] [--sharp] [--lists]
-//             [--picture FILE.ppm]
+//   gpu_bench [--device egl|osmesa] [--cases N] [--runs N] [--size WxH]
+//             [--filter ddt|ddt-linear|ddt-sharp] [--lists] [--picture FILE.ppm]
 //
 // --cases: only the first N of 1080p to 4K, 4K to 8K, 8K to 16K; --size: one case of that source
-// size instead; --sharp: with consistency rounds, as the filter ddt-sharp; --lists: the work lists'
-// sizes by iteration; --picture: a photograph, mirrored to the size, in place of the drawn picture.
+// size instead; --filter: its options, ddt's unless given; --lists: bytes and dispatches by kernel,
+// and the work lists' sizes by iteration; --picture: a photograph, mirrored to the size, in place
+// of the drawn picture.
 #include <climits>
 #include <cstdio>
 #include <cstdlib>
@@ -22,21 +23,35 @@
 namespace ddt::bench {
 namespace {
 
+/// What the filters' names stand for, as in plugin/options.cpp.
+struct Filter {
+    const char* name;
+    Surface kind;
+    int consistency;
+    float soft, min_gain, blur;
+};
+constexpr Filter filters[] = {{"ddt", Surface::patch, 0, 0.4f, 0.1f, 0.07f},
+                              {"ddt-linear", Surface::linear, 0, 0.0f, -1.0f, 0.0f},
+                              {"ddt-sharp", Surface::patch, 2, 0.3f, -1.0f, 0.05f}};
+
+const Filter* find_filter(const std::string& name) {
+    for (const Filter& filter : filters)
+        if (name == filter.name)
+            return &filter;
+    return nullptr;
+}
+
 struct Options {
     Device device = Device::egl;
     int cases = 3, runs = 10, width = 0, height = 0;
-    bool sharp = false, lists = false;
-    std::string picture;
+    bool lists = false;
+    std::string filter = "ddt", picture;
 };
 
 bool parse(int argc, char** argv, Options& o) {
     for (int i = 1; i < argc; ++i) {
         const std::string name = argv[i];
         const char* value = i + 1 < argc ? argv[i + 1] : "";
-        if (name == "--sharp") {
-            o.sharp = true;
-            continue;
-        }
         if (name == "--lists") {
             o.lists = true;
             continue;
@@ -51,6 +66,8 @@ bool parse(int argc, char** argv, Options& o) {
         else if (name == "--size" && std::sscanf(value, "%dx%d", &o.width, &o.height) == 2 &&
                  o.width > 1 && o.height > 1)
             o.cases = 1;
+        else if (name == "--filter" && find_filter(value))
+            o.filter = value;
         else if (name == "--picture" && *value)
             o.picture = value;
         else
@@ -59,10 +76,17 @@ bool parse(int argc, char** argv, Options& o) {
     return true;
 }
 
-SurfaceOptions surface_of(const Options& o) {
-    SurfaceOptions s;
-    s.consistency = o.sharp ? 2 : 0;
-    return s;
+Job job_of(const Options& o, int width, int height) {
+    const Filter& filter = *find_filter(o.filter);
+    Job job;
+    job.window = {0, 0, width, height};
+    job.channels = 4;
+    job.surface.kind = filter.kind;
+    job.surface.consistency = filter.consistency;
+    job.surface.soft = filter.soft;
+    job.mesh.min_gain = filter.min_gain;
+    job.mesh.blur = filter.blur;
+    return job;
 }
 
 Picture make_picture(const Options& o, int width, int height) {
@@ -109,15 +133,12 @@ size_t differing_bytes(gl::Gpu& gpu, const Options& o, gl::Numbers numbers) {
     };
     const ResizeMapping mapping(axis(700), axis(530));
     CpuSink sink(1400, 1060, numbers == gl::Numbers::halves);
-    Job job;
-    job.window = {0, 0, 700, 530};
-    job.channels = 4;
-    job.surface = surface_of(o);
+    const Job job = job_of(o, 700, 530);
     TileWorker worker(picture, sink, mapping, job);
     const Grid grid(job.window);
     for (int i = 0; i < grid.count(); ++i)
         worker.work(grid.tile(i), INT_MIN);
-    const Measured m = measure(gpu, picture, job.surface, numbers, 1, true);
+    const Measured m = measure(gpu, picture, job, numbers, 1, true);
     size_t differing = 0;
     const auto* a = reinterpret_cast<const char*>(sink.result.data());
     const auto* b = reinterpret_cast<const char*>(m.result.data());
@@ -126,33 +147,54 @@ size_t differing_bytes(gl::Gpu& gpu, const Options& o, gl::Numbers numbers) {
     return differing;
 }
 
-void print_lists(const Measured& m) {
-    std::printf("  iteration  evaluated  flipped  waiting  touched\n");
-    for (size_t i = 0; i < m.iterations.size(); ++i) {
-        const gl::IterationCounts& c = m.iterations[i];
-        std::printf("  %9zu  %9u  %7u  %7u  %7u\n", i + 1, c.evaluated, c.selected, c.blocked,
-                    c.dirty);
+size_t flipping_iterations(const Workload& work) {
+    size_t n = work.iterations.size();
+    while (n > 0 && work.iterations[n - 1].selected == 0)
+        --n;
+    return n;
+}
+
+void print_lists(const Measured& m, const std::map<std::string, double>& traffic_by_kernel) {
+    std::printf("  kernel                MB  dispatches\n");
+    for (const auto& [kernel, bytes] : traffic_by_kernel) {
+        const auto times = m.dispatches.find(kernel);
+        std::printf("  %-16s  %6.1f  %10d\n", kernel.c_str(), bytes * 1e-6,
+                    times == m.dispatches.end() ? 0 : times->second);
+    }
+    std::printf("  iteration  evaluated  candidates  flipped  waiting  touched\n");
+    for (size_t i = 0; i < m.work.iterations.size(); ++i) {
+        const gl::IterationCounts& c = m.work.iterations[i];
+        std::printf("  %9zu  %9u  %10u  %7u  %7u  %7u\n", i + 1, c.evaluated, c.candidates,
+                    c.selected, c.blocked, c.dirty);
     }
 }
 
 void measure_case(gl::Gpu& gpu, const Options& o, const char* name, int width, int height,
                   double bandwidth) {
     Picture picture = make_picture(o, width, height);
+    const Job job = job_of(o, width, height);
     for (const gl::Numbers numbers : {gl::Numbers::floats, gl::Numbers::halves}) {
-        const Measured m = measure(gpu, picture, surface_of(o), numbers, o.runs, false);
+        const Measured m = measure(gpu, picture, job, numbers, o.runs, false);
         const double* ms = m.milliseconds;
         const double mesh = ms[int(gl::Stage::triangulate)], surface = ms[int(gl::Stage::surface)],
                      sample = ms[int(gl::Stage::sample)];
-        const double bytes = m.bytes[0] + m.bytes[1] + m.bytes[2];
+        const auto traffic_by_kernel =
+            traffic(m.work, job.surface, numbers == gl::Numbers::floats ? 4 : 2);
+        double bytes = 0;
+        for (const auto& [kernel, b] : traffic_by_kernel)
+            bytes += b;
+        int dispatches = 0;
+        for (const auto& [kernel, times] : m.dispatches)
+            dispatches += times;
         std::printf("%-12s %-5s %9.3f %11.3f %9.3f %9.3f %9.3f %9.3f %8.0f %5.1f%% %6d %5zu %5d\n",
                     name, numbers == gl::Numbers::floats ? "float" : "half",
                     ms[int(gl::Stage::upload)], mesh, surface, sample, ms[int(gl::Stage::download)],
                     mesh + surface + sample, bytes * 1e-6,
-                    100.0 * bytes / ((mesh + surface + sample) * 1e-3) / bandwidth, m.dispatches,
-                    m.iterations.size(), m.batches);
+                    100.0 * bytes / ((mesh + surface + sample) * 1e-3) / bandwidth, dispatches,
+                    flipping_iterations(m.work), m.batches);
         std::fflush(stdout);
         if (o.lists && numbers == gl::Numbers::floats)
-            print_lists(m);
+            print_lists(m, traffic_by_kernel);
     }
 }
 
@@ -195,7 +237,8 @@ int main(int argc, char** argv) {
     ddt::bench::Options options;
     if (!ddt::bench::parse(argc, argv, options)) {
         std::fprintf(stderr, "usage: gpu_bench [--device egl|osmesa] [--cases N] [--runs N] "
-                             "[--size WxH] [--sharp] [--lists] [--picture FILE.ppm]\n");
+                             "[--size WxH] [--filter ddt|ddt-linear|ddt-sharp] [--lists] "
+                             "[--picture FILE.ppm]\n");
         return 1;
     }
     // Failures on the device arrive as exceptions.

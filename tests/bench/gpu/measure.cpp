@@ -28,22 +28,20 @@ struct HostTile {
 
 class Bench {
 public:
-    Bench(gl::Gpu& gpu, Picture& picture, const SurfaceOptions& surface, Numbers numbers)
-        : m_gpu(gpu), m_picture(picture), m_numbers(numbers),
+    Bench(gl::Gpu& gpu, Picture& picture, const Job& job, Numbers numbers)
+        : m_gpu(gpu), m_picture(picture), m_job(job), m_numbers(numbers),
           m_grid({0, 0, picture.width(), picture.height()}),
           m_shape(gl::shape_for({0, 0, picture.width(), picture.height()})),
           m_mapping(axis(picture.width()), axis(picture.height())),
-          m_in_flight(gl::affordable_tiles(gpu, m_shape, 1, surface, m_grid.count())),
+          m_in_flight(gl::affordable_tiles(gpu, m_shape, 1, job.surface, m_grid.count())),
           m_mesh(gpu, m_shape, int(m_in_flight)),
-          m_surfaces(gpu, m_shape, int(m_in_flight), std::vector<gl::GroupKinds>(1), surface,
-                     numbers) {}
+          m_surfaces(gpu, m_shape, int(m_in_flight), kinds(job), job.surface, numbers) {}
 
     /// One run over the whole picture.
     void run(gl::Stages& stages, Measured& m, bool keep) {
-        m.dispatches = 0;
         m.batches = 0;
-        m.iterations.clear();
-        std::fill(m.bytes, m.bytes + 3, 0.0);
+        m.work = {};
+        const auto uses = m_gpu.programs->uses();
         if (keep)
             m.result.resize(size_t(m_picture.width()) * size_t(m_picture.height()) * 4 *
                             number_bytes());
@@ -52,9 +50,18 @@ public:
             batch(stages, m, keep);
             ++m.batches;
         }
+        m.dispatches = m_gpu.programs->uses();
+        for (const auto& [kernel, times] : uses)
+            m.dispatches[kernel] -= times;
     }
 
 private:
+    static std::vector<gl::GroupKinds> kinds(const Job& job) {
+        gl::GroupKinds k;
+        for (int c = 0; c < channels; ++c)
+            k.strict |= is_strict(job, c) ? 1u << c : 0;
+        return {k};
+    }
     static ResizeMapping::Axis axis(int pixels) {
         ResizeMapping::Axis a;
         a.from_size = a.window1 = pixels;
@@ -65,15 +72,14 @@ private:
 
     void read(int first, int end) {
         m_tiles.clear();
-        Job job;
-        job.channels = channels;
-        job.window = {0, 0, m_picture.width(), m_picture.height()};
         std::vector<float> values, guide;
         for (int i = first; i < end; ++i) {
             HostTile t;
             t.tile = m_grid.tile(i);
-            t.reach = reach_of(t.tile, job.window, m_mapping);
-            read_tile(m_picture, t.tile, job, values, guide, t.size.width, t.size.height);
+            t.reach = reach_of(t.tile, m_job.window, m_mapping);
+            int width = 0, height = 0;
+            read_tile(m_picture, t.tile, m_job, values, guide, width, height);
+            t.size = gl::size_in_slot(t.tile, width, height);
             t.guide.resize(m_shape.pixels());
             t.values.resize(m_shape.pixels() * channels);
             for (int y = 0; y < t.size.height; ++y) {
@@ -94,7 +100,6 @@ private:
         std::vector<gl::TileSize> sizes;
         for (const HostTile& t : m_tiles)
             sizes.push_back(t.size);
-        const int surface_dispatches = m_surfaces.dispatches();
         stages.begin(Stage::upload);
         m_mesh.set_tiles(sizes);
         for (size_t i = 0; i < m_tiles.size(); ++i) {
@@ -108,15 +113,14 @@ private:
         stages.end();
         gl::finish(m_gpu.context->gl, "upload");
         stages.begin(Stage::triangulate);
-        m_mesh.triangulate(MeshOptions());
+        m_mesh.triangulate(m_job.mesh);
         stages.end();
         stages.begin(Stage::surface);
-        m_surfaces.make(m_mesh, MeshOptions().cost);
+        m_surfaces.make(m_mesh, m_job.mesh.cost);
         stages.end();
         gl::finish(m_gpu.context->gl, "triangulation");
         count(m);
         sample(stages, m, keep);
-        m.dispatches += m_mesh.dispatches() + m_surfaces.dispatches() - surface_dispatches;
     }
 
     /// Sample as many tiles at a time as a storage block holds the results of.
@@ -170,41 +174,29 @@ private:
 
     void count(Measured& m) {
         const auto counts = m_mesh.read_counts();
-        double pixels = 0, evaluated = 0, selected = 0, visits = 0, candidates = 0, out = 0;
+        const auto reach = m_mesh.read_reach();
         for (size_t t = 0; t < counts.size(); ++t) {
-            pixels += double(m_tiles[t].size.width) * m_tiles[t].size.height;
-            out += double(m_tiles[t].reach.area());
+            const HostTile& tile = m_tiles[t];
+            add_tile(tile.size, double(tile.reach.area()), int(reach[t]), m_job.surface, m.work);
             for (size_t i = 0; i < counts[t].size(); ++i) {
                 const gl::IterationCounts& c = counts[t][i];
-                if (i >= m.iterations.size())
-                    m.iterations.emplace_back();
-                gl::IterationCounts& sum = m.iterations[i];
+                if (i >= m.work.iterations.size())
+                    m.work.iterations.emplace_back();
+                gl::IterationCounts& sum = m.work.iterations[i];
                 sum.evaluated += c.evaluated;
+                sum.candidates += c.candidates;
                 sum.selected += c.selected;
                 sum.blocked += c.blocked;
                 sum.dirty += c.dirty;
-                evaluated += i > 0 ? c.evaluated : 0;
-                candidates += c.selected + c.blocked;
-                selected += c.selected;
-                visits += c.dirty + c.blocked;
             }
         }
-        while (!m.iterations.empty() && m.iterations.back().selected == 0)
-            m.iterations.pop_back();
-        // A site is 8 bytes and there are 4 a pixel. First pass: guide to sites; sites to gains;
-        // gains to lists. Later: an evaluation reads an entry, 5 edges and 8 vertices and writes a
-        // gain; a visit reads an entry, a gain and stamps; a candidate 12 gains and 5 edges; a flip
-        // reads 13 edges, writes 5 of them, and 13 stamps and entries.
-        m.bytes[0] += pixels * (4 + 32 + 32 + 16 + 16) + evaluated * (4 + 40 + 64 + 4) +
-                      visits * 12 + candidates * (48 + 40 + 8) + selected * (104 + 40 + 13 * 8);
-        // First edges: sites and a key; gradients: sites and values to two values.
-        m.bytes[1] += pixels * (32 + 8) + pixels * (32 + 16 + 32);
-        // Sites, values, gradients, once each; results.
-        m.bytes[2] += pixels * (32 + 16 + 32) + out * channels * double(number_bytes());
+        while (!m.work.iterations.empty() && m.work.iterations.back().evaluated == 0)
+            m.work.iterations.pop_back();
     }
 
     gl::Gpu& m_gpu;
     Picture& m_picture;
+    Job m_job;
     Numbers m_numbers;
     Grid m_grid;
     gl::SlotShape m_shape;
@@ -218,12 +210,12 @@ private:
 
 } // namespace
 
-Measured measure(gl::Gpu& gpu, Picture& picture, const SurfaceOptions& surface, Numbers numbers,
-                 int runs, bool keep_result) {
+Measured measure(gl::Gpu& gpu, Picture& picture, const Job& job, Numbers numbers, int runs,
+                 bool keep_result) {
     Measured best;
     double least = 0;
     const auto work = [&] {
-        Bench bench(gpu, picture, surface, numbers); // its buffers belong to this thread
+        Bench bench(gpu, picture, job, numbers); // its buffers belong to this thread
         for (int i = 0; i < runs; ++i) {
             gl::Stages stages(gpu.context->gl, true);
             Measured m;

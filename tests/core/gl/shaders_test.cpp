@@ -22,11 +22,10 @@ struct Variant {
 
 std::vector<Variant> variants() {
     std::vector<Variant> all = {
-        {"start.comp", ""}, {"first_edges.comp", ""}, {"gradients.comp", ""}, {"widen.comp", ""}};
+        {"select.comp", ""}, {"flip.comp", ""}, {"gradients.comp", ""}, {"widen.comp", ""}};
     for (const std::string& cost : cost_names())
-        for (const char* file :
-             {"evaluate.comp", "evaluate.comp DENSE", "select.comp", "select.comp DENSE",
-              "flip.comp", "finish.comp", "accept_reject.comp"}) {
+        for (const char* file : {"start.comp", "evaluate.comp", "evaluate.comp DENSE",
+                                 "finish.comp", "accept_reject.comp"}) {
             const std::string name = file;
             const size_t space = name.find(' ');
             all.push_back({name.substr(0, space),

@@ -68,6 +68,18 @@ TEST_P(Shapes, SeveralTiles) {
     expect_same(GetParam(), p, order_for(p, 1301, 601), "531 x 290");
 }
 
+// Gradients and corrections are made no further into a tile's halo than its edges reach.
+TEST_P(Shapes, SeveralTilesWithLongEdgesAndSeveralRounds) {
+    for (const Content content : {Content::drawing, Content::noise, Content::hdr})
+        for (const int rounds : {0, 1, 3}) {
+            const Picture p = make_picture(content, 420, 61, 4, 11);
+            Order order = order_for(p, 841, 122);
+            order.job.surface.consistency = rounds;
+            expect_same(GetParam(), p, order,
+                        std::string(name_of(content)) + ", rounds " + std::to_string(rounds));
+        }
+}
+
 TEST_P(Shapes, IdentitySizeGivesThePicture) {
     const Picture p = make_picture(Content::noise, 40, 30, 4, 3);
     Order order;

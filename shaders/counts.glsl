@@ -1,0 +1,12 @@
+// What is known of the work on the tiles.
+
+struct Counts {
+    uint evaluated, candidates, selected, blocked, dirty, rounds;
+};
+layout(std430, binding = 7) ACCESS buffer Work {
+    // Groups of indirect dispatches, (x, tiles, 1) each: three an iteration.
+    uint arguments[9 * (MAX_ITERATIONS + 2)];
+    // How far, in a coordinate, any edge of a tile goes at most.
+    uint reach[MAX_TILES];
+    Counts counts[]; // iteration * tiles + tile; `dirty` is what the iteration evaluates
+};

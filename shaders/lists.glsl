@@ -1,0 +1,32 @@
+// The lists of an iteration. C++ twin: core/triangulate/one_round.cpp.
+//
+// An iteration has three steps: evaluate the dirty edges, those that gain are candidates; select
+// the best candidates; flip them, and what they touch is dirty. Each step goes through one list and
+// makes the next, in two arrays that change places between steps.
+//
+// Lists are kept a tile: a tile's part begins at tile * list_size. An iteration's counts have a
+// place of their own, so nothing needs to be reset between iterations and one read at the end tells
+// all.
+#include "lattice.glsl"
+#include "counts.glsl"
+
+layout(std430, binding = 1) ACCESS buffer Gains { float gain[]; }; // a site
+layout(std430, binding = 3) ACCESS buffer From { int from[]; };
+layout(std430, binding = 4) ACCESS buffer To { int to[]; };
+
+layout(location = 0) uniform int tiles;
+layout(location = 1) uniform int list_size;
+layout(location = 2) uniform int first_iteration;
+layout(location = 3) uniform int last_iteration;
+layout(location = 4) uniform float min_gain;
+
+const float no_gain = -1e30;
+
+int counts_of(int iteration, int tile) {
+    return iteration * tiles + tile;
+}
+
+// Where the arguments of an iteration's dispatches are: evaluate, select, flip.
+int arguments_of(int iteration, int step) {
+    return 9 * iteration + 3 * step;
+}

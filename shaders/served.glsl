@@ -1,0 +1,12 @@
+// Which pixels matter. A tile's halo is there for its mesh; its surface is read in the middle only,
+// and a triangle that is read there goes no further than its edges. After lattice.glsl.
+#include "counts.glsl"
+
+// Edges' lengths and pixels: how far about what the tile serves results are needed.
+layout(location = 9) uniform ivec2 margin;
+
+bool is_needed(int tile, ivec2 p) {
+    int far = margin.x * int(reach[tile]) + margin.y;
+    return all(greaterThanEqual(p, served[tile].xy - far)) &&
+           all(lessThanEqual(p, served[tile].zw + far));
+}

@@ -1,0 +1,83 @@
+#include "tests/bench/gpu/traffic.h"
+
+#include <algorithm>
+
+namespace ddt::bench {
+
+namespace {
+
+// Bytes a pixel: four sites, their gains, RGBA and its gradients.
+constexpr double sites = 32, gains = 16, values = 16, two_gradients = 32;
+// Bytes of an entry: of a list of edges, of the list of those that wait.
+constexpr double entry = 4, waiting_entry = 8;
+
+/// Pixels of a tile not more than `far` off those it serves.
+double needed(const gl::TileSize& t, int far) {
+    const int x0 = std::max(t.served_x0 - far, 0), y0 = std::max(t.served_y0 - far, 0),
+              x1 = std::min(t.served_x1 + far, t.width - 1),
+              y1 = std::min(t.served_y1 + far, t.height - 1);
+    return double(x1 - x0 + 1) * double(y1 - y0 + 1);
+}
+
+} // namespace
+
+void add_tile(const gl::TileSize& tile, double positions, int reach, const SurfaceOptions& surface,
+              Workload& work) {
+    work.pixels += double(tile.width) * tile.height;
+    work.served += needed(tile, 0);
+    work.out += positions;
+    if (surface.kind != Surface::linear)
+        work.gradients += needed(tile, reach);
+    // The margins of Surfaces::make.
+    for (int later = 0; later < surface.consistency; ++later) {
+        if (surface.kind != Surface::linear)
+            work.gradients += needed(tile, (3 + 2 * later) * reach + 1 + later);
+        work.corrections += needed(tile, (2 + 2 * later) * reach + later);
+    }
+}
+
+std::map<std::string, double> traffic(const Workload& w, const SurfaceOptions& surface,
+                                      double number_bytes) {
+    std::map<std::string, double> bytes;
+    const double all_sites = w.pixels * sites, all_gains = w.pixels * gains;
+    bytes["start.comp"] = w.pixels * 4 + all_sites + all_gains;
+    double waiting = 0, dirty = 0;
+    for (size_t i = 0; i < w.iterations.size(); ++i) {
+        const gl::IterationCounts& c = w.iterations[i];
+        const auto kernel = [&](const char* name) -> double& {
+            return bytes[int(i) < gl::dispatched_iterations ? name : "finish.comp"];
+        };
+        if (i > 0)
+            // The edge and four about it, eight guides.
+            kernel("evaluate.comp") += dirty * entry + std::min(dirty * (40 + 32), all_sites) +
+                                       std::min(dirty * 4, all_gains) + c.candidates * entry;
+        else
+            bytes["start.comp"] += c.candidates * entry;
+        // The edge and four about it, its gain and twelve; stamps of what waits, and for whom.
+        kernel("select.comp") +=
+            c.candidates * entry + std::min(double(c.candidates) * 40, all_sites) +
+            std::min(double(c.candidates) * 13 * 4, all_gains) + waiting * (waiting_entry + 8) +
+            c.selected * entry + c.blocked * waiting_entry;
+        dirty = i + 1 < w.iterations.size() ? w.iterations[i + 1].dirty : 0;
+        waiting = c.blocked;
+        // Thirteen edges, whose second word is written, the first of five too, and a word of four
+        // vertices.
+        kernel("flip.comp") +=
+            c.selected * entry +
+            std::min(double(c.selected) * (13 * 8 + 13 * 4 + 5 * 4 + 4 * 4), 2 * all_sites) +
+            dirty * entry;
+    }
+    const double soft = surface.soft > 0 ? gains : 0;
+    const double net =
+        sites + values + soft + (surface.kind != Surface::linear ? two_gradients : 0);
+    if (w.gradients > 0)
+        bytes["gradients.comp"] = w.gradients * (sites + values + two_gradients);
+    if (w.corrections > 0)
+        bytes["correct.comp"] = w.corrections * (net + 2 * values);
+    if (number_bytes < 4)
+        bytes["widen.comp"] = w.pixels * (values / 2 + values);
+    bytes["sample.comp"] = w.served * net + w.out * 4 * number_bytes;
+    return bytes;
+}
+
+} // namespace ddt::bench

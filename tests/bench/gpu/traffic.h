@@ -1,0 +1,33 @@
+// Bytes that the kernels need, counted from the sizes of their lists.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/gl/mesh.h"
+#include "core/gl/surfaces.h"
+
+namespace ddt::bench {
+
+/// What was worked on; sums over all tiles.
+struct Workload {
+    double pixels = 0; ///< of tiles with their halos
+    double served = 0; ///< of tiles alone
+    double out = 0;    ///< positions sampled
+    /// Pixels at which gradients were made, and corrections, in all rounds.
+    double gradients = 0, corrections = 0;
+    std::vector<gl::IterationCounts> iterations;
+};
+
+/// Add what the tile with its pixels, positions and reach needs, iterations aside.
+void add_tile(const gl::TileSize& tile, double positions, int reach, const SurfaceOptions& surface,
+              Workload& work);
+
+/// Bytes by kernel. A dispatch reads and writes each number once, however many invocations want it:
+/// neighbours want it at about the same time, and it is in a cache then. Four channels of
+/// `number_bytes` bytes are written a position.
+std::map<std::string, double> traffic(const Workload& work, const SurfaceOptions& surface,
+                                      double number_bytes);
+
+} // namespace ddt::bench
