@@ -87,7 +87,8 @@ void find_range(inout Patch p, vec4 strict) {
 #ifdef SOFT
     const vec4 zero = vec4(0.0), infinity = uintBitsToFloat(uvec4(0x7f800000u)),
                minus_infinity = uintBitsToFloat(uvec4(0xff800000u));
-    p.low = if_less(zero, strict, p.low, if_less_equal(zero, p.low, zero, minus_infinity));
+    precise vec4 half_low = 0.5 * p.low;
+    p.low = if_less(zero, strict, p.low, if_less_equal(zero, p.low, half_low, minus_infinity));
     p.high = if_less(zero, strict, p.high, infinity);
 #endif
 }
