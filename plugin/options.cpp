@@ -68,6 +68,7 @@ const std::vector<Option>& table() {
              return !text.empty();
          }},
         number("limit", 0.0f, 1e6f, [](Options& o) -> float& { return o.surface.limit; }),
+        number("meshes", 1, most_meshes, [](Options& o) -> int& { return o.mesh.meshes; }),
         number("min_gain", 0.0f, 1e6f, [](Options& o) -> float& { return o.mesh.min_gain; }),
         choice("scheme", scheme_names(),
                [](const std::string& name, Options& o) { return find_scheme(name, o.mesh); }),

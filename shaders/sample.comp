@@ -7,7 +7,12 @@ layout(local_size_x = 16, local_size_y = 8) in;
 
 // A separable mapping: the x of the columns, then the y of the rows; else x, y of each position.
 layout(std430, binding = 4) readonly buffer Positions { int position[]; };
-#if defined(HALF)
+// MEAN: the results hold the mean of other meshes' surfaces, to be made that of one more.
+#if defined(MEAN) && defined(WHOLE_GROUPS)
+layout(std430, binding = 5) buffer Result { uvec4 pixels[]; };
+#elif defined(MEAN)
+layout(std430, binding = 5) buffer Result { uint pixels[]; };
+#elif defined(HALF)
 layout(std430, binding = 5) writeonly buffer Result { uvec2 pixels[]; }; // channels / 4 a pixel
 #elif defined(WHOLE_GROUPS)
 layout(std430, binding = 5) writeonly buffer Result { uvec4 pixels[]; }; // channels / 4 a pixel
@@ -23,6 +28,7 @@ layout(location = 5) uniform ivec2 first;    // separable: of the first column a
 layout(location = 6) uniform ivec3 channels; // in a pixel; first and count of this group
 layout(location = 7) uniform uint nearest;   // a bit a channel
 layout(location = 8) uniform int first_result;
+layout(location = 9) uniform float share; // MEAN: of this mesh in the mean
 
 void main() {
     int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
@@ -38,12 +44,25 @@ void main() {
     Patch patch_ = patch_of(t.vertex[0], t.vertex[1], t.vertex[2]);
     vec3 b = weights(t);
     uvec4 bits = result_bits(at(patch_, b.x, b.y, b.z));
+#ifdef MEAN
+#ifdef WHOLE_GROUPS
+    uvec4 mean = pixels[index * (channels.x / 4) + channels.y / 4];
+#else
+    uvec4 mean = uvec4(0u);
+    for (int c = 0; c < channels.z; ++c)
+        mean[c] = pixels[index * channels.x + channels.y + c];
+#endif
+    bvec4 copied = notEqual(uvec4(nearest) & uvec4(1u, 2u, 4u, 8u), uvec4(0u));
+    vec4 f = joined(uintBitsToFloat(mean), uintBitsToFloat(bits), share);
+    bits = if_true(copied, mean, result_bits(f));
+#else
     if (nearest != 0u) {
         ivec3 w = t.weight;
         int most = w.y > w.x ? (w.z > w.y ? 2 : 1) : (w.z > w.x ? 2 : 0);
         bvec4 copy = notEqual(uvec4(nearest) & uvec4(1u, 2u, 4u, 8u), uvec4(0u));
         bits = if_true(copy, source[pixel_of(t.vertex[most])], bits);
     }
+#endif
 #if defined(HALF)
     uvec4 h = uvec4(narrowed(bits.x), narrowed(bits.y), narrowed(bits.z), narrowed(bits.w));
     pixels[index * (channels.x / 4) + channels.y / 4] = uvec2(h.x | h.y << 16, h.z | h.w << 16);

@@ -118,6 +118,16 @@ vec4 at(Patch p, float b0, float b1, float b2) {
     return f;
 }
 
+// The mean of some surfaces at a position from that of all but the last, and the last, whose share is
+// 1 / their number.
+vec4 joined(vec4 mean, vec4 last, float share) {
+    precise float others = 1.0 - share;
+    precise vec4 f = mean * others + last * share;
+    vec4 low = if_less(last, mean, last, mean), high = if_less(last, mean, mean, last);
+    f = if_less(f, low, low, f);
+    return if_less(high, f, high, f);
+}
+
 // The bits of a result: zeros have no sign, and all NaN are alike.
 uvec4 result_bits(vec4 f) {
     uvec4 bits = if_true(equal(f, vec4(0.0)), uvec4(0u), floatBitsToUint(f));

@@ -21,13 +21,15 @@ SlotShape shape_for(const Rect& window) {
 }
 
 size_t affordable_tiles(const Gpu& gpu, const SlotShape& shape, int groups,
-                        const SurfaceOptions& options, int tiles) {
-    const size_t a_tile = Mesh::bytes(shape) + Surfaces::bytes(shape, size_t(groups), options);
+                        const SurfaceOptions& options, int tiles, int meshes) {
+    const auto slots = size_t(meshes); // a tile
+    const size_t a_tile =
+        slots * (Mesh::bytes(shape) + Surfaces::bytes(shape, size_t(groups), options));
     const size_t largest =
-        std::max(Mesh::largest_bytes(shape), Surfaces::largest_bytes(shape, options));
+        slots * std::max(Mesh::largest_bytes(shape), Surfaces::largest_bytes(shape, options));
     const size_t budget = gpu.context->software ? software_budget : hardware_budget;
-    const size_t n =
-        std::min({budget / a_tile, gpu.block_limit / largest, size_t(tiles), size_t(max_tiles)});
+    const size_t n = std::min(
+        {budget / a_tile, gpu.block_limit / largest, size_t(tiles), size_t(max_tiles) / slots});
     return std::max<size_t>(1, n);
 }
 

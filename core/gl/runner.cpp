@@ -10,6 +10,7 @@
 #include "core/gl/budget.h"
 #include "core/gl/failure.h"
 #include "core/gl/offload.h"
+#include "core/guide/guide.h"
 #include "core/tiles/tile_io.h"
 #include "core/triangulate/triangulate.h"
 #include "core/verbose.h"
@@ -30,8 +31,8 @@ Runner::Runner(Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping, con
                const Grid& grid, int threads, Run& run)
     : m_gpu(gpu), m_source(source), m_sink(sink), m_mapping(mapping), m_job(job), m_grid(grid),
       m_run(run), m_arena(threads), m_shape(shape_for(job.window)),
-      m_groups(group_count(job.channels)),
-      m_in_flight(affordable_tiles(gpu, m_shape, m_groups, job.surface, grid.count())),
+      m_groups(group_count(job.channels)), m_meshes(job.mesh.meshes),
+      m_in_flight(affordable_tiles(gpu, m_shape, m_groups, job.surface, grid.count(), m_meshes)),
       m_counting(job.statistics || verbose()) {
     for (int g = 0; g < group_count(job.channels); ++g) {
         GroupKinds kinds;
@@ -126,19 +127,28 @@ bool Runner::read(HostTile& t) {
             for (int g = 0; g < m_groups; ++g, in += group_size, out += pixels * group_size)
                 std::memcpy(out, in, size_t(channels_in_group(m_job.channels, g)) * sizeof(float));
         }
-    if (!Mesh::knows(m_job.mesh)) {
-        triangulate_here(t, guide);
-        return true;
+    const bool here = !Mesh::knows(m_job.mesh);
+    if (here)
+        t.sites.resize(size_t(m_meshes) * m_shape.sites());
+    else
+        t.guides.resize(size_t(m_meshes) * pixels);
+    for (size_t k = 0; k < size_t(m_meshes); ++k) {
+        std::vector<float> blurred = guide;
+        if (const float share = blur_share(m_job.mesh, int(k)); share > 0)
+            blur_guide(blurred, t.size.width, t.size.height, share);
+        if (here) {
+            triangulate_here(t, blurred, k);
+            continue;
+        }
+        for (int y = 0; y < t.size.height; ++y)
+            std::memcpy(t.guides.data() + k * pixels + size_t(y) * size_t(m_shape.width),
+                        blurred.data() + size_t(y) * size_t(t.size.width),
+                        size_t(t.size.width) * sizeof(float));
     }
-    t.guide.resize(pixels);
-    for (int y = 0; y < t.size.height; ++y)
-        std::memcpy(t.guide.data() + size_t(y) * size_t(m_shape.width),
-                    guide.data() + size_t(y) * size_t(t.size.width),
-                    size_t(t.size.width) * sizeof(float));
     return true;
 }
 
-void Runner::triangulate_here(HostTile& t, const std::vector<float>& guide) {
+void Runner::triangulate_here(HostTile& t, const std::vector<float>& guide, size_t mesh) {
     const DenormalsAreZero as_on_gpus;
     Lattice lattice;
     Workspace workspace;
@@ -146,10 +156,10 @@ void Runner::triangulate_here(HostTile& t, const std::vector<float>& guide) {
     workspace.origin_y = t.tile.pixels.y0 - m_job.window.y0;
     lattice.start(t.size.width, t.size.height, guide.data(), m_job.mesh.start == Start::flat);
     triangulate(lattice, m_job.mesh, workspace, t.statistics);
-    t.sites.resize(m_shape.sites());
+    uint64_t* sites = t.sites.data() + mesh * m_shape.sites();
     const size_t row = size_t(2 * t.size.width - 1);
     for (int y = 0; y < 2 * t.size.height - 1; ++y)
-        std::memcpy(&t.sites[size_t(y) * size_t(m_shape.stride())],
+        std::memcpy(sites + size_t(y) * size_t(m_shape.stride()),
                     lattice.sites() + lattice.site(0, y), row * sizeof(Site));
     // A vertex' second word: the key of one of its edges (edge_key in shaders/lattice.glsl).
     lattice.find_first_edges();
@@ -157,7 +167,7 @@ void Runner::triangulate_here(HostTile& t, const std::vector<float>& guide) {
         for (int x = 0; x < t.size.width; ++x) {
             const Vertex& vertex = lattice.vertex(lattice.vertex_site(x, y));
             const auto key = unsigned(vertex.first.y + 128) << 8 | unsigned(vertex.first.x + 128);
-            uint64_t& site = t.sites[size_t(2 * y) * size_t(m_shape.stride()) + size_t(2 * x)];
+            uint64_t& site = sites[size_t(2 * y) * size_t(m_shape.stride()) + size_t(2 * x)];
             site = (site & 0xffffffffu) | uint64_t(key) << 32;
         }
 }
@@ -167,24 +177,26 @@ void Runner::start_batch() {
     if (!m_stages)
         m_stages = std::make_unique<Stages>(gl, verbose());
     if (!m_mesh || !m_surfaces) {
-        m_mesh = std::make_unique<Mesh>(m_gpu, m_shape, int(m_in_flight));
-        m_surfaces =
-            std::make_unique<Surfaces>(m_gpu, m_shape, int(m_in_flight), m_kinds, m_job.surface);
+        const int slots = int(m_in_flight) * m_meshes;
+        m_mesh = std::make_unique<Mesh>(m_gpu, m_shape, slots);
+        m_surfaces = std::make_unique<Surfaces>(m_gpu, m_shape, slots, m_kinds, m_job.surface);
     }
     std::vector<TileSize> sizes;
     for (const auto& t : m_batch)
-        sizes.push_back(size_in_slot(t->tile, t->size.width, t->size.height));
+        sizes.insert(sizes.end(), size_t(m_meshes),
+                     size_in_slot(t->tile, t->size.width, t->size.height));
 
     m_stages->begin(Stage::upload);
     m_mesh->set_tiles(sizes);
-    for (size_t i = 0; i < m_batch.size(); ++i) {
-        const HostTile& t = *m_batch[i];
+    for (size_t slot = 0; slot < sizes.size(); ++slot) {
+        const HostTile& t = *m_batch[slot / size_t(m_meshes)];
+        const size_t k = slot % size_t(m_meshes);
         if (t.sites.empty())
-            m_mesh->write_guide(int(i), t.guide.data());
+            m_mesh->write_guide(int(slot), t.guides.data() + k * m_shape.pixels());
         else
-            m_mesh->write_sites(int(i), t.sites.data());
+            m_mesh->write_sites(int(slot), t.sites.data() + k * m_shape.sites());
         for (int g = 0; g < m_groups; ++g)
-            m_surfaces->write_values(int(i), g,
+            m_surfaces->write_values(int(slot), g,
                                      t.values.data() + size_t(g) * m_shape.pixels() * group_size);
     }
     m_stages->end();
@@ -201,15 +213,18 @@ void Runner::start_batch() {
     if (!m_counting || !m_batch[0]->sites.empty())
         return;
     const auto counts = m_mesh->read_counts();
-    for (size_t i = 0; i < m_batch.size(); ++i) {
-        HostTile& t = *m_batch[i];
-        t.statistics.pixels = int64_t(t.size.width) * t.size.height;
-        for (size_t k = 0; k < counts[i].size(); ++k) {
-            t.statistics.evaluations += counts[i][k].evaluated;
-            t.statistics.flips += counts[i][k].selected;
-            t.statistics.rounds += counts[i][k].rounds;
-            if (counts[i][k].selected > 0)
-                t.statistics.iterations = int(k) + 1;
+    for (size_t slot = 0; slot < counts.size(); ++slot) {
+        HostTile& t = *m_batch[slot / size_t(m_meshes)];
+        if (slot % size_t(m_meshes) == 0)
+            t.statistics = {};
+        t.statistics.pixels += int64_t(t.size.width) * t.size.height;
+        for (size_t k = 0; k < counts[slot].size(); ++k) {
+            const IterationCounts& c = counts[slot][k];
+            t.statistics.evaluations += c.evaluated;
+            t.statistics.flips += c.selected;
+            t.statistics.rounds += c.rounds;
+            if (c.selected > 0)
+                t.statistics.iterations = std::max(t.statistics.iterations, int(k) + 1);
         }
     }
 }
@@ -228,7 +243,8 @@ void Runner::sample_batch() {
             strip.batch_index = int(i);
             strip.rows = {t.reach.x0, y, t.reach.x1, std::min(y + height, t.reach.y1)};
             strip.last = strip.rows.y1 == t.reach.y1;
-            plan_strip(m_mapping, t.tile, int(i), strip);
+            plan_strip(m_mapping, t.tile, int(i) * m_meshes, strip);
+            strip.plan.meshes = m_meshes;
             sample(strip, unwritten);
             unwritten = &strip;
         }

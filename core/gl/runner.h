@@ -41,15 +41,15 @@ private:
         Tile tile;
         Rect reach;
         TileSize size;
-        std::vector<float> guide;
+        std::vector<float> guides;   ///< a mesh after the other
         std::vector<float> values;   ///< a group after the other
-        std::vector<uint64_t> sites; ///< the finished mesh, of a scheme the device does not know
+        std::vector<uint64_t> sites; ///< the finished meshes, of a scheme the device does not know
         Statistics statistics;
     };
 
     void read_ahead();
     bool read(HostTile& tile);
-    void triangulate_here(HostTile& tile, const std::vector<float>& guide);
+    void triangulate_here(HostTile& tile, const std::vector<float>& guide, size_t mesh);
     void start_batch(); ///< on the context's thread
     void sample_batch();
     void sample(Strip& strip, Strip* write_meanwhile);
@@ -68,6 +68,7 @@ private:
     tbb::task_arena m_arena;
     SlotShape m_shape;
     int m_groups;
+    int m_meshes; ///< a tile; they take neighbouring slots
     std::vector<GroupKinds> m_kinds;
     Statistics m_statistics;
 

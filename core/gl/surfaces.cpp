@@ -152,16 +152,27 @@ void Surfaces::reserve_results(size_t positions, int channels) {
 }
 
 void Surfaces::sample(Mesh& mesh, const SamplePlan& plan, int channels) {
-    const bool half = m_numbers == Numbers::halves;
     reserve_results(size_t(plan.first_result) + size_t(plan.count), channels);
-    m_gpu.programs->use("sample.comp", defines() + (half                         ? " HALF"
-                                                    : channels % group_size == 0 ? " WHOLE_GROUPS"
-                                                                                 : ""));
-    m_gl.Uniform1i(2, plan.slot);
+    for (int i = 0; i < plan.meshes; ++i)
+        sample_mesh(mesh, plan, channels, i);
+}
+
+void Surfaces::sample_mesh(Mesh& mesh, const SamplePlan& plan, int channels, int index) {
+    std::string layout;
+    if (m_numbers == Numbers::halves)
+        layout = " HALF";
+    else if (channels % group_size == 0)
+        layout = " WHOLE_GROUPS";
+    m_gpu.programs->use("sample.comp", defines() + layout + (index > 0 ? " MEAN" : ""));
+    m_gl.Uniform1i(2, plan.slot + index);
     m_gl.Uniform1i(3, plan.separable);
     m_gl.Uniform3i(4, plan.columns, plan.rows, plan.count);
     m_gl.Uniform2i(5, plan.first_x, plan.first_y);
     m_gl.Uniform1i(8, plan.first_result);
+    if (index > 0) {
+        m_gl.Uniform1f(9, 1.0f / float(index + 1));
+        m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    }
     for (size_t g = 0; g < m_groups.size(); ++g) {
         const Group& group = m_groups[g];
         bind_net(mesh, group);

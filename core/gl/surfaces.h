@@ -20,6 +20,9 @@ enum class Numbers { floats, halves };
 /// Positions to read one tile's surface at.
 struct SamplePlan {
     int slot = 0;
+    /// Slots from that one on which hold as many meshes of the tile: their surfaces are averaged.
+    /// More than 1 for Numbers::floats only.
+    int meshes = 1;
     /// Separable: columns x rows positions, the x at x[column], the y at y[row]; else `count`
     /// positions, x and y by turns in `points`.
     bool separable = true;
@@ -74,6 +77,7 @@ private:
     void widen(const Group& group);
     void correct(Mesh& mesh, Group& group, int round, Margin margin);
     void reserve(std::unique_ptr<Buffer>& buffer, size_t bytes);
+    void sample_mesh(Mesh& mesh, const SamplePlan& plan, int channels, int index);
 
     Gpu& m_gpu;
     const Functions& m_gl;

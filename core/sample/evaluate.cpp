@@ -240,6 +240,17 @@ HWY_ATTR void evaluate_rows(const Net& net, Surface surface, const Columns& colu
     });
 }
 
+HWY_ATTR void join_all(const float* last, size_t n, float share, float* mean) {
+    using Floats = Lanes<hn::ScalableTag<float>>;
+    const size_t step = hn::Lanes(hn::ScalableTag<float>());
+    size_t i = 0;
+    for (; i + step <= n; i += step)
+        joined(Floats::load(mean + i), Floats::load(last + i), Floats(share)).store(mean + i);
+    using One = Lanes<hn::CappedTag<float, 1>>;
+    for (; i < n; ++i)
+        joined(One::load(mean + i), One::load(last + i), One(share)).store(mean + i);
+}
+
 } // namespace HWY_NAMESPACE
 } // namespace ddt
 HWY_AFTER_NAMESPACE();
@@ -249,6 +260,7 @@ namespace ddt {
 
 HWY_EXPORT(evaluate);
 HWY_EXPORT(evaluate_rows);
+HWY_EXPORT(join_all);
 
 namespace {
 
@@ -305,6 +317,10 @@ void evaluate_block(const Net& net, Surface surface, const Columns& columns,
                     size_t row) {
     HWY_DYNAMIC_DISPATCH(evaluate_rows)
     (net, surface, columns, block, channels, first, count, out, row);
+}
+
+void join_last(const float* last, size_t n, float share, float* mean) {
+    HWY_DYNAMIC_DISPATCH(join_all)(last, n, share, mean);
 }
 
 } // namespace ddt

@@ -108,4 +108,8 @@ void evaluate_block(const Net& net, Surface surface, const Columns& columns,
                     const LocatedBlock& block, int channels, int first, int count, float* out,
                     size_t row);
 
+/// Make each of n means of some surfaces that of one more, whose values are `last` and whose share
+/// is 1 / their number.
+void join_last(const float* last, size_t n, float share, float* mean);
+
 } // namespace ddt

@@ -157,3 +157,14 @@ private:
         return patch.template at<quadratic, soft>(b0, b1, b2);
     }
 };
+
+/// The mean of some surfaces at a position from that of all but the last, and the last, whose share
+/// is 1 / their number. It lies between the two, so what is the same in all of them stays as it is.
+template <class T>
+DDT_INLINE T joined(T mean, T last, T share) {
+    T f = mean * (T(1.0f) - share) + last * share;
+    const T low = if_less(last, mean, last, mean), high = if_less(last, mean, mean, last);
+    f = if_less(f, low, low, f);
+    f = if_less(high, f, high, f);
+    return if_less_equal(f, T(INFINITY), f + T(0.0f), T(quiet_nan));
+}

@@ -21,7 +21,8 @@ namespace ddt {
 
 namespace {
 
-/// Tiles in flight take no more than this together (or one tile's share, if that is more).
+/// Tiles in flight take no more than this together for each of their meshes (or one tile's share,
+/// if that is more).
 constexpr size_t memory_limit = size_t(192) << 20;
 
 /// Largest coordinate of a window, so that positions and sites stay far from overflow.
@@ -95,7 +96,8 @@ int thread_count(const Job& job) {
 /// Work on all tiles that are not done.
 void work_on_cpu(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                  const Grid& grid, Run& run, Statistics& statistics) {
-    const size_t in_flight = std::max<size_t>(1, memory_limit / TileWorker::memory(job));
+    const size_t in_flight =
+        std::max<size_t>(1, memory_limit * size_t(job.mesh.meshes) / TileWorker::memory(job));
     const int threads = int(std::min<size_t>(size_t(thread_count(job)), in_flight));
 
     tbb::enumerable_thread_specific<std::unique_ptr<TileWorker>> workers;

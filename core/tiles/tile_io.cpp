@@ -4,8 +4,6 @@
 #include <cstring>
 #include <limits>
 
-#include "core/guide/guide.h"
-
 namespace ddt {
 
 namespace {
@@ -80,8 +78,6 @@ bool read_tile(Source& source, const Tile& tile, const Job& job, std::vector<flo
         zero_small(values.data(), values.size(), least_value);
     else
         zero_small_blended(values, job.kinds);
-    if (job.mesh.blur > 0)
-        blur_guide(guide, r.width(), r.height(), job.mesh.blur);
     width = r.width();
     height = r.height();
     int guide_width = width, guide_height = height;

@@ -24,8 +24,7 @@ Point local(const Tile& tile, const Position& p);
 /// take for zero, unless terms of that size cancel.
 constexpr float least_value = 0x1p-80f, least_guide = 0x1p-24f;
 
-/// Read the tile's pixels, small numbers zeroed as said above (but not in nearest channels), the
-/// guide blurred as the job's mesh wants it. A
+/// Read the tile's pixels, small numbers zeroed as said above (but not in nearest channels). A
 /// picture one pixel wide or high is widened to two by repeating it: a lattice has at least 2 x 2;
 /// `width` and `height` receive its size.
 bool read_tile(Source& source, const Tile& tile, const Job& job, std::vector<float>& values,

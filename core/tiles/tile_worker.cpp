@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/arith/arith.h"
+#include "core/guide/guide.h"
 #include "core/tiles/tile_io.h"
 
 namespace ddt {
@@ -23,33 +24,24 @@ size_t largest_tile(const Rect& window) {
 } // namespace
 
 size_t TileWorker::memory(const Job& job) {
-    const size_t pixels = largest_tile(job.window);
-    const size_t sites = 4 * pixels;
-    // Lattice, gains, work lists; then what the surface takes; guide and values.
-    const size_t mesh =
-        sites * (sizeof(Site) + sizeof(float) + 4 * sizeof(int)) + pixels * sizeof(Division);
-    const size_t nets = sites * sizeof(float) * group_size * size_t(group_count(job.channels));
-    const size_t soft = job.surface.soft > 0 ? nets : 0;
-    const size_t gradients = sites * sizeof(float) * group_size / 2;
-    const size_t consistency = job.surface.consistency > 0 ? 2 * gradients : 0;
-    const size_t planes = pixels * sizeof(float) * (1 + size_t(job.channels));
-    return mesh + nets + soft + gradients + consistency + planes + 2 * strip_floats * sizeof(float);
+    const size_t pixels = largest_tile(job.window), sites = 4 * pixels;
+    const size_t meshes = size_t(job.mesh.meshes) * TileMesh::memory(job, sites);
+    // Gains, work lists.
+    const size_t workspace = sites * (sizeof(float) + 4 * sizeof(int));
+    const size_t consistency = job.surface.consistency > 0 ? sites * sizeof(float) * group_size : 0;
+    const size_t guides = job.mesh.meshes > 1 ? 2 : 1;
+    const size_t planes = pixels * sizeof(float) * (guides + size_t(job.channels));
+    return meshes + workspace + consistency + planes + 2 * strip_floats * sizeof(float);
 }
 
 void TileWorker::reserve() {
     const size_t pixels = largest_tile(m_job.window), sites = 4 * pixels;
     m_values.reserve(pixels * size_t(m_job.channels));
     m_guide.reserve(pixels);
-    m_lattice.reserve(sites);
-    m_workspace.gain.reserve(sites);
-    m_nets.resize(size_t(group_count(m_job.channels)));
-    for (Net& net : m_nets)
-        net.values.reserve(sites * group_size);
-    if (m_job.surface.soft > 0)
-        for (Net& net : m_nets)
-            net.soft.reserve(sites * group_size);
-    if (m_job.surface.kind != Surface::linear)
-        m_edges.reserve(sites);
+    m_scratch.workspace.gain.reserve(sites);
+    m_meshes.reserve(size_t(m_job.mesh.meshes));
+    for (int k = 0; k < m_job.mesh.meshes; ++k)
+        m_meshes.emplace_back(m_job).reserve(sites);
 }
 
 Outcome TileWorker::work(const Tile& tile, int first_row) {
@@ -57,85 +49,46 @@ Outcome TileWorker::work(const Tile& tile, int first_row) {
     reach.y0 = std::max(reach.y0, first_row);
     if (reach.empty())
         return Outcome::done;
-    if (m_nets.empty())
+    if (m_meshes.empty())
         reserve();
     StageTimes& times = m_statistics.times;
     m_clock.start();
     if (!read(tile))
         return Outcome::source_failed;
     m_clock.lap(times.read);
-    triangulate_tile();
-    m_clock.lap(times.triangulate);
-    make_surface(tile);
-    m_clock.lap(times.surface);
+    for (size_t k = 0; k < m_meshes.size(); ++k) {
+        m_meshes[k].triangulate(guide_of(k), m_width, m_height, m_scratch, m_statistics);
+        m_clock.lap(times.triangulate);
+        m_meshes[k].make_surface(tile, m_values.data(), m_scratch);
+        m_clock.lap(times.surface);
+    }
     return write(tile, reach);
 }
 
 bool TileWorker::read(const Tile& tile) {
-    m_workspace.origin_x = tile.pixels.x0 - m_job.window.x0;
-    m_workspace.origin_y = tile.pixels.y0 - m_job.window.y0;
+    m_scratch.workspace.origin_x = tile.pixels.x0 - m_job.window.x0;
+    m_scratch.workspace.origin_y = tile.pixels.y0 - m_job.window.y0;
     return read_tile(m_source, tile, m_job, m_values, m_guide, m_width, m_height);
 }
 
-void TileWorker::triangulate_tile() {
-    const DenormalsAreZero as_on_gpus;
-    m_lattice.start(m_width, m_height, m_guide.data(), m_job.mesh.start == Start::flat);
-    triangulate(m_lattice, m_job.mesh, m_workspace, m_statistics);
-}
-
-void TileWorker::make_surface(const Tile& tile) {
-    const DenormalsAreZero as_on_gpus;
-    const SurfaceOptions& surface = m_job.surface;
-    m_lattice.find_divisions();
-    if (surface.kind != Surface::linear)
-        m_lattice.find_first_edges();
-    if (surface.soft > 0 && m_job.mesh.scheme != Scheme::one_round)
-        find_gains(m_lattice, m_job.mesh.cost, m_workspace);
-
-    const Rect whole{0, 0, m_lattice.width(), m_lattice.height()};
-    for (int g = 0; g < int(m_nets.size()); ++g) {
-        Net& net = m_nets[size_t(g)];
-        set_vertices(m_lattice, m_values.data(), m_job.channels, g * group_size,
-                     channels_in_group(m_job.channels, g), net);
-        for (int c = 0; c < group_size; ++c)
-            net.strict[c] = is_strict(m_job, g * group_size + c) ? 1.0f : 0.0f;
-        if (surface.consistency == 0)
-            continue;
-        m_consistency.begin(m_lattice, net, surface.limit, surface.clipped);
-        for (int round = 0; round < surface.consistency; ++round) {
-            begin_edges(net, whole);
-            m_edges.finish();
-            m_consistency.correct(m_lattice, surface.kind, net);
-        }
-        m_consistency.restore(m_lattice, nearest_mask(m_job, g), net);
-    }
-    // The halo is not sampled, but triangles of the tile reach into it.
-    const Rect &c = tile.cells, &p = tile.pixels;
-    const int far = m_lattice.longest();
-    const Rect part{std::max(c.x0 - far - p.x0, 0), std::max(c.y0 - far - p.y0, 0),
-                    std::min(c.x1 + 1 + far - p.x0, whole.x1),
-                    std::min(c.y1 + 1 + far - p.y0, whole.y1)};
-    for (Net& net : m_nets) {
-        begin_edges(net, part);
-        // One net's edges are made as they are needed; several would want as many EdgeMakers.
-        if (m_nets.size() > 1)
-            m_edges.finish();
-    }
-}
-
-void TileWorker::begin_edges(Net& net, const Rect& part) {
-    const SurfaceOptions& surface = m_job.surface;
-    m_edges.begin(m_lattice, part, surface.kind != Surface::linear,
-                  surface.soft > 0 ? m_workspace.gain.data() : nullptr, surface.soft, net);
+const float* TileWorker::guide_of(size_t mesh) {
+    const float share = blur_share(m_job.mesh, int(mesh));
+    const bool last = mesh + 1 == m_meshes.size();
+    if (!last)
+        m_blurred = m_guide;
+    std::vector<float>& guide = last ? m_guide : m_blurred;
+    if (share > 0)
+        blur_guide(guide, m_width, m_height, share);
+    return guide.data();
 }
 
 /// Make the edges that positions up to this y may need.
 void TileWorker::make_edges_for(int32_t y) {
-    if (m_nets.size() > 1)
+    if (!m_meshes[0].edges_wait())
         return;
     m_clock.lap(m_statistics.times.sample);
-    const DenormalsAreZero as_on_gpus;
-    m_edges.to_row((y >> position_bits) + m_lattice.longest());
+    for (TileMesh& mesh : m_meshes)
+        mesh.make_edges_for(y);
     m_clock.lap(m_statistics.times.surface);
 }
 
@@ -144,14 +97,15 @@ Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
     m_positions.resize(size_t(reach.width()));
     m_inside.resize(size_t(reach.width()));
     m_points.resize(size_t(reach.width()));
-    m_search.begin();
     if (m_mapping.separable()) {
         m_mapping.row(reach.y0, reach.x0, reach.x1, m_positions.data(), m_inside.data());
         for (size_t i = 0; i < m_points.size(); ++i)
             m_points[i] = local(tile, m_positions[i]);
-        m_columns.find(m_points.data(), int(m_points.size()), m_lattice.width());
-    } else if (m_nets.size() == 1)
-        m_edges.finish();
+        m_columns.find(m_points.data(), int(m_points.size()), m_width);
+    } else if (m_meshes[0].edges_wait()) {
+        for (TileMesh& mesh : m_meshes)
+            mesh.finish_edges();
+    }
     const int strip = m_mapping.separable() ? int(std::max<size_t>(1, strip_floats / row)) : 1;
     for (int y = reach.y0; y < reach.y1; y += strip) {
         const Rect rows{reach.x0, y, reach.x1, std::min(y + strip, reach.y1)};
@@ -164,21 +118,40 @@ Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
 }
 
 void TileWorker::sample(int n, float* out) {
-    const DenormalsAreZero as_on_gpus;
-    locate_row(m_lattice, m_points.data(), n, m_search, m_row);
-    for (int g = 0; g < int(m_nets.size()); ++g)
-        evaluate_row(m_nets[size_t(g)], m_job.surface.kind, nearest_mask(m_job, g), m_row,
-                     m_job.channels, g * group_size, channels_in_group(m_job.channels, g), out);
+    m_meshes[0].sample(m_points.data(), n, out);
+    if (m_meshes.size() > 1)
+        m_last.resize(size_t(n) * size_t(m_job.channels) + row_padding);
+    for (size_t k = 1; k < m_meshes.size(); ++k) {
+        m_meshes[k].sample(m_points.data(), n, m_last.data());
+        join(k, m_last.data(), size_t(n), out);
+    }
 }
 
 /// Sample some of n rows at y[0], y[1], ..., `row` floats apart in `out`; returns how many.
 int TileWorker::sample_block(const int32_t* y, int n, float* out, size_t row) {
-    const DenormalsAreZero as_on_gpus;
-    const int rows = locate_block(m_lattice, m_columns, m_points, y, n, m_search, m_block);
-    for (int g = 0; g < int(m_nets.size()); ++g)
-        evaluate_block(m_nets[size_t(g)], m_job.surface.kind, m_columns, m_block, m_job.channels,
-                       g * group_size, channels_in_group(m_job.channels, g), out, row);
+    const int rows = m_meshes[0].sample_block(m_columns, m_points, y, n, out, row);
+    const size_t positions = m_points.size(), last_row = positions * size_t(m_job.channels);
+    if (m_meshes.size() > 1)
+        m_last.resize(size_t(rows) * last_row);
+    for (size_t k = 1; k < m_meshes.size(); ++k) {
+        m_meshes[k].sample_block(m_columns, m_points, y, rows, m_last.data(), last_row);
+        for (size_t r = 0; r < size_t(rows); ++r)
+            join(k, m_last.data() + r * last_row, positions, out + r * row);
+    }
     return rows;
+}
+
+/// Make the mean of the first `mesh` meshes that of one more, whose values are `last`. Identifiers
+/// remain the first's.
+void TileWorker::join(size_t mesh, const float* last, size_t positions, float* mean) const {
+    const DenormalsAreZero as_on_gpus;
+    const float share = 1.0f / float(mesh + 1);
+    const auto channels = size_t(m_job.channels);
+    if (!any_nearest())
+        return join_last(last, positions * channels, share, mean);
+    for (size_t i = 0; i < positions * channels; ++i)
+        if (kind_of(m_job, int(i % channels)) != Channel::nearest)
+            join_last(last + i, 1, share, mean + i);
 }
 
 bool TileWorker::any_nearest() const {

@@ -3,13 +3,9 @@
 
 #include <vector>
 
-#include "core/sample/evaluate.h"
-#include "core/surface/consistency.h"
-#include "core/surface/edge_maker.h"
-#include "core/surface/net.h"
 #include "core/tiles/grid.h"
 #include "core/tiles/stage_clock.h"
-#include "core/triangulate/triangulate.h"
+#include "core/tiles/tile_mesh.h"
 #include "ddt/core.h"
 
 namespace ddt {
@@ -34,15 +30,14 @@ private:
     /// take up to twice of it.
     void reserve();
     bool read(const Tile& tile);
-    void triangulate_tile();
-    void make_surface(const Tile& tile);
-    void begin_edges(Net& net, const Rect& part);
+    const float* guide_of(size_t mesh); ///< to be called in ascending order
     void make_edges_for(int32_t y);
     Outcome write(const Tile& tile, const Rect& reach);
     Outcome write_rows(const Tile& tile, const Rect& rows);
     Outcome write_runs(const Tile& tile, const Rect& row);
     void sample(int n, float* out);
     int sample_block(const int32_t* y, int n, float* out, size_t row);
+    void join(size_t mesh, const float* last, size_t positions, float* mean) const;
     bool any_nearest() const;
     bool hand_over(const Rect& r); ///< m_out to the sink
 
@@ -53,22 +48,17 @@ private:
     Statistics m_statistics;
     StageClock m_clock;
 
-    std::vector<float> m_values, m_guide;
+    std::vector<float> m_values, m_guide, m_blurred;
     int m_width = 0, m_height = 0; ///< of the lattice
-    Lattice m_lattice;
-    Workspace m_workspace;
-    std::vector<Net> m_nets; ///< one a group of channels
-    EdgeMaker m_edges;
-    Consistency m_consistency;
+    std::vector<TileMesh> m_meshes;
+    MeshScratch m_scratch;
     std::vector<Position> m_positions;
     std::vector<uint8_t> m_inside;
     std::vector<Point> m_points;
-    Search m_search;
-    LocatedRow m_row;  ///< where write_runs() is
     Columns m_columns; ///< where write_rows() is
-    LocatedBlock m_block;
     std::vector<int32_t> m_ys;
     std::vector<float> m_out;
+    std::vector<float> m_last; ///< what a mesh adds to the mean
 };
 
 } // namespace ddt

@@ -1,5 +1,7 @@
 #include "core/triangulate/triangulate.h"
 
+#include <algorithm>
+
 #include "core/cost/cost.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/schemes.h"
@@ -27,11 +29,21 @@ float min_gain(const MeshOptions& options) {
     return guard;
 }
 
+float blur_share(const MeshOptions& options, int index) {
+    if (options.meshes == 1)
+        return options.blur;
+    const float least = std::max(options.blur - mesh_spread, 0.0f);
+    const float most = std::min(options.blur + mesh_spread, 0.25f);
+    return least + (most - least) * (float(index) / float(options.meshes - 1));
+}
+
 bool check_options(const MeshOptions& options, std::string& error) {
     if (options.max_iterations < 0 || options.max_iterations > 250)
         error = "ddt: max_iterations must be 0 to 250";
     else if (!(options.blur >= 0 && options.blur <= 0.25f))
         error = "ddt: blur must be 0 to 1/4";
+    else if (options.meshes < 1 || options.meshes > most_meshes)
+        error = "ddt: meshes must be 1 to " + std::to_string(most_meshes);
     else
         return true;
     return false;

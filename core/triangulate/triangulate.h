@@ -36,6 +36,9 @@ struct Workspace {
 /// and the paper's schemes 1e-6, a bare guard against rounding.
 float min_gain(const MeshOptions& options);
 
+/// The share by which the guide of mesh 0 <= index < options.meshes is blurred.
+float blur_share(const MeshOptions& options, int index);
+
 /// Whether the options' numbers are allowed; if not, `error` says which is and what it may be.
 bool check_options(const MeshOptions& options, std::string& error);
 

@@ -1,0 +1,114 @@
+#include "core/tiles/tile_mesh.h"
+
+#include <algorithm>
+
+#include "core/arith/arith.h"
+#include "core/tiles/tile_io.h"
+
+namespace ddt {
+
+size_t TileMesh::memory(const Job& job, size_t sites) {
+    const size_t lattice = sites * sizeof(Site) + sites / 4 * sizeof(Division);
+    const size_t nets = sites * sizeof(float) * group_size * size_t(group_count(job.channels));
+    const size_t soft = job.surface.soft > 0 ? nets + sites * sizeof(float) : 0;
+    const size_t gradients =
+        job.surface.kind == Surface::linear ? 0 : sites * sizeof(float) * group_size / 2;
+    return lattice + nets + soft + gradients;
+}
+
+void TileMesh::reserve(size_t sites) {
+    m_lattice.reserve(sites);
+    m_nets.resize(size_t(group_count(m_job.channels)));
+    for (Net& net : m_nets)
+        net.values.reserve(sites * group_size);
+    if (m_job.surface.soft > 0) {
+        m_gain.reserve(sites);
+        for (Net& net : m_nets)
+            net.soft.reserve(sites * group_size);
+    }
+    if (m_job.surface.kind != Surface::linear)
+        m_edges.reserve(sites);
+}
+
+void TileMesh::triangulate(const float* guide, int width, int height, MeshScratch& scratch,
+                           Statistics& statistics) {
+    const DenormalsAreZero as_on_gpus;
+    m_lattice.start(width, height, guide, m_job.mesh.start == Start::flat);
+    ddt::triangulate(m_lattice, m_job.mesh, scratch.workspace, statistics);
+    if (m_job.surface.soft == 0)
+        return;
+    if (m_job.mesh.scheme != Scheme::one_round)
+        find_gains(m_lattice, m_job.mesh.cost, scratch.workspace);
+    m_gain.swap(scratch.workspace.gain);
+}
+
+void TileMesh::make_surface(const Tile& tile, const float* values, MeshScratch& scratch) {
+    const DenormalsAreZero as_on_gpus;
+    const SurfaceOptions& surface = m_job.surface;
+    m_lattice.find_divisions();
+    if (surface.kind != Surface::linear)
+        m_lattice.find_first_edges();
+
+    const Rect whole{0, 0, m_lattice.width(), m_lattice.height()};
+    Consistency& consistency = scratch.consistency;
+    for (int g = 0; g < int(m_nets.size()); ++g) {
+        Net& net = m_nets[size_t(g)];
+        set_vertices(m_lattice, values, m_job.channels, g * group_size,
+                     channels_in_group(m_job.channels, g), net);
+        for (int c = 0; c < group_size; ++c)
+            net.strict[c] = is_strict(m_job, g * group_size + c) ? 1.0f : 0.0f;
+        if (surface.consistency == 0)
+            continue;
+        consistency.begin(m_lattice, net, surface.limit, surface.clipped);
+        for (int round = 0; round < surface.consistency; ++round) {
+            begin_edges(net, whole);
+            m_edges.finish();
+            consistency.correct(m_lattice, surface.kind, net);
+        }
+        consistency.restore(m_lattice, nearest_mask(m_job, g), net);
+    }
+    // The halo is not sampled, but triangles of the tile reach into it.
+    const Rect &c = tile.cells, &p = tile.pixels;
+    const int far = m_lattice.longest();
+    const Rect part{std::max(c.x0 - far - p.x0, 0), std::max(c.y0 - far - p.y0, 0),
+                    std::min(c.x1 + 1 + far - p.x0, whole.x1),
+                    std::min(c.y1 + 1 + far - p.y0, whole.y1)};
+    for (Net& net : m_nets) {
+        begin_edges(net, part);
+        // Several nets would want as many EdgeMakers.
+        if (!edges_wait())
+            m_edges.finish();
+    }
+    m_search.begin();
+}
+
+void TileMesh::begin_edges(Net& net, const Rect& part) {
+    const SurfaceOptions& surface = m_job.surface;
+    m_edges.begin(m_lattice, part, surface.kind != Surface::linear,
+                  surface.soft > 0 ? m_gain.data() : nullptr, surface.soft, net);
+}
+
+void TileMesh::make_edges_for(int32_t y) {
+    const DenormalsAreZero as_on_gpus;
+    m_edges.to_row((y >> position_bits) + m_lattice.longest());
+}
+
+void TileMesh::sample(const Point* points, int n, float* out) {
+    const DenormalsAreZero as_on_gpus;
+    locate_row(m_lattice, points, n, m_search, m_row);
+    for (int g = 0; g < int(m_nets.size()); ++g)
+        evaluate_row(m_nets[size_t(g)], m_job.surface.kind, nearest_mask(m_job, g), m_row,
+                     m_job.channels, g * group_size, channels_in_group(m_job.channels, g), out);
+}
+
+int TileMesh::sample_block(const Columns& columns, std::vector<Point>& points, const int32_t* y,
+                           int n, float* out, size_t row) {
+    const DenormalsAreZero as_on_gpus;
+    const int rows = locate_block(m_lattice, columns, points, y, n, m_search, m_block);
+    for (int g = 0; g < int(m_nets.size()); ++g)
+        evaluate_block(m_nets[size_t(g)], m_job.surface.kind, columns, m_block, m_job.channels,
+                       g * group_size, channels_in_group(m_job.channels, g), out, row);
+    return rows;
+}
+
+} // namespace ddt

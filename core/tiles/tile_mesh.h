@@ -1,0 +1,66 @@
+// A mesh of a tile and the surface over it.
+#pragma once
+
+#include <vector>
+
+#include "core/sample/evaluate.h"
+#include "core/surface/consistency.h"
+#include "core/surface/edge_maker.h"
+#include "core/surface/net.h"
+#include "core/tiles/grid.h"
+#include "core/triangulate/triangulate.h"
+#include "ddt/core.h"
+
+namespace ddt {
+
+/// What is needed only while a mesh is made, and kept for the next.
+struct MeshScratch {
+    Workspace workspace;
+    Consistency consistency;
+};
+
+/// The memory of one mesh, kept from one tile to the next.
+class TileMesh {
+public:
+    explicit TileMesh(const Job& job) : m_job(job) {}
+
+    /// Take the memory that a lattice of so many sites needs: a vector that grows from tile to tile
+    /// would take up to twice of it.
+    void reserve(size_t sites);
+    /// About the bytes that this takes.
+    static size_t memory(const Job& job, size_t sites);
+
+    /// Make the mesh of a width x height guide. Adds to `statistics`.
+    void triangulate(const float* guide, int width, int height, MeshScratch& scratch,
+                     Statistics& statistics);
+    /// Lay the surface over it, through `values`, the job's channels for each pixel.
+    void make_surface(const Tile& tile, const float* values, MeshScratch& scratch);
+
+    const Lattice& lattice() const { return m_lattice; }
+    /// True if edges are made as they are needed: before what needs them is sampled,
+    /// make_edges_for() its y, in ascending order, or finish_edges(), is to be called.
+    bool edges_wait() const { return m_nets.size() == 1; }
+    void make_edges_for(int32_t y);
+    void finish_edges() { m_edges.finish(); }
+
+    /// Sample at n points; row_padding floats more may be written.
+    void sample(const Point* points, int n, float* out);
+    /// Sample some of n rows at y[0], y[1], ... and the x of `points`, whose y is overwritten,
+    /// `row` floats apart in `out`; returns how many, which is the same for all meshes of a tile.
+    int sample_block(const Columns& columns, std::vector<Point>& points, const int32_t* y, int n,
+                     float* out, size_t row);
+
+private:
+    void begin_edges(Net& net, const Rect& part);
+
+    const Job& m_job;
+    Lattice m_lattice;
+    std::vector<float> m_gain; ///< Workspace::gain of the finished mesh, for soft edges
+    std::vector<Net> m_nets;   ///< one a group of channels
+    EdgeMaker m_edges;
+    Search m_search;
+    LocatedRow m_row;
+    LocatedBlock m_block;
+};
+
+} // namespace ddt
