@@ -35,13 +35,14 @@ TEST(Options, NameSetsSurface) {
 TEST(Options, EveryKey) {
     ddt::Options options;
     std::string error;
-    ASSERT_TRUE(ddt::parse_filter("ddt,cost=scf,iterations=7,light=ACEScg,min_gain=0.25,"
+    ASSERT_TRUE(ddt::parse_filter("ddt,cost=scf,iterations=7,light=ACEScg,meshes=3,min_gain=0.25,"
                                   "scheme=exproi3-maxgain,seed=9,start=diagonal",
                                   options, error))
         << error;
     EXPECT_EQ(options.mesh.cost, ddt::Cost::scf);
     EXPECT_EQ(options.mesh.max_iterations, 7);
     EXPECT_EQ(options.light, "ACEScg");
+    EXPECT_EQ(options.mesh.meshes, 3);
     EXPECT_EQ(options.mesh.min_gain, 0.25f);
     EXPECT_EQ(options.mesh.scheme, ddt::Scheme::exproi_n_maxgain);
     EXPECT_EQ(options.mesh.wide_iterations, 3);
@@ -69,6 +70,8 @@ TEST(Options, WrongValueIsNamedAndValuesListed) {
     EXPECT_NE(error.find("abn, scf"), std::string::npos) << error;
     const std::string range = error_of("ddt,iterations=251");
     EXPECT_NE(range.find("from 0 to 250"), std::string::npos) << range;
+    for (const char* spec : {"ddt,meshes=0", "ddt,meshes=5"})
+        EXPECT_NE(error_of(spec).find("whole numbers from 1 to 4"), std::string::npos);
 }
 
 TEST(Options, MalformedOnesAreErrors) {

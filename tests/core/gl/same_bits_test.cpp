@@ -56,6 +56,29 @@ TEST_P(SameBits, EverySurface) {
         }
 }
 
+TEST_P(SameBits, SeveralMeshes) {
+    for (const int channels : {3, 4})
+        for (const Scheme scheme : {Scheme::one_round, Scheme::lawson})
+            for (int content = 0; content < int(Content::count); ++content) {
+                const Picture p =
+                    make_picture(Content(content), 61, 43, channels, 7u + unsigned(content));
+                Order order;
+                order.job.mesh.scheme = scheme;
+                order.job.mesh.blur = 0.05f;
+                order.job.mesh.meshes = 2 + content % 3;
+                order.job.surface.consistency = 1;
+                order.job.surface.soft = 0.3f;
+                if (channels == 4)
+                    order.job.kinds = {Channel::blend, Channel::blend, Channel::nearest,
+                                       Channel::alpha};
+                order.out_width = 150;
+                order.out_height = 101;
+                expect_same(GetParam(), p, order,
+                            std::string(name_of(Content(content))) + " " +
+                                std::to_string(order.job.mesh.meshes) + " meshes");
+            }
+}
+
 INSTANTIATE_TEST_SUITE_P(Devices, SameBits, testing::Values(Device::egl, Device::osmesa),
                          device_name);
 

@@ -80,6 +80,13 @@ TEST_P(Shapes, SeveralTilesWithLongEdgesAndSeveralRounds) {
         }
 }
 
+TEST_P(Shapes, SeveralTilesOfSeveralMeshes) {
+    const Picture p = make_picture(Content::photo, 531, 40, 5, 3);
+    Order order = order_for(p, 801, 60);
+    order.job.mesh.meshes = 3;
+    expect_same(GetParam(), p, order, "531 x 40");
+}
+
 TEST_P(Shapes, IdentitySizeGivesThePicture) {
     const Picture p = make_picture(Content::noise, 40, 30, 4, 3);
     Order order;
@@ -114,6 +121,7 @@ TEST_P(Shapes, TurnedPictures) {
         const Turn turn(p, angle, 1.7);
         Order order = order_for(p, turn.size(), turn.size());
         order.mapping = &turn;
+        order.job.mesh.meshes = angle < 1 ? 1 : 2;
         expect_same(GetParam(), p, order, "turned by " + std::to_string(angle));
     }
 }
