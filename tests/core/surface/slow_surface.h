@@ -82,7 +82,7 @@ public:
         low = z3[2] < low ? z3[2] : low;
         high = high < z3[2] ? z3[2] : high;
         if (m_soft && !m_strict) {
-            low = low >= 0 ? 0.0f : -HUGE_VALF; // what is nowhere negative stays so
+            low = low >= 0 ? 0.5f * low : -HUGE_VALF; // what is nowhere negative stays so
             high = HUGE_VALF;
         }
         r = r < low ? low : r;

@@ -1,8 +1,8 @@
 // Several meshes averaged (MeshOptions::meshes).
 #include <cfloat>
 
-#include "core/triangulate/triangulate.h"
 #include "core/sample/evaluate.h"
+#include "core/triangulate/triangulate.h"
 #include "tests/core/tiles/job_helpers.h"
 
 namespace ddt::test {
@@ -116,10 +116,13 @@ TEST(Meshes, ConstantsStayAsTheyAre) {
         for (float& v : source.values())
             v = value;
         const Rect out{0, 0, 61, 50};
-        for (int meshes = 2; meshes <= most_meshes; ++meshes)
-            for (const float v : run(source, sharp_job(source, 2, meshes),
-                                     mapping_of(source.window(), out, out), out))
+        for (int meshes = 2; meshes <= most_meshes; ++meshes) {
+            Job job = sharp_job(source, 2, meshes);
+            job.surface.consistency =
+                0; // of corrected vertices also one mesh may miss the last bit
+            for (const float v : run(source, job, mapping_of(source.window(), out, out), out))
                 ASSERT_EQ(v, value);
+        }
     }
 }
 
