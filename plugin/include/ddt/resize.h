@@ -66,9 +66,9 @@ bool is_filter_name(OIIO::string_view spec);
 
 /// Parse "ddt,key=value,...": the name sets the surface, blur and min_gain, each key its option;
 /// what is not named keeps its value in `options`. Keys: blur, clipped, consistency, cost, device,
-/// iterations, light, limit, meshes, min_gain, scheme, seed, soft, start; values with names are those
-/// of ddt/names.h. On failure return false with one line in `error` that names the option and lists
-/// what is allowed; `options` is then unchanged.
+/// iterations, light, limit, meshes, min_gain, scheme, seed, soft, start; values with names are
+/// those of ddt/names.h. On failure return false with one line in `error` that names the option and
+/// lists what is allowed; `options` is then unchanged.
 bool parse_filter(OIIO::string_view spec, Options& options, std::string& error);
 
 /// Resize: the source's display window maps onto dst's, pixel centres at half integers; data
