@@ -12,6 +12,10 @@ struct Named {
     Value value;
 };
 
+constexpr FilterPreset filters[] = {{"ddt", Surface::patch, 0, 0.4f, 0.1f, 0.07f},
+                                    {"ddt-linear", Surface::linear, 0, 0.0f, -1.0f, 0.0f},
+                                    {"ddt-sharp", Surface::patch, 2, 0.3f, -1.0f, 0.05f}};
+
 constexpr Named<Cost> costs[] = {
 #define DDT_NAMED_COST(name, ...) {#name, Cost::name},
     DDT_COSTS(DDT_NAMED_COST)
@@ -79,6 +83,32 @@ int family_member(std::string_view name) {
 }
 
 } // namespace
+
+const FilterPreset* find_filter(std::string_view name) {
+    for (const FilterPreset& filter : filters)
+        if (name == filter.name)
+            return &filter;
+    return nullptr;
+}
+std::vector<std::string> filter_names() {
+    std::vector<std::string> names;
+    for (const FilterPreset& filter : filters)
+        names.emplace_back(filter.name);
+    return names;
+}
+bool set_filter(std::string_view name, SurfaceOptions& surface, MeshOptions& mesh) {
+    const FilterPreset* filter = find_filter(name);
+    if (!filter)
+        return false;
+    surface.kind = filter->kind;
+    surface.consistency = filter->consistency;
+    surface.soft = filter->soft;
+    mesh.cost = Cost::abn;
+    mesh.scheme = Scheme::one_round;
+    mesh.min_gain = filter->min_gain;
+    mesh.blur = filter->blur;
+    return true;
+}
 
 const char* cost_name(Cost cost) {
     return name_of(costs, cost);

@@ -12,18 +12,6 @@ namespace {
 
 using OIIO::Strutil::fmt::format;
 
-/// What a name stands for. `soft` and `min_gain` are in units of the cost abn; with other costs
-/// edges are not soft, and min_gain is the cost's own.
-struct FilterName {
-    const char* name;
-    Surface kind;
-    int consistency;
-    float soft, min_gain, blur;
-};
-constexpr FilterName filters[] = {{"ddt", Surface::patch, 0, 0.4f, 0.1f, 0.07f},
-                                  {"ddt-linear", Surface::linear, 0, 0.0f, -1.0f, 0.0f},
-                                  {"ddt-sharp", Surface::patch, 2, 0.3f, -1.0f, 0.05f}};
-
 /// One key of a specification.
 struct Option {
     std::string key, allowed;
@@ -99,25 +87,11 @@ bool set_option(const std::string& item, Options& options, std::string& error) {
     return false;
 }
 
-const FilterName* find_filter(const std::string& name) {
-    for (const FilterName& filter : filters)
-        if (name == filter.name)
-            return &filter;
-    return nullptr;
-}
-
 } // namespace
 
 Options::Options() {
     std::string error;
     parse_filter("ddt", *this, error);
-}
-
-std::vector<std::string> filter_names() {
-    std::vector<std::string> names;
-    for (const FilterName& filter : filters)
-        names.emplace_back(filter.name);
-    return names;
 }
 
 bool is_filter_name(OIIO::string_view spec) {
@@ -127,12 +101,13 @@ bool is_filter_name(OIIO::string_view spec) {
 bool parse_filter(OIIO::string_view spec, Options& options, std::string& error) {
     const std::vector<std::string> items = OIIO::Strutil::splits(spec, ",");
     const std::string name = items.empty() ? "" : items[0];
-    const FilterName* filter = find_filter(name);
+    const FilterPreset* filter = find_filter(name);
     if (!filter) {
         error = format("ddt: unknown filter \"{}\"; allowed are {}", name,
                        OIIO::Strutil::join(filter_names(), ", "));
         return false;
     }
+    // With another cost edges are not soft, and min_gain is the cost's own.
     Options parsed = options;
     parsed.surface.kind = filter->kind;
     parsed.surface.consistency = filter->consistency;

@@ -32,6 +32,22 @@ TEST(Options, NameSetsSurface) {
     EXPECT_EQ(options.surface.kind, ddt::Surface::patch);
 }
 
+TEST(Options, NameStandsForWhatTheCoreSays) {
+    for (const std::string& name : ddt::filter_names()) {
+        ddt::Options options;
+        ddt::SurfaceOptions surface;
+        ddt::MeshOptions mesh;
+        std::string error;
+        ASSERT_TRUE(ddt::parse_filter(name, options, error)) << error;
+        ASSERT_TRUE(ddt::set_filter(name, surface, mesh));
+        EXPECT_EQ(options.surface.kind, surface.kind);
+        EXPECT_EQ(options.surface.consistency, surface.consistency);
+        EXPECT_EQ(options.surface.soft, surface.soft);
+        EXPECT_EQ(options.mesh.min_gain, mesh.min_gain);
+        EXPECT_EQ(options.mesh.blur, mesh.blur);
+    }
+}
+
 TEST(Options, EveryKey) {
     ddt::Options options;
     std::string error;

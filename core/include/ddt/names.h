@@ -1,4 +1,5 @@
-// The names of costs, schemes, starts and devices, as options, tables and tools spell them.
+// The names of filters, costs, schemes, starts and devices, as options, tables and tools spell
+// them.
 #pragma once
 
 #include <string>
@@ -8,6 +9,21 @@
 #include "ddt/core.h"
 
 namespace ddt {
+
+/// What a filter's name stands for. `soft` and `min_gain` are in units of the cost abn.
+struct FilterPreset {
+    const char* name;
+    Surface kind;
+    int consistency;
+    float soft, min_gain, blur;
+};
+/// The filter of that name, or null.
+const FilterPreset* find_filter(std::string_view name);
+/// "ddt", "ddt-linear" and "ddt-sharp".
+std::vector<std::string> filter_names();
+/// Set what the filter of that name stands for, for the cost abn and Scheme::one_round, and leave
+/// the rest as it is; false, and nothing changed, if there is none.
+bool set_filter(std::string_view name, SurfaceOptions& surface, MeshOptions& mesh);
 
 /// "abn", "scf", ...
 const char* cost_name(Cost cost);

@@ -33,6 +33,7 @@
 #include <OpenImageIO/imagebufalgo.h>
 
 #include "ddt/core.h"
+#include "ddt/names.h"
 
 namespace ddt {
 
@@ -58,10 +59,7 @@ struct Options {
     Statistics* statistics = nullptr; ///< filled in when not null and a mesh was made
 };
 
-/// The names a filter specification starts with: "ddt", "ddt-linear", "ddt-sharp".
-std::vector<std::string> filter_names();
-
-/// True if `spec` is one of filter_names(), or one followed by a comma and options.
+/// True if `spec` is one of filter_names() (ddt/names.h), or one followed by a comma and options.
 bool is_filter_name(OIIO::string_view spec);
 
 /// Parse "ddt,key=value,...": the name sets the surface, blur and min_gain, each key its option;

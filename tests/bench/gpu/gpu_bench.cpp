@@ -17,29 +17,12 @@
 
 #include "core/arith/arith.h"
 #include "core/tiles/tile_worker.h"
+#include "ddt/names.h"
 #include "tests/bench/gpu/half.h"
 #include "tests/bench/gpu/measure.h"
 
 namespace ddt::bench {
 namespace {
-
-/// What the filters' names stand for, as in plugin/options.cpp.
-struct Filter {
-    const char* name;
-    Surface kind;
-    int consistency;
-    float soft, min_gain, blur;
-};
-constexpr Filter filters[] = {{"ddt", Surface::patch, 0, 0.4f, 0.1f, 0.07f},
-                              {"ddt-linear", Surface::linear, 0, 0.0f, -1.0f, 0.0f},
-                              {"ddt-sharp", Surface::patch, 2, 0.3f, -1.0f, 0.05f}};
-
-const Filter* find_filter(const std::string& name) {
-    for (const Filter& filter : filters)
-        if (name == filter.name)
-            return &filter;
-    return nullptr;
-}
 
 struct Options {
     Device device = Device::egl;
@@ -77,15 +60,10 @@ bool parse(int argc, char** argv, Options& o) {
 }
 
 Job job_of(const Options& o, int width, int height) {
-    const Filter& filter = *find_filter(o.filter);
     Job job;
     job.window = {0, 0, width, height};
     job.channels = 4;
-    job.surface.kind = filter.kind;
-    job.surface.consistency = filter.consistency;
-    job.surface.soft = filter.soft;
-    job.mesh.min_gain = filter.min_gain;
-    job.mesh.blur = filter.blur;
+    set_filter(o.filter, job.surface, job.mesh);
     return job;
 }
 
