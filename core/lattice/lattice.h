@@ -21,6 +21,8 @@
 #include <cstring>
 #include <vector>
 
+#include "core/large_pages.h"
+
 namespace ddt {
 
 /// A vector in doubled coordinates, or in pixels where that is said.
@@ -132,7 +134,7 @@ public:
 
     /// Take the memory for so many sites: 4 a pixel are enough.
     void reserve(size_t sites) {
-        m_sites.reserve(sites);
+        reserve_large(m_sites, sites);
         m_divisions.reserve(sites / 4);
     }
 

@@ -76,6 +76,7 @@ struct LocatedBlock {
         int site; ///< of the plain cell's first corner
     };
     std::vector<Range> ranges;  ///< in order, without gaps
+    std::vector<int> triangles; ///< those of kind triangle
     int count = 0;              ///< of rows
     float y[most_rows];         ///< the rows' positions relative to the cells' first corners
     LocatedRow rows[most_rows]; ///< the positions in ranges of kind triangle

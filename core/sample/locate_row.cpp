@@ -142,29 +142,34 @@ int locate_block(const Lattice& lattice, const Columns& columns, std::vector<Poi
     const int cy = cell_of(y[0], lattice.height());
     const int first_site = lattice.vertex_site(0, cy);
     const Division* divisions = lattice.divisions(cy);
-    block.ranges.clear();
+    block.ranges.resize(columns.runs.size());
+    block.triangles.clear();
+    LocatedBlock::Range* range = block.ranges.data();
     for (const Columns::Run& run : columns.runs) {
-        const int site = first_site + 2 * run.cell;
         const Span::Kind kind = kind_of(divisions[run.cell]);
-        if (kind == Span::triangle && !block.ranges.empty() &&
-            block.ranges.back().kind == Span::triangle)
-            block.ranges.back().end = run.end;
-        else
-            block.ranges.push_back({kind, run.begin, run.end, site});
+        if (kind == Span::triangle) {
+            const int at = int(range - block.ranges.data());
+            if (!block.triangles.empty() && block.triangles.back() == at - 1) {
+                range[-1].end = run.end;
+                continue;
+            }
+            block.triangles.push_back(at);
+        }
+        *range++ = {kind, run.begin, run.end, first_site + 2 * run.cell};
     }
+    block.ranges.resize(size_t(range - block.ranges.data()));
     int& rows = block.count;
     for (rows = 0; rows < std::min(n, LocatedBlock::most_rows); ++rows) {
         if (cell_of(y[rows], lattice.height()) != cy)
             break;
         block.y[rows] = float(y[rows] - cy * position_one) * unit;
         RowLocator locator(lattice, points.data(), int(points.size()), search, block.rows[rows]);
-        for (const LocatedBlock::Range& range : block.ranges) {
-            if (range.kind != Span::triangle)
-                continue;
-            for (int i = range.begin; i < range.end; ++i)
+        for (const int index : block.triangles) {
+            const LocatedBlock::Range& others = block.ranges[size_t(index)];
+            for (int i = others.begin; i < others.end; ++i)
                 points[size_t(i)].y = y[rows];
-            for (int i = range.begin; i < range.end;)
-                i = locator.triangle(i, range.end);
+            for (int i = others.begin; i < others.end;)
+                i = locator.triangle(i, others.end);
         }
     }
     return rows;

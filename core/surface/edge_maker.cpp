@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "core/arith/arith.h"
+#include "core/large_pages.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/surface/edge_maker.cpp"
@@ -288,7 +289,7 @@ size_t gradient_count(size_t sites) {
 } // namespace
 
 void EdgeMaker::reserve(size_t sites) {
-    m_scratch.gradients.reserve(gradient_count(sites));
+    reserve_large(m_scratch.gradients, gradient_count(sites));
 }
 
 void EdgeMaker::begin(const Lattice& lattice, const Rect& part, bool bend, const float* gain,

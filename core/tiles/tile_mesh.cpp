@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/arith/arith.h"
+#include "core/large_pages.h"
 #include "core/tiles/tile_io.h"
 
 namespace ddt {
@@ -20,11 +21,11 @@ void TileMesh::reserve(size_t sites) {
     m_lattice.reserve(sites);
     m_nets.resize(size_t(group_count(m_job.channels)));
     for (Net& net : m_nets)
-        net.values.reserve(sites * group_size);
+        reserve_large(net.values, sites * group_size);
     if (m_job.surface.soft > 0) {
         m_gain.reserve(sites);
         for (Net& net : m_nets)
-            net.soft.reserve(sites * group_size);
+            reserve_large(net.soft, sites * group_size);
     }
     if (m_job.surface.kind != Surface::linear)
         m_edges.reserve(sites);

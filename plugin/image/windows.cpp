@@ -1,13 +1,13 @@
 #include "plugin/image/windows.h"
 
-#include <sys/mman.h>
-
 #include <algorithm>
 
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imagebufalgo_util.h>
 #include <OpenImageIO/strutil.h>
 #include <OpenImageIO/sysutil.h>
+
+#include "core/large_pages.h"
 
 namespace ddt {
 namespace {
@@ -47,19 +47,6 @@ ResizeMapping::Axis axis(int from0, int from_size, int to0, int to_size, int win
     return a;
 }
 
-/// Ask the system for large pages: to be given 4 KiB at a time takes longer than to fill them. It
-/// is no matter if there are none.
-void ask_for_large_pages(const OIIO::ImageBuf& image) {
-#ifdef MADV_HUGEPAGE
-    constexpr uintptr_t page = 4096;
-    const auto first = reinterpret_cast<uintptr_t>(image.localpixels());
-    const uintptr_t begin = (first + page - 1) / page * page;
-    const uintptr_t end = (first + image.spec().image_bytes()) / page * page;
-    if (image.localpixels() && begin < end)
-        madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
-#endif
-}
-
 /// What IBAprep does with a roi and a dst that is not initialised, less making pixels black of
 /// which all will be written: that would take a tenth of the filter's time.
 bool allocate(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int flags,
@@ -84,7 +71,7 @@ bool allocate(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, in
     if (!dst.initialized())
         error = "the destination cannot be prepared";
     else
-        ask_for_large_pages(dst);
+        ask_for_large_pages(dst.localpixels(), dst.spec().image_bytes());
     return dst.initialized();
 }
 
