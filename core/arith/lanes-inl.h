@@ -29,6 +29,7 @@ struct Lanes {
     /// The smaller or larger, where neither is NaN; of zeros of two signs, either.
     friend HWY_INLINE Lanes smaller(Lanes a, Lanes b) { return hn::Min(a.v, b.v); }
     friend HWY_INLINE Lanes larger(Lanes a, Lanes b) { return hn::Max(a.v, b.v); }
+    friend HWY_INLINE Lanes size_of(Lanes a) { return hn::Abs(a.v); }
     /// Whether all lanes are from -limit to limit.
     static HWY_INLINE bool all_within(float limit, Lanes a) {
         return hn::AllTrue(D(), hn::Le(hn::Abs(a.v), hn::Set(D(), limit)));

@@ -48,25 +48,33 @@ HWY_INLINE Blocks spread(const float* p) {
 struct Output {
     float* to = nullptr; ///< the row's first position, first channel of the group
     int channels = 0, count = 0;
-    bool whole =
-        false; ///< all lanes may be stored: what is too much is overwritten by what follows
+    /// All lanes may be stored: what is too much is overwritten by what follows.
+    bool whole = false;
+    /// Lane i of a packed vector, one with no gaps between its blocks' channels, is lane packed[i].
+    HWY_ALIGN int32_t packed[row_padding];
+
+    Output() = default;
+    Output(float* to_, int channels_, int count_)
+        : to(to_), channels(channels_), count(count_), whole(channels_ <= group_size) {
+        const int lanes = int(hn::Lanes(D()));
+        for (int i = 0; i < lanes; ++i)
+            packed[i] = (i / count * group_size + i % count) % lanes;
+    }
 
     /// Blocks of positions i, i + 1, ... before end.
     HWY_INLINE void store(Blocks f, int i, int end) const {
-        const hn::CappedTag<float, group_size> d4;
-        const int blocks = int(hn::Lanes(D())) / group_size;
-        HWY_ALIGN float lanes[row_padding];
+        const D d;
+        const hn::RebindToSigned<D> di;
         float* p = to + size_t(i) * size_t(channels);
-        if (whole && channels == group_size) {
+        if (whole) {
+            if (channels < group_size)
+                f = hn::TableLookupLanes(f.v, hn::IndicesFromVec(d, hn::Load(di, packed)));
             f.store(p);
             return;
         }
+        HWY_ALIGN float lanes[row_padding];
         f.store(lanes);
-        if (whole) {
-            for (int k = 0; k < blocks; ++k)
-                hn::StoreU(hn::Load(d4, lanes + k * group_size), d4, p + k * channels);
-            return;
-        }
+        const int blocks = int(hn::Lanes(d)) / group_size;
         for (int k = 0; k < blocks && i + k < end; ++k)
             for (int c = 0; c < count; ++c)
                 p[k * channels + c] = lanes[k * group_size + c];
@@ -98,6 +106,15 @@ HWY_INLINE void evaluate_triangle(const Net& net, const LocatedRow& row, const S
                   i, span.end);
 }
 
+/// Net::strict in every block, and whether all its lanes are.
+struct Strictness {
+    Blocks lanes;
+    bool all;
+    explicit HWY_INLINE Strictness(const Net& net)
+        : lanes(hn::LoadDup128(D(), net.strict)),
+          all(net.strict[0] > 0 && net.strict[1] > 0 && net.strict[2] > 0 && net.strict[3] > 0) {}
+};
+
 /// The plain cell whose first corner is at site s.
 template <bool quadratic, bool soft>
 HWY_INLINE PlainCell<Blocks> load_cell(const Net& net, int s) {
@@ -126,7 +143,9 @@ HWY_INLINE PlainCell<Blocks> load_cell(const Net& net, int s) {
 
 /// Call each(evaluator) with what evaluates the divided cell at x, y.
 template <bool quadratic, bool soft, bool tame, class Each>
-HWY_INLINE void with_divided(const PlainCell<Blocks>& cell, Span::Kind kind, Each&& each) {
+HWY_INLINE void with_divided(PlainCell<Blocks>& cell, const Strictness& strict, Span::Kind kind,
+                             Each&& each) {
+    cell.template find_ranges<soft, tame>(strict.lanes, strict.all);
     if (kind == Span::cell_down)
         each([&](Blocks x, Blocks y)
                  HWY_ATTR { return cell.template at_down<quadratic, soft, tame>(x, y); });
@@ -137,25 +156,25 @@ HWY_INLINE void with_divided(const PlainCell<Blocks>& cell, Span::Kind kind, Eac
 
 /// Call each(evaluator) with what evaluates the plain cell at x, y.
 template <bool quadratic, bool soft, class Each>
-HWY_INLINE void with_cell(const Net& net, Span::Kind kind, int site, Each&& each) {
+HWY_INLINE void with_cell(const Net& net, const Strictness& strict, Span::Kind kind, int site,
+                          Each&& each) {
     PlainCell<Blocks> cell = load_cell<quadratic, soft>(net, site);
-    const Blocks strict = hn::LoadDup128(D(), net.strict);
     if (kind == Span::cell_down)
-        cell.template divide_down<soft>(strict);
+        cell.template divide_down<soft>();
     else
-        cell.template divide_up<soft>(strict);
+        cell.template divide_up<soft>();
     if (cell.is_tame())
-        with_divided<quadratic, soft, true>(cell, kind, each);
+        with_divided<quadratic, soft, true>(cell, strict, kind, each);
     else
-        with_divided<quadratic, soft, false>(cell, kind, each);
+        with_divided<quadratic, soft, false>(cell, strict, kind, each);
 }
 
 template <bool quadratic, bool soft>
-HWY_INLINE void evaluate_cell(const Net& net, const LocatedRow& row, const Span& span,
-                              const Output& out) {
+HWY_INLINE void evaluate_cell(const Net& net, const Strictness& strict, const LocatedRow& row,
+                              const Span& span, const Output& out) {
     const int step = int(hn::Lanes(D())) / group_size;
     const float *x = row.weight[0].data(), *y = row.weight[1].data();
-    with_cell<quadratic, soft>(net, span.kind, span.vertex[0], [&](auto&& at) HWY_ATTR {
+    with_cell<quadratic, soft>(net, strict, span.kind, span.vertex[0], [&](auto&& at) HWY_ATTR {
         for (int i = span.begin; i < span.end; i += step)
             out.store(at(spread(x + i), spread(y + i)), i, span.end);
     });
@@ -163,11 +182,12 @@ HWY_INLINE void evaluate_cell(const Net& net, const LocatedRow& row, const Span&
 
 template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_spans(const Net& net, const LocatedRow& row, const Output& out) {
+    const Strictness strict(net);
     for (const Span& span : row.spans)
         if (span.kind == Span::triangle)
             evaluate_triangle<quadratic, soft>(net, row, span, out);
         else
-            evaluate_cell<quadratic, soft>(net, row, span, out);
+            evaluate_cell<quadratic, soft>(net, strict, row, span, out);
 }
 
 /// All of a block. What is stored too much is overwritten by the range to the right, except at the
@@ -179,6 +199,7 @@ HWY_INLINE void evaluate_ranges(const Net& net, const Columns& columns, const Lo
     const int width = block.ranges.back().end;
     Output out[LocatedBlock::most_rows];
     size_t span[LocatedBlock::most_rows] = {};
+    const Strictness strict(net);
     for (int r = 0; r < block.count; ++r) {
         out[r] = first;
         out[r].to += size_t(r) * row;
@@ -188,13 +209,14 @@ HWY_INLINE void evaluate_ranges(const Net& net, const Columns& columns, const Lo
         for (int r = 0; at_end && r < block.count; ++r)
             out[r].whole = false;
         if (range.kind != Span::triangle) {
-            with_cell<quadratic, soft>(net, range.kind, range.site, [&](auto&& at) HWY_ATTR {
-                for (int i = range.begin; i < range.end; i += step) {
-                    const Blocks x = spread(columns.x.data() + i);
-                    for (int r = 0; r < block.count; ++r)
-                        out[r].store(at(x, Blocks(block.y[r])), i, range.end);
-                }
-            });
+            with_cell<quadratic, soft>(
+                net, strict, range.kind, range.site, [&](auto&& at) HWY_ATTR {
+                    for (int i = range.begin; i < range.end; i += step) {
+                        const Blocks x = spread(columns.x.data() + i);
+                        for (int r = 0; r < block.count; ++r)
+                            out[r].store(at(x, Blocks(block.y[r])), i, range.end);
+                    }
+                });
             continue;
         }
         for (int r = 0; r < block.count; ++r) {
@@ -224,7 +246,7 @@ HWY_INLINE void for_surface(const Net& net, Surface surface, F&& f) {
 
 HWY_ATTR void evaluate(const Net& net, Surface surface, const LocatedRow& row, int channels,
                        int first, int count, float* to) {
-    const Output out{to + first, channels, count, channels <= group_size};
+    const Output out(to + first, channels, count);
     for_surface(net, surface, [&](auto quadratic, auto soft) HWY_ATTR {
         evaluate_spans<decltype(quadratic)::value, decltype(soft)::value>(net, row, out);
     });
@@ -233,7 +255,7 @@ HWY_ATTR void evaluate(const Net& net, Surface surface, const LocatedRow& row, i
 HWY_ATTR void evaluate_rows(const Net& net, Surface surface, const Columns& columns,
                             const LocatedBlock& block, int channels, int first, int count,
                             float* to, size_t row) {
-    const Output out{to + first, channels, count, channels <= group_size};
+    const Output out(to + first, channels, count);
     for_surface(net, surface, [&](auto quadratic, auto soft) HWY_ATTR {
         evaluate_ranges<decltype(quadratic)::value, decltype(soft)::value>(net, columns, block, out,
                                                                            row);

@@ -26,6 +26,19 @@ struct Patch {
         }
     }
 
+    /// find_range() where the vertices are tame (see below); all_strict: `strict` is not 0
+    /// anywhere.
+    template <bool soft>
+    DDT_INLINE void find_tame_range(T strict, bool all_strict) {
+        low = smaller(smaller(z0, z1), z2);
+        high = larger(larger(z0, z1), z2);
+        if (soft && !all_strict) {
+            const T zero = T(0.0f);
+            low = if_less(zero, strict, low, if_less_equal(zero, low, T(0.5f) * low, T(-INFINITY)));
+            high = if_less(zero, strict, high, T(INFINITY));
+        }
+    }
+
     static DDT_INLINE T smaller_of(T a, T b) { return if_less(a, b, a, b); }
 
     /// b z, but 0 where b = 0, whatever z is.
@@ -79,7 +92,7 @@ struct PlainCell {
     Patch<T> first, second;
 
     template <bool soft>
-    DDT_INLINE void divide_down(T strict) {
+    DDT_INLINE void divide_down() {
         first.z0 = z0, first.z1 = z3, first.z2 = z2;
         first.e01 = diagonal, first.e12 = e23, first.e20 = e02;
         second.z0 = z0, second.z1 = z1, second.z2 = z3;
@@ -88,11 +101,9 @@ struct PlainCell {
             first.q01 = soft_diagonal, first.q12 = q23, first.q20 = q02;
             second.q01 = q01, second.q12 = q13, second.q20 = soft_diagonal;
         }
-        first.template find_range<soft>(strict);
-        second.template find_range<soft>(strict);
     }
     template <bool soft>
-    DDT_INLINE void divide_up(T strict) {
+    DDT_INLINE void divide_up() {
         first.z0 = z0, first.z1 = z1, first.z2 = z2;
         first.e01 = e01, first.e12 = diagonal, first.e20 = e02;
         second.z0 = z1, second.z1 = z3, second.z2 = z2;
@@ -101,8 +112,16 @@ struct PlainCell {
             first.q01 = q01, first.q12 = soft_diagonal, first.q20 = q02;
             second.q01 = q13, second.q12 = q23, second.q20 = soft_diagonal;
         }
-        first.template find_range<soft>(strict);
-        second.template find_range<soft>(strict);
+    }
+
+    /// The triangles' ranges, once they are divided.
+    template <bool soft, bool tame>
+    DDT_INLINE void find_ranges(T strict, bool all_strict) {
+        for (Patch<T>* p : {&first, &second})
+            if (tame)
+                p->template find_tame_range<soft>(strict, all_strict);
+            else
+                p->template find_range<soft>(strict);
     }
 
     /// Both triangles' parameters, lane by lane that of the one that d, negative in the first,
@@ -131,8 +150,8 @@ struct PlainCell {
 
     /// Whether at_down() and at_up() may be told that the vertices are tame.
     DDT_INLINE bool is_tame() const {
-        return T::all_within(Patch<T>::tame, z0) && T::all_within(Patch<T>::tame, z1) &&
-               T::all_within(Patch<T>::tame, z2) && T::all_within(Patch<T>::tame, z3);
+        return T::all_within(Patch<T>::tame,
+                             (size_of(z0) + size_of(z1)) + (size_of(z2) + size_of(z3)));
     }
 
     template <bool quadratic, bool soft, bool tame>
