@@ -1,26 +1,9 @@
 // What belongs to the edges of a control net: their bends e and softness q (see net.h).
 #pragma once
 
-#include <vector>
-
-#include "core/surface/net.h"
+#include "core/surface/edge_scratch.h"
 
 namespace ddt {
-
-/// What is known of a row of cells.
-struct CellRow {
-    std::vector<float> down;    ///< 1 where the diagonal is down, else 0; padded to whole vectors
-    std::vector<uint8_t> other; ///< 1 where other edges cross the cell
-};
-
-/// What edges are made of, kept from one use to the next.
-struct EdgeScratch {
-    /// The gradients at vertex site s: group_size floats at [2 s], x, and at [2 (s + stride)], y.
-    std::vector<float> gradients;
-    std::vector<float> vertices[3]; ///< of row y of pixels at [y % 3], group_size floats each
-    CellRow cells[2];               ///< row y of cells at [y % 2]
-    std::vector<float> weights;     ///< of the soft edges of a row of the doubled lattice
-};
 
 /// Makes a net's edges from the top row downwards, so that rows can be used while they are in the
 /// cache.

@@ -1,0 +1,18 @@
+// Included inside a SIMD target's namespace.
+
+// One vertex a block of group_size lanes.
+using D = hn::CappedTag<float, 4 * group_size>;
+using Blocks = Lanes<D>;
+
+/// Vertices in a vector.
+HWY_INLINE int blocks_in_vector() {
+    return int(hn::Lanes(D())) / group_size;
+}
+
+/// Block k filled with p[k].
+HWY_INLINE Blocks spread(const float* p) {
+    const D d;
+    const hn::RebindToSigned<D> di;
+    const auto block = hn::ShiftRight<2>(hn::Iota(di, 0));
+    return hn::TableLookupLanes(hn::LoadU(d, p), hn::IndicesFromVec(d, block));
+}

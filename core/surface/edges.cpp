@@ -1,0 +1,244 @@
+// The bends and softness of a net's edges.
+#include <algorithm>
+#include <cfloat>
+#include <cstddef>
+
+#include "core/arith/arith.h"
+#include "core/surface/edge_scratch.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/surface/edges.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ddt {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+#include "core/arith/lanes-inl.h"
+#include "core/arith/rsqrt-inl.h"
+#include "core/surface/gradient-inl.h"
+
+using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
+
+#include "core/surface/blocks-inl.h"
+
+/// Weights of the flipped states of edges with these gains (see net.h), 0 to 1/2.
+HWY_ATTR void soft_weights(const float* gain, int n, float reciprocal_tau, float* weights) {
+    using Floats = Lanes<hn::ScalableTag<float>>;
+    const int lanes = int(hn::Lanes(hn::ScalableTag<float>()));
+    const Floats zero(0.0f), one(1.0f), half(0.5f), r(reciprocal_tau);
+    const auto weigh = [&](Floats g) HWY_ATTR {
+        const Floats w = one + if_less(g, zero, g, zero) * r;
+        return if_less(zero, w, half * w, zero);
+    };
+    int i = 0;
+    for (; i + lanes <= n; i += lanes)
+        weigh(Floats::load(gain + i)).store(weights + i);
+    for (; i < n; ++i) {
+        const Floats w = weigh(Floats(gain[i]));
+        weights[i] = hn::GetLane(w.v);
+    }
+}
+
+/// e, if `bend`, and q, if `soft`, of the edges with midpoints at m, m + step, ... before end;
+/// weights: of the edge at m.
+template <bool bend, bool soft>
+HWY_INLINE void make_any(const Lattice& lattice, ptrdiff_t m, ptrdiff_t end, int step,
+                         const float* gradients, const float* weights, Net& net) {
+    const ptrdiff_t stride = lattice.stride();
+    for (; m < end; m += step, weights += step) {
+        const uint64_t vectors = vectors_of(lattice.edge(int(m)));
+        const int vx = int8_t(vectors), vy = int8_t(vectors >> 8);
+        const ptrdiff_t to_j = vy * stride + vx;
+        float* e = net.at(int(m));
+        const Lanes4 zi = Lanes4::load(e - to_j * group_size),
+                     zj = Lanes4::load(e + to_j * group_size);
+        if (soft) {
+            // An edge that cannot be flipped has weight 0; its apexes are read all the same.
+            const ptrdiff_t to_c = int8_t(vectors >> 24) * stride + int8_t(vectors >> 16);
+            const ptrdiff_t to_d = int8_t(vectors >> 40) * stride + int8_t(vectors >> 32);
+            edge_softness(Lanes4(*weights), zi, zj, Lanes4::load(e + to_c * group_size),
+                          Lanes4::load(e + to_d * group_size))
+                .store(net.soft.data() + m * group_size);
+        }
+        if (bend) {
+            // Where an end lies outside the part its gradient is not known, and e is never used.
+            const float *gi = gradients + 2 * (m - to_j), *gj = gradients + 2 * (m + to_j);
+            edge_bend(Lanes4::load(gi), Lanes4::load(gi + 2 * stride), Lanes4::load(gj),
+                      Lanes4::load(gj + 2 * stride), zi, zj, Lanes4(float(vx)), Lanes4(float(vy)))
+                .store(e);
+        }
+    }
+}
+
+/// Block k filled with p[2 k].
+HWY_INLINE Blocks spread_every_second(const float* p) {
+    const D d;
+    const hn::RebindToSigned<D> di;
+    const auto block = hn::ShiftLeft<1>(hn::ShiftRight<2>(hn::Iota(di, 0)));
+    return hn::TableLookupLanes(hn::LoadU(d, p), hn::IndicesFromVec(d, block));
+}
+
+/// Block k to p + 2 k group_size.
+HWY_INLINE void store_every_second(Blocks v, float* p) {
+    HWY_ALIGN float blocks[4 * group_size];
+    v.store(blocks);
+    for (int k = 0; k < blocks_in_vector(); ++k)
+        Lanes4::load(blocks + k * group_size).store(p + 2 * k * group_size);
+}
+
+/// Where flag is 1 `yes`, where it is 0 `no`.
+HWY_INLINE Blocks either(Blocks flag, Blocks yes, Blocks no) {
+    return if_less(Blocks(0.0f), flag, yes, no);
+}
+
+/// Neighbouring edges of plain cells, as many as Blocks has: what belongs to their ends i and j and
+/// their apexes c and d.
+struct PlainEdges {
+    Blocks zi, zj, zc, zd, gix, giy, gjx, gjy, vx, vy;
+
+    /// The edges' first midpoint is at m, the next two sites on; weights: of the first.
+    template <bool bend, bool soft>
+    HWY_INLINE void make(ptrdiff_t m, const float* weights, Net& net) const {
+        if (soft)
+            store_every_second(edge_softness(spread_every_second(weights), zi, zj, zc, zd),
+                               net.soft.data() + m * group_size);
+        if (bend)
+            store_every_second(edge_bend(gix, giy, gjx, gjy, zi, zj, vx, vy), net.at(int(m)));
+    }
+};
+
+/// Edges next to one another, from the one at or beside the vertices of column x of row y on.
+struct PlainMaker {
+    const NearRows& rows;
+    const float* gradients; ///< those of row y, x of column 0
+    ptrdiff_t to_y;         ///< from a gradient's x to its y
+    ptrdiff_t row;          ///< from a gradient to that of the row below
+    int y;
+
+    HWY_INLINE Blocks z(int x, int dy) const { return Blocks::load(rows.vertex(x, y + 3 + dy)); }
+    HWY_INLINE Blocks gx(int x, int dy) const {
+        return Blocks::load(gradients + dy * row + ptrdiff_t(x) * group_size);
+    }
+    HWY_INLINE Blocks gy(int x, int dy) const {
+        return Blocks::load(gradients + dy * row + to_y + ptrdiff_t(x) * group_size);
+    }
+    /// 1 where cell (x, y + dy)'s diagonal is down.
+    HWY_INLINE Blocks down(int x, int dy) const {
+        return spread(rows.cell_row(y + 2 + dy).down.data() + x);
+    }
+
+    /// From (x, y) to (x + 1, y).
+    HWY_INLINE PlainEdges level(int x) const {
+        PlainEdges e;
+        e.zi = z(x, 0), e.zj = z(x + 1, 0);
+        e.zc = either(down(x, 0), z(x + 1, 1), z(x, 1));
+        e.zd = either(down(x, -1), z(x, -1), z(x + 1, -1));
+        e.gix = gx(x, 0), e.giy = gy(x, 0), e.gjx = gx(x + 1, 0), e.gjy = gy(x + 1, 0);
+        e.vx = Blocks(1.0f), e.vy = Blocks(0.0f);
+        return e;
+    }
+    /// From (x, y) to (x, y + 1).
+    HWY_INLINE PlainEdges upright(int x) const {
+        PlainEdges e;
+        e.zi = z(x, 0), e.zj = z(x, 1);
+        e.zc = either(down(x - 1, 0), z(x - 1, 0), z(x - 1, 1));
+        e.zd = either(down(x, 0), z(x + 1, 1), z(x + 1, 0));
+        e.gix = gx(x, 0), e.giy = gy(x, 0), e.gjx = gx(x, 1), e.gjy = gy(x, 1);
+        e.vx = Blocks(0.0f), e.vy = Blocks(1.0f);
+        return e;
+    }
+    /// The diagonal of cell (x, y), from its upper to its lower end.
+    HWY_INLINE PlainEdges diagonal(int x) const {
+        PlainEdges e;
+        const Blocks flag = down(x, 0);
+        const Blocks z0 = z(x, 0), z1 = z(x + 1, 0), z2 = z(x, 1), z3 = z(x + 1, 1);
+        e.zi = either(flag, z0, z1), e.zj = either(flag, z3, z2);
+        e.zc = either(flag, z2, z0), e.zd = either(flag, z1, z3);
+        e.gix = either(flag, gx(x, 0), gx(x + 1, 0)), e.giy = either(flag, gy(x, 0), gy(x + 1, 0));
+        e.gjx = either(flag, gx(x + 1, 1), gx(x, 1)), e.gjy = either(flag, gy(x + 1, 1), gy(x, 1));
+        e.vx = either(flag, Blocks(1.0f), Blocks(-1.0f)), e.vy = Blocks(1.0f);
+        return e;
+    }
+};
+
+/// The edges with midpoints in row y of the doubled lattice.
+template <bool bend, bool soft>
+HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y, EdgeScratch& scratch,
+                         Net& net) {
+    const int odd = y & 1, step = blocks_in_vector(), last_x = lattice.width() - 1;
+    const int pixel_y = y / 2;
+    const ptrdiff_t stride = lattice.stride(), first = lattice.site(2 * part.x0 + 1 - odd, y),
+                    end = lattice.site(2 * part.x1 - 1, y);
+    const float* weights = scratch.weights.data();
+    const NearRows& rows = scratch.edge_rows;
+    const PlainMaker plain{
+        rows, scratch.gradients.data() + 2 * ptrdiff_t(lattice.vertex_site(0, pixel_y)), 2 * stride,
+        4 * stride, pixel_y};
+    const uint8_t *above = rows.cell_row(pixel_y + 1).other.data(),
+                  *here = rows.cell_row(pixel_y).other.data();
+    // Whether cells x0 .. x1 - 1 beside the row are plain.
+    const auto is_plain = [&](int x0, int x1) {
+        int others = 0;
+        for (int x = x0; x < x1; ++x)
+            others |= odd ? here[x] : above[x] | here[x];
+        return !others;
+    };
+    const bool inner = odd || (pixel_y > 0 && pixel_y < lattice.height() - 1);
+    for (int x = part.x0; x < part.x1; x += step) {
+        // The first of the edges beside column x, and of those after the last of them.
+        const ptrdiff_t m = lattice.site(2 * x + 1 - odd, y), next = m + 2 * step;
+        const float* w = weights + (m - first);
+        if (inner && next <= end && x > 0 && x + step <= last_x && is_plain(x - odd, x + step)) {
+            if (odd) {
+                plain.upright(x).template make<bend, soft>(m, w, net);
+                plain.diagonal(x).template make<bend, soft>(m + 1, w + 1, net);
+            } else {
+                plain.level(x).template make<bend, soft>(m, w, net);
+            }
+        } else {
+            make_any<bend, soft>(lattice, m, std::min(next, end), 2 - odd, scratch.gradients.data(),
+                                 w, net);
+        }
+    }
+}
+
+HWY_ATTR void make_edges(const Lattice& lattice, const Rect& part, int y0, int y1, bool bend,
+                         const float* gain, float reciprocal_tau, EdgeScratch& scratch, Net& net) {
+    if (y0 == 2 * part.y0)
+        scratch.edge_rows.begin(lattice, part, part.y0, net);
+    for (int y = y0; y < y1; ++y) {
+        if (y % 2 == 0)
+            scratch.edge_rows.load_below(lattice, part, y / 2, net);
+        const int m = lattice.site(2 * part.x0 + 1 - (y & 1), y),
+                  end = lattice.site(2 * part.x1 - 1, y);
+        if (gain)
+            soft_weights(gain + m, end - m, reciprocal_tau, scratch.weights.data());
+        if (bend && gain)
+            make_row<true, true>(lattice, part, y, scratch, net);
+        else if (bend)
+            make_row<true, false>(lattice, part, y, scratch, net);
+        else if (gain)
+            make_row<false, true>(lattice, part, y, scratch, net);
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace ddt
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ddt {
+
+HWY_EXPORT(make_edges);
+
+void make_edges(const Lattice& lattice, const Rect& part, int y0, int y1, bool bend,
+                const float* gain, float reciprocal_tau, EdgeScratch& scratch, Net& net) {
+    HWY_DYNAMIC_DISPATCH(make_edges)
+    (lattice, part, y0, y1, bend, gain, reciprocal_tau, scratch, net);
+}
+
+} // namespace ddt
+#endif

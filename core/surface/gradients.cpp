@@ -1,0 +1,168 @@
+// The gradients at a net's vertices.
+#include <algorithm>
+#include <cfloat>
+#include <cstddef>
+#include <cstring>
+
+#include "core/arith/arith.h"
+#include "core/surface/edge_scratch.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/surface/gradients.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ddt {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+#include "core/arith/lanes-inl.h"
+#include "core/arith/rsqrt-inl.h"
+#include "core/surface/gradient-inl.h"
+
+using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
+
+/// A neighbour of the vertex that is walked round, over the edge between them.
+struct Spoke {
+    int x, y;      ///< the neighbour relative to the vertex in pixels: the edge's midpoint in
+                   ///< doubled coordinates
+    Lanes4 fx, fy; ///< the same
+    Lanes4 dz;     ///< difference of the values
+
+    HWY_INLINE Spoke(int x_, int y_, Lanes4 z, const float* net, int stride)
+        : x(x_), y(y_), fx(float(x_)), fy(float(y_)),
+          dz(Lanes4::load(net + 2 * group_size * ptrdiff_t(y_ * stride + x_)) - z) {}
+};
+
+/// The next spoke to the left or right of one; false on the rim. On the record as one number: the
+/// walk is a chain of such steps, and its latency is what a gradient costs.
+HWY_INLINE bool next_spoke(const Site* vertex, int stride, bool left, int& x, int& y) {
+    static_assert(offsetof(Edge, v) == 0 && offsetof(Edge, left) == 2 && offsetof(Edge, right) == 4,
+                  "the shifts below");
+    uint64_t record;
+    std::memcpy(&record, vertex + (ptrdiff_t(y) * stride + x), sizeof record);
+    const bool outwards = uint16_t(record) == uint16_t((x & 255) | (y & 255) << 8);
+    const auto apex = uint16_t(record >> (outwards == left ? 16 : 32));
+    x = (x + int8_t(apex)) >> 1;
+    y = (y + int8_t(apex >> 8)) >> 1;
+    return apex != 0;
+}
+
+/// The mean gradient at a vertex: over its triangles in a fixed order, from the first edge to the
+/// left, and on the hull's rim from the first edge to the right.
+HWY_INLINE GradientMean<Lanes4> mean_round(const Site* vertex, const float* net, int stride) {
+    GradientMean<Lanes4> mean;
+    const Lanes4 z = Lanes4::load(net);
+    const Vec first = vertex->vertex.first;
+    const Spoke start(first.x, first.y, z, net, stride);
+    Spoke last = start;
+    int x = first.x, y = first.y;
+    while (next_spoke(vertex, stride, true, x, y)) {
+        const Spoke next(x, y, z, net, stride);
+        mean.add(last.fx, last.fy, next.fx, next.fy, last.dz, next.dz);
+        if (x == first.x && y == first.y)
+            return mean;
+        last = next;
+    }
+    x = first.x;
+    y = first.y;
+    last = start;
+    while (next_spoke(vertex, stride, false, x, y)) {
+        const Spoke next(x, y, z, net, stride);
+        mean.add(next.fx, next.fy, last.fx, last.fy, next.dz, last.dz);
+        last = next;
+    }
+    return mean;
+}
+
+#include "core/surface/blocks-inl.h"
+
+/// Gradients at plain vertices x, x + 1, ... of row y, as many as Blocks has.
+HWY_INLINE void plain_gradients(const EdgeScratch& scratch, int x, int y, float* to,
+                                ptrdiff_t to_y) {
+    const NearRows& rows = scratch.gradient_rows;
+    const float *above = rows.vertex(x, y + 2), *here = rows.vertex(x, y),
+                *below = rows.vertex(x, y + 1);
+    const Blocks z = Blocks::load(here);
+    const auto difference = [&](const float* p) HWY_ATTR { return Blocks::load(p) - z; };
+    Differences<Blocks> d;
+    d.nw = difference(above - group_size);
+    d.n = difference(above);
+    d.ne = difference(above + group_size);
+    d.e = difference(here + group_size);
+    d.se = difference(below + group_size);
+    d.s = difference(below);
+    d.sw = difference(below - group_size);
+    d.w = difference(here - group_size);
+    const float *upper = rows.cell_row(y + 1).down.data() + x,
+                *lower = rows.cell_row(y).down.data() + x;
+    const Blocks one(1.0f);
+    Blocks gx, gy;
+    plain_mean(d, spread(upper - 1), one - spread(upper), spread(lower), one - spread(lower - 1))
+        .result(gx, gy);
+    gx.store(to);
+    gy.store(to + to_y);
+}
+
+HWY_ATTR void make_gradients(const Lattice& lattice, const Rect& part, int y0, int y1,
+                             const Net& net, EdgeScratch& scratch) {
+    const int stride = lattice.stride(), last_x = lattice.width() - 1,
+              last_y = lattice.height() - 1;
+    if (y0 == part.y0)
+        scratch.gradient_rows.begin(lattice, part, y0, net);
+    const int begin = std::max(part.x0, 1), end = std::min(part.x1, last_x);
+    const int step = blocks_in_vector();
+    for (int y = y0; y < y1; ++y) {
+        scratch.gradient_rows.load_below(lattice, part, y, net);
+        const auto gradients_at = [&](int x) {
+            return scratch.gradients.data() + 2 * size_t(lattice.vertex_site(x, y));
+        };
+        const auto walk_round = [&](int x) HWY_ATTR {
+            const int s = lattice.vertex_site(x, y);
+            Lanes4 gx, gy;
+            mean_round(lattice.sites() + s, net.at(s), stride).result(gx, gy);
+            gx.store(gradients_at(x));
+            gy.store(gradients_at(x) + 2 * ptrdiff_t(stride));
+        };
+        if (y == 0 || y == last_y || end - begin < step) {
+            for (int x = part.x0; x < part.x1; ++x)
+                walk_round(x);
+            continue;
+        }
+        if (part.x0 < begin)
+            walk_round(part.x0);
+        if (part.x1 > end)
+            walk_round(end);
+        const uint8_t *above = scratch.gradient_rows.cell_row(y + 1).other.data(),
+                      *below = scratch.gradient_rows.cell_row(y).other.data();
+        const auto crossed = [&](int cell) { return above[cell] | below[cell]; };
+        for (int next = begin; next < end; next += step) {
+            const int x = std::min(next, end - step); // the last vector may repeat some
+            plain_gradients(scratch, x, y, gradients_at(x), 2 * ptrdiff_t(stride));
+            int any = 0;
+            for (int k = x - 1; k < x + step; ++k)
+                any |= crossed(k);
+            for (int k = x; any && k < x + step; ++k)
+                if (crossed(k - 1) | crossed(k))
+                    walk_round(k);
+        }
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace ddt
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ddt {
+
+HWY_EXPORT(make_gradients);
+
+void make_gradients(const Lattice& lattice, const Rect& part, int y0, int y1, const Net& net,
+                    EdgeScratch& scratch) {
+    HWY_DYNAMIC_DISPATCH(make_gradients)(lattice, part, y0, y1, net, scratch);
+}
+
+} // namespace ddt
+#endif
