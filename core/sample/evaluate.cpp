@@ -81,9 +81,18 @@ struct Output {
     }
 };
 
+/// Net::strict in every block, and whether all its lanes are.
+struct Strictness {
+    Blocks lanes;
+    bool all;
+    explicit HWY_INLINE Strictness(const Net& net)
+        : lanes(hn::LoadDup128(D(), net.strict)),
+          all(net.strict[0] > 0 && net.strict[1] > 0 && net.strict[2] > 0 && net.strict[3] > 0) {}
+};
+
 template <bool quadratic, bool soft>
-HWY_INLINE void evaluate_triangle(const Net& net, const LocatedRow& row, const Span& span,
-                                  const Output& out) {
+HWY_INLINE void evaluate_triangle(const Net& net, const Strictness& strict, const LocatedRow& row,
+                                  const Span& span, const Output& out) {
     Patch<Blocks> patch;
     patch.z0 = at_site(net, span.vertex[0]);
     patch.z1 = at_site(net, span.vertex[1]);
@@ -98,22 +107,22 @@ HWY_INLINE void evaluate_triangle(const Net& net, const LocatedRow& row, const S
         patch.q12 = soft_at_site(net, span.edge[1]);
         patch.q20 = soft_at_site(net, span.edge[2]);
     }
-    patch.template find_range<soft>(hn::LoadDup128(D(), net.strict));
-    for (int i = span.begin; i < span.end; i += int(hn::Lanes(D())) / group_size)
-        out.store(patch.template at<quadratic, soft>(spread(row.weight[0].data() + i),
-                                                     spread(row.weight[1].data() + i),
-                                                     spread(row.weight[2].data() + i)),
-                  i, span.end);
+    const auto each = [&](auto&& at) HWY_ATTR {
+        for (int i = span.begin; i < span.end; i += int(hn::Lanes(D())) / group_size)
+            out.store(at(spread(row.weight[0].data() + i), spread(row.weight[1].data() + i),
+                         spread(row.weight[2].data() + i)),
+                      i, span.end);
+    };
+    if (patch.is_tame()) {
+        patch.template find_tame_range<soft>(strict.lanes, strict.all);
+        each([&](Blocks b0, Blocks b1, Blocks b2)
+                 HWY_ATTR { return patch.template at_tame<quadratic, soft>(b0, b1, b2); });
+    } else {
+        patch.template find_range<soft>(strict.lanes);
+        each([&](Blocks b0, Blocks b1, Blocks b2)
+                 HWY_ATTR { return patch.template at<quadratic, soft>(b0, b1, b2); });
+    }
 }
-
-/// Net::strict in every block, and whether all its lanes are.
-struct Strictness {
-    Blocks lanes;
-    bool all;
-    explicit HWY_INLINE Strictness(const Net& net)
-        : lanes(hn::LoadDup128(D(), net.strict)),
-          all(net.strict[0] > 0 && net.strict[1] > 0 && net.strict[2] > 0 && net.strict[3] > 0) {}
-};
 
 /// The plain cell whose first corner is at site s.
 template <bool quadratic, bool soft>
@@ -185,7 +194,7 @@ HWY_INLINE void evaluate_spans(const Net& net, const LocatedRow& row, const Outp
     const Strictness strict(net);
     for (const Span& span : row.spans)
         if (span.kind == Span::triangle)
-            evaluate_triangle<quadratic, soft>(net, row, span, out);
+            evaluate_triangle<quadratic, soft>(net, strict, row, span, out);
         else
             evaluate_cell<quadratic, soft>(net, strict, row, span, out);
 }
@@ -223,7 +232,7 @@ HWY_INLINE void evaluate_ranges(const Net& net, const Columns& columns, const Lo
             const LocatedRow& located = block.rows[r];
             size_t& s = span[r];
             for (; s < located.spans.size() && located.spans[s].begin < range.end; ++s)
-                evaluate_triangle<quadratic, soft>(net, located, located.spans[s], out[r]);
+                evaluate_triangle<quadratic, soft>(net, strict, located, located.spans[s], out[r]);
         }
     }
 }

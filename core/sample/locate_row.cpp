@@ -65,7 +65,7 @@ public:
         const Point p = m_points[i];
         const Triangle* known = find_hint(m_search, m_hint, i, p);
         m_search.hints.push_back({known ? *known : locate(m_lattice, p), 0});
-        const Triangle t = m_search.hints.back().triangle;
+        const Triangle& t = m_search.hints.back().triangle;
         int32_t w[3];
         t.weights(p, w);
         do {

@@ -65,6 +65,10 @@ struct Patch {
     /// Vertices up to this size make a surface whose every number is finite.
     static constexpr float tame = 0x1p100f;
 
+    DDT_INLINE bool is_tame() const {
+        return T::all_within(tame, (size_of(z0) + size_of(z1)) + size_of(z2));
+    }
+
     /// at() where the vertices are tame, which leaves nothing to look out for but the sign of zero.
     template <bool quadratic, bool soft>
     DDT_INLINE T at_tame(T b0, T b1, T b2) const {
