@@ -131,34 +131,43 @@ struct PlainMaker {
     }
 
     /// From (x, y) to (x + 1, y).
+    template <bool bend>
     HWY_INLINE PlainEdges level(int x) const {
         PlainEdges e;
         e.zi = z(x, 0), e.zj = z(x + 1, 0);
         e.zc = either(down(x, 0), z(x + 1, 1), z(x, 1));
         e.zd = either(down(x, -1), z(x, -1), z(x + 1, -1));
-        e.gix = gx(x, 0), e.giy = gy(x, 0), e.gjx = gx(x + 1, 0), e.gjy = gy(x + 1, 0);
+        if (bend)
+            e.gix = gx(x, 0), e.giy = gy(x, 0), e.gjx = gx(x + 1, 0), e.gjy = gy(x + 1, 0);
         e.vx = Blocks(1.0f), e.vy = Blocks(0.0f);
         return e;
     }
     /// From (x, y) to (x, y + 1).
+    template <bool bend>
     HWY_INLINE PlainEdges upright(int x) const {
         PlainEdges e;
         e.zi = z(x, 0), e.zj = z(x, 1);
         e.zc = either(down(x - 1, 0), z(x - 1, 0), z(x - 1, 1));
         e.zd = either(down(x, 0), z(x + 1, 1), z(x + 1, 0));
-        e.gix = gx(x, 0), e.giy = gy(x, 0), e.gjx = gx(x, 1), e.gjy = gy(x, 1);
+        if (bend)
+            e.gix = gx(x, 0), e.giy = gy(x, 0), e.gjx = gx(x, 1), e.gjy = gy(x, 1);
         e.vx = Blocks(0.0f), e.vy = Blocks(1.0f);
         return e;
     }
     /// The diagonal of cell (x, y), from its upper to its lower end.
+    template <bool bend>
     HWY_INLINE PlainEdges diagonal(int x) const {
         PlainEdges e;
         const Blocks flag = down(x, 0);
         const Blocks z0 = z(x, 0), z1 = z(x + 1, 0), z2 = z(x, 1), z3 = z(x + 1, 1);
         e.zi = either(flag, z0, z1), e.zj = either(flag, z3, z2);
         e.zc = either(flag, z2, z0), e.zd = either(flag, z1, z3);
-        e.gix = either(flag, gx(x, 0), gx(x + 1, 0)), e.giy = either(flag, gy(x, 0), gy(x + 1, 0));
-        e.gjx = either(flag, gx(x + 1, 1), gx(x, 1)), e.gjy = either(flag, gy(x + 1, 1), gy(x, 1));
+        if (bend) {
+            e.gix = either(flag, gx(x, 0), gx(x + 1, 0)),
+            e.giy = either(flag, gy(x, 0), gy(x + 1, 0));
+            e.gjx = either(flag, gx(x + 1, 1), gx(x, 1)),
+            e.gjy = either(flag, gy(x + 1, 1), gy(x, 1));
+        }
         e.vx = either(flag, Blocks(1.0f), Blocks(-1.0f)), e.vy = Blocks(1.0f);
         return e;
     }
@@ -193,10 +202,10 @@ HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y, EdgeSc
         const float* w = weights + (m - first);
         if (inner && next <= end && x > 0 && x + step <= last_x && is_plain(x - odd, x + step)) {
             if (odd) {
-                plain.upright(x).template make<bend, soft>(m, w, net);
-                plain.diagonal(x).template make<bend, soft>(m + 1, w + 1, net);
+                plain.template upright<bend>(x).template make<bend, soft>(m, w, net);
+                plain.template diagonal<bend>(x).template make<bend, soft>(m + 1, w + 1, net);
             } else {
-                plain.level(x).template make<bend, soft>(m, w, net);
+                plain.template level<bend>(x).template make<bend, soft>(m, w, net);
             }
         } else {
             make_any<bend, soft>(lattice, m, std::min(next, end), 2 - odd, scratch.gradients.data(),
