@@ -21,10 +21,7 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 #include "core/arith/lanes-inl.h"
 #include "core/sample/surface-inl.h"
 
-// Blocks of group_size lanes, a lane a channel; as many neighbouring positions at once as vectors
-// of the target hold blocks.
-using D = hn::CappedTag<float, row_padding>;
-using Blocks = Lanes<D>;
+#include "core/arith/blocks-inl.h"
 
 /// The group's numbers at a site, in every block.
 HWY_INLINE Blocks at_site(const Net& net, int site) {
@@ -32,16 +29,6 @@ HWY_INLINE Blocks at_site(const Net& net, int site) {
 }
 HWY_INLINE Blocks soft_at_site(const Net& net, int site) {
     return hn::LoadDup128(D(), net.soft.data() + size_t(site) * group_size);
-}
-
-/// Block k filled with p[k].
-HWY_INLINE Blocks spread(const float* p) {
-    const D d;
-    const hn::RebindToSigned<D> di;
-    HWY_ALIGN int32_t block[row_padding];
-    for (size_t i = 0; i < hn::Lanes(d); ++i)
-        block[i] = int32_t(i / group_size);
-    return hn::TableLookupLanes(hn::LoadU(d, p), hn::IndicesFromVec(d, hn::Load(di, block)));
 }
 
 /// Where results go.
@@ -74,7 +61,7 @@ struct Output {
         }
         HWY_ALIGN float lanes[row_padding];
         f.store(lanes);
-        const int blocks = int(hn::Lanes(d)) / group_size;
+        const int blocks = blocks_in_vector();
         for (int k = 0; k < blocks && i + k < end; ++k)
             for (int c = 0; c < count; ++c)
                 p[k * channels + c] = lanes[k * group_size + c];
@@ -108,7 +95,7 @@ HWY_INLINE void evaluate_triangle(const Net& net, const Strictness& strict, cons
         patch.q20 = soft_at_site(net, span.edge[2]);
     }
     const auto each = [&](auto&& at) HWY_ATTR {
-        for (int i = span.begin; i < span.end; i += int(hn::Lanes(D())) / group_size)
+        for (int i = span.begin; i < span.end; i += blocks_in_vector())
             out.store(at(spread(row.weight[0].data() + i), spread(row.weight[1].data() + i),
                          spread(row.weight[2].data() + i)),
                       i, span.end);
@@ -181,7 +168,7 @@ HWY_INLINE void with_cell(const Net& net, const Strictness& strict, Span::Kind k
 template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_cell(const Net& net, const Strictness& strict, const LocatedRow& row,
                               const Span& span, const Output& out) {
-    const int step = int(hn::Lanes(D())) / group_size;
+    const int step = blocks_in_vector();
     const float *x = row.weight[0].data(), *y = row.weight[1].data();
     with_cell<quadratic, soft>(net, strict, span.kind, span.vertex[0], [&](auto&& at) HWY_ATTR {
         for (int i = span.begin; i < span.end; i += step)
@@ -204,7 +191,7 @@ HWY_INLINE void evaluate_spans(const Net& net, const LocatedRow& row, const Outp
 template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_ranges(const Net& net, const Columns& columns, const LocatedBlock& block,
                                 const Output& first, size_t row) {
-    const int step = int(hn::Lanes(D())) / group_size;
+    const int step = blocks_in_vector();
     const int width = block.ranges.back().end;
     Output out[LocatedBlock::most_rows];
     size_t span[LocatedBlock::most_rows] = {};

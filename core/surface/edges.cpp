@@ -22,7 +22,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
 
-#include "core/surface/blocks-inl.h"
+#include "core/arith/blocks-inl.h"
 
 /// Weights of the flipped states of edges with these gains (see net.h), 0 to 1/2.
 HWY_ATTR void soft_weights(const float* gain, int n, float reciprocal_tau, float* weights) {

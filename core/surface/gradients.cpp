@@ -76,7 +76,7 @@ HWY_INLINE GradientMean<Lanes4> mean_round(const Site* vertex, const float* net,
     return mean;
 }
 
-#include "core/surface/blocks-inl.h"
+#include "core/arith/blocks-inl.h"
 
 /// Gradients at plain vertices x, x + 1, ... of row y, as many as Blocks has.
 HWY_INLINE void plain_gradients(const EdgeScratch& scratch, int x, int y, float* to,

@@ -1,10 +1,10 @@
-// Included inside a SIMD target's namespace.
+// Included inside a SIMD target's namespace, after lanes-inl.h: vectors of blocks of group_size
+// lanes, a lane a channel. A block is a vertex, an edge or a position.
 
-// One vertex a block of group_size lanes.
 using D = hn::CappedTag<float, 4 * group_size>;
 using Blocks = Lanes<D>;
 
-/// Vertices in a vector.
+/// Blocks in a vector.
 HWY_INLINE int blocks_in_vector() {
     return int(hn::Lanes(D())) / group_size;
 }
