@@ -5,7 +5,9 @@
 
 #include "core/gl/budget.h"
 #include "core/gl/strip.h"
+#include "core/guide/guide.h"
 #include "core/tiles/tile_io.h"
+#include "core/triangulate/triangulate.h"
 #include "tests/bench/gpu/half.h"
 
 namespace ddt::bench {
@@ -79,6 +81,8 @@ private:
             t.reach = reach_of(t.tile, m_job.window, m_mapping);
             int width = 0, height = 0;
             read_tile(m_picture, t.tile, m_job, values, guide, width, height);
+            if (const float share = blur_share(m_job.mesh, 0); share > 0)
+                blur_guide(guide, width, height, share);
             t.size = gl::size_in_slot(t.tile, width, height);
             t.guide.resize(m_shape.pixels());
             t.values.resize(m_shape.pixels() * channels);
