@@ -27,8 +27,8 @@ struct Lanes {
         return hn::IfThenElse(hn::Lt(a.v, b.v), yes.v, no.v);
     }
     /// The smaller or larger, where neither is NaN; of zeros of two signs, either.
-    friend HWY_INLINE Lanes smaller(Lanes a, Lanes b) { return hn::Min(a.v, b.v); }
-    friend HWY_INLINE Lanes larger(Lanes a, Lanes b) { return hn::Max(a.v, b.v); }
+    friend HWY_INLINE Lanes lane_min(Lanes a, Lanes b) { return hn::Min(a.v, b.v); }
+    friend HWY_INLINE Lanes lane_max(Lanes a, Lanes b) { return hn::Max(a.v, b.v); }
     friend HWY_INLINE Lanes size_of(Lanes a) { return hn::Abs(a.v); }
     /// Whether all lanes are from -limit to limit.
     static HWY_INLINE bool all_within(float limit, Lanes a) {

@@ -77,6 +77,17 @@ struct Strictness {
           all(net.strict[0] > 0 && net.strict[1] > 0 && net.strict[2] > 0 && net.strict[3] > 0) {}
 };
 
+template <bool quadratic, bool soft, bool tame>
+HWY_INLINE void evaluate_patch(Patch<Blocks>& patch, const Strictness& strict,
+                               const LocatedRow& row, const Span& span, const Output& out) {
+    patch.template find_range<soft, tame>(strict.lanes, strict.all);
+    for (int i = span.begin; i < span.end; i += blocks_in_vector())
+        out.store(patch.template at<quadratic, soft, tame>(spread(row.weight[0].data() + i),
+                                                           spread(row.weight[1].data() + i),
+                                                           spread(row.weight[2].data() + i)),
+                  i, span.end);
+}
+
 template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_triangle(const Net& net, const Strictness& strict, const LocatedRow& row,
                                   const Span& span, const Output& out) {
@@ -94,21 +105,10 @@ HWY_INLINE void evaluate_triangle(const Net& net, const Strictness& strict, cons
         patch.q12 = soft_at_site(net, span.edge[1]);
         patch.q20 = soft_at_site(net, span.edge[2]);
     }
-    const auto each = [&](auto&& at) HWY_ATTR {
-        for (int i = span.begin; i < span.end; i += blocks_in_vector())
-            out.store(at(spread(row.weight[0].data() + i), spread(row.weight[1].data() + i),
-                         spread(row.weight[2].data() + i)),
-                      i, span.end);
-    };
-    if (patch.is_tame()) {
-        patch.template find_tame_range<soft>(strict.lanes, strict.all);
-        each([&](Blocks b0, Blocks b1, Blocks b2)
-                 HWY_ATTR { return patch.template at_tame<quadratic, soft>(b0, b1, b2); });
-    } else {
-        patch.template find_range<soft>(strict.lanes);
-        each([&](Blocks b0, Blocks b1, Blocks b2)
-                 HWY_ATTR { return patch.template at<quadratic, soft>(b0, b1, b2); });
-    }
+    if (patch.is_tame())
+        evaluate_patch<quadratic, soft, true>(patch, strict, row, span, out);
+    else
+        evaluate_patch<quadratic, soft, false>(patch, strict, row, span, out);
 }
 
 /// The plain cell whose first corner is at site s.

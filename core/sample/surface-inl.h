@@ -13,25 +13,11 @@ struct Patch {
     /// surface over values that are not negative stays above half the smallest: so does every blend
     /// of planes over such values. What bends add would, beside a light a thousand times as bright,
     /// be black.
-    template <bool soft>
-    DDT_INLINE void find_range(T strict) {
-        low = if_less(z1, z0, z1, z0);
-        low = if_less(z2, low, z2, low);
-        high = if_less(z0, z1, z1, z0);
-        high = if_less(high, z2, z2, high);
-        if (soft) {
-            const T zero = T(0.0f);
-            low = if_less(zero, strict, low, if_less_equal(zero, low, T(0.5f) * low, T(-INFINITY)));
-            high = if_less(zero, strict, high, T(INFINITY));
-        }
-    }
-
-    /// find_range() where the vertices are tame (see below); all_strict: `strict` is not 0
-    /// anywhere.
-    template <bool soft>
-    DDT_INLINE void find_tame_range(T strict, bool all_strict) {
-        low = smaller(smaller(z0, z1), z2);
-        high = larger(larger(z0, z1), z2);
+    /// all_strict: `strict` is not 0 anywhere. tame: see is_tame().
+    template <bool soft, bool tame>
+    DDT_INLINE void find_range(T strict, bool all_strict) {
+        low = smaller<tame>(z2, smaller<tame>(z1, z0));
+        high = larger<tame>(z2, larger<tame>(z1, z0));
         if (soft && !all_strict) {
             const T zero = T(0.0f);
             low = if_less(zero, strict, low, if_less_equal(zero, low, T(0.5f) * low, T(-INFINITY)));
@@ -39,45 +25,43 @@ struct Patch {
         }
     }
 
-    static DDT_INLINE T smaller_of(T a, T b) { return if_less(a, b, a, b); }
+    /// Vertices up to this size make a surface whose every number is finite.
+    static constexpr float tame_size = 0x1p100f;
+
+    /// Whether the vertices are tame, which leaves nothing to look out for but the sign of zero:
+    /// the same bits in fewer steps.
+    DDT_INLINE bool is_tame() const {
+        return T::all_within(tame_size, (size_of(z0) + size_of(z1)) + size_of(z2));
+    }
+
+    template <bool tame>
+    static DDT_INLINE T smaller(T a, T b) {
+        return tame ? lane_min(a, b) : if_less(a, b, a, b);
+    }
+    template <bool tame>
+    static DDT_INLINE T larger(T a, T b) {
+        return tame ? lane_max(a, b) : if_less(b, a, a, b);
+    }
 
     /// b z, but 0 where b = 0, whatever z is.
+    template <bool tame>
     static DDT_INLINE T term(T b, T z) {
         const T zero = T(0.0f);
-        return if_less(zero, b, b * z, zero);
+        return tame ? b * z : if_less(zero, b, b * z, zero);
     }
 
     /// The surface at barycentric weights b, all >= 0. Zero is never negative and NaN one and the
     /// same: their signs would be up to each compiler.
-    template <bool quadratic, bool soft>
+    template <bool quadratic, bool soft, bool tame>
     DDT_INLINE T at(T b0, T b1, T b2) const {
-        T f = (term(b0, z0) + term(b1, z1)) + term(b2, z2);
+        T f = (term<tame>(b0, z0) + term<tame>(b1, z1)) + term<tame>(b2, z2);
         if (quadratic)
             f = f + (((b0 * b1) * e01 + (b1 * b2) * e12) + (b2 * b0) * e20);
         if (soft)
-            f = f +
-                ((smaller_of(b0, b1) * q01 + smaller_of(b1, b2) * q12) + smaller_of(b2, b0) * q20);
-        f = if_less(f, low, low, f);
-        f = if_less(high, f, high, f);
-        return if_less_equal(f, T(INFINITY), f + T(0.0f), T(quiet_nan));
-    }
-
-    /// Vertices up to this size make a surface whose every number is finite.
-    static constexpr float tame = 0x1p100f;
-
-    DDT_INLINE bool is_tame() const {
-        return T::all_within(tame, (size_of(z0) + size_of(z1)) + size_of(z2));
-    }
-
-    /// at() where the vertices are tame, which leaves nothing to look out for but the sign of zero.
-    template <bool quadratic, bool soft>
-    DDT_INLINE T at_tame(T b0, T b1, T b2) const {
-        T f = (b0 * z0 + b1 * z1) + b2 * z2;
-        if (quadratic)
-            f = f + (((b0 * b1) * e01 + (b1 * b2) * e12) + (b2 * b0) * e20);
-        if (soft)
-            f = f + ((smaller(b0, b1) * q01 + smaller(b1, b2) * q12) + smaller(b2, b0) * q20);
-        return smaller(larger(f, low), high) + T(0.0f);
+            f = f + ((smaller<tame>(b0, b1) * q01 + smaller<tame>(b1, b2) * q12) +
+                     smaller<tame>(b2, b0) * q20);
+        f = smaller<tame>(high, larger<tame>(low, f));
+        return tame ? f + T(0.0f) : if_less_equal(f, T(INFINITY), f + T(0.0f), T(quiet_nan));
     }
 };
 
@@ -121,11 +105,8 @@ struct PlainCell {
     /// The triangles' ranges, once they are divided.
     template <bool soft, bool tame>
     DDT_INLINE void find_ranges(T strict, bool all_strict) {
-        for (Patch<T>* p : {&first, &second})
-            if (tame)
-                p->template find_tame_range<soft>(strict, all_strict);
-            else
-                p->template find_range<soft>(strict);
+        first.template find_range<soft, tame>(strict, all_strict);
+        second.template find_range<soft, tame>(strict, all_strict);
     }
 
     /// Both triangles' parameters, lane by lane that of the one that d, negative in the first,
@@ -152,32 +133,24 @@ struct PlainCell {
         return p;
     }
 
-    /// Whether at_down() and at_up() may be told that the vertices are tame.
+    /// As Patch::is_tame(), of both triangles.
     DDT_INLINE bool is_tame() const {
-        return T::all_within(Patch<T>::tame,
+        return T::all_within(Patch<T>::tame_size,
                              (size_of(z0) + size_of(z1)) + (size_of(z2) + size_of(z3)));
     }
 
     template <bool quadratic, bool soft, bool tame>
     DDT_INLINE T at_down(T x, T y) const {
         const T zero = T(0.0f), one = T(1.0f), d = x - y;
-        return at<quadratic, soft, tame>(d, if_less(d, zero, one - y, one - x),
-                                         if_less(d, zero, x, d), if_less(d, zero, y - x, y));
+        return choose<quadratic, soft>(d).template at<quadratic, soft, tame>(
+            if_less(d, zero, one - y, one - x), if_less(d, zero, x, d), if_less(d, zero, y - x, y));
     }
     template <bool quadratic, bool soft, bool tame>
     DDT_INLINE T at_up(T x, T y) const {
         const T zero = T(0.0f), one = T(1.0f), d = (x + y) - one;
-        return at<quadratic, soft, tame>(d, if_less(d, zero, one - (x + y), one - y),
-                                         if_less(d, zero, x, d), if_less(d, zero, y, one - x));
-    }
-
-private:
-    template <bool quadratic, bool soft, bool tame>
-    DDT_INLINE T at(T d, T b0, T b1, T b2) const {
-        const Patch<T> patch = choose<quadratic, soft>(d);
-        if (tame)
-            return patch.template at_tame<quadratic, soft>(b0, b1, b2);
-        return patch.template at<quadratic, soft>(b0, b1, b2);
+        return choose<quadratic, soft>(d).template at<quadratic, soft, tame>(
+            if_less(d, zero, one - (x + y), one - y), if_less(d, zero, x, d),
+            if_less(d, zero, y, one - x));
     }
 };
 

@@ -125,13 +125,13 @@ HWY_INLINE void add_other_cell(const Lattice& lattice, const Net& net, int cx, i
                 patch.q12 = load_soft(triangle.edge[1]);
                 patch.q20 = load_soft(triangle.edge[2]);
             }
-            patch.template find_range<soft>(strict);
+            patch.template find_range<soft, false>(strict, false);
         }
         constexpr float unit = 1.0f / float(position_one);
         const int corner = px / 2 + 2 * (py / 2);
         const Lanes4 z =
             Lanes4::load(net.at(lattice.vertex_site(cx + (corner & 1), cy + (corner >> 1))));
-        const Lanes4 f = patch.template at<quadratic, soft>(
+        const Lanes4 f = patch.template at<quadratic, soft, false>(
             Lanes4(float(w[0]) * unit), Lanes4(float(w[1]) * unit), Lanes4(float(w[2]) * unit));
         mean[corner] = mean[corner] + (f - z);
     }
