@@ -1,7 +1,7 @@
 // Arithmetic with the same bits as core/arith: float +, -, * in one written order, every result
 // `precise`, so that nothing is contracted to a fused multiply-add; no division, no square root.
 
-// C++ twin: core/arith/rsqrt-inl.h
+// C++ twin: core/base/rsqrt-inl.h
 float rsqrt(int steps, float x) {
     precise float half_x = 0.5 * x;
     precise float y = intBitsToFloat(0x5f3759df - (floatBitsToInt(x) >> 1));

@@ -1,4 +1,4 @@
-// Which triangle a position lies in. C++ twin: core/sample/locate.cpp. After net.glsl.
+// Which triangle a position lies in. C++ twin: core/lattice/locate.cpp. After net.glsl.
 
 const int position_bits = 16, position_one = 1 << position_bits;
 

@@ -1,4 +1,4 @@
-// Regions of an edge as arrays. C++ twin: core/triangulate/region.h, where any_beyond is recursive.
+// Regions of an edge as arrays. C++ twin: core/lattice/region.h, where any_beyond is recursive.
 // After lattice.glsl.
 
 // The 2-region of the flippable edge e at m without m itself; -1 where there is none.

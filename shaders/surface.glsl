@@ -1,5 +1,5 @@
 // The surface's formulas, a lane a channel. C++ twins: core/surface/gradient-inl.h and
-// core/sample/surface-inl.h.
+// core/surface/patch-inl.h.
 #include "arith.glsl"
 
 const float largest = 3.402823466e+38;

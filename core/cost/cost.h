@@ -1,7 +1,7 @@
 // The costs of a mesh edge. The formulas are in cost-inl.h.
 #pragma once
 
-#include "core/arith/arith.h"
+#include "core/base/arith.h"
 #include "ddt/core.h"
 
 namespace ddt {

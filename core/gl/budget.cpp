@@ -24,9 +24,9 @@ size_t affordable_tiles(const Gpu& gpu, const SlotShape& shape, int groups,
                         const SurfaceOptions& options, int tiles, int meshes) {
     const auto slots = size_t(meshes); // a tile
     const size_t a_tile =
-        slots * (Mesh::bytes(shape) + Surfaces::bytes(shape, size_t(groups), options));
+        slots * (DeviceMesh::bytes(shape) + Surfaces::bytes(shape, size_t(groups), options));
     const size_t largest =
-        slots * std::max(Mesh::largest_bytes(shape), Surfaces::largest_bytes(shape, options));
+        slots * std::max(DeviceMesh::largest_bytes(shape), Surfaces::largest_bytes(shape, options));
     const size_t budget = gpu.context->software ? software_budget : hardware_budget;
     const size_t n = std::min(
         {budget / a_tile, gpu.block_limit / largest, size_t(tiles), size_t(max_tiles) / slots});

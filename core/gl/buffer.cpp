@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include "core/gl/failure.h"
-#include "core/gl/faults.h"
+#include "core/gl/context/failure.h"
+#include "core/gl/context/faults.h"
 
 namespace ddt::gl {
 

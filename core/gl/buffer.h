@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "core/gl/functions.h"
+#include "core/gl/context/functions.h"
 
 namespace ddt::gl {
 

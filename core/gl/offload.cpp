@@ -2,8 +2,8 @@
 #include "ddt/names.h"
 
 #include "core/gl/choice.h"
-#include "core/gl/gpu.h"
-#include "core/gl/mesh.h"
+#include "core/gl/context/gpu.h"
+#include "core/gl/device_mesh.h"
 
 namespace ddt {
 
@@ -23,7 +23,7 @@ bool place(const Job& job, Placement& placement, std::string& why) {
     if (wanted == Device::cpu)
         return true;
     const bool named = wanted != Device::automatic;
-    if (!named && (!gl::Mesh::knows(job.mesh) ||
+    if (!named && (!gl::DeviceMesh::knows(job.mesh) ||
                    job.window.area() < (gl::is_open(wanted) ? worth_using : worth_opening)))
         return true;
     bool forked = false;

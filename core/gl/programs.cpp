@@ -5,8 +5,8 @@
 #include <set>
 #include <sstream>
 
-#include "core/gl/failure.h"
-#include "core/gl/faults.h"
+#include "core/gl/context/failure.h"
+#include "core/gl/context/faults.h"
 #include "core/gl/shader_text.h"
 
 namespace ddt::gl {

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "core/gl/functions.h"
+#include "core/gl/context/functions.h"
 
 namespace ddt::gl {
 

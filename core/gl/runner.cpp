@@ -6,14 +6,14 @@
 
 #include <tbb/parallel_for.h>
 
-#include "core/arith/arith.h"
+#include "core/base/arith.h"
+#include "core/base/verbose.h"
 #include "core/gl/budget.h"
-#include "core/gl/failure.h"
+#include "core/gl/context/failure.h"
 #include "core/gl/offload.h"
 #include "core/guide/guide.h"
 #include "core/tiles/tile_io.h"
 #include "core/triangulate/triangulate.h"
-#include "core/verbose.h"
 
 namespace ddt::gl {
 
@@ -127,7 +127,7 @@ bool Runner::read(HostTile& t) {
             for (int g = 0; g < m_groups; ++g, in += group_size, out += pixels * group_size)
                 std::memcpy(out, in, size_t(channels_in_group(m_job.channels, g)) * sizeof(float));
         }
-    const bool here = !Mesh::knows(m_job.mesh);
+    const bool here = !DeviceMesh::knows(m_job.mesh);
     if (here)
         t.sites.resize(size_t(m_meshes) * m_shape.sites());
     else
@@ -178,7 +178,7 @@ void Runner::start_batch() {
         m_stages = std::make_unique<Stages>(gl, verbose());
     if (!m_mesh || !m_surfaces) {
         const int slots = int(m_in_flight) * m_meshes;
-        m_mesh = std::make_unique<Mesh>(m_gpu, m_shape, slots);
+        m_mesh = std::make_unique<DeviceMesh>(m_gpu, m_shape, slots);
         m_surfaces = std::make_unique<Surfaces>(m_gpu, m_shape, slots, m_kinds, m_job.surface);
     }
     std::vector<TileSize> sizes;

@@ -8,8 +8,8 @@
 
 #include <tbb/task_arena.h>
 
-#include "core/gl/gpu.h"
-#include "core/gl/mesh.h"
+#include "core/gl/context/gpu.h"
+#include "core/gl/device_mesh.h"
 #include "core/gl/stages.h"
 #include "core/gl/strip.h"
 #include "core/gl/surfaces.h"
@@ -80,7 +80,7 @@ private:
     bool m_counting;                                ///< statistics are wanted
 
     // On the context's thread only.
-    std::unique_ptr<Mesh> m_mesh;
+    std::unique_ptr<DeviceMesh> m_mesh;
     std::unique_ptr<Surfaces> m_surfaces;
     std::unique_ptr<Stages> m_stages;
 };

@@ -2,19 +2,19 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/gl/mesh.h"
+#include "core/gl/device_mesh.h"
 #include "core/gl/work_layout.h"
 #include "ddt/names.h"
 
 namespace ddt::gl {
 
-bool Mesh::knows(const MeshOptions& options) {
+bool DeviceMesh::knows(const MeshOptions& options) {
     Rules rules;
     return options.scheme == Scheme::one_round || options.scheme == Scheme::pixel ||
            find_rules(options, rules);
 }
 
-void Mesh::triangulate(const MeshOptions& options) {
+void DeviceMesh::triangulate(const MeshOptions& options) {
     m_iterations = options.scheme == Scheme::pixel ? 0 : options.max_iterations;
     m_min_gain = min_gain(options);
     m_cost = std::string("COST_") + cost_name(options.cost);
@@ -30,7 +30,7 @@ void Mesh::triangulate(const MeshOptions& options) {
         one_round();
 }
 
-void Mesh::prepare_lists() {
+void DeviceMesh::prepare_lists() {
     std::vector<GLuint> head(counts_offset / sizeof(GLuint), 1); // any edge's reach: 1
     for (size_t i = 0; i < reach_offset / sizeof(GLuint); i += 3) {
         head[i] = 0;
@@ -42,7 +42,7 @@ void Mesh::prepare_lists() {
     m_gl.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, m_work.name());
 }
 
-void Mesh::bind_lists() {
+void DeviceMesh::bind_lists() {
     m_sites.bind(0);
     m_gain.bind(1);
     m_from->bind(3);
@@ -52,7 +52,7 @@ void Mesh::bind_lists() {
     m_work.bind(7);
 }
 
-void Mesh::start(const MeshOptions& options) {
+void DeviceMesh::start(const MeshOptions& options) {
     use("start.comp", 1, 1, m_cost);
     m_gl.Uniform1i(5, options.start == Start::flat);
     m_gl.Uniform1i(6, m_iterations > 0);
@@ -62,7 +62,7 @@ void Mesh::start(const MeshOptions& options) {
     m_gains_known = false;
 }
 
-void Mesh::one_round() {
+void DeviceMesh::one_round() {
     const int dispatched = std::min(m_iterations, dispatched_iterations);
     for (int i = 1; i <= dispatched; ++i) {
         if (i > 1) // else start() has
@@ -82,7 +82,7 @@ void Mesh::one_round() {
     barrier();
 }
 
-void Mesh::step(const char* shader, int iteration, Step step, const std::string& defines) {
+void DeviceMesh::step(const char* shader, int iteration, Step step, const std::string& defines) {
     std::swap(m_from, m_to);
     bind_lists();
     use(shader, iteration, iteration, defines);
@@ -90,7 +90,7 @@ void Mesh::step(const char* shader, int iteration, Step step, const std::string&
     barrier(true);
 }
 
-void Mesh::accept_reject(const Rules& rules) {
+void DeviceMesh::accept_reject(const Rules& rules) {
     if (!m_stamps)
         m_stamps = std::make_unique<Buffer>(m_gl, m_shape.sites() * 4 * size_t(m_capacity));
     m_stamps->clear();
@@ -104,7 +104,7 @@ void Mesh::accept_reject(const Rules& rules) {
     barrier();
 }
 
-void Mesh::find_gains(Cost cost) {
+void DeviceMesh::find_gains(Cost cost) {
     if (m_gains_known)
         return;
     m_cost = std::string("COST_") + cost_name(cost);
@@ -116,8 +116,8 @@ void Mesh::find_gains(Cost cost) {
     m_gains_known = true;
 }
 
-void Mesh::use(const char* shader, int first_iteration, int last_iteration,
-               const std::string& defines) {
+void DeviceMesh::use(const char* shader, int first_iteration, int last_iteration,
+                     const std::string& defines) {
     m_gpu.programs->use(shader, defines);
     m_gl.Uniform1i(0, m_tiles);
     m_gl.Uniform1i(1, GLint(m_shape.edges()));

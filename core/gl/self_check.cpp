@@ -81,7 +81,7 @@ Bits on_gpu(Gpu& gpu, const Job& job, const Tile& tile) {
     std::vector<float> values(size_t(width * height) * channels), guide(size_t(width * height));
     source.read(job.window, values.data(), guide.data());
     const SlotShape shape = shape_for(job.window);
-    Mesh mesh(gpu, shape, 1);
+    DeviceMesh mesh(gpu, shape, 1);
     Surfaces surfaces(gpu, shape, 1, std::vector<GroupKinds>(1), job.surface);
     mesh.set_tiles({size_in_slot(tile, width, height)});
     mesh.write_guide(0, guide.data());

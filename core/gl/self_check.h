@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/gl/gpu.h"
+#include "core/gl/context/gpu.h"
 
 namespace ddt::gl {
 

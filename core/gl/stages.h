@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/gl/functions.h"
+#include "core/gl/context/functions.h"
 
 namespace ddt::gl {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cfloat>
 
-#include "core/gl/failure.h"
+#include "core/gl/context/failure.h"
 #include "core/surface/net.h"
 
 namespace ddt::gl {
@@ -77,7 +77,7 @@ std::string Surfaces::defines() const {
            (m_options.soft > 0 ? "SOFT" : "");
 }
 
-void Surfaces::make(Mesh& mesh, Cost cost) {
+void Surfaces::make(DeviceMesh& mesh, Cost cost) {
     if (m_options.soft > 0)
         mesh.find_gains(cost);
     for (Group& group : m_groups) {
@@ -95,7 +95,7 @@ void Surfaces::make(Mesh& mesh, Cost cost) {
     }
 }
 
-void Surfaces::find_gradients(Mesh& mesh, const Group& group, Margin margin) {
+void Surfaces::find_gradients(DeviceMesh& mesh, const Group& group, Margin margin) {
     if (m_options.kind == Surface::linear)
         return;
     m_gpu.programs->use("gradients.comp");
@@ -107,7 +107,7 @@ void Surfaces::find_gradients(Mesh& mesh, const Group& group, Margin margin) {
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void Surfaces::bind_net(const Mesh& mesh, const Group& group) {
+void Surfaces::bind_net(const DeviceMesh& mesh, const Group& group) {
     mesh.bind();
     group.values->bind(1);
     group.gradients->bind(2);
@@ -117,7 +117,7 @@ void Surfaces::bind_net(const Mesh& mesh, const Group& group) {
     m_gl.Uniform4f(1, lane(strict, 0), lane(strict, 1), lane(strict, 2), lane(strict, 3));
 }
 
-void Surfaces::correct(Mesh& mesh, Group& group, int round, Margin margin) {
+void Surfaces::correct(DeviceMesh& mesh, Group& group, int round, Margin margin) {
     const Buffer* to = group.corrected[round & 1].get();
     m_gpu.programs->use("correct.comp", defines());
     bind_net(mesh, group);
@@ -151,13 +151,13 @@ void Surfaces::reserve_results(size_t positions, int channels) {
     reserve(m_result, positions * size_t(channels) * number);
 }
 
-void Surfaces::sample(Mesh& mesh, const SamplePlan& plan, int channels) {
+void Surfaces::sample(DeviceMesh& mesh, const SamplePlan& plan, int channels) {
     reserve_results(size_t(plan.first_result) + size_t(plan.count), channels);
     for (int i = 0; i < plan.meshes; ++i)
         sample_mesh(mesh, plan, channels, i);
 }
 
-void Surfaces::sample_mesh(Mesh& mesh, const SamplePlan& plan, int channels, int index) {
+void Surfaces::sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int channels, int index) {
     std::string layout;
     if (m_numbers == Numbers::halves)
         layout = " HALF";

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/gl/mesh.h"
+#include "core/gl/device_mesh.h"
 
 namespace ddt::gl {
 
@@ -32,7 +32,8 @@ struct SamplePlan {
     int first_result = 0;         ///< where in the results they begin
 };
 
-/// Values and gradients of all tiles of a Mesh. To be used on the context's thread; throws Failure.
+/// Values and gradients of all tiles of a DeviceMesh. To be used on the context's thread; throws
+/// Failure.
 class Surfaces {
 public:
     Surfaces(Gpu& gpu, const SlotShape& shape, int tiles, const std::vector<GroupKinds>& groups,
@@ -45,7 +46,7 @@ public:
     /// A slot's values of one group: shape.pixels() x group_size numbers in rows of shape.width.
     void write_values(int slot, int group, const void* values);
     /// After the mesh is finished; `cost` is what it was made with.
-    void make(Mesh& mesh, Cost cost);
+    void make(DeviceMesh& mesh, Cost cost);
 
     /// The positions that plans refer to.
     void write_positions(const std::vector<int32_t>& positions);
@@ -53,7 +54,7 @@ public:
     void reserve_results(size_t positions, int channels);
     /// Dispatch the reading of the surface: `channels` numbers a position. Results of earlier plans
     /// stay if there was room.
-    void sample(Mesh& mesh, const SamplePlan& plan, int channels);
+    void sample(DeviceMesh& mesh, const SamplePlan& plan, int channels);
     /// Copy results from the first on; waits for the device.
     void read_result(size_t bytes, void* out);
 
@@ -67,17 +68,17 @@ private:
         const Buffer* values = nullptr; ///< what the surface goes through now
     };
     std::string defines() const;
-    void bind_net(const Mesh& mesh, const Group& group);
+    void bind_net(const DeviceMesh& mesh, const Group& group);
     /// How far about the positions that tiles serve something is made: so many times the longest
     /// edge, and so many pixels.
     struct Margin {
         int edges, pixels;
     };
-    void find_gradients(Mesh& mesh, const Group& group, Margin margin);
+    void find_gradients(DeviceMesh& mesh, const Group& group, Margin margin);
     void widen(const Group& group);
-    void correct(Mesh& mesh, Group& group, int round, Margin margin);
+    void correct(DeviceMesh& mesh, Group& group, int round, Margin margin);
     void reserve(std::unique_ptr<Buffer>& buffer, size_t bytes);
-    void sample_mesh(Mesh& mesh, const SamplePlan& plan, int channels, int index);
+    void sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int channels, int index);
 
     Gpu& m_gpu;
     const Functions& m_gl;

@@ -1,7 +1,7 @@
 // Where things are in the buffer `Work` of shaders/counts.glsl.
 #pragma once
 
-#include "core/gl/mesh.h"
+#include "core/gl/device_mesh.h"
 
 namespace ddt::gl {
 

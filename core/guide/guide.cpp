@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "core/arith/arith.h"
+#include "core/base/arith.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/guide/guide.cpp"

@@ -21,7 +21,7 @@
 #include <cstring>
 #include <vector>
 
-#include "core/large_pages.h"
+#include "core/base/large_pages.h"
 
 namespace ddt {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "core/arith/arith.h"
+#include "core/base/arith.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/sample/evaluate.cpp"
@@ -18,10 +18,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
-#include "core/arith/lanes-inl.h"
-#include "core/sample/surface-inl.h"
+#include "core/base/lanes-inl.h"
+#include "core/surface/patch-inl.h"
 
-#include "core/arith/blocks-inl.h"
+#include "core/base/blocks-inl.h"
 
 /// The group's numbers at a site, in every block.
 HWY_INLINE Blocks at_site(const Net& net, int site) {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/sample/locate.h"
+#include "core/lattice/locate.h"
 #include "core/surface/net.h"
 
 namespace ddt {

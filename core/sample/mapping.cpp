@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/sample/locate.h"
+#include "core/lattice/locate.h"
 
 namespace ddt {
 

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <limits>
 
-#include "core/arith/arith.h"
+#include "core/base/arith.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/surface/consistency.cpp"
@@ -19,9 +19,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
-#include "core/arith/lanes-inl.h"
-#include "core/sample/surface-inl.h"
+#include "core/base/lanes-inl.h"
 #include "core/surface/consistency-inl.h"
+#include "core/surface/patch-inl.h"
 
 using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
 

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "core/sample/locate.h"
+#include "core/lattice/locate.h"
 #include "core/surface/net.h"
 #include "ddt/core.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/large_pages.h"
+#include "core/base/large_pages.h"
 
 namespace ddt {
 

@@ -3,7 +3,7 @@
 #include <cfloat>
 #include <cstddef>
 
-#include "core/arith/arith.h"
+#include "core/base/arith.h"
 #include "core/surface/edge_scratch.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -16,13 +16,13 @@ namespace ddt {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-#include "core/arith/lanes-inl.h"
-#include "core/arith/rsqrt-inl.h"
+#include "core/base/lanes-inl.h"
+#include "core/base/rsqrt-inl.h"
 #include "core/surface/gradient-inl.h"
 
 using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
 
-#include "core/arith/blocks-inl.h"
+#include "core/base/blocks-inl.h"
 
 /// Weights of the flipped states of edges with these gains (see net.h), 0 to 1/2.
 HWY_ATTR void soft_weights(const float* gain, int n, float reciprocal_tau, float* weights) {

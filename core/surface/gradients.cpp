@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "core/arith/arith.h"
+#include "core/base/arith.h"
 #include "core/surface/edge_scratch.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -17,8 +17,8 @@ namespace ddt {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-#include "core/arith/lanes-inl.h"
-#include "core/arith/rsqrt-inl.h"
+#include "core/base/lanes-inl.h"
+#include "core/base/rsqrt-inl.h"
 #include "core/surface/gradient-inl.h"
 
 using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
@@ -76,7 +76,7 @@ HWY_INLINE GradientMean<Lanes4> mean_round(const Site* vertex, const float* net,
     return mean;
 }
 
-#include "core/arith/blocks-inl.h"
+#include "core/base/blocks-inl.h"
 
 /// Gradients at plain vertices x, x + 1, ... of row y, as many as Blocks has.
 HWY_INLINE void plain_gradients(const EdgeScratch& scratch, int x, int y, float* to,

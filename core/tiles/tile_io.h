@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "core/lattice/locate.h"
 #include "core/sample/evaluate.h"
-#include "core/sample/locate.h"
 #include "core/tiles/grid.h"
 #include "ddt/core.h"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/arith/arith.h"
-#include "core/large_pages.h"
+#include "core/base/arith.h"
+#include "core/base/large_pages.h"
 #include "core/tiles/tile_io.h"
 
 namespace ddt {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/arith/arith.h"
+#include "core/base/arith.h"
 #include "core/guide/guide.h"
 #include "core/tiles/tile_io.h"
 

@@ -15,8 +15,8 @@ using D = hn::ScalableTag<float>;
 using DI = hn::RebindToSigned<D>;
 using VI = hn::Vec<DI>;
 
-#include "core/arith/lanes-inl.h"
-#include "core/arith/rsqrt-inl.h"
+#include "core/base/lanes-inl.h"
+#include "core/base/rsqrt-inl.h"
 #include "core/cost/cost-inl.h"
 #include "core/triangulate/gain-inl.h"
 

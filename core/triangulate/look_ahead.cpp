@@ -1,5 +1,5 @@
+#include "core/lattice/region.h"
 #include "core/triangulate/gain.h"
-#include "core/triangulate/region.h"
 #include "core/triangulate/schemes.h"
 
 namespace ddt {

@@ -33,8 +33,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::CappedTag<float, most_lanes>;
 using DI = hn::RebindToSigned<D>;
 
-#include "core/arith/lanes-inl.h"
-#include "core/arith/rsqrt-inl.h"
+#include "core/base/lanes-inl.h"
+#include "core/base/rsqrt-inl.h"
 #include "core/cost/cost-inl.h"
 
 using Floats = Lanes<D>;

@@ -7,7 +7,7 @@
 #include <OpenImageIO/strutil.h>
 #include <OpenImageIO/sysutil.h>
 
-#include "core/large_pages.h"
+#include "core/base/large_pages.h"
 
 namespace ddt {
 namespace {

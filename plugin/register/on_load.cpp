@@ -8,7 +8,7 @@
 
 #include <dlfcn.h>
 
-#include "core/verbose.h"
+#include "core/base/verbose.h"
 #include "hooks.h"
 
 namespace {

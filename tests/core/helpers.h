@@ -16,7 +16,7 @@
 #include <hwy/highway.h>
 
 #include "core/lattice/lattice.h"
-#include "core/sample/locate.h"
+#include "core/lattice/locate.h"
 #include "core/surface/edge_maker.h"
 #include "ddt/core.h"
 

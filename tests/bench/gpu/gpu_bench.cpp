@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/arith/arith.h"
+#include "core/base/arith.h"
 #include "core/tiles/tile_worker.h"
 #include "ddt/names.h"
 #include "tests/bench/gpu/half.h"

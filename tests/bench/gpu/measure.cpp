@@ -206,7 +206,7 @@ private:
     gl::SlotShape m_shape;
     ResizeMapping m_mapping;
     size_t m_in_flight;
-    gl::Mesh m_mesh;
+    gl::DeviceMesh m_mesh;
     gl::Surfaces m_surfaces;
     std::vector<HostTile> m_tiles;
     std::vector<char> m_download;

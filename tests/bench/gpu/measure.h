@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/gl/gpu.h"
+#include "core/gl/context/gpu.h"
 #include "core/gl/stages.h"
 #include "core/gl/surfaces.h"
 #include "tests/bench/gpu/picture.h"

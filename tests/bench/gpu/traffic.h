@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/gl/mesh.h"
+#include "core/gl/device_mesh.h"
 #include "core/gl/surfaces.h"
 
 namespace ddt::bench {

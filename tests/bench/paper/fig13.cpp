@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <ctime>
 
-#include "core/arith/arith.h"
+#include "core/base/arith.h"
 #include "core/triangulate/triangulate.h"
 #include "ddt/names.h"
 #include "growth.h"

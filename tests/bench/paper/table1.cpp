@@ -6,7 +6,7 @@
 #include <map>
 #include <thread>
 
-#include "core/arith/arith.h"
+#include "core/base/arith.h"
 #include "core/gl/offload.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/triangulate.h"

@@ -5,7 +5,7 @@
 #include <cfloat>
 #include <map>
 
-#include "core/arith/arith.h"
+#include "core/base/arith.h"
 #include "core/surface/net.h"
 #include "tests/core/helpers.h"
 

@@ -1,7 +1,7 @@
 #include "core/triangulate/schemes.h"
 
+#include "core/lattice/region.h"
 #include "core/triangulate/gain.h"
-#include "core/triangulate/region.h"
 #include "ddt/names.h"
 #include "tests/core/helpers.h"
 #include "tests/core/triangulate/slow_mesh.h"

@@ -1,0 +1,68 @@
+// Arithmetic that gives the same bits on every device.
+//
+// Rule: only float32 +, -, * and comparisons, in one written order, never contracted to a fused
+// multiply-add (-ffp-contract=off here, `precise` in the shaders); no division, no square root.
+// IEEE 754 rounds these correctly, and GLSL 4.60 section 4.7.1 demands it of +, -, * too.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+/// For the small functions of the -inl.h files: a call would pass vectors through memory.
+#define DDT_INLINE inline __attribute__((always_inline))
+
+namespace ddt {
+
+/// Constant of the reciprocal square root's seed, for both twins of rsqrt().
+constexpr int32_t rsqrt_magic = 0x5f3759df;
+
+/// While it lives, this thread treats denormal floats as zero, as GPUs do. Otherwise values below
+/// 1.2e-38 could differ between devices.
+class DenormalsAreZero {
+public:
+#if defined(__SSE2__)
+    DenormalsAreZero() : m_saved(_mm_getcsr()) {
+        _mm_setcsr(m_saved | 0x8040u);
+    }
+    ~DenormalsAreZero() {
+        _mm_setcsr(m_saved);
+    }
+#elif defined(__aarch64__)
+    DenormalsAreZero() {
+        asm volatile("mrs %0, fpcr" : "=r"(m_saved));
+        asm volatile("msr fpcr, %0" ::"r"(m_saved | (uint64_t(1) << 24)));
+    }
+    ~DenormalsAreZero() {
+        asm volatile("msr fpcr, %0" ::"r"(m_saved));
+    }
+#endif
+    DenormalsAreZero(const DenormalsAreZero&) = delete;
+    DenormalsAreZero& operator=(const DenormalsAreZero&) = delete;
+
+private:
+#if defined(__SSE2__)
+    unsigned m_saved;
+#elif defined(__aarch64__)
+    uint64_t m_saved;
+#endif
+};
+
+namespace scalar {
+
+/// First guess of 1/sqrt(x), x > 0, about 3 % off: integer arithmetic on the float's bits.
+inline float rsqrt_seed(float x) {
+    int32_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    bits = rsqrt_magic - (bits >> 1);
+    std::memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+#include "core/base/rsqrt-inl.h"
+
+} // namespace scalar
+} // namespace ddt

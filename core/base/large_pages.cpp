@@ -1,0 +1,23 @@
+#include "core/base/large_pages.h"
+
+#include <cstdint>
+
+#include <sys/mman.h>
+
+namespace ddt {
+
+void ask_for_large_pages(const void* begin, size_t bytes) {
+#ifdef MADV_HUGEPAGE
+    // Less holds no large page, but much that is not ours.
+    constexpr size_t least = size_t(4) << 20;
+    constexpr uintptr_t page = 4096;
+    const auto at = reinterpret_cast<uintptr_t>(begin);
+    const uintptr_t first = (at + page - 1) / page * page, last = (at + bytes) / page * page;
+    if (begin && bytes >= least)
+        madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+#else
+    (void)begin, (void)bytes;
+#endif
+}
+
+} // namespace ddt

@@ -1,0 +1,85 @@
+#include "ddt/mesh.h"
+
+#include <new>
+
+#include "core/base/arith.h"
+#include "core/guide/guide.h"
+#include "core/lattice/list_triangles.h"
+#include "core/triangulate/gain.h"
+#include "core/triangulate/triangulate.h"
+
+namespace ddt {
+
+namespace {
+
+/// A lattice's site indices, doubled, must fit an int32.
+constexpr int64_t most_pixels = int64_t(1) << 28;
+
+void list(const Lattice& lattice, Mesh& mesh) {
+    const int stride = lattice.stride();
+    const auto vertex = [&](int site) {
+        return int32_t(site / stride / 2 * lattice.width() + site % stride / 2);
+    };
+    mesh.width = lattice.width();
+    mesh.height = lattice.height();
+    mesh.triangles.clear();
+    mesh.triangles.reserve(2 * size_t(mesh.width - 1) * size_t(mesh.height - 1));
+    each_triangle(lattice, [&](int a, int b, int c) {
+        mesh.triangles.push_back({vertex(a), vertex(b), vertex(c)});
+    });
+}
+
+/// False: cancelled.
+bool build(const float* guide, int width, int height, const MeshOptions& options, Mesh& mesh,
+           MeshReport* report, const std::function<bool(float)>& progress) {
+    const DenormalsAreZero as_on_gpus;
+    Lattice lattice;
+    Workspace workspace;
+    Statistics statistics;
+    bool going = true;
+    if (progress)
+        workspace.progress = [&](float share) { return going = progress(share); };
+    std::vector<float> blurred;
+    if (options.blur > 0) {
+        blurred.assign(guide, guide + size_t(width) * size_t(height));
+        blur_guide(blurred, width, height, options.blur);
+        guide = blurred.data();
+    }
+    lattice.start(width, height, guide, options.start == Start::flat);
+    const double cost_start = report ? total_cost(lattice, options.cost) : 0;
+    triangulate(lattice, options, workspace, statistics);
+    if (!going)
+        return false;
+    if (report)
+        *report = {cost_start, total_cost(lattice, options.cost), statistics};
+    workspace = {};
+    list(lattice, mesh);
+    return true;
+}
+
+} // namespace
+
+bool build_mesh(const float* guide, int width, int height, const MeshOptions& options, Mesh& mesh,
+                MeshReport* report, std::string* error,
+                const std::function<bool(float)>& progress) {
+    std::string why;
+    if (width < 2 || height < 2)
+        why = "ddt: a mesh needs at least 2 x 2 pixels";
+    else if (int64_t(width) * height > most_pixels)
+        why = "ddt: the image is too large for one mesh";
+    else
+        check_options(options, why);
+    if (why.empty()) {
+        try {
+            if (!build(guide, width, height, options, mesh, report, progress))
+                why = "ddt: cancelled";
+        } catch (const std::bad_alloc&) {
+            why = "ddt: out of memory";
+        }
+    }
+    if (error)
+        *error = why;
+    return why.empty();
+}
+
+} // namespace ddt

@@ -1,0 +1,186 @@
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <new>
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "core/base/verbose.h"
+#include "core/gl/offload.h"
+#include "core/tiles/grid.h"
+#include "core/tiles/run.h"
+#include "core/tiles/tile_worker.h"
+#include "ddt/core.h"
+
+namespace ddt {
+
+namespace {
+
+/// Tiles in flight take no more than this together for each of their meshes (or one tile's share,
+/// if that is more).
+constexpr size_t memory_limit = size_t(192) << 20;
+
+/// Largest coordinate of a window, so that positions and sites stay far from overflow.
+constexpr int largest_coordinate = 1 << 29;
+
+/// Largest number of pixels of a window, so that its tiles can be counted.
+constexpr double largest_area = double(int64_t(1) << 45);
+
+bool check(const Job& job, std::string& error) {
+    const Rect& w = job.window;
+    if (w.empty() || std::min(w.x0, w.y0) < -largest_coordinate ||
+        std::max(w.x1, w.y1) > largest_coordinate)
+        error = "ddt: the source window must not be empty, its coordinates within +-2^29";
+    else if (double(w.width()) * double(w.height()) > largest_area)
+        error = "ddt: the source window must not have more than 2^45 pixels";
+    else if (job.channels < 1)
+        error = "ddt: there must be at least 1 channel";
+    else if (!job.kinds.empty() && job.kinds.size() != size_t(job.channels))
+        error = "ddt: Job::kinds must be empty or have one entry a channel";
+    else if (!check_options(job.mesh, error))
+        return false;
+    else if (job.surface.consistency < 0 || job.surface.consistency > 16)
+        error = "ddt: consistency must be 0 to 16";
+    else if (!(job.surface.limit >= 0) || !(job.surface.soft >= 0))
+        error = "ddt: limit and soft must be 0 or more";
+    return error.empty();
+}
+
+const char* describe(Outcome outcome) {
+    switch (outcome) {
+    case Outcome::done:
+        return "";
+    case Outcome::cancelled:
+        return "ddt: cancelled";
+    case Outcome::source_failed:
+        return "ddt: the source could not be read";
+    case Outcome::sink_failed:
+        return "ddt: the result could not be written";
+    case Outcome::bad_job:
+        return "ddt: the job makes no sense";
+    case Outcome::out_of_memory:
+        return "ddt: out of memory";
+    case Outcome::device_unavailable:
+        return "ddt: the device is unavailable";
+    }
+    return "ddt: unknown failure";
+}
+
+/// Add what tiles were worth.
+void add(const Statistics& s, Statistics& sum) {
+    sum.pixels += s.pixels;
+    sum.evaluations += s.evaluations;
+    sum.flips += s.flips;
+    sum.rounds += s.rounds;
+    sum.iterations = std::max(sum.iterations, s.iterations);
+    sum.times.read += s.times.read;
+    sum.times.triangulate += s.times.triangulate;
+    sum.times.surface += s.times.surface;
+    sum.times.sample += s.times.sample;
+    sum.times.write += s.times.write;
+}
+
+int thread_count(const Job& job) {
+    const int wanted = job.threads > 0 ? job.threads : tbb::this_task_arena::max_concurrency();
+    // More than there can be would make oneTBB print a warning.
+    const size_t most =
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    return int(std::min<size_t>(size_t(wanted), most));
+}
+
+/// Work on all tiles that are not done.
+void work_on_cpu(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
+                 const Grid& grid, Run& run, Statistics& statistics) {
+    const size_t in_flight =
+        std::max<size_t>(1, memory_limit * size_t(job.mesh.meshes) / TileWorker::memory(job));
+    const int threads = int(std::min<size_t>(size_t(thread_count(job)), in_flight));
+
+    tbb::enumerable_thread_specific<std::unique_ptr<TileWorker>> workers;
+    const auto work = [&](int index) {
+        if (!run.going() || run.is_done(index))
+            return;
+        auto& worker = workers.local();
+        if (!worker)
+            worker = std::make_unique<TileWorker>(source, sink, mapping, job);
+        const Outcome outcome = worker->work(grid.tile(index), run.next_row(index));
+        if (outcome == Outcome::done)
+            run.tile_done(index);
+        else
+            run.end(outcome);
+    };
+    if (threads == 1) {
+        for (int i = 0; i < grid.count(); ++i)
+            work(i);
+    } else {
+        tbb::task_arena arena(threads);
+        arena.execute([&] { tbb::parallel_for(0, grid.count(), work); });
+    }
+    for (const auto& worker : workers)
+        add(worker->statistics(), statistics);
+}
+
+/// Tell of a job on stderr, for DDT_VERBOSE.
+void report(const Placement& placement, const std::string& failure, const Statistics& statistics,
+            double seconds) {
+    if (!failure.empty())
+        std::fprintf(stderr, "ddt: %s failed, finished on the CPU: %s\n",
+                     describe(placement).c_str(), failure.c_str());
+    std::fprintf(stderr, "ddt: device %s; %lld pixels, %lld flips, %d iterations, %.1f ms\n",
+                 failure.empty() ? describe(placement).c_str() : "cpu",
+                 static_cast<long long>(statistics.pixels),
+                 static_cast<long long>(statistics.flips), statistics.iterations, seconds * 1e3);
+}
+
+Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, std::string& why) {
+    const auto begin = std::chrono::steady_clock::now();
+    Placement placement;
+    if (!place(job, placement, why))
+        return Outcome::device_unavailable;
+    const Grid grid(job.window);
+    Run run(job, grid.count());
+    Statistics statistics;
+    std::string failure;
+    if (placement.gpu)
+        failure = work_on_gpu(*placement.gpu, source, sink, mapping, job, grid, thread_count(job),
+                              run, statistics);
+    const bool on_cpu = !placement.gpu || !failure.empty();
+    statistics.device = on_cpu ? Device::cpu : placement.device;
+    if (on_cpu)
+        work_on_cpu(source, sink, mapping, job, grid, run, statistics);
+    if (job.statistics)
+        *job.statistics = statistics;
+    if (verbose())
+        report(placement, failure, statistics,
+               std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    return run.outcome();
+}
+
+} // namespace
+
+Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
+                std::string* error) {
+    Outcome outcome = Outcome::bad_job;
+    std::string why;
+    try {
+        if (check(job, why))
+            outcome = run(source, sink, mapping, job, why);
+        if (outcome != Outcome::done && why.empty())
+            why = describe(outcome);
+    } catch (const std::bad_alloc&) {
+        outcome = Outcome::out_of_memory;
+        why = describe(outcome);
+    } catch (const std::exception& e) {
+        outcome = Outcome::bad_job;
+        why = std::string("ddt: ") + e.what();
+    }
+    if (error)
+        *error = why;
+    return outcome;
+}
+
+} // namespace ddt

@@ -1,0 +1,45 @@
+#include "core/gl/context/context.h"
+
+namespace ddt::gl {
+
+namespace {
+
+bool is_software(const std::string& renderer) {
+    for (const char* name : {"llvmpipe", "softpipe", "swrast", "SWR", "Software Rasterizer"})
+        if (renderer.find(name) != std::string::npos)
+            return true;
+    return false;
+}
+
+std::string text(const Functions& gl, GLenum what) {
+    const GLubyte* s = gl.GetString(what);
+    return s ? reinterpret_cast<const char*>(s) : "unknown";
+}
+
+} // namespace
+
+bool describe_current(const void* library, Lookup lookup, Context& context, std::string& why) {
+    Functions& gl = context.gl;
+    const std::string missing = load_functions(library, lookup, gl);
+    if (gl.GetString) {
+        context.renderer = text(gl, GL_RENDERER);
+        context.version = text(gl, GL_VERSION);
+    }
+    GLint major = 0, minor = 0;
+    if (gl.GetIntegerv) {
+        gl.GetIntegerv(GL_MAJOR_VERSION, &major);
+        gl.GetIntegerv(GL_MINOR_VERSION, &minor);
+    }
+    if (major < 4 || (major == 4 && minor < 3)) {
+        why = "OpenGL 4.3 is needed, " + context.renderer + " has " + context.version;
+        return false;
+    }
+    if (!missing.empty()) {
+        why = context.renderer + " lacks " + missing;
+        return false;
+    }
+    context.software = is_software(context.renderer);
+    return true;
+}
+
+} // namespace ddt::gl

@@ -1,0 +1,36 @@
+// OpenGL contexts without a display.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/gl/context/functions.h"
+
+namespace ddt::gl {
+
+/// A current context and its functions. It belongs to the thread that made it, stays current there,
+/// and is never destroyed: drivers may be gone, or in use by the host, when a process ends.
+struct Context {
+    Functions gl;
+    std::string platform;  ///< how it was had: "EGL device 0"
+    std::string renderer;  ///< GL_RENDERER
+    std::string version;   ///< GL_VERSION
+    bool software = false; ///< llvmpipe and its like: native code is faster
+};
+
+/// Which renderers will do.
+enum class Wanted { any, hardware };
+
+/// An OpenGL 4.3 core context through libEGL: on a hardware device, else on Mesa's surfaceless
+/// platform, the default display, a software device. Makes it current on this thread. Null if
+/// there is none; `why` then says which call failed.
+std::unique_ptr<Context> make_egl_context(Wanted wanted, std::string& why);
+
+/// The same through libOSMesa, always software.
+std::unique_ptr<Context> make_osmesa_context(std::string& why);
+
+/// Load the functions of the context that is current, and learn what it is. False with `why` if it
+/// is not OpenGL 4.3.
+bool describe_current(const void* library, Lookup lookup, Context& context, std::string& why);
+
+} // namespace ddt::gl

@@ -1,0 +1,145 @@
+#include "core/gl/context/gpu.h"
+
+#include <chrono>
+#include <mutex>
+
+#include <pthread.h>
+
+#include "core/gl/context/failure.h"
+#include "core/gl/context/faults.h"
+#include "core/gl/context/hardware.h"
+#include "core/gl/self_check.h"
+
+namespace ddt::gl {
+
+namespace {
+
+/// A device that was looked for, and what came of it.
+struct Slot {
+    std::once_flag once;
+    Gpu* gpu = nullptr;
+    std::string why;
+    std::atomic<bool> tried{false};
+};
+
+/// All of it leaked, so that it outlives every thread and static object.
+struct Registry {
+    Slot hardware, egl, osmesa;
+};
+
+std::atomic<Registry*> g_registry{new Registry};
+std::atomic<bool> g_started{false}; ///< this process or one it was forked from has had a GL thread
+std::atomic<bool> g_forked{false};
+std::string& g_device_files = *new std::string("/dev");
+
+std::unique_ptr<Context> make_context(Device device, std::string& why) {
+    switch (device) {
+    case Device::osmesa:
+        return make_osmesa_context(why);
+    case Device::egl:
+        return make_egl_context(Wanted::any, why);
+    default:
+        return make_egl_context(Wanted::hardware, why);
+    }
+}
+
+/// Set up the device whose context was made. Returns why it is not to be used.
+std::string prepare(Gpu& gpu) {
+    const Functions& gl = gpu.context->gl;
+    GLint64 limit = 0;
+    gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &limit);
+    gpu.block_limit = size_t(limit);
+    gpu.programs = std::make_unique<Programs>(gl);
+    if (strikes(Fault::bits))
+        return gpu.context->renderer + " does not compute as the CPU does";
+    // Software renderers are asked for by name only, and tests compare them with the CPU.
+    if (gpu.context->software)
+        return {};
+    try {
+        return differs_from_cpu(gpu);
+    } catch (const Failure& e) {
+        return e.what();
+    }
+}
+
+void start(Device device, Slot& slot) {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        pthread_atfork(nullptr, nullptr, [] {
+            if (g_started)
+                g_forked = true;
+        });
+    });
+    g_started = true;
+    const auto begin = std::chrono::steady_clock::now();
+    auto* gpu = new Gpu;
+    gpu->thread
+        .post([&] {
+            std::string why;
+            gpu->context = make_context(device, why);
+            slot.why = gpu->context ? prepare(*gpu) : why;
+        })
+        .get();
+    gpu->open_milliseconds =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    if (gpu->context && slot.why.empty())
+        slot.gpu = gpu; // else its idle thread is left behind
+}
+
+/// start(), whatever happens: a machine without a thread to spare has no device.
+void try_to_start(Device device, Slot& slot) {
+    try {
+        if (device == Device::automatic && !hardware_possible(g_device_files))
+            slot.why = "no GPU's driver has files in " + g_device_files;
+        else
+            start(device, slot);
+    } catch (const std::exception& e) {
+        slot.why = e.what();
+    }
+    slot.tried = true;
+}
+
+Gpu* working(const Slot& slot, std::string& why) {
+    why = slot.why;
+    if (!slot.gpu || !slot.gpu->broken)
+        return slot.gpu;
+    why = "the context was lost in an earlier job";
+    return nullptr;
+}
+
+} // namespace
+
+Gpu* open(Device device, std::string& why, bool& forked) {
+    forked = g_forked;
+    if (forked) {
+        why = "OpenGL does not survive fork()";
+        return nullptr;
+    }
+    Registry& registry = *g_registry;
+    const auto slot_of = [&](Device kind, Slot& slot) -> Slot& {
+        std::call_once(slot.once, [&] { try_to_start(kind, slot); });
+        return slot;
+    };
+    Slot& slot = device == Device::osmesa ? slot_of(device, registry.osmesa)
+                                          : slot_of(Device::automatic, registry.hardware);
+    if (device == Device::egl && !slot.gpu) {
+        Slot& any = slot_of(device, registry.egl);
+        return working(any, why);
+    }
+    return working(slot, why);
+}
+
+bool is_open(Device device) {
+    const Registry& registry = *g_registry;
+    return device == Device::osmesa ? registry.osmesa.tried : registry.hardware.tried;
+}
+
+void look_for_hardware_in(const std::string& folder) {
+    g_device_files = folder;
+}
+
+void forget_devices() {
+    g_registry = new Registry;
+}
+
+} // namespace ddt::gl

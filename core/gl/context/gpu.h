@@ -1,0 +1,36 @@
+// A device that work can be given to.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+
+#include "core/gl/context/context.h"
+#include "core/gl/context/thread.h"
+#include "core/gl/programs.h"
+#include "ddt/core.h"
+
+namespace ddt::gl {
+
+/// A context on its thread. One a process and kind, opened at the first job that wants it, never
+/// closed. Everything but `thread` and `broken` is for that thread.
+struct Gpu {
+    Thread thread;
+    std::unique_ptr<Context> context;
+    std::unique_ptr<Programs> programs;
+    size_t block_limit = 0; ///< bytes a storage block may have
+    double open_milliseconds = 0;
+    std::atomic<bool> broken{false}; ///< lost: of no more use
+};
+
+/// The device for Device::egl or Device::osmesa, or with Device::automatic a hardware device. Null
+/// if it cannot be had: `why` says which library or call failed, and for what version.
+///
+/// Thread-safe. In a process forked from one that had a device there is none, since drivers do not
+/// survive a fork; `forked` is then true.
+Gpu* open(Device device, std::string& why, bool& forked);
+
+/// Whether open() has been asked for that device before, so that it takes no time now.
+bool is_open(Device device);
+
+} // namespace ddt::gl

@@ -1,0 +1,112 @@
+#include "core/gl/device_mesh.h"
+
+#include "core/gl/work_layout.h"
+
+namespace ddt::gl {
+
+namespace {
+
+// The layout of `Batch` in shaders/lattice.glsl.
+struct Batch {
+    GLint stride, slot_sites, slot_width, slot_pixels;
+    GLint extent[max_tiles][4], served[max_tiles][4];
+};
+
+} // namespace
+
+DeviceMesh::DeviceMesh(Gpu& gpu, const SlotShape& shape, int tiles)
+    : m_gpu(gpu), m_gl(gpu.context->gl), m_shape(shape), m_capacity(tiles),
+      m_batch(m_gl, sizeof(Batch)), m_sites(m_gl, shape.sites() * 8 * size_t(tiles)),
+      m_guide(m_gl, shape.pixels() * 4 * size_t(tiles)),
+      m_gain(m_gl, shape.sites() * 4 * size_t(tiles)),
+      m_list0(m_gl, shape.edges() * 4 * size_t(tiles)),
+      m_list1(m_gl, shape.edges() * 4 * size_t(tiles)),
+      m_blocked_even(m_gl, shape.edges() * 8 * size_t(tiles)),
+      m_blocked_odd(m_gl, shape.edges() * 8 * size_t(tiles)), m_work(m_gl, work_bytes(tiles)) {}
+
+TileSize size_in_slot(const Tile& tile, int width, int height) {
+    const Rect &c = tile.cells, &p = tile.pixels;
+    return {width, height, c.x0 - p.x0, c.y0 - p.y0, c.x1 - p.x0, c.y1 - p.y0};
+}
+
+size_t DeviceMesh::bytes(const SlotShape& shape) {
+    return shape.sites() * 12 + shape.pixels() * 4 + shape.edges() * 24;
+}
+
+size_t DeviceMesh::largest_bytes(const SlotShape& shape) {
+    return shape.sites() * 8;
+}
+
+void DeviceMesh::set_tiles(const std::vector<TileSize>& sizes) {
+    m_tiles = int(sizes.size());
+    // Whatever shaders wrote may now be overwritten from here.
+    m_gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+    Batch batch{
+        m_shape.stride(), GLint(m_shape.sites()), m_shape.width, GLint(m_shape.pixels()), {}, {}};
+    for (size_t i = 0; i < sizes.size(); ++i) {
+        const TileSize& size = sizes[i];
+        batch.extent[i][0] = size.width;
+        batch.extent[i][1] = size.height;
+        batch.served[i][0] = size.served_x0;
+        batch.served[i][1] = size.served_y0;
+        batch.served[i][2] = size.served_x1;
+        batch.served[i][3] = size.served_y1;
+    }
+    m_batch.write(0, sizeof batch, &batch);
+}
+
+void DeviceMesh::write_guide(int slot, const float* guide) {
+    const size_t bytes = m_shape.pixels() * 4;
+    m_guide.write(size_t(slot) * bytes, bytes, guide);
+}
+
+void DeviceMesh::write_sites(int slot, const void* sites) {
+    const size_t bytes = m_shape.sites() * 8;
+    m_sites.write(size_t(slot) * bytes, bytes, sites);
+    const GLuint reach = GLuint(m_shape.width + m_shape.height); // unknown: everywhere
+    m_work.write(reach_offset + sizeof reach * size_t(slot), sizeof reach, &reach);
+    m_gains_known = false;
+}
+
+void DeviceMesh::read_sites(int slot, void* sites) {
+    const size_t bytes = m_shape.sites() * 8;
+    m_sites.read(size_t(slot) * bytes, bytes, sites);
+}
+
+void DeviceMesh::bind() const {
+    m_batch.bind_uniform(0);
+    m_sites.bind(0);
+    m_work.bind(7);
+}
+
+void DeviceMesh::barrier(bool with_arguments) {
+    m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT |
+                       (with_arguments ? GL_COMMAND_BARRIER_BIT : 0u));
+}
+
+void DeviceMesh::dispatch_over(int width, int height, int group_x, int group_y) {
+    m_gl.DispatchCompute(GLuint((width + group_x - 1) / group_x),
+                         GLuint((height + group_y - 1) / group_y), GLuint(m_tiles));
+}
+
+std::vector<std::vector<IterationCounts>> DeviceMesh::read_counts() {
+    std::vector<std::vector<IterationCounts>> result(static_cast<size_t>(m_tiles));
+    if (m_iterations == 0)
+        return result;
+    std::vector<IterationCounts> counts(size_t(m_tiles) * size_t(m_iterations + 1));
+    m_gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    m_work.read(counts_offset, counts.size() * sizeof(IterationCounts), counts.data());
+    for (size_t i = 1; i <= size_t(m_iterations); ++i)
+        for (size_t t = 0; t < result.size(); ++t)
+            result[t].push_back(counts[i * result.size() + t]);
+    return result;
+}
+
+std::vector<uint32_t> DeviceMesh::read_reach() {
+    std::vector<uint32_t> reach(static_cast<size_t>(m_tiles));
+    m_gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    m_work.read(reach_offset, reach.size() * sizeof(uint32_t), reach.data());
+    return reach;
+}
+
+} // namespace ddt::gl

@@ -1,0 +1,114 @@
+// Triangulation of several tiles at once on the device.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/gl/buffer.h"
+#include "core/gl/context/gpu.h"
+#include "core/tiles/grid.h"
+#include "core/triangulate/schemes.h"
+#include "ddt/core.h"
+
+namespace ddt::gl {
+
+/// What one tile's share of each buffer is made for; the same for all tiles of a job.
+struct SlotShape {
+    int width = 0, height = 0; ///< pixels; no tile has more
+    int stride() const { return 2 * width; }
+    size_t pixels() const { return size_t(width) * size_t(height); }
+    size_t sites() const { return size_t(stride()) * size_t(2 * height - 1); }
+    size_t edges() const { return size_t(2 * width - 1) * size_t(2 * height - 1) - pixels(); }
+};
+
+/// A tile within its slot: its sizes, both at least 2, and the pixels about the positions that it
+/// serves, from the first to the last.
+struct TileSize {
+    int width = 0, height = 0;
+    int served_x0 = 0, served_y0 = 0, served_x1 = 0, served_y1 = 0;
+};
+
+/// The same of a tile whose pixels were read as width x height.
+TileSize size_in_slot(const Tile& tile, int width, int height);
+
+/// What an iteration did on one tile: gains computed, those that were enough, edges flipped,
+/// candidates left waiting, flippable edges that a flip had touched, rounds of accepting and
+/// rejecting. The layout of Counts in shaders/counts.glsl.
+struct IterationCounts {
+    uint32_t evaluated = 0, candidates = 0, selected = 0, blocked = 0, dirty = 0, rounds = 0;
+};
+
+enum class Step;
+
+/// Iterations of one_round done by dispatches over all tiles; the rest by one group a tile
+/// (finish.comp). By then a tile has at most a few thousand edges to look at, soon a few hundred.
+constexpr int dispatched_iterations = 8;
+
+/// Meshes of up to `tiles` tiles. To be used on the context's thread; throws Failure.
+class DeviceMesh {
+public:
+    DeviceMesh(Gpu& gpu, const SlotShape& shape, int tiles);
+
+    /// Device memory a tile takes, and the largest single buffer of it.
+    static size_t bytes(const SlotShape& shape);
+    static size_t largest_bytes(const SlotShape& shape);
+
+    /// Which tiles are in the slots.
+    void set_tiles(const std::vector<TileSize>& sizes);
+    /// The guide of a slot: shape.pixels() floats in rows of shape.width.
+    void write_guide(int slot, const float* guide);
+    /// A slot's mesh as it is: shape.sites() records as Site has them, in rows of shape.stride().
+    void write_sites(int slot, const void* sites);
+
+    /// Whether triangulate() knows the scheme; of others the finished mesh must be written.
+    static bool knows(const MeshOptions& options);
+    void triangulate(const MeshOptions& options);
+    /// On the finished mesh: the gains of all edges, for soft ones; nothing to do where
+    /// triangulate() keeps them.
+    void find_gains(Cost cost);
+    const Buffer& gains() const { return m_gain; }
+
+    /// Counts of each iteration of the last triangulate(), a slot; waits for the device.
+    std::vector<std::vector<IterationCounts>> read_counts();
+    /// How far edges go at most, a slot; waits for the device.
+    std::vector<uint32_t> read_reach();
+    /// A slot's mesh, for tests.
+    void read_sites(int slot, void* sites);
+
+    /// Bind what lattice.glsl needs.
+    void bind() const;
+    const SlotShape& shape() const { return m_shape; }
+    int tiles() const { return m_tiles; }
+
+    /// One invocation a pixel or site of every tile, in groups of x times y.
+    void dispatch_over(int width, int height, int group_x, int group_y);
+
+private:
+    // The steps of triangulate(), in schemes.cpp.
+    void prepare_lists();
+    void bind_lists();
+    void start(const MeshOptions& options);
+    void one_round();
+    void accept_reject(const Rules& rules);
+    void step(const char* shader, int iteration, Step step, const std::string& defines);
+    void use(const char* shader, int first_iteration, int last_iteration,
+             const std::string& defines);
+    void barrier(bool with_arguments = false);
+
+    Gpu& m_gpu;
+    const Functions& m_gl;
+    SlotShape m_shape;
+    int m_capacity;       ///< tiles
+    int m_tiles = 0;      ///< in use
+    int m_iterations = 0; ///< of the last triangulate(), at most
+    float m_min_gain = 0;
+    std::string m_cost; ///< the macro that chooses it
+    bool m_gains_known = false;
+    Buffer m_batch, m_sites, m_guide, m_gain, m_list0, m_list1, m_blocked_even, m_blocked_odd,
+        m_work;
+    std::unique_ptr<Buffer> m_stamps;                  ///< accept_reject's
+    const Buffer *m_from = &m_list0, *m_to = &m_list1; ///< in turn
+};
+
+} // namespace ddt::gl

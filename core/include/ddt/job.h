@@ -1,0 +1,100 @@
+// A piece of work: where pixels come from, where they go, and what is done with them.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ddt/mapping.h"
+#include "ddt/options.h"
+
+namespace ddt {
+
+/// What a channel's numbers are.
+enum class Channel : uint8_t {
+    blend,   ///< a quantity: interpolated over the surface
+    alpha,   ///< a quantity that no option may take out of the range of its triangle's 3 values
+    nearest, ///< an identifier: copied, bit for bit, from the vertex with the largest weight
+};
+
+/// Where pixels come from. Called from several threads at once.
+class Source {
+public:
+    virtual ~Source() = default;
+    /// Fill `values`, `channels` interleaved floats a pixel, and `guide`, one float a pixel, for
+    /// the pixels of `r`, row by row without gaps. `r` lies within Job::window. The guide is what
+    /// edges are sought in, about 0 to 1 from black to white; see core/guide for the usual one.
+    /// Return false to end the work (an error the source itself keeps).
+    virtual bool read(const Rect& r, float* values, float* guide) = 0;
+};
+
+/// Where results go. Called from several threads at once, never twice for the same pixel.
+class Sink {
+public:
+    virtual ~Sink() = default;
+    /// Take the output pixels of `r`: `channels` interleaved floats, rows without gaps. The sink
+    /// may change `values`. Return false to end the work.
+    virtual bool write(const Rect& r, float* values) = 0;
+    /// Memory of the sink's own where the pixels of `r` may be put instead of being handed to
+    /// write(), as they are: `row` receives the floats from one row to the next. Null: none.
+    virtual float* place(const Rect& /*r*/, size_t& /*row*/) { return nullptr; }
+};
+
+/// Nanoseconds that the threads spent, added up, in each stage of a job on the CPU.
+struct StageTimes {
+    int64_t read = 0;        ///< Source::read: with its conversions and the guide
+    int64_t triangulate = 0; ///< with the making of the starting mesh
+    int64_t surface = 0;     ///< gradients, bends, corrections
+    int64_t sample = 0;
+    int64_t write = 0; ///< Sink::write: with its conversions
+};
+
+/// What was done; sums over all tiles, so halos count.
+struct Statistics {
+    int64_t pixels = 0;      ///< vertices of all meshes
+    int64_t evaluations = 0; ///< gains computed
+    int64_t flips = 0;
+    int64_t rounds = 0; ///< of accepting and rejecting, in the schemes that do
+    int iterations = 0; ///< the largest of any tile
+    StageTimes times;
+    /// Where the tiles were worked on; cpu if at least one was. Never automatic.
+    Device device = Device::cpu;
+};
+
+/// A piece of work.
+struct Job {
+    Rect window;                ///< the source's pixels (data window), not empty
+    int channels = 1;           ///< floats a pixel, 1 or more
+    std::vector<Channel> kinds; ///< one a channel; empty: all blend
+    MeshOptions mesh;
+    SurfaceOptions surface;
+    int threads = 0; ///< 0: as many as there are cores
+    /// A device that is named and cannot be had is Outcome::device_unavailable, before anything is
+    /// read. A device that fails later, also for lack of memory, leaves the rest to the CPU. A
+    /// process forked from one that used a GPU has none and uses the CPU, whatever is named.
+    Device device = Device::automatic;
+    /// Called from time to time with the share done, 0 to 1, one thread at a time; return false
+    /// to cancel. May be empty.
+    std::function<bool(float)> progress;
+    Statistics* statistics = nullptr; ///< filled in when not null
+};
+
+enum class Outcome {
+    done,
+    cancelled,
+    source_failed,
+    sink_failed,
+    bad_job,
+    out_of_memory,
+    device_unavailable,
+};
+
+/// Read the source tile by tile, triangulate, and write every output pixel the mapping gives.
+/// Memory: a few MB a thread beside what source and sink hold. Never throws. `error`, when not
+/// null, receives one line if the outcome is not `done`. With the environment variable DDT_VERBOSE
+/// set, and not to 0, lines on stderr tell the device, the iterations and where the time went.
+Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
+                std::string* error = nullptr);
+
+} // namespace ddt

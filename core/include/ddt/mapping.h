@@ -1,0 +1,61 @@
+// Which source position each output pixel shows.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace ddt {
+
+/// Pixels x0 <= x < x1, y0 <= y < y1.
+struct Rect {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    int width() const { return x1 - x0; }
+    int height() const { return y1 - y0; }
+    bool empty() const { return x1 <= x0 || y1 <= y0; }
+    size_t area() const { return empty() ? 0 : size_t(width()) * size_t(height()); }
+};
+
+/// One position in the source: pixel centres at integers, in units of 2^-16 pixel.
+struct Position {
+    int64_t x = 0, y = 0;
+};
+
+/// Which source position an output pixel shows. Called from several threads at once.
+class Mapping {
+public:
+    virtual ~Mapping() = default;
+    /// A rectangle that holds every output pixel whose position lies in the source rectangle
+    /// [x0, x1) x [y0, y1) (pixel centres at integers). It may hold others too.
+    virtual Rect reach(double x0, double y0, double x1, double y1) const = 0;
+    /// Positions of the output pixels x0 <= x < x1 of row y; at most 2 source pixels may lie
+    /// between neighbours. inside[i] = 0 marks a pixel that shows nothing of the source: it is
+    /// not written.
+    virtual void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const = 0;
+    /// True if reach() holds exactly the pixels of its rectangle and row() is all inside.
+    virtual bool separable() const { return false; }
+};
+
+/// Maps the interval [from0, from0 + from_size) onto [to0, to0 + to_size), pixel centres at half
+/// integers, on both axes; positions outside `window` clamp to its outermost pixel centres.
+class ResizeMapping final : public Mapping {
+public:
+    struct Axis {
+        int from0 = 0, from_size = 1; ///< the source's display window
+        int to0 = 0, to_size = 1;     ///< the output's display window
+        int window0 = 0, window1 = 1; ///< the source's data window
+        int out0 = 0, out1 = 1;       ///< the output pixels wanted
+        /// Source position of the output pixel i, clamped, in 2^-16 pixel, by integer arithmetic.
+        int64_t position(int i) const;
+        /// First output pixel of [out0, out1) whose position is >= limit (a pixel coordinate).
+        int first_at_or_after(int limit) const;
+    };
+    ResizeMapping(const Axis& x, const Axis& y) : m_x(x), m_y(y) {}
+    Rect reach(double x0, double y0, double x1, double y1) const override;
+    void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override;
+    bool separable() const override { return true; }
+
+private:
+    Axis m_x, m_y;
+};
+
+} // namespace ddt

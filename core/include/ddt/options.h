@@ -1,0 +1,103 @@
+// What can be chosen: how the mesh is made, the surface laid over it, the device.
+#pragma once
+
+#include <cstdint>
+
+#include "ddt/costs.h"
+
+namespace ddt {
+
+/// How much an edge of the mesh costs, from the gradients of the guide in its two triangles.
+/// Formulas and sources are in core/cost/cost-inl.h.
+enum class Cost : uint8_t {
+#define DDT_ENUMERATOR(name, ...) name,
+    DDT_COSTS(DDT_ENUMERATOR)
+#undef DDT_ENUMERATOR
+};
+
+/// Which edges flip, in which order. Sources are in core/triangulate/; names in ddt/names.h.
+enum class Scheme : uint8_t {
+    one_round,        ///< parallel: of the edges that gain, those that are the best of their region
+    lawson,           ///< sequential: sweeps in address order, an edge that gains flips at once
+    basic,            ///< the paper's: edges with the smallest addresses, accepted in rounds
+    exproi,           ///< the paper's: basic with the wide region
+    maxgain,          ///< the paper's: edges with the largest gains, accepted in rounds
+    exproi_maxgain,   ///< the paper's: maxgain with the wide region
+    exproi_n_maxgain, ///< the paper's: maxgain, the region wide for the first iterations only
+    look_ahead,       ///< sequential: also flips that pay together with a second (Yu et al. 2001)
+    annealing,        ///< parallel: flips that lose, at random, then one_round (Schumaker 1993)
+    pixel,            ///< the starting mesh as it is (Su & Willis 2004)
+};
+
+/// Which diagonal a 2x2 cell of pixels starts with.
+enum class Start : uint8_t {
+    flat,     ///< the one whose ends differ less in the guide (Su & Willis 2004)
+    diagonal, ///< the same in every cell, from upper left to lower right
+};
+
+/// The surface that is laid over the mesh.
+enum class Surface : uint8_t {
+    linear, ///< a plane a triangle
+    patch,  ///< a quadratic patch a triangle; like `linear` never outside the triangle's 3 values
+};
+
+/// How values are read off the mesh.
+struct SurfaceOptions {
+    /// Implicit: a plain Surface is one without corrections.
+    SurfaceOptions(Surface kind_ = Surface::patch) : kind(kind_) {}
+
+    Surface kind;
+    /// Rounds that correct the vertices so that the surface's mean over each source pixel comes
+    /// back to that pixel's value; 0 to 16. More than 0 can overshoot the source's values.
+    int consistency = 0;
+    /// How far a corrected vertex may leave the range of its 3x3 source pixels, as a share of that
+    /// range, and downwards, where none of the nine is negative, of the smallest of them if that is
+    /// less; 0 or more. So it never gets negative where none is, unless `clipped`.
+    float limit = 0.25f;
+    /// Edges that would lose less than this by a flip are blended with their flipped state, so that
+    /// the picture is nearly continuous in its input; in units of the cost, 0: none. Without
+    /// `consistency` the surface still keeps to its triangle's range, with it to that of the
+    /// vertices near.
+    float soft = 0.0f;
+    /// The output will be cut off at 0, as integers are: vertices may then get negative within the
+    /// limit, and what is left above 0 is sharper for it.
+    bool clipped = false;
+};
+
+/// See MeshOptions::meshes.
+constexpr int most_meshes = 4;
+constexpr float mesh_spread = 0.07f;
+
+struct MeshOptions {
+    Cost cost = Cost::abn;
+    Scheme scheme = Scheme::one_round;
+    Start start = Start::flat;
+    /// A flip must gain more than this, in units of the cost. Negative: the cost's own default (see
+    /// ddt/costs.h), for lawson and the paper's schemes a bare guard against rounding.
+    float min_gain = -1.0f;
+    /// Iterations after which flipping ends; 0 to 250. For lawson and look_ahead these are sweeps,
+    /// for annealing it is the number of random iterations and the limit of those that follow.
+    int max_iterations = 64;
+    /// Share of each neighbour, in rows and then in columns, that is mixed into the guide before
+    /// edges are sought in it; 0 to 1/4. A little keeps single pixels' noise out of the mesh.
+    float blur = 0.0f;
+    /// How many meshes are made and their surfaces averaged; 1 to most_meshes. The guides of
+    /// several are blurred by shares from `blur` - mesh_spread to `blur` + mesh_spread, as far as
+    /// allowed, in even steps. Steadier in sequences and smoother, for so many times the time and
+    /// memory.
+    int meshes = 1;
+    int wide_iterations = 2; ///< exproi_n_maxgain: iterations with the wide region
+    uint32_t seed = 1;       ///< annealing: another seed, another mesh
+};
+
+/// What the work is done on. The result has the same bits on all of them.
+enum class Device : uint8_t {
+    /// What the environment variable DDT_DEVICE names (auto, cpu, egl, osmesa); without it a
+    /// hardware GPU if there is one and the image is large enough to gain from it, else the CPU.
+    automatic,
+    cpu,
+    egl,    ///< OpenGL through libEGL, on a GPU or, where there is none, a software renderer
+    osmesa, ///< OpenGL through libOSMesa, a software renderer: for tests
+};
+
+} // namespace ddt

@@ -1,0 +1,125 @@
+#include "plugin/imagebuf/matrix.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ddt {
+namespace {
+
+constexpr double units = 65536; // positions' units in a pixel
+
+/// The smaller singular value of the map's derivative at (x, y).
+double least_scale(const Projective& m, double x, double y) {
+    const auto p = m(x, y);
+    if (p.w == 0)
+        return std::numeric_limits<double>::infinity();
+    const double px = p.x / p.w, py = p.y / p.w;
+    const double a = (m.m[0] - px * m.m[2]) / p.w, b = (m.m[3] - px * m.m[5]) / p.w;
+    const double c = (m.m[1] - py * m.m[2]) / p.w, d = (m.m[4] - py * m.m[5]) / p.w;
+    // Both singular values are s and t of s + t = |(a+d, b-c)|, s - t = |(a-d, b+c)|, halved.
+    const double sum = std::hypot(a + d, b - c), difference = std::hypot(a - d, b + c);
+    return 0.5 * std::fabs(sum - difference);
+}
+
+double clamp_position(double v, int begin, int end) {
+    return std::clamp(v, double(begin), double(end - 1));
+}
+
+} // namespace
+
+bool Projective::invert(Projective& inverse) const {
+    const auto& a = m;
+    const double c0 = a[4] * a[8] - a[5] * a[7], c1 = a[5] * a[6] - a[3] * a[8],
+                 c2 = a[3] * a[7] - a[4] * a[6];
+    const double det = a[0] * c0 + a[1] * c1 + a[2] * c2;
+    if (!std::isfinite(det) || std::fabs(det) < 1e-30)
+        return false;
+    const double s = 1 / det;
+    inverse.m = {c0 * s, (a[2] * a[7] - a[1] * a[8]) * s, (a[1] * a[5] - a[2] * a[4]) * s,
+                 c1 * s, (a[0] * a[8] - a[2] * a[6]) * s, (a[2] * a[3] - a[0] * a[5]) * s,
+                 c2 * s, (a[1] * a[6] - a[0] * a[7]) * s, (a[0] * a[4] - a[1] * a[3]) * s};
+    return std::all_of(inverse.m.begin(), inverse.m.end(),
+                       [](double v) { return std::isfinite(v); });
+}
+
+bool shrinks(const Projective& m, const Rect& window) {
+    // Where w is the same, the derivative is affine in the point and its determinant is the same,
+    // so the least scale is least at the ends of such a line: on the window's border.
+    constexpr double tolerance = 1e-3; // matrices arrive in float32
+    constexpr int steps = 256;
+    const int n = m.affine() ? 1 : steps;
+    for (int i = 0; i <= n; ++i) {
+        const double x = window.x0 + double(window.width()) * i / n;
+        const double y = window.y0 + double(window.height()) * i / n;
+        if (std::min({least_scale(m, x, window.y0), least_scale(m, x, window.y1),
+                      least_scale(m, window.x0, y), least_scale(m, window.x1, y)}) < 1 - tolerance)
+            return true;
+    }
+    return false;
+}
+
+bool moves_only(const Projective& m, int& dx, int& dy) {
+    const auto& a = m.m;
+    const bool shift = m.affine() && a[0] == 1 && a[1] == 0 && a[3] == 0 && a[4] == 1;
+    const bool whole = shift && a[6] == std::floor(a[6]) && a[7] == std::floor(a[7]) &&
+                       std::fabs(a[6]) < (1 << 29) && std::fabs(a[7]) < (1 << 29);
+    if (whole) {
+        dx = int(a[6]);
+        dy = int(a[7]);
+    }
+    return whole;
+}
+
+Rect MatrixMapping::reach(double x0, double y0, double x1, double y1) const {
+    // To pixel coordinates, with the half pixel that clamps and some for rounding.
+    constexpr double margin = 0.5 + 1.0 / 64;
+    const double left = std::max(x0 + 0.5 - margin, m_window.x0 - 1.0);
+    const double right = std::min(x1 + 0.5 + margin, m_window.x1 + 1.0);
+    const double top = std::max(y0 + 0.5 - margin, m_window.y0 - 1.0);
+    const double bottom = std::min(y1 + 0.5 + margin, m_window.y1 + 1.0);
+
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double min_x = infinity, min_y = infinity, max_x = -infinity, max_y = -infinity;
+    double min_w = infinity, max_w = -infinity;
+    for (const double x : {left, right})
+        for (const double y : {top, bottom}) {
+            const auto p = m_to_output(x, y);
+            min_w = std::min(min_w, p.w);
+            max_w = std::max(max_w, p.w);
+            min_x = std::min(min_x, p.x / p.w);
+            max_x = std::max(max_x, p.x / p.w);
+            min_y = std::min(min_y, p.y / p.w);
+            max_y = std::max(max_y, p.y / p.w);
+        }
+    // Across the horizon, w = 0, a rectangle does not lie between its mapped corners.
+    if (!(min_w > 0 || max_w < 0))
+        return m_output;
+    const auto first = [](double v, int begin, int end) {
+        return int(std::clamp(std::floor(v - 0.5) - 1, double(begin), double(end)));
+    };
+    const auto last = [](double v, int begin, int end) {
+        return int(std::clamp(std::ceil(v - 0.5) + 2, double(begin), double(end)));
+    };
+    return {first(min_x, m_output.x0, m_output.x1), first(min_y, m_output.y0, m_output.y1),
+            last(max_x, m_output.x0, m_output.x1), last(max_y, m_output.y0, m_output.y1)};
+}
+
+void MatrixMapping::row(int y, int x0, int x1, Position* positions, uint8_t* inside) const {
+    for (int x = x0; x < x1; ++x, ++positions, ++inside) {
+        const auto p = m_to_source(x + 0.5, y + 0.5);
+        const double sx = p.x / p.w, sy = p.y / p.w;
+        // False for NaN too.
+        *inside = sx >= m_window.x0 && sx < m_window.x1 && sy >= m_window.y0 && sy < m_window.y1;
+        if (!*inside) {
+            *positions = {};
+            continue;
+        }
+        positions->x =
+            int64_t(std::floor(clamp_position(sx - 0.5, m_window.x0, m_window.x1) * units + 0.5));
+        positions->y =
+            int64_t(std::floor(clamp_position(sy - 0.5, m_window.y0, m_window.y1) * units + 0.5));
+    }
+}
+
+} // namespace ddt

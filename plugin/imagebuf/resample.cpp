@@ -1,0 +1,119 @@
+#include "plugin/imagebuf/resample.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/strutil.h>
+#include <OpenImageIO/sysutil.h>
+#include <OpenImageIO/timer.h>
+
+#include "core/base/verbose.h"
+#include "plugin/image/pixels.h"
+#include "plugin/image/sink.h"
+#include "plugin/image/source.h"
+#include "plugin/image/windows.h"
+
+namespace ddt {
+namespace {
+
+Writing plan_writing(const Reading& reading, const OIIO::ImageBuf& src, const OIIO::ROI& roi) {
+    Writing writing;
+    writing.light = reading.light;
+    writing.channels = int(reading.selected.size());
+    writing.chbegin = roi.chbegin;
+    writing.chend = roi.chend;
+    if (reading.channels.raw)
+        writing.bits = src.spec().format;
+    const auto place = [&](int channel) {
+        const auto& s = reading.selected;
+        const auto it = std::find(s.begin(), s.end(), channel);
+        return it == s.end() ? -1 : int(it - s.begin());
+    };
+    const ColourLayout& colour = reading.channels.colour;
+    if (colour.count && place(colour.channel[0]) >= 0) {
+        writing.colour.count = colour.count;
+        for (int k = 0; k < colour.count; ++k)
+            writing.colour.channel[k] = place(colour.channel[k]);
+        writing.colour.alpha = colour.alpha >= 0 ? place(colour.alpha) : -1;
+    }
+    return writing;
+}
+
+int thread_count(int nthreads) {
+    if (nthreads <= 0)
+        OIIO::getattribute("threads", nthreads);
+    return std::max(nthreads, 0); // 0: the core takes all
+}
+
+} // namespace
+
+bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& mapping,
+              const OIIO::ROI& roi, const Options& options, int nthreads, std::string& error) {
+    const OIIO::Timer timer;
+    Reading reading;
+    if (!plan_reading(src, options, roi, reading, error))
+        return false;
+    const Writing writing = plan_writing(reading, src, roi);
+    ImageSource source(src, reading);
+    ImageSink sink(dst, writing);
+
+    Statistics statistics;
+    Job job;
+    job.window = rect_of(src.roi());
+    job.channels = int(reading.selected.size());
+    for (int c : reading.selected)
+        job.kinds.push_back(reading.channels.kinds[c]);
+    job.mesh = options.mesh;
+    job.surface = options.surface;
+    job.surface.clipped |= !dst.spec().format.is_floating_point() &&
+                           dst.spec().format != OIIO::TypeInt16 &&
+                           dst.spec().format != OIIO::TypeInt8;
+    job.threads = thread_count(nthreads);
+    job.device = options.device;
+    job.progress = options.progress;
+    job.statistics = &statistics;
+    const Outcome outcome = enlarge(source, sink, mapping, job, &error);
+    if (options.statistics)
+        *options.statistics = statistics;
+    if (outcome != Outcome::done) {
+        if (const std::string why = source.error(); !why.empty())
+            error = why;
+        return false;
+    }
+    if (verbose())
+        std::fprintf(
+            stderr,
+            "ddt: %d x %d to %d x %d pixels, %d of %d channels, %s light, %d iterations, "
+            "%.2f flips a pixel, %.3f s\n",
+            job.window.width(), job.window.height(), roi.width(), roi.height(), roi.nchannels(),
+            src.nchannels(), reading.light.converts() ? "converted to linear" : "unconverted",
+            statistics.iterations,
+            double(statistics.flips) / double(std::max<int64_t>(statistics.pixels, 1)), timer());
+    return true;
+}
+
+bool resize_by_oiio(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::ROI& roi,
+                    int nthreads, std::string& error) {
+    const auto resized = [&](OIIO::ImageBuf& out, const OIIO::ROI& part) {
+        if (OIIO::ImageBufAlgo::resize(out, src, "", 0.0f, part, nthreads))
+            return true;
+        error = out.has_error() ? out.geterror() : "OpenImageIO's resize failed";
+        return false;
+    };
+    if (roi.chbegin == 0 && roi.chend == dst.nchannels() && roi.chend == src.nchannels())
+        return resized(dst, roi);
+    OIIO::ImageSpec spec = src.spec();
+    spec.set_format(dst.spec().format);
+    OIIO::ROI part = roi;
+    part.chbegin = 0;
+    part.chend = src.nchannels();
+    OIIO::set_roi(spec, part);
+    OIIO::set_roi_full(spec, dst.roi_full());
+    if (!check_size(part, spec.nchannels, spec.format, error))
+        return false;
+    OIIO::ImageBuf all(spec);
+    return resized(all, part) && copy_moved(dst, all, roi, 0, 0, Beyond::edge, error);
+}
+
+} // namespace ddt

@@ -1,0 +1,123 @@
+#include "ddt/resize.h"
+
+#include <algorithm>
+
+#include <OpenImageIO/imagebufalgo_util.h>
+
+#include "plugin/image/channels.h"
+#include "plugin/image/pixels.h"
+#include "plugin/image/windows.h"
+#include "plugin/imagebuf/guarded.h"
+#include "plugin/imagebuf/resample.h"
+
+namespace ddt {
+namespace {
+
+/// OpenImageIO's filter has this radius along an axis whose size it does not change. Pixels there
+/// make the result of a part that of the whole.
+constexpr int margin = 4;
+
+/// Bytes that the image between enlarging and shrinking may have, about.
+constexpr int64_t band_bytes = int64_t(48) << 20;
+
+/// Enlarge along the axis that grows into an image that still has the source's size along the
+/// other, and leave that to OpenImageIO.
+bool enlarge_then_shrink(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::ROI& roi,
+                         bool shrink_x, const Options& options, int nthreads, std::string& error) {
+    OIIO::ROI part = src.roi(), full = src.roi_full();
+    if (shrink_x) {
+        part.ybegin = roi.ybegin - margin;
+        part.yend = roi.yend + margin;
+        full.ybegin = dst.roi_full().ybegin;
+        full.yend = dst.roi_full().yend;
+    } else {
+        part.xbegin = roi.xbegin - margin;
+        part.xend = roi.xend + margin;
+        full.xbegin = dst.roi_full().xbegin;
+        full.xend = dst.roi_full().xend;
+    }
+    OIIO::ImageSpec spec = src.spec();
+    // Float: rounding is left to the second step.
+    if (!is_id_type(spec.format))
+        spec.set_format(OIIO::TypeFloat);
+    OIIO::set_roi(spec, part);
+    OIIO::set_roi_full(spec, full);
+    if (!check_size(part, spec.nchannels, spec.format, error))
+        return false;
+    OIIO::ImageBuf between(spec);
+    if (!between.initialized()) {
+        error = "out of memory";
+        return false;
+    }
+    const ResizeMapping mapping(x_axis(src.spec(), spec, part), y_axis(src.spec(), spec, part));
+    return resample(between, src, mapping, part, options, nthreads, error) &&
+           resize_by_oiio(dst, between, roi, nthreads, error);
+}
+
+/// The same in bands across the axis that grows, so that what is between never is large.
+bool enlarge_then_shrink_in_bands(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src,
+                                  const OIIO::ROI& roi, bool shrink_x, const Options& options,
+                                  int nthreads, std::string& error) {
+    const int begin = shrink_x ? roi.ybegin : roi.xbegin, end = shrink_x ? roi.yend : roi.xend;
+    const int64_t line = int64_t(shrink_x ? src.spec().width : src.spec().height) *
+                         src.nchannels() * int64_t(sizeof(float));
+    const int band =
+        int(std::min<int64_t>(end - begin, std::max<int64_t>(band_bytes / line - 2 * margin, 16)));
+    for (int at = begin; at < end; at += band) {
+        const int n = std::min(band, end - at);
+        OIIO::ROI part = roi;
+        (shrink_x ? part.ybegin : part.xbegin) = at;
+        (shrink_x ? part.yend : part.xend) = at + n;
+        Options of_part = options;
+        if (options.progress)
+            of_part.progress = [&](float share) {
+                return options.progress((float(at - begin) + share * float(n)) /
+                                        float(end - begin));
+            };
+        if (!enlarge_then_shrink(dst, src, part, shrink_x, of_part, nthreads, error))
+            return false;
+    }
+    return true;
+}
+
+bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options,
+                    OIIO::ROI roi, int nthreads, OIIO::ROI& touched, std::string& error) {
+    using namespace OIIO::ImageBufAlgo;
+    if (!prepare(dst, src, roi, IBAprep_NO_SUPPORT_VOLUME | IBAprep_NO_COPY_ROI_FULL, error))
+        return false;
+    if (roi.width() <= 0)
+        return true;
+    touched = roi;
+    const OIIO::ROI from = src.roi_full(), to = dst.roi_full();
+    const bool shrink_x = to.width() < from.width(), shrink_y = to.height() < from.height();
+    const bool grow_x = to.width() > from.width(), grow_y = to.height() > from.height();
+    if ((shrink_x && !grow_y) || (shrink_y && !grow_x))
+        return resize_by_oiio(dst, src, roi, nthreads, error);
+    if (shrink_x || shrink_y)
+        return enlarge_then_shrink_in_bands(dst, src, roi, shrink_x, options, nthreads, error);
+    if (!grow_x && !grow_y)
+        return copy_moved(dst, src, roi, to.xbegin - from.xbegin, to.ybegin - from.ybegin,
+                          Beyond::edge, error);
+    const ResizeMapping mapping(x_axis(src.spec(), dst.spec(), roi),
+                                y_axis(src.spec(), dst.spec(), roi));
+    return resample(dst, src, mapping, roi, options, nthreads, error);
+}
+
+} // namespace
+
+bool resize(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options, OIIO::ROI roi,
+            int nthreads) {
+    if (&dst == &src) {
+        const OIIO::ImageBuf copy(src);
+        return resize(dst, copy, options, roi, nthreads);
+    }
+    return guarded(dst, [&](OIIO::ROI& touched, std::string& error) {
+        if (!check_source(src, error))
+            return false;
+        OIIO::ImageBuf ids;
+        const OIIO::ImageBuf& exact = read_ids(src, ids) ? ids : src;
+        return resize_checked(dst, exact, options, roi, nthreads, touched, error);
+    });
+}
+
+} // namespace ddt

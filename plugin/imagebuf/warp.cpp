@@ -1,0 +1,109 @@
+#include <cmath>
+
+#include <OpenImageIO/imagebufalgo_util.h>
+#include <OpenImageIO/strutil.h>
+
+#include "ddt/resize.h"
+#include "plugin/image/pixels.h"
+#include "plugin/image/windows.h"
+#include "plugin/imagebuf/guarded.h"
+#include "plugin/imagebuf/matrix.h"
+#include "plugin/imagebuf/resample.h"
+
+namespace ddt {
+namespace {
+
+Projective matrix_of(OIIO::M33fParam M) {
+    Projective p;
+    for (int i = 0; i < 9; ++i)
+        p.m[i] = M.data()[i];
+    return p;
+}
+
+/// The pixels whose centres the image of `roi` touches, as ImageBufAlgo::warp finds them: in
+/// float32. False if that is no size at all.
+bool image_of(const float* m, OIIO::ROI& roi, std::string& error) {
+    float min_x = 0, max_x = 0, min_y = 0, max_y = 0;
+    bool first = true;
+    for (const int corner : {0, 1, 2, 3}) {
+        const float x = corner & 1 ? float(roi.xend) - 0.5f : float(roi.xbegin) + 0.5f;
+        const float y = corner & 2 ? float(roi.yend) - 0.5f : float(roi.ybegin) + 0.5f;
+        const float w = x * m[2] + y * m[5] + m[8];
+        const float px = (x * m[0] + y * m[3] + m[6]) / w, py = (x * m[1] + y * m[4] + m[7]) / w;
+        // Written so that a NaN anywhere stays and is found below.
+        min_x = first || !(px >= min_x) ? px : min_x;
+        max_x = first || !(px <= max_x) ? px : max_x;
+        min_y = first || !(py >= min_y) ? py : min_y;
+        max_y = first || !(py <= max_y) ? py : max_y;
+        first = false;
+    }
+    constexpr float limit = 1 << 29;
+    if (!(min_x > -limit && max_x < limit && min_y > -limit && max_y < limit)) {
+        error = "the matrix maps the image's corners beyond any size; coordinates are allowed "
+                "within +-536870912";
+        return false;
+    }
+    roi.xbegin = int(std::floor(min_x));
+    roi.xend = int(std::floor(max_x)) + 1;
+    roi.ybegin = int(std::floor(min_y));
+    roi.yend = int(std::floor(max_y)) + 1;
+    return true;
+}
+
+bool warp_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fParam M,
+                  const Options& options, bool recompute_roi, OIIO::ImageBuf::WrapMode wrap,
+                  OIIO::ROI roi, int nthreads, OIIO::ROI& touched, std::string& error) {
+    const Projective to_output = matrix_of(M);
+    Projective to_source;
+    if (!to_output.invert(to_source)) {
+        error = "the matrix has no inverse; give one that maps the plane onto the plane";
+        return false;
+    }
+    if (!dst.initialized() && !roi.defined()) {
+        roi = src.roi();
+        if (recompute_roi && !image_of(M.data(), roi, error))
+            return false;
+    }
+    if (!prepare(dst, src, roi, OIIO::ImageBufAlgo::IBAprep_NO_SUPPORT_VOLUME, error))
+        return false;
+    if (roi.width() <= 0)
+        return true;
+    touched = roi;
+
+    int dx = 0, dy = 0;
+    const bool black = wrap == OIIO::ImageBuf::WrapDefault || wrap == OIIO::ImageBuf::WrapBlack;
+    if (black && moves_only(to_output, dx, dy))
+        return copy_moved(dst, src, roi, dx, dy, Beyond::black, error);
+    if (!black || shrinks(to_output, rect_of(src.roi()))) {
+        if (OIIO::ImageBufAlgo::warp(dst, src, M, "", 0.0f, recompute_roi, wrap, roi, nthreads))
+            return true;
+        error = dst.has_error() ? dst.geterror() : "OpenImageIO's warp failed";
+        return false;
+    }
+    if (!OIIO::ImageBufAlgo::zero(dst, roi, nthreads)) {
+        error = dst.geterror();
+        return false;
+    }
+    const MatrixMapping mapping(to_source, to_output, rect_of(src.roi()), rect_of(roi));
+    return resample(dst, src, mapping, roi, options, nthreads, error);
+}
+
+} // namespace
+
+bool warp(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fParam M, const Options& options,
+          bool recompute_roi, OIIO::ImageBuf::WrapMode wrap, OIIO::ROI roi, int nthreads) {
+    if (&dst == &src) {
+        const OIIO::ImageBuf copy(src);
+        return warp(dst, copy, M, options, recompute_roi, wrap, roi, nthreads);
+    }
+    return guarded(dst, [&](OIIO::ROI& touched, std::string& error) {
+        if (!check_source(src, error))
+            return false;
+        OIIO::ImageBuf ids;
+        const OIIO::ImageBuf& exact = read_ids(src, ids) ? ids : src;
+        return warp_checked(dst, exact, M, options, recompute_roi, wrap, roi, nthreads, touched,
+                            error);
+    });
+}
+
+} // namespace ddt

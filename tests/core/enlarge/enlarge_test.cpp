@@ -1,0 +1,596 @@
+#include "ddt/core.h"
+
+#include <cfloat>
+#include <new>
+#include <stdexcept>
+
+#include <tbb/global_control.h>
+
+#include "core/base/arith.h"
+#include "core/sample/evaluate.h"
+#include "core/surface/consistency.h"
+#include "core/triangulate/triangulate.h"
+#include "tests/core/helpers.h"
+#include "tests/core/job_helpers.h"
+
+namespace ddt::test {
+namespace {
+
+constexpr Surface surfaces[] = {Surface::linear, Surface::patch};
+
+std::vector<float> run(TestSource& source, const Job& job, const Mapping& mapping, Rect out) {
+    TestSink sink(out, job.channels);
+    std::string error;
+    EXPECT_EQ(enlarge(source, sink, mapping, job, &error), Outcome::done) << error;
+    EXPECT_EQ(error, "");
+    EXPECT_EQ(sink.strays, 0);
+    EXPECT_EQ(sink.written(1), int64_t(out.area()));
+    return sink.values();
+}
+
+std::vector<float> crop(const std::vector<float>& values, Rect whole, Rect part, int channels) {
+    std::vector<float> r;
+    for (int y = part.y0; y < part.y1; ++y)
+        for (int x = part.x0; x < part.x1; ++x)
+            for (int c = 0; c < channels; ++c)
+                r.push_back(
+                    values[(size_t(y - whole.y0) * size_t(whole.width()) + size_t(x - whole.x0)) *
+                               size_t(channels) +
+                           size_t(c)]);
+    return r;
+}
+
+/// More threads than this machine may have cores.
+class ManyThreads {
+    tbb::global_control m_control{tbb::global_control::max_allowed_parallelism, 8};
+};
+
+TEST(Enlarge, AnyNumberOfThreadsGivesTheSameBits) {
+    const ManyThreads allowed;
+    TestSource source({-20, 5, 560, 320}, 3, 1);
+    const Rect out{0, 0, 900, 600};
+    const auto mapping = mapping_of(source.window(), out, out);
+    for (const Surface surface : surfaces) {
+        Job job = job_of(source, 3);
+        job.surface = surface;
+        job.surface.soft = 0.3f;
+        job.surface.consistency = 1;
+        const auto one = run(source, job, mapping, out);
+        for (const int threads : {2, 7, 0}) {
+            job.threads = threads;
+            ASSERT_EQ(differing(run(source, job, mapping, out), one), 0u) << threads;
+        }
+    }
+}
+
+/// Has memory of its own, with something between the rows that is not to be touched.
+class PlacingSink final : public TestSink {
+public:
+    static constexpr float untouched = -55.0f;
+    static constexpr size_t gap = 3;
+
+    PlacingSink(Rect out, int channels)
+        : TestSink(out, channels), m_out(out), m_channels(size_t(channels)),
+          m_row(size_t(out.width()) * m_channels + gap),
+          m_memory(m_row * size_t(out.height()), untouched) {}
+
+    float* place(const Rect& r, size_t& row) override {
+        ++places;
+        row = m_row;
+        return m_memory.data() + size_t(r.y0 - m_out.y0) * m_row +
+               size_t(r.x0 - m_out.x0) * m_channels;
+    }
+
+    /// The rows without what is between them, which is checked.
+    std::vector<float> rows() const {
+        std::vector<float> result;
+        for (size_t i = 0; i < m_memory.size(); ++i)
+            if (i % m_row < m_row - gap)
+                result.push_back(m_memory[i]);
+            else
+                EXPECT_EQ(m_memory[i], untouched);
+        return result;
+    }
+
+    std::atomic<int> places{0};
+
+private:
+    Rect m_out;
+    size_t m_channels, m_row;
+    std::vector<float> m_memory;
+};
+
+TEST(Enlarge, PutsTheSameBitsIntoTheSinksMemory) {
+    const ManyThreads allowed;
+    for (const int channels : {1, 2, 3, 4, 6})
+        for (const Rect out : {Rect{0, 0, 633, 402}, Rect{211, 100, 633, 300}}) {
+            TestSource source({-20, 5, 300, 200}, channels, 7);
+            const auto mapping = mapping_of(source.window(), {0, 0, 640, 410}, out);
+            Job job = job_of(source, channels, 3);
+            job.surface.soft = 0.4f;
+            const auto written = run(source, job, mapping, out);
+            PlacingSink sink(out, channels);
+            ASSERT_EQ(enlarge(source, sink, mapping, job, nullptr), Outcome::done);
+            EXPECT_EQ(sink.writes, 0);
+            EXPECT_GT(sink.places, 1);
+            EXPECT_EQ(differing(sink.rows(), written), 0u) << channels;
+        }
+}
+
+/// Copies of the nearest pixel come a row at a time, with something past its end: by write().
+TEST(Enlarge, PutsNothingIntoTheSinksMemoryWhereChannelsAreNearest) {
+    TestSource source({0, 0, 50, 40}, 2, 7);
+    const Rect out{0, 0, 120, 90};
+    Job job = job_of(source, 2);
+    job.kinds = {Channel::blend, Channel::nearest};
+    PlacingSink sink(out, 2);
+    ASSERT_EQ(enlarge(source, sink, mapping_of(source.window(), out, out), job, nullptr),
+              Outcome::done);
+    EXPECT_EQ(sink.places, 0);
+    EXPECT_EQ(sink.written(1), int64_t(out.area()));
+}
+
+TEST(Enlarge, AnyPartOfTheOutputHasTheBitsOfTheWhole) {
+    TestSource source({-20, 5, 560, 320}, 2, 2);
+    const Rect to{-10, 30, 690, 430};
+    const Rect whole{-60, 0, 750, 470}; // beyond the window too: clamped
+    const Job job = job_of(source, 2);
+    const auto all = run(source, job, mapping_of(source.window(), to, whole), whole);
+    Random random(3);
+    for (int i = 0; i < 12; ++i) {
+        Rect part;
+        part.x0 = random.between(whole.x0, whole.x1 - 1);
+        part.x1 = random.between(part.x0 + 1, std::min(whole.x1, part.x0 + 200));
+        part.y0 = random.between(whole.y0, whole.y1 - 1);
+        part.y1 = random.between(part.y0 + 1, std::min(whole.y1, part.y0 + 200));
+        const auto values = run(source, job, mapping_of(source.window(), to, part), part);
+        ASSERT_EQ(differing(values, crop(all, whole, part, 2)), 0u);
+    }
+}
+
+TEST(Enlarge, ShiftedWindowsShiftTheResult) {
+    Job job;
+    const Rect window{0, 0, 290, 40}, to{0, 0, 500, 90};
+    std::vector<float> first;
+    for (const Pixel by : {Pixel{0, 0}, Pixel{1, -1}, Pixel{-1000, 7}, Pixel{123456, -(1 << 28)}})
+        for (const Pixel out : {Pixel{0, 0}, Pixel{-37, 1 << 20}}) {
+            const Rect w{window.x0 + by.x, window.y0 + by.y, window.x1 + by.x, window.y1 + by.y};
+            const Rect t{to.x0 + out.x, to.y0 + out.y, to.x1 + out.x, to.y1 + out.y};
+            TestSource source(w, 1, 5);
+            const auto values = run(source, job_of(source, 1), mapping_of(w, t, t), t);
+            if (first.empty())
+                first = values;
+            ASSERT_EQ(differing(values, first), 0u);
+        }
+}
+
+/// The surface of the whole picture as one lattice at the mapping's positions.
+std::vector<float> untiled(const TestSource& source, const Job& job, const ResizeMapping& mapping,
+                           Rect out) {
+    const Rect w = source.window();
+    Lattice lattice;
+    Workspace workspace;
+    Statistics statistics;
+    Net net;
+    EdgeMaker edges;
+    Search search;
+    LocatedRow row;
+    lattice.start(w.width(), w.height(), source.guide().data(), true);
+    const DenormalsAreZero zero;
+    triangulate(lattice, job.mesh, workspace, statistics);
+    lattice.find_divisions();
+    lattice.find_first_edges();
+    set_vertices(lattice, source.values().data(), 1, 0, 1, net);
+    if (job.surface.soft > 0)
+        find_gains(lattice, job.mesh.cost, workspace);
+    const auto shape = [&] {
+        make_edges(lattice, {0, 0, w.width(), w.height()}, true,
+                   job.surface.soft > 0 ? workspace.gain.data() : nullptr, job.surface.soft, edges,
+                   net);
+    };
+    Consistency consistency;
+    consistency.begin(lattice, net, job.surface.limit);
+    for (int i = 0; i < job.surface.consistency; ++i) {
+        shape();
+        consistency.correct(lattice, job.surface.kind, net);
+    }
+    shape();
+    search.begin();
+    std::vector<float> values(out.area() + row_padding);
+    std::vector<Position> positions(size_t(out.width()));
+    std::vector<uint8_t> inside(size_t(out.width()));
+    for (int y = out.y0; y < out.y1; ++y) {
+        mapping.row(y, out.x0, out.x1, positions.data(), inside.data());
+        std::vector<Point> points;
+        for (const Position& p : positions)
+            points.push_back({int32_t(p.x - int64_t(w.x0) * position_one),
+                              int32_t(p.y - int64_t(w.y0) * position_one)});
+        locate_row(lattice, points.data(), out.width(), search, row);
+        evaluate_row(net, job.surface.kind, 0, row, 1, 0, 1,
+                     values.data() + size_t(y - out.y0) * size_t(out.width()));
+    }
+    values.resize(out.area());
+    return values;
+}
+
+TEST(Enlarge, TilesShowNoSeams) {
+    for (const Kind kind : {Kind::shapes, Kind::noise, Kind::few}) {
+        TestSource source({3, -9, 333, 531}, 1, 6, kind);
+        const Rect out{0, 0, 400, 630};
+        const auto mapping = mapping_of(source.window(), out, out);
+        Job job = job_of(source, 1);
+        const auto tiled = run(source, job, mapping, out);
+        ASSERT_EQ(source.reads.size(), 6u);
+        EXPECT_EQ(differing(tiled, untiled(source, job, mapping, out)), 0u) << int(kind);
+        job.surface.soft = 0.3f;
+        job.surface.consistency = 2;
+        const auto sharp = run(source, job, mapping, out);
+        EXPECT_EQ(differing(sharp, untiled(source, job, mapping, out)), 0u) << int(kind);
+        EXPECT_GT(differing(sharp, tiled), 100000u);
+    }
+}
+
+TEST(Enlarge, PositionsOneByOneGiveTheBitsOfRows) {
+    TestSource source({-5, 2, 275, 290}, 5, 7);
+    const Rect out{0, 0, 400, 433};
+    const auto mapping = mapping_of(source.window(), out, out);
+    for (const int threads : {1, 3}) {
+        const Job job = job_of(source, 5, threads);
+        const auto rows = run(source, job, mapping, out);
+        EXPECT_EQ(differing(run(source, job, Opaque(mapping), out), rows), 0u);
+    }
+}
+
+/// A picture turned by about 27 degrees; pixels that show nothing of it are left out.
+class Turned final : public Mapping {
+public:
+    Turned(Rect window, Rect out) : m_window(window), m_out(out) {}
+    Rect reach(double, double, double, double) const override { return m_out; }
+    void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override {
+        for (int x = x0; x < x1; ++x, ++positions, ++inside) {
+            *positions = {int64_t(x) * 32768 - int64_t(y) * 16384 + 30 * 65536 + 77,
+                          int64_t(x) * 16384 + int64_t(y) * 32768 - 20 * 65536 + 5};
+            *inside = shows(*positions);
+        }
+    }
+    bool shows(Position p) const {
+        return p.x >= m_window.x0 * 65536 && p.x <= (m_window.x1 - 1) * 65536 &&
+               p.y >= m_window.y0 * 65536 && p.y <= (m_window.y1 - 1) * 65536;
+    }
+
+private:
+    Rect m_window, m_out;
+};
+
+TEST(Enlarge, AMappingMayLeavePixelsOut) {
+    TestSource source({0, 0, 300, 280}, 1, 8);
+    // The pixels' own coordinates as values: a plane, which comes back exactly.
+    for (size_t i = 0; i < source.values().size(); ++i)
+        source.values()[i] = float(i % 300);
+    const Rect out{0, 0, 500, 520};
+    const Turned mapping(source.window(), out);
+    for (const int threads : {1, 2}) {
+        TestSink sink(out, 1);
+        const Job job = job_of(source, 1, threads);
+        ASSERT_EQ(enlarge(source, sink, mapping, job), Outcome::done);
+        ASSERT_EQ(sink.written(0) + sink.written(1), int64_t(out.area()));
+        int64_t shown = 0;
+        for (int y = 0; y < out.y1; ++y) {
+            std::vector<Position> p(size_t(out.width()));
+            std::vector<uint8_t> inside(size_t(out.width()));
+            mapping.row(y, 0, out.x1, p.data(), inside.data());
+            for (int x = 0; x < out.x1; ++x) {
+                const float v = *sink.at(x, y);
+                if (inside[size_t(x)])
+                    ASSERT_NEAR(v, float(p[size_t(x)].x) / 65536.0f, 1e-4f);
+                else
+                    ASSERT_EQ(v, -99.0f);
+                shown += inside[size_t(x)];
+            }
+        }
+        EXPECT_EQ(sink.written(1), shown);
+        EXPECT_GT(shown, 60000);
+    }
+}
+
+TEST(Enlarge, SameSizeGivesThePixels) {
+    for (const int channels : {1, 2, 3, 4, 5, 6, 7, 8, 9, 64}) {
+        TestSource source({10, -10, 40, 13}, channels, 9);
+        for (const Surface surface : surfaces) {
+            Job job = job_of(source, channels);
+            job.surface = surface;
+            const Rect w = source.window();
+            const auto values = run(source, job, mapping_of(w, w, w), w);
+            ASSERT_EQ(differing(values, source.values()), 0u) << channels;
+        }
+    }
+}
+
+TEST(Enlarge, ChannelsDoNotKnowOfOneAnother) {
+    for (const int channels : {2, 3, 4, 5, 9}) {
+        TestSource source({0, 0, 33, 21}, channels, 10);
+        const Rect out{0, 0, 100, 50};
+        const auto mapping = mapping_of(source.window(), out, out);
+        const auto all = run(source, job_of(source, channels), mapping, out);
+        TestSource one({0, 0, 33, 21}, 1, 10);
+        for (int c = 0; c < channels; ++c) {
+            for (size_t i = 0; i < one.values().size(); ++i)
+                one.values()[i] = source.values()[i * size_t(channels) + size_t(c)];
+            const auto values = run(one, job_of(one, 1), mapping, out);
+            for (size_t i = 0; i < values.size(); ++i)
+                ASSERT_EQ(bits_of(values[i]), bits_of(all[i * size_t(channels) + size_t(c)]));
+        }
+    }
+}
+
+TEST(Enlarge, NearestChannelsAreCopies) {
+    const int channels = 7;
+    TestSource source({0, 0, 40, 30}, channels, 11);
+    Random random(11);
+    std::vector<uint32_t> ids;
+    for (size_t i = 0; i < source.values().size(); ++i)
+        if (i % channels == 1 || i % channels == 6) {
+            ids.push_back(uint32_t(random.bits()) | (i % 3 ? 0x7f800000u : 0u));
+            source.values()[i] = float_of(ids.back());
+        }
+    std::sort(ids.begin(), ids.end());
+    Job job = job_of(source, channels);
+    const Rect out{0, 0, 111, 93};
+    const auto mapping = mapping_of(source.window(), out, out);
+    const auto blend = run(source, job, mapping, out);
+    job.kinds.assign(channels, Channel::blend);
+    ASSERT_EQ(differing(run(source, job, mapping, out), blend), 0u);
+    job.kinds[1] = job.kinds[6] = Channel::nearest;
+    const auto values = run(source, job, mapping, out);
+    for (size_t i = 0; i < values.size(); ++i)
+        if (i % channels == 1 || i % channels == 6)
+            ASSERT_TRUE(std::binary_search(ids.begin(), ids.end(), bits_of(values[i])));
+        else
+            ASSERT_EQ(bits_of(values[i]), bits_of(blend[i]));
+}
+
+TEST(Enlarge, OnePixelWideOrHighPictures) {
+    for (const Surface surface : surfaces)
+        for (const Pixel size :
+             {Pixel{1, 1}, Pixel{1, 9}, Pixel{9, 1}, Pixel{1, 300}, Pixel{300, 1}})
+            for (const int channels : {1, 3, 5}) {
+                SCOPED_TRACE(::testing::Message() << size.x << " x " << size.y);
+                TestSource source({4, 4, 4 + size.x, 4 + size.y}, channels, 12);
+                Job job = job_of(source, channels);
+                job.surface = surface;
+                const Rect out{0, 0, 3 * size.x, 3 * size.y};
+                const auto mapping = mapping_of(source.window(), out, out);
+                const auto values = run(source, job, mapping, out);
+                const int n = std::max(size.x, size.y);
+                const auto z = [&](int i, int c) {
+                    i = std::clamp(i, 0, n - 1);
+                    return source.values()[size_t(i * channels + c)];
+                };
+                for (int y = 0; y < out.y1; ++y)
+                    for (int x = 0; x < out.x1; ++x)
+                        for (int c = 0; c < channels; ++c) {
+                            // Output pixel i shows position (i - 1) / 3.
+                            const int i = size.x > 1 ? x : size.y > 1 ? y : 1;
+                            const float v = values[size_t((y * out.x1 + x) * channels + c)];
+                            const int j = (i + 2) / 3 - 1, k = j + (i % 3 != 1);
+                            ASSERT_GE(v, std::min(z(j, c), z(k, c)));
+                            ASSERT_LE(v, std::max(z(j, c), z(k, c)));
+                            if (surface == Surface::linear) {
+                                const float t = float((i + 2) % 3) / 3.0f;
+                                ASSERT_NEAR(v, z(j, c) + t * (z(k, c) - z(j, c)), 2e-5f);
+                            }
+                        }
+            }
+}
+
+TEST(Enlarge, ReadsNoMoreThanATileAtOnceAndOnlyWhatIsNeeded) {
+    TestSource source({0, 0, 900, 700}, 1, 13);
+    const Rect to{0, 0, 1800, 1400}, out{1100, 600, 1200, 650};
+    run(source, job_of(source, 1), mapping_of(source.window(), to, out), out);
+    // Source pixels 550 to 600, 300 to 325: the third tile of the second row.
+    ASSERT_EQ(source.reads.size(), 1u);
+    EXPECT_EQ(source.reads[0].x0, 512 - 32);
+    EXPECT_EQ(source.reads[0].x1, 768 + 1 + 32);
+    EXPECT_EQ(source.reads[0].y0, 256 - 32);
+    EXPECT_EQ(source.reads[0].y1, 512 + 1 + 32);
+}
+
+TEST(Enlarge, NothingWantedIsNothingDone) {
+    TestSource source({0, 0, 20, 20}, 1, 13);
+    const Rect to{0, 0, 40, 40}, out{7, 7, 7, 20};
+    TestSink sink(to, 1);
+    const auto mapping = mapping_of(source.window(), to, out);
+    EXPECT_EQ(enlarge(source, sink, mapping, job_of(source, 1)), Outcome::done);
+    EXPECT_EQ(sink.writes, 0);
+    EXPECT_TRUE(source.reads.empty());
+}
+
+TEST(Enlarge, ManyChannelsWorkOnFewerTilesAtOnce) {
+    // 64 channels take some 130 MB a tile; only one may be in flight.
+    const ManyThreads allowed;
+    TestSource source({0, 0, 400, 280}, 64, 14, Kind::flat);
+    const Rect to{0, 0, 400, 280};
+    const auto mapping = mapping_of(source.window(), to, to);
+    const auto values = run(source, job_of(source, 64, 7), mapping, to);
+    EXPECT_EQ(source.reads.size(), 4u);
+    EXPECT_EQ(source.most_running, 1);
+    EXPECT_EQ(differing(values, source.values()), 0u);
+}
+
+TEST(Enlarge, StatisticsAreSumsOverTheTiles) {
+    TestSource source({0, 0, 300, 100}, 1, 15);
+    const Rect out{0, 0, 300, 100};
+    const auto mapping = mapping_of(source.window(), out, out);
+    Statistics one, two;
+    two.flips = 12345; // what is in it is overwritten
+    Job job = job_of(source, 1);
+    job.statistics = &one;
+    run(source, job, mapping, out);
+    int64_t pixels = 0;
+    for (const Rect& r : source.reads)
+        pixels += int64_t(r.area());
+    EXPECT_EQ(source.reads.size(), 2u);
+    EXPECT_EQ(one.pixels, pixels);
+    EXPECT_GT(one.flips, 1000);
+    EXPECT_GT(one.evaluations, 2 * pixels);
+    EXPECT_GT(one.iterations, 2);
+    EXPECT_LE(one.iterations, 64);
+    job.statistics = &two;
+    job.threads = 4;
+    run(source, job, mapping, out);
+    EXPECT_EQ(two.pixels, one.pixels);
+    EXPECT_EQ(two.flips, one.flips);
+    EXPECT_EQ(two.evaluations, one.evaluations);
+    EXPECT_EQ(two.iterations, one.iterations);
+}
+
+TEST(Enlarge, ProgressRisesToOneAndIsNeverCalledTwiceAtOnce) {
+    TestSource source({0, 0, 600, 530}, 1, 16, Kind::flat);
+    const Rect out{0, 0, 600, 530};
+    const ManyThreads allowed;
+    for (const int threads : {1, 4}) {
+        Job job = job_of(source, 1, threads);
+        std::vector<float> shares;
+        std::atomic<int> inside{0};
+        job.progress = [&](float share) {
+            EXPECT_EQ(++inside, 1);
+            shares.push_back(share);
+            --inside;
+            return true;
+        };
+        run(source, job, mapping_of(source.window(), out, out), out);
+        ASSERT_EQ(shares.size(), 9u);
+        EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+        EXPECT_GT(shares.front(), 0.0f);
+        EXPECT_EQ(shares.back(), 1.0f);
+    }
+}
+
+TEST(Enlarge, ProgressCanCancel) {
+    TestSource source({0, 0, 600, 530}, 1, 17, Kind::flat);
+    const Rect out{0, 0, 600, 530};
+    const ManyThreads allowed;
+    for (const int threads : {1, 3}) {
+        source.reads.clear();
+        Job job = job_of(source, 1, threads);
+        int calls = 0;
+        job.progress = [&](float) { return ++calls < 2; };
+        TestSink sink(out, 1);
+        std::string error;
+        const auto mapping = mapping_of(source.window(), out, out);
+        EXPECT_EQ(enlarge(source, sink, mapping, job, &error), Outcome::cancelled);
+        EXPECT_EQ(error, "ddt: cancelled");
+        EXPECT_EQ(calls, 2);
+        // Those in flight may end, no more begin.
+        EXPECT_LE(source.reads.size(), size_t(1 + 2 * threads));
+        EXPECT_GT(sink.written(0), 0);
+    }
+}
+
+/// A source or sink that fails, by returning false or by throwing, after some calls.
+enum class Failure { none, returns, throws_memory, throws };
+struct FailingSource final : TestSource {
+    using TestSource::TestSource;
+    Failure failure = Failure::returns;
+    int good = 0; ///< calls that go well
+    bool read(const Rect& r, float* values, float* guide) override {
+        if (int(reads.size()) < good || failure == Failure::none)
+            return TestSource::read(r, values, guide);
+        if (failure == Failure::throws_memory)
+            throw std::bad_alloc();
+        if (failure == Failure::throws)
+            throw std::runtime_error("no such reel");
+        return false;
+    }
+};
+struct FailingSink final : TestSink {
+    using TestSink::TestSink;
+    bool write(const Rect& r, float* values) override {
+        return writes < 1 && TestSink::write(r, values);
+    }
+};
+
+TEST(Enlarge, AFailingSourceOrSinkEndsTheWork) {
+    const Rect window{0, 0, 600, 530};
+    const auto mapping = mapping_of(window, window, window);
+    const ManyThreads allowed;
+    for (const int threads : {1, 3}) {
+        std::string error;
+        FailingSource source(window, 1, 18, Kind::flat);
+        const auto outcome = [&](Failure failure, int good) {
+            source.failure = failure;
+            source.reads.clear();
+            source.good = good;
+            TestSink sink(window, 1);
+            return enlarge(source, sink, mapping, job_of(source, 1, threads), &error);
+        };
+        EXPECT_EQ(outcome(Failure::returns, 0), Outcome::source_failed);
+        EXPECT_EQ(error, "ddt: the source could not be read");
+        EXPECT_EQ(outcome(Failure::returns, 3), Outcome::source_failed);
+        EXPECT_EQ(outcome(Failure::throws_memory, 0), Outcome::out_of_memory);
+        EXPECT_EQ(error, "ddt: out of memory");
+        EXPECT_EQ(outcome(Failure::throws, 0), Outcome::bad_job);
+        EXPECT_EQ(error, "ddt: no such reel");
+        EXPECT_EQ(outcome(Failure::none, 0), Outcome::done);
+        EXPECT_EQ(error, "");
+
+        source.reads.clear();
+        FailingSink sink(window, 1);
+        EXPECT_EQ(enlarge(source, sink, mapping, job_of(source, 1, threads), &error),
+                  Outcome::sink_failed);
+        EXPECT_EQ(error, "ddt: the result could not be written");
+        EXPECT_LE(source.reads.size(), size_t(1 + threads));
+    }
+}
+
+TEST(Enlarge, BadJobsAreToldFromGoodOnes) {
+    TestSource source({0, 0, 8, 8}, 2, 19);
+    const Rect out{0, 0, 16, 16};
+    const auto mapping = mapping_of(source.window(), out, out);
+    const auto outcome = [&](auto&& change, const char* word) {
+        Job job = job_of(source, 2);
+        change(job);
+        TestSink sink(out, 2);
+        std::string error;
+        const Outcome o = enlarge(source, sink, mapping, job, &error);
+        EXPECT_EQ(o == Outcome::done, error.empty());
+        EXPECT_NE(error.find(word), std::string::npos) << error;
+        EXPECT_EQ(error.find('\n'), std::string::npos);
+        EXPECT_EQ(enlarge(source, sink, mapping, job, nullptr), o);
+        return o;
+    };
+    constexpr int far = 1 << 29;
+    EXPECT_EQ(outcome([](Job&) {}, ""), Outcome::done);
+    EXPECT_EQ(outcome([](Job& j) { j.mesh.max_iterations = 0; }, ""), Outcome::done);
+    EXPECT_EQ(outcome([](Job& j) { j.mesh.max_iterations = 250; }, ""), Outcome::done);
+    EXPECT_EQ(outcome([](Job& j) { j.window = {0, 0, 0, 8}; }, "window"), Outcome::bad_job);
+    EXPECT_EQ(outcome([](Job& j) { j.window = {0, 9, 8, 8}; }, "window"), Outcome::bad_job);
+    EXPECT_EQ(outcome([](Job& j) { j.window.x1 = far + 1; }, "window"), Outcome::bad_job);
+    EXPECT_EQ(outcome([](Job& j) { j.window.y0 = -far - 1; }, "window"), Outcome::bad_job);
+    EXPECT_EQ(outcome(
+                  [](Job& j) {
+                      j.window = {-far, -far, far, far};
+                  },
+                  "window"),
+              Outcome::bad_job);
+    EXPECT_EQ(outcome([](Job& j) { j.channels = 0; }, "channel"), Outcome::bad_job);
+    EXPECT_EQ(outcome([](Job& j) { j.kinds.resize(1); }, "kinds"), Outcome::bad_job);
+    EXPECT_EQ(outcome([](Job& j) { j.kinds.resize(3); }, "kinds"), Outcome::bad_job);
+    EXPECT_EQ(outcome([](Job& j) { j.mesh.max_iterations = -1; }, "max_iter"), Outcome::bad_job);
+    EXPECT_EQ(outcome([](Job& j) { j.mesh.max_iterations = 251; }, "max_iter"), Outcome::bad_job);
+}
+
+TEST(Enlarge, PixelsOfAnyKindAreWorkedOn) {
+    const float inf = std::numeric_limits<float>::infinity();
+    const float odd[] = {inf, -inf, std::nanf(""), 1e38f, -1e38f, 3.4e38f, 1e-40f, 0.0f, 1.0f};
+    Random random(20);
+    const auto values = fill(30 * 30 * 3, [&] { return odd[random.below(9)]; });
+    for (const Surface surface : surfaces) {
+        std::vector<float> out(90 * 90 * 3);
+        EXPECT_EQ(enlarge(values.data(), 30, 30, 3, nullptr, out.data(), 90, 90, surface),
+                  Outcome::done);
+    }
+}
+
+} // namespace
+} // namespace ddt::test

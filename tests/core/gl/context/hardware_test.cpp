@@ -1,0 +1,75 @@
+// Looking for hardware before anything is loaded.
+#include "core/gl/context/hardware.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/gl/context/faults.h"
+#include "tests/core/gl/devices.h"
+#include "tests/core/gl/pictures.h"
+#include "tests/temporary.h"
+
+namespace ddt::test {
+namespace {
+
+#ifdef __linux__
+
+class Hardware : public testing::Test {
+protected:
+    void SetUp() override { gl::forget_devices(); }
+    void TearDown() override {
+        gl::arm(gl::Fault::library, 0);
+        gl::look_for_hardware_in("/dev");
+        gl::forget_devices();
+    }
+
+    /// A folder as /dev with these files.
+    static std::string folder_with(const std::string& name, const std::vector<std::string>& files) {
+        const std::filesystem::path folder = temporary(name);
+        std::filesystem::create_directories(folder);
+        for (const std::string& file : files) {
+            std::filesystem::create_directories((folder / file).parent_path());
+            std::ofstream(folder / file).put('x');
+        }
+        return folder;
+    }
+
+    /// Times that a job, large enough for a GPU to be looked for, tries to load a GL library.
+    static int loads(Device device) {
+        const Picture large = make_picture(Content::flat, 2100, 2000, 1, 1);
+        Order order;
+        order.out_width = 2100;
+        order.out_height = 2000;
+        order.job.mesh.max_iterations = 0;
+        order.job.surface = Surface::linear;
+        gl::arm(gl::Fault::library, 1, 1000);
+        enlarge_on(device, large, order);
+        return gl::chances(gl::Fault::library);
+    }
+};
+
+TEST_F(Hardware, ShowsInItsDriversDeviceFiles) {
+    EXPECT_FALSE(gl::hardware_possible(temporary("no such folder")));
+    EXPECT_FALSE(gl::hardware_possible(folder_with("none", {"null", "tty", "dri/by-path/x"})));
+    int i = 0;
+    for (const char* file : {"dri/renderD128", "dri/card0", "nvidiactl", "nvidia0", "dxg"})
+        EXPECT_TRUE(gl::hardware_possible(folder_with(std::to_string(++i), {"null", file})))
+            << file;
+}
+
+TEST_F(Hardware, WithoutItNothingIsLoadedUnlessNamed) {
+    gl::look_for_hardware_in(folder_with("bare", {"null"}));
+    EXPECT_EQ(loads(Device::automatic), 0);
+    EXPECT_EQ(loads(Device::egl), 1);
+}
+
+TEST_F(Hardware, WhereItMayBeItIsLookedFor) {
+    gl::look_for_hardware_in(folder_with("card", {"dri/card0"}));
+    EXPECT_EQ(loads(Device::automatic), 1);
+    EXPECT_EQ(loads(Device::automatic), 0) << "looked for twice";
+}
+
+#endif
+
+} // namespace
+} // namespace ddt::test

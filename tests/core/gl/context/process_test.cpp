@@ -1,0 +1,131 @@
+// The GL thread among other threads, other contexts, children, and at the end of a process.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "core/gl/context/context.h"
+#include "core/gl/context/faults.h"
+#include "tests/core/gl/devices.h"
+#include "tests/core/gl/pictures.h"
+#include "tests/temporary.h"
+
+namespace ddt::test {
+namespace {
+
+class Process : public OnDevice {
+protected:
+    Picture picture = make_picture(Content::photo, 90, 70, 4, 2);
+    Order order = make_order();
+    static Order make_order() {
+        Order o;
+        o.out_width = 200;
+        o.out_height = 160;
+        return o;
+    }
+    /// What a child process ends with; -1 if by a signal or not within a minute.
+    template <class F>
+    static int in_child(F&& f) {
+        const pid_t child = fork();
+        if (child == 0) {
+            alarm(60);
+            f();
+        }
+        int status = 0;
+        waitpid(child, &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+};
+
+TEST_P(Process, ManyThreadsAtOnce) {
+    const Result cpu = enlarge_on(Device::cpu, picture, order);
+    std::vector<Result> results(6);
+    std::vector<std::thread> threads;
+    for (Result& r : results)
+        threads.emplace_back([&] { r = enlarge_on(GetParam(), picture, order); });
+    for (auto& t : threads)
+        t.join();
+    for (const Result& r : results) {
+        EXPECT_EQ(r.outcome, Outcome::done) << r.error;
+        EXPECT_EQ(r.bits, cpu.bits);
+        EXPECT_EQ(r.statistics.device, GetParam());
+    }
+}
+
+TEST_P(Process, AHostWithAContextOfItsOwnKeepsIt) {
+    std::string why;
+    const auto host = GetParam() == Device::egl ? gl::make_egl_context(gl::Wanted::any, why)
+                                                : gl::make_osmesa_context(why);
+    ASSERT_TRUE(host) << why;
+    GLuint buffer = 0;
+    host->gl.GenBuffers(1, &buffer);
+    host->gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+    const float data[] = {1, 2, 3};
+    host->gl.BufferData(GL_SHADER_STORAGE_BUFFER, sizeof data, data, GL_STATIC_DRAW);
+    expect_same(GetParam(), picture, order, "beside a host's context");
+    GLint bound = 0;
+    host->gl.GetIntegerv(GL_SHADER_STORAGE_BUFFER_BINDING, &bound);
+    EXPECT_EQ(GLuint(bound), buffer);
+    float back[3] = {};
+    host->gl.GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof back, back);
+    EXPECT_EQ(back[2], 3.0f);
+    EXPECT_EQ(host->gl.GetError(), GLenum(GL_NO_ERROR));
+}
+
+TEST_P(Process, AForkedChildUsesTheCpu) {
+    // oneTBB's threads do not survive a fork either, so the child works alone.
+    order.job.threads = 1;
+    const Result cpu = enlarge_on(Device::cpu, picture, order);
+    ASSERT_EQ(enlarge_on(GetParam(), picture, order).statistics.device, GetParam());
+    EXPECT_EQ(in_child([&] {
+                  const Result r = enlarge_on(GetParam(), picture, order);
+                  _exit(r.outcome == Outcome::done && r.statistics.device == Device::cpu &&
+                                r.bits == cpu.bits
+                            ? 7
+                            : 1);
+              }),
+              7);
+    EXPECT_EQ(enlarge_on(GetParam(), picture, order).statistics.device, GetParam());
+}
+
+TEST_P(Process, AutomaticNeverPicksASoftwareRenderer) {
+    // Large enough for a GPU to be looked for. Forked children use the CPU anyway, so not there.
+    const Picture large = make_picture(Content::flat, 2100, 2000, 1, 1);
+    Order o;
+    o.out_width = 2100;
+    o.out_height = 2000;
+    o.job.mesh.max_iterations = 0;
+    o.job.surface = Surface::linear;
+    // Both with what devices the machine has and as if it had a card.
+    std::filesystem::create_directories(temporary("dev/dri"));
+    std::ofstream(temporary("dev/dri/card0")).put('x');
+    for (const std::string& folder : {std::string("/dev"), temporary("dev")}) {
+        gl::forget_devices();
+        gl::look_for_hardware_in(folder);
+        const Result result = enlarge_on(Device::automatic, large, o);
+        EXPECT_EQ(result.outcome, Outcome::done);
+        EXPECT_EQ(result.statistics.device, Device::cpu);
+    }
+    gl::look_for_hardware_in("/dev");
+    gl::forget_devices();
+}
+
+TEST_P(Process, TheEnvironmentNamesTheDeviceOfAutomaticJobs) {
+    setenv("DDT_DEVICE", GetParam() == Device::egl ? "egl" : "osmesa", 1);
+    EXPECT_EQ(enlarge_on(Device::automatic, picture, order).statistics.device, GetParam());
+    EXPECT_EQ(enlarge_on(Device::cpu, picture, order).statistics.device, Device::cpu);
+    setenv("DDT_DEVICE", "voodoo", 1);
+    const Result result = enlarge_on(Device::automatic, picture, order);
+    unsetenv("DDT_DEVICE");
+    EXPECT_EQ(result.outcome, Outcome::device_unavailable);
+    EXPECT_NE(result.error.find("voodoo"), std::string::npos) << result.error;
+    EXPECT_NE(result.error.find("osmesa"), std::string::npos) << result.error;
+}
+
+INSTANTIATE_TEST_SUITE_P(Devices, Process, testing::Values(Device::egl, Device::osmesa),
+                         device_name);
+
+} // namespace
+} // namespace ddt::test
