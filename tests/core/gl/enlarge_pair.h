@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "ddt/core.h"
+#include "tests/core/plain.h"
 
 namespace ddt::test {
 
@@ -21,7 +22,7 @@ struct Picture {
 
 /// What is done to it.
 struct Order {
-    Job job;
+    Job job = plain_job();
     int out_width = 0, out_height = 0;
     const Mapping* mapping = nullptr; ///< null: window to window
 };
