@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
 # Shared by demo, check and the tests of these scripts; to be sourced by bash.
 #

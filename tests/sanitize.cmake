@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # The unit tests once more, compiled with the address and undefined-behaviour sanitizers in
 # build/sanitize. A test configuration of its own, as compiling takes a while: ctest -C Sanitize
 # runs it with everything else, a bare ctest leaves it out.

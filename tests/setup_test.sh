@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # What demo and check do about missing packages, with dpkg, apt-get and sudo played by functions.
 # shellcheck disable=SC2016 # scripts are kept in single quotes until their own bash runs them
 set -euo pipefail
