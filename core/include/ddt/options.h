@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What can be chosen: how the mesh is made, the surface laid over it, the device. Unless set, every
 // option is that of the filter `ddt`. The fields that a specification such as "ddt,cost=scf" can
 // set have a row each in ddt/option_table.h, which tells how to add one.
