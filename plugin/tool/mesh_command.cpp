@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "plugin/tool/commands.h"
+#include "plugin/tool/filter_flag.h"
 #include "plugin/tool/mesh_file.h"
 #include "plugin/tool/progress.h"
 
@@ -22,9 +23,9 @@ public:
         operands = {{"IN", "any image OpenImageIO reads"},
                     {"OUT", "the mesh: a name that ends in .svg, .ply or .obj"}};
         flags = {
-            {"--filter", "SPEC",
-             "how to triangulate, as the filter's name and options: ddt,scheme=lawson,cost=scf",
-             [this](const std::string& text) { return set_filter(text); }, "see below"},
+            filter_flag("how to triangulate, as the filter's name and options: "
+                        "ddt,scheme=lawson,cost=scf",
+                        m_options, m_filter_error),
             choice_flag("--fill", {"gradient", "flat", "none"},
                         "SVG: how triangles are filled (default: gradient)", m_fill),
             number_flag("--lines", "WIDTH", "SVG: draw the edges too, so many pixels wide", 0, 1000,
@@ -67,11 +68,6 @@ public:
     }
 
 private:
-    /// The filter's own message says more than a list of values.
-    bool set_filter(const std::string& text) {
-        parse_filter(text, m_options, m_filter_error);
-        return true;
-    }
     bool triangulate(const Picture& picture, Mesh& mesh, MeshReport& report,
                      std::string& error) const {
         Progress progress("triangulating");

@@ -4,6 +4,7 @@
 #include <OpenImageIO/filesystem.h>
 
 #include "plugin/tool/commands.h"
+#include "plugin/tool/filter_flag.h"
 #include "plugin/tool/picture.h"
 #include "plugin/tool/progress.h"
 #include "plugin/tool/size.h"
@@ -25,13 +26,8 @@ public:
                     {"SIZE", "size of the result"},
                     {"OUT", "any image OpenImageIO writes"}};
         flags = {
-            {"--filter", "SPEC",
-             "the filter's name and options (default: ddt): ddt-sharp,light=encoded",
-             [this](const std::string& text) {
-                 parse_filter(text, m_options, m_filter_error);
-                 return true;
-             },
-             ""},
+            filter_flag("the filter's name and options (default: ddt): ddt-sharp,light=encoded",
+                        m_options, m_filter_error),
             choice_flag("--type", {"uint8", "uint16", "half", "float"},
                         "pixel type of the result (default: the image's)", m_type),
             whole_flag("--threads", "N", "threads to use (default: all cores)", 0, 4096, m_threads),
