@@ -5,8 +5,8 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include "plugin/colour/codes.h"
 #include "plugin/image/channels.h"
-#include "plugin/image/codes.h"
 
 namespace ddt {
 namespace {

@@ -1,6 +1,6 @@
 #include "plugin/image/sink.h"
 
-#include "plugin/image/colourpixels.h"
+#include "plugin/colour/colourpixels.h"
 #include "plugin/image/pixels.h"
 
 namespace ddt {

@@ -1,4 +1,5 @@
-#include "plugin/colour/light.h"
+#include "plugin/colour/config.h"
+#include "plugin/colour/space_light.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "plugin/image/colourpixels.h"
+#include "plugin/colour/colourpixels.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include <cmath>
 
-#include "plugin/image/colourpixels.h"
+#include "plugin/colour/colourpixels.h"
+#include "plugin/colour/space_light.h"
 #include "tests/plugin/images.h"
 
 namespace {
