@@ -36,6 +36,10 @@ Buffer buffer_of(ImageBuf& image) {
 /// An edge in any direction, alpha that goes to 0, and light beyond 1 in floats.
 ImageBuf picture(int width, int height, int channels, TypeDesc type) {
     ImageBuf image = images::make(width, height, channels, type);
+    if (channels == 2) { // as readers of PNG say
+        image.specmod().channelnames = {"Y", "A"};
+        image.specmod().alpha_channel = 1;
+    }
     const float top = type.is_floating_point() ? 3.0f : 1.0f;
     images::fill(image, [&](int x, int y, int c) {
         const float alpha = float(x % 64) / 63.0f;
@@ -86,7 +90,7 @@ TEST(Enlargement, TheBitsOfTheFilter) {
                 ImageBuf to = images::make(161, 101, channels, type);
                 std::string error;
                 ASSERT_EQ(enlarge(work_of(from, to, light), error), ddt::Outcome::done) << error;
-                EXPECT_EQ(bytes(to), bytes(wanted)) << type << " " << channels << " " << light;
+                EXPECT_TRUE(bytes(to) == bytes(wanted)) << type << " " << channels << " " << light;
             }
 }
 
@@ -99,14 +103,14 @@ TEST(Enlargement, NumbersOfObjectsAreCopied) {
     ImageBuf to = images::make(100, 90, 2, TypeDesc::UINT32);
     std::string error;
     ASSERT_EQ(enlarge(work_of(from, to, "linear"), error), ddt::Outcome::done) << error;
-    EXPECT_EQ(bytes(to), bytes(wanted));
+    EXPECT_TRUE(bytes(to) == bytes(wanted));
 }
 
 TEST(Enlargement, APartIsACropAndNeedsNoMoreThanItSays) {
     ImageBuf from = picture(600, 70, 3, TypeDesc::FLOAT);
     const ImageBuf whole = by_filter(from, "linear", 1200, 140);
     for (const OIIO::ROI roi :
-         {OIIO::ROI(0, 60, 0, 60), OIIO::ROI(500, 530, 17, 18), OIIO::ROI(1100, 1200, 60, 140)}) {
+         {OIIO::ROI(0, 60, 0, 60), OIIO::ROI(560, 590, 17, 18), OIIO::ROI(1100, 1200, 60, 140)}) {
         ImageBuf to = images::make(roi, OIIO::ROI(0, 1200, 0, 140), 3);
         Enlargement work = work_of(from, to, "linear");
         work.full = {0, 0, 1200, 140};
@@ -119,7 +123,7 @@ TEST(Enlargement, APartIsACropAndNeedsNoMoreThanItSays) {
         ASSERT_EQ(enlarge(work, error), ddt::Outcome::done) << error;
         OIIO::ROI colours = roi;
         colours.chend = 3;
-        EXPECT_EQ(bytes(to), bytes(whole, colours));
+        EXPECT_TRUE(bytes(to) == bytes(whole, colours));
     }
 }
 
@@ -136,7 +140,7 @@ TEST(Enlargement, UnassociatedAlphaIsMultipliedFirst) {
     work.layout.associated = false;
     std::string error;
     ASSERT_EQ(enlarge(work, error), ddt::Outcome::done) << error;
-    EXPECT_EQ(bytes(to), bytes(wanted));
+    EXPECT_TRUE(bytes(to) == bytes(wanted));
 }
 
 TEST(Enlargement, TheSameSizeIsACopyAndASmallerOneAnError) {
@@ -144,7 +148,7 @@ TEST(Enlargement, TheSameSizeIsACopyAndASmallerOneAnError) {
              to = images::make(30, 20, 3, TypeDesc::HALF);
     std::string error;
     ASSERT_EQ(enlarge(work_of(from, to, "sRGB"), error), ddt::Outcome::done);
-    EXPECT_EQ(bytes(to), bytes(from));
+    EXPECT_TRUE(bytes(to) == bytes(from));
     ImageBuf small = images::make(29, 20, 3, TypeDesc::HALF);
     EXPECT_EQ(enlarge(work_of(from, small, "sRGB"), error), ddt::Outcome::bad_job);
     EXPECT_NE(error.find("29 x 20"), std::string::npos) << error;
