@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where colour spaces are looked up by name: OpenColorIO configs.
 //
 // The user's config, $OCIO, comes first; then the small one that the project carries,

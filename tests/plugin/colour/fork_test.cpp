@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "plugin/colour/light.h"
+#include "plugin/colour/space_light.h"
 
 namespace {
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "plugin/colour/light.h"
+#include "plugin/colour/space_light.h"
 
 namespace ddt {
 
