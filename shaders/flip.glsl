@@ -1,4 +1,4 @@
-// Flipping an edge. C++ twins: Lattice::flip, flip_selected in core/triangulate/one_round.cpp. After
+// Flipping an edge. C++ twins: Lattice::flip, flip_selected in core/triangulate/one_round.h. After
 // lattice.glsl.
 
 // Let the side at m + middle_of(s), whose record is e, have the apex that came with the flip.
