@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+// The definition of accept_reject() of core/triangulate/schemes.h.
 #pragma once
 
 #include "core/lattice/region.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+// The definition of annealing() of core/triangulate/schemes.h.
 #pragma once
 
 #include <cstring>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+// The definition of look_ahead() of core/triangulate/schemes.h.
 #pragma once
 
 #include "core/lattice/region.h"
