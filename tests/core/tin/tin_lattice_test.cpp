@@ -51,6 +51,7 @@ std::vector<MeshOptions> all_options() {
             MeshOptions o;
             find_scheme(scheme == "exproiN-maxgain" ? "exproi2-maxgain" : scheme, o);
             find_cost(cost, o.cost);
+            o.min_gain = -1;
             all.push_back(o);
         }
     return all;
