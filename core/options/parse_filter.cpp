@@ -111,4 +111,10 @@ bool check_options(const FilterOptions& options, std::string& error) {
     return true;
 }
 
+bool check_options(const MeshOptions& mesh, std::string& error) {
+    FilterOptions options;
+    options.mesh = mesh;
+    return check_options(options, error);
+}
+
 } // namespace ddt

@@ -104,5 +104,6 @@ bool set_option(std::string_view item, FilterOptions& options, std::string& erro
 /// True if every option has a value that its row allows; if not, `error` is the line that
 /// parse_filter() has for it. Every entry point of the library checks its options so.
 bool check_options(const FilterOptions& options, std::string& error);
+bool check_options(const MeshOptions& options, std::string& error);
 
 } // namespace ddt

@@ -4,7 +4,7 @@
 #pragma once
 
 /// X(enumerator, name, help): `name` is the option's value. A scheme without a case in
-/// core/triangulate/triangulate.cpp does not compile.
+/// core/triangulate/run_scheme.h does not compile.
 #define DDT_SCHEMES(X)                                                                             \
     X(one_round, "one-round",                                                                      \
       "Parallel: flip all edges at once that gain most in their neighbourhood.")                   \
