@@ -73,7 +73,7 @@ Triangle locate(int tile, ivec2 p) {
             return describe(cell, f, s, t, c);
         ivec2 middle = from + to;
         Edge side = edge_at(origin + offset(middle));
-        apex = side.left + side.right - (2 * own - middle);
+        apex = apex_beyond(side, 2 * own - middle);
         if (is_zero(apex))
             return describe(cell, f, s, t, c);
         s = to;
