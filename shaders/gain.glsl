@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The gain of flipping an edge. C++ twin: core/triangulate/gain-inl.h.
 #include "lattice.glsl"
 #include "cost.glsl"

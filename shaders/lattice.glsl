@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The lattice, several tiles at once. C++ twin: core/lattice/lattice.h, which explains it.
 //
 // Each tile has a slot of slot_sites sites, in rows of `stride` whatever the tile's own width, and

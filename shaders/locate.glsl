@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which triangle a position lies in. C++ twin: core/lattice/locate.cpp. After net.glsl.
 
 const int position_bits = 16, position_one = 1 << position_bits;

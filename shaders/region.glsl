@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Regions of an edge as arrays. C++ twin: core/lattice/region.h, where any_beyond is recursive.
 // After lattice.glsl.
 

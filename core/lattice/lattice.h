@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The mesh: a triangulation whose vertices are all pixels of a rectangle.
 //
 // Every triangle is an empty lattice triangle, so by Pick's theorem its area is 1/2 (it is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The wide region of an edge: the region of influence of degree 3.
 //
 // The region of degree k is the set of edges of the triangles that are at most k - 1 steps, across

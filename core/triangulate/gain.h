@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The gain of flipping an edge: what the mesh's total cost falls by.
 #pragma once
 

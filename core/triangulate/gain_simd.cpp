@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SIMD twin of scalar::gain(): several edges at once, compiled for each instruction set.
 #include "core/triangulate/gain.h"
 

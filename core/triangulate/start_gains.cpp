@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The gains of all edges of the mesh that a lattice starts with, without the walk from edge to
 // triangle to vertex that gains() makes: row by row of cells, neighbouring cells in the lanes.
 //
