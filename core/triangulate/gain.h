@@ -7,9 +7,6 @@
 
 namespace ddt {
 
-/// The gain of an edge that cannot be flipped.
-constexpr float no_gain = -1e30f;
-
 namespace scalar {
 
 #include "core/triangulate/gain-inl.h"
