@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "core/gl/context/functions.h"
 
@@ -44,18 +45,26 @@ public:
     /// How often each shader was used, whatever its macros: nearly all uses are one dispatch.
     const std::map<std::string, int>& uses() const { return m_uses; }
     int compiled() const { return int(m_programs.size()); }
+    /// The programs compiled, by file and macros.
+    std::vector<std::string> names() const;
     double milliseconds() const { return m_milliseconds; }
 
 private:
-    GLuint compile(const std::string& file, const std::string& defines);
-
     const Functions& m_gl;
     std::map<std::string, GLuint> m_programs;
     std::map<std::string, int> m_uses;
     double m_milliseconds = 0; ///< spent compiling
 };
 
-/// The text given to the compiler: version, macros, and the file with its includes, each once.
+/// A program's name: its file and its macros, single spaces between.
+std::string program_name(const std::string& file, const std::string& defines);
+
+/// The text given to the compiler: version, macros, constants, and the file with its includes, each
+/// once. assembled(): of a text that is no file of shaders/.
 std::string shader_source(const std::string& file, const std::string& defines);
+std::string assembled(const std::string& text, const std::string& defines);
+
+/// Compile and link. Throws Failure with the compiler's messages.
+GLuint compiled(const Functions& gl, const std::string& name, std::string source);
 
 } // namespace ddt::gl

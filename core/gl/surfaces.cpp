@@ -95,6 +95,10 @@ void Surfaces::find_gradients(DeviceMesh& mesh, const Group& group, Margin margi
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
+void Surfaces::bind_net(const DeviceMesh& mesh, int group) {
+    bind_net(mesh, m_groups[size_t(group)]);
+}
+
 void Surfaces::bind_net(const DeviceMesh& mesh, const Group& group) {
     mesh.bind();
     group.values->bind(1);

@@ -45,6 +45,13 @@ public:
     /// After the mesh is finished; `cost` is what it was made with.
     void make(DeviceMesh& mesh, Cost cost);
 
+    // What make() left, for comparisons: a group's vertices, and their gradients where there are
+    // some; the macros of programs that use them, and binding them all as net.glsl wants it.
+    const Buffer& vertices(int group) const { return *m_groups[size_t(group)].values; }
+    const Buffer& gradients(int group) const { return *m_groups[size_t(group)].gradients; }
+    std::string defines() const;
+    void bind_net(const DeviceMesh& mesh, int group);
+
     /// The positions that plans refer to.
     void write_positions(const std::vector<int32_t>& positions);
     /// Room for the results of plans that are sampled before anything is read back.
@@ -63,7 +70,6 @@ private:
         std::unique_ptr<Buffer> gradients;
         const Buffer* values = nullptr; ///< what the surface goes through now
     };
-    std::string defines() const;
     void bind_net(const DeviceMesh& mesh, const Group& group);
     /// How far about the positions that tiles serve something is made: so many times the longest
     /// edge, and so many pixels.

@@ -24,8 +24,7 @@ struct Variant {
 };
 
 std::vector<Variant> variants() {
-    std::vector<Variant> all = {
-        {"select.comp", ""}, {"flip.comp", ""}, {"gradients.comp", ""}};
+    std::vector<Variant> all = {{"select.comp", ""}, {"flip.comp", ""}, {"gradients.comp", ""}};
     for (const std::string& cost : cost_names())
         for (const char* file : {"start.comp", "evaluate.comp", "evaluate.comp DENSE",
                                  "finish.comp", "accept_reject.comp"}) {
