@@ -11,6 +11,8 @@ namespace ddt {
 #define DDT_CONSTANTS(INT, FLOAT)                                                                  \
     /* 1/sqrt(x) is guessed as this less half the bits of x (base/rsqrt-inl.h). */                 \
     INT(rsqrt_magic, 0x5f3759df)                                                                   \
+    /* 1/x alike. */                                                                               \
+    INT(reciprocal_magic, 0x7ef311c7)                                                              \
     /* The most there is; beyond lie infinity and NaN. */                                          \
     FLOAT(largest_float, FLT_MAX)                                                                  \
                                                                                                    \

@@ -99,6 +99,10 @@ ExitCode fail(const std::string& message, ExitCode code) {
     return code;
 }
 
+ExitCode fail(const Failure& failure) {
+    return fail(failure.why, failure.code);
+}
+
 Flag number_flag(const char* name, const char* value, const char* help, double low, double high,
                  double& number) {
     return {name, value, help,
@@ -125,6 +129,11 @@ Flag choice_flag(const char* name, const std::vector<std::string>& choices, cons
 
 Flag switch_flag(const char* name, const char* help, bool& on) {
     return {name, "", help, [&on](const std::string&) { return on = true; }, ""};
+}
+
+Flag progress_flag(std::string& mode) {
+    return choice_flag("--progress", {"auto", "lines", "none"},
+                       "a bar on a terminal (auto), lines for programs, or nothing", mode);
 }
 
 } // namespace ddt::tool

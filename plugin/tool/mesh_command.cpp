@@ -57,12 +57,13 @@ public:
         if (!open_image(values[0], image, error) ||
             !read_picture(image, m_options, picture, error) ||
             !triangulate(picture, mesh, report, error))
-            return fail(error);
+            return fail(error, code_of_message(error));
         if (m_verbose)
             print(report);
         Progress progress("writing");
-        if (!write_mesh(values[1], mesh, picture, m_style, std::ref(progress), error))
-            return fail(error);
+        Failure failure;
+        if (!write_mesh(values[1], mesh, picture, m_style, std::ref(progress), failure))
+            return fail(failure);
         return exit_done;
     }
 
