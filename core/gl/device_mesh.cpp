@@ -74,6 +74,11 @@ void DeviceMesh::read_sites(int slot, void* sites) {
     m_sites.read(size_t(slot) * bytes, bytes, sites);
 }
 
+void DeviceMesh::read_gains(int slot, float* gains) {
+    const size_t bytes = m_shape.sites() * sizeof(float);
+    m_gain.read(size_t(slot) * bytes, bytes, gains);
+}
+
 void DeviceMesh::bind() const {
     m_batch.bind_uniform(0);
     m_sites.bind(0);

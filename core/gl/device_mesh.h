@@ -68,14 +68,17 @@ public:
     /// On the finished mesh: the gains of all edges, for soft ones; nothing to do where
     /// triangulate() keeps them.
     void find_gains(Cost cost);
+    /// Have find_gains() find them anew.
+    void forget_gains() { m_gains_known = false; }
     const Buffer& gains() const { return m_gain; }
 
     /// Counts of each iteration of the last triangulate(), a slot; waits for the device.
     std::vector<std::vector<IterationCounts>> read_counts();
     /// How far edges go at most, a slot; waits for the device.
     std::vector<uint32_t> read_reach();
-    /// A slot's mesh, for tests.
+    /// A slot's mesh, and after find_gains() its gains, a site each; for comparisons.
     void read_sites(int slot, void* sites);
+    void read_gains(int slot, float* gains);
 
     /// Bind what lattice.glsl needs.
     void bind() const;

@@ -7,46 +7,30 @@
 
 namespace ddt {
 
-/// The gain of an edge that cannot be flipped.
-constexpr float no_gain = -1e30f;
-
 namespace scalar {
 
 #include "core/triangulate/gain-inl.h"
 
-/// Gather what the gain of the flippable edge at m depends on.
-inline Neighbourhood<float> neighbourhood(const Lattice& lattice, int m) {
-    const Edge& e = lattice.edge(m);
-    const Quad q(e);
-    Neighbourhood<float> n;
-    n.vx = q.v.x;
-    n.vy = q.v.y;
-    n.wx = q.w.x;
-    n.wy = q.w.y;
-    const int dv = lattice.offset(e.v), dl = lattice.offset(e.left);
-    n.za = lattice.guide(m - dv);
-    n.zb = lattice.guide(m + dv);
-    n.zc = lattice.guide(m + dl);
-    n.zd = lattice.guide(m - dl);
-    const float first_end[4] = {n.za, n.zc, n.zb, n.zd};
-    for (int k = 0; k < 4; ++k) {
-        const Vec apex = lattice.outer_apex(m, q, k);
-        auto& outer = n.outer[k];
-        // The side's first end is at -side from its midpoint, in doubled coordinates.
-        outer.ox = float((apex.x + q.side[k].x) / 2);
-        outer.oy = float((apex.y + q.side[k].y) / 2);
-        outer.present = apex.zero() ? 0.0f : 1.0f;
-        outer.z = apex.zero()
-                      ? first_end[k]
-                      : lattice.guide(m + lattice.offset(q.middle[k]) + lattice.offset(apex));
+/// A lattice as neighbourhood() sees it, a site at a time.
+struct OneSite {
+    using Sites = int;
+    using V = Vec;
+    const Lattice& lattice;
+
+    const Edge& edge(int m) const { return lattice.edge(m); }
+    int offset(Vec v) const { return lattice.offset(v); }
+    float guide(int m) const { return lattice.guide(m); }
+    float number(int coordinate) const { return float(coordinate); }
+    float present(Vec apex) const { return apex.zero() ? 0.0f : 1.0f; }
+    float guide_beyond(int middle, Vec apex, float otherwise) const {
+        return apex.zero() ? otherwise : guide(middle + offset(apex));
     }
-    return n;
-}
+};
 
 /// The gain of flipping the flippable edge at m.
 template <class CostOfFloat>
 inline float gain(const Lattice& lattice, int m) {
-    return flip_gain<CostOfFloat>(neighbourhood(lattice, m));
+    return flip_gain<CostOfFloat>(neighbourhood<float>(OneSite{lattice}, m));
 }
 
 } // namespace scalar
