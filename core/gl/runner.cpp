@@ -154,7 +154,7 @@ void Runner::triangulate_here(HostTile& t, const std::vector<float>& guide, size
     Workspace workspace;
     workspace.origin_x = t.tile.pixels.x0 - m_job.window.x0;
     workspace.origin_y = t.tile.pixels.y0 - m_job.window.y0;
-    lattice.start(t.size.width, t.size.height, guide.data(), m_job.mesh.start == Start::flat);
+    start(lattice, t.size.width, t.size.height, guide.data(), m_job.mesh);
     triangulate(lattice, m_job.mesh, workspace, t.statistics);
     uint64_t* sites = t.sites.data() + mesh * m_shape.sites();
     const size_t row = size_t(2 * t.size.width - 1);

@@ -99,8 +99,14 @@ inline Division division(const Edge& centre) {
 
 struct Vertex {
     float guide = 0;
-    Vec first; ///< midpoint of the incident edge with the smallest address, relative to the vertex
-    uint16_t unused = 0;
+    union {
+        /// While edges flip: the contour word (core/guide/contour.h) of the cell that has this as
+        /// its upper left corner.
+        uint32_t contour = 0;
+        /// Afterwards: midpoint of the incident edge with the smallest address, relative to the
+        /// vertex.
+        Vec first;
+    };
 };
 
 union Site {
@@ -129,8 +135,10 @@ class Lattice {
 public:
     /// Make all edges of the mesh that has the diagonal from upper left to lower right in every
     /// 2x2 cell, or with `flat` the diagonal whose ends differ less in the guide (on a tie that
-    /// one). `guide`: width x height floats. Memory is kept from one use to the next.
-    void start(int width, int height, const float* guide, bool flat);
+    /// one). `guide`: width x height floats. With `contours` the vertices receive the guide's
+    /// contour words, and `flat` prefers the diagonal that goes along the contour, if one does.
+    /// Memory is kept from one use to the next.
+    void start(int width, int height, const float* guide, bool flat, bool contours = false);
 
     /// Take the memory for so many sites: 4 a pixel are enough.
     void reserve(size_t sites) {
@@ -154,6 +162,15 @@ public:
     const Vertex& vertex(int site) const { return m_sites[size_t(site)].vertex; }
     const Site* sites() const { return m_sites.data(); }
     float guide(int site) const { return m_sites[size_t(site)].vertex.guide; }
+
+    /// The sum of the contour words of the cells on both sides of the edge at m, which must be
+    /// flippable; of a diagonal's midpoint twice that of its cell. `v` is the edge's.
+    uint32_t contours(int m, Vec v) const {
+        const int odd_x = v.x & 1, odd_y = v.y & 1; // m is as odd as v
+        const int cell = m - odd_x - odd_y * m_stride;
+        const int other = cell - 2 * (1 - odd_x) - 2 * (1 - odd_y) * m_stride;
+        return vertex(cell).contour + vertex(other).contour;
+    }
 
     /// No edge is longer than this in either coordinate, in pixels.
     int longest() const { return m_longest; }

@@ -12,9 +12,9 @@ struct Named {
     Value value;
 };
 
-constexpr FilterPreset filters[] = {{"ddt", Surface::patch, 0, 0.4f, 0.1f, 0.07f},
-                                    {"ddt-linear", Surface::linear, 0, 0.0f, -1.0f, 0.0f},
-                                    {"ddt-sharp", Surface::patch, 2, 0.3f, -1.0f, 0.05f}};
+constexpr FilterPreset filters[] = {{"ddt", Surface::patch, 0, 0.4f, 0.1f, 0.07f, 0.8f},
+                                    {"ddt-linear", Surface::linear, 0, 0.0f, -1.0f, 0.0f, 0.8f},
+                                    {"ddt-sharp", Surface::patch, 2, 0.3f, -1.0f, 0.05f, 0.4f}};
 
 constexpr Named<Cost> costs[] = {
 #define DDT_NAMED_COST(name, ...) {#name, Cost::name},
@@ -107,6 +107,7 @@ bool set_filter(std::string_view name, SurfaceOptions& surface, MeshOptions& mes
     mesh.scheme = Scheme::one_round;
     mesh.min_gain = filter->min_gain;
     mesh.blur = filter->blur;
+    mesh.contour = filter->contour;
     return true;
 }
 
