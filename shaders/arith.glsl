@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arithmetic with the same bits as core/arith: float +, -, * in one written order, every result
 // `precise`, so that nothing is contracted to a fused multiply-add; no division, no square root.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // C++ twin: core/surface/consistency-inl.h, which says what the numbers mean.
 
 struct QuadrantCell {

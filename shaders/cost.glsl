@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Costs of an edge. C++ twin and sources: core/cost/cost-inl.h. COST_... says which is compiled.
 #include "arith.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Gains of the edges a flip touched; those that gain enough are candidates. DENSE: gains of all
 // edges, and no candidates.
 #include "lists.glsl"

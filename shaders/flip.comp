@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Flip the selected edges and collect what must be evaluated again. The 2-regions of two selected
 // edges share no record that either flip writes or this kernel reads, so one dispatch does both.
 #include "lists.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Gradients at the vertices, one invocation a pixel. C++ twin: make_gradients in
 // core/surface/net.cpp.
 #include "lattice.glsl"

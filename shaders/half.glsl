@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Half floats (IEEE 754 binary16) by integer arithmetic: the same bits everywhere, rounded to
 // nearest even. C++ twin: tests/bench/gpu/half.h.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The lists of an iteration. C++ twin: core/triangulate/one_round.cpp.
 //
 // An iteration has three steps: evaluate the dirty edges, those that gain are candidates; select

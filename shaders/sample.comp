@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Read the surface at output positions, one invocation each. C++ twin: core/sample/evaluate.cpp.
 #include "net.glsl"
 #include "locate.glsl"

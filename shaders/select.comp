@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which candidates are the best of their 2-region, among those just evaluated and those that wait.
 #include "lists.glsl"
 #include "waiting.glsl"

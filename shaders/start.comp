@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The starting mesh and the gains of its edges, one invocation a pixel. C++ twin: Lattice::start.
 //
 // A group makes the part of the mesh that its gains depend on in an array of its own, so that they

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The surface's formulas, a lane a channel. C++ twins: core/surface/gradient-inl.h and
 // core/surface/patch-inl.h.
 #include "arith.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values that came as half floats, one invocation a pixel of a slot.
 #include "half.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arithmetic that gives the same bits on every device.
 //
 // Rule: only float32 +, -, * and comparisons, in one written order, never contracted to a fused

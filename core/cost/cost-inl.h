@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Included inside a namespace, once for scalars and once for each SIMD target: T is float or a
 // vector of floats. GLSL twin: shaders/cost.glsl.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangulation as dispatches. C++ twins: core/triangulate.
 #include <algorithm>
 #include <utility>

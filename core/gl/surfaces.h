@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The surfaces over the meshes of several tiles, and reading them.
 #pragma once
 

@@ -28,11 +28,11 @@ constexpr float contour_least = 0.01f;
 constexpr int contour_steps = 500;
 constexpr int contour_bits = 10;
 
-constexpr uint32_t contour_mask = (1u << contour_bits) - 1;
+constexpr int contour_mask = (1 << contour_bits) - 1;
 
-/// Nxy, in steps, of the sum of so many cells' words.
-inline int contour_xy(uint32_t words, int cells = 1) {
-    return int(words >> (2 * contour_bits)) - cells * (contour_steps / 2);
+/// Nxy of a cell's word, in steps.
+inline int contour_xy(uint32_t word) {
+    return int(word >> (2 * contour_bits)) - contour_steps / 2;
 }
 
 /// Words of the cells of a guide, row by row from the top; keeps a few rows only.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The mesh: a triangulation whose vertices are all pixels of a rectangle.
 //
 // Every triangle is an empty lattice triangle, so by Pick's theorem its area is 1/2 (it is
@@ -21,6 +22,7 @@
 #include <cstring>
 #include <vector>
 
+#include "core/base/arith.h"
 #include "core/base/large_pages.h"
 
 namespace ddt {
@@ -37,6 +39,18 @@ struct Vec {
     Vec operator-(Vec o) const { return {x - o.x, y - o.y}; }
     bool zero() const { return x == 0 && y == 0; }
 };
+
+/// Of a vector with even coordinates.
+inline Vec half(Vec v) {
+    return {v.x / 2, v.y / 2};
+}
+/// 1 in the coordinates that are odd, or even, else 0.
+inline Vec odd(Vec v) {
+    return {v.x & 1, v.y & 1};
+}
+inline Vec even(Vec v) {
+    return {1 - (v.x & 1), 1 - (v.y & 1)};
+}
 
 /// v.x * w.y - v.y * w.x
 inline int det(Vec v, Vec w) {
@@ -116,18 +130,11 @@ union Site {
 };
 static_assert(sizeof(Site) == 8 && sizeof(Edge) == 8, "one edge, 8 bytes");
 
-/// The four sides of the parallelogram round a flippable edge ab, in the order ac, cb, bd, da, in
-/// which the triangle beyond each lies on the left.
-struct Quad {
-    Vec v;         ///< b - a in pixels
-    Vec w;         ///< c - a in pixels, c the left apex; det(v, w) = 1
-    Vec side[4];   ///< the side as a vector in pixels: w, v - w, -w, w - v
-    Vec middle[4]; ///< the side's midpoint relative to m: w - v, w, v - w, -w
-    Vec inner[4];  ///< the apex within the parallelogram, relative to the side's midpoint
+#include "core/lattice/quad-inl.h"
 
-    explicit Quad(const Edge& e)
-        : v(e.v), w((e.v.x + e.left.x) / 2, (e.v.y + e.left.y) / 2), side{w, v - w, -w, w - v},
-          middle{w - v, w, v - w, -w}, inner{v + v - w, -v - w, w - v - v, v + w} {}
+/// The parallelogram round a flippable edge.
+struct Quad : QuadOf<Vec> {
+    explicit Quad(const Edge& e) : QuadOf(e.v, e.left) {}
 };
 
 /// A triangulation of width x height pixels, both at least 2.
@@ -163,15 +170,6 @@ public:
     const Site* sites() const { return m_sites.data(); }
     float guide(int site) const { return m_sites[size_t(site)].vertex.guide; }
 
-    /// The sum of the contour words of the cells on both sides of the edge at m, which must be
-    /// flippable; of a diagonal's midpoint twice that of its cell. `v` is the edge's.
-    uint32_t contours(int m, Vec v) const {
-        const int odd_x = v.x & 1, odd_y = v.y & 1; // m is as odd as v
-        const int cell = m - odd_x - odd_y * m_stride;
-        const int other = cell - 2 * (1 - odd_x) - 2 * (1 - odd_y) * m_stride;
-        return vertex(cell).contour + vertex(other).contour;
-    }
-
     /// No edge is longer than this in either coordinate, in pixels.
     int longest() const { return m_longest; }
     /// Whether no edge was flipped since start().
@@ -184,9 +182,7 @@ public:
     /// The apex of side k of the parallelogram q round m that lies beyond, relative to the side's
     /// midpoint; zero on the rim.
     Vec outer_apex(int m, const Quad& q, int k) const {
-        // One of the side's apexes is `inner`, the sum leaves the other; no apex is zero.
-        const Edge& e = edge(m + offset(q.middle[k]));
-        return e.left + e.right - q.inner[k];
+        return apex_beyond(edge(m + offset(q.middle[k])), q.inner[k]);
     }
 
     /// Call f(site) for every edge in address order.
@@ -210,11 +206,9 @@ public:
             const Vec apex = outer_apex(m, q, k);
             if (apex.zero())
                 continue;
-            // Midpoints of the outer triangle's other edges: half way from the side's ends.
             const int middle = m + offset(q.middle[k]);
-            const Vec s = q.side[k];
-            if (f(middle + offset({(apex.x - s.x) / 2, (apex.y - s.y) / 2})) ||
-                f(middle + offset({(apex.x + s.x) / 2, (apex.y + s.y) / 2})))
+            if (f(middle + offset(from_last_end(apex, q.side[k]))) ||
+                f(middle + offset(from_first_end(apex, q.side[k]))))
                 return true;
         }
         return false;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which triangle a position lies in, and its barycentric weights, in exact integer arithmetic.
 #pragma once
 

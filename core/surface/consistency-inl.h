@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Included inside a namespace, once for each SIMD target: T is a vector of floats, a lane a
 // channel. GLSL twin: shaders/consistency.glsl.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The bends and softness of a net's edges.
 #include <algorithm>
 #include <cfloat>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Included inside a namespace, once for each SIMD target: T is a float or a vector of floats, a
 // lane a channel. GLSL twin: shaders/surface.glsl. Comparisons are written out, a min or max would
 // leave the sign of zero and NaN to the device.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The surface over the mesh, as a control net of quadratic Bezier triangles.
 //
 // With barycentric weights b of a triangle's vertices i, j, k

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The schemes beside one_round and lawson. All add to `statistics` and end when nothing is left to
 // flip or after the given number of iterations.
 #pragma once

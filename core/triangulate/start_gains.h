@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The first evaluation of a mesh: all edges, before any was flipped.
 #pragma once
 

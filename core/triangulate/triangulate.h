@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Flipping edges until the mesh follows the guide.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conversion of colour between an image's numbers and linear light, by OpenColorIO.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Colour conversion of interleaved pixels, round their alpha.
 #pragma once
 

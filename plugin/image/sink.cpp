@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "plugin/image/sink.h"
 
 #include "plugin/image/colourpixels.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What several tests share: random numbers and pictures, a slow enumeration of a lattice's
 // triangles, positions worth trying, and running code on every instruction set.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The names of filters, costs, schemes, starts and devices, as options, tables and tools spell
 // them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What can be chosen: how the mesh is made, the surface laid over it, the device.
 #pragma once
 

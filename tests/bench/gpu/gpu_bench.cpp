@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Speed of the GPU core, and that its bits are the CPU's. Needs no image library: it can be carried
 // to a bare machine with a driver (see CMakeLists.txt beside it).
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Half floats (IEEE 754 binary16), rounded to nearest even. GLSL twin: shaders/half.glsl.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Enlarging a picture twofold on a device, stage by stage, with the device's own clock.
 #pragma once
 

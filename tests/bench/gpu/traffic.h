@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bytes that the kernels need, counted from the sizes of their lists.
 #pragma once
 

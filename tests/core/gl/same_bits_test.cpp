@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The GPU's results against the CPU's, bit for bit.
 #include "ddt/names.h"
 #include "tests/core/gl/devices.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shaders before the reference compiler: accepted in every variant, and no float operation in
 // them may be contracted with another. That is what `precise` is for; one that was forgotten shows
 // here, while the compilers of the other tests may not make use of it.
