@@ -32,8 +32,6 @@ struct Edge {
     ivec2 v, left, right;
 };
 
-const int longest_edge = 63;
-
 ivec2 bytes(uint word, int first) {
     int w = int(word);
     return ivec2(bitfieldExtract(w, first, 8), bitfieldExtract(w, first + 8, 8));

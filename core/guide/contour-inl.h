@@ -18,21 +18,17 @@ DDT_INLINE float smooth(float a, float b, float c, float d, float e, float f, fl
     return ((a + g) + 6.0f * (b + f)) + (15.0f * (c + e) + 20.0f * d);
 }
 
-/// v as an integer from 0 to `most`; NaN as 0.
-DDT_INLINE uint32_t to_steps(float v, float most) {
+/// v as an integer from 0 to contour_most; NaN as 0.
+DDT_INLINE uint32_t to_steps(float v) {
     const float low = v > 0.0f ? v : 0.0f;
-    return uint32_t(int32_t(low < most ? low : most));
+    return uint32_t(int32_t(low < contour_most ? low : contour_most));
 }
 
 /// The word of a cell (contour.h) from 4 * 64 * 64 times its smoothed tensor.
 DDT_INLINE uint32_t contour_word(Tensor t) {
-    constexpr float scale = 4.0f * 64.0f * 64.0f;
-    constexpr float noise = scale * contour_noise * contour_noise;
-    constexpr auto steps = float(contour_steps);
-    constexpr float least = contour_least * steps, zero = 0.5f * steps;
-    const float r = rsqrt<2>((t.xx + t.yy) + noise);
-    const float share = (r * r) * steps;
-    return to_steps(t.xx * share + (least + 0.5f), steps + least) |
-           to_steps(t.yy * share + (least + 0.5f), steps + least) << contour_bits |
-           to_steps(t.xy * share + (zero + 0.5f), steps) << (2 * contour_bits);
+    const float r = rsqrt<2>((t.xx + t.yy) + contour_noise);
+    const float share = (r * r) * contour_scale;
+    return to_steps(t.xx * share + contour_square_bias) |
+           to_steps(t.yy * share + contour_square_bias) << contour_bits |
+           to_steps(t.xy * share + contour_product_bias) << (2 * contour_bits);
 }

@@ -5,28 +5,25 @@
 // by seven cells. (Förstner & Gülch 1987, "A fast operator for detection and precise location of
 // distinct points, corners and centres of circular features"; Bigün & Granlund 1987.) With
 //
-//   T = mean of (gx gx, gy gy, gx gy),  N = T / (Txx + Tyy + n^2),  n = contour_noise,
+//   T = mean of (gx gx, gy gy, gx gy),  N = T / (Txx + Tyy + n^2),  n = 0.05 a pixel,
 //
 // v' N v is about the square of the distance that v goes across the contour, and little where
-// nothing but noise is. To Nxx and Nyy contour_least is added: without contours short edges are
-// the better ones.
+// nothing but noise is. To Nxx and Nyy 0.01 is added: without contours short edges are the better
+// ones.
 //
 // A cell's N is one word, three integers of contour_bits bits: Nxx, Nyy in steps of
 // 1 / contour_steps, then Nxy with half of the steps added, so that it is not negative. The sum of
 // two cells' words has the sums of their integers. All that follows from it is exact.
+// The numbers are in core/base/constants.h.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-namespace ddt {
+#include "core/base/constants.h"
 
-/// The slope, in guide units a pixel, that counts as much as a contour's direction does.
-constexpr float contour_noise = 0.05f;
-constexpr float contour_least = 0.01f;
-constexpr int contour_steps = 500;
-constexpr int contour_bits = 10;
+namespace ddt {
 
 constexpr int contour_mask = (1 << contour_bits) - 1;
 

@@ -57,10 +57,6 @@ inline int det(Vec v, Vec w) {
     return v.x * w.y - v.y * w.x;
 }
 
-/// No edge is longer than this in either coordinate, in pixels: a flip to a longer one is not made.
-/// It keeps every vector in a signed byte. (Longest ever seen: 36.)
-constexpr int longest_edge = 63;
-
 /// An edge with midpoint m, ends a = m - v and b = m + v; vectors in doubled coordinates, which
 /// makes v also b - a in pixels. Apexes are relative to m; a zero apex: none, the hull's rim.
 struct Edge {

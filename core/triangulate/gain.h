@@ -9,12 +9,6 @@
 
 namespace ddt {
 
-/// The gain of an edge that cannot be flipped.
-constexpr float no_gain = -1e30f;
-
-/// Of contour_gain(): 4 w' N u where N is the mean of two cells.
-constexpr float contour_unit = 2.0f / float(contour_steps);
-
 namespace scalar {
 
 #include "core/triangulate/gain-inl.h"

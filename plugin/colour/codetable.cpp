@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "plugin/image/codes.h"
+#include "plugin/colour/codes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "plugin/colour/codetable.cpp"

@@ -6,8 +6,8 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include "plugin/colour/codes.h"
 #include "plugin/image/channels.h"
-#include "plugin/image/codes.h"
 
 namespace ddt {
 namespace {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "plugin/colour/space_light.h"
+
 namespace ddt {
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "plugin/image/colourpixels.h"
+#include "plugin/colour/colourpixels.h"
 #include "plugin/image/pixels.h"
 
 namespace ddt {

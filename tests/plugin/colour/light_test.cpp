@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "plugin/colour/light.h"
+#include "plugin/colour/config.h"
+#include "plugin/colour/space_light.h"
 
 #include <cmath>
 #include <cstdio>

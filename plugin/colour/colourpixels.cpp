@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "plugin/image/colourpixels.h"
+#include "plugin/colour/colourpixels.h"
 
 #include <algorithm>
 #include <cmath>

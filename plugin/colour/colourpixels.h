@@ -2,8 +2,8 @@
 // Colour conversion of interleaved pixels, round their alpha.
 #pragma once
 
+#include "plugin/colour/layout.h"
 #include "plugin/colour/light.h"
-#include "plugin/image/channels.h"
 
 namespace ddt {
 
