@@ -3,13 +3,13 @@
 #define CONTOUR_ACCESS writeonly
 #include "lattice.glsl"
 #include "contour.glsl"
-#include "contours.glsl"
+#include "contour_gain.glsl"
 
-layout(local_size_x = 32, local_size_y = 8) in; // z: a tile
+layout(local_size_x = START_GROUP_X, local_size_y = START_GROUP_Y) in; // z: a tile
 
 layout(std430, binding = 5) readonly buffer Guide { float guide[]; };
 
-const int group_width = 32, group_height = 8, reach_ = 3;
+const int group_width = START_GROUP_X, group_height = START_GROUP_Y, reach_ = 3;
 const int near_width = group_width + 2 * reach_, near_height = group_height + 2 * reach_;
 shared vec3 tensor[near_height][near_width], smoothed[near_height][group_width];
 

@@ -128,7 +128,9 @@ bool Runner::read(HostTile& t) {
     const bool here = !DeviceMesh::knows(m_job.mesh);
     if (here)
         t.sites.resize(size_t(m_meshes) * m_shape.sites());
-    else
+    // Soft edges' gains are found on the device in any case, and contours by the guide.
+    const bool with_guides = !here || m_job.mesh.contour != 0;
+    if (with_guides)
         t.guides.resize(size_t(m_meshes) * pixels);
     for (size_t k = 0; k < size_t(m_meshes); ++k) {
         std::vector<float> blurred = guide;
@@ -136,9 +138,8 @@ bool Runner::read(HostTile& t) {
             blur_guide(blurred, t.size.width, t.size.height, share);
         if (here) {
             triangulate_here(t, blurred, k);
-            continue;
         }
-        for (int y = 0; y < t.size.height; ++y)
+        for (int y = 0; with_guides && y < t.size.height; ++y)
             std::memcpy(t.guides.data() + k * pixels + size_t(y) * size_t(m_shape.width),
                         blurred.data() + size_t(y) * size_t(t.size.width),
                         size_t(t.size.width) * sizeof(float));
@@ -189,9 +190,9 @@ void Runner::start_batch() {
     for (size_t slot = 0; slot < sizes.size(); ++slot) {
         const HostTile& t = *m_batch[slot / size_t(m_meshes)];
         const size_t k = slot % size_t(m_meshes);
-        if (t.sites.empty())
+        if (!t.guides.empty())
             m_mesh->write_guide(int(slot), t.guides.data() + k * m_shape.pixels());
-        else
+        if (!t.sites.empty())
             m_mesh->write_sites(int(slot), t.sites.data() + k * m_shape.sites());
         for (int g = 0; g < m_groups; ++g)
             m_surfaces->write_values(int(slot), g,
@@ -205,7 +206,7 @@ void Runner::start_batch() {
         m_stages->end();
     }
     m_stages->begin(Stage::surface);
-    m_surfaces->make(*m_mesh, m_job.mesh.cost);
+    m_surfaces->make(*m_mesh, criterion(m_job.mesh));
     m_stages->end();
     finish(gl, "triangulation");
     if (!m_counting || !m_batch[0]->sites.empty())

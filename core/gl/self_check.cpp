@@ -56,6 +56,7 @@ Job check_job() {
     Job job;
     job.window = {0, 0, width, height};
     job.channels = channels;
+    job.mesh.contour = 0.4f;
     return job;
 }
 
@@ -88,7 +89,7 @@ Bits on_gpu(Gpu& gpu, const Job& job, const Tile& tile) {
     mesh.write_guide(0, guide.data());
     surfaces.write_values(0, 0, values.data());
     mesh.triangulate(job.mesh);
-    surfaces.make(mesh, job.mesh.cost);
+    surfaces.make(mesh, criterion(job.mesh));
     Strip strip;
     strip.rows = {0, 0, width * scale, height * scale};
     plan_strip(check_mapping(), tile, 0, strip);

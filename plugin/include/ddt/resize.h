@@ -63,11 +63,11 @@ struct Options {
 /// True if `spec` is one of filter_names() (ddt/names.h), or one followed by a comma and options.
 bool is_filter_name(OIIO::string_view spec);
 
-/// Parse "ddt,key=value,...": the name sets the surface, blur and min_gain, each key its option;
-/// what is not named keeps its value in `options`. Keys: blur, clipped, consistency, cost, device,
-/// iterations, light, limit, meshes, min_gain, scheme, seed, soft, start; values with names are
-/// those of ddt/names.h. On failure return false with one line in `error` that names the option and
-/// lists what is allowed; `options` is then unchanged.
+/// Parse "ddt,key=value,...": the name sets the surface, blur, contour and min_gain, each key its
+/// option; what is not named keeps its value in `options`. Keys: blur, clipped, consistency,
+/// contour, cost, device, iterations, light, limit, meshes, min_gain, scheme, seed, soft, start;
+/// values with names are those of ddt/names.h. On failure return false with one line in `error`
+/// that names the option and lists what is allowed; `options` is then unchanged.
 bool parse_filter(OIIO::string_view spec, Options& options, std::string& error);
 
 /// Resize: the source's display window maps onto dst's, pixel centres at half integers; data

@@ -39,6 +39,7 @@ Order order_for(const Picture& p, int width, int height) {
     order.out_height = height;
     order.job.surface.consistency = 1;
     order.job.surface.soft = 0.3f;
+    order.job.mesh.contour = 0.4f;
     order.job.threads = 2;
     (void)p;
     return order;
@@ -141,6 +142,7 @@ TEST_P(Shapes, RandomJobs) {
         mesh.max_iterations = below(3) ? 64 : below(12);
         mesh.min_gain = below(2) ? -1.0f : 0.01f * float(below(10));
         mesh.wide_iterations = below(4);
+        mesh.contour = below(2) ? 0.0f : 0.2f * float(below(6));
         SurfaceOptions& surface = order.job.surface;
         surface.kind = Surface(below(2));
         surface.consistency = below(4);

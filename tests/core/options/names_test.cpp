@@ -68,6 +68,7 @@ TEST(Names, AFilterSetsItsOptionsAndLeavesOthers) {
         EXPECT_EQ(surface.consistency, filter->consistency);
         EXPECT_EQ(surface.soft, filter->soft);
         EXPECT_EQ(mesh.blur, filter->blur);
+        EXPECT_EQ(mesh.contour, filter->contour);
         EXPECT_EQ(mesh.min_gain, filter->min_gain);
         EXPECT_EQ(mesh.cost, Cost::abn);
         EXPECT_EQ(mesh.scheme, Scheme::one_round);

@@ -46,7 +46,23 @@ TEST(Options, NameStandsForWhatTheCoreSays) {
         EXPECT_EQ(options.surface.soft, surface.soft);
         EXPECT_EQ(options.mesh.min_gain, mesh.min_gain);
         EXPECT_EQ(options.mesh.blur, mesh.blur);
+        EXPECT_EQ(options.mesh.contour, mesh.contour);
     }
+}
+
+TEST(Options, ContoursCountWithTheFiltersOwnCostAndSchemeOnly) {
+    const auto contour = [](const char* spec) {
+        ddt::Options options;
+        std::string error;
+        EXPECT_TRUE(ddt::parse_filter(spec, options, error)) << error;
+        return options.mesh.contour;
+    };
+    EXPECT_GT(contour("ddt"), 0.0f);
+    EXPECT_EQ(contour("ddt,contour=0"), 0.0f);
+    EXPECT_EQ(contour("ddt,contour=0.5"), 0.5f);
+    EXPECT_EQ(contour("ddt,cost=scf"), 0.0f);
+    EXPECT_EQ(contour("ddt,scheme=exproi"), 0.0f);
+    EXPECT_EQ(contour("ddt,scheme=exproi,contour=0.5"), 0.5f);
 }
 
 TEST(Options, EveryKey) {
