@@ -2,6 +2,9 @@
 // The gain of flipping an edge. C++ twin: core/triangulate/gain-inl.h.
 #include "lattice.glsl"
 #include "cost.glsl"
+#ifdef CONTOURS
+#include "contour_gain.glsl"
+#endif
 
 Face face_of(float ex, float ey, float ox, float oy, float de, float d_o) {
     precise float gx = (de * oy) - (d_o * ey);
@@ -51,5 +54,16 @@ float flip_gain(int m, Edge e) {
         ++k;
     } while (!once_round(s, e));
     precise float gain = before - after;
+    return gain;
+}
+
+// The same with the contours' share, if they count; m is the edge's number in the array that SITE
+// looks at, `site_` among all.
+float full_gain(int m, int site_, Edge e) {
+    precise float gain = flip_gain(m, e);
+#ifdef CONTOURS
+    float along = contour_gain(contours_at(site_, e.v), e);
+    gain = gain + contour_weight * along;
+#endif
     return gain;
 }

@@ -28,6 +28,21 @@ namespace ddt {
     /* The gain of an edge that cannot be flipped. */                                              \
     FLOAT(no_gain, -1e30f)                                                                         \
                                                                                                    \
+    /* Contours (guide/contour.h): bits of an integer of a word; steps of 1 that it counts, also   \
+     */                                                                                            \
+    /* as float; what is added before the fraction is dropped: of Nxx and Nyy 0.01 of the steps */ \
+    /* and a half, of Nxy half of them and a half; the most it gets; the square of the slope */    \
+    /* that is noise, 0.05 a pixel, in the units of sums over a cell's 4 * 64 * 64 shares; what */ \
+    /* a gain of 1 of two words' sums is, 4 / (2 * steps). */                                      \
+    INT(contour_bits, 10)                                                                          \
+    INT(contour_steps, 500)                                                                        \
+    FLOAT(contour_scale, 500.0f)                                                                   \
+    FLOAT(contour_square_bias, 5.5f)                                                               \
+    FLOAT(contour_product_bias, 250.5f)                                                            \
+    FLOAT(contour_most, 505.0f)                                                                    \
+    FLOAT(contour_noise, 4.0f * 64 * 64 * 0.05f * 0.05f)                                           \
+    FLOAT(contour_unit, 4.0f / 1000)                                                               \
+                                                                                                   \
     /* Square of the gradient below which triangles weigh nearly alike (surface/net.h). */         \
     FLOAT(gradient_epsilon, 0.02f * 0.02f)                                                         \
     /* How much more than by the gradients an edge is bent (surface/net.h). */                     \

@@ -66,8 +66,8 @@ public:
     static bool knows(const MeshOptions& options);
     void triangulate(const MeshOptions& options);
     /// On the finished mesh: the gains of all edges, for soft ones; nothing to do where
-    /// triangulate() keeps them.
-    void find_gains(Cost cost);
+    /// triangulate() keeps them. With contours the guide must have been written.
+    void find_gains(const Criterion& by);
     /// Have find_gains() find them anew.
     void forget_gains() { m_gains_known = false; }
     const Buffer& gains() const { return m_gain; }
@@ -90,6 +90,8 @@ public:
 
 private:
     // The steps of triangulate(), in schemes.cpp.
+    void set_criterion(const Criterion& by);
+    void find_contours();
     void prepare_lists();
     void bind_lists();
     void start(const MeshOptions& options);
@@ -107,10 +109,11 @@ private:
     int m_tiles = 0;      ///< in use
     int m_iterations = 0; ///< of the last triangulate(), at most
     float m_min_gain = 0;
-    std::string m_cost; ///< the macro that chooses it
+    std::string m_criterion; ///< the macros that choose it
+    float m_contour_weight = 0;
     bool m_gains_known = false;
-    Buffer m_batch, m_sites, m_guide, m_gain, m_list0, m_list1, m_blocked_even, m_blocked_odd,
-        m_work;
+    Buffer m_batch, m_sites, m_guide, m_contours, m_gain, m_list0, m_list1, m_blocked_even,
+        m_blocked_odd, m_work;
     std::unique_ptr<Buffer> m_stamps;                  ///< accept_reject's
     const Buffer *m_from = &m_list0, *m_to = &m_list1; ///< in turn
 };

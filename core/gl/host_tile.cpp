@@ -37,7 +37,7 @@ void triangulate_here(const std::vector<float>& guide, const Job& job, const Slo
     Workspace workspace;
     workspace.origin_x = t.tile.pixels.x0 - job.window.x0;
     workspace.origin_y = t.tile.pixels.y0 - job.window.y0;
-    lattice.start(t.size.width, t.size.height, guide.data(), job.mesh.start == Start::flat);
+    start(lattice, t.size.width, t.size.height, guide.data(), job.mesh);
     triangulate(lattice, job.mesh, workspace, t.statistics);
     const size_t row = size_t(2 * t.size.width - 1);
     for (int y = 0; y < 2 * t.size.height - 1; ++y)
@@ -67,17 +67,17 @@ bool read(Source& source, const Job& job, const SlotShape& shape, HostTile& t) {
     const bool here = !DeviceMesh::knows(job.mesh);
     if (here)
         t.sites.resize(meshes * shape.sites());
-    else
+    // Soft edges' gains are found on the device in any case, and contours by the guide.
+    const bool with_guides = !here || job.mesh.contour != 0;
+    if (with_guides)
         t.guides.resize(meshes * shape.pixels());
     for (size_t k = 0; k < meshes; ++k) {
         std::vector<float> blurred = guide;
         if (const float share = blur_share(job.mesh, int(k)); share > 0)
             blur_guide(blurred, width, height, share);
-        if (here) {
+        if (here)
             triangulate_here(blurred, job, shape, t, t.sites.data() + k * shape.sites());
-            continue;
-        }
-        for (int y = 0; y < height; ++y)
+        for (int y = 0; with_guides && y < height; ++y)
             std::memcpy(t.guides.data() + k * shape.pixels() + size_t(y) * size_t(shape.width),
                         blurred.data() + size_t(y) * size_t(width), size_t(width) * sizeof(float));
     }
@@ -87,11 +87,12 @@ bool read(Source& source, const Job& job, const SlotShape& shape, HostTile& t) {
 void upload(const HostTile& t, const Job& job, int first_slot, DeviceMesh& mesh,
             Surfaces& surfaces) {
     const SlotShape& shape = mesh.shape();
-    for (int k = 0; k < job.mesh.meshes; ++k)
-        if (t.sites.empty())
+    for (int k = 0; k < job.mesh.meshes; ++k) {
+        if (!t.guides.empty())
             mesh.write_guide(first_slot + k, t.guides.data() + size_t(k) * shape.pixels());
-        else
+        if (!t.sites.empty())
             mesh.write_sites(first_slot + k, t.sites.data() + size_t(k) * shape.sites());
+    }
     upload_values(t, job, first_slot, surfaces);
 }
 

@@ -123,7 +123,7 @@ void Runner::start_batch() {
         m_stages->end();
     }
     m_stages->begin(Stage::surface);
-    m_surfaces->make(*m_mesh, m_job.mesh.cost);
+    m_surfaces->make(*m_mesh, criterion(m_job.mesh));
     m_stages->end();
     finish(gl, "triangulation");
     if (!m_counting || !m_batch[0]->sites.empty())

@@ -148,8 +148,8 @@ Outcomes on_gpu(Gpu& gpu, const Job& job, const Tile& tile) {
     upload(t, job, 0, mesh, surfaces);
     if (t.sites.empty())
         mesh.triangulate(job.mesh);
-    surfaces.make(mesh, job.mesh.cost);
-    mesh.find_gains(job.mesh.cost);
+    surfaces.make(mesh, criterion(job.mesh));
+    mesh.find_gains(criterion(job.mesh));
 
     Strip strip;
     strip.rows = {0, 0, width * scale, height * scale};

@@ -67,9 +67,9 @@ std::string Surfaces::defines() const {
            (m_options.soft > 0 ? "SOFT" : "");
 }
 
-void Surfaces::make(DeviceMesh& mesh, Cost cost) {
+void Surfaces::make(DeviceMesh& mesh, const Criterion& by) {
     if (m_options.soft > 0)
-        mesh.find_gains(cost);
+        mesh.find_gains(by);
     for (Group& group : m_groups) {
         group.values = group.source.get();
         for (int round = 0; round < m_options.consistency; ++round) {

@@ -43,7 +43,7 @@ public:
     /// A slot's values of one group: shape.pixels() x group_size floats in rows of shape.width.
     void write_values(int slot, int group, const float* values);
     /// After the mesh is finished; `cost` is what it was made with.
-    void make(DeviceMesh& mesh, Cost cost);
+    void make(DeviceMesh& mesh, const Criterion& by);
 
     // What make() left, for comparisons: a group's vertices, and their gradients where there are
     // some; the macros of programs that use them, and binding them all as net.glsl wants it.

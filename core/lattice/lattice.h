@@ -45,6 +45,13 @@ struct Vec {
 inline Vec half(Vec v) {
     return {v.x / 2, v.y / 2};
 }
+/// 1 in the coordinates that are odd, or even, else 0.
+inline Vec odd(Vec v) {
+    return {v.x & 1, v.y & 1};
+}
+inline Vec even(Vec v) {
+    return {1 - (v.x & 1), 1 - (v.y & 1)};
+}
 
 /// v.x * w.y - v.y * w.x
 inline int det(Vec v, Vec w) {
@@ -103,8 +110,14 @@ inline Division division(const Edge& centre) {
 
 struct Vertex {
     float guide = 0;
-    Vec first; ///< midpoint of the incident edge with the smallest address, relative to the vertex
-    uint16_t unused = 0;
+    union {
+        /// While edges flip: the contour word (core/guide/contour.h) of the cell that has this as
+        /// its upper left corner.
+        uint32_t contour = 0;
+        /// Afterwards: midpoint of the incident edge with the smallest address, relative to the
+        /// vertex.
+        Vec first;
+    };
 };
 
 union Site {
@@ -126,8 +139,10 @@ class Lattice {
 public:
     /// Make all edges of the mesh that has the diagonal from upper left to lower right in every
     /// 2x2 cell, or with `flat` the diagonal whose ends differ less in the guide (on a tie that
-    /// one). `guide`: width x height floats. Memory is kept from one use to the next.
-    void start(int width, int height, const float* guide, bool flat);
+    /// one). `guide`: width x height floats. With `contours` the vertices receive the guide's
+    /// contour words, and `flat` prefers the diagonal that goes along the contour, if one does.
+    /// Memory is kept from one use to the next.
+    void start(int width, int height, const float* guide, bool flat, bool contours = false);
 
     /// Take the memory for so many sites: 4 a pixel are enough.
     void reserve(size_t sites) {

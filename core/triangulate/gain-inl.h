@@ -124,3 +124,39 @@ DDT_INLINE Neighbourhood<T> neighbourhood(const Mesh& mesh, typename Mesh::Sites
     n.outer[3] = look_beyond<T>(mesh, m, q, 3, n.zd);
     return n;
 }
+
+/// The contours at an edge's midpoint: the integers of two cells' words together
+/// (core/guide/contour.h).
+template <class T>
+struct Contours {
+    T xx, yy, xy;
+};
+
+/// Of the cells that meet at the midpoint m of a flippable edge along v; a diagonal's is in the
+/// middle of one, which counts twice.
+template <class T, class Mesh, class V>
+DDT_INLINE Contours<T> contours_at(const Mesh& mesh, typename Mesh::Sites m, V v) {
+    // m is odd where v is; a cell's word is at its upper left corner.
+    const auto cell = m - mesh.offset(odd(v));
+    const auto other = cell - mesh.offset(even(v) + even(v));
+    const auto words = mesh.contour(cell) + mesh.contour(other);
+    return {mesh.number(mesh.template steps<0>(words)), mesh.number(mesh.template steps<1>(words)),
+            mesh.number(mesh.template steps<2>(words)) - T(float(contour_steps))};
+}
+
+/// What a flip lowers v' N v by, in units of contour_unit: with v = w + u and the other diagonal
+/// w - u it is 4 w' N u. All numbers are whole and, no edge being longer than longest_edge, below
+/// 2^24: exact.
+template <class T>
+DDT_INLINE T contour_gain(const Contours<T>& n, T wx, T wy, T ux, T uy) {
+    return ((n.xx * (wx * ux)) + (n.yy * (wy * uy))) + (n.xy * ((wx * uy) + (wy * ux)));
+}
+
+/// The gain of flipping the flippable edges at m, `contour` times contour_unit of the contours'.
+template <class Cost, class T, class Mesh>
+DDT_INLINE T gain_with_contours(const Mesh& mesh, typename Mesh::Sites m, float contour) {
+    const Neighbourhood<T> n = neighbourhood<T>(mesh, m);
+    const T along =
+        contour_gain(contours_at<T>(mesh, m, mesh.edge(m).v), n.wx, n.wy, n.vx - n.wx, n.vy - n.wy);
+    return flip_gain<Cost>(n) + T(contour) * along;
+}

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "core/cost/cost.h"
+#include "core/cost/criterion.h"
+#include "core/guide/contour.h"
 #include "core/lattice/lattice.h"
 
 namespace ddt {
@@ -25,25 +27,34 @@ struct OneSite {
     float guide_beyond(int middle, Vec apex, float otherwise) const {
         return apex.zero() ? otherwise : guide(middle + offset(apex));
     }
+    int contour(int corner) const { return int(lattice.vertex(corner).contour); }
+    template <int k>
+    int steps(int words) const {
+        return words >> k * contour_bits & contour_mask;
+    }
 };
 
-/// The gain of flipping the flippable edge at m.
+/// The gain of flipping the flippable edge at m; `contour` as in Criterion.
 template <class CostOfFloat>
-inline float gain(const Lattice& lattice, int m) {
-    return flip_gain<CostOfFloat>(neighbourhood<float>(OneSite{lattice}, m));
+inline float gain(const Lattice& lattice, int m, float contour = 0.0f) {
+    const OneSite mesh{lattice};
+    if (contour == 0)
+        return flip_gain<CostOfFloat>(neighbourhood<float>(mesh, m));
+    return gain_with_contours<CostOfFloat, float>(mesh, m, contour * contour_unit);
 }
 
 } // namespace scalar
 
 /// The same under the name by which schemes ask any mesh.
 template <class CostOfFloat>
-inline float gain_of(const Lattice& lattice, int m) {
-    return scalar::gain<CostOfFloat>(lattice, m);
+inline float gain_of(const Lattice& lattice, int m, float contour) {
+    return scalar::gain<CostOfFloat>(lattice, m, contour);
 }
 
 /// Gains of the flippable edges sites[0..n): gains[sites[i]] receives the gain of sites[i]. By the
 /// widest vectors this machine has; the bits are those of scalar::gain().
-void gains(const Lattice& lattice, Cost cost, const int* sites, size_t n, float* gains);
+void gains(const Lattice& lattice, const Criterion& criterion, const int* sites, size_t n,
+           float* gains);
 
 /// The cost of the whole mesh: each edge between two triangles, summed in double.
 double total_cost(const Lattice& lattice, Cost cost);

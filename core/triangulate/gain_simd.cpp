@@ -40,6 +40,14 @@ struct VecLanes {
     friend HWY_INLINE VecLanes half(VecLanes a) {
         return {{hn::ShiftRight<1>(a.x.i)}, {hn::ShiftRight<1>(a.y.i)}};
     }
+    friend HWY_INLINE VecLanes odd(VecLanes a) {
+        const VI one = hn::Set(DI(), 1);
+        return {{hn::And(a.x.i, one)}, {hn::And(a.y.i, one)}};
+    }
+    friend HWY_INLINE VecLanes even(VecLanes a) {
+        const VI one = hn::Set(DI(), 1);
+        return {{hn::AndNot(a.x.i, one)}, {hn::AndNot(a.y.i, one)}};
+    }
 };
 struct EdgeLanes {
     VecLanes v, left, right;
@@ -49,7 +57,7 @@ struct EdgeLanes {
 #include "core/triangulate/gain-inl.h"
 
 /// A lattice as neighbourhood() sees it, a site a lane. A site is two words; an edge's are (v,
-/// left), (right, stamp), a vertex's first is its guide.
+/// left), (right, stamp), a vertex's its guide and its contour.
 struct SiteLanes {
     using Sites = Ints;
     using V = VecLanes;
@@ -75,6 +83,12 @@ struct SiteLanes {
     HWY_INLINE Floats guide_beyond(Ints middle, VecLanes apex, Floats otherwise) const {
         return hn::IfThenElse(absent(apex), otherwise.v, guide(middle + offset(apex)).v);
     }
+    HWY_INLINE Ints contour(Ints corner) const { return {word(corner, 1)}; }
+    template <int k>
+    HWY_INLINE Ints steps(Ints contours) const {
+        const VI mask = hn::Set(DI(), contour_mask);
+        return {hn::And(hn::ShiftRight<k * contour_bits>(contours.i), mask)};
+    }
 
 private:
     HWY_INLINE VI word(Ints m, int k) const {
@@ -90,14 +104,18 @@ private:
     }
 };
 
-/// Gains of the edges at `m`, one a lane.
+/// Gains of the edges at `m`, one a lane; `contour` times contour_unit of the contours', if any.
 template <class Cost_>
-HWY_INLINE hn::Vec<D> gains_of(const Lattice& lattice, VI m) {
-    return flip_gain<Cost_>(neighbourhood<Floats>(SiteLanes(lattice), {m})).v;
+HWY_INLINE hn::Vec<D> gains_of(const Lattice& lattice, float contour, VI m) {
+    const SiteLanes mesh(lattice);
+    if (contour == 0)
+        return flip_gain<Cost_>(neighbourhood<Floats>(mesh, {m})).v;
+    return gain_with_contours<Cost_, Floats>(mesh, {m}, contour).v;
 }
 
 template <class Cost_>
-HWY_INLINE void each_block(const Lattice& lattice, const int* sites, size_t count, float* out) {
+HWY_INLINE void each_block(const Lattice& lattice, float contour, const int* sites, size_t count,
+                           float* out) {
     const D d;
     const DI di;
     const size_t lanes = hn::Lanes(d);
@@ -108,17 +126,19 @@ HWY_INLINE void each_block(const Lattice& lattice, const int* sites, size_t coun
         const size_t used = count - i < lanes ? count - i : lanes;
         for (size_t k = 0; k < lanes; ++k)
             site[k] = sites[i + (k < used ? k : 0)];
-        hn::Store(gains_of<Cost_>(lattice, hn::Load(di, site)), d, gain);
+        hn::Store(gains_of<Cost_>(lattice, contour, hn::Load(di, site)), d, gain);
         for (size_t k = 0; k < used; ++k)
             out[site[k]] = gain[k];
     }
 }
 
-HWY_ATTR void gains(const Lattice& lattice, Cost cost, const int* sites, size_t count, float* out) {
-    switch (cost) {
+HWY_ATTR void gains(const Lattice& lattice, const Criterion& criterion, const int* sites,
+                    size_t count, float* out) {
+    const float contour = criterion.contour * contour_unit;
+    switch (criterion.cost) {
 #define DDT_CALL(name, Class, ...)                                                                 \
     case Cost::name:                                                                               \
-        return each_block<Class<Floats>>(lattice, sites, count, out);
+        return each_block<Class<Floats>>(lattice, contour, sites, count, out);
         DDT_COSTS(DDT_CALL)
 #undef DDT_CALL
     }
@@ -133,8 +153,9 @@ namespace ddt {
 
 HWY_EXPORT(gains);
 
-void gains(const Lattice& lattice, Cost cost, const int* sites, size_t n, float* out) {
-    HWY_DYNAMIC_DISPATCH(gains)(lattice, cost, sites, n, out);
+void gains(const Lattice& lattice, const Criterion& criterion, const int* sites, size_t n,
+           float* out) {
+    HWY_DYNAMIC_DISPATCH(gains)(lattice, criterion, sites, n, out);
 }
 
 } // namespace ddt

@@ -105,9 +105,10 @@ struct CellRow {
     FaceRow<Face> left, right;              ///< the same two by its vertical sides
     FaceRow<Face> other_top, other_bottom;  ///< those that the other diagonal would make
     Row top_cost, left_cost, diagonal_cost; ///< of the edges as they stand
+    Row xx, yy, xy;                         ///< the integers of the contour words
 
     void resize(int n) {
-        for (Row* row : {&guide, &down, &top_cost, &left_cost, &diagonal_cost})
+        for (Row* row : {&guide, &down, &top_cost, &left_cost, &diagonal_cost, &xx, &yy, &xy})
             row->resize(n);
         for (FaceRow<Face>* row : {&top, &bottom, &left, &right, &other_top, &other_bottom})
             row->resize(n);
@@ -122,8 +123,8 @@ public:
     using Cells = CellRow<Face>;
     using Edges = Flip<Cost, Floats, Always>;
 
-    HWY_ATTR StartGains(const Lattice& lattice, float min_gain, Workspace& w)
-        : m_lattice(lattice), m_min_gain(min_gain), m_w(w) {
+    HWY_ATTR StartGains(const Lattice& lattice, float contour, float min_gain, Workspace& w)
+        : m_lattice(lattice), m_contour(contour * contour_unit), m_min_gain(min_gain), m_w(w) {
         for (Cells& row : m_rows)
             row.resize(lattice.width());
     }
@@ -160,6 +161,26 @@ private:
             *guide.at(x) = 0.0f;
     }
 
+    void load_contours(int y, Cells& cells) {
+        const int s = m_lattice.vertex_site(0, y);
+        for (int x = 0; x < m_lattice.width() - 1; ++x) {
+            const uint32_t word = m_lattice.vertex(s + 2 * x).contour;
+            *cells.xx.at(x) = float(int(word) & contour_mask);
+            *cells.yy.at(x) = float(int(word >> contour_bits) & contour_mask);
+            *cells.xy.at(x) = float(contour_xy(word));
+        }
+    }
+
+    /// The gain of a flip with its midpoint between cell ax of row a and cell bx of row b.
+    HWY_INLINE Floats gain(const Edges& f, const Cells& a, int ax, const Cells& b, int bx) const {
+        const Floats by_cost = f.gain();
+        if (m_contour == 0)
+            return by_cost;
+        const Contours<Floats> n{a.xx.load(ax) + b.xx.load(bx), a.yy.load(ax) + b.yy.load(bx),
+                                 a.xy.load(ax) + b.xy.load(bx)};
+        return by_cost + Floats(m_contour) * contour_gain(n, f.wx, f.wy, f.ux, f.uy);
+    }
+
     /// Whether all lanes are multiples of 2^-12 in -1024 to 1024.
     static HWY_INLINE bool in_steps(Floats z) {
         const D d;
@@ -176,6 +197,8 @@ private:
         const int count = m_lattice.width() - 1, lanes = int(hn::Lanes(D()));
         for (int x = 0; x < count; ++x)
             *cells.down.at(x) = m_lattice.edge(m_lattice.site(2 * x + 1, 2 * y + 1)).v.x > 0;
+        if (m_contour != 0)
+            load_contours(y, cells);
         bool exact = true;
         for (int x = 0; x <= count; x += lanes)
             exact &= in_steps(above.load(x)) & in_steps(below.load(x));
@@ -256,10 +279,10 @@ private:
             f.ux = one - down;
             f.uy = zero - one;
             const Floats flippable = same(down, above.down.load(x));
-            const Floats gain = either(flippable, f.gain(), Floats(no_gain));
-            hn::StoreInterleaved2(zero.v, gain.v, D(), m_w.gain.data() + first + 2 * x);
+            const Floats level = either(flippable, gain(f, above, x, below, x), Floats(no_gain));
+            hn::StoreInterleaved2(zero.v, level.v, D(), m_w.gain.data() + first + 2 * x);
             count(flippable, end - x);
-            propose(gain, first + 2 * x + 1, end - x);
+            propose(level, first + 2 * x + 1, end - x);
         }
     }
 
@@ -321,7 +344,7 @@ private:
         f.wy = one - down;
         f.ux = one;
         f.uy = down;
-        return either(flippable, f.gain(), Floats(no_gain));
+        return either(flippable, gain(f, cells, x - 1, cells, x), Floats(no_gain));
     }
 
     /// Gain of the diagonal ab of cell x, whose flip needs nothing: a cell is a parallelogram.
@@ -356,7 +379,7 @@ private:
         f.wx = down - one;
         f.wy = f.ux = down;
         f.uy = one - down;
-        return f.gain();
+        return gain(f, cells, x, cells, x);
     }
 
     /// 1 where both flags are alike, else 0.
@@ -375,11 +398,11 @@ private:
 
     /// Put the edges at `site`, site + 2, ... of the first n lanes that gain enough among the
     /// candidates.
-    HWY_INLINE void propose(Floats gain, int site, int n) {
+    HWY_INLINE void propose(Floats gained, int site, int n) {
         const D d;
         const DI di;
         const auto good =
-            hn::And(hn::FirstN(d, size_t(n < 0 ? 0 : n)), hn::Gt(gain.v, hn::Set(d, m_min_gain)));
+            hn::And(hn::FirstN(d, size_t(n < 0 ? 0 : n)), hn::Gt(gained.v, hn::Set(d, m_min_gain)));
         if (hn::AllFalse(d, good))
             return;
         const auto sites = hn::Add(hn::Set(di, site), hn::ShiftLeft<1>(hn::Iota(di, 0)));
@@ -389,21 +412,22 @@ private:
     }
 
     const Lattice& m_lattice;
+    float m_contour; ///< as in gain_with_contours()
     float m_min_gain;
     Workspace& m_w;
     int64_t m_evaluations = 0;
     Cells m_rows[ring];
 };
 
-HWY_ATTR bool inner_gains(const Lattice& lattice, Cost cost, float min_gain, Workspace& w,
-                          int64_t& evaluations) {
+HWY_ATTR bool inner_gains(const Lattice& lattice, const Criterion& criterion, float min_gain,
+                          Workspace& w, int64_t& evaluations) {
     const auto run = [&](auto which) HWY_ATTR {
-        StartGains<decltype(which)> gains(lattice, min_gain, w);
+        StartGains<decltype(which)> gains(lattice, criterion.contour, min_gain, w);
         const bool exact = gains.run();
         evaluations = gains.evaluations();
         return exact;
     };
-    switch (cost) {
+    switch (criterion.cost) {
 #define DDT_CALL(name, Class, ...)                                                                 \
     case Cost::name:                                                                               \
         return run(Class<Floats>());
@@ -445,13 +469,13 @@ void each_outer_edge(const Lattice& lattice, F&& f) {
 
 } // namespace
 
-bool start_gains(const Lattice& lattice, Cost cost, float min_gain, Workspace& w,
+bool start_gains(const Lattice& lattice, const Criterion& criterion, float min_gain, Workspace& w,
                  Statistics& statistics) {
     w.gain.resize(lattice.size() + padding);
     w.candidates.clear();
     int64_t evaluations = 0;
     if (!lattice.fresh() ||
-        !HWY_DYNAMIC_DISPATCH(inner_gains)(lattice, cost, min_gain, w, evaluations))
+        !HWY_DYNAMIC_DISPATCH(inner_gains)(lattice, criterion, min_gain, w, evaluations))
         return false;
     w.flippable.clear();
     each_outer_edge(lattice, [&](int m) {
@@ -459,7 +483,7 @@ bool start_gains(const Lattice& lattice, Cost cost, float min_gain, Workspace& w
         if (lattice.edge(m).flippable())
             w.flippable.push_back(m);
     });
-    gains(lattice, cost, w.flippable.data(), w.flippable.size(), w.gain.data());
+    gains(lattice, criterion, w.flippable.data(), w.flippable.size(), w.gain.data());
     for (const int m : w.flippable)
         if (w.gain[size_t(m)] > min_gain)
             w.candidates.push_back(m);

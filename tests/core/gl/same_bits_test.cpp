@@ -21,6 +21,7 @@ TEST_P(SameBits, EverySchemeAndCost) {
             const Picture p = make_picture(Content(content), 61, 43, 1, 7u + unsigned(content));
             Order order;
             order.job.mesh = mesh;
+            order.job.mesh.contour = content % 2 ? 0.0f : 0.8f;
             order.out_width = 150;
             order.out_height = 101;
             expect_same(GetParam(), p, order,
@@ -75,6 +76,7 @@ TEST_P(SameBits, SeveralMeshes) {
                 order.job.mesh.scheme = scheme;
                 order.job.mesh.blur = 0.05f;
                 order.job.mesh.meshes = 2 + content % 3;
+                order.job.mesh.contour = 0.4f;
                 order.job.surface.consistency = 1;
                 order.job.surface.soft = 0.3f;
                 if (channels == 4)

@@ -40,6 +40,7 @@ Order order_for(const Picture& p, int width, int height) {
     order.out_height = height;
     order.job.surface.consistency = 1;
     order.job.surface.soft = 0.3f;
+    order.job.mesh.contour = 0.4f;
     order.job.threads = 2;
     (void)p;
     return order;
@@ -151,6 +152,7 @@ TEST_P(Shapes, RandomJobs) {
         mesh.blur = below(2) ? 0.0f : 0.05f * float(below(6));
         mesh.meshes = below(3) ? 1 : 1 + below(most_meshes);
         mesh.seed = uint32_t(random());
+        mesh.contour = below(2) ? 0.0f : 0.2f * float(below(6));
         SurfaceOptions& surface = order.job.surface;
         surface.kind = Surface(below(2));
         surface.consistency = below(4);
