@@ -8,6 +8,7 @@
 #include "core/lattice/list_triangles.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/triangulate.h"
+#include "ddt/option_table.h"
 
 namespace ddt {
 

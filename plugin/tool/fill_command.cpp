@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/commands.h"
+#include "plugin/tool/filter_flag.h"
 #include "plugin/tool/image_file.h"
 #include "plugin/tool/picture.h"
 
@@ -23,13 +24,9 @@ public:
                         "what is missing besides pixels with a NaN: nothing (nan, the default), or "
                         "those whose alpha is 0",
                         m_missing),
-            {"--filter", "SPEC",
-             "how to flip edges, as the filter's name and options: ddt,scheme=lawson,cost=jnd",
-             [this](const std::string& text) {
-                 parse_filter(text, m_options, m_filter_error);
-                 return true;
-             },
-             ""},
+            filter_flag(
+                "how to flip edges, as the filter's name and options: ddt,scheme=lawson,cost=jnd",
+                m_options, m_filter_error),
         };
     }
 

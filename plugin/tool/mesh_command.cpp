@@ -4,6 +4,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "plugin/tool/commands.h"
+#include "plugin/tool/filter_flag.h"
 #include "plugin/tool/mesh_file.h"
 #include "plugin/tool/mesh_points.h"
 #include "plugin/tool/progress.h"
@@ -29,9 +30,9 @@ public:
         operands = {{"IN", "any image OpenImageIO reads, or a mesh: a name that ends in .ply"},
                     {"OUT", "the mesh: a name that ends in .svg, .ply or .obj"}};
         flags = {
-            {"--filter", "SPEC",
-             "how to triangulate, as the filter's name and options: ddt,scheme=lawson,cost=scf",
-             [this](const std::string& text) { return set_filter(text); }, "see below"},
+            filter_flag("how to triangulate, as the filter's name and options: "
+                        "ddt,scheme=lawson,cost=scf",
+                        m_options, m_filter_error),
             choice_flag("--cost", cost_names(), "the cost of an edge, as in --filter ddt,cost=...",
                         m_cost),
             {"--scheme", "NAME", "which edges flip, as in --filter ddt,scheme=...",
@@ -40,7 +41,7 @@ public:
                  m_scheme = text;
                  return find_scheme(text, parsed);
              },
-             OIIO::Strutil::join(scheme_names(), ", ")},
+             OIIO::Strutil::join(scheme_names(), ", "), ""},
             choice_flag("--fill", {"gradient", "flat", "none"},
                         "SVG: how triangles are filled (default: gradient)", m_fill),
             number_flag("--lines", "WIDTH", "SVG: draw the edges too, so many pixels wide", 0, 1000,
@@ -105,11 +106,6 @@ private:
         if (m_verbose)
             print(report);
         return exit_done;
-    }
-    /// The filter's own message says more than a list of values.
-    bool set_filter(const std::string& text) {
-        parse_filter(text, m_options, m_filter_error);
-        return true;
     }
     bool triangulate(const Picture& picture, Mesh& mesh, MeshReport& report,
                      std::string& error) const {

@@ -5,9 +5,10 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "core/base/parse_number.h"
 #include "ddt/resize.h"
-#include "plugin/parse_number.h"
 #include "plugin/tool/commands.h"
+#include "plugin/tool/filter_flag.h"
 #include "plugin/tool/image_file.h"
 #include "plugin/tool/point_file.h"
 #include "plugin/tool/progress.h"
@@ -84,32 +85,28 @@ public:
                  return text.find('%') == std::string::npos &&
                         text.find('x') != std::string::npos && parse_size(text, {1, 1, 0, 0}, size);
              },
-             "WxH, Wx0 and 0xH"},
+             "WxH, Wx0 and 0xH", ""},
             {"--window", "X0,Y0,X1,Y1", "the part of the plane to show (default: the points' box)",
              [this](const std::string& text) {
                  return m_has_window = parse_window(text, m_window);
              },
-             "two corners, the smaller coordinates first"},
+             "two corners, the smaller coordinates first", ""},
             switch_flag("--y-down", "the y axis runs downwards", m_y_down),
             {"--channels", "NAMES", "columns that become the image's channels: red,green,blue",
              [this](const std::string& text) {
                  m_channels = OIIO::Strutil::splits(text, ",");
                  return !text.empty();
              },
-             "names of columns"},
-            {"--filter", "SPEC",
-             "how to flip edges, as the filter's name and options: ddt,scheme=lawson,cost=jnd",
-             [this](const std::string& text) {
-                 parse_filter(text, m_options, m_filter_error);
-                 return true;
-             },
-             ""},
+             "names of columns", ""},
+            filter_flag(
+                "how to flip edges, as the filter's name and options: ddt,scheme=lawson,cost=jnd",
+                m_options, m_filter_error),
             {"--mesh", "FILE", "write the triangles too, a PLY file",
              [this](const std::string& text) {
                  m_mesh_path = text;
                  return OIIO::Strutil::iends_with(text, ".ply");
              },
-             "names that end in .ply"},
+             "names that end in .ply", ""},
             progress_flag(m_progress),
         };
     }
