@@ -12,6 +12,8 @@ namespace ddt::tool {
 std::unique_ptr<Command> make_mesh_command();
 std::unique_ptr<Command> make_resize_command();
 std::unique_ptr<Command> make_compare_command();
+std::unique_ptr<Command> make_scatter_command();
+std::unique_ptr<Command> make_fill_command();
 std::unique_ptr<Command> make_info_command();
 
 /// In the order in which help lists them.
