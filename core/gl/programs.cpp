@@ -41,7 +41,7 @@ void append(const std::string& file, std::set<std::string>& included, std::strin
 std::string shader_source(const std::string& file, const std::string& defines) {
     std::string out = "#version 430 core\n";
     out += "#define MAX_TILES " + std::to_string(max_tiles) + '\n';
-    out += "#define MAX_ITERATIONS " + std::to_string(max_iterations) + '\n';
+    out += "#define MAX_ITERATIONS " + std::to_string(most_iterations) + '\n';
     out += "#define FINISH_GROUP " + std::to_string(finish_group) + '\n';
     std::istringstream names(defines);
     for (std::string name; names >> name;)

@@ -11,8 +11,6 @@ namespace ddt::gl {
 
 /// Tiles that one dispatch can hold.
 constexpr int max_tiles = 64;
-/// Largest value of MeshOptions::max_iterations.
-constexpr int max_iterations = 250;
 /// Invocations of the group that does a tile's late iterations.
 constexpr int finish_group = 512;
 

@@ -10,9 +10,21 @@
 namespace ddt::gl {
 
 bool DeviceMesh::knows(const MeshOptions& options) {
-    Rules rules;
-    return options.scheme == Scheme::one_round || options.scheme == Scheme::pixel ||
-           find_rules(options, rules);
+    switch (options.scheme) {
+    case Scheme::one_round:
+    case Scheme::basic:
+    case Scheme::exproi:
+    case Scheme::maxgain:
+    case Scheme::exproi_maxgain:
+    case Scheme::exproi_n_maxgain:
+    case Scheme::pixel:
+        return true;
+    case Scheme::lawson:
+    case Scheme::look_ahead:
+    case Scheme::annealing:
+        return false;
+    }
+    return false;
 }
 
 void DeviceMesh::triangulate(const MeshOptions& options) {

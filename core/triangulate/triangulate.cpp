@@ -34,20 +34,8 @@ float blur_share(const MeshOptions& options, int index) {
     if (options.meshes == 1)
         return options.blur;
     const float least = std::max(options.blur - mesh_spread, 0.0f);
-    const float most = std::min(options.blur + mesh_spread, 0.25f);
+    const float most = std::min(options.blur + mesh_spread, largest_blur);
     return least + (most - least) * (float(index) / float(options.meshes - 1));
-}
-
-bool check_options(const MeshOptions& options, std::string& error) {
-    if (options.max_iterations < 0 || options.max_iterations > 250)
-        error = "ddt: max_iterations must be 0 to 250";
-    else if (!(options.blur >= 0 && options.blur <= 0.25f))
-        error = "ddt: blur must be 0 to 1/4";
-    else if (options.meshes < 1 || options.meshes > most_meshes)
-        error = "ddt: meshes must be 1 to " + std::to_string(most_meshes);
-    else
-        return true;
-    return false;
 }
 
 bool find_rules(const MeshOptions& options, Rules& rules) {
@@ -67,9 +55,14 @@ bool find_rules(const MeshOptions& options, Rules& rules) {
     case Scheme::exproi_n_maxgain:
         rules = {true, options.wide_iterations, true};
         return true;
-    default:
+    case Scheme::one_round:
+    case Scheme::lawson:
+    case Scheme::look_ahead:
+    case Scheme::annealing:
+    case Scheme::pixel:
         return false;
     }
+    return false;
 }
 
 void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& workspace,
@@ -79,8 +72,6 @@ void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& worksp
     const int iterations = options.max_iterations;
     statistics.pixels += int64_t(lattice.width()) * lattice.height();
     Rules rules;
-    if (find_rules(options, rules))
-        return accept_reject(lattice, cost, threshold, iterations, rules, workspace, statistics);
     switch (options.scheme) {
     case Scheme::one_round:
         return one_round(lattice, cost, threshold, iterations, workspace, statistics);
@@ -90,8 +81,15 @@ void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& worksp
         return look_ahead(lattice, cost, threshold, iterations, workspace, statistics);
     case Scheme::annealing:
         return annealing(lattice, cost, threshold, iterations, options.seed, workspace, statistics);
-    default:
-        return; // pixel: the starting mesh is the result
+    case Scheme::basic:
+    case Scheme::exproi:
+    case Scheme::maxgain:
+    case Scheme::exproi_maxgain:
+    case Scheme::exproi_n_maxgain:
+        find_rules(options, rules);
+        return accept_reject(lattice, cost, threshold, iterations, rules, workspace, statistics);
+    case Scheme::pixel:
+        return; // the starting mesh is the result
     }
 }
 

@@ -40,9 +40,6 @@ float min_gain(const MeshOptions& options);
 /// The share by which the guide of mesh 0 <= index < options.meshes is blurred.
 float blur_share(const MeshOptions& options, int index);
 
-/// Whether the options' numbers are allowed; if not, `error` says which is and what it may be.
-bool check_options(const MeshOptions& options, std::string& error);
-
 /// Flip edges of a started lattice by options.scheme. Adds to `statistics`.
 void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& workspace,
                  Statistics& statistics);

@@ -7,7 +7,7 @@
 #include <OpenImageIO/argparse.h>
 #include <OpenImageIO/strutil.h>
 
-#include "plugin/parse_number.h"
+#include "core/base/parse_number.h"
 
 namespace ddt::tool {
 

@@ -20,6 +20,7 @@
 #include "core/lattice/locate.h"
 #include "core/surface/edge_maker.h"
 #include "ddt/core.h"
+#include "tests/core/plain.h"
 
 namespace ddt::test {
 
@@ -54,6 +55,18 @@ inline float float_of(uint32_t bits) {
     std::memcpy(&x, &bits, sizeof x);
     return x;
 }
+
+constexpr Cost all_costs[] = {
+#define DDT_COST(name, ...) Cost::name,
+    DDT_COSTS(DDT_COST)
+#undef DDT_COST
+};
+
+constexpr Scheme all_schemes[] = {
+#define DDT_SCHEME(name, ...) Scheme::name,
+    DDT_SCHEMES(DDT_SCHEME)
+#undef DDT_SCHEME
+};
 
 /// Both surfaces with so many rounds of correction each, with and without soft edges.
 inline std::vector<SurfaceOptions> surfaces_with(std::initializer_list<int> rounds) {

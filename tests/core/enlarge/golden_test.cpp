@@ -48,7 +48,7 @@ TEST(Golden, EnlargedPicturesHaveTheseBits) {
         SurfaceOptions surface = c.surface;
         surface.soft = c.soft;
         surface.consistency = c.consistency;
-        MeshOptions mesh;
+        MeshOptions mesh = plain_mesh();
         mesh.cost = c.cost;
         mesh.scheme = c.scheme;
         for (const int threads : {1, 3}) {
@@ -68,7 +68,7 @@ TEST(Golden, MeshesAreThese) {
         Lattice lattice;
         Workspace workspace;
         Statistics statistics;
-        MeshOptions options;
+        MeshOptions options = plain_mesh();
         options.cost = cost;
         options.scheme = scheme;
         lattice.start(w, h, guide.data(), true);

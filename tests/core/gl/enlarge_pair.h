@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "ddt/core.h"
+#include "tests/core/plain.h"
 
 namespace ddt::test {
 
@@ -22,7 +23,7 @@ struct Picture {
 
 /// What is done to it.
 struct Order {
-    Job job;
+    Job job = plain_job();
     int out_width = 0, out_height = 0;
     const Mapping* mapping = nullptr; ///< null: window to window
 };

@@ -140,7 +140,7 @@ TEST_P(Shapes, RandomJobs) {
         mesh.start = Start(below(2));
         mesh.max_iterations = below(3) ? 64 : below(12);
         mesh.min_gain = below(2) ? -1.0f : 0.01f * float(below(10));
-        mesh.wide_iterations = below(4);
+        mesh.wide_iterations = 1 + below(4);
         SurfaceOptions& surface = order.job.surface;
         surface.kind = Surface(below(2));
         surface.consistency = below(4);

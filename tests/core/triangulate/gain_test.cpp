@@ -7,8 +7,6 @@
 namespace ddt::test {
 namespace {
 
-constexpr Cost costs[] = {Cost::abn, Cost::scf};
-
 float scalar_gain(const Lattice& lattice, Cost cost, int m) {
     return dispatch(cost, [&](auto c) { return scalar::gain<decltype(c)>(lattice, m); });
 }
@@ -39,7 +37,7 @@ void each_mesh(F&& f) {
 }
 
 TEST(Gain, IsWhatTheTotalCostFallsBy) {
-    for (const Cost cost : costs)
+    for (const Cost cost : all_costs)
         each_mesh([&](Lattice& lattice) {
             for (const int m : flippable_edges(lattice)) {
                 const double before = total_cost(lattice, cost);
@@ -55,7 +53,7 @@ TEST(Gain, IsWhatTheTotalCostFallsBy) {
 }
 
 TEST(Gain, TotalCostIsTheFormulasInDouble) {
-    for (const Cost cost : costs)
+    for (const Cost cost : all_costs)
         each_mesh([&](Lattice& lattice) {
             const double exact = SlowMesh(lattice, cost).total_cost();
             // Each edge is off by a few units of the last place of 1.
@@ -65,7 +63,7 @@ TEST(Gain, TotalCostIsTheFormulasInDouble) {
 }
 
 TEST(Gain, IsThatOfTheSlowMesh) {
-    for (const Cost cost : costs)
+    for (const Cost cost : all_costs)
         each_mesh([&](Lattice& lattice) {
             const SlowMesh slow(lattice, cost);
             for (const int m : flippable_edges(lattice)) {
@@ -79,7 +77,7 @@ TEST(Gain, IsThatOfTheSlowMesh) {
 TEST(Gain, EveryInstructionSetGivesTheScalarBits) {
     constexpr float untouched = -12345.0f;
     on_each_target([&] {
-        for (const Cost cost : costs)
+        for (const Cost cost : all_costs)
             each_mesh([&](Lattice& lattice) {
                 const auto sites = flippable_edges(lattice);
                 std::vector<float> out(lattice.size(), untouched);

@@ -22,7 +22,7 @@ Result run(const std::vector<float>& guide, int width, int height, const MeshOpt
 }
 
 MeshOptions options_of(Scheme scheme, Cost cost, float gain = -1.0f, int iterations = 64) {
-    MeshOptions o;
+    MeshOptions o = plain_mesh();
     o.scheme = scheme;
     o.cost = cost;
     o.min_gain = gain;
