@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "ddt/options.h"
 #include "core/gl/context/functions.h"
 
 namespace ddt::gl {

@@ -29,8 +29,13 @@ public:
         m_args.description(description);
         m_args.arg("operand").hidden().action(
             [this](OIIO::cspan<const char*> a) { m_operands.emplace_back(a[0]); });
-        for (const Flag& flag : command.flags)
+        std::string notes;
+        for (const Flag& flag : command.flags) {
             add(flag);
+            if (!flag.notes.empty())
+                notes += "\n" + flag.notes;
+        }
+        m_args.epilog(notes);
         m_args.arg("--help").help("print this and end").action([this](OIIO::cspan<const char*>) {
             m_help = true;
         });
@@ -99,18 +104,22 @@ ExitCode fail(const std::string& message, ExitCode code) {
     return code;
 }
 
+ExitCode fail(const Failure& failure) {
+    return fail(failure.why, failure.code);
+}
+
 Flag number_flag(const char* name, const char* value, const char* help, double low, double high,
                  double& number) {
     return {name, value, help,
             [=, &number](const std::string& text) { return parse_number(text, low, high, number); },
-            format("numbers from {} to {}", low, high)};
+            format("numbers from {} to {}", low, high), ""};
 }
 
 Flag whole_flag(const char* name, const char* value, const char* help, int low, int high,
                 int& number) {
     return {name, value, help,
             [=, &number](const std::string& text) { return parse_number(text, low, high, number); },
-            format("whole numbers from {} to {}", low, high)};
+            format("whole numbers from {} to {}", low, high), ""};
 }
 
 Flag choice_flag(const char* name, const std::vector<std::string>& choices, const char* help,
@@ -120,11 +129,16 @@ Flag choice_flag(const char* name, const std::vector<std::string>& choices, cons
                 choice = text;
                 return std::find(choices.begin(), choices.end(), text) != choices.end();
             },
-            OIIO::Strutil::join(choices, ", ")};
+            OIIO::Strutil::join(choices, ", "), ""};
 }
 
 Flag switch_flag(const char* name, const char* help, bool& on) {
-    return {name, "", help, [&on](const std::string&) { return on = true; }, ""};
+    return {name, "", help, [&on](const std::string&) { return on = true; }, "", ""};
+}
+
+Flag progress_flag(std::string& mode) {
+    return choice_flag("--progress", {"auto", "lines", "none"},
+                       "a bar on a terminal (auto), lines for programs, or nothing", mode);
 }
 
 } // namespace ddt::tool

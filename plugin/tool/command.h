@@ -7,14 +7,9 @@
 #include <string>
 #include <vector>
 
-namespace ddt::tool {
+#include "plugin/tool/exit_code.h"
 
-/// What `ddt` exits with.
-enum ExitCode {
-    exit_done = 0,
-    exit_failed = 1, ///< something could not be read, made or written
-    exit_usage = 2,  ///< the command line is wrong
-};
+namespace ddt::tool {
 
 /// An option of a command: "--height", and the name of its value in help, empty if it has none.
 struct Flag {
@@ -22,6 +17,7 @@ struct Flag {
     /// Take the value; false if it is not allowed.
     std::function<bool(const std::string&)> set;
     std::string allowed; ///< for the error message
+    std::string notes;   ///< printed after all flags by --help
 };
 
 struct Operand {
@@ -50,6 +46,7 @@ ExitCode parse_and_run(Command& command, const std::vector<std::string>& args);
 
 /// A line on stderr, after "ddt: " unless it starts so.
 ExitCode fail(const std::string& message, ExitCode code = exit_failed);
+ExitCode fail(const Failure& failure);
 
 /// Flags that hold a number from low to high, or are set when given.
 Flag number_flag(const char* name, const char* value, const char* help, double low, double high,
@@ -59,5 +56,8 @@ Flag whole_flag(const char* name, const char* value, const char* help, int low, 
 Flag choice_flag(const char* name, const std::vector<std::string>& choices, const char* help,
                  std::string& choice);
 Flag switch_flag(const char* name, const char* help, bool& on);
+
+/// --progress, whose value `mode` names one for progress_mode().
+Flag progress_flag(std::string& mode);
 
 } // namespace ddt::tool

@@ -5,8 +5,11 @@
 #include <exception>
 #include <new>
 
+#include <OpenImageIO/imageio.h>
+
 #include "plugin/tool/commands.h"
 #include "plugin/tool/man.h"
+#include "plugin/tool/unfinished.h"
 
 namespace ddt::tool {
 
@@ -36,10 +39,12 @@ ExitCode run(const std::vector<std::string>& args) {
 
 int main(int argc, char** argv) {
     using namespace ddt::tool;
+    remove_unfinished_on_signals();
+    OIIO::attribute("debug", 0); // its builds may print what is an error's text anyway
     try {
         return run({argv + 1, argv + argc});
     } catch (const std::bad_alloc&) {
-        return fail("out of memory");
+        return fail("out of memory", exit_resources);
     } catch (const std::exception& e) {
         return fail(e.what());
     }

@@ -3,6 +3,8 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/tool/filter_flag.h"
+
 namespace ddt::tool {
 
 using OIIO::Strutil::fmt::format;
@@ -17,10 +19,15 @@ struct Code {
 };
 constexpr Code codes[] = {
     {exit_done, "Done."},
-    {exit_failed, "Something could not be read, made or written; a line on standard error tells. "
-                  "No unfinished file is left where there was none."},
+    {exit_failed, "Something cannot be read, made or written, and trying again will not help; a "
+                  "line on standard error tells. No unfinished file is left."},
     {exit_usage, "The command line is wrong; nothing was done."},
+    {exit_resources, "Memory, disk or device were wanting, or failed: trying again, or on another "
+                     "machine, may help. No unfinished file is left."},
 };
+
+constexpr const char* by_signal =
+    "As a shell sees it: ended by signal N. No unfinished file is left.";
 
 /// Text as man(7) takes it: backslashes and hyphens escaped, no line that starts with a control
 /// character.
@@ -50,9 +57,13 @@ std::string man_page(const std::vector<std::unique_ptr<Command>>& commands) {
                            flag.value.empty() ? "" : " \" \\fI" + escaped(flag.value) + "\\fP\"",
                            escaped(flag.help));
     }
+    page += ".SH FILTERS AND OPTIONS\nSPEC is a filter's name, or \"ddt,key=value,...\".\n";
+    for (const Entry& entry : filter_entries())
+        page += format(".TP\n.B {}\n{}\n", escaped(entry.term), escaped(entry.meaning));
     page += ".SH EXIT STATUS\n";
     for (const Code& code : codes)
         page += format(".TP\n.B {}\n{}\n", int(code.code), escaped(code.meaning));
+    page += format(".TP\n.B 128 + N\n{}\n", escaped(by_signal));
     page += ".SH SEE ALSO\n.BR oiiotool (1)\n";
     return page;
 }
@@ -64,6 +75,7 @@ std::string overview(const std::vector<std::unique_ptr<Command>>& commands) {
     text += "  ddt COMMAND --help\n  ddt --help | --version\n\nexit status:\n";
     for (const Code& code : codes)
         text += format("  {}  {}\n", int(code.code), OIIO::Strutil::wordwrap(code.meaning, 76, 5));
+    text += format("  128 + N  {}\n", by_signal);
     return text;
 }
 

@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "plugin/tool/commands.h"
+#include "plugin/tool/filter_flag.h"
 #include "plugin/tool/mesh_file.h"
 #include "plugin/tool/progress.h"
 
@@ -22,9 +23,9 @@ public:
         operands = {{"IN", "any image OpenImageIO reads"},
                     {"OUT", "the mesh: a name that ends in .svg, .ply or .obj"}};
         flags = {
-            {"--filter", "SPEC",
-             "how to triangulate, as the filter's name and options: ddt,scheme=lawson,cost=scf",
-             [this](const std::string& text) { return set_filter(text); }, "see below"},
+            filter_flag("how to triangulate, as the filter's name and options: "
+                        "ddt,scheme=lawson,cost=scf",
+                        m_options, m_filter_error),
             choice_flag("--fill", {"gradient", "flat", "none"},
                         "SVG: how triangles are filled (default: gradient)", m_fill),
             number_flag("--lines", "WIDTH", "SVG: draw the edges too, so many pixels wide", 0, 1000,
@@ -57,21 +58,17 @@ public:
         if (!open_image(values[0], image, error) ||
             !read_picture(image, m_options, picture, error) ||
             !triangulate(picture, mesh, report, error))
-            return fail(error);
+            return fail(error, code_of_message(error));
         if (m_verbose)
             print(report);
         Progress progress("writing");
-        if (!write_mesh(values[1], mesh, picture, m_style, std::ref(progress), error))
-            return fail(error);
+        Failure failure;
+        if (!write_mesh(values[1], mesh, picture, m_style, std::ref(progress), failure))
+            return fail(failure);
         return exit_done;
     }
 
 private:
-    /// The filter's own message says more than a list of values.
-    bool set_filter(const std::string& text) {
-        parse_filter(text, m_options, m_filter_error);
-        return true;
-    }
     bool triangulate(const Picture& picture, Mesh& mesh, MeshReport& report,
                      std::string& error) const {
         Progress progress("triangulating");

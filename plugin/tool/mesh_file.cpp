@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/mesh_file.h"
 
-#include <cerrno>
-#include <cstring>
-
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/strutil.h>
+
+#include "plugin/tool/whole_file.h"
 
 namespace ddt::tool {
 
@@ -19,25 +18,16 @@ MeshWriter writer_for(const std::string& path) {
 
 bool write_mesh(const std::string& path, const Mesh& mesh, const Picture& picture,
                 const MeshStyle& style, const std::function<bool(float)>& progress,
-                std::string& error) {
+                Failure& failure) {
     const MeshWriter write = writer_for(path);
     if (!write) {
-        error = "\"" + path + "\": allowed are names that end in .svg, .ply or .obj";
+        failure = {"\"" + path + "\": allowed are names that end in .svg, .ply or .obj",
+                   exit_usage};
         return false;
     }
-    std::FILE* file = std::fopen(path.c_str(), "wb");
-    if (!file) {
-        error = "\"" + path + "\": " + std::strerror(errno);
-        return false;
-    }
-    errno = 0;
-    const bool written = write(file, mesh, picture, style, progress) && !std::ferror(file);
-    const int why = errno;
-    if (std::fclose(file) == 0 && written)
-        return true;
-    error = "cannot write \"" + path + "\": " + std::strerror(why ? why : errno);
-    std::remove(path.c_str());
-    return false;
+    WholeFile file;
+    return file.open(path, failure) && write(file.file(), mesh, picture, style, progress) &&
+           file.commit(failure);
 }
 
 } // namespace ddt::tool

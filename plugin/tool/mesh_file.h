@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ddt/mesh.h"
+#include "plugin/tool/exit_code.h"
 #include "plugin/tool/picture.h"
 
 namespace ddt::tool {
@@ -39,10 +40,10 @@ bool write_obj(std::FILE*, const Mesh&, const Picture&, const MeshStyle&,
 /// The writer for a file's extension, or null.
 MeshWriter writer_for(const std::string& path);
 
-/// Write the file, or leave none behind; false with one line in `error`.
+/// Write the file, whole or not at all.
 bool write_mesh(const std::string& path, const Mesh& mesh, const Picture& picture,
                 const MeshStyle& style, const std::function<bool(float)>& progress,
-                std::string& error);
+                Failure& failure);
 
 /// A display value as 8 bits; NaN is 0.
 inline int byte_of(float v) {

@@ -10,23 +10,41 @@ namespace ddt::tool {
 
 namespace {
 
+constexpr int line_every = 5; ///< percent
+
 int percent(float share) {
     return int(std::clamp(share, 0.0f, 1.0f) * 100.0f);
 }
 
 } // namespace
 
-Progress::Progress(std::string label, const bool* terminal)
-    : m_label(std::move(label)), m_terminal(terminal ? *terminal : isatty(STDERR_FILENO) == 1) {}
+ProgressMode progress_mode(const std::string& name) {
+    return name == "lines"  ? ProgressMode::lines
+           : name == "none" ? ProgressMode::none
+                            : ProgressMode::automatic;
+}
+
+Progress::Progress(std::string label, ProgressMode mode, const bool* terminal)
+    : m_label(std::move(label)), m_mode(mode),
+      m_terminal(mode == ProgressMode::automatic &&
+                 (terminal ? *terminal : isatty(STDERR_FILENO) == 1)) {}
 
 Progress::~Progress() {
-    if (m_shown >= 0)
+    hide();
+}
+
+void Progress::hide() {
+    if (m_terminal && m_shown >= 0)
         std::fputs("\r\033[K", stderr);
 }
 
 bool Progress::operator()(float share) {
-    // A rough share may fall; the bar does not.
+    // A rough share may fall; what is shown does not.
     const int now = percent(share);
+    if (m_mode == ProgressMode::lines && now / line_every * line_every > m_shown) {
+        m_shown = now / line_every * line_every;
+        std::fprintf(stderr, "ddt progress %d%% %s\n", m_shown, m_label.c_str());
+    }
     if (m_terminal && now > m_shown && Clock::now() - m_begin >= std::chrono::seconds(1)) {
         std::fprintf(stderr, "\r%s", line(m_label, share).c_str());
         std::fflush(stderr);

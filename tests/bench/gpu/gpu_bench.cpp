@@ -18,7 +18,7 @@
 
 #include "core/base/arith.h"
 #include "core/tiles/tile_worker.h"
-#include "ddt/names.h"
+#include "ddt/option_table.h"
 #include "tests/bench/gpu/half.h"
 #include "tests/bench/gpu/measure.h"
 
@@ -50,7 +50,7 @@ bool parse(int argc, char** argv, Options& o) {
         else if (name == "--size" && std::sscanf(value, "%dx%d", &o.width, &o.height) == 2 &&
                  o.width > 1 && o.height > 1)
             o.cases = 1;
-        else if (name == "--filter" && find_filter(value))
+        else if (name == "--filter" && is_filter_name(value))
             o.filter = value;
         else if (name == "--picture" && *value)
             o.picture = value;
@@ -64,7 +64,12 @@ Job job_of(const Options& o, int width, int height) {
     Job job;
     job.window = {0, 0, width, height};
     job.channels = 4;
-    set_filter(o.filter, job.surface, job.mesh);
+    FilterOptions options;
+    std::string error;
+    if (!parse_filter(o.filter, options, error))
+        throw std::runtime_error(error);
+    job.surface = options.surface;
+    job.mesh = options.mesh;
     return job;
 }
 

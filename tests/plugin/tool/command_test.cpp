@@ -148,11 +148,23 @@ TEST(Progress, ShortWorkAndOtherThanTerminalsShowNothing) {
     testing::internal::CaptureStderr();
     {
         const bool terminal = true;
-        Progress progress("working", &terminal);
+        Progress progress("working", ProgressMode::automatic, &terminal);
         for (int i = 0; i <= 10; ++i)
             EXPECT_TRUE(progress(0.1f * float(i)));
     }
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Progress, LinesForPrograms) {
+    testing::internal::CaptureStderr();
+    {
+        Progress progress("resizing", ProgressMode::lines);
+        for (const float share : {0.0f, 0.01f, 0.06f, 0.04f, 0.5f, 1.0f})
+            progress(share);
+    }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "ddt progress 0% resizing\nddt progress 5% resizing\n"
+              "ddt progress 50% resizing\nddt progress 100% resizing\n");
 }
 
 TEST(Picture, ColoursAreAsDisplayed) {

@@ -153,7 +153,7 @@ protected:
 
     std::string write(const char* extension, const MeshStyle& style = {}) {
         const std::string path = temporary(std::string("mesh_file_test") + extension);
-        std::string error;
+        Failure failure;
         float last = 0;
         const auto progress = [&](float share) {
             EXPECT_GE(share, last);
@@ -161,7 +161,7 @@ protected:
             last = share;
             return true;
         };
-        EXPECT_TRUE(write_mesh(path, m_mesh, m_picture, style, progress, error)) << error;
+        EXPECT_TRUE(write_mesh(path, m_mesh, m_picture, style, progress, failure)) << failure.why;
         return path;
     }
 
@@ -262,19 +262,19 @@ TEST_F(MeshFile, SvgGradientShowsAPlaneOfGreyExactly) {
 
 TEST_F(MeshFile, WhatCannotBeWrittenIsAnErrorThatNamesTheFile) {
     const auto progress = [](float) { return true; };
-    std::string error;
-    EXPECT_FALSE(write_mesh("/no/such/folder/a.ply", m_mesh, m_picture, {}, progress, error));
-    EXPECT_NE(error.find("/no/such/folder/a.ply"), std::string::npos) << error;
-    EXPECT_FALSE(write_mesh("a.stl", m_mesh, m_picture, {}, progress, error));
-    EXPECT_NE(error.find(".svg, .ply or .obj"), std::string::npos) << error;
+    Failure failure;
+    EXPECT_FALSE(write_mesh("/no/such/folder/a.ply", m_mesh, m_picture, {}, progress, failure));
+    EXPECT_NE(failure.why.find("/no/such/folder/a.ply"), std::string::npos) << failure.why;
+    EXPECT_FALSE(write_mesh("a.stl", m_mesh, m_picture, {}, progress, failure));
+    EXPECT_NE(failure.why.find(".svg, .ply or .obj"), std::string::npos) << failure.why;
 
     // A disk without room.
     const std::string full = temporary("mesh_file_test_full.obj");
     std::remove(full.c_str());
     ASSERT_EQ(symlink("/dev/full", full.c_str()), 0);
-    EXPECT_FALSE(write_mesh(full, m_mesh, m_picture, {}, progress, error));
-    EXPECT_NE(error.find("No space left"), std::string::npos) << error;
-    EXPECT_NE(access(full.c_str(), F_OK), 0);
+    EXPECT_FALSE(write_mesh(full, m_mesh, m_picture, {}, progress, failure));
+    EXPECT_NE(failure.why.find("No space left"), std::string::npos) << failure.why;
+    EXPECT_EQ(failure.code, exit_resources);
 }
 
 } // namespace

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/exit_code.h"
+
+#include <cerrno>
+
+namespace ddt::tool {
+
+ExitCode code_of_errno(int number) {
+    switch (number) {
+    case ENOSPC:
+    case EDQUOT:
+    case EFBIG:
+    case EIO:
+    case ENOMEM:
+    case EMFILE:
+    case ENFILE:
+    case EAGAIN:
+    case EINTR:
+    case ESTALE:
+    case ETIMEDOUT:
+        return exit_resources;
+    default:
+        return exit_failed;
+    }
+}
+
+ExitCode code_of_message(const std::string& message) {
+    // Of the library: memory that ran out, images that another machine may have memory for (see
+    // check_size in plugin/image/windows.h), devices that this one has not.
+    for (const char* said : {"out of memory", "this machine's memory", "\"device="})
+        if (message.find(said) != std::string::npos)
+            return exit_resources;
+    return exit_failed;
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writing images: whole, or not at all.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imageio.h>
+
+#include "plugin/tool/whole_file.h"
+
+namespace ddt::tool {
+
+/// An image file to be written, which appears under its name only when whole and checked. Writers
+/// of many formats do not look whether what they write arrives (PNG: a full disk), so their stream
+/// is ours where they let us; the others' files are read back.
+class ImageFile {
+public:
+    /// Decide on the format by the name's extension and open a temporary file.
+    bool create(const std::string& path, Failure& failure);
+    /// The writer, for open() with a spec under the name temporary().
+    OIIO::ImageOutput& output() { return *m_output; }
+    const std::string& temporary() const { return m_whole.temporary(); }
+    bool open(const OIIO::ImageSpec& spec, Failure& failure);
+    /// Close the writer, check, and give the file its name.
+    bool commit(Failure& failure);
+    /// What the writer said, as a failure.
+    Failure failed() const;
+
+private:
+    std::string m_path;
+    WholeFile m_whole;
+    // Before the writer that uses it: it goes after that.
+    std::unique_ptr<OIIO::Filesystem::IOFile> m_stream;
+    std::unique_ptr<OIIO::ImageOutput> m_output;
+};
+
+/// Write an image in local memory. `progress` is called with the share done.
+bool write_image(const OIIO::ImageBuf& image, const std::string& path,
+                 const std::function<void(float)>& progress, Failure& failure);
+
+} // namespace ddt::tool

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// `ddt resize` of one file.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <OpenImageIO/imageio.h>
+
+#include "ddt/resize.h"
+#include "plugin/tool/exit_code.h"
+
+namespace ddt::tool {
+
+struct ResizeSettings {
+    std::string size; ///< see size.h
+    Options options;
+    std::string type; ///< of the result's pixels; empty: the image's
+    int threads = 0;  ///< 0: all
+};
+
+/// What an image of spec `from` becomes: the windows that oiiotool makes. The size is the display
+/// window's; the data window is scaled along with it, its origin rounded down, its size up. Of a
+/// size that does not change, neither does the origin. False if the size is not allowed.
+bool plan_result(const OIIO::ImageSpec& from, const ResizeSettings& settings,
+                 OIIO::ImageSpec& result);
+
+/// Said of a size that plan_result() does not take.
+Failure refused_size(const std::string& size);
+
+/// Resize the file `in` into `out`, which appears when whole. `progress` is called with the share
+/// done, one thread at a time.
+bool resize_file(const std::string& in, const std::string& out, const ResizeSettings& settings,
+                 const std::function<bool(float)>& progress, Failure& failure);
+
+} // namespace ddt::tool

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/whole_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "plugin/tool/unfinished.h"
+
+namespace ddt::tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int most_writers = 100; ///< of one file at a time
+constexpr size_t longest_name = 255;
+
+/// Where a name leads to; the last link's target need not exist.
+fs::path followed(fs::path path) {
+    std::error_code error;
+    for (int links = 0; links < 40 && fs::is_symlink(path, error); ++links) {
+        const fs::path target = fs::read_symlink(path, error);
+        path = target.is_absolute() ? target : path.parent_path() / target;
+    }
+    return path;
+}
+
+fs::path folder_of(const std::string& path) {
+    const fs::path folder = fs::path(path).parent_path();
+    return folder.empty() ? fs::path(".") : folder;
+}
+
+std::string temporary_name(const fs::path& target, int number) {
+    const std::string extension = target.extension();
+    const std::string rest = ".ddt-" + std::to_string(number) + extension;
+    std::string stem = target.stem();
+    if (rest.size() < longest_name)
+        stem.resize(std::min(stem.size(), longest_name - 1 - rest.size()));
+    return (folder_of(target) / ("." + stem + rest)).string();
+}
+
+/// Whether the name still is that of the open file.
+bool still_named(int descriptor, const std::string& path) {
+    struct stat open {
+    }, named{};
+    return fstat(descriptor, &open) == 0 && stat(path.c_str(), &named) == 0 &&
+           open.st_dev == named.st_dev && open.st_ino == named.st_ino;
+}
+
+} // namespace
+
+WholeFile::~WholeFile() {
+    discard();
+}
+
+void WholeFile::discard() {
+    if (m_file && !m_direct)
+        unlink(m_temporary.c_str()); // while the lock is held
+    if (m_file)
+        std::fclose(m_file);
+    m_file = nullptr;
+    unlist_unfinished(m_listed);
+    m_listed = -1;
+}
+
+bool WholeFile::refuse(int number, Failure& failure) const {
+    failure = {"cannot write \"" + m_path + "\": " + std::strerror(number), code_of_errno(number)};
+    return false;
+}
+
+/// Make the open temporary file this one's, unless another is at work on it.
+bool WholeFile::take(int descriptor, bool fresh) {
+    const bool locked = flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+    // File systems without locks: what was there before may be somebody's.
+    const bool ours = locked || (fresh && errno != EWOULDBLOCK);
+    if (!ours || !still_named(descriptor, m_temporary) || ftruncate(descriptor, 0) != 0) {
+        close(descriptor);
+        return false;
+    }
+    m_file = fdopen(descriptor, "w+b");
+    return m_file != nullptr;
+}
+
+bool WholeFile::open_temporary() {
+    for (int i = 0; i < most_writers; ++i) {
+        m_temporary = temporary_name(m_target, i);
+        int descriptor = ::open(m_temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        const bool fresh = descriptor >= 0;
+        if (!fresh && errno != EEXIST)
+            return false;
+        if (!fresh)
+            descriptor = ::open(m_temporary.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+        if (descriptor >= 0 && take(descriptor, fresh))
+            return true;
+    }
+    errno = EAGAIN;
+    return false;
+}
+
+bool WholeFile::open(const std::string& path, Failure& failure) {
+    m_path = path;
+    m_target = followed(path).string();
+    struct stat there {};
+    const bool exists = stat(m_target.c_str(), &there) == 0;
+    if (exists && S_ISDIR(there.st_mode))
+        return refuse(EISDIR, failure);
+    if (exists && faccessat(AT_FDCWD, m_target.c_str(), W_OK, AT_EACCESS) != 0)
+        return refuse(errno, failure);
+    m_direct = exists && !S_ISREG(there.st_mode);
+    if (m_direct) {
+        m_temporary = m_path;
+        m_file = std::fopen(m_path.c_str(), "wb");
+    } else if (open_temporary()) {
+        m_listed = list_unfinished(m_temporary);
+    }
+    return m_file || refuse(errno, failure);
+}
+
+bool WholeFile::commit(Failure& failure) {
+    const int descriptor = fileno(m_file);
+    struct stat there {};
+    errno = 0;
+    // The stream's error flag stays from the first write that failed, whoever made it.
+    bool done = std::fflush(m_file) == 0 && !std::ferror(m_file);
+    if (done && !m_direct) {
+        if (stat(m_target.c_str(), &there) == 0) {
+            // Another's owner is root's alone to give.
+            [[maybe_unused]] const int ignored = fchown(descriptor, there.st_uid, there.st_gid);
+            done = fchmod(descriptor, there.st_mode & 07777) == 0;
+        }
+        done = done && fsync(descriptor) == 0 &&
+               std::rename(m_temporary.c_str(), m_target.c_str()) == 0;
+    }
+    if (!done) {
+        // Errno may be another's by now: what does a write say?
+        const char more[4096] = {};
+        if (errno == 0 && pwrite(descriptor, more, sizeof more, lseek(descriptor, 0, SEEK_END)) ==
+                              ssize_t(sizeof more))
+            errno = EIO;
+        refuse(errno, failure);
+        if (std::ferror(m_file))
+            failure.code = exit_resources;
+        discard();
+        return false;
+    }
+    std::fclose(m_file);
+    m_file = nullptr;
+    unlist_unfinished(m_listed);
+    m_listed = -1;
+    if (!m_direct) {
+        const int folder = ::open(folder_of(m_target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        if (folder >= 0) {
+            fsync(folder); // the name too
+            close(folder);
+        }
+    }
+    return true;
+}
+
+} // namespace ddt::tool

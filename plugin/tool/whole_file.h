@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// A file that appears under its name only when it is whole.
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+#include "plugin/tool/exit_code.h"
+
+namespace ddt::tool {
+
+/// Write to file(), or to what temporary() names; then commit(). Until then what was there under
+/// the file's name stays there; without commit() it stays for good.
+///
+/// The temporary file lies in the same folder, its name hidden and with the same extension:
+/// .NAME.ddt-0.exr. A signal that can be caught removes it (see unfinished.h). After one that
+/// cannot (SIGKILL) it stays, and the next to write this file takes it over: it holds a lock on it
+/// while at work, and nobody a lock on what is left over.
+///
+/// A symbolic link stays one: the file that it leads to is replaced. A file that was there keeps
+/// its permissions, and its owner where that is allowed; one that may not be written is not
+/// replaced either. What is no file (/dev/null, a pipe) is written directly.
+class WholeFile {
+public:
+    WholeFile() = default;
+    ~WholeFile(); ///< removes the temporary file unless it was committed
+    WholeFile(const WholeFile&) = delete;
+    WholeFile& operator=(const WholeFile&) = delete;
+
+    /// False with a failure if the file could not be written. Once.
+    bool open(const std::string& path, Failure& failure);
+
+    const std::string& temporary() const { return m_temporary; }
+    /// Open for writing and reading.
+    std::FILE* file() const { return m_file; }
+
+    /// All of it on the disk, then under its name. False with a failure, and no file, if a write to
+    /// file() failed at any time, or one of these does.
+    bool commit(Failure& failure);
+
+private:
+    bool open_temporary();
+    bool take(int descriptor, bool fresh);
+    bool refuse(int number, Failure& failure) const;
+    void discard();
+
+    std::string m_path, m_target, m_temporary;
+    std::FILE* m_file = nullptr;
+    int m_listed = -1;
+    bool m_direct = false;
+};
+
+} // namespace ddt::tool
