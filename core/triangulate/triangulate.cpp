@@ -4,8 +4,7 @@
 #include <algorithm>
 
 #include "core/cost/cost.h"
-#include "core/triangulate/gain.h"
-#include "core/triangulate/schemes.h"
+#include "core/triangulate/run_scheme.h"
 
 namespace ddt {
 
@@ -67,6 +66,7 @@ bool find_rules(const MeshOptions& options, Rules& rules) {
 
 void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& workspace,
                  Statistics& statistics) {
+<<<<<<< HEAD
     const Cost cost = options.cost;
     const float threshold = min_gain(options);
     const int iterations = options.max_iterations;
@@ -91,6 +91,9 @@ void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& worksp
     case Scheme::pixel:
         return; // the starting mesh is the result
     }
+=======
+    run_scheme(lattice, options, workspace, statistics);
+>>>>>>> main
 }
 
 void find_gains(const Lattice& lattice, Cost cost, Workspace& w) {
@@ -98,7 +101,7 @@ void find_gains(const Lattice& lattice, Cost cost, Workspace& w) {
     w.flippable.clear();
     lattice.each_edge([&](int m) {
         w.gain[size_t(m)] = no_gain;
-        if (lattice.edge(m).flippable())
+        if (lattice.flippable(m))
             w.flippable.push_back(m);
     });
     gains(lattice, cost, w.flippable.data(), w.flippable.size(), w.gain.data());
