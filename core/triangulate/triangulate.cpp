@@ -66,34 +66,7 @@ bool find_rules(const MeshOptions& options, Rules& rules) {
 
 void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& workspace,
                  Statistics& statistics) {
-<<<<<<< HEAD
-    const Cost cost = options.cost;
-    const float threshold = min_gain(options);
-    const int iterations = options.max_iterations;
-    statistics.pixels += int64_t(lattice.width()) * lattice.height();
-    Rules rules;
-    switch (options.scheme) {
-    case Scheme::one_round:
-        return one_round(lattice, cost, threshold, iterations, workspace, statistics);
-    case Scheme::lawson:
-        return lawson(lattice, cost, threshold, iterations, workspace, statistics);
-    case Scheme::look_ahead:
-        return look_ahead(lattice, cost, threshold, iterations, workspace, statistics);
-    case Scheme::annealing:
-        return annealing(lattice, cost, threshold, iterations, options.seed, workspace, statistics);
-    case Scheme::basic:
-    case Scheme::exproi:
-    case Scheme::maxgain:
-    case Scheme::exproi_maxgain:
-    case Scheme::exproi_n_maxgain:
-        find_rules(options, rules);
-        return accept_reject(lattice, cost, threshold, iterations, rules, workspace, statistics);
-    case Scheme::pixel:
-        return; // the starting mesh is the result
-    }
-=======
     run_scheme(lattice, options, workspace, statistics);
->>>>>>> main
 }
 
 void find_gains(const Lattice& lattice, Cost cost, Workspace& w) {
