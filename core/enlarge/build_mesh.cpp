@@ -70,7 +70,7 @@ bool build_mesh(const float* guide, int width, int height, const MeshOptions& op
     else if (int64_t(width) * height > most_pixels)
         why = "ddt: the image is too large for one mesh";
     else
-        check_options({{}, options}, why);
+        check_options(options, why);
     if (why.empty()) {
         try {
             if (!build(guide, width, height, options, mesh, report, progress))

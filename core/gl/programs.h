@@ -5,8 +5,8 @@
 #include <map>
 #include <string>
 
-#include "ddt/options.h"
 #include "core/gl/context/functions.h"
+#include "ddt/options.h"
 
 namespace ddt::gl {
 

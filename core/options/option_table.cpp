@@ -82,7 +82,7 @@ Row number(const char* key, OptionGroup group, Number Part::*member, Number low,
         if constexpr (whole)
             return std::to_string(field(o, member));
         else
-            return number_text(double(field(o, member)));
+            return number_text(field(o, member));
     };
     r.set = [=](FilterOptions& o, std::string_view text) {
         return parse_number(text, low, high, field(o, member));
@@ -176,14 +176,16 @@ std::vector<Option> make_table() {
         number("iterations", mesh, &MeshOptions::max_iterations, 0, most_iterations,
                "Rounds of flips at most; 0 keeps the starting mesh."),
         scheme("Which edges flip, in which order."),
-        number("seed", mesh, &MeshOptions::seed, 0u, ~0u, "Another seed, another mesh of `annealing`."),
+        number("seed", mesh, &MeshOptions::seed, 0u, ~0u,
+               "Another seed, another mesh of `annealing`."),
         choice("start", mesh, &MeshOptions::start, start_name, find_start, start_values(),
                "The diagonal that each cell of four pixels starts with."),
         toggle("clipped", surface, &SurfaceOptions::clipped,
                "1: values below 0 will be cut off afterwards, as in a PNG. `ddt-sharp` may then "
                "make some, and dark strokes get sharper. Integer buffers in memory count as 1."),
-        number("consistency", surface, &SurfaceOptions::consistency, 0, most_consistency,
-               "Rounds that correct the surface so that its mean over each source pixel comes back.")
+        number(
+            "consistency", surface, &SurfaceOptions::consistency, 0, most_consistency,
+            "Rounds that correct the surface so that its mean over each source pixel comes back.")
             .in("ddt-sharp", "2"),
         number("limit", surface, &SurfaceOptions::limit, 0.0f, largest_real,
                "How far a corrected pixel may leave the range of its 3x3 neighbours, as a share of "

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/parse_number.h"
 #include "core/options/values.h"
 #include "ddt/option_table.h"
 
@@ -22,12 +23,14 @@ const char* group_name(OptionGroup group) {
     return "";
 }
 
-std::string number_text(double number) {
+std::string number_text(float number) {
+    // The standard library takes them for 0 in threads that do.
+    if (is_subnormal(number))
+        return "subnormal";
     char text[32];
-    const auto n = float(number);
     // 1000000 and not 1e+06.
-    const bool fixed = n == 0 || (std::fabs(n) >= 1e-4f && std::fabs(n) < 1e9f);
-    const auto end = std::to_chars(text, text + sizeof text, n,
+    const bool fixed = number == 0 || (std::fabs(number) >= 1e-4f && std::fabs(number) < 1e9f);
+    const auto end = std::to_chars(text, text + sizeof text, number,
                                    fixed ? std::chars_format::fixed : std::chars_format::general);
     return {text, end.ptr};
 }
@@ -37,7 +40,7 @@ std::string Option::allowed() const {
     const auto range = [&](const char* what) {
         const bool is_whole = kind == OptionKind::whole;
         const auto bound = [&](double v) {
-            return is_whole ? std::to_string(int64_t(v)) : number_text(v);
+            return is_whole ? std::to_string(int64_t(v)) : number_text(float(v));
         };
         parts.push_back(std::string(what) + " from " + bound(low) + " to " + bound(high));
     };

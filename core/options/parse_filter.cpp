@@ -21,12 +21,12 @@ std::string quoted(std::string_view text) {
 std::string refusal(const Option& option, std::string_view item) {
     std::string line = "ddt: option " + quoted(item) + " is not allowed; allowed for " +
                        option.key + " are " + option.allowed();
-    float number = 0;
     const std::string_view value = item.substr(item.find('=') + 1);
+    float number = 0;
+    const auto parsed = std::from_chars(value.data(), value.data() + value.size(), number);
     if (option.kind == OptionKind::real &&
-        std::from_chars(value.data(), value.data() + value.size(), number).ec !=
-            std::errc::invalid_argument &&
-        (number == 0 || is_subnormal(number)))
+        (value == "subnormal" || parsed.ec == std::errc::result_out_of_range ||
+         is_subnormal(number)))
         line += ", none but 0 below " + number_text(std::numeric_limits<float>::min());
     return line;
 }
@@ -109,6 +109,12 @@ bool check_options(const FilterOptions& options, std::string& error) {
         }
     }
     return true;
+}
+
+bool check_options(const MeshOptions& mesh, std::string& error) {
+    FilterOptions options;
+    options.mesh = mesh;
+    return check_options(options, error);
 }
 
 } // namespace ddt

@@ -8,6 +8,7 @@
 #include "core/tin/guarded.h"
 #include "core/tin/step_grid.h"
 #include "core/tin/tin_mesh.h"
+#include "ddt/option_table.h"
 
 namespace ddt {
 

@@ -19,8 +19,6 @@ void run_scheme(Mesh& mesh, const MeshOptions& options, Workspace& workspace,
     const int iterations = options.max_iterations;
     statistics.pixels += int64_t(mesh.vertices());
     Rules rules;
-    if (find_rules(options, rules))
-        return accept_reject(mesh, cost, threshold, iterations, rules, workspace, statistics);
     switch (options.scheme) {
     case Scheme::one_round:
         return one_round(mesh, cost, threshold, iterations, workspace, statistics);
@@ -30,8 +28,15 @@ void run_scheme(Mesh& mesh, const MeshOptions& options, Workspace& workspace,
         return look_ahead(mesh, cost, threshold, iterations, workspace, statistics);
     case Scheme::annealing:
         return annealing(mesh, cost, threshold, iterations, options.seed, workspace, statistics);
-    default:
-        return; // pixel: the starting mesh is the result
+    case Scheme::basic:
+    case Scheme::exproi:
+    case Scheme::maxgain:
+    case Scheme::exproi_maxgain:
+    case Scheme::exproi_n_maxgain:
+        find_rules(options, rules);
+        return accept_reject(mesh, cost, threshold, iterations, rules, workspace, statistics);
+    case Scheme::pixel:
+        return; // the starting mesh is the result
     }
 }
 

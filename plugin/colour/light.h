@@ -65,8 +65,7 @@ private:
 
     bool m_known = false;
     bool m_keeps_unit = true;
-    std::array<float, 3> m_luma{luminance_weights[0], luminance_weights[1],
-                                luminance_weights[2]};
+    std::array<float, 3> m_luma{luminance_weights[0], luminance_weights[1], luminance_weights[2]};
     Exact m_to_light, m_from_light;
     std::shared_ptr<const Curves> m_to_curves, m_from_curves; ///< null: not a curve a channel
     std::shared_ptr<const CodeTable> m_codes;

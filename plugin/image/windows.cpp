@@ -15,7 +15,6 @@ namespace {
 
 using OIIO::Strutil::fmt::format;
 
-
 int64_t allowed_megabytes() {
     int limit = 0;
     const auto memory = int64_t(OIIO::Sysutil::physical_memory() >> 20);

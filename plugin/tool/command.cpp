@@ -110,26 +110,35 @@ ExitCode fail(const Failure& failure) {
 
 Flag number_flag(const char* name, const char* value, const char* help, double low, double high,
                  double& number) {
-    return {name, value, help,
+    return {name,
+            value,
+            help,
             [=, &number](const std::string& text) { return parse_number(text, low, high, number); },
-            format("numbers from {} to {}", low, high), ""};
+            format("numbers from {} to {}", low, high),
+            ""};
 }
 
 Flag whole_flag(const char* name, const char* value, const char* help, int low, int high,
                 int& number) {
-    return {name, value, help,
+    return {name,
+            value,
+            help,
             [=, &number](const std::string& text) { return parse_number(text, low, high, number); },
-            format("whole numbers from {} to {}", low, high), ""};
+            format("whole numbers from {} to {}", low, high),
+            ""};
 }
 
 Flag choice_flag(const char* name, const std::vector<std::string>& choices, const char* help,
                  std::string& choice) {
-    return {name, OIIO::Strutil::join(choices, "|"), help,
+    return {name,
+            OIIO::Strutil::join(choices, "|"),
+            help,
             [=, &choice](const std::string& text) {
                 choice = text;
                 return std::find(choices.begin(), choices.end(), text) != choices.end();
             },
-            OIIO::Strutil::join(choices, ", "), ""};
+            OIIO::Strutil::join(choices, ", "),
+            ""};
 }
 
 Flag switch_flag(const char* name, const char* help, bool& on) {

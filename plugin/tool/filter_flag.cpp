@@ -31,12 +31,15 @@ std::string defaults_of(const Option& option) {
 } // namespace
 
 Flag filter_flag(const char* help, Options& options, std::string& error) {
-    return {"--filter", "SPEC", help,
+    return {"--filter",
+            "SPEC",
+            help,
             [&options, &error](const std::string& text) {
                 parse_filter(text, options, error);
                 return true;
             },
-            "", filter_notes()};
+            "",
+            filter_notes()};
 }
 
 std::vector<Entry> filter_entries() {
@@ -44,9 +47,8 @@ std::vector<Entry> filter_entries() {
     for (const std::string& filter : filter_names())
         entries.push_back({filter, plain(filter_help(filter).c_str())});
     for (const Option& option : option_table()) {
-        std::string meaning =
-            format("{} Allowed: {}. Default: {}.", plain(option.help), option.allowed(),
-                   defaults_of(option));
+        std::string meaning = format("{} Allowed: {}. Default: {}.", plain(option.help),
+                                     option.allowed(), defaults_of(option));
         for (const NamedValue& value : option.values)
             meaning += format(" {}: {}", value.name, plain(value.help));
         entries.push_back({option.key + std::string("="), meaning});

@@ -47,12 +47,13 @@ struct Option {
     const char* key;
     OptionGroup group;
     OptionKind kind;
-    const char* help;     ///< as that of NamedValue
-    double low, high;     ///< real and whole: the range; toggle: 0 and 1; else 0
+    const char* help;               ///< as that of NamedValue
+    double low, high;               ///< real and whole: the range; toggle: 0 and 1; else 0
     std::vector<NamedValue> values; ///< names; those of a number are allowed beside its range
-    std::string others;   ///< what is allowed beside all that, in words, or empty
+    std::string others;             ///< what is allowed beside all that, in words, or empty
 
-    /// The value as a text that set() takes for the same value. In C's notation whatever the locale.
+    /// The value as a text that set() takes for the same value. In C's notation whatever the
+    /// locale.
     std::function<std::string(const FilterOptions&)> get;
     /// Set this option and no other; false, and nothing is set, if the value is not allowed.
     std::function<bool(FilterOptions&, std::string_view)> set;
@@ -80,8 +81,9 @@ const Option* find_option(std::string_view key);
 /// The text of an option's default in the filter of that name, with the default cost and scheme.
 std::string default_text(const Option& option, std::string_view filter);
 
-/// A number as options spell it: the shortest text that parses to the same float.
-std::string number_text(double number);
+/// A number as options spell it: the shortest text that parses to the same float;
+/// "subnormal", which does not parse, for what no option may be.
+std::string number_text(float number);
 
 /// True if `spec` is one of filter_names() (ddt/names.h), or one followed by a comma and options.
 bool is_filter_name(std::string_view spec);
@@ -102,5 +104,6 @@ bool set_option(std::string_view item, FilterOptions& options, std::string& erro
 /// True if every option has a value that its row allows; if not, `error` is the line that
 /// parse_filter() has for it. Every entry point of the library checks its options so.
 bool check_options(const FilterOptions& options, std::string& error);
+bool check_options(const MeshOptions& options, std::string& error);
 
 } // namespace ddt

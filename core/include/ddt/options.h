@@ -84,8 +84,9 @@ struct MeshOptions {
     /// ddt/costs.h), for lawson and the paper's schemes a bare guard against rounding. The default
     /// is meant for the cost abn and Scheme::one_round; parse_filter() gives others theirs.
     float min_gain = 0.1f;
-    /// Iterations after which flipping ends; 0 to most_iterations. For lawson and look_ahead these are sweeps,
-    /// for annealing it is the number of random iterations and the limit of those that follow.
+    /// Iterations after which flipping ends; 0 to most_iterations. For lawson and look_ahead these
+    /// are sweeps, for annealing it is the number of random iterations and the limit of those that
+    /// follow.
     int max_iterations = 64;
     /// Share of each neighbour, in rows and then in columns, that is mixed into the guide before
     /// edges are sought in it; 0 to largest_blur. A little keeps single pixels' noise out of the

@@ -81,8 +81,9 @@ TEST(Mesh, SaysWhyThereIsNone) {
     MeshOptions o = plain_mesh();
     o.max_iterations = most_iterations + 1;
     EXPECT_FALSE(build_mesh(guide.data(), 4, 2, o, mesh, nullptr, &error));
-    EXPECT_EQ(error, "ddt: option \"iterations=251\" is not allowed; allowed for iterations are whole "
-                     "numbers from 0 to 250");
+    EXPECT_EQ(error,
+              "ddt: option \"iterations=251\" is not allowed; allowed for iterations are whole "
+              "numbers from 0 to 250");
     EXPECT_TRUE(build_mesh(guide.data(), 4, 2, {}, mesh, nullptr, &error));
     EXPECT_EQ(error, "");
 }

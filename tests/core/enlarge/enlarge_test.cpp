@@ -578,7 +578,8 @@ TEST(Enlarge, BadJobsAreToldFromGoodOnes) {
     EXPECT_EQ(outcome([](Job& j) { j.kinds.resize(1); }, "kinds"), Outcome::bad_job);
     EXPECT_EQ(outcome([](Job& j) { j.kinds.resize(3); }, "kinds"), Outcome::bad_job);
     EXPECT_EQ(outcome([](Job& j) { j.mesh.max_iterations = -1; }, "iterations="), Outcome::bad_job);
-    EXPECT_EQ(outcome([](Job& j) { j.mesh.max_iterations = most_iterations + 1; }, "iterations="), Outcome::bad_job);
+    EXPECT_EQ(outcome([](Job& j) { j.mesh.max_iterations = most_iterations + 1; }, "iterations="),
+              Outcome::bad_job);
 }
 
 TEST(Enlarge, PixelsOfAnyKindAreWorkedOn) {

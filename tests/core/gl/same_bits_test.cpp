@@ -26,8 +26,7 @@ TEST_P(SameBits, EverySchemeAndCost) {
                 order.out_width = 150;
                 order.out_height = 101;
                 expect_same(GetParam(), p, order,
-                            std::string(name_of(Content(content))) + " " +
-                                scheme + " " + cost);
+                            std::string(name_of(Content(content))) + " " + scheme + " " + cost);
             }
 }
 

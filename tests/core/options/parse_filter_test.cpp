@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <clocale>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ TEST(Options, NameSetsSurface) {
 std::string other_value(const ddt::Option& option) {
     switch (option.kind) {
     case ddt::OptionKind::real:
-        return ddt::number_text(option.high * 0.75);
+        return ddt::number_text(float(option.high) * 0.75f);
     case ddt::OptionKind::whole:
         return std::to_string(int64_t(option.high));
     case ddt::OptionKind::toggle:
@@ -62,8 +62,7 @@ TEST(Options, EveryKey) {
             ddt::FilterOptions options, plain;
             std::string error;
             ASSERT_TRUE(ddt::parse_filter(filter, plain, error)) << error;
-            ASSERT_TRUE(
-                ddt::parse_filter(filter + "," + option.key + "=" + value, options, error))
+            ASSERT_TRUE(ddt::parse_filter(filter + "," + option.key + "=" + value, options, error))
                 << error;
             EXPECT_EQ(option.get(options), value) << option.key;
             EXPECT_NE(option.get(plain), value) << option.key;
@@ -207,7 +206,7 @@ TEST(Options, FieldsOutOfRangeAreRefusedWithTheLineOfTheKey) {
 
 TEST(Options, NumbersAreTextsThatGiveThemBack) {
     EXPECT_EQ(ddt::number_text(0.07f), "0.07");
-    EXPECT_EQ(ddt::number_text(1e6), "1000000");
+    EXPECT_EQ(ddt::number_text(1e6f), "1000000");
     EXPECT_EQ(ddt::number_text(0), "0");
     EXPECT_EQ(ddt::number_text(1.5e-5f), "1.5e-05");
 }

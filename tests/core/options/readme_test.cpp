@@ -15,18 +15,18 @@ std::string code(const std::string& text) {
     return "`" + text + "`";
 }
 
-/// "0 to 0.25", "0 or 1", "a name"
+/// "0 to 0.25", "0 or 1", "one of:"
 std::string range_of(const Option& option) {
     switch (option.kind) {
     case OptionKind::real:
-        return number_text(option.low) + " to " + number_text(option.high);
+        return number_text(float(option.low)) + " to " + number_text(float(option.high));
     case OptionKind::whole:
         return std::to_string(int64_t(option.low)) + " to " + std::to_string(int64_t(option.high));
     case OptionKind::toggle:
         return "0 or 1";
     case OptionKind::choice:
     case OptionKind::text:
-        return option.others.empty() ? "" : "or " + option.others;
+        return option.others.empty() ? "one of:" : "one of these, or " + option.others + ":";
     }
     return "";
 }

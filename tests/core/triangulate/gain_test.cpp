@@ -53,7 +53,7 @@ TEST(Gain, IsWhatTheTotalCostFallsBy) {
 }
 
 TEST(Gain, TotalCostIsTheFormulasInDouble) {
-    for (const Cost cost : all_costs)
+    for (const Cost cost : {Cost::abn, Cost::scf}) // whose formulas SlowMesh has in double
         each_mesh([&](Lattice& lattice) {
             const double exact = SlowMesh(lattice, cost).total_cost();
             // Each edge is off by a few units of the last place of 1.
