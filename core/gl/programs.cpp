@@ -10,6 +10,7 @@
 #include "core/gl/context/failure.h"
 #include "core/gl/context/faults.h"
 #include "core/gl/shader_text.h"
+#include "ddt/options.h"
 
 namespace ddt::gl {
 
