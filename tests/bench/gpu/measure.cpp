@@ -5,10 +5,9 @@
 #include <cstring>
 
 #include "core/gl/budget.h"
+#include "core/gl/host_tile.h"
 #include "core/gl/strip.h"
-#include "core/guide/guide.h"
 #include "core/tiles/tile_io.h"
-#include "core/triangulate/triangulate.h"
 
 namespace ddt::bench {
 
@@ -18,12 +17,8 @@ namespace {
 
 constexpr int channels = 4;
 
-/// A tile in the layout of a slot.
-struct HostTile {
-    Tile tile;
+struct BenchTile : gl::HostTile {
     Rect reach;
-    gl::TileSize size;
-    std::vector<float> guide, values;
 };
 
 class Bench {
@@ -35,7 +30,7 @@ public:
           m_mapping(axis(picture.width()), axis(picture.height())),
           m_in_flight(gl::affordable_tiles(gpu, m_shape, 1, job.surface, m_grid.count())),
           m_mesh(gpu, m_shape, int(m_in_flight)),
-          m_surfaces(gpu, m_shape, int(m_in_flight), kinds(job), job.surface) {}
+          m_surfaces(gpu, m_shape, int(m_in_flight), gl::kinds_of(job), job.surface) {}
 
     /// One run over the whole picture.
     void run(gl::Stages& stages, Measured& m, bool keep) {
@@ -55,12 +50,6 @@ public:
     }
 
 private:
-    static std::vector<gl::GroupKinds> kinds(const Job& job) {
-        gl::GroupKinds k;
-        for (int c = 0; c < channels; ++c)
-            k.strict |= is_strict(job, c) ? 1u << c : 0;
-        return {k};
-    }
     static ResizeMapping::Axis axis(int pixels) {
         ResizeMapping::Axis a;
         a.from_size = a.window1 = pixels;
@@ -70,40 +59,23 @@ private:
 
     void read(int first, int end) {
         m_tiles.clear();
-        std::vector<float> values, guide;
         for (int i = first; i < end; ++i) {
-            HostTile t;
+            BenchTile t;
             t.tile = m_grid.tile(i);
             t.reach = reach_of(t.tile, m_job.window, m_mapping);
-            int width = 0, height = 0;
-            read_tile(m_picture, t.tile, m_job, values, guide, width, height);
-            if (const float share = blur_share(m_job.mesh, 0); share > 0)
-                blur_guide(guide, width, height, share);
-            t.size = gl::size_in_slot(t.tile, width, height);
-            t.guide.resize(m_shape.pixels());
-            t.values.resize(m_shape.pixels() * channels);
-            for (int y = 0; y < t.size.height; ++y) {
-                const size_t from = size_t(y) * size_t(t.size.width),
-                             to = size_t(y) * size_t(m_shape.width), n = size_t(t.size.width);
-                std::memcpy(&t.guide[to], &guide[from], n * sizeof(float));
-                std::memcpy(&t.values[to * channels], &values[from * channels],
-                            n * channels * sizeof(float));
-            }
+            gl::read(m_picture, m_job, m_shape, t);
             m_tiles.push_back(std::move(t));
         }
     }
 
     void batch(gl::Stages& stages, Measured& m, bool keep) {
         std::vector<gl::TileSize> sizes;
-        for (const HostTile& t : m_tiles)
+        for (const BenchTile& t : m_tiles)
             sizes.push_back(t.size);
         stages.begin(Stage::upload);
         m_mesh.set_tiles(sizes);
-        for (size_t i = 0; i < m_tiles.size(); ++i) {
-            const HostTile& t = m_tiles[i];
-            m_mesh.write_guide(int(i), t.guide.data());
-            m_surfaces.write_values(int(i), 0, t.values.data());
-        }
+        for (size_t i = 0; i < m_tiles.size(); ++i)
+            gl::upload(m_tiles[i], m_job, int(i), m_mesh, m_surfaces);
         stages.end();
         gl::finish(m_gpu.context->gl, "upload");
         stages.begin(Stage::triangulate);
@@ -170,7 +142,7 @@ private:
         const auto counts = m_mesh.read_counts();
         const auto reach = m_mesh.read_reach();
         for (size_t t = 0; t < counts.size(); ++t) {
-            const HostTile& tile = m_tiles[t];
+            const BenchTile& tile = m_tiles[t];
             add_tile(tile.size, double(tile.reach.area()), int(reach[t]), m_job.surface, m.work);
             for (size_t i = 0; i < counts[t].size(); ++i) {
                 const gl::IterationCounts& c = counts[t][i];
@@ -197,7 +169,7 @@ private:
     size_t m_in_flight;
     gl::DeviceMesh m_mesh;
     gl::Surfaces m_surfaces;
-    std::vector<HostTile> m_tiles;
+    std::vector<BenchTile> m_tiles;
     std::vector<char> m_download;
 };
 

@@ -11,8 +11,6 @@
 namespace ddt::test {
 namespace {
 
-constexpr Cost costs[] = {Cost::abn, Cost::scf, Cost::jnd, Cost::dlp, Cost::dp};
-
 std::vector<float> stepped(std::vector<float> guide, float scale) {
     for (float& v : guide)
         v = guide_step(v * scale);
@@ -48,7 +46,7 @@ TEST(StartGains, AreThoseOfEveryEdge) {
                                  Pixel{19, 7}, Pixel{35, 6}, Pixel{70, 9}})
             for (const bool flat : {false, true})
                 for (const Kind kind : all_kinds)
-                    for (const Cost cost : costs) {
+                    for (const Cost cost : all_costs) {
                         const auto guide = stepped(make_guide(kind, size.x, size.y, 5), 1.0f);
                         Lattice lattice;
                         lattice.start(size.x, size.y, guide.data(), flat);
@@ -68,7 +66,7 @@ TEST(StartGains, AreExactAtTheEndsOfTheGuidesRange) {
         guide.push_back(guide_step((random.unit() - 0.5f) * 8192.0f));
     Lattice lattice;
     lattice.start(40, 12, guide.data(), true);
-    for (const Cost cost : costs)
+    for (const Cost cost : all_costs)
         check(lattice, cost, 0.1f);
 }
 
