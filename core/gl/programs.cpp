@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/programs.h"
 
+#include <charconv>
 #include <chrono>
-#include <cstring>
 #include <set>
 #include <sstream>
 
@@ -42,19 +42,21 @@ std::string define(const char* name, const std::string& value) {
     return std::string("#define ") + name + ' ' + value + '\n';
 }
 
-/// The constants of core/base/constants.h, floats by their bits.
+/// The constants of core/base/constants.h; floats with as many digits as tell them from others, in
+/// no locale's way. (Their bits would not do: compilers refuse uintBitsToFloat() in a constant.)
 std::string constants() {
     std::string out;
     const auto put = [&](const char* type, const char* name, const std::string& value) {
         out += std::string("const ") + type + ' ' + name + " = " + value + ";\n";
     };
-    const auto bits = [](float value) {
-        uint32_t bits;
-        std::memcpy(&bits, &value, sizeof bits);
-        return "uintBitsToFloat(" + std::to_string(bits) + "u)";
+    const auto digits = [](float value) {
+        char text[32];
+        const auto end =
+            std::to_chars(text, text + sizeof text, value, std::chars_format::scientific);
+        return std::string(text, end.ptr);
     };
 #define DDT_INT(name, value) put("int", #name, std::to_string(name));
-#define DDT_FLOAT(name, value) put("float", #name, bits(name));
+#define DDT_FLOAT(name, value) put("float", #name, digits(name));
     DDT_CONSTANTS(DDT_INT, DDT_FLOAT)
 #undef DDT_INT
 #undef DDT_FLOAT
@@ -94,7 +96,7 @@ void Programs::use(const std::string& file, const std::string& defines) {
     GLuint& program = m_programs[name];
     if (!program) {
         const auto begin = std::chrono::steady_clock::now();
-        program = compiled(m_gl, name, shader_source(file, defines));
+        program = compile(m_gl, name, shader_source(file, defines));
         m_milliseconds +=
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
                 .count();
@@ -110,7 +112,7 @@ std::vector<std::string> Programs::names() const {
     return names;
 }
 
-GLuint compiled(const Functions& gl, const std::string& name, std::string source) {
+GLuint compile(const Functions& gl, const std::string& name, std::string source) {
 #ifdef DDT_FAULTS
     source = with_changed_constant(name, std::move(source));
 #endif

@@ -66,6 +66,6 @@ std::string shader_source(const std::string& file, const std::string& defines);
 std::string assembled(const std::string& text, const std::string& defines);
 
 /// Compile and link. Throws Failure with the compiler's messages.
-GLuint compiled(const Functions& gl, const std::string& name, std::string source);
+GLuint compile(const Functions& gl, const std::string& name, std::string source);
 
 } // namespace ddt::gl

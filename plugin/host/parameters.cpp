@@ -98,7 +98,7 @@ std::string item(const Parameter& p, double value) {
     std::string text;
     switch (p.option->kind) {
     case OptionKind::real:
-        text = number_text(value);
+        text = number_text(float(value));
         break;
     case OptionKind::choice:
         text = p.names[size_t(std::clamp(value, p.low, p.high))];

@@ -76,7 +76,7 @@ TEST_P(Stages, NameWhereAFaultIs) {
         {"edges.comp QUADRATIC SOFT", "bend_strength", "1.76", "surface: bends"},
         {"correct.comp QUADRATIC SOFT", "across_beside", "0.2501",
          "surface after 1 corrections: vertices"},
-        {"sample.comp QUADRATIC SOFT WHOLE_GROUPS", "dark_share", "0.75", "result: samples"},
+        {"sample.comp QUADRATIC SOFT WHOLE_GROUPS", "bend_strength", "1.76", "result: samples"},
     };
     for (const auto& fault : faults) {
         gl::change_constant(fault.program, fault.constant, fault.value);

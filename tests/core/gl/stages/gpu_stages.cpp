@@ -89,8 +89,8 @@ SurfaceStage GpuStages::surface(int rounds) {
     bends.clear();
     softness.clear();
     const std::string defines = surfaces.defines();
-    const GLuint program = gl::compiled(gl, gl::program_name("edges.comp", defines),
-                                        gl::assembled(edges_comp, defines));
+    const GLuint program = gl::compile(gl, gl::program_name("edges.comp", defines),
+                                       gl::assembled(edges_comp, defines));
     gl.UseProgram(program);
     surfaces.bind_net(m_mesh, 0);
     bends.bind(4);
