@@ -23,6 +23,8 @@ struct Change {
 /// A constant of the program, and another value that is not right.
 Change change_of(const std::string& program) {
     const auto has = [&](const char* part) { return program.find(part) != program.npos; };
+    if (has("contours.comp"))
+        return {"contour_square_bias", "6.5"};
     if (has("COST_")) // by 1 part in 3000 at the first guess
         return {"rsqrt_magic", "1597460000"};
     if (has("select.comp"))
@@ -54,7 +56,13 @@ std::vector<Order> orders() {
             find_cost(name, order.job.mesh.cost);
             all.push_back(order);
         }
-    order.job.mesh = {};
+    order.job.mesh = plain_mesh();
+    order.job.mesh.contour = 0.4f;
+    for (const Scheme scheme : {Scheme::one_round, Scheme::pixel}) {
+        order.job.mesh.scheme = scheme;
+        all.push_back(order);
+    }
+    order.job.mesh = plain_mesh();
     for (const Surface kind : {Surface::linear, Surface::patch})
         for (const float soft : {0.0f, 0.2f})
             for (const int consistency : {0, 1})
@@ -139,8 +147,9 @@ TEST_P(SelfCheck, EveryProgramIsCheckedBeforeItIsUsedAndAWrongOneIsNot) {
             }
         }
     }
-    // 5 programs a cost, select, flip, gradients, 4 that correct, 16 that sample.
-    EXPECT_GE(proved.size(), 5 * cost_names().size() + 3 + 4 + 16);
+    // 5 programs a cost, 4 with contours, what finds those, select, flip, gradients, 4 that
+    // correct, 16 that sample.
+    EXPECT_GE(proved.size(), 5 * cost_names().size() + 4 + 1 + 3 + 4 + 16);
 }
 
 INSTANTIATE_TEST_SUITE_P(Devices, SelfCheck, testing::Values(Device::egl, Device::osmesa),
