@@ -108,7 +108,7 @@ uint32_t bits_of(float x) {
 void take_mesh(const Site* sites, const float* gains, int stride, Outcomes& o) {
     each_edge(stride, [&](size_t m) {
         o.edges.push_back(vectors_of(sites[m].edge));
-        o.gains.push_back(bits_of(gains[m]));
+        o.gains.push_back(bits_of(gains[m] + 0.0f)); // whatever a zero's sign
     });
 }
 
@@ -210,8 +210,8 @@ Job check_job(const Job& job) {
     check.mesh.scheme = job.mesh.scheme;
     check.mesh.cost = job.mesh.cost;
     check.mesh.contour = job.mesh.contour > 0 ? 0.4f : 0.0f;
-    check.mesh.min_gain = -1.0f;
-    check.mesh.blur = 0.07f; // several meshes differ by it
+    check.mesh.min_gain = -1.0f; // many flips, and late ones
+    check.mesh.blur = 0.07f;     // several meshes differ by it
     check.mesh.meshes = std::min(job.mesh.meshes, 2);
     check.surface.kind = job.surface.kind;
     check.surface.consistency = std::min(job.surface.consistency, 2);
