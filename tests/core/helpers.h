@@ -111,13 +111,6 @@ inline uint64_t hash(const std::vector<float>& values, uint64_t h = 0xcbf29ce484
 enum class Kind { noise, few, flat, shapes };
 constexpr Kind all_kinds[] = {Kind::noise, Kind::few, Kind::flat, Kind::shapes};
 
-/// Every cost there is.
-constexpr Cost all_costs[] = {
-#define DDT_COST(name, ...) Cost::name,
-    DDT_COSTS(DDT_COST)
-#undef DDT_COST
-};
-
 /// A guide, multiples of 2^-12 about in [0, 1]. `shapes` are half planes, discs and slopes with a
 /// little noise, something like a photograph. Integer arithmetic only: the same everywhere.
 inline std::vector<float> make_guide(Kind kind, int width, int height, uint64_t seed) {
