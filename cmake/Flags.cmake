@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Compile flags that every target gets.
 #
-# The bits of the result are a promise (see core/arith): no contraction of a*b+c to one rounding,
+# The bits of the result are a promise (see core/base/arith.h): no contraction of a*b+c to one rounding,
 # no reordering of float sums.
 add_compile_options(-ffp-contract=off -fno-fast-math)
 add_compile_options(-Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wno-psabi)
@@ -24,3 +24,11 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     " -mssse3 '-DHWY_DISABLED_TARGETS=~(HWY_SSSE3|HWY_AVX2)'")
 endif()
 set(CMAKE_EXE_LINKER_FLAGS_SANITIZE "-fsanitize=address,undefined")
+
+# -DCMAKE_BUILD_TYPE=Fuzz, with clang: the same sanitizers and libFuzzer's coverage; tests/fuzz/run.
+set(CMAKE_CXX_FLAGS_FUZZ
+  "-O1 -g1 -fsanitize=address,undefined,fuzzer-no-link -fno-sanitize-recover=all")
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  string(APPEND CMAKE_CXX_FLAGS_FUZZ " -mssse3 '-DHWY_DISABLED_TARGETS=~(HWY_SSSE3|HWY_AVX2)'")
+endif()
+set(CMAKE_EXE_LINKER_FLAGS_FUZZ "-fsanitize=address,undefined")
