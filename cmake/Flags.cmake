@@ -25,10 +25,8 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
 endif()
 set(CMAKE_EXE_LINKER_FLAGS_SANITIZE "-fsanitize=address,undefined")
 
-# -DCMAKE_BUILD_TYPE=Fuzz, with clang: the same sanitizers and libFuzzer's coverage; tests/fuzz/run.
-set(CMAKE_CXX_FLAGS_FUZZ
-  "-O1 -g1 -fsanitize=address,undefined,fuzzer-no-link -fno-sanitize-recover=all")
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-  string(APPEND CMAKE_CXX_FLAGS_FUZZ " -mssse3 '-DHWY_DISABLED_TARGETS=~(HWY_SSSE3|HWY_AVX2)'")
+# With clang also what libFuzzer goes by, for tests/fuzz.
+if(CMAKE_BUILD_TYPE STREQUAL "Sanitize" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  set(DDT_LIBFUZZER ON)
+  add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
-set(CMAKE_EXE_LINKER_FLAGS_FUZZ "-fsanitize=address,undefined")
