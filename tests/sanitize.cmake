@@ -1,14 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # The unit tests once more, compiled with the address and undefined-behaviour sanitizers in
-# build/sanitize: by clang where it is there, since tests/fuzz needs it for the same.
-find_program(DDT_CLANGXX clang++)
-find_program(DDT_CLANG clang)
-if(DDT_CLANGXX AND DDT_CLANG)
-  set(sanitize_compilers -DCMAKE_CXX_COMPILER=${DDT_CLANGXX} -DCMAKE_C_COMPILER=${DDT_CLANG})
-else()
-  set(sanitize_compilers -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
-                         -DCMAKE_C_COMPILER=${CMAKE_C_COMPILER})
-endif()
+# build/sanitize.
 set(sanitize_dir ${CMAKE_BINARY_DIR}/sanitize)
 add_test(NAME sanitize.build
   COMMAND ${CMAKE_CTEST_COMMAND}
@@ -16,7 +8,8 @@ add_test(NAME sanitize.build
     --build-generator ${CMAKE_GENERATOR}
     --build-noclean
     --build-target unit_tests
-    --build-options -DCMAKE_BUILD_TYPE=Sanitize -DDDT_PLUGIN=${DDT_PLUGIN} ${sanitize_compilers})
+    --build-options -DCMAKE_BUILD_TYPE=Sanitize -DDDT_PLUGIN=${DDT_PLUGIN} -DDDT_WERROR=${DDT_WERROR}
+      -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_C_COMPILER=${CMAKE_C_COMPILER})
 set_tests_properties(sanitize.build PROPERTIES LABELS all FIXTURES_SETUP sanitized RUN_SERIAL TRUE)
 # Left out are tests that are large for the sake of numbers, which the plain build compares: their
 # code is that of others.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/commands.h"
+#include "plugin/tool/filter_flag.h"
 #include "plugin/tool/progress.h"
 #include "plugin/tool/resize_file.h"
 
@@ -21,13 +22,8 @@ public:
                     {"SIZE", "size of the result"},
                     {"OUT", "any image OpenImageIO writes"}};
         flags = {
-            {"--filter", "SPEC",
-             "the filter's name and options (default: ddt): ddt-sharp,light=encoded",
-             [this](const std::string& text) {
-                 parse_filter(text, m_settings.options, m_filter_error);
-                 return true;
-             },
-             ""},
+            filter_flag("the filter's name and options (default: ddt): ddt-sharp,light=encoded",
+                        m_settings.options, m_filter_error),
             choice_flag("--type", {"uint8", "uint16", "half", "float"},
                         "pixel type of the result (default: the image's)", m_settings.type),
             whole_flag("--threads", "N", "threads to use (default: all cores)", 0, 4096,
