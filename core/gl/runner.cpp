@@ -291,11 +291,7 @@ void Runner::write(Strip& strip) {
     if (!strip.last || !m_run.going())
         return;
     m_run.tile_done(t.index);
-    m_statistics.pixels += t.statistics.pixels;
-    m_statistics.evaluations += t.statistics.evaluations;
-    m_statistics.flips += t.statistics.flips;
-    m_statistics.rounds += t.statistics.rounds;
-    m_statistics.iterations = std::max(m_statistics.iterations, t.statistics.iterations);
+    m_statistics += t.statistics;
 }
 
 void Runner::report() {

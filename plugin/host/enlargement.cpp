@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <exception>
-#include <new>
 
+#include "core/base/guarded.h"
 #include "core/tiles/grid.h"
 #include "core/tiles/tile_io.h"
 #include "plugin/colour/encodings.h"
@@ -182,24 +181,23 @@ Rect scaled(const Rect& window, double x_factor, double y_factor) {
 
 Outcome enlarge(const Enlargement& work, std::string& error) {
     error.clear();
-    try {
+    Outcome outcome = Outcome::bad_job;
+    const Caught caught = guarded_call(&error, [&] {
         if (!check(work, error))
-            return Outcome::bad_job;
+            return;
         if (same_size(work.window, work.full)) {
             copy(work);
-            return Outcome::done;
+            outcome = Outcome::done;
+            return;
         }
         BufferSource source(work);
         BufferSink sink(work);
-        return ddt::enlarge(source, sink, mapping_of(work.window, work.full, work.to.box),
-                            job_of(work), &error);
-    } catch (const std::bad_alloc&) {
-        error = "ddt: out of memory";
-        return Outcome::out_of_memory;
-    } catch (const std::exception& e) {
-        error = std::string("ddt: ") + e.what();
-        return Outcome::bad_job;
-    }
+        outcome = ddt::enlarge(source, sink, mapping_of(work.window, work.full, work.to.box),
+                               job_of(work), &error);
+    });
+    if (caught == Caught::nothing)
+        return outcome;
+    return caught == Caught::out_of_memory ? Outcome::out_of_memory : Outcome::bad_job;
 }
 
 } // namespace ddt::host

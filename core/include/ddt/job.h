@@ -61,6 +61,9 @@ struct Statistics {
     StageTimes times;
     /// Where the tiles were worked on; cpu if at least one was. Never automatic.
     Device device = Device::cpu;
+
+    /// Add what other tiles were worth; `device` stays.
+    Statistics& operator+=(const Statistics& other);
 };
 
 /// A piece of work.
