@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
-#include <exception>
 #include <memory>
-#include <new>
 #include <vector>
 
 #include "core/base/guarded.h"
@@ -94,16 +91,16 @@ void work_on_cpu(Source& source, Sink& sink, const Mapping& mapping, const Job& 
             statistics += worker->statistics();
 }
 
-/// Tell of a job on stderr, for DDT_VERBOSE.
+/// Tell of a job.
 void report(const Placement& placement, const std::string& failure, const Statistics& statistics,
             double seconds) {
     if (!failure.empty())
-        std::fprintf(stderr, "ddt: %s failed, finished on the CPU: %s\n",
-                     describe(placement).c_str(), failure.c_str());
-    std::fprintf(stderr, "ddt: device %s; %lld pixels, %lld flips, %d iterations, %.1f ms\n",
-                 failure.empty() ? describe(placement).c_str() : "cpu",
-                 static_cast<long long>(statistics.pixels),
-                 static_cast<long long>(statistics.flips), statistics.iterations, seconds * 1e3);
+        say("ddt: %s failed, finished on the CPU: %s", describe(placement).c_str(),
+            failure.c_str());
+    say("ddt: device %s; %lld pixels, %lld flips, %d iterations, %.1f ms",
+        failure.empty() ? describe(placement).c_str() : "cpu",
+        static_cast<long long>(statistics.pixels), static_cast<long long>(statistics.flips),
+        statistics.iterations, seconds * 1e3);
 }
 
 Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, std::string& why) {

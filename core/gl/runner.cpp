@@ -2,7 +2,6 @@
 #include "core/gl/runner.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
 
 #include "core/base/arith.h"
@@ -296,12 +295,11 @@ void Runner::write(Strip& strip) {
 
 void Runner::report() {
     const auto ms = [&](Stage stage) { return m_stages->milliseconds(stage); };
-    std::fprintf(stderr,
-                 "ddt: upload %.2f ms, triangulate %.2f ms, surface %.2f ms, sample %.2f ms, "
-                 "download %.2f ms; opened in %.0f ms, %d shaders compiled in %.0f ms\n",
-                 ms(Stage::upload), ms(Stage::triangulate), ms(Stage::surface), ms(Stage::sample),
-                 ms(Stage::download), m_gpu.open_milliseconds, m_gpu.programs->compiled(),
-                 m_gpu.programs->milliseconds());
+    say("ddt: upload %.2f ms, triangulate %.2f ms, surface %.2f ms, sample %.2f ms, "
+        "download %.2f ms; opened in %.0f ms, %d shaders compiled in %.0f ms",
+        ms(Stage::upload), ms(Stage::triangulate), ms(Stage::surface), ms(Stage::sample),
+        ms(Stage::download), m_gpu.open_milliseconds, m_gpu.programs->compiled(),
+        m_gpu.programs->milliseconds());
 }
 
 } // namespace ddt::gl

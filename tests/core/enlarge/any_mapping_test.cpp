@@ -74,7 +74,6 @@ TEST(AnyMapping, MayJumpByAnyDistance) {
 }
 
 TEST(AnyMapping, OneAxisAtATimeToo) {
-    // One tile: a separable mapping's reach must be exact.
     Plane source;
     const Rect out{0, 0, 150, 60};
     const Scattered mapping(out, 0, true);

@@ -76,7 +76,7 @@ TEST(Reentry, UserCodeMayUseTheSameThreadPool) {
     const ResizeMapping mapping = mapping_of(window, out, out);
     Job job = job_of(source, 1);
     job.device = Device::cpu;
-    job.mesh.max_iterations = 2;
+    job.mesh.scheme = Scheme::pixel;
     TestSink plain(out, 1), sink(out, 1);
     ASSERT_EQ(enlarge(source, plain, mapping, job), Outcome::done);
 
