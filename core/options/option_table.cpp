@@ -162,6 +162,13 @@ std::vector<Option> make_table() {
                "Calms what edges are sought in: the share of each neighbour.")
             .in("ddt-linear", "0")
             .in("ddt-sharp", "0.05"),
+        number(
+            "contour", mesh, &MeshOptions::contour, 0.0f, most_contour,
+            "By how much of the contour's direction, seen over seven pixels, flips are judged "
+            "beside the cost: a steadier mesh that follows contours further. 0, by the cost "
+            "alone, with costs other than `abn` and schemes other than `one-round`, unless given.")
+            .in("ddt-sharp", "0.4")
+            .where(is_abn_one_round, "0"),
         number("meshes", mesh, &MeshOptions::meshes, 1, most_meshes,
                "So many meshes are made, of guides blurred by `blur` - 0.07 to `blur` + 0.07, and "
                "their surfaces averaged: steadier and smoother, for nearly so many times the time "

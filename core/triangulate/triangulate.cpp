@@ -64,12 +64,21 @@ bool find_rules(const MeshOptions& options, Rules& rules) {
     return false;
 }
 
+Criterion criterion(const MeshOptions& options) {
+    return {options.cost, options.contour};
+}
+
+void start(Lattice& lattice, int width, int height, const float* guide,
+           const MeshOptions& options) {
+    lattice.start(width, height, guide, options.start == Start::flat, options.contour != 0);
+}
+
 void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& workspace,
                  Statistics& statistics) {
     run_scheme(lattice, options, workspace, statistics);
 }
 
-void find_gains(const Lattice& lattice, Cost cost, Workspace& w) {
+void find_gains(const Lattice& lattice, const Criterion& criterion, Workspace& w) {
     w.gain.resize(lattice.size());
     w.flippable.clear();
     lattice.each_edge([&](int m) {
@@ -77,7 +86,7 @@ void find_gains(const Lattice& lattice, Cost cost, Workspace& w) {
         if (lattice.flippable(m))
             w.flippable.push_back(m);
     });
-    gains(lattice, cost, w.flippable.data(), w.flippable.size(), w.gain.data());
+    gains(lattice, criterion, w.flippable.data(), w.flippable.size(), w.gain.data());
 }
 
 } // namespace ddt

@@ -54,8 +54,6 @@ bool check(const Enlargement& work, std::string& error) {
                 " of the picture";
     else if (work.to.box.empty() || !holds(work.full, work.to.box))
         error = "ddt: the part wanted lies outside the result";
-    else if (!work.from.data || !work.to.data)
-        error = "ddt: there is no memory with pixels";
     return error.empty();
 }
 
@@ -83,6 +81,17 @@ void copy(const Enlargement& work) {
             store(to, x, y, 1, channels, pixel.data());
             std::fill(pixel.begin(), pixel.end(), 0.0f);
         }
+}
+
+/// No exception leaves.
+template <class Work>
+Outcome guarded(std::string& error, Work&& body) {
+    error.clear();
+    Outcome outcome = Outcome::bad_job;
+    const Caught caught = guarded_call(&error, [&] { outcome = body(); });
+    if (caught == Caught::nothing)
+        return outcome;
+    return caught == Caught::out_of_memory ? Outcome::out_of_memory : Outcome::bad_job;
 }
 
 Job job_of(const Enlargement& work) {
@@ -179,25 +188,41 @@ Rect scaled(const Rect& window, double x_factor, double y_factor) {
     return r;
 }
 
-Outcome enlarge(const Enlargement& work, std::string& error) {
-    error.clear();
-    Outcome outcome = Outcome::bad_job;
-    const Caught caught = guarded_call(&error, [&] {
+GuideRecipe guide_recipe(const Layout& layout, const Meaning& meaning) {
+    GuideRecipe guide;
+    guide.linear = meaning.linear;
+    guide.alpha = layout.colour.alpha;
+    for (int k = 0; k < layout.colour.count; ++k) {
+        guide.channel[k] = layout.colour.channel[k];
+        guide.weight[k] = layout.colour.count == 3 ? meaning.light->luma()[size_t(k)] : 1.0f;
+    }
+    return guide;
+}
+
+Outcome enlarge(const Enlargement& work, Source& source, Sink& sink, std::string& error) {
+    return guarded(error, [&] {
         if (!check(work, error))
-            return;
-        if (same_size(work.window, work.full)) {
-            copy(work);
-            outcome = Outcome::done;
-            return;
-        }
-        BufferSource source(work);
-        BufferSink sink(work);
-        outcome = ddt::enlarge(source, sink, mapping_of(work.window, work.full, work.to.box),
-                               job_of(work), &error);
+            return Outcome::bad_job;
+        return ddt::enlarge(source, sink, mapping_of(work.window, work.full, work.to.box),
+                            job_of(work), &error);
     });
-    if (caught == Caught::nothing)
-        return outcome;
-    return caught == Caught::out_of_memory ? Outcome::out_of_memory : Outcome::bad_job;
+}
+
+Outcome enlarge(const Enlargement& work, std::string& error) {
+    if (work.from.data && work.to.data && same_size(work.window, work.full))
+        return guarded(error, [&] {
+            if (!check(work, error))
+                return Outcome::bad_job;
+            copy(work);
+            return Outcome::done;
+        });
+    if (!work.from.data || !work.to.data) {
+        error = "ddt: there is no memory with pixels";
+        return Outcome::bad_job;
+    }
+    BufferSource source(work);
+    BufferSink sink(work);
+    return enlarge(work, source, sink, error);
 }
 
 } // namespace ddt::host

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Options without what filters add, for tests that count on one thing at a time: the guide as it
-// is, flips down to the cost's own threshold, no soft edges.
+// is, no contours, flips down to the cost's own threshold, no soft edges.
 #pragma once
 
 #include "ddt/core.h"
@@ -10,6 +10,7 @@ namespace ddt::test {
 inline MeshOptions plain_mesh() {
     MeshOptions mesh;
     mesh.blur = 0;
+    mesh.contour = 0;
     mesh.min_gain = -1;
     return mesh;
 }

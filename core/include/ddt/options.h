@@ -70,8 +70,9 @@ struct SurfaceOptions {
     bool clipped = false;
 };
 
-/// See MeshOptions::max_iterations, blur and meshes.
+/// See MeshOptions::max_iterations, contour, blur and meshes.
 constexpr int most_iterations = 250;
+constexpr float most_contour = 1000.0f;
 constexpr float largest_blur = 0.25f;
 constexpr int most_meshes = 4;
 constexpr float mesh_spread = 0.07f;
@@ -92,6 +93,12 @@ struct MeshOptions {
     /// edges are sought in it; 0 to largest_blur. A little keeps single pixels' noise out of the
     /// mesh.
     float blur = 0.07f;
+    /// How much more than by its cost an edge is judged by the contours about it; 0 to
+    /// most_contour, in units of the cost. A structure tensor of the guide, smoothed over seven
+    /// pixels, tells where they run (core/guide/contour.h): the mesh gets steadier and follows them
+    /// further. 0: by the cost alone. The default is meant for the cost abn and Scheme::one_round;
+    /// parse_filter() gives others 0.
+    float contour = 0.8f;
     /// How many meshes are made and their surfaces averaged; 1 to most_meshes. The guides of
     /// several are blurred by shares from `blur` - mesh_spread to `blur` + mesh_spread, as far as
     /// allowed, in even steps. Steadier in sequences and smoother, for so many times the time and

@@ -63,6 +63,20 @@ struct Options : FilterOptions {
 bool resize(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options = {},
             OIIO::ROI roi = {}, int nthreads = 0);
 
+/// Which pixels are missing, beside those with a NaN in a channel.
+enum class Missing {
+    nan,   ///< no others
+    alpha, ///< those whose alpha is 0
+};
+
+/// Fill the missing pixels: dst becomes a copy of src in which they are interpolated over triangles
+/// of the pixels about them, as fill_holes() of ddt/points.h does it, with options.mesh; edges are
+/// sought under options.light, values are interpolated as they are. A pixel that lacks some
+/// channels keeps the others; channels of identifiers are copied from the nearest vertex. A failure
+/// without GEOS, and if no pixel is there; not if none is missing.
+bool fill(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options = {},
+          Missing missing = Missing::nan);
+
 /// Warp: M maps source to output pixel coordinates, (x, y, 1) * M with pixel centres at half
 /// integers. An output pixel whose centre comes from outside the source's data window is black. A
 /// dst that is not initialised becomes roi's size, or without one src's, or with `recompute_roi`

@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "ddt/core.h"
+#include "ddt/names.h"
+#include "ddt/option_table.h"
 #include "tests/core/plain.h"
 
 namespace ddt::test {
@@ -20,6 +22,30 @@ struct Picture {
     int width, height, channels;
     std::vector<float> values, guide;
 };
+
+/// Options of every scheme there is, with every cost.
+inline std::vector<MeshOptions> every_scheme_and_cost() {
+    std::vector<MeshOptions> all;
+    for (const std::string& scheme : scheme_names())
+        for (const std::string& cost : cost_names()) {
+            MeshOptions mesh = plain_mesh();
+            EXPECT_TRUE(find_scheme(scheme, mesh) || find_scheme("exproi2-maxgain", mesh));
+            EXPECT_TRUE(find_cost(cost, mesh.cost));
+            all.push_back(mesh);
+        }
+    return all;
+}
+
+/// Give a job the options of a filter's specification; false if it is none.
+inline bool set_filter(const std::string& specification, Job& job) {
+    FilterOptions options;
+    std::string error;
+    if (!parse_filter(specification, options, error))
+        return false;
+    job.mesh = options.mesh;
+    job.surface = options.surface;
+    return true;
+}
 
 /// What is done to it.
 struct Order {

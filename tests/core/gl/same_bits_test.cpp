@@ -16,18 +16,18 @@ std::string name_of(const SurfaceOptions& s) {
 class SameBits : public OnDevice {};
 
 TEST_P(SameBits, EverySchemeAndCost) {
-    for (const std::string& scheme : scheme_names())
-        for (const std::string& cost : cost_names())
-            for (int content = 0; content < int(Content::count); ++content) {
-                const Picture p = make_picture(Content(content), 61, 43, 1, 7u + unsigned(content));
-                Order order;
-                ASSERT_TRUE(find_scheme(scheme, order.job.mesh) &&
-                            find_cost(cost, order.job.mesh.cost));
-                order.out_width = 150;
-                order.out_height = 101;
-                expect_same(GetParam(), p, order,
-                            std::string(name_of(Content(content))) + " " + scheme + " " + cost);
-            }
+    for (const MeshOptions& mesh : every_scheme_and_cost())
+        for (int content = 0; content < int(Content::count); ++content) {
+            const Picture p = make_picture(Content(content), 61, 43, 1, 7u + unsigned(content));
+            Order order;
+            order.job.mesh = mesh;
+            order.job.mesh.contour = content % 2 ? 0.0f : 0.8f;
+            order.out_width = 150;
+            order.out_height = 101;
+            expect_same(GetParam(), p, order,
+                        std::string(name_of(Content(content))) + " " + scheme_name(mesh) + " " +
+                            cost_name(mesh.cost));
+        }
 }
 
 TEST_P(SameBits, EverySurface) {
@@ -44,6 +44,28 @@ TEST_P(SameBits, EverySurface) {
         }
 }
 
+// Where vertices may get negative: that they do, and the same on both.
+TEST_P(SameBits, ClippedVertices) {
+    for (const bool whole_groups : {false, true}) {
+        const Picture p = make_picture(Content::drawing, 61, 43, whole_groups ? 4 : 3, 7);
+        Order order;
+        order.job.surface.consistency = 2;
+        order.job.surface.limit = 0.5f;
+        order.out_width = 150;
+        order.out_height = 101;
+        const auto negative = [&] {
+            size_t n = 0;
+            for (const uint32_t bits : enlarge_on(Device::cpu, p, order).bits)
+                n += bits >> 31;
+            return n;
+        };
+        EXPECT_EQ(negative(), 0u);
+        order.job.surface.clipped = true;
+        EXPECT_GT(negative(), 100u);
+        expect_same(GetParam(), p, order, "clipped");
+    }
+}
+
 TEST_P(SameBits, SeveralMeshes) {
     for (const int channels : {3, 4})
         for (const Scheme scheme : {Scheme::one_round, Scheme::lawson})
@@ -54,6 +76,7 @@ TEST_P(SameBits, SeveralMeshes) {
                 order.job.mesh.scheme = scheme;
                 order.job.mesh.blur = 0.05f;
                 order.job.mesh.meshes = 2 + content % 3;
+                order.job.mesh.contour = 0.4f;
                 order.job.surface.consistency = 1;
                 order.job.surface.soft = 0.3f;
                 if (channels == 4)

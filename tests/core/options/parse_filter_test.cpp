@@ -264,4 +264,19 @@ TEST(Options, FailureChangesNothing) {
     EXPECT_EQ(options.surface.kind, ddt::Surface::patch);
 }
 
+TEST(Options, ContoursCountWithTheFiltersOwnCostAndSchemeOnly) {
+    const auto contour = [](const char* spec) {
+        ddt::FilterOptions options;
+        std::string error;
+        EXPECT_TRUE(ddt::parse_filter(spec, options, error)) << error;
+        return options.mesh.contour;
+    };
+    EXPECT_GT(contour("ddt"), 0.0f);
+    EXPECT_EQ(contour("ddt,contour=0"), 0.0f);
+    EXPECT_EQ(contour("ddt,contour=0.5"), 0.5f);
+    EXPECT_EQ(contour("ddt,cost=scf"), 0.0f);
+    EXPECT_EQ(contour("ddt,scheme=exproi"), 0.0f);
+    EXPECT_EQ(contour("ddt,scheme=exproi,contour=0.5"), 0.5f);
+}
+
 } // namespace

@@ -18,17 +18,18 @@ std::vector<float> stepped(std::vector<float> guide, float scale) {
 }
 
 /// Compare with the scalar twin, edge by edge.
-void check(const Lattice& lattice, Cost cost, float min_gain) {
+void check(const Lattice& lattice, const Criterion& by, float min_gain) {
     Workspace w;
     Statistics statistics;
-    ASSERT_TRUE(start_gains(lattice, cost, min_gain, w, statistics));
+    ASSERT_TRUE(start_gains(lattice, by, min_gain, w, statistics));
     int64_t flippable = 0;
     std::vector<int> candidates;
     lattice.each_edge([&](int m) {
         float gain = no_gain;
         if (lattice.edge(m).flippable()) {
             ++flippable;
-            gain = dispatch(cost, [&](auto c) { return scalar::gain<decltype(c)>(lattice, m); });
+            gain = dispatch(
+                by.cost, [&](auto c) { return scalar::gain<decltype(c)>(lattice, m, by.contour); });
             if (gain > min_gain)
                 candidates.push_back(m);
         }
@@ -49,11 +50,12 @@ TEST(StartGains, AreThoseOfEveryEdge) {
                     for (const Cost cost : all_costs) {
                         const auto guide = stepped(make_guide(kind, size.x, size.y, 5), 1.0f);
                         Lattice lattice;
-                        lattice.start(size.x, size.y, guide.data(), flat);
+                        lattice.start(size.x, size.y, guide.data(), flat, true);
                         SCOPED_TRACE(::testing::Message()
                                      << size.x << " x " << size.y << ", flat " << flat << ", kind "
                                      << int(kind) << ", cost " << int(cost));
-                        check(lattice, cost, 5e-3f);
+                        for (const float contour : {0.0f, 0.8f})
+                            check(lattice, {cost, contour}, 5e-3f);
                     }
     });
 }
@@ -65,9 +67,10 @@ TEST(StartGains, AreExactAtTheEndsOfTheGuidesRange) {
     for (int i = 0; i < 40 * 12; ++i)
         guide.push_back(guide_step((random.unit() - 0.5f) * 8192.0f));
     Lattice lattice;
-    lattice.start(40, 12, guide.data(), true);
+    lattice.start(40, 12, guide.data(), true, true);
     for (const Cost cost : all_costs)
-        check(lattice, cost, 0.1f);
+        for (const float contour : {0.0f, most_contour})
+            check(lattice, {cost, contour}, 0.1f);
 }
 
 TEST(StartGains, RefuseWhatIsNotInSteps) {
