@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "core/base/arith.h"
+#include "core/guide/contour.h"
 #include "core/guide/guide.h"
 #include "core/tiles/tile_io.h"
 
@@ -33,7 +34,8 @@ size_t TileWorker::memory(const Job& job) {
     const size_t consistency = job.surface.consistency > 0 ? sites * sizeof(float) * group_size : 0;
     const size_t guides = job.mesh.meshes > 1 ? 2 : 1;
     const size_t planes = pixels * sizeof(float) * (guides + size_t(job.channels));
-    return meshes + workspace + consistency + planes + 2 * strip_floats * sizeof(float);
+    const size_t contours = ContourRows::memory(tile_size + 1 + 2 * tile_halo);
+    return meshes + workspace + consistency + planes + contours + 2 * strip_floats * sizeof(float);
 }
 
 void TileWorker::reserve() {
