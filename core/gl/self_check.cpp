@@ -118,7 +118,8 @@ Outcomes on_cpu(const Job& job, const Tile& tile) {
     std::vector<float> values, guide;
     int w = 0, h = 0;
     read_tile(source, tile, job, values, guide, w, h);
-    blur_guide(guide, w, h, blur_share(job.mesh, 0));
+    if (const float share = blur_share(job.mesh, 0); share > 0)
+        blur_guide(guide, w, h, share);
     {
         const DenormalsAreZero as_on_gpus;
         Lattice lattice;
