@@ -54,7 +54,7 @@ std::vector<Order> orders() {
             find_cost(name, order.job.mesh.cost);
             all.push_back(order);
         }
-    order.job.mesh = {};
+    order.job.mesh = plain_mesh();
     for (const Surface kind : {Surface::linear, Surface::patch})
         for (const float soft : {0.0f, 0.2f})
             for (const int consistency : {0, 1})

@@ -4,6 +4,7 @@
 
 #include "core/gl/context/faults.h"
 #include "ddt/names.h"
+#include "ddt/option_table.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
 
@@ -29,9 +30,13 @@ protected:
                 return r.name + ": " + r.what;
         return "";
     }
-    static Job job_of(const char* filter) {
+    static Job job_of(const std::string& filter) {
+        FilterOptions options;
+        std::string error;
+        EXPECT_TRUE(parse_filter(filter, options, error)) << error;
         Job job;
-        EXPECT_TRUE(set_filter(filter, job));
+        job.mesh = options.mesh;
+        job.surface = options.surface;
         return job;
     }
 
@@ -41,18 +46,16 @@ protected:
 TEST_P(Stages, AreTheSameHere) {
     for (const char* filter : {"ddt", "ddt-linear", "ddt-sharp"})
         for (const char* scheme : {"one-round", "maxgain", "pixel", "lawson"}) {
-            Job job = job_of(filter);
-            ASSERT_TRUE(find_scheme(scheme, job.mesh));
-            for (const StageResult& r : compared(job)) {
-                EXPECT_EQ(r.differing, 0u) << filter << " " << scheme << ": " << line_of(r);
+            const std::string spec = std::string(filter) + ",scheme=" + scheme;
+            for (const StageResult& r : compared(job_of(spec))) {
+                EXPECT_EQ(r.differing, 0u) << spec << ": " << line_of(r);
                 EXPECT_GE(r.compared, size_t(40 * 30)) << r.name << ", " << r.what;
             }
         }
 }
 
 TEST_P(Stages, GoThroughEveryIterationAndRound) {
-    Job job = job_of("ddt-sharp");
-    job.surface.consistency = 2;
+    const Job job = job_of("ddt-sharp,consistency=2");
     int iterations = 0, rounds = 0;
     for (const StageResult& r : compared(job)) {
         iterations += r.name.find("after iteration") == 0 && r.what == "edges";
@@ -63,7 +66,7 @@ TEST_P(Stages, GoThroughEveryIterationAndRound) {
 }
 
 TEST_P(Stages, NameWhereAFaultIs) {
-    const Job job = job_of("ddt-sharp");
+    const Job job = job_of("ddt-sharp,contour=0");
     const std::string cost = std::string(" COST_") + cost_name(job.mesh.cost);
     struct {
         std::string program, constant, value, stage;

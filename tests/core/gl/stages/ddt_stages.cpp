@@ -2,8 +2,7 @@
 // Where a device's bits part from the CPU's, stage by stage (HACKING.md, "When bits differ on a new
 // driver"). Exits with 2 if any stage differs.
 //
-//   ddt_stages [--device egl|osmesa] [--filter SPECIFICATION] [--cost NAME] [--scheme NAME]
-//   [--rounds N]
+//   ddt_stages [--device egl|osmesa] [--filter NAME] [--cost NAME] [--scheme NAME] [--rounds N]
 //              [--picture photo|noise|drawing|flat|hdr|nonfinite|tiny] [--size WxH] [--seed N]
 //              [--change PROGRAM CONSTANT VALUE]
 //
@@ -18,6 +17,7 @@
 #include "core/gl/context/faults.h"
 #include "core/tiles/grid.h"
 #include "ddt/names.h"
+#include "ddt/option_table.h"
 #include "tests/core/gl/pictures.h"
 #include "tests/core/gl/stages/compare_stages.h"
 
@@ -26,7 +26,7 @@ namespace {
 
 struct Arguments {
     Device device = Device::egl;
-    Job job;
+    FilterOptions filter;
     Content content = Content::photo;
     int width = 64, height = 48, channels = 4;
     unsigned seed = 1;
@@ -48,16 +48,11 @@ bool parse(int argc, char** argv, Arguments& a) {
             return false;
         const char* value = argv[i + 1];
         bool known = true;
+        std::string why;
         if (name == "--device")
             known = find_device(value, a.device) && a.device != Device::cpu;
         else if (name == "--filter")
-            known = set_filter(value, a.job);
-        else if (name == "--cost")
-            known = find_cost(value, a.job.mesh.cost);
-        else if (name == "--scheme")
-            known = find_scheme(value, a.job.mesh);
-        else if (name == "--rounds")
-            a.job.surface.consistency = std::atoi(value);
+            known = parse_filter(value, a.filter, why);
         else if (name == "--picture")
             known = find_content(value, a.content);
         else if (name == "--size")
@@ -71,7 +66,8 @@ bool parse(int argc, char** argv, Arguments& a) {
         } else
             known = false;
         if (!known) {
-            std::fprintf(stderr, "ddt_stages: %s %s: not understood\n", argv[i], value);
+            std::fprintf(stderr, "ddt_stages: %s %s: not understood %s\n", name.c_str(), value,
+                         why.c_str());
             return false;
         }
     }
@@ -91,7 +87,10 @@ int run(const Arguments& a) {
                 context.platform.c_str());
     const Picture picture = make_picture(a.content, a.width, a.height, a.channels, a.seed);
     const StageResult* first = nullptr;
-    const auto results = compare_stages(*gpu, picture, a.job);
+    Job job;
+    job.mesh = a.filter.mesh;
+    job.surface = a.filter.surface;
+    const auto results = compare_stages(*gpu, picture, job);
     for (const StageResult& r : results) {
         std::printf("%s\n", line_of(r).c_str());
         if (!first && r.differing > 0)

@@ -65,12 +65,12 @@ MeshStage GpuStages::mesh(const MeshOptions& options, int iterations, bool gains
 }
 
 void GpuStages::finish_mesh() {
-    if (m_tile.sites.empty()) {
+    if (!m_tile.guides.empty())
         m_mesh.write_guide(0, m_tile.guides.data());
+    if (m_tile.sites.empty())
         m_mesh.triangulate(m_job.mesh);
-    } else {
+    else
         m_mesh.write_sites(0, m_tile.sites.data());
-    }
 }
 
 SurfaceStage GpuStages::surface(int rounds) {
