@@ -13,8 +13,13 @@ namespace ddt {
 
 namespace {
 
+/// In quotes, and in one line whatever it holds.
 std::string quoted(std::string_view text) {
-    return '"' + std::string(text) + '"';
+    std::string line(text);
+    for (char& c : line)
+        if (c >= 0 && c < ' ')
+            c = ' ';
+    return '"' + line + '"';
 }
 
 /// Says why `item`, "key=value", cannot be.

@@ -128,7 +128,7 @@ class Commands(Case):
     def test_verbose_talks_on_stderr_only_when_asked(self):
         done = self.attempt("oiiotool", "photo.png", "--resize:filter=ddt", "200%", "-o", "o.png",
                             DDT_VERBOSE="1")
-        self.assertIn("ddt: redirected", done.stderr)
+        self.assertIn("filter functions redirected", done.stderr)
         self.assertNotIn("could not", done.stderr)
 
 

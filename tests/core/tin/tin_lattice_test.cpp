@@ -63,6 +63,7 @@ TEST(TinOnALattice, EveryEdgeIsTheLatticesWithEverySchemeAndCost) {
         for (const Kind kind : all_kinds) {
             SCOPED_TRACE(scheme_name(o) + " " + cost_name(o.cost));
             o.seed = uint32_t(++seed);
+            o.contour = 0; // pixels alone have contours
             o.max_iterations = o.scheme == Scheme::annealing ? 6 : 64;
             const int width = 17 + int(seed % 5), height = 13;
             const auto guide = make_guide(kind, width, height, seed);
