@@ -21,7 +21,6 @@ layout(location = 2) uniform float min_gain;
 layout(location = 3) uniform bool by_gain;
 layout(location = 4) uniform bool wide;
 
-const float no_gain = -1e30;
 // What is known of an edge. A winner is an edge accepted in this round, which others may still take
 // for untreated.
 const uint idle = 0, dirty = 1, untreated = 2, winner = 3, accepted = 4, rejected = 5;

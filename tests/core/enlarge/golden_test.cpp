@@ -38,8 +38,8 @@ TEST(Golden, EnlargedPicturesHaveTheseBits) {
          0x537fd445025bd931u},
         {Kind::shapes, Cost::abn, Scheme::one_round, Surface::patch, 3, 0.3f, 0,
          0x350ae4332bba1e52u, 0.8f},
-        {Kind::noise, Cost::dlp, Scheme::lawson, Surface::patch, 1, 0.3f, 2,
-         0xa1e408e19ea00f63u, 0.4f},
+        {Kind::noise, Cost::dlp, Scheme::lawson, Surface::patch, 1, 0.3f, 2, 0xa1e408e19ea00f63u,
+         0.4f},
     };
     for (const Case& c : cases) {
         // More than a tile wide; an odd factor, another one down.
