@@ -188,9 +188,11 @@ Outcome TileWorker::write_rows(const Tile& tile, const Rect& rows) {
         m_ys.push_back(local(tile, m_positions[0]).y);
     }
     const bool blocks = !any_nearest();
-    size_t row = size_t(rows.width()) * channels;
-    float* const place = blocks ? m_sink.place(rows, row) : nullptr;
-    if (!place)
+    size_t row = size_t(rows.width()) * channels, place_row = row;
+    float* const place = blocks ? m_sink.place(rows, place_row) : nullptr;
+    if (place)
+        row = place_row; // a sink without a place may have set it to anything
+    else
         m_out.resize(rows.area() * channels + row_padding);
     for (int y = 0; y < rows.height();) {
         float* out = (place ? place : m_out.data()) + size_t(y) * row;

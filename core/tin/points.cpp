@@ -89,9 +89,10 @@ void flip(Tin& tin, const MeshOptions& options, const Placement& placement, Work
     triangulate(tin, options, workspace, statistics);
 }
 
-bool optimise_points(PointMesh& mesh, const float* guide, const MeshOptions& options,
-                     MeshReport* report, std::string& error,
-                     const std::function<bool(float)>& progress, Device device) {
+bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, MeshReport* report,
+                     std::string& error, const std::function<bool(float)>& progress,
+                     Device device) {
+    options.contour = 0; // pixels alone have contours
     StepGrid grid;
     Placement placement;
     if (!check_options(options, error) || !grid.fit(mesh.x, mesh.y, error) ||

@@ -59,11 +59,9 @@ private:
     bool m_places;
 };
 
-/// The instruction sets that were compiled and this machine has, the narrowest first. Not Highway's
-/// emulation for processors without SSSE3, which has its own tests (on_each_target).
+/// The instruction sets that were compiled and this machine has, the narrowest first.
 std::vector<int64_t> targets() {
     std::vector<int64_t> all = hwy::SupportedAndGeneratedTargets();
-    all.erase(std::remove(all.begin(), all.end(), int64_t(HWY_EMU128)), all.end());
     std::sort(all.rbegin(), all.rend()); // the larger the number, the narrower
     return all;
 }

@@ -25,7 +25,8 @@ Change change_of(const std::string& program) {
     const auto has = [&](const char* part) { return program.find(part) != program.npos; };
     if (has("contours.comp"))
         return {"contour_square_bias", "6.5"};
-    if (has("accept_reject.comp")) // its gains are found anew for the check: flips must differ
+    // Gains are found anew for the check: flips must differ.
+    if (has("accept_reject.comp") || has("finish.comp"))
         return {"rsqrt_magic", "1590000000"};
     if (has("COST_")) // by 1 part in 3000 at the first guess
         return {"rsqrt_magic", "1597460000"};
