@@ -26,8 +26,10 @@ ExitCode code_of_errno(int number) {
 
 ExitCode code_of_message(const std::string& message) {
     // Of the library: memory that ran out, images that another machine may have memory for (see
-    // check_size in plugin/image/windows.h), devices that this one has not.
-    for (const char* said : {"out of memory", "this machine's memory", "\"device="})
+    // check_size in plugin/image/windows.h), devices that this one has not; of libtiff: a full
+    // disk.
+    for (const char* said :
+         {"out of memory", "this machine's memory", "\"device=", "(Write error at "})
         if (message.find(said) != std::string::npos)
             return exit_resources;
     return exit_failed;

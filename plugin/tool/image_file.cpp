@@ -66,11 +66,9 @@ bool ImageFile::open(const OIIO::ImageSpec& spec, Failure& failure) {
 Failure ImageFile::failed() const {
     std::string why(OIIO::Strutil::strip(m_output->geterror()));
     why = OIIO::Strutil::replace(why.substr(0, why.find('\n')), temporary(), m_path, true);
-    // What a library by itself could not write to the disk (libtiff's word for it) may pass.
-    const bool of_disk = (m_whole.file() && std::ferror(m_whole.file())) ||
-                         why.find("Write error") != std::string::npos;
+    const bool of_stream = m_whole.file() && std::ferror(m_whole.file());
     return {"cannot write \"" + m_path + "\"" + (why.empty() ? "" : ": " + why),
-            of_disk ? exit_resources : code_of_message(why)};
+            of_stream ? exit_resources : code_of_message(why)};
 }
 
 bool ImageFile::commit(Failure& failure) {
