@@ -250,9 +250,17 @@ GType enum_of(const std::string& key, const std::vector<std::string>& names) {
 constexpr auto flags = GParamFlags(G_PARAM_READWRITE | G_PARAM_CONSTRUCT | G_PARAM_STATIC_STRINGS |
                                    GEGL_PARAM_PAD_INPUT);
 
+/// An option's key as GObject wants properties named. Lives as long as the process.
+const char* property_name(const char* key) {
+    std::string name = key;
+    std::replace(name.begin(), name.end(), '_', '-');
+    return g_intern_string(name.c_str());
+}
+
 /// Texts of parameters() live as long as the process.
 GParamSpec* spec_of(const Parameter& p) {
-    const char *key = p.option->key, *label = p.label.c_str(), *help = p.help.c_str();
+    const char *key = property_name(p.option->key), *label = p.label.c_str(),
+               *help = p.help.c_str();
     switch (p.option->kind) {
     case ddt::OptionKind::real:
         return gegl_param_spec_double(key, label, help, p.low, p.high, p.initial, p.low,
@@ -263,7 +271,8 @@ GParamSpec* spec_of(const Parameter& p) {
     case ddt::OptionKind::toggle:
         return g_param_spec_boolean(key, label, help, p.initial != 0, flags);
     default:
-        return gegl_param_spec_enum(key, label, help, enum_of(key, p.names), int(p.initial), flags);
+        return gegl_param_spec_enum(key, label, help, enum_of(p.option->key, p.names),
+                                    int(p.initial), flags);
     }
 }
 

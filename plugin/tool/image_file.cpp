@@ -104,8 +104,11 @@ bool write_image(const OIIO::ImageBuf& image, const std::string& path,
     if (!image.write(&file.output(), callback, data)) {
         failure = file.failed();
         if (const std::string why(OIIO::Strutil::strip(image.geterror()));
-            !why.empty() && failure.why.find(':') == std::string::npos)
+            !why.empty() && failure.why.find(':') == std::string::npos) {
             failure.why += ": " + why.substr(0, why.find('\n'));
+            if (failure.code == exit_failed)
+                failure.code = code_of_message(why);
+        }
         return false;
     }
     return file.commit(failure);
