@@ -64,11 +64,13 @@ private:
         std::unique_ptr<Buffer> source;       ///< values as they were read
         std::unique_ptr<Buffer> corrected[2]; ///< by consistency rounds, in turn
         std::unique_ptr<Buffer> gradients;
+        std::unique_ptr<Buffer> bends; ///< fitted ones, of edges; at vertices their indices
         std::unique_ptr<Buffer> halves; ///< what source is made of, if it comes so
         const Buffer* values = nullptr; ///< what the surface goes through now
     };
     std::string defines() const;
-    void bind_net(const DeviceMesh& mesh, const Group& group);
+    bool fitted() const { return m_table != nullptr; }
+    void bind_net(const DeviceMesh& mesh, const Group& group, const Buffer& edges);
     /// How far about the positions that tiles serve something is made: so many times the longest
     /// edge, and so many pixels.
     struct Margin {
@@ -76,7 +78,9 @@ private:
     };
     void find_gradients(DeviceMesh& mesh, const Group& group, Margin margin);
     void widen(const Group& group);
-    void correct(DeviceMesh& mesh, Group& group, int round, Margin margin);
+    void correct(DeviceMesh& mesh, Group& group, int round, Margin margin,
+                 const std::string& more = "");
+    void fit(DeviceMesh& mesh, Group& group);
     void reserve(std::unique_ptr<Buffer>& buffer, size_t bytes);
     void sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int channels, int index);
 
@@ -87,6 +91,7 @@ private:
     Numbers m_numbers;
     std::vector<Group> m_groups;
     std::unique_ptr<Buffer> m_positions, m_result;
+    std::unique_ptr<Buffer> m_table; ///< FittedTable, if the surface is fitted
 };
 
 } // namespace ddt::gl

@@ -48,6 +48,11 @@ const std::vector<Option>& table() {
         number("consistency", 0, 16, [](Options& o) -> int& { return o.surface.consistency; }),
         choice("device", device_names(),
                [](const std::string& name, Options& o) { return find_device(name, o.device); }),
+        {"fitted", "0 and 1",
+         [](Options& o, const std::string& text) {
+             o.surface.fitted = text == "1";
+             return text == "0" || text == "1";
+         }},
         number("iterations", 0, 250, [](Options& o) -> int& { return o.mesh.max_iterations; }),
         // Whether a colour space has the name is known only once the config is read.
         {"light", "auto, encoded and names of colour spaces",

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fits the weights of core/surface/fitted/weights.inc and prints that file.
+//
+//   fit_weights PHOTOGRAPHS DRAWINGS [--every N] [--ridge R]
+//
+// PHOTOGRAPHS and DRAWINGS are folders of pictures of 8 bits. Each is reduced by 2 and by 4 in
+// encoded and in linear light, and the surface's weights are those with which the enlarged pictures
+// come closest to the originals: exact least squares, but for the clamps. Progress, and what each
+// set has before and after, goes to stderr.
+#include <cstdio>
+#include <string>
+
+#include <OpenImageIO/argparse.h>
+#include <tbb/parallel_for.h>
+
+#include "metrics/psnr.h"
+#include "metrics/ssim.h"
+#include "tests/bench/reference.h"
+#include "tools/fit/normal_equations.h"
+
+namespace {
+
+struct Set {
+    const char* name;
+    std::string folder;
+    int scale;
+    bench::Light light;
+    double weight;
+};
+
+struct Figures {
+    double psnr = 0, ssim = 0;
+    int pictures = 0;
+};
+
+bool add(const Set& set, unsigned every, fit::NormalEquations& sum) {
+    const std::vector<std::string> files = bench::image_files(set.folder);
+    std::vector<fit::NormalEquations> parts(files.size());
+    std::vector<std::string> errors(files.size());
+    tbb::parallel_for(size_t(0), files.size(), [&](size_t i) {
+        fit::Scene scene;
+        if (fit::make_scene(files[i], set.scale, set.light, scene, errors[i]))
+            parts[i].add(scene, set.weight, every, uint32_t(i + 1));
+    });
+    for (size_t i = 0; i < files.size(); ++i) {
+        if (!errors[i].empty())
+            std::fprintf(stderr, "%s is left out: %s\n", files[i].c_str(), errors[i].c_str());
+        sum.add(parts[i]);
+    }
+    std::fprintf(stderr, "%s, %dx: %zu pictures\n", set.name, set.scale, files.size());
+    return !files.empty();
+}
+
+void report(const Set& set, const ddt::FittedWeights& weights) {
+    const std::vector<std::string> files = bench::image_files(set.folder);
+    std::vector<Figures> all(files.size());
+    tbb::parallel_for(size_t(0), files.size(), [&](size_t i) {
+        fit::Scene scene;
+        std::string error;
+        if (!fit::make_scene(files[i], set.scale, set.light, scene, error))
+            return;
+        const metrics::Image a = metrics::without_border(scene.original, set.scale);
+        const metrics::Image b = metrics::without_border(
+            bench::stored(fit::enlarge(scene, weights), set.light), set.scale);
+        all[i] = {metrics::psnr(a, b), metrics::ssim(metrics::luma(a), metrics::luma(b)), 1};
+    });
+    Figures sum;
+    for (const Figures& f : all)
+        sum = {sum.psnr + f.psnr, sum.ssim + f.ssim, sum.pictures + f.pictures};
+    std::fprintf(stderr, "%-30s %dx %7.3f %.4f\n", set.name, set.scale, sum.psnr / sum.pictures,
+                 sum.ssim / sum.pictures);
+}
+
+template <size_t n>
+void print(const float (&row)[n]) {
+    for (float v : row)
+        std::printf(" %.9gf,", double(v));
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    int every = 24;
+    float ridge = 1e-5f, drawings = 0.3f, linear = 1;
+    std::vector<std::string> folders;
+    OIIO::ArgParse args;
+    args.usage("fit_weights PHOTOGRAPHS DRAWINGS [options]");
+    args.arg("folder").hidden().action(
+        [&](OIIO::cspan<const char*> a) { folders.push_back(a[0]); });
+    args.arg("--every %d:N", &every).help("use one in N pixels (default: 24)");
+    args.arg("--ridge %f:R", &ridge).help("add this share to the diagonal (default: 1e-5)");
+    args.arg("--drawings %f:W", &drawings).help("what a drawing weighs (default: 0.3)");
+    args.arg("--linear %f:W", &linear).help("what linear light weighs (default: 1)");
+    if (args.parse(argc, const_cast<const char**>(argv)) < 0 || folders.size() != 2 || every < 1) {
+        args.print_help();
+        return 2;
+    }
+    std::vector<Set> sets;
+    for (const auto light : {bench::Light::encoded, bench::Light::linear})
+        for (const int scale : {2, 4}) {
+            const bool is_linear = light == bench::Light::linear;
+            const double w = is_linear ? double(linear) : 1;
+            sets.push_back({is_linear ? "photographs, linear" : "photographs, encoded", folders[0],
+                            scale, light, w});
+            sets.push_back({is_linear ? "drawings, linear" : "drawings, encoded", folders[1], scale,
+                            light, w * double(drawings)});
+        }
+    fit::NormalEquations equations;
+    for (const Set& set : sets)
+        if (!add(set, unsigned(every), equations))
+            return 1;
+    const ddt::FittedWeights w = equations.solve(double(ridge));
+    for (const Set& set : sets)
+        report(set, w);
+    for (int k = 0; k < ddt::fitted_nodes; ++k) {
+        std::printf("// vertex, node %d\n", k);
+        print(w.vertex[k]);
+        std::printf("\n");
+    }
+    for (int k = 0; k < ddt::fitted_nodes; ++k) {
+        std::printf("// shared, node %d\n", k);
+        print(w.shared[k]);
+        std::printf("\n");
+    }
+    for (int l = 0; l < ddt::fitted_lengths; ++l)
+        for (int kind = 0; kind < ddt::fitted_kinds; ++kind) {
+            std::printf("// length %d, kind %d\n", l, kind);
+            for (int k = 0; k < ddt::fitted_nodes; ++k) {
+                print(w.null[l][kind][k]);
+                std::printf("\n");
+            }
+        }
+    return 0;
+}
