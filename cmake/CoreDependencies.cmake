@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # What the core needs, as the imported targets TBB::tbb, PkgConfig::HWY and Threads::Threads.
 # Used by this project and, installed, by those that link its libraries.
 find_package(Threads REQUIRED)

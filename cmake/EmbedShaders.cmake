@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Makes the file SHADERS_CPP of the shader files FILES (a ;-list of paths), as the table declared in
 # core/gl/shader_text.h. Run at build time: cmake -DFILES=... -DSHADERS_CPP=... -P EmbedShaders.cmake
 set(table "")

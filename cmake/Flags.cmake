@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Compile flags that every target gets.
 #
 # The bits of the result are a promise (see core/arith): no contraction of a*b+c to one rounding,

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # The image libraries the plugin and the ImageBuf library need, as the imported targets
 # OpenImageIO::OpenImageIO and PkgConfig::OpenColorIO. Used as CoreDependencies.cmake is, after it.
 find_package(OpenImageIO 2.4 REQUIRED)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Installs the libraries for other CMake projects:
 #
 #   find_package(oiio-ddt)

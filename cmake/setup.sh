@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
 # Shared by demo, check and the tests of these scripts; to be sourced by bash.
 #
@@ -5,7 +6,7 @@
 
 ddt_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 ddt_build=$ddt_root/build
-ddt_packages=$ddt_root/cmake/packages.txt
+ddt_packages=$ddt_root/cmake/packages
 
 say() { printf '%s\n' "$*" >&2; }
 
@@ -16,10 +17,11 @@ die() {
     exit 1
 }
 
-# Names in packages.txt that dpkg does not report as installed, one a line.
+# Names in the lists given (demo, check, all: files of cmake/packages) that dpkg does not report as
+# installed, one a line.
 missing_packages() {
     local name
-    sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$ddt_packages" | while read -r name; do
+    (cd "$ddt_packages" && sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "${@/%/.txt}") | while read -r name; do
         dpkg-query -W -f '${db:Status-Status}\n' "$name" 2>/dev/null | grep -qx installed ||
             printf '%s\n' "$name"
     done
@@ -34,13 +36,13 @@ as_root() {
     fi
 }
 
-# Installs what packages.txt names and the machine lacks. Touches nothing when all is there.
+# Installs what the lists given name and the machine lacks. Touches nothing when all is there.
 install_packages() {
     command -v dpkg-query >/dev/null ||
         die "this is not a Debian system (there is no dpkg-query)." \
-            "Build by hand with CMake; what it needs is listed in $ddt_packages"
+            "Build by hand with CMake; what it needs is listed in the files of $ddt_packages"
     local missing
-    missing=$(missing_packages | tr '\n' ' ')
+    missing=$(missing_packages "$@" | tr '\n' ' ')
     [ -n "$missing" ] || return 0
     command -v apt-get >/dev/null ||
         die "there is no apt-get, and these packages are missing:" "$missing"
@@ -53,7 +55,7 @@ install_packages() {
     # shellcheck disable=SC2086 # names are separated by spaces on purpose
     as_root apt-get install -y -qq --no-install-recommends $missing >&2 ||
         die "apt-get could not install these packages (its own messages are above):" "$missing"
-    missing=$(missing_packages | tr '\n' ' ')
+    missing=$(missing_packages "$@" | tr '\n' ' ')
     [ -z "$missing" ] || die "still missing after apt-get install:" "$missing"
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What metrics compare: values in the units of the display, 0 black to 255 white.
 #pragma once
 

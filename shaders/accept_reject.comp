@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The paper's schemes, whole, one group a tile: rounds of accepting and rejecting wait for one
 // another too often for dispatches. C++ twin: core/triangulate/accept_reject.cpp. The first
 // iteration's gains are there already.

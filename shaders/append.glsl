@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a group appends to a list, collected first so that the list's counter is touched once a
 // group. Before it: own_most, how much that can be.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One consistency round, one invocation a vertex. C++ twin: core/surface/consistency.cpp, which goes
 // through the cells and adds to their corners; the sum here takes the cells in the same order.
 #include "net.glsl"
@@ -8,7 +9,7 @@
 #include "fitted.glsl"
 #endif
 
-layout(local_size_x = 32, local_size_y = 4) in; // z: a tile
+layout(local_size_x = SURFACE_GROUP_X, local_size_y = SURFACE_GROUP_Y) in; // z: a tile
 
 layout(std430, binding = 4) readonly buffer Source { uvec4 source[]; };
 layout(std430, binding = 5) writeonly buffer Corrected { uvec4 corrected_value[]; };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Costs of an edge. C++ twin and sources: core/cost/cost-inl.h. COST_... says which is compiled.
 #include "arith.glsl"
 
@@ -7,9 +8,9 @@ struct Face {
     float x, y, z;
 };
 Face face(float gx, float gy) {
-    precise float square = ((gx * gx) + (gy * gy)) + 0.04;
+    precise float square = ((gx * gx) + (gy * gy)) + cost_slope_square;
     precise float r = rsqrt(3, square);
-    precise float x = gx * r, y = gy * r, z = 0.2 * r;
+    precise float x = gx * r, y = gy * r, z = cost_slope * r;
     return Face(x, y, z);
 }
 float between(Face a, Face b, float ex, float ey) {
@@ -57,7 +58,7 @@ struct Face {
     float x, y, r;
 };
 Face face(float gx, float gy) {
-    precise float square = ((gx * gx) + (gy * gy)) + 0.04;
+    precise float square = ((gx * gx) + (gy * gy)) + cost_slope_square;
     return Face(gx, gy, rsqrt(3, square));
 }
 float between(Face a, Face b, float ex, float ey) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Gains of edges. After lists.glsl.
 #include "gain.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All iterations that remain, one group a tile. Late iterations treat a few edges each: here they
 // cost a barrier of one group where dispatches would each wait for the whole device.
 #define ACCESS coherent

@@ -95,7 +95,7 @@ vec4 fitted_vertex(ivec2 p, ivec2 size, vec4 step_, vec4 low, vec4 high, out vec
     precise vec4 negated = zero - move;
     vec4 length_ = if_less(move, zero, negated, move);
     precise vec4 moved = z + move;
-    return if_less_equal(length_, vec4(largest), upper(low, lower(high, moved)), z);
+    return if_less_equal(length_, vec4(largest_float), upper(low, lower(high, moved)), z);
 }
 
 // The bend of the edge e with midpoint m (in doubled coordinates) and gain g. index: the mean of
@@ -163,5 +163,5 @@ vec4 fitted_bend(Edge e, ivec2 m, float g, vec4 index, ivec2 size) {
     precise vec4 wide = bend_limit * range;
     vec4 limit = if_less(zero, strict, rise, wide);
     precise vec4 least = zero - limit;
-    return if_less_equal(length_, vec4(largest), upper(least, lower(limit, f)), plain);
+    return if_less_equal(length_, vec4(largest_float), upper(least, lower(limit, f)), plain);
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Flipping an edge. C++ twins: Lattice::flip, flip_selected in core/triangulate/one_round.cpp. After
 // lattice.glsl.
 

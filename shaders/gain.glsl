@@ -1,4 +1,5 @@
-// The gain of flipping an edge. C++ twins: core/triangulate/gain-inl.h and gain.h.
+// SPDX-License-Identifier: Apache-2.0
+// The gain of flipping an edge. C++ twin: core/triangulate/gain-inl.h.
 #include "lattice.glsl"
 #include "cost.glsl"
 
@@ -32,10 +33,10 @@ float flip_gain(int m, Edge e) {
     do {
         int middle = m + offset(middle_of(s));
         Edge side = edge_at(middle);
-        ivec2 apex = side.left + side.right - s.inner;
+        ivec2 apex = apex_beyond(side, s.inner);
         bool rim = is_zero(apex);
         float present = rim ? 0.0 : 1.0;
-        ivec2 outer = (apex + s.vector) >> 1;
+        ivec2 outer = from_first_end(apex, s.vector);
         float z_outer = rim ? z.x : guide_at(middle + offset(apex));
         precise float along = z.y - z.x, across = z_outer - z.x;
         float sx = float(s.vector.x), sy = float(s.vector.y);

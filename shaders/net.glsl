@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The control net over the meshes, its edges made where they are read: a few numbers a lane from
 // vertices that are in the cache cost less than arrays of 48 bytes a pixel through memory. C++ twin:
 // core/surface/net.h. QUADRATIC, SOFT: edges bend, are soft.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which pixels matter. A tile's halo is there for its mesh; its surface is read in the middle only,
 // and a triangle that is read there goes no further than its edges. After lattice.glsl.
 #include "counts.glsl"

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // The starting mesh and the gains of its edges, one invocation a pixel. C++ twin: Lattice::start.
 //
 // A group makes the part of the mesh that its gains depend on in an array of its own, so that they
 // do not wait for the whole mesh to go to memory and come back.
-const int group_width = 32, group_height = 8;
+const int group_width = START_GROUP_X, group_height = START_GROUP_Y;
 // Gains of a pixel's edges look one pixel back and two ahead.
 const int near_width = group_width + 3, near_height = group_height + 3;
 const int near_stride = 2 * near_width;
@@ -12,7 +13,7 @@ shared uvec2 near_site[near_stride * 2 * near_height];
 #include "lists.glsl"
 #include "gain.glsl"
 
-layout(local_size_x = 32, local_size_y = 8) in; // z: a tile
+layout(local_size_x = START_GROUP_X, local_size_y = START_GROUP_Y) in; // z: a tile
 
 const int own_most = group_width * group_height * 3;
 #include "append.glsl"
@@ -111,7 +112,7 @@ void main() {
         int c = counts_of(first_iteration, tile);
         atomicAdd(counts[c].evaluated, evaluated);
         own_base = atomicAdd(counts[c].candidates, own_count);
-        atomicMax(arguments[arguments_of(first_iteration, 1)], (own_base + own_count + 63) / 64);
+        atomicMax(arguments[arguments_of(first_iteration, 1)], groups_for(own_base + own_count));
     }
     barrier();
     append_list(tile);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Flipping, and finding what must be evaluated again. Who includes it says where that goes:
 // add_dirty(m, where). After lists.glsl.
 #include "flip.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Candidates that wait for a better one in their region, and what wakes them. After lists.glsl.
 
 layout(std430, binding = 5) ACCESS buffer BlockedEven { ivec2 blocked_even[]; };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every test image is painted with: linear light in double precision, many samples a pixel.
 #pragma once
 

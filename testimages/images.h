@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The test images, one function each.
 #pragma once
 

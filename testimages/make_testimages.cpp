@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Makes the images of this folder.
 //
 //   make_testimages FOLDER            writes them there

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Value noise that is the same on every machine: integer hashes, smoothly interpolated.
 #pragma once
 

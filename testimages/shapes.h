@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes to paint with: does a position lie inside?
 #pragma once
 

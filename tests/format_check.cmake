@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Fails if clang-format would change a source file that git tracks, or a new one it does not
 # ignore. Run as: cmake -DCLANG_FORMAT=... -DSOURCE_DIR=... -P format_check.cmake
 if(NOT CLANG_FORMAT)

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Runs what README.md tells its readers to run: every block marked `sh` and `python`, in a folder
 # that looks like the project's own, with a photo.png and a render.exr in it.
 #

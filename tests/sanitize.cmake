@@ -1,8 +1,8 @@
+# SPDX-License-Identifier: Apache-2.0
 # The unit tests once more, compiled with the address and undefined-behaviour sanitizers in
-# build/sanitize. A test configuration of its own, as compiling takes a while: ctest -C Sanitize
-# runs it with everything else, a bare ctest leaves it out.
+# build/sanitize.
 set(sanitize_dir ${CMAKE_BINARY_DIR}/sanitize)
-add_test(NAME sanitize.build CONFIGURATIONS Sanitize
+add_test(NAME sanitize.build
   COMMAND ${CMAKE_CTEST_COMMAND}
     --build-and-test ${CMAKE_SOURCE_DIR} ${sanitize_dir}
     --build-generator ${CMAKE_GENERATOR}
@@ -10,13 +10,13 @@ add_test(NAME sanitize.build CONFIGURATIONS Sanitize
     --build-target unit_tests
     --build-options -DCMAKE_BUILD_TYPE=Sanitize -DDDT_PLUGIN=${DDT_PLUGIN} -DDDT_WERROR=${DDT_WERROR}
       -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_C_COMPILER=${CMAKE_C_COMPILER})
-set_tests_properties(sanitize.build PROPERTIES FIXTURES_SETUP sanitized RUN_SERIAL TRUE)
+set_tests_properties(sanitize.build PROPERTIES LABELS all FIXTURES_SETUP sanitized RUN_SERIAL TRUE)
 # Left out are tests that are large for the sake of numbers, which the plain build compares: their
 # code is that of others.
 string(CONCAT sanitize_large
   "Progress.CancelsAtAnyTime|Progress.RisesToOne|Enlarge.TilesShowNoSeams|Enlarge.AnyNumberOfThreads"
   "|SameBits.EverySchemeAndCost|CacheTest.AWholeFile|Memory.AJobTakes|Resize.SameBitsForAnyNumber")
-add_test(NAME sanitize.run CONFIGURATIONS Sanitize
+add_test(NAME sanitize.run
   COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${sanitize_dir} --output-on-failure -j 2
     --exclude-regex ${sanitize_large})
-set_tests_properties(sanitize.run PROPERTIES FIXTURES_REQUIRED sanitized RUN_SERIAL TRUE)
+set_tests_properties(sanitize.run PROPERTIES LABELS all FIXTURES_REQUIRED sanitized RUN_SERIAL TRUE)

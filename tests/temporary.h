@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A place for a test's files. Tests run side by side, several of them of one program, so a fixed
 // name in /tmp would be one test's output and another's input.
 #pragma once

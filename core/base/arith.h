@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arithmetic that gives the same bits on every device.
 //
 // Rule: only float32 +, -, * and comparisons, in one written order, never contracted to a fused
@@ -8,6 +9,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "core/base/constants.h"
+
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
@@ -16,9 +19,6 @@
 #define DDT_INLINE inline __attribute__((always_inline))
 
 namespace ddt {
-
-/// Constant of the reciprocal square root's seed, for both twins of rsqrt().
-constexpr int32_t rsqrt_magic = 0x5f3759df;
 
 /// While it lives, this thread treats denormal floats as zero, as GPUs do. Otherwise values below
 /// 1.2e-38 could differ between devices.

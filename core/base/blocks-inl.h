@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Included inside a SIMD target's namespace, after lanes-inl.h: vectors of blocks of group_size
 // lanes, a lane a channel. A block is a vertex, an edge or a position.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Included inside a SIMD target's namespace, where hn is Highway's: a vector of floats with the
 // operators that the formulas are written in. D is a Highway tag of float.
 

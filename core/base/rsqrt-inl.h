@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Included inside a namespace, once for scalars and once for each SIMD target, so that the formula
 // stands in one place: T is float or a vector of floats with +, -, *. GLSL twin:
 // shaders/arith.glsl.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether lines on stderr are wanted.
 #pragma once
 

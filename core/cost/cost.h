@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The costs of a mesh edge. The formulas are in cost-inl.h.
 #pragma once
 

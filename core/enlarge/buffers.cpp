@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // enlarge() from and to plain buffers.
 #include <algorithm>
 #include <cstring>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "ddt/mesh.h"
 
 #include <new>
@@ -45,7 +46,7 @@ bool build(const float* guide, int width, int height, const MeshOptions& options
         blur_guide(blurred, width, height, options.blur);
         guide = blurred.data();
     }
-    lattice.start(width, height, guide, options.start == Start::flat);
+    start(lattice, width, height, guide, options);
     const double cost_start = report ? total_cost(lattice, options.cost) : 0;
     triangulate(lattice, options, workspace, statistics);
     if (!going)

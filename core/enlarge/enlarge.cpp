@@ -1,15 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <exception>
 #include <memory>
 #include <new>
+#include <vector>
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
+#include "core/base/parallel.h"
 #include "core/base/verbose.h"
 #include "core/gl/offload.h"
 #include "core/tiles/grid.h"
@@ -86,11 +84,7 @@ void add(const Statistics& s, Statistics& sum) {
 }
 
 int thread_count(const Job& job) {
-    const int wanted = job.threads > 0 ? job.threads : tbb::this_task_arena::max_concurrency();
-    // More than there can be would make oneTBB print a warning.
-    const size_t most =
-        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-    return int(std::min<size_t>(size_t(wanted), most));
+    return job.threads > 0 ? allowed_threads(job.threads) : usual_threads();
 }
 
 /// Work on all tiles that are not done.
@@ -100,11 +94,11 @@ void work_on_cpu(Source& source, Sink& sink, const Mapping& mapping, const Job& 
         std::max<size_t>(1, memory_limit * size_t(job.mesh.meshes) / TileWorker::memory(job));
     const int threads = int(std::min<size_t>(size_t(thread_count(job)), in_flight));
 
-    tbb::enumerable_thread_specific<std::unique_ptr<TileWorker>> workers;
-    const auto work = [&](int index) {
+    auto workers = std::vector<std::unique_ptr<TileWorker>>(size_t(threads));
+    for_each_index(threads, grid.count(), [&](int slot, int index) {
         if (!run.going() || run.is_done(index))
             return;
-        auto& worker = workers.local();
+        auto& worker = workers[size_t(slot)];
         if (!worker)
             worker = std::make_unique<TileWorker>(source, sink, mapping, job);
         const Outcome outcome = worker->work(grid.tile(index), run.next_row(index));
@@ -112,16 +106,10 @@ void work_on_cpu(Source& source, Sink& sink, const Mapping& mapping, const Job& 
             run.tile_done(index);
         else
             run.end(outcome);
-    };
-    if (threads == 1) {
-        for (int i = 0; i < grid.count(); ++i)
-            work(i);
-    } else {
-        tbb::task_arena arena(threads);
-        arena.execute([&] { tbb::parallel_for(0, grid.count(), work); });
-    }
+    });
     for (const auto& worker : workers)
-        add(worker->statistics(), statistics);
+        if (worker)
+            add(worker->statistics(), statistics);
 }
 
 /// Tell of a job on stderr, for DDT_VERBOSE.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How large slots are, and how many of them fit on a device.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/gl/device_mesh.h"
 
 #include "core/gl/work_layout.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangulation of several tiles at once on the device.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the rest of the core knows of GPUs: choosing one for a job and giving it the job's tiles.
 // offload_stub.cpp stands in where OpenGL's headers were missing when this was built.
 #pragma once

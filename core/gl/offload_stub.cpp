@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stands in for offload.cpp and runner.cpp where OpenGL's headers were missing when this was built.
 #include "core/gl/choice.h"
 #include "core/gl/offload.h"

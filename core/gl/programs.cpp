@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/gl/programs.h"
 
 #include <chrono>
@@ -5,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "core/base/constants.h"
 #include "core/gl/context/failure.h"
 #include "core/gl/context/faults.h"
 #include "core/gl/shader_text.h"
@@ -35,16 +37,38 @@ void append(const std::string& file, std::set<std::string>& included, std::strin
     }
 }
 
+std::string define(const char* name, const std::string& value) {
+    return std::string("#define ") + name + ' ' + value + '\n';
+}
+
+/// The constants of core/base/constants.h, floats by their bits.
+std::string constants() {
+    std::ostringstream out;
+    const auto put = [&](const char* name, float value) {
+        uint32_t bits;
+        std::memcpy(&bits, &value, sizeof bits);
+        out << "const float " << name << " = uintBitsToFloat(" << bits << "u); // " << value
+            << '\n';
+    };
+#define DDT_INT(name, value) out << "const int " #name " = " << name << ";\n";
+#define DDT_FLOAT(name, value) put(#name, name);
+    DDT_CONSTANTS(DDT_INT, DDT_FLOAT)
+#undef DDT_INT
+#undef DDT_FLOAT
+    return out.str();
+}
+
 } // namespace
 
 std::string shader_source(const std::string& file, const std::string& defines) {
     std::string out = "#version 430 core\n";
-    out += "#define MAX_TILES " + std::to_string(max_tiles) + '\n';
-    out += "#define MAX_ITERATIONS " + std::to_string(max_iterations) + '\n';
-    out += "#define FINISH_GROUP " + std::to_string(finish_group) + '\n';
+#define DDT_LAYOUT(NAME, name, value) out += define(#NAME, std::to_string(name));
+    DDT_LAYOUTS(DDT_LAYOUT)
+#undef DDT_LAYOUT
     std::istringstream names(defines);
     for (std::string name; names >> name;)
-        out += "#define " + name + '\n';
+        out += define(name.c_str(), "");
+    out += constants();
     std::set<std::string> included;
     append(file, included, out);
     return out;

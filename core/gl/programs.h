@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compute programs from the embedded shaders.
 #pragma once
 
@@ -8,12 +9,28 @@
 
 namespace ddt::gl {
 
-/// Tiles that one dispatch can hold.
-constexpr int max_tiles = 64;
-/// Largest value of MeshOptions::max_iterations.
-constexpr int max_iterations = 250;
-/// Invocations of the group that does a tile's late iterations.
-constexpr int finish_group = 512;
+/// Sizes that dispatches and shaders must agree on: a constexpr here, a macro in every shader.
+#define DDT_LAYOUTS(LAYOUT)                                                                        \
+    /* Tiles that one dispatch can hold. */                                                        \
+    LAYOUT(MAX_TILES, max_tiles, 64)                                                               \
+    /* Largest value of MeshOptions::max_iterations. */                                            \
+    LAYOUT(MAX_ITERATIONS, max_iterations, 250)                                                    \
+    /* Groups of invocations: over entries of a list; a tile's late iterations; over pixels of */  \
+    /* the starting mesh, sites whose gains are found, pixels of the surface, samples. */          \
+    LAYOUT(LIST_GROUP, list_group, 64)                                                             \
+    LAYOUT(FINISH_GROUP, finish_group, 512)                                                        \
+    LAYOUT(START_GROUP_X, start_group_x, 32)                                                       \
+    LAYOUT(START_GROUP_Y, start_group_y, 8)                                                        \
+    LAYOUT(GAINS_GROUP_X, gains_group_x, 64)                                                       \
+    LAYOUT(GAINS_GROUP_Y, gains_group_y, 2)                                                        \
+    LAYOUT(SURFACE_GROUP_X, surface_group_x, 32)                                                   \
+    LAYOUT(SURFACE_GROUP_Y, surface_group_y, 4)                                                    \
+    LAYOUT(SAMPLE_GROUP_X, sample_group_x, 16)                                                     \
+    LAYOUT(SAMPLE_GROUP_Y, sample_group_y, 8)
+
+#define DDT_LAYOUT(NAME, name, value) constexpr int name = value;
+DDT_LAYOUTS(DDT_LAYOUT)
+#undef DDT_LAYOUT
 
 /// The programs compiled so far. To be used on the context's thread.
 class Programs {

@@ -1,12 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/gl/runner.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
 
-#include <tbb/parallel_for.h>
-
 #include "core/base/arith.h"
+#include "core/base/parallel.h"
 #include "core/base/verbose.h"
 #include "core/gl/budget.h"
 #include "core/gl/context/failure.h"
@@ -30,7 +30,7 @@ constexpr int rows_a_write = 64;
 Runner::Runner(Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                const Grid& grid, int threads, Run& run)
     : m_gpu(gpu), m_source(source), m_sink(sink), m_mapping(mapping), m_job(job), m_grid(grid),
-      m_run(run), m_arena(threads), m_shape(shape_for(job.window)),
+      m_run(run), m_threads(threads), m_shape(shape_for(job.window)),
       m_groups(group_count(job.channels)), m_meshes(job.mesh.meshes),
       m_in_flight(affordable_tiles(gpu, m_shape, m_groups, job.surface, grid.count(), m_meshes)),
       m_counting(job.statistics || verbose()) {
@@ -102,11 +102,9 @@ void Runner::read_ahead() {
         else
             tiles.push_back(std::move(t));
     }
-    m_arena.execute([&] {
-        tbb::parallel_for(size_t(0), tiles.size(), [&](size_t i) {
-            if (m_run.going() && !read(*tiles[i]))
-                m_run.end(Outcome::source_failed);
-        });
+    for_each_index(m_threads, int(tiles.size()), [&](int, int i) {
+        if (m_run.going() && !read(*tiles[size_t(i)]))
+            m_run.end(Outcome::source_failed);
     });
     for (auto& t : tiles)
         m_ready.push_back(std::move(t));
@@ -154,7 +152,7 @@ void Runner::triangulate_here(HostTile& t, const std::vector<float>& guide, size
     Workspace workspace;
     workspace.origin_x = t.tile.pixels.x0 - m_job.window.x0;
     workspace.origin_y = t.tile.pixels.y0 - m_job.window.y0;
-    lattice.start(t.size.width, t.size.height, guide.data(), m_job.mesh.start == Start::flat);
+    start(lattice, t.size.width, t.size.height, guide.data(), m_job.mesh);
     triangulate(lattice, m_job.mesh, workspace, t.statistics);
     uint64_t* sites = t.sites.data() + mesh * m_shape.sites();
     const size_t row = size_t(2 * t.size.width - 1);
@@ -283,11 +281,10 @@ void Runner::write(Strip& strip) {
             parts.emplace_back(part, values);
             values += part.area() * channels;
         }
-    m_arena.execute([&] {
-        tbb::parallel_for(size_t(0), parts.size(), [&](size_t i) {
-            if (m_run.going() && !m_sink.write(parts[i].first, parts[i].second))
-                m_run.end(Outcome::sink_failed);
-        });
+    for_each_index(m_threads, int(parts.size()), [&](int, int i) {
+        const auto& [part, floats] = parts[size_t(i)];
+        if (m_run.going() && !m_sink.write(part, floats))
+            m_run.end(Outcome::sink_failed);
     });
     const HostTile& t = *m_batch[size_t(strip.batch_index)];
     m_run.wrote_rows_before(strip.rows.y1, t.index);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tiles of one job on a GPU.
 #pragma once
 
@@ -5,8 +6,6 @@
 #include <memory>
 #include <string>
 #include <vector>
-
-#include <tbb/task_arena.h>
 
 #include "core/gl/context/gpu.h"
 #include "core/gl/device_mesh.h"
@@ -65,7 +64,7 @@ private:
     const Job& m_job;
     const Grid& m_grid;
     Run& m_run;
-    tbb::task_arena m_arena;
+    int m_threads;
     SlotShape m_shape;
     int m_groups;
     int m_meshes; ///< a tile; they take neighbouring slots

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangulation as dispatches. C++ twins: core/triangulate.
 #include <algorithm>
 #include <utility>
@@ -57,7 +58,7 @@ void DeviceMesh::start(const MeshOptions& options) {
     m_gl.Uniform1i(5, options.start == Start::flat);
     m_gl.Uniform1i(6, m_iterations > 0);
     m_guide.bind(2);
-    dispatch_over(m_shape.width, m_shape.height, 32, 8);
+    dispatch_over(m_shape.width, m_shape.height, start_group_x, start_group_y);
     barrier(true);
     m_gains_known = false;
 }
@@ -111,7 +112,7 @@ void DeviceMesh::find_gains(Cost cost) {
     bind();
     bind_lists();
     use("evaluate.comp", 0, 0, m_cost + " DENSE");
-    dispatch_over(2 * m_shape.width - 1, 2 * m_shape.height - 1, 64, 2);
+    dispatch_over(2 * m_shape.width - 1, 2 * m_shape.height - 1, gains_group_x, gains_group_y);
     barrier();
     m_gains_known = true;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether a device keeps the promise of the same bits.
 #pragma once
 

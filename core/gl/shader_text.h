@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shaders of the folder shaders/, embedded when this was built.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Time that the device spends on each stage of the work.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rows of a tile's output that are sampled in one go.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Included inside a namespace, once for scalars and once for each SIMD target, where compilers make
 // vectors of the loops over it: so every choice is one between two numbers, both at hand.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The guide: the one number a pixel in which edges are sought.
 //
 // It is the luminance of the picture over mid-grey, through the sRGB curve where the picture is in

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which triangle a position lies in, and its barycentric weights, in exact integer arithmetic.
 #pragma once
 
@@ -6,10 +7,6 @@
 #include "core/lattice/lattice.h"
 
 namespace ddt {
-
-/// Fractional bits of a position.
-constexpr int position_bits = 16;
-constexpr int32_t position_one = 1 << position_bits;
 
 /// A position within a lattice, in 2^-16 pixel: 0 <= x <= (width - 1) * 2^16, y alike.
 struct Point {

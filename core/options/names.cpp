@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "ddt/names.h"
 
 #include <charconv>
@@ -12,9 +13,9 @@ struct Named {
     Value value;
 };
 
-constexpr FilterPreset filters[] = {{"ddt", Surface::patch, 0, 0.4f, 0.1f, 0.07f},
-                                    {"ddt-linear", Surface::linear, 0, 0.0f, -1.0f, 0.0f},
-                                    {"ddt-sharp", Surface::patch, 2, 0.3f, -1.0f, 0.05f}};
+constexpr FilterPreset filters[] = {{"ddt", Surface::patch, 0, 0.4f, 0.1f, 0.07f, 0.8f, false},
+                                    {"ddt-linear", Surface::linear, 0, 0.0f, -1.0f, 0.0f, 0.8f, false},
+                                    {"ddt-sharp", Surface::patch, 2, 0.3f, -1.0f, 0.05f, 0.4f, false}};
 
 constexpr Named<Cost> costs[] = {
 #define DDT_NAMED_COST(name, ...) {#name, Cost::name},
@@ -103,10 +104,12 @@ bool set_filter(std::string_view name, SurfaceOptions& surface, MeshOptions& mes
     surface.kind = filter->kind;
     surface.consistency = filter->consistency;
     surface.soft = filter->soft;
+    surface.fitted = filter->fitted;
     mesh.cost = Cost::abn;
     mesh.scheme = Scheme::one_round;
     mesh.min_gain = filter->min_gain;
     mesh.blur = filter->blur;
+    mesh.contour = filter->contour;
     return true;
 }
 

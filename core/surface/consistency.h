@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Correcting the vertices so that the surface's mean over each source pixel is the pixel's value.
 //
 // A camera's or renderer's pixel is a mean over an area; a surface through the pixel values has

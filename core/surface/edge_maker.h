@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What belongs to the edges of a control net: their bends e and softness q (see net.h).
 #pragma once
 

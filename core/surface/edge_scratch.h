@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the edges of a control net are made of.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The gradients at a net's vertices.
 #include <algorithm>
 #include <cfloat>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fixed grid of tiles an image is triangulated in.
 //
 // The grid is anchored at the window's origin and never changes with threads, the part of the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tells which stage of the work a thread's time goes to.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What goes into a tile and out of it, for all devices alike.
 #pragma once
 

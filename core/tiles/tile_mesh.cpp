@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/tiles/tile_mesh.h"
 
 #include <algorithm>
@@ -44,12 +45,12 @@ void TileMesh::reserve(size_t sites) {
 void TileMesh::triangulate(const float* guide, int width, int height, MeshScratch& scratch,
                            Statistics& statistics) {
     const DenormalsAreZero as_on_gpus;
-    m_lattice.start(width, height, guide, m_job.mesh.start == Start::flat);
+    start(m_lattice, width, height, guide, m_job.mesh);
     ddt::triangulate(m_lattice, m_job.mesh, scratch.workspace, statistics);
     if (!wants_gains(m_job.surface))
         return;
     if (m_job.mesh.scheme != Scheme::one_round)
-        find_gains(m_lattice, m_job.mesh.cost, scratch.workspace);
+        find_gains(m_lattice, criterion(m_job.mesh), scratch.workspace);
     m_gain.swap(scratch.workspace.gain);
 }
 

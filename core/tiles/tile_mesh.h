@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A mesh of a tile and the surface over it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One tile from source pixels to output pixels.
 #pragma once
 

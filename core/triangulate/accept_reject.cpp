@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/lattice/region.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/schemes.h"
@@ -11,9 +12,9 @@ enum Mark : uint8_t { idle, dirty, untreated, accepted, rejected };
 
 class AcceptReject {
 public:
-    AcceptReject(Lattice& lattice, Cost cost, float min_gain, const Rules& rules, Workspace& w,
-                 Statistics& statistics)
-        : m_lattice(lattice), m_cost(cost), m_min_gain(min_gain), m_rules(rules), m_w(w),
+    AcceptReject(Lattice& lattice, const Criterion& criterion, float min_gain, const Rules& rules,
+                 Workspace& w, Statistics& statistics)
+        : m_lattice(lattice), m_criterion(criterion), m_min_gain(min_gain), m_rules(rules), m_w(w),
           m_statistics(statistics) {
         m_w.gain.resize(lattice.size());
         m_w.candidates.clear();
@@ -55,7 +56,7 @@ private:
             if (m_lattice.edge(m).flippable())
                 m_w.flippable.push_back(m);
         }
-        gains(m_lattice, m_cost, m_w.flippable.data(), m_w.flippable.size(), m_w.gain.data());
+        gains(m_lattice, m_criterion, m_w.flippable.data(), m_w.flippable.size(), m_w.gain.data());
         m_statistics.evaluations += int64_t(m_w.flippable.size());
         for (const int m : m_w.flippable)
             if (m_w.gain[size_t(m)] > m_min_gain)
@@ -147,7 +148,7 @@ private:
     }
 
     Lattice& m_lattice;
-    const Cost m_cost;
+    const Criterion m_criterion;
     const float m_min_gain;
     const Rules m_rules;
     bool m_wide = false; ///< in this iteration
@@ -157,9 +158,9 @@ private:
 
 } // namespace
 
-void accept_reject(Lattice& lattice, Cost cost, float min_gain, int max_iterations,
+void accept_reject(Lattice& lattice, const Criterion& criterion, float min_gain, int max_iterations,
                    const Rules& rules, Workspace& workspace, Statistics& statistics) {
-    AcceptReject scheme(lattice, cost, min_gain, rules, workspace, statistics);
+    AcceptReject scheme(lattice, criterion, min_gain, rules, workspace, statistics);
     for (int i = 1; i <= max_iterations && scheme.iterate(i); ++i) {
         if (statistics.iterations < i)
             statistics.iterations = i;

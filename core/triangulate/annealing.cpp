@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cstring>
 
 #include "core/triangulate/gain.h"
@@ -30,15 +31,18 @@ float exponential(uint32_t bits) {
 
 class Annealing {
 public:
-    Annealing(Lattice& lattice, Cost cost, uint32_t seed, Workspace& w, Statistics& statistics)
-        : m_lattice(lattice), m_cost(cost), m_seed(mix(seed)), m_w(w), m_statistics(statistics) {}
+    Annealing(Lattice& lattice, const Criterion& criterion, uint32_t seed, Workspace& w,
+              Statistics& statistics)
+        : m_lattice(lattice), m_criterion(criterion), m_seed(mix(seed)), m_w(w),
+          m_statistics(statistics) {}
 
     /// Try about every second flippable edge once, an eighth of all edges after another.
     void iterate(int iteration, float temperature) {
         shuffle(mix(m_seed + uint64_t(iteration)));
         for (uint32_t part = 0; part < parts; ++part) {
             select(part);
-            gains(m_lattice, m_cost, m_w.selected.data(), m_w.selected.size(), m_w.gain.data());
+            gains(m_lattice, m_criterion, m_w.selected.data(), m_w.selected.size(),
+                  m_w.gain.data());
             m_statistics.evaluations += int64_t(m_w.selected.size());
             for (const int m : m_w.selected)
                 // Metropolis' u < exp(gain / t), with u = exp(-e).
@@ -89,7 +93,7 @@ private:
     uint32_t mix32(int m) const { return uint32_t(mix(m_seed ^ m_drawn[size_t(m)])); }
 
     Lattice& m_lattice;
-    const Cost m_cost;
+    const Criterion m_criterion;
     const uint64_t m_seed;
     std::vector<uint32_t> m_drawn = std::vector<uint32_t>(m_lattice.size()); ///< a site
     std::vector<int> m_part[parts];                                          ///< its edges
@@ -99,18 +103,18 @@ private:
 
 } // namespace
 
-void annealing(Lattice& lattice, Cost cost, float min_gain, int iterations, uint32_t seed,
-               Workspace& w, Statistics& statistics) {
+void annealing(Lattice& lattice, const Criterion& criterion, float min_gain, int iterations,
+               uint32_t seed, Workspace& w, Statistics& statistics) {
     // The random iterations take nearly all the time; only they are reported.
     const auto settle = [&] {
         std::function<bool(float)> silent;
         w.progress.swap(silent);
-        one_round(lattice, cost, min_gain, iterations, w, statistics);
+        one_round(lattice, criterion, min_gain, iterations, w, statistics);
         w.progress.swap(silent);
     };
     settle();
-    Annealing scheme(lattice, cost, seed, w, statistics);
-    const float hottest = traits(cost).temperature;
+    Annealing scheme(lattice, criterion, seed, w, statistics);
+    const float hottest = traits(criterion.cost).temperature;
     for (int i = 0; i < iterations; ++i) {
         const float left = float(iterations - i) / float(iterations);
         scheme.iterate(i, (hottest * left) * left);

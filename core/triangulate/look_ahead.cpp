@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/lattice/region.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/schemes.h"
@@ -9,8 +10,8 @@ namespace {
 template <class CostOfFloat>
 class LookAhead {
 public:
-    LookAhead(Lattice& lattice, float min_gain, Statistics& statistics)
-        : m_lattice(lattice), m_min_gain(min_gain), m_statistics(statistics) {
+    LookAhead(Lattice& lattice, float contour, float min_gain, Statistics& statistics)
+        : m_lattice(lattice), m_contour(contour), m_min_gain(min_gain), m_statistics(statistics) {
         lattice.each_edge([&](int m) { lattice.edge(m).stamp = 1; });
     }
 
@@ -32,7 +33,7 @@ public:
 private:
     float gain(int m) {
         ++m_statistics.evaluations;
-        return scalar::gain<CostOfFloat>(m_lattice, m);
+        return scalar::gain<CostOfFloat>(m_lattice, m, m_contour);
     }
 
     void treat(int m) {
@@ -85,16 +86,16 @@ private:
     }
 
     Lattice& m_lattice;
-    const float m_min_gain;
+    const float m_contour, m_min_gain;
     Statistics& m_statistics;
 };
 
 } // namespace
 
-void look_ahead(Lattice& lattice, Cost cost, float min_gain, int max_sweeps,
+void look_ahead(Lattice& lattice, const Criterion& criterion, float min_gain, int max_sweeps,
                 const Workspace& workspace, Statistics& statistics) {
-    dispatch(cost, [&](auto which) {
-        LookAhead<decltype(which)> scheme(lattice, min_gain, statistics);
+    dispatch(criterion.cost, [&](auto which) {
+        LookAhead<decltype(which)> scheme(lattice, criterion.contour, min_gain, statistics);
         for (int sweep = 1; sweep <= max_sweeps; ++sweep) {
             const int64_t flips = scheme.sweep();
             if (statistics.iterations < sweep)

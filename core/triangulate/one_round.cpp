@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/triangulate/gain.h"
 #include "core/triangulate/start_gains.h"
 #include "core/triangulate/triangulate.h"
@@ -34,9 +35,9 @@ void find_flippable(const Lattice& lattice, size_t count, Each&& each, Workspace
 }
 
 /// Evaluate the flippable edges; those above min_gain become candidates.
-void evaluate(const Lattice& lattice, Cost cost, float min_gain, Workspace& w,
+void evaluate(const Lattice& lattice, const Criterion& criterion, float min_gain, Workspace& w,
               Statistics& statistics) {
-    gains(lattice, cost, w.flippable.data(), w.flippable.size(), w.gain.data());
+    gains(lattice, criterion, w.flippable.data(), w.flippable.size(), w.gain.data());
     statistics.evaluations += int64_t(w.flippable.size());
     w.candidates.resize(w.flippable.size() + 1);
     int* out = w.candidates.data();
@@ -82,8 +83,8 @@ void flip_selected(Lattice& lattice, uint8_t next_iteration, Workspace& w) {
 
 } // namespace
 
-void one_round(Lattice& lattice, Cost cost, float min_gain, int max_iterations, Workspace& w,
-               Statistics& statistics) {
+void one_round(Lattice& lattice, const Criterion& criterion, float min_gain, int max_iterations,
+               Workspace& w, Statistics& statistics) {
     w.gain.resize(lattice.size());
     w.blocked.clear();
     const auto all = [&](auto&& f) { lattice.each_edge(f); };
@@ -94,13 +95,13 @@ void one_round(Lattice& lattice, Cost cost, float min_gain, int max_iterations, 
     // One more than there are, since a place is written before it is known to be taken.
     const size_t pixels = size_t(lattice.width()) * size_t(lattice.height());
     // Whether w.gain of w.flippable is to be found yet.
-    bool stale = max_iterations < 1 || !start_gains(lattice, cost, min_gain, w, statistics);
+    bool stale = max_iterations < 1 || !start_gains(lattice, criterion, min_gain, w, statistics);
     if (stale)
         find_flippable(lattice, 3 * pixels + 1, all, w);
     for (int iteration = 1; iteration <= max_iterations; ++iteration) {
         const auto stamp = uint8_t(iteration);
         if (stale)
-            evaluate(lattice, cost, min_gain, w, statistics);
+            evaluate(lattice, criterion, min_gain, w, statistics);
         stale = false;
         wake_blocked(lattice, stamp, w);
         if (w.candidates.empty())
@@ -123,7 +124,7 @@ void one_round(Lattice& lattice, Cost cost, float min_gain, int max_iterations, 
             break;
     }
     if (stale)
-        gains(lattice, cost, w.flippable.data(), w.flippable.size(), w.gain.data());
+        gains(lattice, criterion, w.flippable.data(), w.flippable.size(), w.gain.data());
 }
 
 } // namespace ddt

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The schemes beside one_round and lawson. All add to `statistics` and end when nothing is left to
 // flip or after the given number of iterations.
 #pragma once
@@ -26,13 +27,13 @@ bool find_rules(const MeshOptions& options, Rules& rules);
 ///
 /// Only edges whose gain can have changed are evaluated again (the paper's future work), so
 /// Statistics::evaluations is less than the paper's, and nothing else differs.
-void accept_reject(Lattice& lattice, Cost cost, float min_gain, int max_iterations,
+void accept_reject(Lattice& lattice, const Criterion& criterion, float min_gain, int max_iterations,
                    const Rules& rules, Workspace& workspace, Statistics& statistics);
 
 /// Lawson's sweeps with the look-ahead of Yu, Morse & Sederberg 2001, "Image reconstruction using
 /// data-dependent triangulation": an edge that does not gain by itself is flipped together with the
 /// best of its parallelogram's sides if the two flips gain together. Sequential.
-void look_ahead(Lattice& lattice, Cost cost, float min_gain, int max_sweeps,
+void look_ahead(Lattice& lattice, const Criterion& criterion, float min_gain, int max_sweeps,
                 const Workspace& workspace, Statistics& statistics);
 
 /// Simulated annealing (Schumaker 1993, "Computing optimal triangulations using simulated
@@ -42,7 +43,7 @@ void look_ahead(Lattice& lattice, Cost cost, float min_gain, int max_sweeps,
 ///
 /// Randomness comes from the seed, the iteration and the edge's place in the image alone: the same
 /// on every machine and for every number of threads.
-void annealing(Lattice& lattice, Cost cost, float min_gain, int iterations, uint32_t seed,
-               Workspace& workspace, Statistics& statistics);
+void annealing(Lattice& lattice, const Criterion& criterion, float min_gain, int iterations,
+               uint32_t seed, Workspace& workspace, Statistics& statistics);
 
 } // namespace ddt

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The first evaluation of a mesh: all edges, before any was flipped.
 #pragma once
 
@@ -10,7 +11,7 @@ namespace ddt {
 ///
 /// False if an edge was flipped since the start, or the guide is not in steps of 2^-12 within -1024
 /// to 1024 (as guide_step() makes it): then nothing was done.
-bool start_gains(const Lattice& lattice, Cost cost, float min_gain, Workspace& w,
+bool start_gains(const Lattice& lattice, const Criterion& criterion, float min_gain, Workspace& w,
                  Statistics& statistics);
 
 } // namespace ddt

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/triangulate/triangulate.h"
 
 #include <algorithm>
@@ -42,6 +43,8 @@ bool check_options(const MeshOptions& options, std::string& error) {
         error = "ddt: max_iterations must be 0 to 250";
     else if (!(options.blur >= 0 && options.blur <= 0.25f))
         error = "ddt: blur must be 0 to 1/4";
+    else if (!(options.contour >= 0 && options.contour <= most_contour))
+        error = "ddt: contour must be 0 to " + std::to_string(int(most_contour));
     else if (options.meshes < 1 || options.meshes > most_meshes)
         error = "ddt: meshes must be 1 to " + std::to_string(most_meshes);
     else
@@ -71,30 +74,39 @@ bool find_rules(const MeshOptions& options, Rules& rules) {
     }
 }
 
+Criterion criterion(const MeshOptions& options) {
+    return {options.cost, options.contour};
+}
+
+void start(Lattice& lattice, int width, int height, const float* guide,
+           const MeshOptions& options) {
+    lattice.start(width, height, guide, options.start == Start::flat, options.contour != 0);
+}
+
 void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& workspace,
                  Statistics& statistics) {
-    const Cost cost = options.cost;
+    const Criterion by = criterion(options);
     const float threshold = min_gain(options);
     const int iterations = options.max_iterations;
     statistics.pixels += int64_t(lattice.width()) * lattice.height();
     Rules rules;
     if (find_rules(options, rules))
-        return accept_reject(lattice, cost, threshold, iterations, rules, workspace, statistics);
+        return accept_reject(lattice, by, threshold, iterations, rules, workspace, statistics);
     switch (options.scheme) {
     case Scheme::one_round:
-        return one_round(lattice, cost, threshold, iterations, workspace, statistics);
+        return one_round(lattice, by, threshold, iterations, workspace, statistics);
     case Scheme::lawson:
-        return lawson(lattice, cost, threshold, iterations, workspace, statistics);
+        return lawson(lattice, by, threshold, iterations, workspace, statistics);
     case Scheme::look_ahead:
-        return look_ahead(lattice, cost, threshold, iterations, workspace, statistics);
+        return look_ahead(lattice, by, threshold, iterations, workspace, statistics);
     case Scheme::annealing:
-        return annealing(lattice, cost, threshold, iterations, options.seed, workspace, statistics);
+        return annealing(lattice, by, threshold, iterations, options.seed, workspace, statistics);
     default:
         return; // pixel: the starting mesh is the result
     }
 }
 
-void find_gains(const Lattice& lattice, Cost cost, Workspace& w) {
+void find_gains(const Lattice& lattice, const Criterion& criterion, Workspace& w) {
     w.gain.resize(lattice.size());
     w.flippable.clear();
     lattice.each_edge([&](int m) {
@@ -102,7 +114,7 @@ void find_gains(const Lattice& lattice, Cost cost, Workspace& w) {
         if (lattice.edge(m).flippable())
             w.flippable.push_back(m);
     });
-    gains(lattice, cost, w.flippable.data(), w.flippable.size(), w.gain.data());
+    gains(lattice, criterion, w.flippable.data(), w.flippable.size(), w.gain.data());
 }
 
 } // namespace ddt

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // Flipping edges until the mesh follows the guide.
 #pragma once
 
 #include <functional>
 #include <vector>
 
+#include "core/cost/criterion.h"
 #include "core/lattice/lattice.h"
 #include "ddt/core.h"
 
@@ -36,11 +38,17 @@ struct Workspace {
 /// and the paper's schemes 1e-6, a bare guard against rounding.
 float min_gain(const MeshOptions& options);
 
+/// What the options' scheme judges flips by.
+Criterion criterion(const MeshOptions& options);
+
 /// The share by which the guide of mesh 0 <= index < options.meshes is blurred.
 float blur_share(const MeshOptions& options, int index);
 
 /// Whether the options' numbers are allowed; if not, `error` says which is and what it may be.
 bool check_options(const MeshOptions& options, std::string& error);
+
+/// Start a lattice as the options want it, for triangulate().
+void start(Lattice& lattice, int width, int height, const float* guide, const MeshOptions& options);
 
 /// Flip edges of a started lattice by options.scheme. Adds to `statistics`.
 void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& workspace,
@@ -48,12 +56,12 @@ void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& worksp
 
 /// Fill workspace.gain with the gains of all flippable edges of a finished mesh, no_gain (gain.h)
 /// at the others.
-void find_gains(const Lattice& lattice, Cost cost, Workspace& workspace);
+void find_gains(const Lattice& lattice, const Criterion& criterion, Workspace& workspace);
 
 /// Sequential local optimization (Lawson 1977): sweeps over all edges in address order; an edge
 /// that gains flips at once; until a sweep flips nothing. The reference.
-void lawson(Lattice& lattice, Cost cost, float min_gain, int max_sweeps, const Workspace& workspace,
-            Statistics& statistics);
+void lawson(Lattice& lattice, const Criterion& criterion, float min_gain, int max_sweeps,
+            const Workspace& workspace, Statistics& statistics);
 
 /// The default parallel scheme. An iteration: evaluate the gains of all edges that a flip touched
 /// (at first, of all); select every edge whose gain exceeds min_gain and is the largest of its
@@ -62,7 +70,7 @@ void lawson(Lattice& lattice, Cost cost, float min_gain, int max_sweeps, const W
 /// Two edges outside each other's 2-region never write the same record, nor does one's flip change
 /// the other's gain, so the order of flips within an iteration is immaterial, and every flip lowers
 /// the total cost by its gain. Leaves workspace.gain as find_gains() would.
-void one_round(Lattice& lattice, Cost cost, float min_gain, int max_iterations,
+void one_round(Lattice& lattice, const Criterion& criterion, float min_gain, int max_iterations,
                Workspace& workspace, Statistics& statistics);
 
 } // namespace ddt

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "plugin/colour/codetable.h"
 
 #include <algorithm>
 #include <array>
 
-#include "plugin/image/codes.h"
+#include "plugin/colour/codes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "plugin/colour/codetable.cpp"

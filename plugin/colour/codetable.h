@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From linear light straight to 8-bit codes.
 #pragma once
 

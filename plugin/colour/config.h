@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where colour spaces are looked up by name: OpenColorIO configs.
 //
 // The user's config, $OCIO, comes first; without it OpenColorIO's own (from 2.2 on); then the small

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A function of one number, tabled finely enough for float pixels.
 #pragma once
 

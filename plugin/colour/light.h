@@ -1,33 +1,35 @@
-// Conversion of colour between an image's numbers and linear light, by OpenColorIO.
+// SPDX-License-Identifier: Apache-2.0
+// Conversion of colour between an image's numbers and linear light.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
-#include <string>
-
-#include <OpenColorIO/OpenColorIO.h>
 
 #include "plugin/colour/codetable.h"
-#include "plugin/colour/config.h"
 #include "plugin/colour/curve.h"
 
 namespace ddt {
 
-/// What an image's numbers mean as light.
-///
-/// Linear light is the scene-linear version of the image's own primaries: the config's way from the
-/// space to its scene_linear role, less the matrix between the primaries. What is left is a curve a
-/// channel for nearly all spaces, and nothing at all for linear ones. A space that is more than
-/// that (a 3D table, a rendering) goes to scene_linear itself, pixel by pixel through OpenColorIO.
-///
-/// Immutable and thread-safe.
+/// What an image's numbers mean as light: known colour or not, and the conversions there and back.
+/// Where these are a curve a channel they are tabled. Immutable and thread-safe.
 class Light {
 public:
-    /// A space no config knows, or one of data: numbers are as they are.
+    /// Converts `count` packed RGB triples in place.
+    using Exact = std::function<void(float* rgb, size_t count)>;
+
+    /// Unknown numbers, or data: they are as they are.
     Light() = default;
-    /// Throws OCIO::Exception.
-    explicit Light(const Space& space);
+    /// Numbers that are linear light already.
+    static Light linear(const std::array<float, 3>& luma);
+    /// False if the conversions are not a curve a channel, or none that the tables follow closely.
+    static bool curves(Exact to_light, Exact from_light, const std::array<float, 3>& luma,
+                       Light& light);
+    /// Pixel by pixel through the conversions given.
+    static Light whole(Exact to_light, Exact from_light, const std::array<float, 3>& luma);
+    /// True if a conversion changes nothing.
+    static bool is_none(const Exact& exact);
 
     bool known() const { return m_known; } ///< a colour space, not data
     /// False: the numbers are linear light already, or unknown.
@@ -51,29 +53,21 @@ public:
     const CodeTable* codes() const { return m_codes.get(); }
 
 private:
-    using Processor = OCIO_NAMESPACE::ConstCPUProcessorRcPtr;
     struct Curves {
         std::array<Curve, 3> channel;
         bool same = false; ///< all three are the first
     };
-    static bool make_curves(const Processor& processor, Curves& curves);
-    static void apply(const Processor& processor, const Curves* curves, float* rgb, size_t count);
-    static void apply_alike(const Processor& processor, const Curves& curves, float* values,
-                            size_t count);
-    static float apply_one(const Processor& processor, const Curve& curve, int channel, float v);
+    static bool make_curves(const Exact& exact, Curves& curves);
+    static void apply(const Exact& exact, const Curves* curves, float* rgb, size_t count);
+    static void apply_alike(const Exact& exact, const Curves& curves, float* values, size_t count);
+    static float apply_one(const Exact& exact, const Curve& curve, int channel, float v);
 
     bool m_known = false;
     bool m_keeps_unit = true;
     std::array<float, 3> m_luma{0.2126f, 0.7152f, 0.0722f};
-    Processor m_to_light, m_from_light;
+    Exact m_to_light, m_from_light;
     std::shared_ptr<const Curves> m_to_curves, m_from_curves; ///< null: not a curve a channel
     std::shared_ptr<const CodeTable> m_codes;
 };
-
-/// The light of an image whose metadata names the space `image_space` (may be empty), under the
-/// option light=`option`; under light=encoded as for auto, the caller then does not convert. Null
-/// with one line in `error` when there is none. Spaces are analysed once and kept. Thread-safe.
-std::shared_ptr<const Light> find_light(const std::string& option, const std::string& image_space,
-                                        std::string& error);
 
 } // namespace ddt

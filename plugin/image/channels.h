@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the channels of an image are.
 #pragma once
 
@@ -6,15 +7,9 @@
 #include <OpenImageIO/imageio.h>
 
 #include "ddt/core.h"
+#include "plugin/colour/layout.h"
 
 namespace ddt {
-
-/// Where a pixel's colour is: positions among its interleaved channels.
-struct ColourLayout {
-    int count = 0; ///< 3: red, green, blue; 1: grey; 0: none
-    int channel[3] = {-1, -1, -1};
-    int alpha = -1; ///< the alpha it is associated with, or -1
-};
 
 /// The roles of an image's channels.
 struct Channels {

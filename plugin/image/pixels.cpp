@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "plugin/image/pixels.h"
 
 #include <cmath>
@@ -5,8 +6,8 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include "plugin/colour/codes.h"
 #include "plugin/image/channels.h"
-#include "plugin/image/codes.h"
 
 namespace ddt {
 namespace {

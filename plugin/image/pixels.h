@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Regions of an ImageBuf as plain rows.
 #pragma once
 

@@ -1,7 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "plugin/image/reading.h"
 
 #include <algorithm>
 #include <memory>
+
+#include "plugin/colour/space_light.h"
 
 namespace ddt {
 namespace {

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "plugin/image/sink.h"
 
-#include "plugin/image/colourpixels.h"
+#include "plugin/colour/colourpixels.h"
 #include "plugin/image/pixels.h"
 
 namespace ddt {

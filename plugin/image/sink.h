@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An ImageBuf as the core's sink.
 #pragma once
 

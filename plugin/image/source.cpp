@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "plugin/image/source.h"
 
 #include <algorithm>
 
-#include "plugin/image/colourpixels.h"
+#include "plugin/colour/colourpixels.h"
 #include "plugin/image/pixels.h"
 
 namespace ddt {

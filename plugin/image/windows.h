@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The windows of a call: checks of the images, the destination's preparation, the axes' mapping.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The boundary of the library: no exception passes it, no half-written image stays behind it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The mapping of a warp by a 3x3 matrix.
 #pragma once
 

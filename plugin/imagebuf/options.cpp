@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <functional>
 #include <vector>
 
@@ -48,6 +49,7 @@ const std::vector<Option>& table() {
         number("consistency", 0, 16, [](Options& o) -> int& { return o.surface.consistency; }),
         choice("device", device_names(),
                [](const std::string& name, Options& o) { return find_device(name, o.device); }),
+        number("contour", 0.0f, most_contour, [](Options& o) -> float& { return o.mesh.contour; }),
         {"fitted", "0 and 1",
          [](Options& o, const std::string& text) {
              o.surface.fitted = text == "1";
@@ -112,19 +114,24 @@ bool parse_filter(OIIO::string_view spec, Options& options, std::string& error) 
                        OIIO::Strutil::join(filter_names(), ", "));
         return false;
     }
-    // With another cost edges are not soft, and min_gain is the cost's own.
+    // With another cost edges are not soft, and min_gain is the cost's own; only with this cost and
+    // scheme contours count.
     Options parsed = options;
     parsed.surface.kind = filter->kind;
     parsed.surface.consistency = filter->consistency;
     parsed.surface.soft = parsed.mesh.min_gain = -1.0f; // not given
     parsed.mesh.blur = filter->blur;
+    parsed.mesh.contour = -1.0f;
     for (size_t i = 1; i < items.size(); ++i)
         if (!set_option(items[i], parsed, error))
             return false;
     const bool abn = parsed.mesh.cost == Cost::abn;
+    const bool own = abn && parsed.mesh.scheme == Scheme::one_round;
+    if (parsed.mesh.contour < 0)
+        parsed.mesh.contour = own ? filter->contour : 0.0f;
     if (parsed.surface.soft < 0)
         parsed.surface.soft = abn ? filter->soft : 0.0f;
-    if (parsed.mesh.min_gain < 0 && abn && parsed.mesh.scheme == Scheme::one_round)
+    if (parsed.mesh.min_gain < 0 && own)
         parsed.mesh.min_gain = filter->min_gain;
     options = parsed;
     return true;

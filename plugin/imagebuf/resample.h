@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An ImageBuf read off its mesh under any mapping.
 #pragma once
 

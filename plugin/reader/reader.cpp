@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The plugin as a genuine ImageInput: enlarged images under names of their own, see request.h.
 //
 // It does not claim to be "procedural": a failing open would crash oiiotool. While OIIO looks for a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the name of a virtual image, or a sidecar file, asks for.
 //
 //     photo.png.ddt?scale=4&filter=ddt-linear&light=encoded

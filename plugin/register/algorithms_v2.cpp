@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ImageBufAlgo's choke points in OIIO 2.4 and 2.5. The forms that return an ImageBuf, and those
 // without the later parameters, call these within OIIO through its own table of functions.
 #include "filter.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ImageBufAlgo's choke points from OIIO 3.0 on, where filters come in a list of parameters. The
 // deprecated forms, and those that return an ImageBuf, call these within OIIO through its own table
 // of functions.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The filter objects that stand for "ddt" wherever OpenImageIO passes a Filter2D.
 #pragma once
 

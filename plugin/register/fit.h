@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The part of ImageBufAlgo::fit that resamples by a fraction of a pixel.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See "ELF-64 Object File Format" and the psABI supplements for x86-64 and AArch64 for the tables
 // read here. Relocations for function addresses have addend 0, so a slot holds the plain address.
 #include "got.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Redirecting functions of shared libraries within the running process.
 #pragma once
 

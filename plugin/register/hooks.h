@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The functions of OpenImageIO that are redirected, and what stands in for them.
 //
 // A stand-in takes over when it is given one of our filters and otherwise calls the function that

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What happens when the plugin is loaded.
 //
 // OIIO loads plugins under a mutex that is not recursive: nothing here may call a function of OIIO.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The commands of `ddt`, and the one description of each from which its arguments are read, its
 // --help is printed and the man page is made.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ddt: triangulates pictures by their content. Commands are in commands.h.
 #include <cstdio>
 #include <cstring>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An image file as the commands look at it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rows of the table start from the same picture and place it the same way.
 #include <algorithm>
 #include <cmath>

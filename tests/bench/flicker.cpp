@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How steady the filters are: every image of a folder is reduced, repeated with other noise in each
 // frame, and enlarged frame by frame with each of the filters.
 //

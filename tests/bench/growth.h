@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a time grows with the size of what is worked on.
 #pragma once
 

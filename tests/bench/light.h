@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Between display values (0..255) and the light in which an image is resized.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <OpenImageIO/imagebufalgo.h>
 
 #include "rows.h"

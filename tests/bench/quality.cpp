@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How good the filters are: every image of a folder is reduced, enlarged again with each of them,
 // and compared with what it was.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reading the originals and reducing them to what the rows start from.
 #pragma once
 

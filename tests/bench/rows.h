@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The ways of enlarging that are compared: one row of the table each.
 #pragma once
 

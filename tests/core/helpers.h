@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What several tests share: random numbers and pictures, a slow enumeration of a lattice's
 // triangles, positions worth trying, and running code on every instruction set.
 #pragma once
@@ -54,7 +55,8 @@ inline float float_of(uint32_t bits) {
     return x;
 }
 
-/// Both surfaces with so many rounds of correction each, with and without soft edges.
+/// Both surfaces with so many rounds of correction each, with and without soft edges; where one
+/// round is among them, fitted vertices and bends too.
 inline std::vector<SurfaceOptions> surfaces_with(std::initializer_list<int> rounds) {
     std::vector<SurfaceOptions> all;
     for (const Surface kind : {Surface::linear, Surface::patch})
@@ -64,6 +66,9 @@ inline std::vector<SurfaceOptions> surfaces_with(std::initializer_list<int> roun
                 s.consistency = consistency;
                 s.soft = soft;
                 all.push_back(s);
+                s.fitted = kind == Surface::patch && consistency == 1;
+                if (s.fitted)
+                    all.push_back(s);
             }
     return all;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sources, sinks and mappings for tests of whole jobs.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Every oiiotool command that takes a filter, with nothing but the plugin path set."""
 
 import unittest

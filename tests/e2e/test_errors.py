@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Bad input: one line that names the thing and what is allowed, a failing exit, no file."""
 
 import unittest

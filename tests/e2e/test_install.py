@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The build's folders, and what is installed of the plugin."""
 
 import glob

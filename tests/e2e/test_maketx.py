@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """maketx and oiiotool's texture output with the filter."""
 
 import os

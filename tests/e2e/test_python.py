@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Python's OpenImageIO module with the plugin on its path."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Enlarged images under names of their own, and sidecar files."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What is not ours is bit for bit what it is without the plugin."""
 
 import unittest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """ddt-oiiotool: what the plugin path alone does not cover."""
 
 import os

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pixels that come out, pinned: every image of testimages/ through ddt::resize with each
 // filter at two factors, as a table of hashes.
 //

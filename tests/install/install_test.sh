@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Installs into a scratch folder; compares the list of files with files.txt; builds a project
 # against the result that compiles every installed header alone and the examples of README.md.
 #

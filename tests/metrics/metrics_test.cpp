@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each metric on cases whose value is known by hand.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The metrics of the paper's table 3 on cases whose value is known by hand.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Small images for tests, and plain ways to look at them.
 #pragma once
 

@@ -2,30 +2,17 @@
 #include "tools/fit/scene.h"
 
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
 
-#include "core/base/arith.h"
 #include "core/guide/guide.h"
 #include "core/lattice/locate.h"
 #include "core/surface/consistency.h"
 #include "core/surface/edge_maker.h"
+#include "core/surface/fitted/scalar.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/triangulate.h"
 #include "ddt/names.h"
 #include "tests/bench/reference.h"
-
-namespace ddt::scalar {
-
-inline float if_less(float a, float b, float yes, float no) {
-    return a < b ? yes : no;
-}
-inline float if_less_equal(float a, float b, float yes, float no) {
-    return a <= b ? yes : no;
-}
-#include "core/surface/fitted/features-inl.h"
-
-} // namespace ddt::scalar
 
 namespace fit {
 
@@ -63,7 +50,7 @@ void make_mesh(const std::vector<float>& pixels, int width, int height, bench::L
     make_guide(recipe, pixels.data(), guide.size(), colours, guide.data());
     blur_guide(guide, width, height, blur_share(options.mesh, 0));
     Statistics statistics;
-    lattice.start(width, height, guide.data(), options.mesh.start == Start::flat);
+    start(lattice, width, height, guide.data(), options.mesh);
     triangulate(lattice, options.mesh, workspace, statistics);
     lattice.find_divisions();
     lattice.find_first_edges();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // EGL without a window system. The display may be one the host uses too, so it is never terminated.
 #include <cstring>
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stands in for context_egl.cpp where EGL's headers were missing when this was built.
 #include "core/gl/context/context.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mesa's off-screen interface (GL/osmesa.h), in which Mesa rendered to memory until version 25.1.
 #include "core/gl/context/context.h"
 #include "core/gl/context/faults.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What can go wrong on a GPU, as exceptions that never leave core/gl.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Failures made to happen, for tests of what follows them. Not thread-safe against running jobs.
 #pragma once
 

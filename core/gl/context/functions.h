@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The OpenGL functions in use, loaded at run time: nothing links a GL library.
 #pragma once
 

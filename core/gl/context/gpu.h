@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A device that work can be given to.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A look for graphics hardware that loads nothing.
 #pragma once
 

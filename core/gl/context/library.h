@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A shared library, opened by name at run time and never closed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Enlarging plain float images by data-dependent triangulation.
 //
 // The pixels of an image become the vertices of a triangle mesh; mesh edges are flipped until they

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The list of costs: the one place, beside its formula in core/cost/cost-inl.h, that names a cost.
 #pragma once
 

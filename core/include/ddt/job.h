@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A piece of work: where pixels come from, where they go, and what is done with them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which source position each output pixel shows.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The mesh itself, for programs that want triangles instead of a larger picture.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The names of filters, costs, schemes, starts and devices, as options, tables and tools spell
 // them.
 #pragma once
@@ -10,12 +11,13 @@
 
 namespace ddt {
 
-/// What a filter's name stands for. `soft` and `min_gain` are in units of the cost abn.
+/// What a filter's name stands for. `soft`, `min_gain` and `contour` are in units of the cost abn.
 struct FilterPreset {
     const char* name;
     Surface kind;
     int consistency;
-    float soft, min_gain, blur;
+    float soft, min_gain, blur, contour;
+    bool fitted;
 };
 /// The filter of that name, or null.
 const FilterPreset* find_filter(std::string_view name);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What can be chosen: how the mesh is made, the surface laid over it, the device.
 #pragma once
 
@@ -68,6 +69,7 @@ struct SurfaceOptions {
     bool fitted = false;
 };
 
+constexpr float most_contour = 1000.0f; ///< see MeshOptions::contour
 /// See MeshOptions::meshes.
 constexpr int most_meshes = 4;
 constexpr float mesh_spread = 0.07f;
@@ -85,6 +87,11 @@ struct MeshOptions {
     /// Share of each neighbour, in rows and then in columns, that is mixed into the guide before
     /// edges are sought in it; 0 to 1/4. A little keeps single pixels' noise out of the mesh.
     float blur = 0.0f;
+    /// How much more than by its cost an edge is judged by the contours about it; 0 to
+    /// most_contour, in units of the cost. A structure tensor of the guide, smoothed over seven
+    /// pixels, tells where they run (core/guide/contour.h): the mesh gets steadier and follows them
+    /// further. 0: by the cost alone.
+    float contour = 0.0f;
     /// How many meshes are made and their surfaces averaged; 1 to most_meshes. The guides of
     /// several are blurred by shares from `blur` - mesh_spread to `blur` + mesh_spread, as far as
     /// allowed, in even steps. Steadier in sequences and smoother, for so many times the time and

@@ -148,7 +148,7 @@ DDT_INLINE T fitted_vertex(T z, T low, T high, const VertexFeatures<T>& v,
     }
     const T size = if_less(step, zero, zero - step, step);
     const T moved = upper(low, lower(high, z + step));
-    return if_less_equal(size, T(FLT_MAX), moved, z);
+    return if_less_equal(size, T(largest_float), moved, z);
 }
 
 /// The bend of an edge with these weights of its null features, node after node. In lanes where
@@ -171,5 +171,5 @@ DDT_INLINE T fitted_bend(const EdgeFeatures<T>& edge, T index, T strict, const f
     const T size = if_less(e, zero, zero - e, e);
     const T limit = if_less(zero, strict, edge.rise, T(table.bend_limit) * edge.range);
     const T clamped = upper(zero - limit, lower(limit, e));
-    return if_less_equal(size, T(FLT_MAX), clamped, edge.shared[2]);
+    return if_less_equal(size, T(largest_float), clamped, edge.shared[2]);
 }

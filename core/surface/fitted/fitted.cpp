@@ -2,7 +2,6 @@
 #include "core/surface/fitted/fitted.h"
 
 #include <algorithm>
-#include <cfloat>
 #include <cstdlib>
 
 #include "core/base/arith.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Resizing an ImageBuf by data-dependent triangulation.
 //
 //     OIIO::ImageBuf in("photo.png"), out;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/bench/gpu/measure.h"
 
 #include <algorithm>
@@ -8,11 +9,9 @@
 #include "core/guide/guide.h"
 #include "core/tiles/tile_io.h"
 #include "core/triangulate/triangulate.h"
-#include "tests/bench/gpu/half.h"
 
 namespace ddt::bench {
 
-using gl::Numbers;
 using gl::Stage;
 
 namespace {
@@ -25,19 +24,18 @@ struct HostTile {
     Rect reach;
     gl::TileSize size;
     std::vector<float> guide, values;
-    std::vector<uint16_t> halves;
 };
 
 class Bench {
 public:
-    Bench(gl::Gpu& gpu, Picture& picture, const Job& job, Numbers numbers)
-        : m_gpu(gpu), m_picture(picture), m_job(job), m_numbers(numbers),
+    Bench(gl::Gpu& gpu, Picture& picture, const Job& job)
+        : m_gpu(gpu), m_picture(picture), m_job(job),
           m_grid({0, 0, picture.width(), picture.height()}),
           m_shape(gl::shape_for({0, 0, picture.width(), picture.height()})),
           m_mapping(axis(picture.width()), axis(picture.height())),
           m_in_flight(gl::affordable_tiles(gpu, m_shape, 1, job.surface, m_grid.count())),
           m_mesh(gpu, m_shape, int(m_in_flight)),
-          m_surfaces(gpu, m_shape, int(m_in_flight), kinds(job), job.surface, numbers) {}
+          m_surfaces(gpu, m_shape, int(m_in_flight), kinds(job), job.surface) {}
 
     /// One run over the whole picture.
     void run(gl::Stages& stages, Measured& m, bool keep) {
@@ -45,8 +43,7 @@ public:
         m.work = {};
         const auto uses = m_gpu.programs->uses();
         if (keep)
-            m.result.resize(size_t(m_picture.width()) * size_t(m_picture.height()) * 4 *
-                            number_bytes());
+            m.result.resize(size_t(m_picture.width()) * size_t(m_picture.height()) * 4 * channels);
         for (int first = 0; first < m_grid.count(); first += int(m_in_flight)) {
             read(first, std::min(m_grid.count(), first + int(m_in_flight)));
             batch(stages, m, keep);
@@ -70,7 +67,6 @@ private:
         a.to_size = a.out1 = 2 * pixels;
         return a;
     }
-    size_t number_bytes() const { return m_numbers == Numbers::halves ? 2 : 4; }
 
     void read(int first, int end) {
         m_tiles.clear();
@@ -93,9 +89,6 @@ private:
                 std::memcpy(&t.values[to * channels], &values[from * channels],
                             n * channels * sizeof(float));
             }
-            if (m_numbers == Numbers::halves)
-                for (const float v : t.values)
-                    t.halves.push_back(narrowed(v));
             m_tiles.push_back(std::move(t));
         }
     }
@@ -109,10 +102,7 @@ private:
         for (size_t i = 0; i < m_tiles.size(); ++i) {
             const HostTile& t = m_tiles[i];
             m_mesh.write_guide(int(i), t.guide.data());
-            const bool half = m_numbers == Numbers::halves;
-            m_surfaces.write_values(int(i), 0,
-                                    half ? static_cast<const void*>(t.halves.data())
-                                         : static_cast<const void*>(t.values.data()));
+            m_surfaces.write_values(int(i), 0, t.values.data());
         }
         stages.end();
         gl::finish(m_gpu.context->gl, "upload");
@@ -140,7 +130,7 @@ private:
             for (const gl::Strip& s : strips)
                 m_surfaces.sample(m_mesh, s.plan, channels);
             stages.end();
-            m_download.resize(size_t(results) * channels * number_bytes());
+            m_download.resize(size_t(results) * channels * sizeof(float));
             stages.begin(Stage::download);
             m_surfaces.read_result(m_download.size(), m_download.data());
             stages.end();
@@ -155,7 +145,7 @@ private:
             gl::Strip s;
             s.rows = m_tiles[i].reach;
             gl::plan_strip(m_mapping, m_tiles[i].tile, int(i), s);
-            if (size_t(results + s.plan.count) * channels * number_bytes() > m_gpu.block_limit)
+            if (size_t(results + s.plan.count) * channels * sizeof(float) > m_gpu.block_limit)
                 flush();
             s.plan.first_x += int(positions.size());
             s.plan.first_y += int(positions.size());
@@ -168,7 +158,7 @@ private:
     }
 
     void put(const gl::Strip& s, Measured& m) const {
-        const size_t pixel = channels * number_bytes(), row = size_t(2 * m_picture.width()) * pixel;
+        const size_t pixel = channels * sizeof(float), row = size_t(2 * m_picture.width()) * pixel;
         auto* to = reinterpret_cast<char*>(m.result.data());
         const char* from = m_download.data() + size_t(s.plan.first_result) * pixel;
         for (int y = s.rows.y0; y < s.rows.y1; ++y, from += size_t(s.rows.width()) * pixel)
@@ -201,7 +191,6 @@ private:
     gl::Gpu& m_gpu;
     Picture& m_picture;
     Job m_job;
-    Numbers m_numbers;
     Grid m_grid;
     gl::SlotShape m_shape;
     ResizeMapping m_mapping;
@@ -214,12 +203,11 @@ private:
 
 } // namespace
 
-Measured measure(gl::Gpu& gpu, Picture& picture, const Job& job, Numbers numbers, int runs,
-                 bool keep_result) {
+Measured measure(gl::Gpu& gpu, Picture& picture, const Job& job, int runs, bool keep_result) {
     Measured best;
     double least = 0;
     const auto work = [&] {
-        Bench bench(gpu, picture, job, numbers); // its buffers belong to this thread
+        Bench bench(gpu, picture, job); // its buffers belong to this thread
         for (int i = 0; i < runs; ++i) {
             gl::Stages stages(gpu.context->gl, true);
             Measured m;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The kernels' times alone, on one tile: seconds an item, which is a source pixel, an edge or an
 // output pixel as said with each.
 #include <benchmark/benchmark.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The paper's figure 10: a close-up at 1200 % of the original and of what the schemes make of its
 // reduction by 2; below each its difference from the original and its mesh.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tables of the paper (Cervenansky et al. 2010) on a folder of images.
 //
 //   paper_tables FOLDER [--table 1|3|13] [--factor 2|4] [--reduce bilinear|triangle]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A table as text and as comma-separated values.
 #pragma once
 

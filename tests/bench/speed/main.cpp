@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How fast the filters are: as ratios to what else enlarges images, by stage, and over the image's
 // size. Tables and how their times are taken: tables.h.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tables the program prints. Each takes its times alternately: a round runs every way once, one
 // after the other, so that a slow moment of the machine strikes all alike; what is printed are
 // medians over the rounds, of ratios those of the ratio within one round.

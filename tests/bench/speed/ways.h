@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The ways of enlarging whose time is taken.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hashes of results, so that a change of arithmetic is noticed. When one is meant, run the test
 // with --gtest_filter='Golden.*' and put in the numbers it prints.
 #include "ddt/core.h"

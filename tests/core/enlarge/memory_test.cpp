@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a job takes from the heap, counted. Plain new and delete of this whole program are replaced
 // to that end; what they hand out is malloc's, so that sanitizers see it as ever.
 #include <malloc.h>

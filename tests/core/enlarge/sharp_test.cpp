@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ddt-sharp and its options on whole pictures.
 #include "ddt/core.h"
 #include "tests/core/job_helpers.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The software devices that tests run on.
 #pragma once
 

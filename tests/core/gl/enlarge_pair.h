@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One job done on two devices, to be compared bit for bit.
 #pragma once
 

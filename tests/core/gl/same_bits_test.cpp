@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The GPU's results against the CPU's, bit for bit.
 #include "ddt/names.h"
 #include "tests/core/gl/devices.h"
@@ -9,7 +10,8 @@ namespace {
 
 std::string name_of(const SurfaceOptions& s) {
     return (s.kind == Surface::linear ? "linear consistency " : "patch consistency ") +
-           std::to_string(s.consistency) + " soft " + std::to_string(s.soft);
+           std::to_string(s.consistency) + " soft " + std::to_string(s.soft) +
+           (s.fitted ? " fitted" : "");
 }
 
 class SameBits : public OnDevice {};

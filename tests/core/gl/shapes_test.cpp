@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sizes, channels, tiles and mappings on the GPU against the CPU, bit for bit.
 #include <cmath>
 

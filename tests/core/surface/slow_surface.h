@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The formulas of core/surface/net.h and of evaluation, one channel, one position at a time, on
 // triangles that were enumerated: no fans, no vectors, no rows. Call under DenormalsAreZero.
 #pragma once

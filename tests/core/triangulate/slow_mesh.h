@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A slow, obvious triangulation and the two flipping schemes on it: a map of edges; apexes found by
 // looking for common neighbours; every gain computed again in every iteration.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/triangulate/triangulate.h"
 
 #include "core/triangulate/gain.h"

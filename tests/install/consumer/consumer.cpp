@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Calls the two examples of the README, which the test puts beside this file.
 #include <string>
 #include <vector>

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "plugin/colour/codetable.h"
 
 #include <cmath>
 
-#include "plugin/colour/light.h"
-#include "plugin/image/codes.h"
+#include "plugin/colour/codes.h"
+#include "plugin/colour/config.h"
+#include "plugin/colour/space_light.h"
 #include "tests/core/helpers.h"
 #include "tests/plugin/images.h"
 

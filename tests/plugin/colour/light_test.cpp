@@ -1,4 +1,6 @@
-#include "plugin/colour/light.h"
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/colour/config.h"
+#include "plugin/colour/space_light.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sources that are files behind OpenImageIO's cache.
 #include <cstdio>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "plugin/image/channels.h"
 
 #include "tests/plugin/images.h"

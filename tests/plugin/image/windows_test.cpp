@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Windows, against the obvious: a plane is reproduced wherever the mesh is read, so an output pixel
 // tells which position it shows.
 #include "plugin/image/windows.h"

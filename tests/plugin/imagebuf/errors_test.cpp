@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What fails, fails with one line, and leaves nothing half done.
 #include <fstream>
 

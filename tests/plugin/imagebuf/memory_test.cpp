@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a whole process takes at its peak: input, output and at most 256 MiB more.
 #include <sys/resource.h>
 #include <sys/wait.h>

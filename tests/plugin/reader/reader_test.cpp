@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The reader by way of OIIO: ImageInput, ImageCache, TextureSystem.
 #include "tests/temporary.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two shared libraries for got_test: one defines a function, the other calls it.
 #pragma once
 

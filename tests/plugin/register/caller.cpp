@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "answer.h"
 
 extern "C" DDT_TEST_EXPORT int call_answer() {

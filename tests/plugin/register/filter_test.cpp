@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The plugin loaded into a program that calls OpenImageIO's C++ functions.
 #include <cstdint>
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every kind of mesh file is read back and its triangles checked.
 #include "plugin/tool/mesh_file.h"
 #include "tests/temporary.h"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # ddt resize makes the windows and pixels that oiiotool makes with the plugin.
 #
 #   resize_test.sh BIN_DIR PLUGIN_DIR TESTIMAGES

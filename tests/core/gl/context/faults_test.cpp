@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What follows when something fails: the right picture, or the right error.
 #include "core/gl/context/faults.h"
 #include "core/gl/self_check.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Looking for hardware before anything is loaded.
 #include "core/gl/context/hardware.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The GL thread among other threads, other contexts, children, and at the end of a process.
 #include <sys/wait.h>
 #include <unistd.h>

@@ -1,4 +1,5 @@
-#include "plugin/image/colourpixels.h"
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/colour/colourpixels.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "plugin/image/colourpixels.h"
+#include "plugin/colour/colourpixels.h"
+#include "plugin/colour/space_light.h"
 #include "tests/plugin/images.h"
 
 namespace {

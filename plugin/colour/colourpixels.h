@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // Colour conversion of interleaved pixels, round their alpha.
 #pragma once
 
+#include "plugin/colour/layout.h"
 #include "plugin/colour/light.h"
-#include "plugin/image/channels.h"
 
 namespace ddt {
 

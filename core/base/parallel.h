@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Work shared among threads.
+//
+// Two files make these functions, and a program links one of them: parallel_tbb.cpp, by oneTBB's
+// pool, is part of ddt_core; parallel_std.cpp, by threads that live no longer than the call, is for
+// modules that a foreign program loads: that program may bring a oneTBB of its own, and may unload
+// the module.
+#pragma once
+
+#include <functional>
+
+namespace ddt {
+
+/// How many threads to use where nobody says: those the process may run on, or fewer where
+/// oneTBB's own limit says so.
+int usual_threads();
+
+/// The number to use where `wanted` are asked for: never more than oneTBB's limit, which it would
+/// print a warning about; at least 1.
+int allowed_threads(int wanted);
+
+/// Call `body(slot, index)` for every index from 0 to `count` - 1, on up to `threads` threads, the
+/// caller among them; return when all is done. Two calls at the same time have different slots,
+/// which are from 0 to `threads` - 1; with `threads` 1 the calls come in ascending order. An
+/// exception from `body` keeps further indices from being begun and comes out here.
+void for_each_index(int threads, int count, const std::function<void(int slot, int index)>& body);
+
+} // namespace ddt

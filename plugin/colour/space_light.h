@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// The light of colour spaces that OpenColorIO's configs know.
+//
+// It is the scene-linear version of the space's own primaries: the config's way from the space to
+// its scene_linear role, less the matrix between the primaries. What is left is a curve a channel
+// for nearly all spaces, and nothing at all for linear ones. A space that is more than that (a 3D
+// table, a rendering) goes to scene_linear itself, pixel by pixel through OpenColorIO.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "plugin/colour/light.h"
+
+namespace ddt {
+
+/// The light of an image whose metadata names the space `image_space` (may be empty), under the
+/// option light=`option`; under light=encoded as for auto, the caller then does not convert. Null
+/// with one line in `error` when there is none. Spaces are analysed once and kept. Thread-safe.
+std::shared_ptr<const Light> find_light(const std::string& option, const std::string& image_space,
+                                        std::string& error);
+
+} // namespace ddt

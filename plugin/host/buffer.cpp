@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/host/buffer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "plugin/colour/codes.h"
+#include "plugin/host/half.h"
+
+namespace ddt::host {
+namespace {
+
+template <class Number>
+Number read(const char* p) {
+    Number n;
+    std::memcpy(&n, p, sizeof n);
+    return n;
+}
+template <class Number>
+void write(char* p, Number n) {
+    std::memcpy(p, &n, sizeof n);
+}
+
+/// Memory holds Stored; to() and from() convert.
+template <class Code>
+struct Unsigned {
+    using Stored = Code;
+    static float to(Code c) { return float(c) * (1.0f / std::numeric_limits<Code>::max()); }
+    static Code from(float v) { return code_of<Code>(v); }
+};
+template <class Code>
+struct Signed {
+    using Stored = Code;
+    static constexpr float most = std::numeric_limits<Code>::max();
+    static float to(Code c) { return float(c) * (1.0f / most); }
+    static Code from(float v) {
+        if (std::isnan(v))
+            return 0;
+        const float scaled = v * most + (v < 0 ? -0.5f : 0.5f);
+        return Code(std::clamp(scaled, float(std::numeric_limits<Code>::min()), most));
+    }
+};
+struct Half {
+    using Stored = uint16_t;
+    static float to(uint16_t h) { return float_of_half(h); }
+    static uint16_t from(float v) { return half_of_float(v); }
+};
+template <class Number>
+struct Plain {
+    using Stored = Number;
+    static float to(Number n) { return float(n); }
+    static Number from(float v) { return v; }
+};
+
+template <class Kind>
+void load_as(const Buffer& b, const char* p, size_t count, int channels, float* values) {
+    for (size_t i = 0; i < count; ++i, p += b.pixel) {
+        const char* number = p;
+        for (int c = 0; c < channels; ++c, number += b.channel)
+            *values++ = Kind::to(read<typename Kind::Stored>(number));
+    }
+}
+template <class Kind>
+void store_as(const Buffer& b, char* p, size_t count, int channels, const float* values) {
+    for (size_t i = 0; i < count; ++i, p += b.pixel) {
+        char* number = p;
+        for (int c = 0; c < channels; ++c, number += b.channel)
+            write<typename Kind::Stored>(number, Kind::from(*values++));
+    }
+}
+
+/// Call `f` with an instance of the kind of number.
+template <class F>
+void with_kind(Sample sample, F&& f) {
+    switch (sample) {
+    case Sample::uint8:
+        return f(Unsigned<uint8_t>());
+    case Sample::int8:
+        return f(Signed<int8_t>());
+    case Sample::uint16:
+        return f(Unsigned<uint16_t>());
+    case Sample::int16:
+        return f(Signed<int16_t>());
+    case Sample::half:
+        return f(Half());
+    case Sample::float64:
+        return f(Plain<double>());
+    case Sample::float32:
+    case Sample::id32:
+        return f(Plain<float>());
+    }
+}
+
+bool is_dense(const Buffer& b, int channels) {
+    return size_of(b.sample) == sizeof(float) && b.channel == ptrdiff_t(sizeof(float)) &&
+           b.pixel == ptrdiff_t(sizeof(float)) * channels;
+}
+
+} // namespace
+
+size_t size_of(Sample sample) {
+    size_t size = 0;
+    with_kind(sample, [&](auto kind) { size = sizeof(typename decltype(kind)::Stored); });
+    return size;
+}
+
+void load(const Buffer& b, int x, int y, size_t count, int channels, float* values) {
+    const char* p = b.at(x, y);
+    // Also because bits that are no number must stay the bits they are.
+    if (is_dense(b, channels))
+        std::memcpy(values, p, count * size_t(channels) * sizeof(float));
+    else
+        with_kind(b.sample,
+                  [&](auto kind) { load_as<decltype(kind)>(b, p, count, channels, values); });
+}
+
+void store(const Buffer& b, int x, int y, size_t count, int channels, const float* values) {
+    char* p = b.at(x, y);
+    if (is_dense(b, channels))
+        std::memcpy(p, values, count * size_t(channels) * sizeof(float));
+    else
+        with_kind(b.sample,
+                  [&](auto kind) { store_as<decltype(kind)>(b, p, count, channels, values); });
+}
+
+} // namespace ddt::host

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// A part of a picture in a host's memory, enlarged into another: what all hosts have in common.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ddt/core.h"
+#include "plugin/colour/layout.h"
+#include "plugin/colour/light.h"
+#include "plugin/host/buffer.h"
+
+namespace ddt::host {
+
+/// What a pixel's numbers are.
+struct Layout {
+    int channels = 1;
+    ColourLayout colour; ///< colour.alpha: what it is associated with, also while it is not yet
+    std::vector<Channel> kinds; ///< one a channel
+    /// False: memory holds colour that is to be multiplied by alpha first, and divided afterwards.
+    bool associated = true;
+
+    /// Of so many channels as OpenImageIO names them: grey, grey and alpha, RGB, RGBA, RGBA and
+    /// more.
+    static Layout usual(int channels, bool associated = true);
+    /// Nothing but numbers of objects.
+    static Layout ids(int channels);
+    bool is_ids() const { return kinds[0] == Channel::nearest; }
+};
+
+/// What the numbers of colour mean.
+struct Meaning {
+    std::shared_ptr<const Light> light; ///< not null; which may convert nothing
+    bool linear = true; ///< once converted they are linear light; else seen as they are
+};
+
+/// "linear", "encoded" (blended as they are), or one of encoding_names(): blended in linear light.
+/// False, with one line in `error`, for any other name.
+bool find_meaning(std::string_view name, Meaning& meaning, std::string& error);
+std::vector<std::string> meaning_names();
+
+/// The work. `window` is the whole source, whether in memory or not: what edges are sought in, and
+/// where the grid of tiles begins. It is mapped onto `full`; what is written is to.box, bit for bit
+/// a crop of the whole. Both buffers have the layout's channels.
+struct Enlargement {
+    Buffer from, to; ///< from.box holds needed(*this); what it lacks counts as 0
+    Rect window, full;
+    Layout layout;
+    Meaning meaning;
+    SurfaceOptions surface; ///< `clipped` is set by itself where `to` is unsigned
+    MeshOptions mesh;
+    Device device = Device::automatic;
+    int threads = 0;
+    std::function<bool(float)> progress; ///< see Job::progress
+    Statistics* statistics = nullptr;
+};
+
+/// The pixels of `window` that the part `box` of the result depends on: whole tiles and their
+/// halos. Empty if box misses `full`.
+Rect needed(const Rect& window, const Rect& full, const Rect& box);
+
+/// `window` enlarged by factors: sizes rounded to whole pixels, at least 1; the corner rounded too.
+Rect scaled(const Rect& window, double x_factor, double y_factor);
+
+/// Do it. A full that has the window's size is a copy; a smaller one is Outcome::bad_job, with one
+/// line in `error` as of any failure. Never throws.
+Outcome enlarge(const Enlargement& work, std::string& error);
+
+} // namespace ddt::host

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/host/pixels.h"
+
+#include <algorithm>
+
+#include "plugin/colour/colourpixels.h"
+
+namespace ddt::host {
+namespace {
+
+/// How edges are looked for; the same as plan_reading() decides for images of OpenImageIO.
+GuideRecipe recipe(const Layout& layout, const Meaning& meaning) {
+    GuideRecipe guide;
+    guide.linear = meaning.linear;
+    guide.alpha = layout.colour.alpha;
+    for (int k = 0; k < layout.colour.count; ++k) {
+        guide.channel[k] = layout.colour.channel[k];
+        guide.weight[k] = layout.colour.count == 3 ? meaning.light->luma()[size_t(k)] : 1.0f;
+    }
+    return guide;
+}
+
+/// Colour times or divided by alpha: OpenImageIO's premult and unpremult.
+void associate(const ColourLayout& colour, float* pixels, size_t count, int channels) {
+    for (size_t i = 0; i < count; ++i, pixels += channels)
+        for (int k = 0; k < colour.count; ++k)
+            pixels[colour.channel[k]] *= pixels[colour.alpha];
+}
+void dissociate(const ColourLayout& colour, float* pixels, size_t count, int channels) {
+    for (size_t i = 0; i < count; ++i, pixels += channels)
+        if (const float alpha = pixels[colour.alpha]; alpha != 0.0f)
+            for (int k = 0; k < colour.count; ++k)
+                pixels[colour.channel[k]] /= alpha;
+}
+
+bool must_associate(const Layout& layout) {
+    return !layout.associated && layout.colour.alpha >= 0;
+}
+
+} // namespace
+
+BufferSource::BufferSource(const Enlargement& work)
+    : m_work(work), m_guide(recipe(work.layout, work.meaning)) {}
+
+void BufferSource::read_row(int y, const Rect& r, float* values) const {
+    const Rect& box = m_work.from.box;
+    const int channels = m_work.layout.channels;
+    const int x0 = std::clamp(box.x0, r.x0, r.x1), x1 = std::clamp(box.x1, x0, r.x1);
+    const bool there = y >= box.y0 && y < box.y1 && x0 < x1;
+    if (!there || x0 > r.x0 || x1 < r.x1)
+        std::fill_n(values, size_t(r.width()) * size_t(channels), 0.0f);
+    if (there)
+        load(m_work.from, x0, y, size_t(x1 - x0), channels,
+             values + size_t(x0 - r.x0) * size_t(channels));
+}
+
+bool BufferSource::read(const Rect& r, float* values, float* guide) {
+    const Layout& layout = m_work.layout;
+    const auto width = size_t(r.width());
+    for (int y = r.y0; y < r.y1; ++y, values += width * size_t(layout.channels), guide += width) {
+        read_row(y, r, values);
+        if (layout.is_ids()) {
+            std::fill_n(guide, width, 0.0f);
+            continue;
+        }
+        if (must_associate(layout))
+            associate(layout.colour, values, width, layout.channels);
+        to_light(*m_work.meaning.light, layout.colour, values, width, layout.channels);
+        make_guide(m_guide, values, width, layout.channels, guide);
+    }
+    return true;
+}
+
+bool BufferSink::write(const Rect& r, float* values) {
+    const Layout& layout = m_work.layout;
+    if (write_codes(r, values))
+        return true;
+    if (!layout.is_ids()) {
+        from_light(*m_work.meaning.light, layout.colour, values, r.area(), layout.channels);
+        if (must_associate(layout))
+            dissociate(layout.colour, values, r.area(), layout.channels);
+    }
+    const size_t row = size_t(r.width()) * size_t(layout.channels);
+    for (int y = r.y0; y < r.y1; ++y, values += row)
+        store(m_work.to, r.x0, y, size_t(r.width()), layout.channels, values);
+    return true;
+}
+
+/// Floats that stay as they are.
+float* BufferSink::place(const Rect& r, size_t& row) {
+    const Buffer& to = m_work.to;
+    const Layout& layout = m_work.layout;
+    constexpr ptrdiff_t size = sizeof(float);
+    const bool as_they_are = to.sample == Sample::id32 ||
+                             (to.sample == Sample::float32 && !must_associate(layout) &&
+                              !(m_work.meaning.light->converts() && layout.colour.count > 0));
+    char* p = to.at(r.x0, r.y0);
+    if (!as_they_are || to.channel != size || to.pixel != size * layout.channels || to.row < 0 ||
+        to.row % size != 0 || reinterpret_cast<uintptr_t>(p) % alignof(float) != 0)
+        return nullptr;
+    row = size_t(to.row / size);
+    return reinterpret_cast<float*>(p);
+}
+
+/// The usual case at once: colour alone, alike in all channels, in 8 bits without gaps.
+bool BufferSink::write_codes(const Rect& r, const float* values) const {
+    const Buffer& to = m_work.to;
+    const Layout& layout = m_work.layout;
+    const Light& light = *m_work.meaning.light;
+    if (!light.codes() || to.sample != Sample::uint8 || to.channel != 1 ||
+        to.pixel != layout.channels || layout.is_ids() ||
+        !all_alike(light, layout.colour, layout.channels))
+        return false;
+    const size_t row = size_t(r.width()) * size_t(layout.channels);
+    for (int y = r.y0; y < r.y1; ++y, values += row)
+        light.codes()->encode(values, reinterpret_cast<uint8_t*>(to.at(r.x0, y)), row);
+    return true;
+}
+
+} // namespace ddt::host

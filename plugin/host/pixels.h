@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// A host's buffers as the core's source and sink.
+#pragma once
+
+#include "core/guide/guide.h"
+#include "plugin/host/enlargement.h"
+
+namespace ddt::host {
+
+class BufferSource final : public Source {
+public:
+    explicit BufferSource(const Enlargement& work);
+    bool read(const Rect& r, float* values, float* guide) override;
+
+private:
+    void read_row(int y, const Rect& r, float* values) const;
+
+    const Enlargement& m_work;
+    GuideRecipe m_guide;
+};
+
+class BufferSink final : public Sink {
+public:
+    explicit BufferSink(const Enlargement& work) : m_work(work) {}
+    bool write(const Rect& r, float* values) override;
+    float* place(const Rect& r, size_t& row) override;
+
+private:
+    bool write_codes(const Rect& r, const float* values) const;
+
+    const Enlargement& m_work;
+};
+
+} // namespace ddt::host
