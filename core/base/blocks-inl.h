@@ -23,5 +23,6 @@ HWY_INLINE void store_every_second(Blocks v, float* p) {
     HWY_ALIGN float blocks[4 * group_size];
     v.store(blocks);
     for (int k = 0; k < blocks_in_vector(); ++k)
-        Lanes<hn::CappedTag<float, group_size>>::load(blocks + k * group_size).store(p + 2 * k * group_size);
+        Lanes<hn::CappedTag<float, group_size>>::load(blocks + k * group_size)
+            .store(p + 2 * k * group_size);
 }

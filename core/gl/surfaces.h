@@ -61,7 +61,7 @@ private:
         std::unique_ptr<Buffer> source;       ///< values as they were read
         std::unique_ptr<Buffer> corrected[2]; ///< by consistency rounds, in turn
         std::unique_ptr<Buffer> gradients;
-        std::unique_ptr<Buffer> bends; ///< fitted ones, of edges; at vertices their indices
+        std::unique_ptr<Buffer> bends;  ///< fitted ones, of edges; at vertices their indices
         const Buffer* values = nullptr; ///< what the surface goes through now
     };
     std::string defines() const;

@@ -13,9 +13,10 @@ struct Named {
     Value value;
 };
 
-constexpr FilterPreset filters[] = {{"ddt", Surface::patch, 0, 0.4f, 0.1f, 0.07f, 0.8f, false},
-                                    {"ddt-linear", Surface::linear, 0, 0.0f, -1.0f, 0.0f, 0.8f, false},
-                                    {"ddt-sharp", Surface::patch, 2, 0.3f, -1.0f, 0.05f, 0.4f, false}};
+constexpr FilterPreset filters[] = {
+    {"ddt", Surface::patch, 0, 0.4f, 0.1f, 0.07f, 0.8f, false},
+    {"ddt-linear", Surface::linear, 0, 0.0f, -1.0f, 0.0f, 0.8f, false},
+    {"ddt-sharp", Surface::patch, 2, 0.3f, -1.0f, 0.05f, 0.4f, false}};
 
 constexpr Named<Cost> costs[] = {
 #define DDT_NAMED_COST(name, ...) {#name, Cost::name},

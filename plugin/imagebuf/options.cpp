@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -114,8 +115,9 @@ bool parse_filter(OIIO::string_view spec, Options& options, std::string& error) 
                        OIIO::Strutil::join(filter_names(), ", "));
         return false;
     }
-    // With another cost edges are not soft, and min_gain is the cost's own; only with this cost and
-    // scheme contours count.
+    // With another cost edges are not soft nor bends fitted, and min_gain is the cost's own; only
+    // with this cost and scheme contours count. Other rounds of consistency than the filter's are
+    // made.
     Options parsed = options;
     parsed.surface.kind = filter->kind;
     parsed.surface.consistency = filter->consistency;
@@ -127,6 +129,12 @@ bool parse_filter(OIIO::string_view spec, Options& options, std::string& error) 
             return false;
     const bool abn = parsed.mesh.cost == Cost::abn;
     const bool own = abn && parsed.mesh.scheme == Scheme::one_round;
+    const auto is_fitted = [](const std::string& item) {
+        return OIIO::Strutil::starts_with(item, "fitted=");
+    };
+    if (std::none_of(items.begin(), items.end(), is_fitted))
+        parsed.surface.fitted =
+            filter->fitted && abn && parsed.surface.consistency == filter->consistency;
     if (parsed.mesh.contour < 0)
         parsed.mesh.contour = own ? filter->contour : 0.0f;
     if (parsed.surface.soft < 0)

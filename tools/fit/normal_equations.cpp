@@ -214,8 +214,7 @@ metrics::Image enlarge(const Scene& scene, const FittedWeights& weights) {
                 const Features::Vertex& v = features.vertices[site];
                 float z = v.z;
                 for (int k = 0; k < fitted_nodes && v.moves; ++k)
-                    z += v.share[k] *
-                         dot(k * fitted_vertex_features, v.f, fitted_vertex_features);
+                    z += v.share[k] * dot(k * fitted_vertex_features, v.f, fitted_vertex_features);
                 net[site] = std::clamp(z, v.low, v.high);
             }
         scene.lattice.each_edge([&](int m) {

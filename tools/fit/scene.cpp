@@ -78,7 +78,8 @@ void find_kinds(Scene& scene, const std::vector<float>& gain, float tau) {
 void locate_samples(Scene& scene) {
     const int width = scene.original.width(), height = scene.original.height();
     const auto along = [&](int i, int size) {
-        const int64_t p = (int64_t(2 * i + 1) * position_one) / (2 * scene.scale) - position_one / 2;
+        const int64_t p =
+            (int64_t(2 * i + 1) * position_one) / (2 * scene.scale) - position_one / 2;
         return int32_t(std::clamp<int64_t>(p, 0, int64_t(size - 1) * position_one));
     };
     for (int y = 0; y < height; ++y)
@@ -132,18 +133,21 @@ void find_features(Scene& scene, const Net& net, const Consistency& consistency,
         const ddt::Edge& e = lattice.edge(m);
         Features::Edge& to = features.edges[size_t(m)];
         ddt::scalar::EdgeFeatures<float> found;
-        const int x = (m % lattice.stride() - e.v.x) / 2, y = (m / lattice.stride() - e.v.y) / 2;
+        const ddt::scalar::Place a{(m % lattice.stride() - e.v.x) / 2,
+                                   (m / lattice.stride() - e.v.y) / 2};
         Vec l = e.left, r = e.right;
         if (l.zero())
             l = -r;
         if (r.zero())
             r = -l;
-        found.find(x, y, e.v.x, e.v.y, l.x, l.y, r.x, r.y, net.values[at(m) + size_t(c)], tap);
+        found.find(a, {e.v.x, e.v.y}, {l.x, l.y}, {r.x, r.y}, net.values[at(m) + size_t(c)],
+                   [&](ddt::scalar::Place p) { return tap(p.x, p.y); });
         std::copy(std::begin(found.null), std::end(found.null), to.null);
         std::copy(std::begin(found.shared), std::end(found.shared), to.shared);
         to.limit = fitted_bend_limit * found.range;
         const EdgeKind& k = scene.kinds[size_t(m)];
-        ddt::scalar::find_shares(0.5f * (index[size_t(k.a)] + index[size_t(k.b)]), fitted_table(), to.share);
+        ddt::scalar::find_shares(0.5f * (index[size_t(k.a)] + index[size_t(k.b)]), fitted_table(),
+                                 to.share);
     });
 }
 
@@ -158,8 +162,7 @@ bool make_scene(const std::string& file, int scale, bench::Light light, Scene& s
     scene.light = light;
     if (!bench::read_original(file, scale, light, scene.original, error))
         return false;
-    const metrics::Image small =
-        bench::reduced(scene.original, scale, light, bench::Reduce::box);
+    const metrics::Image small = bench::reduced(scene.original, scale, light, bench::Reduce::box);
     const std::vector<float> pixels = pixels_of(small, light);
     Workspace workspace;
     Lattice& lattice = scene.lattice;

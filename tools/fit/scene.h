@@ -35,10 +35,10 @@ struct Features {
 
 /// What belongs to an edge in all channels.
 struct EdgeKind {
-    int length;                  ///< its class (fitted_length())
-    int kind;                    ///< 0: cannot be flipped, 1: can
-    float near;                  ///< how near its gain is to 0, 0 to 1
-    float softness;              ///< weight of its flipped state
+    int length;                     ///< its class (fitted_length())
+    int kind;                       ///< 0: cannot be flipped, 1: can
+    float near;                     ///< how near its gain is to 0, 0 to 1
+    float softness;                 ///< weight of its flipped state
     int a = 0, b = 0, c = 0, d = 0; ///< sites of its ends and apexes
 };
 

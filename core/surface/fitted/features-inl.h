@@ -28,6 +28,20 @@ DDT_INLINE T odd_mirror_tap(int x, int y, int width, int height, Inside inside) 
     return cx == x ? centre : (centre + centre) - column(mx);
 }
 
+/// A pixel, or a vector in pixels.
+struct Place {
+    int x, y;
+    friend DDT_INLINE Place operator+(Place a, Place b) { return {a.x + b.x, a.y + b.y}; }
+    friend DDT_INLINE Place operator*(int i, Place v) { return {i * v.x, i * v.y}; }
+};
+DDT_INLINE Place half_of(Place v) {
+    return {v.x / 2, v.y / 2};
+}
+/// The same as an address.
+DDT_INLINE ptrdiff_t half_of(ptrdiff_t v) {
+    return v / 2;
+}
+
 /// What a vertex is moved by, and the index that its weights depend on.
 template <class T>
 struct VertexFeatures {
@@ -76,21 +90,18 @@ struct EdgeFeatures {
     T rise;  ///< from a to b, not negative
     T range; ///< of a, b, c and d
 
-    /// x, y: end a; vx, vy: v in pixels. lx, ly and rx, ry: the apexes relative to the midpoint in
-    /// doubled coordinates. e: the plain bend.
-    template <class Tap>
-    DDT_INLINE void find(int x, int y, int vx, int vy, int lx, int ly, int rx, int ry, T e,
-                         Tap tap) {
-        // A pixel at a + i v + j l, or c + i v + j l; c = a + (v + l) / 2.
-        const int cx = x + (vx + lx) / 2, cy = y + (vy + ly) / 2;
-        const int dx = x + (vx + rx) / 2, dy = y + (vy + ry) / 2;
-        const auto on = [&](int i) { return tap(x + i * vx, y + i * vy); };
-        const auto c = [&](int i) { return tap(cx + i * vx, cy + i * vy); };
-        const auto d = [&](int i) { return tap(dx + i * vx, dy + i * vy); };
-        const auto ac = [&](int i) { return tap(x + lx + i * vx, y + ly + i * vy); };
-        const auto ad = [&](int i) { return tap(x + rx + i * vx, y + ry + i * vy); };
-        const auto cc = [&](int i) { return tap(cx + lx + i * vx, cy + ly + i * vy); };
-        const auto dd = [&](int i) { return tap(dx + rx + i * vx, dy + ry + i * vy); };
+    /// v in pixels; l, r: the apexes relative to the midpoint in doubled coordinates. P: Place or
+    /// ptrdiff_t. e: the plain bend.
+    template <class P, class Tap>
+    DDT_INLINE void find(P a, P v, P l, P r, T e, Tap tap) {
+        const P first = a + half_of(v + l), second = a + half_of(v + r);
+        const auto on = [&](int i) { return tap(a + i * v); };
+        const auto c = [&](int i) { return tap(first + i * v); };
+        const auto d = [&](int i) { return tap(second + i * v); };
+        const auto ac = [&](int i) { return tap(a + l + i * v); };
+        const auto ad = [&](int i) { return tap(a + r + i * v); };
+        const auto cc = [&](int i) { return tap(first + l + i * v); };
+        const auto dd = [&](int i) { return tap(second + r + i * v); };
         const T half = T(0.5f), quarter = T(0.25f), zero = T(0.0f);
         const T za = on(0), zb = on(1), zc = c(0), zd = d(0);
         const T middle = (za + zb) * half;
@@ -120,7 +131,7 @@ struct EdgeFeatures {
     }
 };
 
-/// Where an index lies between the nodes: what the table's differences from node to node count.
+/// Where an index lies between the nodes: what each node's weights count.
 template <class T>
 DDT_INLINE void find_shares(T index, const FittedTable& table, T share[fitted_nodes]) {
     const T zero = T(0.0f), one = T(1.0f);
@@ -141,9 +152,9 @@ DDT_INLINE T fitted_vertex(T z, T low, T high, const VertexFeatures<T>& v,
     T step = zero;
     for (int k = 0; k < fitted_nodes; ++k) {
         const float* w = table.vertex[k];
-        const T sum = ((T(w[0]) * v.f[0] + T(w[1]) * v.f[1]) +
-                       (T(w[2]) * v.f[2] + T(w[3]) * v.f[3])) +
-                      (T(w[4]) * v.f[4] + T(w[5]) * v.f[5]);
+        const T sum =
+            ((T(w[0]) * v.f[0] + T(w[1]) * v.f[1]) + (T(w[2]) * v.f[2] + T(w[3]) * v.f[3])) +
+            (T(w[4]) * v.f[4] + T(w[5]) * v.f[5]);
         step = k == 0 ? sum : step + share[k] * sum;
     }
     const T size = if_less(step, zero, zero - step, step);

@@ -2,6 +2,7 @@
 #include "core/surface/fitted/fitted.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 
 #include "core/base/arith.h"
@@ -48,9 +49,8 @@ HWY_ATTR void move_vertices(const Lattice& lattice, const Consistency& c, float*
             if (y >= 2 && y + 2 < height && x >= 2 && x + step + 2 <= width) {
                 const Blocks moved = move_vertex<Blocks>(
                     c, at,
-                    [&](int i, int j) HWY_ATTR {
-                        return Blocks::load(source + at + j * row + i * group_size);
-                    },
+                    [&](int i, int j)
+                        HWY_ATTR { return Blocks::load(source + at + j * row + i * group_size); },
                     index + at);
                 store_every_second(moved, z);
                 x += step;
@@ -108,28 +108,29 @@ HWY_ATTR void bend_edges(const Lattice& lattice, const Rect& part, const float* 
     const float* source = c.source.data();
     const auto inside = [&](int x, int y)
                             HWY_ATTR { return Lanes4::load(source + y * row + x * group_size); };
-    const auto mirrored = [&](int x, int y) HWY_ATTR {
-        return odd_mirror_tap<Lanes4>(x, y, width, height, inside);
+    const auto mirrored = [&](Place p) HWY_ATTR {
+        return odd_mirror_tap<Lanes4>(p.x, p.y, width, height, inside);
     };
+    const auto plain_tap = [&](ptrdiff_t at) HWY_ATTR { return Lanes4::load(source + at); };
+    const auto address = [&](int x, int y) { return y * row + ptrdiff_t(x) * group_size; };
     const Lanes4 strict = Lanes4::load(net.strict);
     for (int my = 2 * part.y0; my < 2 * part.y1 - 1; ++my)
         for (int mx = 2 * part.x0 + 1 - (my & 1); mx < 2 * part.x1 - 1; mx += 2 - (my & 1)) {
             const int m = lattice.site(mx, my);
             const Edge& edge = lattice.edge(m);
-            const int x = (mx - edge.v.x) / 2, y = (my - edge.v.y) / 2;
-            const int bx = x + edge.v.x, by = y + edge.v.y;
             // A missing apex mirrors the other.
-            const Vec l = edge.left.zero() ? -edge.right : edge.left,
+            const Vec v = edge.v, l = edge.left.zero() ? -edge.right : edge.left,
                       r = edge.right.zero() ? -edge.left : edge.right;
+            const Place a{(mx - v.x) / 2, (my - v.y) / 2};
+            const ptrdiff_t at_a = address(a.x, a.y), to_b = address(v.x, v.y);
             const Lanes4 plain = Lanes4::load(net.at(m));
             EdgeFeatures<Lanes4> f;
             if (reaches_inside(edge, mx, my, width, height))
-                f.find(x, y, edge.v.x, edge.v.y, l.x, l.y, r.x, r.y, plain, inside);
+                f.find(at_a, to_b, address(l.x, l.y), address(r.x, r.y), plain, plain_tap);
             else
-                f.find(x, y, edge.v.x, edge.v.y, l.x, l.y, r.x, r.y, plain, mirrored);
-            const Lanes4 mean = (Lanes4::load(index + y * row + x * group_size) +
-                                 Lanes4::load(index + by * row + bx * group_size)) *
-                                Lanes4(0.5f);
+                f.find(a, {v.x, v.y}, {l.x, l.y}, {r.x, r.y}, plain, mirrored);
+            const Lanes4 mean =
+                (Lanes4::load(index + at_a) + Lanes4::load(index + at_a + to_b)) * Lanes4(0.5f);
             const NullWeights null(edge, gain[m], table);
             fitted_bend(f, mean, strict, null.w, table).store(net.at(m));
         }

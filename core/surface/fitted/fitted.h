@@ -16,10 +16,11 @@
 // edge's g: combinations of 30 pixels that are 0 wherever the picture varies along one axis only,
 // so that an exactly level, upright or diagonal contour stays as even as it is.
 //
-// t_n blends nodes of an index between 0, where there are but two levels, and about 0.2, in texture:
-// the mean of min(s - low, high - s) over the 5x5 pixels in units of high - low; an edge has the
-// mean of its ends'. N differs by the edge's length and by whether, and how nearly, a flip of it
-// would pay (class k). The weights, and how they were made, are in weights.inc.
+// t_0 = 1, the others rise from 0 to 1 between nodes of an index between 0, where there are but two
+// levels, and about 0.2, in texture: the mean of min(s - low, high - s) over the 5x5 pixels in
+// units of high - low; an edge has the mean of its ends'. N differs by the edge's length and by
+// whether, and how nearly, a flip of it would pay (class k). The weights, and how they were made,
+// are in weights.inc.
 //
 // Vertices on the rim stay. What is not finite keeps the plain value.
 #pragma once

@@ -3,6 +3,8 @@
 // reference of the SIMD twins.
 #pragma once
 
+#include <cstddef>
+
 #include "core/base/arith.h"
 #include "core/base/constants.h"
 #include "core/surface/fitted/weights.h"

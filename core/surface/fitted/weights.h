@@ -21,7 +21,7 @@ constexpr float fitted_gain_scale = 0.3f;
 /// A bend's limit in units of the range of the edge's ends and apexes.
 constexpr float fitted_bend_limit = 2.0f;
 
-/// At each node what the features count.
+/// What the features count at the first node of the index, and what each next node adds to that.
 struct FittedWeights {
     float vertex[fitted_nodes][fitted_vertex_features];
     float shared[fitted_nodes][fitted_edge_shared];
@@ -31,9 +31,8 @@ struct FittedWeights {
 /// weights.inc, as tools/fit made it.
 extern const FittedWeights fitted_weights;
 
-/// FittedWeights with the differences from node to node in place of the nodes after the first, as
-/// find_shares() (features-inl.h) wants them. The block Fitted of shaders/fitted.glsl
-/// is laid out alike.
+/// FittedWeights with all that goes with them. The block Fitted of shaders/fitted.glsl is laid out
+/// alike.
 struct FittedTable {
     float node[fitted_nodes];
     float node_scale, index_epsilon, gain_scale, bend_limit; ///< reciprocals: see weights.h
