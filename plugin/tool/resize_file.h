@@ -13,7 +13,8 @@
 namespace ddt::tool {
 
 struct ResizeSettings {
-    std::string size; ///< see size.h
+    std::string size;   ///< see size.h
+    std::string filter; ///< the text that `options` come from
     Options options;
     std::string type; ///< of the result's pixels; empty: the image's
     int threads = 0;  ///< 0: all
@@ -32,5 +33,8 @@ Failure refused_size(const std::string& size);
 /// done, one thread at a time.
 bool resize_file(const std::string& in, const std::string& out, const ResizeSettings& settings,
                  const std::function<bool(float)>& progress, Failure& failure);
+
+/// Bytes that resize_file() takes at its peak, about; 0 if that cannot be told.
+int64_t memory_to_resize(const std::string& in, const ResizeSettings& settings);
 
 } // namespace ddt::tool

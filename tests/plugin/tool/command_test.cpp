@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <OpenImageIO/strutil.h>
+
 #include "plugin/tool/commands.h"
 #include "plugin/tool/man.h"
 #include "plugin/tool/picture.h"
@@ -54,7 +56,9 @@ TEST(Commands, TheManualPageHasThemAll) {
     for (const auto& command : commands) {
         EXPECT_NE(page.find(".SS ddt " + command->name), std::string::npos);
         for (const Flag& flag : command->flags)
-            EXPECT_NE(page.find("\\-\\-" + flag.name.substr(2)), std::string::npos) << flag.name;
+            EXPECT_NE(page.find(OIIO::Strutil::replace(flag.name, "-", "\\-", true)),
+                      std::string::npos)
+                << flag.name;
     }
     EXPECT_NE(page.find(".SH EXIT STATUS"), std::string::npos);
     // No line of text that man(7) would take for a macro.
