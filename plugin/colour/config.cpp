@@ -4,12 +4,13 @@
 #include <charconv>
 #include <cstdlib>
 #include <map>
-#include <mutex>
 #include <sstream>
 #include <vector>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/strutil.h>
+
+#include "plugin/colour/builtin.h"
 
 namespace ddt {
 namespace {
@@ -29,9 +30,7 @@ OCIO::ConstConfigRcPtr carried_config() {
 
 /// The config $OCIO names; the carried one is not among them. Throws OCIO::Exception.
 OCIO::ConstConfigRcPtr user_config(const std::string& path) {
-    static std::mutex mutex;
     static auto* read = new std::map<std::string, OCIO::ConstConfigRcPtr>;
-    const std::lock_guard<std::mutex> lock(mutex);
     auto& config = (*read)[path];
     if (!config)
         config = OCIO::Config::CreateFromFile(path.c_str());
@@ -53,25 +52,35 @@ bool configs(NamedBy by, std::vector<OCIO::ConstConfigRcPtr>& list, std::string&
         }
         if (by == NamedBy::user)
             return true;
-    } else {
-#if OCIO_VERSION_HEX >= 0x02020000
-        static const auto* builtin =
-            new OCIO::ConstConfigRcPtr(OCIO::Config::CreateFromBuiltinConfig("ocio://default"));
-        list.push_back(*builtin);
-#endif
     }
     list.push_back(carried_config());
+    // Last, so that OpenColorIO's version changes no bit of what is known without it.
+    if (!path || !*path)
+        if (const auto builtin = builtin_config())
+            list.push_back(builtin);
     return true;
 }
 
-/// The exponent of a name like "Gamma2.2"; 0 for other names.
+bool parse_all(const std::string& text, double& number) {
+    const char* end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, number);
+    return parsed.ec == std::errc() && parsed.ptr == end;
+}
+
+/// The exponent of a name like "Gamma2.2", OpenImageIO 2's, or "g22_rec709_scene", that of 3.1; 0
+/// for other names.
 double exponent_of(const std::string& name) {
-    if (!istarts_with(name, "gamma"))
-        return 0;
+    constexpr OIIO::string_view tail = "_rec709_scene";
     double exponent = 0;
-    const char* end = name.data() + name.size();
-    const auto parsed = std::from_chars(name.data() + 5, end, exponent);
-    const bool good = parsed.ec == std::errc() && parsed.ptr == end;
+    bool good = false;
+    if (istarts_with(name, "gamma")) {
+        good = parse_all(name.substr(5), exponent);
+    } else if (istarts_with(name, "g") && OIIO::Strutil::iends_with(name, tail)) {
+        const std::string tenths = name.substr(1, name.size() - 1 - tail.size());
+        good = tenths.find_first_not_of("0123456789") == std::string::npos &&
+               parse_all(tenths, exponent);
+        exponent /= 10;
+    }
     return good && exponent >= 0.1 && exponent <= 10 ? exponent : 0;
 }
 

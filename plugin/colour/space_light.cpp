@@ -12,6 +12,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "plugin/colour/config.h"
+#include "plugin/colour/fork.h"
 
 namespace ddt {
 namespace {
@@ -124,11 +125,10 @@ std::shared_ptr<const Light> find_light(const std::string& option, const std::st
         return std::make_shared<Light>();
 
     using Key = std::tuple<std::string, std::string, bool>;
-    static std::mutex mutex;
+    const std::lock_guard<std::mutex> lock(colour_lock());
     static auto* known = new std::map<Key, std::shared_ptr<const Light>>; // never destroyed
     const char* ocio = std::getenv("OCIO");
     const Key key{ocio ? ocio : "", name, by_image};
-    const std::lock_guard<std::mutex> lock(mutex);
     if (const auto it = known->find(key); it != known->end())
         return it->second;
     try {

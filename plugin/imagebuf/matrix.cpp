@@ -47,14 +47,14 @@ bool Projective::invert(Projective& inverse) const {
 bool shrinks(const Projective& m, const Rect& window) {
     // Where w is the same, the derivative is affine in the point and its determinant is the same,
     // so the least scale is least at the ends of such a line: on the window's border.
-    constexpr double tolerance = 1e-3; // matrices arrive in float32
     constexpr int steps = 256;
     const int n = m.affine() ? 1 : steps;
     for (int i = 0; i <= n; ++i) {
         const double x = window.x0 + double(window.width()) * i / n;
         const double y = window.y0 + double(window.height()) * i / n;
         if (std::min({least_scale(m, x, window.y0), least_scale(m, x, window.y1),
-                      least_scale(m, window.x0, y), least_scale(m, window.x1, y)}) < 1 - tolerance)
+                      least_scale(m, window.x0, y), least_scale(m, window.x1, y)}) <
+            1 - shrink_tolerance)
             return true;
     }
     return false;

@@ -24,8 +24,11 @@ struct Projective {
     bool invert(Projective& inverse) const;
 };
 
-/// True if a picture in `window` gets smaller somewhere and in some direction, by more than one
-/// part in a thousand. Pixel coordinates, centres at half integers.
+/// A scale below 1 by no more than this is not a smaller one: matrices arrive in float32.
+constexpr double shrink_tolerance = 1e-3;
+
+/// True if a picture in `window` gets smaller somewhere and in some direction, by more than
+/// shrink_tolerance. Pixel coordinates, centres at half integers.
 bool shrinks(const Projective& m, const Rect& window);
 
 /// If `m` moves pixels by whole numbers and does nothing else, true, and by what.

@@ -10,6 +10,7 @@
 #include "plugin/imagebuf/guarded.h"
 #include "plugin/imagebuf/matrix.h"
 #include "plugin/imagebuf/resample.h"
+#include "plugin/imagebuf/warp.h"
 
 namespace ddt {
 namespace {
@@ -51,9 +52,29 @@ bool image_of(const float* m, OIIO::ROI& roi, std::string& error) {
     return true;
 }
 
+/// OpenImageIO's own, by its default filter.
+bool warp_by_oiio(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fParam M,
+                  bool recompute_roi, OIIO::ImageBuf::WrapMode wrap, bool edgeclamp,
+                  const OIIO::ROI& roi, int nthreads, std::string& error) {
+#if OIIO_VERSION >= OIIO_MAKE_VERSION(3, 0, 0)
+    const bool ok = OIIO::ImageBufAlgo::warp(
+        dst, src, M,
+        {{"recompute_roi", int(recompute_roi)}, {"wrap", int(wrap)}, {"edgeclamp", int(edgeclamp)}},
+        roi, nthreads);
+#else
+    (void)edgeclamp;
+    const bool ok =
+        OIIO::ImageBufAlgo::warp(dst, src, M, "", 0.0f, recompute_roi, wrap, roi, nthreads);
+#endif
+    if (!ok)
+        error = dst.has_error() ? dst.geterror() : "OpenImageIO's warp failed";
+    return ok;
+}
+
 bool warp_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fParam M,
                   const Options& options, bool recompute_roi, OIIO::ImageBuf::WrapMode wrap,
-                  OIIO::ROI roi, int nthreads, OIIO::ROI& touched, std::string& error) {
+                  bool edgeclamp, OIIO::ROI roi, int nthreads, OIIO::ROI& touched,
+                  std::string& error) {
     const Projective to_output = matrix_of(M);
     Projective to_source;
     if (!to_output.invert(to_source)) {
@@ -75,12 +96,8 @@ bool warp_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fPara
     const bool black = wrap == OIIO::ImageBuf::WrapDefault || wrap == OIIO::ImageBuf::WrapBlack;
     if (black && moves_only(to_output, dx, dy))
         return copy_moved(dst, src, roi, dx, dy, Beyond::black, error);
-    if (!black || shrinks(to_output, rect_of(src.roi()))) {
-        if (OIIO::ImageBufAlgo::warp(dst, src, M, "", 0.0f, recompute_roi, wrap, roi, nthreads))
-            return true;
-        error = dst.has_error() ? dst.geterror() : "OpenImageIO's warp failed";
-        return false;
-    }
+    if (!black || shrinks(to_output, rect_of(src.roi())))
+        return warp_by_oiio(dst, src, M, recompute_roi, wrap, edgeclamp, roi, nthreads, error);
     if (!OIIO::ImageBufAlgo::zero(dst, roi, nthreads)) {
         error = dst.geterror();
         return false;
@@ -93,17 +110,23 @@ bool warp_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fPara
 
 bool warp(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fParam M, const Options& options,
           bool recompute_roi, OIIO::ImageBuf::WrapMode wrap, OIIO::ROI roi, int nthreads) {
+    return warp(dst, src, M, options, recompute_roi, wrap, false, roi, nthreads);
+}
+
+bool warp(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fParam M, const Options& options,
+          bool recompute_roi, OIIO::ImageBuf::WrapMode wrap, bool edgeclamp, OIIO::ROI roi,
+          int nthreads) {
     if (&dst == &src) {
         const OIIO::ImageBuf copy(src);
-        return warp(dst, copy, M, options, recompute_roi, wrap, roi, nthreads);
+        return warp(dst, copy, M, options, recompute_roi, wrap, edgeclamp, roi, nthreads);
     }
     return guarded(dst, [&](OIIO::ROI& touched, std::string& error) {
         if (!check_source(src, error))
             return false;
         OIIO::ImageBuf ids;
         const OIIO::ImageBuf& exact = read_ids(src, ids) ? ids : src;
-        return warp_checked(dst, exact, M, options, recompute_roi, wrap, roi, nthreads, touched,
-                            error);
+        return warp_checked(dst, exact, M, options, recompute_roi, wrap, edgeclamp, roi, nthreads,
+                            touched, error);
     });
 }
 

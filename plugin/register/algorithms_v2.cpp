@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// ImageBufAlgo's choke points in OIIO 2.4 and 2.5. The forms that return an ImageBuf, and those
-// without the later parameters, call these within OIIO through its own table of functions.
+// ImageBufAlgo's resize, fit and warp in OIIO 2.4 and 2.5, by every entry point: a library linked
+// with -Bsymbolic-functions calls its own functions past our redirection.
 #include "filter.h"
 #include "fit.h"
 #include "hooks.h"
+#include "returning.h"
 
 namespace ddt {
 namespace {
@@ -29,10 +30,10 @@ bool resize_by_name(ImageBuf& dst, const ImageBuf& src, string_view name, float 
 bool fit_by_filter(ImageBuf& dst, const ImageBuf& src, Filter2D* filter, string_view fillmode,
                    bool exact, ROI roi, int nthreads) {
     const Filter* ours = as_ours(filter);
-    if (!ours || !exact) // then by way of ImageBufAlgo::resize
+    if (!ours)
         return ImageBufAlgo::fit(dst, src, filter, fillmode, exact, roi, nthreads);
     return without_throwing(
-        dst, [&] { return fit_exactly(dst, src, ours->options(), fillmode, roi, nthreads); });
+        dst, [&] { return fit(dst, src, ours->options(), fillmode, exact, roi, nthreads); });
 }
 
 bool fit_by_name(ImageBuf& dst, const ImageBuf& src, string_view name, float width,
@@ -41,41 +42,35 @@ bool fit_by_name(ImageBuf& dst, const ImageBuf& src, string_view name, float wid
         return ImageBufAlgo::fit(dst, src, name, width, fillmode, exact, roi, nthreads);
     return without_throwing(dst, [&] {
         Options options;
-        if (!parse_filter_for(dst, name, options))
-            return false;
-        Filter filter(name, options, width, width);
-        return fit_by_filter(dst, src, &filter, fillmode, exact, roi, nthreads);
-    });
-}
-
-bool warp_by_filter(ImageBuf& dst, const ImageBuf& src, M33fParam M, const Filter2D* filter,
-                    bool recompute_roi, ImageBuf::WrapMode wrap, ROI roi, int nthreads) {
-    const Filter* ours = as_ours(filter);
-    return ours ? warp(dst, src, M, ours->options(), recompute_roi, wrap, roi, nthreads)
-                : ImageBufAlgo::warp(dst, src, M, filter, recompute_roi, wrap, roi, nthreads);
-}
-
-bool warp_by_name(ImageBuf& dst, const ImageBuf& src, M33fParam M, string_view name, float width,
-                  bool recompute_roi, ImageBuf::WrapMode wrap, ROI roi, int nthreads) {
-    if (!is_filter_name(name))
-        return ImageBufAlgo::warp(dst, src, M, name, width, recompute_roi, wrap, roi, nthreads);
-    return without_throwing(dst, [&] {
-        Options options;
         return parse_filter_for(dst, name, options) &&
-               warp(dst, src, M, options, recompute_roi, wrap, roi, nthreads);
+               fit(dst, src, options, fillmode, exact, roi, nthreads);
     });
+}
+
+// The forms that were deprecated in 2.3, without fillmode.
+bool old_fit_by_filter(ImageBuf& dst, const ImageBuf& src, Filter2D* filter, bool exact, ROI roi,
+                       int nthreads) {
+    return fit_by_filter(dst, src, filter, "letterbox", exact, roi, nthreads);
+}
+
+bool old_fit_by_name(ImageBuf& dst, const ImageBuf& src, string_view name, float width, bool exact,
+                     ROI roi, int nthreads) {
+    return fit_by_name(dst, src, name, width, "letterbox", exact, roi, nthreads);
 }
 
 } // namespace
 
 void add_algorithms(Redirects& list) {
-    // rotate needs no stand-in: it calls warp.
-    add(list, "ImageBufAlgo::resize", &ImageBufAlgo::resize, &resize_by_filter);
-    add(list, "ImageBufAlgo::resize", &ImageBufAlgo::resize, &resize_by_name);
-    add(list, "ImageBufAlgo::fit", &ImageBufAlgo::fit, &fit_by_filter);
-    add(list, "ImageBufAlgo::fit", &ImageBufAlgo::fit, &fit_by_name);
-    add(list, "ImageBufAlgo::warp", &ImageBufAlgo::warp, &warp_by_filter);
-    add(list, "ImageBufAlgo::warp", &ImageBufAlgo::warp, &warp_by_name);
+    constexpr const char *resizing = "ImageBufAlgo::resize", *fitting = "ImageBufAlgo::fit";
+    add_both<&resize_by_filter>(list, resizing, &ImageBufAlgo::resize, &ImageBufAlgo::resize);
+    add_both<&resize_by_name>(list, resizing, &ImageBufAlgo::resize, &ImageBufAlgo::resize);
+    add_both<&fit_by_filter>(list, fitting, &ImageBufAlgo::fit, &ImageBufAlgo::fit);
+    add_both<&fit_by_name>(list, fitting, &ImageBufAlgo::fit, &ImageBufAlgo::fit);
+    add_both<&old_fit_by_filter>(list, fitting, &ImageBufAlgo::fit, &ImageBufAlgo::fit);
+    add_both<&old_fit_by_name>(list, fitting, &ImageBufAlgo::fit, &ImageBufAlgo::fit);
+    add_warp(list);
+    add_rotate(list);
+    add_st_warp(list);
 }
 
 } // namespace ddt

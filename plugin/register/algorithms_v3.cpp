@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// ImageBufAlgo's choke points from OIIO 3.0 on, where filters come in a list of parameters. The
-// deprecated forms, and those that return an ImageBuf, call these within OIIO through its own table
-// of functions.
-//
-// Compiled against the headers of OIIO 3.0, never run.
+// ImageBufAlgo's resize, fit and warp from OIIO 3.0 on, where filters come in a list of parameters,
+// by every entry point: a library linked with -Bsymbolic-functions calls its own functions past our
+// redirection.
 #include "filter.h"
 #include "fit.h"
 #include "hooks.h"
+#include "plugin/imagebuf/warp.h"
+#include "returning.h"
 
 namespace ddt {
 namespace {
@@ -56,16 +56,9 @@ bool fit_by_list(ImageBuf& dst, const ImageBuf& src, KWArgs args, ROI roi, int n
         return ImageBufAlgo::fit(dst, src, args, roi, nthreads);
     return without_throwing(dst, [&] {
         Options options;
-        if (!call.parse(dst, options))
-            return false;
-        const string_view fillmode = args.get_string("fillmode", "letterbox");
-        if (args.get_int("exact"))
-            return fit_exactly(dst, src, options, fillmode, roi, nthreads);
-        // By way of ImageBufAlgo::resize, which gets this filter.
-        const Filter filter("ddt", options, 2.0f, 2.0f);
-        const Filter2D* base = &filter;
-        return ImageBufAlgo::fit(dst, src, {make_pv("filterptr", base), {"fillmode", fillmode}},
-                                 roi, nthreads);
+        return call.parse(dst, options) &&
+               fit(dst, src, options, args.get_string("fillmode", "letterbox"),
+                   args.get_int("exact"), roi, nthreads);
     });
 }
 
@@ -84,18 +77,23 @@ bool warp_by_list(ImageBuf& dst, const ImageBuf& src, M33fParam M, KWArgs args, 
         return ImageBufAlgo::warp(dst, src, M, args, roi, nthreads);
     return without_throwing(dst, [&] {
         Options options;
-        return call.parse(dst, options) && warp(dst, src, M, options, args.get_int("recompute_roi"),
-                                                wrap_mode(args), roi, nthreads);
+        return call.parse(dst, options) &&
+               warp(dst, src, M, options, args.get_int("recompute_roi"), wrap_mode(args),
+                    args.get_int("edgeclamp"), roi, nthreads);
     });
 }
 
 } // namespace
 
 void add_algorithms(Redirects& list) {
-    // rotate needs no stand-in: it calls warp.
-    add(list, "ImageBufAlgo::resize", &ImageBufAlgo::resize, &resize_by_list);
-    add(list, "ImageBufAlgo::fit", &ImageBufAlgo::fit, &fit_by_list);
-    add(list, "ImageBufAlgo::warp", &ImageBufAlgo::warp, &warp_by_list);
+    constexpr const char *resizing = "ImageBufAlgo::resize", *fitting = "ImageBufAlgo::fit",
+                         *warping = "ImageBufAlgo::warp";
+    add_both<&resize_by_list>(list, resizing, &ImageBufAlgo::resize, &ImageBufAlgo::resize);
+    add_both<&fit_by_list>(list, fitting, &ImageBufAlgo::fit, &ImageBufAlgo::fit);
+    add_both<&warp_by_list>(list, warping, &ImageBufAlgo::warp, &ImageBufAlgo::warp);
+    add_warp(list);
+    add_rotate(list);
+    add_st_warp(list);
 }
 
 } // namespace ddt

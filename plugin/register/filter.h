@@ -14,7 +14,8 @@ namespace ddt {
 
 /// Carries the options from Filter2D::create to the functions that take a filter. Those of
 /// ImageBufAlgo that are redirected ask for the options; code that just evaluates the filter sees
-/// a tent, the nearest thing to interpolation over triangles that a fixed kernel can be.
+/// a tent, the nearest thing to interpolation over triangles that a fixed kernel can be, and once
+/// in the process a line on standard error says so.
 class Filter final : public OIIO::Filter2D {
 public:
     Filter(OIIO::string_view spec, Options options, float width, float height)

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <dlfcn.h>
+
+#include <OpenImageIO/imagebufalgo.h>
+
 #include "filter.h"
 #include "hooks.h"
 
@@ -31,16 +35,32 @@ Filter* create_ours(OIIO::string_view spec, float width, float height) noexcept 
     return nullptr;
 }
 
+/// False for a caller within OpenImageIO that would evaluate the filter itself, because what it
+/// calls then does not reach us: it gets no filter, and fails with a line of its own.
+bool may_have_filters(void* caller) {
+    if (own_calls_redirected())
+        return true;
+    Dl_info asking, library;
+    const auto some = reinterpret_cast<void*>(
+        static_cast<bool (*)(OIIO::ImageBuf&, const OIIO::ImageBuf&, bool, OIIO::ROI, int)>(
+            &OIIO::ImageBufAlgo::resample));
+    return !dladdr(caller, &asking) || !dladdr(some, &library) ||
+           asking.dli_fbase != library.dli_fbase;
+}
+
 OIIO::Filter2D* create(OIIO::string_view name, float width, float height) {
-    return is_filter_name(name) ? create_ours(name, width, height)
-                                : OIIO::Filter2D::create(name, width, height);
+    if (!is_filter_name(name))
+        return OIIO::Filter2D::create(name, width, height);
+    return may_have_filters(__builtin_return_address(0)) ? create_ours(name, width, height)
+                                                         : nullptr;
 }
 
 #if OIIO_VERSION >= OIIO_MAKE_VERSION(3, 0, 0)
-// Compiled against the headers of OIIO 3.0, never run.
 OIIO::Filter2D::ref create_shared(OIIO::string_view name, float width, float height) {
-    return is_filter_name(name) ? OIIO::Filter2D::ref(create_ours(name, width, height))
-                                : OIIO::Filter2D::create_shared(name, width, height);
+    if (!is_filter_name(name))
+        return OIIO::Filter2D::create_shared(name, width, height);
+    return OIIO::Filter2D::ref(
+        may_have_filters(__builtin_return_address(0)) ? create_ours(name, width, height) : nullptr);
 }
 #endif
 

@@ -6,14 +6,88 @@
 #include <OpenImageIO/Imath.h>
 #include <OpenImageIO/imagebufalgo_util.h>
 
+#include "plugin/image/windows.h"
+#include "plugin/imagebuf/matrix.h"
+
 namespace ddt {
 
-bool fit_exactly(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options,
-                 OIIO::string_view fillmode, OIIO::ROI roi, int nthreads) {
-    using namespace OIIO;
-    if (!ImageBufAlgo::IBAprep(roi, &dst, &src,
-                               ImageBufAlgo::IBAprep_NO_SUPPORT_VOLUME |
-                                   ImageBufAlgo::IBAprep_NO_COPY_ROI_FULL))
+namespace {
+
+using namespace OIIO;
+
+constexpr int prepare_flags =
+    ImageBufAlgo::IBAprep_NO_SUPPORT_VOLUME | ImageBufAlgo::IBAprep_NO_COPY_ROI_FULL;
+
+/// dst becomes an image like src of the given windows; false with an error if that is no size, or
+/// there is no memory.
+bool make(ImageBuf& dst, const ImageBuf& src, const ROI& window) {
+    std::string error;
+    if (!check_size(window, src.nchannels(), src.spec().format, error)) {
+        dst.errorfmt("ddt: {}", error);
+        return false;
+    }
+    ImageSpec spec = src.spec();
+    spec.set_roi(window);
+    spec.set_roi_full(window);
+    dst.reset(spec);
+    if (!dst.initialized())
+        dst.errorfmt("ddt: out of memory");
+    return dst.initialized();
+}
+
+ROI window_of(const ROI& roi, int channels) {
+    return ROI(roi.xbegin, roi.xend, roi.ybegin, roi.yend, 0, 1, 0, channels);
+}
+
+/// A number of pixels from a float, which may be anything.
+int pixels(float size) {
+    return size + 0.5f < float(1 << 30) ? int(size + 0.5f) : 1 << 30;
+}
+
+/// OpenImageIO's own, by its default filter.
+bool fit_by_oiio(ImageBuf& dst, const ImageBuf& src, string_view fillmode, ROI roi, int nthreads) {
+#if OIIO_VERSION >= OIIO_MAKE_VERSION(3, 0, 0)
+    return ImageBufAlgo::fit(dst, src, {{"fillmode", fillmode}, {"exact", 1}}, roi, nthreads);
+#else
+    return ImageBufAlgo::fit(dst, src, "", 0.0f, fillmode, true, roi, nthreads);
+#endif
+}
+
+/// Resize to a whole number of pixels.
+bool fit_whole(ImageBuf& dst, const ImageBuf& src, const Options& options, string_view fillmode,
+               ROI roi, int nthreads) {
+    if (!ImageBufAlgo::IBAprep(roi, &dst, &src, prepare_flags))
+        return false;
+    const ImageSpec& from = src.spec();
+    const ROI frame = window_of(roi, from.nchannels);
+    const float aspect = float(from.full_width) / float(from.full_height);
+    const bool to_height =
+        fillmode == "height" ||
+        (fillmode != "width" && float(frame.width()) / float(frame.height()) >= aspect);
+    ROI window = frame;
+    if (to_height)
+        window.xend = frame.xbegin + pixels(float(frame.height()) * aspect);
+    else
+        window.yend = frame.ybegin + pixels(float(frame.width()) / aspect);
+
+    const ROI full = src.roi_full();
+    const bool same = window.width() == full.width() && window.height() == full.height() &&
+                      window.xbegin == full.xbegin && window.ybegin == full.ybegin;
+    if (same ? !dst.copy(src)
+             : !make(dst, src, window) || !resize(dst, src, options, window, nthreads))
+        return false;
+    // Centred by whole pixels, and without the frame's origin, as OpenImageIO has it.
+    ImageSpec& spec = dst.specmod();
+    set_roi_full(spec, frame);
+    spec.x = (frame.width() - window.width()) / 2;
+    spec.y = (frame.height() - window.height()) / 2;
+    return true;
+}
+
+/// Warp, which keeps the shape and the centre exactly.
+bool fit_exactly(ImageBuf& dst, const ImageBuf& src, const Options& options, string_view fillmode,
+                 ROI roi, int nthreads) {
+    if (!ImageBufAlgo::IBAprep(roi, &dst, &src, prepare_flags))
         return false;
 
     const ImageSpec& from = src.spec();
@@ -22,6 +96,9 @@ bool fit_exactly(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& 
     const float scale = fillmode == "width"    ? scale_x
                         : fillmode == "height" ? scale_y
                                                : std::min(scale_x, scale_y);
+    // OpenImageIO's warp keeps its filter off what is beyond the edge here, and here alone.
+    if (scale < float(1 - shrink_tolerance))
+        return fit_by_oiio(dst, src, fillmode, roi, nthreads);
     // Centre goes to centre.
     const float shift_x =
         0.5f * (float(roi.xbegin + roi.xend) - scale * float(2 * from.full_x + from.full_width));
@@ -29,12 +106,21 @@ bool fit_exactly(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& 
         0.5f * (float(roi.ybegin + roi.yend) - scale * float(2 * from.full_y + from.full_height));
     const Imath::M33f M(scale, 0.0f, 0.0f, 0.0f, scale, 0.0f, shift_x, shift_y, 1.0f);
 
-    ImageSpec to = from;
-    const ROI window(roi.xbegin, roi.xend, roi.ybegin, roi.yend, 0, 1, 0, from.nchannels);
-    to.set_roi(window);
-    to.set_roi_full(window);
-    dst.reset(to);
-    return warp(dst, src, M, options, false, ImageBuf::WrapBlack, {}, nthreads);
+    return make(dst, src, window_of(roi, from.nchannels)) &&
+           warp(dst, src, M, options, false, ImageBuf::WrapBlack, {}, nthreads);
+}
+
+} // namespace
+
+bool fit(ImageBuf& dst, const ImageBuf& src, const Options& options, string_view fillmode,
+         bool exact, ROI roi, int nthreads) {
+    std::string error;
+    if (!check_source(src, error)) {
+        dst.errorfmt("ddt: {}", error);
+        return false;
+    }
+    return exact ? fit_exactly(dst, src, options, fillmode, roi, nthreads)
+                 : fit_whole(dst, src, options, fillmode, roi, nthreads);
 }
 
 } // namespace ddt

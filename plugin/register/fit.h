@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of ImageBufAlgo::fit that resamples by a fraction of a pixel.
+// ImageBufAlgo::fit by one of our filters.
 #pragma once
 
 #include "ddt/resize.h"
 
 namespace ddt {
 
-/// ImageBufAlgo::fit with exact=true: scale src's display window by one factor to fill roi as
-/// `fillmode` says ("width", "height", otherwise "letterbox"), centred, black around it. dst gets
-/// roi (default: its own windows) as both windows. OIIO calls no function that could be redirected
-/// between fit and the evaluation of the filter, hence this one.
-bool fit_exactly(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options,
-                 OIIO::string_view fillmode, OIIO::ROI roi, int nthreads);
+/// Scale src's display window by one factor to fill roi (default: dst's windows, or src's) as
+/// `fillmode` says ("width", "height", otherwise "letterbox"). Exact: centred, black around it, and
+/// dst gets roi as both windows; where that shrinks, OpenImageIO's own fit. Otherwise to whole
+/// pixels, and dst gets roi as its display window. OpenImageIO's fit calls functions of its own
+/// that cannot be redirected everywhere, hence this one. False with one line in dst's error.
+bool fit(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options,
+         OIIO::string_view fillmode, bool exact, OIIO::ROI roi, int nthreads);
 
 } // namespace ddt

@@ -5,6 +5,7 @@
 // it stands in for: this module's own calls are not redirected (see got.h).
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "got.h"
@@ -22,7 +23,20 @@ void add(Redirects& list, const char* label, F* from, F* to) {
 /// Filter2D's list of filters and their creation: --help, maketx and others follow.
 void add_filter_list(Redirects& list);
 
-/// ImageBufAlgo's resize, fit, warp and rotate.
+/// ImageBufAlgo's functions that take filters: all of the following.
 void add_algorithms(Redirects& list);
+void add_warp(Redirects& list);
+void add_rotate(Redirects& list);
+void add_st_warp(Redirects& list);
+
+/// Redirect all of them, once, and keep what that changed.
+void redirect_all();
+
+/// False if OpenImageIO's own calls of its algorithms do not reach ours: it was linked with
+/// -Bsymbolic-functions.
+bool own_calls_redirected();
+
+/// What redirect_all() changed and what it could not, a line each, for people.
+std::string describe_redirects();
 
 } // namespace ddt

@@ -2,6 +2,7 @@
 // What happens when the plugin is loaded.
 //
 // OIIO loads plugins under a mutex that is not recursive: nothing here may call a function of OIIO.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -9,8 +10,14 @@
 
 #include <dlfcn.h>
 
+#include <OpenImageIO/imageio.h>
+
 #include "core/base/verbose.h"
 #include "hooks.h"
+#include "version.h"
+
+// The reader's, that OpenImageIO looks at before it takes the plugin.
+extern "C" int ddt_imageio_version;
 
 namespace {
 
@@ -43,19 +50,37 @@ void leave_preload_list() {
         setenv("LD_PRELOAD", rest.c_str(), 1);
 }
 
+/// Print lines, each after "ddt: ", to standard error.
+void print(const std::string& lines) {
+    for (size_t begin = 0; begin < lines.size();) {
+        const size_t end = std::min(lines.find('\n', begin), lines.size());
+        std::fprintf(stderr, "ddt: %s\n", lines.substr(begin, end - begin).c_str());
+        begin = end + 1;
+    }
+}
+
+/// Nothing fits a program that uses another OpenImageIO, though plugins of 2.4 and 2.5 have the
+/// same number for OpenImageIO itself. It is told always: the filters are not there.
+bool fits_the_program() {
+    const ddt::Versions versions = ddt::versions_loaded(
+        "libOpenImageIO.so.", reinterpret_cast<void*>(&OIIO::openimageio_version));
+    if (!versions.mixed)
+        return true;
+    print("this plugin is built for OpenImageIO " + versions.ours + ", the program uses " +
+          versions.theirs + ": it has none of the filters");
+    ddt_imageio_version = -1; // OpenImageIO does not take such a plugin
+    return false;
+}
+
 __attribute__((constructor)) void on_load() noexcept {
     const bool talk = ddt::verbose();
     try {
         leave_preload_list();
-        ddt::Redirects list;
-        ddt::add_filter_list(list);
-        ddt::add_algorithms(list);
-        const ddt::got::Report report = ddt::got::redirect(list.data(), list.size());
-        if (talk && report.missed)
-            std::fprintf(stderr, "ddt: could not redirect %s\n", report.missed);
+        if (!fits_the_program())
+            return;
+        ddt::redirect_all();
         if (talk)
-            std::fprintf(stderr, "ddt: redirected %zu functions in %d places, %d symbols\n",
-                         list.size(), report.slots, report.exports);
+            print(ddt::describe_redirects());
     } catch (...) {
         if (talk)
             std::fputs("ddt: could not register\n", stderr);
@@ -63,3 +88,13 @@ __attribute__((constructor)) void on_load() noexcept {
 }
 
 } // namespace
+
+// For `ddt info`: what describe_redirects() says.
+extern "C" __attribute__((visibility("default"))) const char* ddt_redirects() noexcept {
+    try {
+        static const auto* text = new std::string(ddt::describe_redirects());
+        return text->c_str();
+    } catch (...) {
+        return "";
+    }
+}

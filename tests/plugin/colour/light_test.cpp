@@ -79,6 +79,16 @@ colorspaces:
     }
 };
 
+TEST_F(LightTest, NamesOfGammas) {
+    const float expected = std::pow(0.5f, 2.0f);
+    EXPECT_NEAR(to(*light("Gamma2.0"), 0.5f, 0.5f, 0.5f)[1], expected, 1e-5f);
+    EXPECT_NEAR(to(*light("g20_rec709_scene"), 0.5f, 0.5f, 0.5f)[1], expected, 1e-5f);
+    EXPECT_NEAR(to(*light("g22_rec709_scene"), 0.5f, 0.5f, 0.5f)[1], std::pow(0.5f, 2.2f), 1e-5f);
+    for (const char* unknown : {"g2.0_rec709_scene", "g_rec709_scene", "g0_rec709_scene",
+                                "g101_rec709_scene", "g20_rec2020_scene", "g-2_rec709_scene"})
+        EXPECT_FALSE(light(unknown)->known()) << unknown;
+}
+
 TEST_F(LightTest, KnownValues) {
     EXPECT_NEAR(to(*light("sRGB"), 0.5f, 0, 1)[0], 0.2140411f, 1e-6f);
     EXPECT_EQ(to(*light("sRGB"), 0.5f, 0, 1)[1], 0.0f);

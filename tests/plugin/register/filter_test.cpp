@@ -73,12 +73,26 @@ protected:
         const Foreign foreign;
         stock_foreign = resized(&foreign);
         stock_null = resized(static_cast<const Filter2D*>(nullptr));
-        ASSERT_NE(dlopen(DDT_PLUGIN_FILE, RTLD_NOW | RTLD_LOCAL), nullptr) << dlerror();
+        stock_fit = ImageBufAlgo::fit(picture(), "", 0.0f, "letterbox", true, small);
+        plugin = dlopen(DDT_PLUGIN_FILE, RTLD_NOW | RTLD_LOCAL);
+        ASSERT_NE(plugin, nullptr) << dlerror();
     }
+
+    inline static const ROI small{0, 4, 0, 3, 0, 1, 0, 1};
+    inline static ImageBuf stock_fit;
+    inline static void* plugin;
 
     inline static int stock_filters;
     inline static std::vector<float> stock_lanczos, stock_foreign, stock_null;
 };
+
+TEST_F(Registered, SaysWhatWasRedirected) {
+    auto* redirects = reinterpret_cast<const char* (*)()>(dlsym(plugin, "ddt_redirects"));
+    ASSERT_NE(redirects, nullptr) << dlerror();
+    const std::string text = redirects();
+    EXPECT_NE(text.find("filter functions redirected in "), std::string::npos) << text;
+    EXPECT_EQ(text.find("missed"), std::string::npos) << text;
+}
 
 TEST_F(Registered, ListsItsFiltersAfterThoseOfStock) {
     std::set<std::string> ours;
@@ -171,6 +185,50 @@ TEST_F(Registered, FitFillsAsAsked) {
         EXPECT_GT(height.getchannel(18, 1, 0, 0), 0.0f) << exact;
         EXPECT_EQ(width.getchannel(18, 1, 0, 0, ImageBuf::WrapBlack), 0.0f) << exact;
     }
+}
+
+TEST_F(Registered, AnExactFitThatShrinksIsOpenImageIOs) {
+    // Its edges are not darkened by what is beyond them.
+    const ImageBuf fitted = ImageBufAlgo::fit(picture(), "ddt", 0.0f, "letterbox", true, small);
+    ASSERT_FALSE(fitted.has_error()) << fitted.geterror();
+    EXPECT_EQ(pixels(fitted), pixels(stock_fit));
+}
+
+TEST_F(Registered, FitsToWholePixelsLikeOpenImageIO) {
+    for (const char* fillmode : {"letterbox", "width", "height"})
+        for (const ROI& frame : {ROI(3, 40, 5, 33, 0, 1, 0, 1), ROI(0, 36, 0, 28, 0, 1, 0, 1),
+                                 ROI(0, 9, 0, 7, 0, 1, 0, 1), ROI(0, 20, 0, 60, 0, 1, 0, 1)}) {
+            const ImageBuf ours = ImageBufAlgo::fit(picture(), "ddt", 0.0f, fillmode, false, frame);
+            const ImageBuf stock =
+                ImageBufAlgo::fit(picture(), "lanczos3", 0.0f, fillmode, false, frame);
+            ASSERT_FALSE(ours.has_error()) << ours.geterror();
+            EXPECT_EQ(ours.roi(), stock.roi()) << fillmode;
+            EXPECT_EQ(ours.roi_full(), stock.roi_full()) << fillmode;
+        }
+}
+
+TEST_F(Registered, StWarpRefusesOurFilters) {
+    ImageBuf st(ImageSpec(4, 4, 2, TypeFloat));
+    ImageBufAlgo::fill(st, {0.5f, 0.5f});
+    const Handle filter(Filter2D::create("ddt", 2.0f, 2.0f));
+    for (const ImageBuf& result :
+         {ImageBufAlgo::st_warp(picture(), st, "ddt"),
+          ImageBufAlgo::st_warp(picture(), st, static_cast<const Filter2D*>(filter.get()))}) {
+        EXPECT_TRUE(result.has_error());
+        EXPECT_NE(result.geterror().find("st_warp"), std::string::npos);
+    }
+    EXPECT_FALSE(ImageBufAlgo::st_warp(picture(), st, "triangle").has_error());
+}
+
+TEST_F(Registered, RotateIsWarpToTheBit) {
+    Imath::M33f M;
+    M.translate(Imath::V2f(-4.5f, -3.5f));
+    M.rotate(0.3f);
+    M *= Imath::M33f().translate(Imath::V2f(4.5f, 3.5f));
+    const ImageBuf warped =
+        ImageBufAlgo::warp(picture(), M, "ddt", 0.0f, false, ImageBuf::WrapBlack);
+    EXPECT_EQ(pixels(ImageBufAlgo::rotate(picture(), 0.3f, "ddt")), pixels(warped));
+    EXPECT_EQ(pixels(ImageBufAlgo::rotate(picture(), 0.3f, 4.5f, 3.5f, "ddt")), pixels(warped));
 }
 
 TEST_F(Registered, RotateAndWarpAgree) {

@@ -26,8 +26,8 @@ ddt::got::Redirect to(int (*f)()) {
 }
 
 /// call_answer() of a library that is loaded by this call.
-CallAnswer* load(const char* path) {
-    void* library = dlopen(path, RTLD_LAZY | RTLD_LOCAL);
+CallAnswer* load(const char* path, int flags = 0) {
+    void* library = dlopen(path, RTLD_LAZY | RTLD_LOCAL | flags);
     EXPECT_NE(library, nullptr) << dlerror();
     return library ? reinterpret_cast<CallAnswer*>(dlsym(library, "call_answer")) : nullptr;
 }
@@ -52,6 +52,8 @@ protected:
     static void SetUpTestSuite() {
         lazy = load(DDT_LAZY_CALLER);
         eager = load(DDT_EAGER_CALLER);
+        // A plugin with a library of its own, which its calls reach before those of the program.
+        copy = load(DDT_COPY_CALLER, RTLD_DEEPBIND);
         symbol_table = protection(symbol());
         const ddt::got::Redirect redirect = to(replacement);
         report = ddt::got::redirect(&redirect, 1);
@@ -66,16 +68,29 @@ protected:
         return entry;
     }
 
-    inline static CallAnswer *lazy, *eager, *late;
+    inline static CallAnswer *lazy, *eager, *late, *copy;
     inline static std::string symbol_table;
     inline static ddt::got::Report report;
 };
 
 TEST_F(Got, ReportsWhatItChanged) {
-    // The callers' slots, and within the defining library that of its own call and the pointer.
-    EXPECT_EQ(report.slots, 4);
+    // The bound caller's slot, and within the defining library that of its own call and the
+    // pointer.
+    EXPECT_EQ(report.slots, 3);
+    EXPECT_EQ(report.own_slots, 2);
     EXPECT_EQ(report.exports, 1);
-    EXPECT_EQ(report.missed, nullptr);
+    EXPECT_EQ(report.refused, 0);
+    EXPECT_EQ(report.missed, 0);
+    EXPECT_EQ(report.last_missed, nullptr);
+}
+
+TEST_F(Got, LeavesAnotherCopyOfTheLibraryAloneAndSaysSo) {
+    ASSERT_NE(copy, nullptr);
+    EXPECT_EQ(copy(), 42); // bound by this call
+    EXPECT_EQ(copy(), 42);
+    EXPECT_EQ(report.others, 1);
+    ASSERT_NE(report.other, nullptr);
+    EXPECT_NE(std::string(report.other).find("libgot_copy.so"), std::string::npos) << report.other;
 }
 
 TEST_F(Got, LeavesTheModuleOfTheReplacementAlone) {
@@ -122,21 +137,22 @@ TEST_F(Got, LeavesWhatIsRedirectedAlone) {
     const ddt::got::Report second = ddt::got::redirect(&redirect, 1);
     EXPECT_EQ(second.slots, 0);
     EXPECT_EQ(second.exports, 0);
-    EXPECT_STREQ(second.missed, "answer");
+    EXPECT_EQ(second.missed, 1);
+    EXPECT_STREQ(second.last_missed, "answer");
     EXPECT_EQ(answer_from_within(), 43);
 }
 
 TEST_F(Got, RefusesWhatNoLibraryExports) {
     const ddt::got::Redirect redirect = {"replacement", reinterpret_cast<void*>(&replacement),
                                          reinterpret_cast<void*>(&other_replacement)};
-    EXPECT_STREQ(ddt::got::redirect(&redirect, 1).missed, "replacement");
+    EXPECT_STREQ(ddt::got::redirect(&redirect, 1).last_missed, "replacement");
     EXPECT_EQ(replacement(), 43);
 }
 
 TEST(GotEmpty, TakesAnEmptyList) {
     const ddt::got::Report none = ddt::got::redirect(nullptr, 0);
     EXPECT_EQ(none.slots, 0);
-    EXPECT_EQ(none.missed, nullptr);
+    EXPECT_EQ(none.missed, 0);
 }
 
 } // namespace
