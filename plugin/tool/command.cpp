@@ -142,7 +142,7 @@ Flag text_flag(const char* name, const char* value, const char* help, std::strin
                 text = given;
                 return !given.empty();
             },
-            "texts that are not empty"};
+            "texts that are not empty", ""};
 }
 
 Flag switch_flag(const char* name, const char* help, bool& on) {

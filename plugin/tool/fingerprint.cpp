@@ -7,21 +7,14 @@
 #include <OpenImageIO/hash.h>
 #include <OpenImageIO/strutil.h>
 
+#include "ddt/option_table.h"
+
 namespace ddt::tool {
 
 namespace {
 
 constexpr int pieces = 16;
 constexpr size_t piece = size_t(64) << 10;
-
-/// Devices give the same bits.
-std::string without_device(const std::string& filter) {
-    std::vector<std::string> kept;
-    for (const std::string& item : OIIO::Strutil::splits(filter, ","))
-        if (!OIIO::Strutil::starts_with(item, "device="))
-            kept.push_back(item);
-    return OIIO::Strutil::join(kept, ",");
-}
 
 } // namespace
 
@@ -35,7 +28,10 @@ std::string fingerprint(const std::string& source, const OIIO::ImageSpec& source
                                        s.format));
     };
     add(DDT_VERSION);
-    add(without_device(settings.filter));
+    add(std::to_string(int(settings.options.surface.kind)));
+    for (const Option& option : option_table())
+        if (option.group != OptionGroup::device) // which gives the same bits
+            add(option.key + ("=" + option.get(settings.options)));
     windows(source_spec);
     windows(result);
     for (const std::string& channel : source_spec.channelnames)

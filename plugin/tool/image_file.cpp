@@ -52,7 +52,8 @@ bool ImageFile::create(const std::string& path, Failure& failure) {
 }
 
 bool ImageFile::open(const OIIO::ImageSpec& spec, Failure& failure) {
-    if (m_output->supports("ioproxy")) {
+    // TIFF's rows make a broken file that way (OpenImageIO 2.4.7).
+    if (m_output->supports("ioproxy") && m_output->format_name() != std::string("tiff")) {
         m_stream = std::make_unique<Stream>(m_whole.file());
         m_output->set_ioproxy(m_stream.get());
     }

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "core/base/parse_number.h"
 #include "core/tiles/grid.h"
-#include "plugin/parse_number.h"
 
 namespace ddt::tool {
 

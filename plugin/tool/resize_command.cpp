@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "plugin/tool/commands.h"
+#include "plugin/tool/filter_flag.h"
 #include "plugin/tool/part_file.h"
 #include "plugin/tool/progress.h"
 #include "plugin/tool/resize_file.h"
@@ -28,14 +29,8 @@ public:
                     {"SIZE", "size of the result"},
                     {"OUT", "any image OpenImageIO writes"}};
         flags = {
-            {"--filter", "SPEC",
-             "the filter's name and options (default: ddt): ddt-sharp,light=encoded",
-             [this](const std::string& text) {
-                 m_settings.filter = text;
-                 parse_filter(text, m_settings.options, m_filter_error);
-                 return true;
-             },
-             ""},
+            filter_flag("the filter's name and options (default: ddt): ddt-sharp,light=encoded",
+                        m_settings.options, m_filter_error),
             choice_flag("--type", {"uint8", "uint16", "half", "float"},
                         "pixel type of the result (default: the image's)", m_settings.type),
             whole_flag("--threads", "N", "threads to use (default: all cores)", 0, 4096,
@@ -50,7 +45,7 @@ public:
             switch_flag("--keep-going", "go on with the other frames after one failed",
                         m_run.keep_going),
             {"--part", "K/N", "write the part K of N into OUT, an EXR file, for ddt join",
-             [this](const std::string& text) { return parse_part(text, m_part); }, allowed_parts},
+             [this](const std::string& text) { return parse_part(text, m_part); }, allowed_parts, ""},
             progress_flag(m_progress),
         };
     }

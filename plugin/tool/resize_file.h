@@ -13,8 +13,7 @@
 namespace ddt::tool {
 
 struct ResizeSettings {
-    std::string size;   ///< see size.h
-    std::string filter; ///< the text that `options` come from
+    std::string size; ///< see size.h
     Options options;
     std::string type; ///< of the result's pixels; empty: the image's
     int threads = 0;  ///< 0: all
