@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arithmetic with the same bits as core/arith: float +, -, * in one written order, every result
+// Arithmetic with the same bits as core/base/arith.h: float +, -, * in one written order, every result
 // `precise`, so that nothing is contracted to a fused multiply-add; no division, no square root.
 
 // C++ twin: core/base/rsqrt-inl.h
 float rsqrt(int steps, float x) {
     precise float half_x = 0.5 * x;
-    precise float y = intBitsToFloat(0x5f3759df - (floatBitsToInt(x) >> 1));
+    precise float y = intBitsToFloat(rsqrt_magic - (floatBitsToInt(x) >> 1));
     for (int i = 0; i < steps; ++i)
         y = y * (1.5 - (half_x * y) * y);
     return y;
@@ -13,14 +13,14 @@ float rsqrt(int steps, float x) {
 
 vec4 rsqrt(int steps, vec4 x) {
     precise vec4 half_x = 0.5 * x;
-    precise vec4 y = intBitsToFloat(0x5f3759df - (floatBitsToInt(x) >> 1));
+    precise vec4 y = intBitsToFloat(rsqrt_magic - (floatBitsToInt(x) >> 1));
     for (int i = 0; i < steps; ++i)
         y = y * (1.5 - (half_x * y) * y);
     return y;
 }
 
 // a < b ? yes : no and a <= b ? yes : no, a lane: as selections, which leave NaN and the sign of
-// zero alone. Twins: core/arith/lanes4-inl.h
+// zero alone. Twins: core/base/lanes-inl.h
 vec4 if_less(vec4 a, vec4 b, vec4 yes, vec4 no) {
     return mix(no, yes, lessThan(a, b));
 }

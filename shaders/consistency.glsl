@@ -9,26 +9,26 @@ struct QuadrantCell {
 
 // The mean where the diagonal goes from V to D.
 vec4 through(QuadrantCell c) {
-    precise vec4 mean = ((c.x - c.v) + (c.y - c.v)) * (1.0 / 16.0) + (c.d - c.v) * (3.0 / 16.0);
+    precise vec4 mean = ((c.x - c.v) + (c.y - c.v)) * through_beside + (c.d - c.v) * through_opposite;
 #ifdef QUADRATIC
-    mean = mean + ((c.diagonal * (1.0 / 8.0) + (c.vx + c.vy) * (5.0 / 128.0)) +
-                   (c.xd + c.yd) * (1.0 / 128.0));
+    mean = mean + ((c.diagonal * through_bend_diagonal + (c.vx + c.vy) * through_bend_near) +
+                   (c.xd + c.yd) * through_bend_far);
 #endif
 #ifdef SOFT
-    mean = mean + ((c.q_diagonal * (3.0 / 16.0) + (c.qvx + c.qvy) * (1.0 / 16.0)) +
-                   (c.qxd + c.qyd) * (1.0 / 32.0));
+    mean = mean + ((c.q_diagonal * through_soft_diagonal + (c.qvx + c.qvy) * through_soft_near) +
+                   (c.qxd + c.qyd) * through_soft_far);
 #endif
     return mean;
 }
 
 // The mean where it goes from X to Y.
 vec4 across(QuadrantCell c) {
-    precise vec4 mean = ((c.x - c.v) + (c.y - c.v)) * (1.0 / 4.0);
+    precise vec4 mean = ((c.x - c.v) + (c.y - c.v)) * across_beside;
 #ifdef QUADRATIC
-    mean = mean + ((c.vx + c.vy) * (7.0 / 64.0) + c.diagonal * (1.0 / 16.0));
+    mean = mean + ((c.vx + c.vy) * across_bend_near + c.diagonal * across_bend_diagonal);
 #endif
 #ifdef SOFT
-    mean = mean + ((c.qvx + c.qvy) * (7.0 / 32.0) + c.q_diagonal * (3.0 / 16.0));
+    mean = mean + ((c.qvx + c.qvy) * across_soft_near + c.q_diagonal * across_soft_diagonal);
 #endif
     return mean;
 }
@@ -40,7 +40,7 @@ vec4 corrected(vec4 z, vec4 source, vec4 sum, vec4 low, vec4 high) {
     precise vec4 moved = z + step_;
     moved = if_less(moved, low, low, moved);
     moved = if_less(high, moved, high, moved);
-    return if_less_equal(size, vec4(largest), moved, z);
+    return if_less_equal(size, vec4(largest_float), moved, z);
 }
 
 void widen(vec4 limit, float lowest, inout vec4 low, inout vec4 high) {

@@ -6,7 +6,7 @@
 #include "locate.glsl"
 #include "consistency.glsl"
 
-layout(local_size_x = 32, local_size_y = 4) in; // z: a tile
+layout(local_size_x = SURFACE_GROUP_X, local_size_y = SURFACE_GROUP_Y) in; // z: a tile
 
 layout(std430, binding = 4) readonly buffer Source { uvec4 source[]; };
 layout(std430, binding = 5) writeonly buffer Corrected { uvec4 corrected_value[]; };

@@ -5,9 +5,9 @@
 #include "evaluate.glsl"
 
 #ifdef DENSE
-layout(local_size_x = 64, local_size_y = 2) in; // a site; z: a tile
+layout(local_size_x = GAINS_GROUP_X, local_size_y = GAINS_GROUP_Y) in; // a site; z: a tile
 #else
-layout(local_size_x = 64) in; // an entry of the list; y: a tile
+layout(local_size_x = LIST_GROUP) in; // an entry of the list; y: a tile
 #endif
 
 #ifdef DENSE
@@ -21,7 +21,7 @@ void main() {
 
 #else
 
-const int own_most = 64;
+const int own_most = LIST_GROUP;
 #include "append.glsl"
 
 shared uint evaluated;
@@ -46,7 +46,7 @@ void main() {
         own_base = atomicAdd(counts[c].candidates, own_count);
         // The next step also looks at those that wait.
         uint visits = own_base + own_count + counts[counts_of(first_iteration - 1, tile)].blocked;
-        atomicMax(arguments[arguments_of(first_iteration, 1)], (visits + 63) / 64);
+        atomicMax(arguments[arguments_of(first_iteration, 1)], groups_for(visits));
     }
     barrier();
     append_list(tile);

@@ -3,9 +3,9 @@
 // edges share no record that either flip writes or this kernel reads, so one dispatch does both.
 #include "lists.glsl"
 
-layout(local_size_x = 64) in; // an entry of the list; y: a tile
+layout(local_size_x = LIST_GROUP) in; // an entry of the list; y: a tile
 
-const int own_most = 64 * 13;
+const int own_most = LIST_GROUP * 13;
 #include "append.glsl"
 
 void add_dirty(int m, int where) {
@@ -31,7 +31,7 @@ void main() {
     if (gl_LocalInvocationIndex == 0 && own_count > 0) {
         own_base = atomicAdd(counts[counts_of(first_iteration + 1, tile)].dirty, own_count);
         atomicMax(arguments[arguments_of(first_iteration + 1, 0)],
-                  (own_base + own_count + 63) / 64);
+                  groups_for(own_base + own_count));
         atomicMax(reach[tile], own_reach);
     }
     barrier();

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The gain of flipping an edge. C++ twins: core/triangulate/gain-inl.h and gain.h.
+// The gain of flipping an edge. C++ twin: core/triangulate/gain-inl.h.
 #include "lattice.glsl"
 #include "cost.glsl"
+#ifdef CONTOURS
+#include "contour_gain.glsl"
+#endif
 
 Face face_of(float ex, float ey, float ox, float oy, float de, float d_o) {
     precise float gx = (de * oy) - (d_o * ey);
@@ -33,10 +36,10 @@ float flip_gain(int m, Edge e) {
     do {
         int middle = m + offset(middle_of(s));
         Edge side = edge_at(middle);
-        ivec2 apex = side.left + side.right - s.inner;
+        ivec2 apex = apex_beyond(side, s.inner);
         bool rim = is_zero(apex);
         float present = rim ? 0.0 : 1.0;
-        ivec2 outer = (apex + s.vector) >> 1;
+        ivec2 outer = from_first_end(apex, s.vector);
         float z_outer = rim ? z.x : guide_at(middle + offset(apex));
         precise float along = z.y - z.x, across = z_outer - z.x;
         float sx = float(s.vector.x), sy = float(s.vector.y);
@@ -51,5 +54,16 @@ float flip_gain(int m, Edge e) {
         ++k;
     } while (!once_round(s, e));
     precise float gain = before - after;
+    return gain;
+}
+
+// The same with the contours' share, if they count; m is the edge's number in the array that SITE
+// looks at, `site_` among all.
+float full_gain(int m, int site_, Edge e) {
+    precise float gain = flip_gain(m, e);
+#ifdef CONTOURS
+    float along = contour_gain(contours_at(site_, e.v), e);
+    gain = gain + contour_weight * along;
+#endif
     return gain;
 }

@@ -5,7 +5,7 @@
 #include "served.glsl"
 #include "surface.glsl"
 
-layout(local_size_x = 32, local_size_y = 4) in; // z: a tile
+layout(local_size_x = SURFACE_GROUP_X, local_size_y = SURFACE_GROUP_Y) in; // z: a tile
 
 layout(std430, binding = 1) readonly buffer Values { uvec4 value[]; };      // a pixel
 layout(std430, binding = 2) writeonly buffer Gradients { vec4 gradient[]; }; // two a pixel: x, y

@@ -32,8 +32,6 @@ struct Edge {
     ivec2 v, left, right;
 };
 
-const int longest_edge = 63;
-
 ivec2 bytes(uint word, int first) {
     int w = int(word);
     return ivec2(bitfieldExtract(w, first, 8), bitfieldExtract(w, first + 8, 8));
@@ -91,9 +89,10 @@ int division(int first_site, ivec2 cell) {
     return division_other;
 }
 
-// A side of the quad round a flippable edge, in the order ac, cb, bd, da. Each is made of the one
-// before and not looked up in arrays, and loops end when they are once round: compilers would unroll
-// them, and take a multiple of the time for programs that are no faster.
+// A side of the quad round a flippable edge, in the order ac, cb, bd, da. C++ twin, with a figure:
+// core/lattice/quad-inl.h. Each is made of the one before and not looked up in arrays, and loops end
+// when they are once round: compilers would unroll them, and take a multiple of the time for
+// programs that are no faster.
 struct Side {
     ivec2 vector, next;      // as vectors in pixels: this side, the next one
     ivec2 inner, next_inner; // the apex within the quad, relative to the side's midpoint
@@ -114,10 +113,25 @@ ivec2 middle_of(Side s) {
     return -s.next;
 }
 
+// The apex beyond a side whose record is e, `inner` its other one; zero on the rim.
+ivec2 apex_beyond(Edge e, ivec2 inner) {
+    return e.left + e.right - inner;
+}
+
+// The two other sides of the triangle between an edge and its apex, in pixels, to the apex from the
+// edge's first and last end; in doubled coordinates also the way to the midpoint of the other one.
+ivec2 from_first_end(ivec2 apex, ivec2 edge) {
+    return (apex + edge) >> 1;
+}
+ivec2 from_last_end(ivec2 apex, ivec2 edge) {
+    return (apex - edge) >> 1;
+}
+
 // The two other edges of the triangle beyond the side, whose site is `middle` and whose record is e;
 // -1 on the rim. With the sides themselves they are the 2-region.
 ivec2 edges_beyond(int middle, Edge e, Side s) {
-    ivec2 apex = e.left + e.right - s.inner;
-    return is_zero(apex) ? ivec2(-1) : ivec2(middle + offset((apex - s.vector) / 2),
-                                             middle + offset((apex + s.vector) / 2));
+    ivec2 apex = apex_beyond(e, s.inner);
+    return is_zero(apex) ? ivec2(-1)
+                         : ivec2(middle + offset(from_last_end(apex, s.vector)),
+                                 middle + offset(from_first_end(apex, s.vector)));
 }

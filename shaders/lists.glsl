@@ -21,8 +21,6 @@ layout(location = 2) uniform int first_iteration;
 layout(location = 3) uniform int last_iteration;
 layout(location = 4) uniform float min_gain;
 
-const float no_gain = -1e30;
-
 int counts_of(int iteration, int tile) {
     return iteration * tiles + tile;
 }
@@ -30,4 +28,8 @@ int counts_of(int iteration, int tile) {
 // Where the arguments of an iteration's dispatches are: evaluate, select, flip.
 int arguments_of(int iteration, int step) {
     return 9 * iteration + 3 * step;
+}
+// Groups that go over so many entries.
+uint groups_for(uint entries) {
+    return (entries + LIST_GROUP - 1) / LIST_GROUP;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which triangle a position lies in. C++ twin: core/lattice/locate.cpp. After net.glsl.
 
-const int position_bits = 16, position_one = 1 << position_bits;
+const int position_one = 1 << position_bits;
 
 struct Triangle {
     ivec2 vertex[3]; // pixels of the tile, the one with the smallest address first
@@ -74,7 +74,7 @@ Triangle locate(int tile, ivec2 p) {
             return describe(cell, f, s, t, c);
         ivec2 middle = from + to;
         Edge side = edge_at(origin + offset(middle));
-        apex = side.left + side.right - (2 * own - middle);
+        apex = apex_beyond(side, 2 * own - middle);
         if (is_zero(apex))
             return describe(cell, f, s, t, c);
         s = to;

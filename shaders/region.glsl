@@ -23,11 +23,10 @@ struct Beyond {
 
 // The two other sides of the triangle beyond. False on the rim.
 bool next_sides(Beyond b, out Beyond minus, out Beyond plus) {
-    Edge e = edge_at(b.site);
-    ivec2 apex = e.left + e.right - b.inner;
-    ivec2 from_minus = (apex - b.side) / 2, from_plus = (apex + b.side) / 2;
-    minus = Beyond(b.site + offset(from_minus), from_plus, b.side - from_minus);
-    plus = Beyond(b.site + offset(from_plus), from_minus, -b.side - from_plus);
+    ivec2 apex = apex_beyond(edge_at(b.site), b.inner);
+    ivec2 first = from_first_end(apex, b.side), last = from_last_end(apex, b.side);
+    minus = Beyond(b.site + offset(last), first, b.side - last);
+    plus = Beyond(b.site + offset(first), last, -b.side - first);
     return !is_zero(apex);
 }
 

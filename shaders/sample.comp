@@ -2,9 +2,8 @@
 // Read the surface at output positions, one invocation each. C++ twin: core/sample/evaluate.cpp.
 #include "net.glsl"
 #include "locate.glsl"
-#include "half.glsl"
 
-layout(local_size_x = 16, local_size_y = 8) in;
+layout(local_size_x = SAMPLE_GROUP_X, local_size_y = SAMPLE_GROUP_Y) in;
 
 // A separable mapping: the x of the columns, then the y of the rows; else x, y of each position.
 layout(std430, binding = 4) readonly buffer Positions { int position[]; };
@@ -13,8 +12,6 @@ layout(std430, binding = 4) readonly buffer Positions { int position[]; };
 layout(std430, binding = 5) buffer Result { uvec4 pixels[]; };
 #elif defined(MEAN)
 layout(std430, binding = 5) buffer Result { uint pixels[]; };
-#elif defined(HALF)
-layout(std430, binding = 5) writeonly buffer Result { uvec2 pixels[]; }; // channels / 4 a pixel
 #elif defined(WHOLE_GROUPS)
 layout(std430, binding = 5) writeonly buffer Result { uvec4 pixels[]; }; // channels / 4 a pixel
 #else
@@ -64,10 +61,7 @@ void main() {
         bits = if_true(copy, source[pixel_of(t.vertex[most])], bits);
     }
 #endif
-#if defined(HALF)
-    uvec4 h = uvec4(narrowed(bits.x), narrowed(bits.y), narrowed(bits.z), narrowed(bits.w));
-    pixels[index * (channels.x / 4) + channels.y / 4] = uvec2(h.x | h.y << 16, h.z | h.w << 16);
-#elif defined(WHOLE_GROUPS)
+#ifdef WHOLE_GROUPS
     pixels[index * (channels.x / 4) + channels.y / 4] = bits;
 #else
     for (int c = 0; c < channels.z; ++c)

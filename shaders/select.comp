@@ -3,9 +3,9 @@
 #include "lists.glsl"
 #include "waiting.glsl"
 
-layout(local_size_x = 64) in; // an entry of the lists, candidates first; y: a tile
+layout(local_size_x = LIST_GROUP) in; // an entry of the lists, candidates first; y: a tile
 
-const int own_most = 64;
+const int own_most = LIST_GROUP;
 #include "append.glsl"
 
 shared uint own_blocked, blocked_base;
@@ -51,7 +51,7 @@ void main() {
         if (own_count > 0) {
             own_base = atomicAdd(counts[c].selected, own_count);
             atomicMax(arguments[arguments_of(first_iteration, 2)],
-                      (own_base + own_count + 63) / 64);
+                      groups_for(own_base + own_count));
         }
         if (own_blocked > 0)
             blocked_base = atomicAdd(counts[c].blocked, own_blocked);

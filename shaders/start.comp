@@ -3,7 +3,7 @@
 //
 // A group makes the part of the mesh that its gains depend on in an array of its own, so that they
 // do not wait for the whole mesh to go to memory and come back.
-const int group_width = 32, group_height = 8;
+const int group_width = START_GROUP_X, group_height = START_GROUP_Y;
 // Gains of a pixel's edges look one pixel back and two ahead.
 const int near_width = group_width + 3, near_height = group_height + 3;
 const int near_stride = 2 * near_width;
@@ -12,20 +12,23 @@ shared uvec2 near_site[near_stride * 2 * near_height];
 #define STRIDE near_stride
 #include "lists.glsl"
 #include "gain.glsl"
+#ifdef CONTOURS
+#include "contour.glsl"
+#endif
 
-layout(local_size_x = 32, local_size_y = 8) in; // z: a tile
+layout(local_size_x = START_GROUP_X, local_size_y = START_GROUP_Y) in; // z: a tile
 
 const int own_most = group_width * group_height * 3;
 #include "append.glsl"
 
-layout(std430, binding = 2) readonly buffer Guide { float guide[]; };
+layout(std430, binding = 5) readonly buffer Guide { float guide[]; };
 
 layout(location = 5) uniform bool flat_start;
 layout(location = 6) uniform bool with_gains;
 
 shared uint evaluated;
 
-int width, height, first_pixel;
+int width, height, first_pixel, first_site;
 
 float z(int x, int y) {
     return guide[first_pixel + y * slot_width + x];
@@ -34,7 +37,12 @@ float z(int x, int y) {
 bool down(int x, int y) {
     precise float falling = abs(z(x, y) - z(x + 1, y + 1));
     precise float rising = abs(z(x + 1, y) - z(x, y + 1));
-    return !flat_start || falling <= rising;
+    bool flatter = falling <= rising;
+#ifdef CONTOURS
+    int xy = contour_xy(contour_words[(first_site + 2 * (y * stride + x)) / 2]);
+    flatter = xy == 0 ? flatter : xy < 0;
+#endif
+    return !flat_start || flatter;
 }
 
 // Make the sites of the pixel (x, y), which is at s in near_site.
@@ -72,6 +80,7 @@ void main() {
     width = extent[tile].x;
     height = extent[tile].y;
     first_pixel = tile * slot_pixels;
+    first_site = tile * slot_sites;
     if (gl_LocalInvocationIndex == 0)
         evaluated = 0;
     begin_list();
@@ -99,7 +108,7 @@ void main() {
             float g = no_gain;
             Edge e = edge_at(near);
             if (flippable(e)) {
-                g = flip_gain(near, e);
+                g = full_gain(near, m, e);
                 atomicAdd(evaluated, 1);
                 if (g > min_gain)
                     collect(m);
@@ -112,7 +121,7 @@ void main() {
         int c = counts_of(first_iteration, tile);
         atomicAdd(counts[c].evaluated, evaluated);
         own_base = atomicAdd(counts[c].candidates, own_count);
-        atomicMax(arguments[arguments_of(first_iteration, 1)], (own_base + own_count + 63) / 64);
+        atomicMax(arguments[arguments_of(first_iteration, 1)], groups_for(own_base + own_count));
     }
     barrier();
     append_list(tile);

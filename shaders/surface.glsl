@@ -3,10 +3,6 @@
 // core/surface/patch-inl.h.
 #include "arith.glsl"
 
-const float largest = 3.402823466e+38;
-const float gradient_epsilon = 0.02 * 0.02;
-const float bend_strength = 1.75;
-
 struct GradientMean {
     vec4 base_x, base_y, sum_x, sum_y, weight;
     bool begun;
@@ -21,9 +17,9 @@ void add(inout GradientMean mean, ivec2 j, ivec2 k, vec4 dzj, vec4 dzk) {
     precise vec4 gy = dzk * float(j.x) - dzj * float(k.x);
     precise vec4 square = gx * gx + gy * gy;
     precise vec4 raised = square + gradient_epsilon;
-    vec4 w = if_less_equal(square, vec4(largest), rsqrt(1, raised), zero);
-    gx = if_less_equal(square, vec4(largest), gx, zero);
-    gy = if_less_equal(square, vec4(largest), gy, zero);
+    vec4 w = if_less_equal(square, vec4(largest_float), rsqrt(1, raised), zero);
+    gx = if_less_equal(square, vec4(largest_float), gx, zero);
+    gy = if_less_equal(square, vec4(largest_float), gy, zero);
     if (!mean.begun) {
         mean.base_x = gx;
         mean.base_y = gy;
@@ -56,15 +52,15 @@ vec4 edge_bend(vec4 gix, vec4 giy, vec4 gjx, vec4 gjy, vec4 zi, vec4 zj, ivec2 v
     precise vec4 e = bend_strength * ((gix - gjx) * float(v.x) + (giy - gjy) * float(v.y));
     e = if_less(e, lower, lower, e);
     e = if_less(limit, e, limit, e);
-    return if_less_equal(limit, vec4(largest), e, zero);
+    return if_less_equal(limit, vec4(largest_float), e, zero);
 }
 
 // Weight of the flipped state of a flippable edge with this gain.
 float soft_weight(float gain, float reciprocal_tau) {
     float loss = gain < 0.0 ? gain : 0.0;
     precise float w = 1.0 + loss * reciprocal_tau;
-    precise float half_w = 0.5 * w;
-    return w > 0.0 ? half_w : 0.0;
+    precise float weight = soft_share * w;
+    return w > 0.0 ? weight : 0.0;
 }
 
 // q of an edge from i to j with apexes c and d, weight w.
@@ -73,7 +69,7 @@ vec4 edge_softness(float w, vec4 zi, vec4 zj, vec4 zc, vec4 zd) {
     precise vec4 q = w * ((zc + zd) - (zi + zj));
     precise vec4 negated = zero - q;
     vec4 size = if_less(q, zero, negated, q);
-    return if_less_equal(size, vec4(largest), q, zero);
+    return if_less_equal(size, vec4(largest_float), q, zero);
 }
 
 struct Patch {
@@ -88,7 +84,7 @@ void find_range(inout Patch p, vec4 strict) {
 #ifdef SOFT
     const vec4 zero = vec4(0.0), infinity = uintBitsToFloat(uvec4(0x7f800000u)),
                minus_infinity = uintBitsToFloat(uvec4(0xff800000u));
-    precise vec4 half_low = 0.5 * p.low;
+    precise vec4 half_low = dark_share * p.low;
     p.low = if_less(zero, strict, p.low, if_less_equal(zero, p.low, half_low, minus_infinity));
     p.high = if_less(zero, strict, p.high, infinity);
 #endif

@@ -40,15 +40,15 @@ DDT_INLINE T times_mean(T x, Doubled<T> d) {
 }
 
 /// Angle between normals (DLR): 1 - cos of the angle between (g1, s) and (g2, s); 0 to 2.
-/// s = 0.2 is the slope, in guide units a pixel, that counts as 45 degrees.
+/// s = cost_slope, 0.2, is the slope, in guide units a pixel, that counts as 45 degrees.
 template <class T>
 struct Abn {
     struct Face {
         T x, y, z; ///< the unit normal
     };
     static DDT_INLINE Face face(T gx, T gy) {
-        const T r = rsqrt<3>(((gx * gx) + (gy * gy)) + T(0.04f));
-        return {gx * r, gy * r, T(0.2f) * r};
+        const T r = rsqrt<3>(((gx * gx) + (gy * gy)) + T(cost_slope_square));
+        return {gx * r, gy * r, T(cost_slope) * r};
     }
     template <class Areas = Unimodular>
     static DDT_INLINE T between(const Face& a, const Face& b, T, T, Areas = {}) {
@@ -109,7 +109,7 @@ struct Dp {
         T x, y, r;
     };
     static DDT_INLINE Face face(T gx, T gy) {
-        return {gx, gy, rsqrt<3>(((gx * gx) + (gy * gy)) + T(0.04f))};
+        return {gx, gy, rsqrt<3>(((gx * gx) + (gy * gy)) + T(cost_slope_square))};
     }
     template <class Areas = Unimodular>
     static DDT_INLINE T between(const Face& a, const Face& b, T ex, T ey, Areas areas = {}) {

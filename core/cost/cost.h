@@ -14,7 +14,7 @@ struct CostTraits {
 
 inline CostTraits traits(Cost cost) {
     switch (cost) {
-#define DDT_TRAITS(name, Class, min_gain, temperature)                                             \
+#define DDT_TRAITS(name, Class, min_gain, temperature, ...)                                        \
     case Cost::name:                                                                               \
         return {min_gain, temperature};
         DDT_COSTS(DDT_TRAITS)

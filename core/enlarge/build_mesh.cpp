@@ -8,6 +8,7 @@
 #include "core/lattice/list_triangles.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/triangulate.h"
+#include "ddt/option_table.h"
 
 namespace ddt {
 
@@ -46,7 +47,7 @@ bool build(const float* guide, int width, int height, const MeshOptions& options
         blur_guide(blurred, width, height, options.blur);
         guide = blurred.data();
     }
-    lattice.start(width, height, guide, options.start == Start::flat);
+    start(lattice, width, height, guide, options);
     const double cost_start = report ? total_cost(lattice, options.cost) : 0;
     triangulate(lattice, options, workspace, statistics);
     if (!going)

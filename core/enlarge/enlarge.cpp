@@ -14,6 +14,7 @@
 #include "core/tiles/run.h"
 #include "core/tiles/tile_worker.h"
 #include "ddt/core.h"
+#include "ddt/option_table.h"
 
 namespace ddt {
 
@@ -23,9 +24,6 @@ namespace {
 /// if that is more).
 constexpr size_t memory_limit = size_t(192) << 20;
 
-/// Largest coordinate of a window, so that positions and sites stay far from overflow.
-constexpr int largest_coordinate = 1 << 29;
-
 /// Largest number of pixels of a window, so that its tiles can be counted.
 constexpr double largest_area = double(int64_t(1) << 45);
 
@@ -33,20 +31,17 @@ bool check(const Job& job, std::string& error) {
     const Rect& w = job.window;
     if (w.empty() || std::min(w.x0, w.y0) < -largest_coordinate ||
         std::max(w.x1, w.y1) > largest_coordinate)
-        error = "ddt: the source window must not be empty, its coordinates within +-2^29";
+        error = "ddt: the source window must not be empty, its coordinates within +-" +
+                std::to_string(largest_coordinate);
     else if (double(w.width()) * double(w.height()) > largest_area)
         error = "ddt: the source window must not have more than 2^45 pixels";
     else if (job.channels < 1)
         error = "ddt: there must be at least 1 channel";
     else if (!job.kinds.empty() && job.kinds.size() != size_t(job.channels))
         error = "ddt: Job::kinds must be empty or have one entry a channel";
-    else if (!check_options(job.mesh, error))
-        return false;
-    else if (job.surface.consistency < 0 || job.surface.consistency > 16)
-        error = "ddt: consistency must be 0 to 16";
-    else if (!(job.surface.limit >= 0) || !(job.surface.soft >= 0))
-        error = "ddt: limit and soft must be 0 or more";
-    return error.empty();
+    else
+        return check_options({job.surface, job.mesh, FilterOptions().light, job.device}, error);
+    return false;
 }
 
 const char* describe(Outcome outcome) {

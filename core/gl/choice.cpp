@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "core/options/values.h"
 #include "ddt/names.h"
 
 namespace ddt::gl {
@@ -14,7 +15,7 @@ bool wish(const Job& job, Device& device, std::string& why) {
         return true;
     if (find_device(name, device))
         return true;
-    why = "ddt: DDT_DEVICE=" + std::string(name) + " is not one of auto, cpu, egl, osmesa";
+    why = "ddt: DDT_DEVICE=" + std::string(name) + " is not one of " + joined(device_names());
     return false;
 }
 

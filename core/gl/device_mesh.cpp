@@ -19,6 +19,7 @@ DeviceMesh::DeviceMesh(Gpu& gpu, const SlotShape& shape, int tiles)
     : m_gpu(gpu), m_gl(gpu.context->gl), m_shape(shape), m_capacity(tiles),
       m_batch(m_gl, sizeof(Batch)), m_sites(m_gl, shape.sites() * 8 * size_t(tiles)),
       m_guide(m_gl, shape.pixels() * 4 * size_t(tiles)),
+      m_contours(m_gl, shape.sites() * 2 * size_t(tiles)),
       m_gain(m_gl, shape.sites() * 4 * size_t(tiles)),
       m_list0(m_gl, shape.edges() * 4 * size_t(tiles)),
       m_list1(m_gl, shape.edges() * 4 * size_t(tiles)),
@@ -31,7 +32,7 @@ TileSize size_in_slot(const Tile& tile, int width, int height) {
 }
 
 size_t DeviceMesh::bytes(const SlotShape& shape) {
-    return shape.sites() * 12 + shape.pixels() * 4 + shape.edges() * 24;
+    return shape.sites() * 14 + shape.pixels() * 4 + shape.edges() * 24;
 }
 
 size_t DeviceMesh::largest_bytes(const SlotShape& shape) {
@@ -72,6 +73,11 @@ void DeviceMesh::write_sites(int slot, const void* sites) {
 void DeviceMesh::read_sites(int slot, void* sites) {
     const size_t bytes = m_shape.sites() * 8;
     m_sites.read(size_t(slot) * bytes, bytes, sites);
+}
+
+void DeviceMesh::read_gains(int slot, float* gains) {
+    const size_t bytes = m_shape.sites() * sizeof(float);
+    m_gain.read(size_t(slot) * bytes, bytes, gains);
 }
 
 void DeviceMesh::bind() const {

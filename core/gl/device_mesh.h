@@ -66,16 +66,19 @@ public:
     static bool knows(const MeshOptions& options);
     void triangulate(const MeshOptions& options);
     /// On the finished mesh: the gains of all edges, for soft ones; nothing to do where
-    /// triangulate() keeps them.
-    void find_gains(Cost cost);
+    /// triangulate() keeps them. With contours the guide must have been written.
+    void find_gains(const Criterion& by);
+    /// Have find_gains() find them anew.
+    void forget_gains() { m_gains_known = false; }
     const Buffer& gains() const { return m_gain; }
 
     /// Counts of each iteration of the last triangulate(), a slot; waits for the device.
     std::vector<std::vector<IterationCounts>> read_counts();
     /// How far edges go at most, a slot; waits for the device.
     std::vector<uint32_t> read_reach();
-    /// A slot's mesh, for tests.
+    /// A slot's mesh, and after find_gains() its gains, a site each; for comparisons.
     void read_sites(int slot, void* sites);
+    void read_gains(int slot, float* gains);
 
     /// Bind what lattice.glsl needs.
     void bind() const;
@@ -87,6 +90,8 @@ public:
 
 private:
     // The steps of triangulate(), in schemes.cpp.
+    void set_criterion(const Criterion& by);
+    void find_contours();
     void prepare_lists();
     void bind_lists();
     void start(const MeshOptions& options);
@@ -104,10 +109,11 @@ private:
     int m_tiles = 0;      ///< in use
     int m_iterations = 0; ///< of the last triangulate(), at most
     float m_min_gain = 0;
-    std::string m_cost; ///< the macro that chooses it
+    std::string m_criterion; ///< the macros that choose it
+    float m_contour_weight = 0;
     bool m_gains_known = false;
-    Buffer m_batch, m_sites, m_guide, m_gain, m_list0, m_list1, m_blocked_even, m_blocked_odd,
-        m_work;
+    Buffer m_batch, m_sites, m_guide, m_contours, m_gain, m_list0, m_list1, m_blocked_even,
+        m_blocked_odd, m_work;
     std::unique_ptr<Buffer> m_stamps;                  ///< accept_reject's
     const Buffer *m_from = &m_list0, *m_to = &m_list1; ///< in turn
 };

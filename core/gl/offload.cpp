@@ -40,6 +40,10 @@ bool place(const Job& job, Placement& placement, std::string& why) {
     return false;
 }
 
+bool tin_on_gpu(const MeshOptions& options) {
+    return gl::DeviceMesh::knows(options);
+}
+
 std::string describe(const Placement& placement) {
     if (!placement.gpu)
         return "cpu";

@@ -7,6 +7,8 @@
 
 #include "core/tiles/grid.h"
 #include "core/tiles/run.h"
+#include "core/tin/tin.h"
+#include "core/triangulate/triangulate.h"
 #include "ddt/core.h"
 
 namespace ddt {
@@ -31,6 +33,14 @@ bool place(const Job& job, Placement& placement, std::string& why);
 std::string work_on_gpu(gl::Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping,
                         const Job& job, const Grid& grid, int threads, Run& run,
                         Statistics& statistics);
+
+/// Flip the edges of a Tin by a scheme that tin_on_gpu(). Adds to `statistics`. Returns an empty
+/// text, or what the GPU failed at: then the Tin may be anything.
+std::string flip_on_gpu(gl::Gpu& gpu, Tin& tin, const MeshOptions& options,
+                        const Workspace& workspace, Statistics& statistics);
+
+/// Whether flip_on_gpu() knows the scheme.
+bool tin_on_gpu(const MeshOptions& options);
 
 /// One line about a placement for people: "egl: llvmpipe (...), OpenGL 4.5 ...".
 std::string describe(const Placement& placement);

@@ -23,6 +23,14 @@ std::string work_on_gpu(gl::Gpu&, Source&, Sink&, const Mapping&, const Job&, co
     return "there is no GPU";
 }
 
+std::string flip_on_gpu(gl::Gpu&, Tin&, const MeshOptions&, const Workspace&, Statistics&) {
+    return "there is no GPU";
+}
+
+bool tin_on_gpu(const MeshOptions&) {
+    return false;
+}
+
 std::string describe(const Placement&) {
     return "cpu";
 }

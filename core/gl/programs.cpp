@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/programs.h"
 
+#include <charconv>
 #include <chrono>
-#include <cstring>
 #include <set>
 #include <sstream>
 
+#include "core/base/constants.h"
 #include "core/gl/context/failure.h"
 #include "core/gl/context/faults.h"
 #include "core/gl/shader_text.h"
+#include "ddt/options.h"
 
 namespace ddt::gl {
 
@@ -21,10 +23,10 @@ const char* text_of(const std::string& file) {
     throw Failure("no shader is named " + file);
 }
 
-/// Append the file, each #include "name" replaced by that file's text at its first mention.
-void append(const std::string& file, std::set<std::string>& included, std::string& out) {
+/// Append the text, each #include "name" replaced by that file's at its first mention.
+void append(const std::string& text, std::set<std::string>& included, std::string& out) {
     static const std::string include = "#include \"";
-    std::istringstream lines(text_of(file));
+    std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
         if (line.compare(0, include.size(), include) != 0) {
             out += line + '\n';
@@ -32,30 +34,69 @@ void append(const std::string& file, std::set<std::string>& included, std::strin
         }
         const std::string name = line.substr(include.size(), line.rfind('"') - include.size());
         if (included.insert(name).second)
-            append(name, included, out);
+            append(text_of(name), included, out);
     }
+}
+
+std::string define(const char* name, const std::string& value) {
+    return std::string("#define ") + name + ' ' + value + '\n';
+}
+
+/// The constants of core/base/constants.h; floats with as many digits as tell them from others, in
+/// no locale's way. (Their bits would not do: compilers refuse uintBitsToFloat() in a constant.)
+std::string constants() {
+    std::string out;
+    const auto put = [&](const char* type, const char* name, const std::string& value) {
+        out += std::string("const ") + type + ' ' + name + " = " + value + ";\n";
+    };
+    const auto digits = [](float value) {
+        char text[32];
+        const auto end =
+            std::to_chars(text, text + sizeof text, value, std::chars_format::scientific);
+        return std::string(text, end.ptr);
+    };
+#define DDT_INT(name, value) put("int", #name, std::to_string(name));
+#define DDT_FLOAT(name, value) put("float", #name, digits(name));
+    DDT_CONSTANTS(DDT_INT, DDT_FLOAT)
+#undef DDT_INT
+#undef DDT_FLOAT
+    return out;
 }
 
 } // namespace
 
+std::string program_name(const std::string& file, const std::string& defines) {
+    std::string name = file;
+    std::istringstream words(defines);
+    for (std::string word; words >> word;)
+        name += ' ' + word;
+    return name;
+}
+
 std::string shader_source(const std::string& file, const std::string& defines) {
+    return assembled(text_of(file), defines);
+}
+
+std::string assembled(const std::string& text, const std::string& defines) {
     std::string out = "#version 430 core\n";
-    out += "#define MAX_TILES " + std::to_string(max_tiles) + '\n';
-    out += "#define MAX_ITERATIONS " + std::to_string(max_iterations) + '\n';
-    out += "#define FINISH_GROUP " + std::to_string(finish_group) + '\n';
+#define DDT_LAYOUT(NAME, name, value) out += define(#NAME, std::to_string(name));
+    DDT_LAYOUTS(DDT_LAYOUT)
+#undef DDT_LAYOUT
     std::istringstream names(defines);
     for (std::string name; names >> name;)
-        out += "#define " + name + '\n';
+        out += define(name.c_str(), "");
+    out += constants();
     std::set<std::string> included;
-    append(file, included, out);
+    append(text, included, out);
     return out;
 }
 
 void Programs::use(const std::string& file, const std::string& defines) {
-    GLuint& program = m_programs[file + ' ' + defines];
+    const std::string name = program_name(file, defines);
+    GLuint& program = m_programs[name];
     if (!program) {
         const auto begin = std::chrono::steady_clock::now();
-        program = compile(file, defines);
+        program = compile(m_gl, name, shader_source(file, defines));
         m_milliseconds +=
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
                 .count();
@@ -64,31 +105,40 @@ void Programs::use(const std::string& file, const std::string& defines) {
     ++m_uses[file];
 }
 
-GLuint Programs::compile(const std::string& file, const std::string& defines) {
-    std::string source = shader_source(file, defines);
+std::vector<std::string> Programs::names() const {
+    std::vector<std::string> names;
+    for (const auto& [name, program] : m_programs)
+        names.push_back(name);
+    return names;
+}
+
+GLuint compile(const Functions& gl, const std::string& name, std::string source) {
+#ifdef DDT_FAULTS
+    source = with_changed_constant(name, std::move(source));
+#endif
     if (strikes(Fault::shader))
         source += "this is no shader\n";
     const char* text = source.c_str();
-    const GLuint shader = m_gl.CreateShader(GL_COMPUTE_SHADER);
-    m_gl.ShaderSource(shader, 1, &text, nullptr);
-    m_gl.CompileShader(shader);
+    const GLuint shader = gl.CreateShader(GL_COMPUTE_SHADER);
+    gl.ShaderSource(shader, 1, &text, nullptr);
+    gl.CompileShader(shader);
     GLint fine = 0;
     char log[2048] = "";
-    m_gl.GetShaderiv(shader, GL_COMPILE_STATUS, &fine);
+    gl.GetShaderiv(shader, GL_COMPILE_STATUS, &fine);
     if (!fine) {
-        m_gl.GetShaderInfoLog(shader, sizeof log, nullptr, log);
-        m_gl.DeleteShader(shader);
-        throw Failure("glCompileShader(" + file + "): " + log);
+        gl.GetShaderInfoLog(shader, sizeof log, nullptr, log);
+        gl.DeleteShader(shader);
+        throw Failure("glCompileShader(" + name + "): " + log);
     }
-    const GLuint program = m_gl.CreateProgram();
-    m_gl.AttachShader(program, shader);
-    m_gl.LinkProgram(program);
-    m_gl.DeleteShader(shader); // goes with the program
-    m_gl.GetProgramiv(program, GL_LINK_STATUS, &fine);
+    const GLuint program = gl.CreateProgram();
+    gl.AttachShader(program, shader);
+    gl.LinkProgram(program);
+    gl.DeleteShader(shader); // goes with the program
+    gl.GetProgramiv(program, GL_LINK_STATUS, &fine);
     if (!fine) {
-        m_gl.GetProgramInfoLog(program, sizeof log, nullptr, log);
-        m_gl.DeleteProgram(program);
-        throw Failure("glLinkProgram(" + file + "): " + log);
+        gl.GetProgramInfoLog(program, sizeof log, nullptr, log);
+        gl.DeleteProgram(program);
+        throw Failure("glLinkProgram(" + name + "): " + log);
     }
     return program;
 }

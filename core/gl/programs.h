@@ -4,17 +4,35 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "core/gl/context/functions.h"
+#include "ddt/options.h"
 
 namespace ddt::gl {
 
-/// Tiles that one dispatch can hold.
-constexpr int max_tiles = 64;
-/// Largest value of MeshOptions::max_iterations.
-constexpr int max_iterations = 250;
-/// Invocations of the group that does a tile's late iterations.
-constexpr int finish_group = 512;
+/// Sizes that dispatches and shaders must agree on: a constexpr here, a macro in every shader.
+#define DDT_LAYOUTS(LAYOUT)                                                                        \
+    /* Tiles that one dispatch can hold. */                                                        \
+    LAYOUT(MAX_TILES, max_tiles, 64)                                                               \
+    /* Largest value of MeshOptions::max_iterations. */                                            \
+    LAYOUT(MAX_ITERATIONS, max_iterations, most_iterations)                                        \
+    /* Groups of invocations: over entries of a list; a tile's late iterations; over pixels of */  \
+    /* the starting mesh, sites whose gains are found, pixels of the surface, samples. */          \
+    LAYOUT(LIST_GROUP, list_group, 64)                                                             \
+    LAYOUT(FINISH_GROUP, finish_group, 512)                                                        \
+    LAYOUT(START_GROUP_X, start_group_x, 32)                                                       \
+    LAYOUT(START_GROUP_Y, start_group_y, 8)                                                        \
+    LAYOUT(GAINS_GROUP_X, gains_group_x, 64)                                                       \
+    LAYOUT(GAINS_GROUP_Y, gains_group_y, 2)                                                        \
+    LAYOUT(SURFACE_GROUP_X, surface_group_x, 32)                                                   \
+    LAYOUT(SURFACE_GROUP_Y, surface_group_y, 4)                                                    \
+    LAYOUT(SAMPLE_GROUP_X, sample_group_x, 16)                                                     \
+    LAYOUT(SAMPLE_GROUP_Y, sample_group_y, 8)
+
+#define DDT_LAYOUT(NAME, name, value) constexpr int name = value;
+DDT_LAYOUTS(DDT_LAYOUT)
+#undef DDT_LAYOUT
 
 /// The programs compiled so far. To be used on the context's thread.
 class Programs {
@@ -28,18 +46,26 @@ public:
     /// How often each shader was used, whatever its macros: nearly all uses are one dispatch.
     const std::map<std::string, int>& uses() const { return m_uses; }
     int compiled() const { return int(m_programs.size()); }
+    /// The programs compiled, by file and macros.
+    std::vector<std::string> names() const;
     double milliseconds() const { return m_milliseconds; }
 
 private:
-    GLuint compile(const std::string& file, const std::string& defines);
-
     const Functions& m_gl;
     std::map<std::string, GLuint> m_programs;
     std::map<std::string, int> m_uses;
     double m_milliseconds = 0; ///< spent compiling
 };
 
-/// The text given to the compiler: version, macros, and the file with its includes, each once.
+/// A program's name: its file and its macros, single spaces between.
+std::string program_name(const std::string& file, const std::string& defines);
+
+/// The text given to the compiler: version, macros, constants, and the file with its includes, each
+/// once. assembled(): of a text that is no file of shaders/.
 std::string shader_source(const std::string& file, const std::string& defines);
+std::string assembled(const std::string& text, const std::string& defines);
+
+/// Compile and link. Throws Failure with the compiler's messages.
+GLuint compile(const Functions& gl, const std::string& name, std::string source);
 
 } // namespace ddt::gl

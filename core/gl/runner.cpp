@@ -3,17 +3,13 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstring>
 
-#include "core/base/arith.h"
 #include "core/base/parallel.h"
 #include "core/base/verbose.h"
 #include "core/gl/budget.h"
 #include "core/gl/context/failure.h"
 #include "core/gl/offload.h"
-#include "core/guide/guide.h"
 #include "core/tiles/tile_io.h"
-#include "core/triangulate/triangulate.h"
 
 namespace ddt::gl {
 
@@ -30,19 +26,10 @@ constexpr int rows_a_write = 64;
 Runner::Runner(Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                const Grid& grid, int threads, Run& run)
     : m_gpu(gpu), m_source(source), m_sink(sink), m_mapping(mapping), m_job(job), m_grid(grid),
-      m_run(run), m_threads(threads), m_shape(shape_for(job.window)),
-      m_groups(group_count(job.channels)), m_meshes(job.mesh.meshes),
-      m_in_flight(affordable_tiles(gpu, m_shape, m_groups, job.surface, grid.count(), m_meshes)),
-      m_counting(job.statistics || verbose()) {
-    for (int g = 0; g < group_count(job.channels); ++g) {
-        GroupKinds kinds;
-        kinds.nearest = nearest_mask(job, g);
-        for (int c = 0; c < group_size; ++c)
-            if (is_strict(job, g * group_size + c))
-                kinds.strict |= 1u << c;
-        m_kinds.push_back(kinds);
-    }
-}
+      m_run(run), m_threads(threads), m_shape(shape_for(job.window)), m_meshes(job.mesh.meshes),
+      m_in_flight(affordable_tiles(gpu, m_shape, group_count(job.channels), job.surface,
+                                   grid.count(), m_meshes)),
+      m_counting(job.statistics || verbose()) {}
 
 Runner::~Runner() {
     drop_meshes();
@@ -91,9 +78,9 @@ void Runner::retry_with_fewer() {
 }
 
 void Runner::read_ahead() {
-    std::vector<std::unique_ptr<HostTile>> tiles;
+    std::vector<std::unique_ptr<JobTile>> tiles;
     while (m_next_tile < m_grid.count() && m_ready.size() + tiles.size() < m_in_flight) {
-        auto t = std::make_unique<HostTile>();
+        auto t = std::make_unique<JobTile>();
         t->index = m_next_tile++;
         t->tile = m_grid.tile(t->index);
         t->reach = reach_of(t->tile, m_job.window, m_mapping);
@@ -103,71 +90,11 @@ void Runner::read_ahead() {
             tiles.push_back(std::move(t));
     }
     for_each_index(m_threads, int(tiles.size()), [&](int, int i) {
-        if (m_run.going() && !read(*tiles[size_t(i)]))
+        if (m_run.going() && !read(m_source, m_job, m_shape, *tiles[size_t(i)]))
             m_run.end(Outcome::source_failed);
     });
     for (auto& t : tiles)
         m_ready.push_back(std::move(t));
-}
-
-bool Runner::read(HostTile& t) {
-    std::vector<float> values, guide;
-    if (!read_tile(m_source, t.tile, m_job, values, guide, t.size.width, t.size.height))
-        return false;
-    const size_t pixels = m_shape.pixels();
-    t.values.assign(pixels * size_t(m_groups) * group_size, 0.0f);
-    for (int y = 0; y < t.size.height; ++y)
-        for (int x = 0; x < t.size.width; ++x) {
-            const float* in = values.data() + (size_t(y) * size_t(t.size.width) + size_t(x)) *
-                                                  size_t(m_job.channels);
-            float* out =
-                t.values.data() + (size_t(y) * size_t(m_shape.width) + size_t(x)) * group_size;
-            for (int g = 0; g < m_groups; ++g, in += group_size, out += pixels * group_size)
-                std::memcpy(out, in, size_t(channels_in_group(m_job.channels, g)) * sizeof(float));
-        }
-    const bool here = !DeviceMesh::knows(m_job.mesh);
-    if (here)
-        t.sites.resize(size_t(m_meshes) * m_shape.sites());
-    else
-        t.guides.resize(size_t(m_meshes) * pixels);
-    for (size_t k = 0; k < size_t(m_meshes); ++k) {
-        std::vector<float> blurred = guide;
-        if (const float share = blur_share(m_job.mesh, int(k)); share > 0)
-            blur_guide(blurred, t.size.width, t.size.height, share);
-        if (here) {
-            triangulate_here(t, blurred, k);
-            continue;
-        }
-        for (int y = 0; y < t.size.height; ++y)
-            std::memcpy(t.guides.data() + k * pixels + size_t(y) * size_t(m_shape.width),
-                        blurred.data() + size_t(y) * size_t(t.size.width),
-                        size_t(t.size.width) * sizeof(float));
-    }
-    return true;
-}
-
-void Runner::triangulate_here(HostTile& t, const std::vector<float>& guide, size_t mesh) {
-    const DenormalsAreZero as_on_gpus;
-    Lattice lattice;
-    Workspace workspace;
-    workspace.origin_x = t.tile.pixels.x0 - m_job.window.x0;
-    workspace.origin_y = t.tile.pixels.y0 - m_job.window.y0;
-    lattice.start(t.size.width, t.size.height, guide.data(), m_job.mesh.start == Start::flat);
-    triangulate(lattice, m_job.mesh, workspace, t.statistics);
-    uint64_t* sites = t.sites.data() + mesh * m_shape.sites();
-    const size_t row = size_t(2 * t.size.width - 1);
-    for (int y = 0; y < 2 * t.size.height - 1; ++y)
-        std::memcpy(sites + size_t(y) * size_t(m_shape.stride()),
-                    lattice.sites() + lattice.site(0, y), row * sizeof(Site));
-    // A vertex' second word: the key of one of its edges (edge_key in shaders/lattice.glsl).
-    lattice.find_first_edges();
-    for (int y = 0; y < t.size.height; ++y)
-        for (int x = 0; x < t.size.width; ++x) {
-            const Vertex& vertex = lattice.vertex(lattice.vertex_site(x, y));
-            const auto key = unsigned(vertex.first.y + 128) << 8 | unsigned(vertex.first.x + 128);
-            uint64_t& site = sites[size_t(2 * y) * size_t(m_shape.stride()) + size_t(2 * x)];
-            site = (site & 0xffffffffu) | uint64_t(key) << 32;
-        }
 }
 
 void Runner::start_batch() {
@@ -177,26 +104,17 @@ void Runner::start_batch() {
     if (!m_mesh || !m_surfaces) {
         const int slots = int(m_in_flight) * m_meshes;
         m_mesh = std::make_unique<DeviceMesh>(m_gpu, m_shape, slots);
-        m_surfaces = std::make_unique<Surfaces>(m_gpu, m_shape, slots, m_kinds, m_job.surface);
+        m_surfaces =
+            std::make_unique<Surfaces>(m_gpu, m_shape, slots, kinds_of(m_job), m_job.surface);
     }
     std::vector<TileSize> sizes;
     for (const auto& t : m_batch)
-        sizes.insert(sizes.end(), size_t(m_meshes),
-                     size_in_slot(t->tile, t->size.width, t->size.height));
+        sizes.insert(sizes.end(), size_t(m_meshes), t->size);
 
     m_stages->begin(Stage::upload);
     m_mesh->set_tiles(sizes);
-    for (size_t slot = 0; slot < sizes.size(); ++slot) {
-        const HostTile& t = *m_batch[slot / size_t(m_meshes)];
-        const size_t k = slot % size_t(m_meshes);
-        if (t.sites.empty())
-            m_mesh->write_guide(int(slot), t.guides.data() + k * m_shape.pixels());
-        else
-            m_mesh->write_sites(int(slot), t.sites.data() + k * m_shape.sites());
-        for (int g = 0; g < m_groups; ++g)
-            m_surfaces->write_values(int(slot), g,
-                                     t.values.data() + size_t(g) * m_shape.pixels() * group_size);
-    }
+    for (size_t i = 0; i < m_batch.size(); ++i)
+        upload(*m_batch[i], m_job, int(i) * m_meshes, *m_mesh, *m_surfaces);
     m_stages->end();
 
     if (m_batch[0]->sites.empty()) {
@@ -205,14 +123,14 @@ void Runner::start_batch() {
         m_stages->end();
     }
     m_stages->begin(Stage::surface);
-    m_surfaces->make(*m_mesh, m_job.mesh.cost);
+    m_surfaces->make(*m_mesh, criterion(m_job.mesh));
     m_stages->end();
     finish(gl, "triangulation");
     if (!m_counting || !m_batch[0]->sites.empty())
         return;
     const auto counts = m_mesh->read_counts();
     for (size_t slot = 0; slot < counts.size(); ++slot) {
-        HostTile& t = *m_batch[slot / size_t(m_meshes)];
+        JobTile& t = *m_batch[slot / size_t(m_meshes)];
         if (slot % size_t(m_meshes) == 0)
             t.statistics = {};
         t.statistics.pixels += int64_t(t.size.width) * t.size.height;
@@ -231,7 +149,7 @@ void Runner::sample_batch() {
     Strip* unwritten = nullptr;
     int turn = 0;
     for (size_t i = 0; i < m_batch.size() && m_run.going(); ++i) {
-        const HostTile& t = *m_batch[i];
+        const JobTile& t = *m_batch[i];
         const size_t row_bytes = size_t(t.reach.width()) * size_t(m_job.channels) * sizeof(float);
         const int height = int(std::max<size_t>(1, strip_bytes / row_bytes));
         for (int y = std::max(t.reach.y0, m_run.next_row(t.index)); y < t.reach.y1 && m_run.going();
@@ -286,7 +204,7 @@ void Runner::write(Strip& strip) {
         if (m_run.going() && !m_sink.write(part, floats))
             m_run.end(Outcome::sink_failed);
     });
-    const HostTile& t = *m_batch[size_t(strip.batch_index)];
+    const JobTile& t = *m_batch[size_t(strip.batch_index)];
     m_run.wrote_rows_before(strip.rows.y1, t.index);
     if (!strip.last || !m_run.going())
         return;
@@ -302,10 +220,11 @@ void Runner::report() {
     const auto ms = [&](Stage stage) { return m_stages->milliseconds(stage); };
     std::fprintf(stderr,
                  "ddt: upload %.2f ms, triangulate %.2f ms, surface %.2f ms, sample %.2f ms, "
-                 "download %.2f ms; opened in %.0f ms, %d shaders compiled in %.0f ms\n",
+                 "download %.2f ms; opened in %.0f ms, %d shaders compiled in %.0f ms, checked in "
+                 "%.0f ms\n",
                  ms(Stage::upload), ms(Stage::triangulate), ms(Stage::surface), ms(Stage::sample),
                  ms(Stage::download), m_gpu.open_milliseconds, m_gpu.programs->compiled(),
-                 m_gpu.programs->milliseconds());
+                 m_gpu.programs->milliseconds(), m_gpu.checks.milliseconds());
 }
 
 } // namespace ddt::gl
@@ -316,16 +235,24 @@ std::string work_on_gpu(gl::Gpu& gpu, Source& source, Sink& sink, const Mapping&
                         const Job& job, const Grid& grid, int threads, Run& run,
                         Statistics& statistics) {
     std::string failure;
-    gl::Runner runner(gpu, source, sink, mapping, job, grid, threads, run);
     try {
-        runner.work();
+        failure = gpu.thread.post([&] { return gpu.checks.differs(gpu, job); }).get();
+        if (!failure.empty())
+            return failure;
+        gl::Runner runner(gpu, source, sink, mapping, job, grid, threads, run);
+        try {
+            runner.work();
+        } catch (...) {
+            statistics = runner.statistics();
+            throw;
+        }
+        statistics = runner.statistics();
     } catch (const gl::ContextLost& e) {
         gpu.broken = true;
         failure = e.what();
     } catch (const gl::Failure& e) {
         failure = e.what();
     }
-    statistics = runner.statistics();
     return failure;
 }
 

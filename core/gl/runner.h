@@ -8,10 +8,9 @@
 #include <vector>
 
 #include "core/gl/context/gpu.h"
-#include "core/gl/device_mesh.h"
+#include "core/gl/host_tile.h"
 #include "core/gl/stages.h"
 #include "core/gl/strip.h"
-#include "core/gl/surfaces.h"
 #include "core/tiles/grid.h"
 #include "core/tiles/run.h"
 #include "ddt/core.h"
@@ -34,21 +33,12 @@ public:
     const Statistics& statistics() const { return m_statistics; }
 
 private:
-    /// A tile in the layout of a slot.
-    struct HostTile {
+    struct JobTile : HostTile {
         int index = 0;
-        Tile tile;
         Rect reach;
-        TileSize size;
-        std::vector<float> guides;   ///< a mesh after the other
-        std::vector<float> values;   ///< a group after the other
-        std::vector<uint64_t> sites; ///< the finished meshes, of a scheme the device does not know
-        Statistics statistics;
     };
 
     void read_ahead();
-    bool read(HostTile& tile);
-    void triangulate_here(HostTile& tile, const std::vector<float>& guide, size_t mesh);
     void start_batch(); ///< on the context's thread
     void sample_batch();
     void sample(Strip& strip, Strip* write_meanwhile);
@@ -66,17 +56,15 @@ private:
     Run& m_run;
     int m_threads;
     SlotShape m_shape;
-    int m_groups;
     int m_meshes; ///< a tile; they take neighbouring slots
-    std::vector<GroupKinds> m_kinds;
     Statistics m_statistics;
 
     int m_next_tile = 0;
-    std::deque<std::unique_ptr<HostTile>> m_ready;  ///< read, not begun
-    std::vector<std::unique_ptr<HostTile>> m_batch; ///< on the device
-    size_t m_in_flight;                             ///< tiles a batch may have
-    Strip m_strips[2];                              ///< one sampled while the other is written
-    bool m_counting;                                ///< statistics are wanted
+    std::deque<std::unique_ptr<JobTile>> m_ready;  ///< read, not begun
+    std::vector<std::unique_ptr<JobTile>> m_batch; ///< on the device
+    size_t m_in_flight;                            ///< tiles a batch may have
+    Strip m_strips[2];                             ///< one sampled while the other is written
+    bool m_counting;                               ///< statistics are wanted
 
     // On the context's thread only.
     std::unique_ptr<DeviceMesh> m_mesh;

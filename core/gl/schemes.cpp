@@ -10,17 +10,32 @@
 namespace ddt::gl {
 
 bool DeviceMesh::knows(const MeshOptions& options) {
-    Rules rules;
-    return options.scheme == Scheme::one_round || options.scheme == Scheme::pixel ||
-           find_rules(options, rules);
+    switch (options.scheme) {
+    case Scheme::one_round:
+    case Scheme::pixel:
+        return true;
+    case Scheme::basic:
+    case Scheme::exproi:
+    case Scheme::maxgain:
+    case Scheme::exproi_maxgain:
+    case Scheme::exproi_n_maxgain:
+        return options.contour == 0; // the paper's know costs alone here
+    case Scheme::lawson:
+    case Scheme::look_ahead:
+    case Scheme::annealing:
+        return false;
+    }
+    return false;
 }
 
 void DeviceMesh::triangulate(const MeshOptions& options) {
     m_iterations = options.scheme == Scheme::pixel ? 0 : options.max_iterations;
     m_min_gain = min_gain(options);
-    m_cost = std::string("COST_") + cost_name(options.cost);
+    set_criterion(criterion(options));
     bind();
     prepare_lists();
+    if (options.contour != 0)
+        find_contours();
     start(options);
     if (m_iterations == 0)
         return;
@@ -29,6 +44,21 @@ void DeviceMesh::triangulate(const MeshOptions& options) {
         accept_reject(rules);
     else
         one_round();
+}
+
+void DeviceMesh::set_criterion(const Criterion& by) {
+    m_criterion = std::string("COST_") + cost_name(by.cost);
+    if (by.contour != 0)
+        m_criterion += " CONTOURS";
+    m_contour_weight = by.contour * contour_unit;
+}
+
+void DeviceMesh::find_contours() {
+    m_gpu.programs->use("contours.comp");
+    m_contours.bind(2);
+    m_guide.bind(5);
+    dispatch_over(m_shape.width - 1, m_shape.height - 1, start_group_x, start_group_y);
+    barrier();
 }
 
 void DeviceMesh::prepare_lists() {
@@ -46,6 +76,7 @@ void DeviceMesh::prepare_lists() {
 void DeviceMesh::bind_lists() {
     m_sites.bind(0);
     m_gain.bind(1);
+    m_contours.bind(2);
     m_from->bind(3);
     m_to->bind(4);
     m_blocked_even.bind(5);
@@ -54,11 +85,11 @@ void DeviceMesh::bind_lists() {
 }
 
 void DeviceMesh::start(const MeshOptions& options) {
-    use("start.comp", 1, 1, m_cost);
+    use("start.comp", 1, 1, m_criterion);
     m_gl.Uniform1i(5, options.start == Start::flat);
     m_gl.Uniform1i(6, m_iterations > 0);
-    m_guide.bind(2);
-    dispatch_over(m_shape.width, m_shape.height, 32, 8);
+    m_guide.bind(5);
+    dispatch_over(m_shape.width, m_shape.height, start_group_x, start_group_y);
     barrier(true);
     m_gains_known = false;
 }
@@ -67,18 +98,18 @@ void DeviceMesh::one_round() {
     const int dispatched = std::min(m_iterations, dispatched_iterations);
     for (int i = 1; i <= dispatched; ++i) {
         if (i > 1) // else start() has
-            step("evaluate.comp", i, Step::evaluate, m_cost);
+            step("evaluate.comp", i, Step::evaluate, m_criterion);
         step("select.comp", i, Step::select, {});
         step("flip.comp", i, Step::flip, {});
     }
     m_gains_known = true;
     if (m_iterations == dispatched) {
-        step("evaluate.comp", dispatched + 1, Step::evaluate, m_cost);
+        step("evaluate.comp", dispatched + 1, Step::evaluate, m_criterion);
         return;
     }
     std::swap(m_from, m_to);
     bind_lists();
-    use("finish.comp", dispatched + 1, m_iterations, m_cost);
+    use("finish.comp", dispatched + 1, m_iterations, m_criterion);
     m_gl.DispatchCompute(GLuint(m_tiles), 1, 1);
     barrier();
 }
@@ -97,7 +128,7 @@ void DeviceMesh::accept_reject(const Rules& rules) {
     m_stamps->clear();
     bind_lists();
     m_stamps->bind(2);
-    use("accept_reject.comp", 1, m_iterations, m_cost);
+    use("accept_reject.comp", 1, m_iterations, m_criterion);
     m_gl.Uniform1i(5, rules.by_gain);
     m_gl.Uniform1i(6, rules.wide_iterations);
     m_gl.Uniform1i(7, rules.all_rounds);
@@ -105,14 +136,16 @@ void DeviceMesh::accept_reject(const Rules& rules) {
     barrier();
 }
 
-void DeviceMesh::find_gains(Cost cost) {
+void DeviceMesh::find_gains(const Criterion& by) {
     if (m_gains_known)
         return;
-    m_cost = std::string("COST_") + cost_name(cost);
+    set_criterion(by);
     bind();
+    if (by.contour != 0)
+        find_contours();
     bind_lists();
-    use("evaluate.comp", 0, 0, m_cost + " DENSE");
-    dispatch_over(2 * m_shape.width - 1, 2 * m_shape.height - 1, 64, 2);
+    use("evaluate.comp", 0, 0, m_criterion + " DENSE");
+    dispatch_over(2 * m_shape.width - 1, 2 * m_shape.height - 1, gains_group_x, gains_group_y);
     barrier();
     m_gains_known = true;
 }
@@ -125,6 +158,8 @@ void DeviceMesh::use(const char* shader, int first_iteration, int last_iteration
     m_gl.Uniform1i(2, first_iteration);
     m_gl.Uniform1i(3, last_iteration);
     m_gl.Uniform1f(4, m_min_gain);
+    if (defines.find("CONTOURS") != std::string::npos)
+        m_gl.Uniform1f(8, m_contour_weight);
 }
 
 } // namespace ddt::gl

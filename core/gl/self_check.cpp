@@ -1,23 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/self_check.h"
 
+#include <chrono>
 #include <climits>
 #include <cstring>
 
+#include "core/base/arith.h"
 #include "core/gl/budget.h"
+#include "core/gl/context/gpu.h"
+#include "core/gl/host_tile.h"
 #include "core/gl/strip.h"
+#include "core/guide/guide.h"
+#include "core/tiles/tile_io.h"
 #include "core/tiles/tile_worker.h"
+#include "core/triangulate/gain.h"
+#include "core/triangulate/schemes.h"
+#include "ddt/names.h"
 
 namespace ddt::gl {
 
 namespace {
 
-constexpr int width = 64, height = 48, channels = 4, scale = 3;
+constexpr int width = 64, height = 48, scale = 3;
 using Bits = std::vector<uint32_t>;
 
 /// Noise, stripes and a few very bright pixels.
 class CheckSource final : public Source {
 public:
+    explicit CheckSource(int channels) : m_channels(channels) {}
     bool read(const Rect& r, float* values, float* guide) override {
         for (int y = r.y0; y < r.y1; ++y)
             for (int x = r.x0; x < r.x1; ++x) {
@@ -26,7 +36,7 @@ public:
                 const float stripe = (2 * x + 3 * y) % 29 < 11 ? 0.5f : 0.0f;
                 const float bright = h % 101 == 0 ? 1000.0f : 1.0f;
                 *guide++ = 0.5f * noise + stripe;
-                for (int c = 0; c < channels; ++c)
+                for (int c = 0; c < m_channels; ++c)
                     *values++ = (0.3f * noise + stripe) * bright * float(c + 1) * 0.37f;
             }
         return true;
@@ -39,25 +49,28 @@ private:
         h = (h ^ (h >> 12)) * 0x297a2d39u;
         return h ^ (h >> 15);
     }
+    int m_channels;
 };
 
 class CheckSink final : public Sink {
 public:
+    explicit CheckSink(int channels)
+        : m_channels(size_t(channels)),
+          bits(size_t(width * scale) * size_t(height * scale) * m_channels) {}
     bool write(const Rect& r, float* values) override {
-        for (int y = r.y0; y < r.y1; ++y, values += r.width() * channels)
-            std::memcpy(&bits[(size_t(y) * width * scale + size_t(r.x0)) * channels], values,
-                        size_t(r.width()) * channels * sizeof(float));
+        const size_t row = size_t(r.width()) * m_channels;
+        for (int y = r.y0; y < r.y1; ++y, values += row)
+            std::memcpy(&bits[(size_t(y) * width * scale + size_t(r.x0)) * m_channels], values,
+                        row * sizeof(float));
         return true;
     }
-    Bits bits = Bits(size_t(width * scale) * size_t(height * scale) * channels);
-};
 
-Job check_job() {
-    Job job;
-    job.window = {0, 0, width, height};
-    job.channels = channels;
-    return job;
-}
+private:
+    size_t m_channels;
+
+public:
+    Bits bits;
+};
 
 ResizeMapping check_mapping() {
     const auto axis = [](int n) {
@@ -69,51 +82,167 @@ ResizeMapping check_mapping() {
     return {axis(width), axis(height)};
 }
 
-Bits on_cpu(const Job& job, const Tile& tile) {
-    CheckSource source;
-    CheckSink sink;
-    const ResizeMapping mapping = check_mapping();
-    TileWorker(source, sink, mapping, job).work(tile, INT_MIN);
-    return sink.bits;
+/// What is compared: of the first mesh its edges' vectors and gains, in the order of addresses, and
+/// the job's result.
+struct Outcomes {
+    std::vector<uint64_t> edges;
+    Bits gains, result;
+};
+
+/// Call f(site) for every edge of the picture's lattice.
+template <class F>
+void each_edge(int stride, F&& f) {
+    for (int y = 0; y < 2 * height - 1; ++y)
+        for (int x = 1 - (y & 1), step = 2 - (y & 1); x < 2 * width - 1; x += step)
+            f(size_t(y) * size_t(stride) + size_t(x));
 }
 
-Bits on_gpu(Gpu& gpu, const Job& job, const Tile& tile) {
-    CheckSource source;
-    std::vector<float> values(size_t(width * height) * channels), guide(size_t(width * height));
-    source.read(job.window, values.data(), guide.data());
+uint32_t bits_of(float x) {
+    uint32_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+/// `sites`, `gains`: as Lattice and Workspace have them, in rows of `stride`.
+void take_mesh(const Site* sites, const float* gains, int stride, Outcomes& o) {
+    each_edge(stride, [&](size_t m) {
+        o.edges.push_back(vectors_of(sites[m].edge));
+        o.gains.push_back(bits_of(gains[m]));
+    });
+}
+
+Outcomes on_cpu(const Job& job, const Tile& tile) {
+    Outcomes o;
+    CheckSource source(job.channels);
+    std::vector<float> values, guide;
+    int w = 0, h = 0;
+    read_tile(source, tile, job, values, guide, w, h);
+    blur_guide(guide, w, h, blur_share(job.mesh, 0));
+    {
+        const DenormalsAreZero as_on_gpus;
+        Lattice lattice;
+        Workspace workspace;
+        Statistics statistics;
+        lattice.start(w, h, guide.data(), job.mesh.start == Start::flat);
+        triangulate(lattice, job.mesh, workspace, statistics);
+        find_gains(lattice, job.mesh.cost, workspace);
+        take_mesh(lattice.sites(), workspace.gain.data(), lattice.stride(), o);
+    }
+    CheckSink sink(job.channels);
+    const ResizeMapping mapping = check_mapping();
+    TileWorker(source, sink, mapping, job).work(tile, INT_MIN);
+    o.result = std::move(sink.bits);
+    return o;
+}
+
+Outcomes on_gpu(Gpu& gpu, const Job& job, const Tile& tile) {
+    CheckSource source(job.channels);
     const SlotShape shape = shape_for(job.window);
-    DeviceMesh mesh(gpu, shape, 1);
-    Surfaces surfaces(gpu, shape, 1, std::vector<GroupKinds>(1), job.surface);
-    mesh.set_tiles({size_in_slot(tile, width, height)});
-    mesh.write_guide(0, guide.data());
-    surfaces.write_values(0, 0, values.data());
-    mesh.triangulate(job.mesh);
-    surfaces.make(mesh, job.mesh.cost);
+    const int meshes = job.mesh.meshes;
+    HostTile t;
+    t.tile = tile;
+    read(source, job, shape, t);
+    DeviceMesh mesh(gpu, shape, meshes);
+    Surfaces surfaces(gpu, shape, meshes, kinds_of(job), job.surface);
+    mesh.set_tiles(std::vector<TileSize>(size_t(meshes), t.size));
+    upload(t, job, 0, mesh, surfaces);
+    if (t.sites.empty())
+        mesh.triangulate(job.mesh);
+    surfaces.make(mesh, criterion(job.mesh));
+    mesh.find_gains(criterion(job.mesh));
+
     Strip strip;
     strip.rows = {0, 0, width * scale, height * scale};
     plan_strip(check_mapping(), tile, 0, strip);
+    strip.plan.meshes = meshes;
     surfaces.write_positions(strip.positions);
-    surfaces.sample(mesh, strip.plan, channels);
-    Bits bits(size_t(strip.plan.count) * channels);
-    surfaces.read_result(bits.size() * sizeof(uint32_t), bits.data());
+    surfaces.sample(mesh, strip.plan, job.channels);
+    Outcomes o;
+    o.result.resize(size_t(strip.plan.count) * size_t(job.channels));
+    surfaces.read_result(o.result.size() * sizeof(uint32_t), o.result.data());
+    std::vector<Site> sites(shape.sites());
+    std::vector<float> gains(shape.sites());
+    mesh.read_sites(0, sites.data());
+    mesh.read_gains(0, gains.data());
+    take_mesh(sites.data(), gains.data(), shape.stride(), o);
     finish(gpu.context->gl, "self-check");
-    return bits;
+    return o;
+}
+
+/// "3 of 100 `what` differ" if there are any, else nothing.
+template <class T>
+std::string compare(const char* what, const std::vector<T>& cpu, const std::vector<T>& gpu) {
+    size_t differing = 0;
+    for (size_t i = 0; i < cpu.size(); ++i)
+        differing += cpu[i] != gpu[i];
+    return differing == 0 ? std::string()
+                          : std::to_string(differing) + " of " + std::to_string(cpu.size()) + ' ' +
+                                what + " differ";
+}
+
+/// Two jobs of one key use the same programs.
+std::string key_of(const Job& job) {
+    Rules rules;
+    const MeshOptions& mesh = job.mesh;
+    const char* scheme = !DeviceMesh::knows(mesh)       ? "mesh of the CPU"
+                         : mesh.scheme == Scheme::pixel ? "pixel"
+                         : find_rules(mesh, rules)      ? "accept_reject"
+                                                        : "one_round";
+    std::string key = std::string(scheme) + ' ' + cost_name(mesh.cost);
+    key += job.surface.kind == Surface::linear ? " linear" : " patch";
+    key += job.surface.soft > 0 ? " soft" : "";
+    key += job.surface.consistency > 0 ? " consistency" : "";
+    key += mesh.meshes > 1 ? " meshes" : "";
+    return key + (job.channels % group_size == 0 ? " whole groups" : "");
 }
 
 } // namespace
 
-std::string differs_from_cpu(Gpu& gpu) {
-    const Job job = check_job();
+Job check_job(const Job& job) {
+    Job check;
+    check.window = {0, 0, width, height};
+    check.channels = job.channels % group_size == 0 ? group_size : group_size + 1;
+    check.kinds.assign(size_t(check.channels), Channel::blend);
+    check.kinds[2] = Channel::nearest;
+    check.kinds[3] = Channel::alpha;
+    check.mesh.scheme = job.mesh.scheme;
+    check.mesh.cost = job.mesh.cost;
+    check.mesh.blur = 0.07f; // several meshes differ by it
+    check.mesh.meshes = std::min(job.mesh.meshes, 2);
+    check.surface.kind = job.surface.kind;
+    check.surface.consistency = std::min(job.surface.consistency, 2);
+    check.surface.soft = job.surface.soft > 0 ? 0.3f : 0.0f;
+    return check;
+}
+
+std::string differs_from_cpu(Gpu& gpu, const Job& wanted) {
+    const Job job = check_job(wanted);
     const Tile tile = Grid(job.window).tile(0);
-    const Bits cpu = on_cpu(job, tile), device = on_gpu(gpu, job, tile);
-    size_t differing = 0;
-    for (size_t i = 0; i < cpu.size(); ++i)
-        differing += cpu[i] != device[i];
-    if (differing == 0)
-        return {};
-    return gpu.context->renderer +
-           " does not compute as the CPU does: " + std::to_string(differing) + " of " +
-           std::to_string(cpu.size()) + " numbers differ";
+    const Outcomes cpu = on_cpu(job, tile), device = on_gpu(gpu, job, tile);
+    std::string what = compare("edges", cpu.edges, device.edges);
+    if (what.empty())
+        what = compare("gains", cpu.gains, device.gains);
+    if (what.empty())
+        what = compare("numbers", cpu.result, device.result);
+    if (what.empty())
+        return what;
+    return gpu.context->renderer + " does not compute as the CPU does (" + key_of(wanted) +
+           "): " + what;
+}
+
+const std::string& SelfChecks::differs(Gpu& gpu, const Job& job) {
+    static const std::string unchecked;
+    if (gpu.context->software && !software_too)
+        return unchecked;
+    const std::string key = key_of(job);
+    const auto known = m_differences.find(key);
+    if (known != m_differences.end())
+        return known->second;
+    const auto begin = std::chrono::steady_clock::now();
+    std::string difference = differs_from_cpu(gpu, job);
+    m_milliseconds +=
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    return m_differences[key] = std::move(difference);
 }
 
 } // namespace ddt::gl

@@ -2,15 +2,39 @@
 // Whether a device keeps the promise of the same bits.
 #pragma once
 
+#include <map>
 #include <string>
 
-#include "core/gl/context/gpu.h"
+#include "ddt/core.h"
 
 namespace ddt::gl {
 
-/// Enlarge a small picture on the device and on the CPU and compare every bit. Empty if they are
-/// the same, else what differs. On the context's thread; throws Failure. GLSL promises what is
-/// needed (see core/arith), but a driver that contracts or reorders all the same must not be used.
-std::string differs_from_cpu(Gpu& gpu);
+struct Gpu;
+
+/// The job that is checked in place of `job`: one that uses the same programs, each of their
+/// branches, on a small picture.
+Job check_job(const Job& job);
+
+/// Do it on the device and on the CPU; compare meshes, gains and results bit for bit. Empty if they
+/// are the same, else what differs first. On the context's thread; throws Failure. GLSL promises
+/// what is needed (see core/base/arith.h), but a driver that contracts or reorders all the same
+/// must not be used.
+std::string differs_from_cpu(Gpu& gpu, const Job& job);
+
+/// What came of the checks of a device, by the programs that were checked.
+class SelfChecks {
+public:
+    /// differs_from_cpu(), the first time that its programs are wanted.
+    const std::string& differs(Gpu& gpu, const Job& job);
+    double milliseconds() const { return m_milliseconds; }
+
+    /// Software renderers are asked for by name only, and tests compare them with the CPU: they are
+    /// checked only if this says so.
+    bool software_too = false;
+
+private:
+    std::map<std::string, std::string> m_differences;
+    double m_milliseconds = 0;
+};
 
 } // namespace ddt::gl

@@ -22,6 +22,11 @@ int corrected_buffers(const SurfaceOptions& options) {
     return std::min(options.consistency, 2);
 }
 
+/// Groups of invocations that go over n things.
+GLuint groups(int n, int size) {
+    return GLuint((n + size - 1) / size);
+}
+
 float lane(unsigned mask, int i) {
     return (mask >> i & 1u) != 0 ? 1.0f : 0.0f;
 }
@@ -29,9 +34,8 @@ float lane(unsigned mask, int i) {
 } // namespace
 
 Surfaces::Surfaces(Gpu& gpu, const SlotShape& shape, int tiles,
-                   const std::vector<GroupKinds>& groups, const SurfaceOptions& options,
-                   Numbers numbers)
-    : m_gpu(gpu), m_gl(gpu.context->gl), m_shape(shape), m_options(options), m_numbers(numbers) {
+                   const std::vector<GroupKinds>& groups, const SurfaceOptions& options)
+    : m_gpu(gpu), m_gl(gpu.context->gl), m_shape(shape), m_options(options) {
     const auto n = size_t(tiles);
     for (const GroupKinds& kinds : groups) {
         Group g;
@@ -40,8 +44,6 @@ Surfaces::Surfaces(Gpu& gpu, const SlotShape& shape, int tiles,
         for (int i = 0; i < corrected_buffers(options); ++i)
             g.corrected[i] = std::make_unique<Buffer>(m_gl, value_bytes(shape) * n);
         g.gradients = std::make_unique<Buffer>(m_gl, gradient_bytes(shape, options) * n);
-        if (numbers == Numbers::halves)
-            g.halves = std::make_unique<Buffer>(m_gl, value_bytes(shape) / 2 * n);
         m_groups.push_back(std::move(g));
     }
 }
@@ -55,22 +57,9 @@ size_t Surfaces::largest_bytes(const SlotShape& shape, const SurfaceOptions& opt
     return std::max(value_bytes(shape), gradient_bytes(shape, options));
 }
 
-void Surfaces::write_values(int slot, int group, const void* values) {
-    const Group& g = m_groups[size_t(group)];
-    const bool half = m_numbers == Numbers::halves;
-    const size_t bytes = value_bytes(m_shape) / (half ? 2 : 1);
-    (half ? g.halves : g.source)->write(size_t(slot) * bytes, bytes, values);
-}
-
-void Surfaces::widen(const Group& group) {
-    constexpr int columns = 65536, local_size = 64; // of invocations
-    const int count = int(group.source->bytes() / (group_size * sizeof(float)));
-    m_gpu.programs->use("widen.comp");
-    group.halves->bind(1);
-    group.source->bind(2);
-    m_gl.Uniform1i(0, count);
-    m_gl.DispatchCompute(columns / local_size, GLuint((count + columns - 1) / columns), 1);
-    m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+void Surfaces::write_values(int slot, int group, const float* values) {
+    const size_t bytes = value_bytes(m_shape);
+    m_groups[size_t(group)].source->write(size_t(slot) * bytes, bytes, values);
 }
 
 std::string Surfaces::defines() const {
@@ -78,12 +67,10 @@ std::string Surfaces::defines() const {
            (m_options.soft > 0 ? "SOFT" : "");
 }
 
-void Surfaces::make(DeviceMesh& mesh, Cost cost) {
+void Surfaces::make(DeviceMesh& mesh, const Criterion& by) {
     if (m_options.soft > 0)
-        mesh.find_gains(cost);
+        mesh.find_gains(by);
     for (Group& group : m_groups) {
-        if (group.halves)
-            widen(group);
         group.values = group.source.get();
         for (int round = 0; round < m_options.consistency; ++round) {
             // Values are read as far off as the surface and the apexes beyond its triangles go;
@@ -104,8 +91,12 @@ void Surfaces::find_gradients(DeviceMesh& mesh, const Group& group, Margin margi
     group.values->bind(1);
     group.gradients->bind(2);
     m_gl.Uniform2i(9, margin.edges, margin.pixels);
-    mesh.dispatch_over(m_shape.width, m_shape.height, 32, 4);
+    mesh.dispatch_over(m_shape.width, m_shape.height, surface_group_x, surface_group_y);
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void Surfaces::bind_net(const DeviceMesh& mesh, int group) {
+    bind_net(mesh, m_groups[size_t(group)]);
 }
 
 void Surfaces::bind_net(const DeviceMesh& mesh, const Group& group) {
@@ -128,7 +119,7 @@ void Surfaces::correct(DeviceMesh& mesh, Group& group, int round, Margin margin)
     m_gl.Uniform4f(2, limit(0), limit(1), limit(2), limit(3));
     m_gl.Uniform1f(3, m_options.clipped ? -FLT_MAX : 0.0f);
     m_gl.Uniform2i(9, margin.edges, margin.pixels);
-    mesh.dispatch_over(m_shape.width, m_shape.height, 32, 4);
+    mesh.dispatch_over(m_shape.width, m_shape.height, surface_group_x, surface_group_y);
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     group.values = to;
 }
@@ -148,8 +139,7 @@ void Surfaces::write_positions(const std::vector<int32_t>& positions) {
 }
 
 void Surfaces::reserve_results(size_t positions, int channels) {
-    const size_t number = m_numbers == Numbers::halves ? 2 : sizeof(float);
-    reserve(m_result, positions * size_t(channels) * number);
+    reserve(m_result, positions * size_t(channels) * sizeof(float));
 }
 
 void Surfaces::sample(DeviceMesh& mesh, const SamplePlan& plan, int channels) {
@@ -159,11 +149,7 @@ void Surfaces::sample(DeviceMesh& mesh, const SamplePlan& plan, int channels) {
 }
 
 void Surfaces::sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int channels, int index) {
-    std::string layout;
-    if (m_numbers == Numbers::halves)
-        layout = " HALF";
-    else if (channels % group_size == 0)
-        layout = " WHOLE_GROUPS";
+    const char* layout = channels % group_size == 0 ? " WHOLE_GROUPS" : "";
     m_gpu.programs->use("sample.comp", defines() + layout + (index > 0 ? " MEAN" : ""));
     m_gl.Uniform1i(2, plan.slot + index);
     m_gl.Uniform1i(3, plan.separable);
@@ -183,7 +169,8 @@ void Surfaces::sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int channel
         const int first = int(g) * group_size;
         m_gl.Uniform3i(6, channels, first, std::min(group_size, channels - first));
         m_gl.Uniform1ui(7, group.kinds.nearest);
-        m_gl.DispatchCompute(GLuint(plan.columns + 15) / 16, GLuint(plan.rows + 7) / 8, 1);
+        m_gl.DispatchCompute(groups(plan.columns, sample_group_x),
+                             groups(plan.rows, sample_group_y), 1);
     }
 }
 

@@ -15,14 +15,10 @@ struct GroupKinds {
     unsigned nearest = 0, strict = 0; ///< a bit a lane: Channel::nearest, is_strict()
 };
 
-/// How values come and results go; half floats need a whole number of groups.
-enum class Numbers { floats, halves };
-
 /// Positions to read one tile's surface at.
 struct SamplePlan {
     int slot = 0;
     /// Slots from that one on which hold as many meshes of the tile: their surfaces are averaged.
-    /// More than 1 for Numbers::floats only.
     int meshes = 1;
     /// Separable: columns x rows positions, the x at x[column], the y at y[row]; else `count`
     /// positions, x and y by turns in `points`.
@@ -38,22 +34,29 @@ struct SamplePlan {
 class Surfaces {
 public:
     Surfaces(Gpu& gpu, const SlotShape& shape, int tiles, const std::vector<GroupKinds>& groups,
-             const SurfaceOptions& options, Numbers numbers = Numbers::floats);
+             const SurfaceOptions& options);
 
     /// Device memory a tile takes, and the largest single buffer of it.
     static size_t bytes(const SlotShape& shape, size_t groups, const SurfaceOptions& options);
     static size_t largest_bytes(const SlotShape& shape, const SurfaceOptions& options);
 
-    /// A slot's values of one group: shape.pixels() x group_size numbers in rows of shape.width.
-    void write_values(int slot, int group, const void* values);
+    /// A slot's values of one group: shape.pixels() x group_size floats in rows of shape.width.
+    void write_values(int slot, int group, const float* values);
     /// After the mesh is finished; `cost` is what it was made with.
-    void make(DeviceMesh& mesh, Cost cost);
+    void make(DeviceMesh& mesh, const Criterion& by);
+
+    // What make() left, for comparisons: a group's vertices, and their gradients where there are
+    // some; the macros of programs that use them, and binding them all as net.glsl wants it.
+    const Buffer& vertices(int group) const { return *m_groups[size_t(group)].values; }
+    const Buffer& gradients(int group) const { return *m_groups[size_t(group)].gradients; }
+    std::string defines() const;
+    void bind_net(const DeviceMesh& mesh, int group);
 
     /// The positions that plans refer to.
     void write_positions(const std::vector<int32_t>& positions);
     /// Room for the results of plans that are sampled before anything is read back.
     void reserve_results(size_t positions, int channels);
-    /// Dispatch the reading of the surface: `channels` numbers a position. Results of earlier plans
+    /// Dispatch the reading of the surface: `channels` floats a position. Results of earlier plans
     /// stay if there was room.
     void sample(DeviceMesh& mesh, const SamplePlan& plan, int channels);
     /// Copy results from the first on; waits for the device.
@@ -65,10 +68,8 @@ private:
         std::unique_ptr<Buffer> source;       ///< values as they were read
         std::unique_ptr<Buffer> corrected[2]; ///< by consistency rounds, in turn
         std::unique_ptr<Buffer> gradients;
-        std::unique_ptr<Buffer> halves; ///< what source is made of, if it comes so
         const Buffer* values = nullptr; ///< what the surface goes through now
     };
-    std::string defines() const;
     void bind_net(const DeviceMesh& mesh, const Group& group);
     /// How far about the positions that tiles serve something is made: so many times the longest
     /// edge, and so many pixels.
@@ -76,7 +77,6 @@ private:
         int edges, pixels;
     };
     void find_gradients(DeviceMesh& mesh, const Group& group, Margin margin);
-    void widen(const Group& group);
     void correct(DeviceMesh& mesh, Group& group, int round, Margin margin);
     void reserve(std::unique_ptr<Buffer>& buffer, size_t bytes);
     void sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int channels, int index);
@@ -85,7 +85,6 @@ private:
     const Functions& m_gl;
     SlotShape m_shape;
     SurfaceOptions m_options;
-    Numbers m_numbers;
     std::vector<Group> m_groups;
     std::unique_ptr<Buffer> m_positions, m_result;
 };

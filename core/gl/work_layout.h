@@ -15,11 +15,11 @@ constexpr size_t arguments_of(int iteration, Step step) {
     return sizeof(Arguments) * (size_t(iteration) * size_t(Step::count) + size_t(step));
 }
 
-constexpr size_t reach_offset = arguments_of(max_iterations + 2, Step::evaluate);
+constexpr size_t reach_offset = arguments_of(most_iterations + 2, Step::evaluate);
 constexpr size_t counts_offset = reach_offset + sizeof(GLuint) * max_tiles;
 
 constexpr size_t work_bytes(int tiles) {
-    return counts_offset + sizeof(IterationCounts) * size_t(max_iterations + 2) * size_t(tiles);
+    return counts_offset + sizeof(IterationCounts) * size_t(most_iterations + 2) * size_t(tiles);
 }
 
 } // namespace ddt::gl

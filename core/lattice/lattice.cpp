@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <utility>
+
+#include "core/guide/contour.h"
 
 namespace ddt {
 
@@ -34,9 +37,15 @@ Site diagonal(int down) {
     return down ? edge_site({1, 1}, {-1, 1}, {1, -1}) : edge_site({-1, 1}, {-1, -1}, {1, 1});
 }
 
+/// Whether a cell's diagonal goes down: the one along its contour, or `without` if there is none.
+uint8_t down_along(uint32_t word, uint8_t without) {
+    const int xy = contour_xy(word);
+    return xy == 0 ? without : xy < 0;
+}
+
 } // namespace
 
-void Lattice::start(int width, int height, const float* guide, bool flat) {
+void Lattice::start(int width, int height, const float* guide, bool flat, bool contours) {
     m_width = width;
     m_height = height;
     m_stride = 2 * width;
@@ -51,6 +60,9 @@ void Lattice::start(int width, int height, const float* guide, bool flat) {
     // down(x, y): the cell's diagonal goes from upper left to lower right. Kept for two rows of
     // cells, since a horizontal edge has its apexes in both.
     const int last = width - 1;
+    std::optional<ContourRows> words;
+    if (contours)
+        words.emplace(guide, width, height);
     std::vector<uint8_t> above(size_t(width), 0), below(size_t(width), 0);
     for (int y = 0; y < height; ++y) {
         const float* z = row(y);
@@ -61,15 +73,18 @@ void Lattice::start(int width, int height, const float* guide, bool flat) {
                 below[size_t(x)] =
                     !flat | (std::fabs(z[x] - under[x + 1]) <= std::fabs(z[x + 1] - under[x]));
         }
+        const uint32_t* word = has_below && contours ? words->next() : nullptr;
+        for (int x = 0; word && flat && x < last; ++x)
+            below[size_t(x)] = down_along(word[x], below[size_t(x)]);
         const Site levels[4] = {
             horizontal(0, 0, has_above, has_below), horizontal(0, 1, has_above, has_below),
             horizontal(1, 0, has_above, has_below), horizontal(1, 1, has_above, has_below)};
         Site* even = m_sites.data() + site(0, 2 * y);
         for (int x = 0; x < last; ++x) {
-            even[2 * x].vertex = Vertex{z[x], Vec(), 0};
+            even[2 * x].vertex = Vertex{z[x], {word ? word[x] : 0}};
             even[2 * x + 1] = levels[2 * above[size_t(x)] + below[size_t(x)]];
         }
-        even[2 * last].vertex = Vertex{z[last], Vec(), 0};
+        even[2 * last].vertex = Vertex{z[last], {0}};
         if (!has_below)
             break;
         Site* odd = m_sites.data() + site(0, 2 * y + 1);

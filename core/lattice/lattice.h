@@ -23,6 +23,7 @@
 #include <cstring>
 #include <vector>
 
+#include "core/base/arith.h"
 #include "core/base/large_pages.h"
 
 namespace ddt {
@@ -40,14 +41,22 @@ struct Vec {
     bool zero() const { return x == 0 && y == 0; }
 };
 
+/// Of a vector with even coordinates.
+inline Vec half(Vec v) {
+    return {v.x / 2, v.y / 2};
+}
+/// 1 in the coordinates that are odd, or even, else 0.
+inline Vec odd(Vec v) {
+    return {v.x & 1, v.y & 1};
+}
+inline Vec even(Vec v) {
+    return {1 - (v.x & 1), 1 - (v.y & 1)};
+}
+
 /// v.x * w.y - v.y * w.x
 inline int det(Vec v, Vec w) {
     return v.x * w.y - v.y * w.x;
 }
-
-/// No edge is longer than this in either coordinate, in pixels: a flip to a longer one is not made.
-/// It keeps every vector in a signed byte. (Longest ever seen: 36.)
-constexpr int longest_edge = 63;
 
 /// An edge with midpoint m, ends a = m - v and b = m + v; vectors in doubled coordinates, which
 /// makes v also b - a in pixels. Apexes are relative to m; a zero apex: none, the hull's rim.
@@ -101,8 +110,14 @@ inline Division division(const Edge& centre) {
 
 struct Vertex {
     float guide = 0;
-    Vec first; ///< midpoint of the incident edge with the smallest address, relative to the vertex
-    uint16_t unused = 0;
+    union {
+        /// While edges flip: the contour word (core/guide/contour.h) of the cell that has this as
+        /// its upper left corner.
+        uint32_t contour = 0;
+        /// Afterwards: midpoint of the incident edge with the smallest address, relative to the
+        /// vertex.
+        Vec first;
+    };
 };
 
 union Site {
@@ -112,18 +127,11 @@ union Site {
 };
 static_assert(sizeof(Site) == 8 && sizeof(Edge) == 8, "one edge, 8 bytes");
 
-/// The four sides of the parallelogram round a flippable edge ab, in the order ac, cb, bd, da, in
-/// which the triangle beyond each lies on the left.
-struct Quad {
-    Vec v;         ///< b - a in pixels
-    Vec w;         ///< c - a in pixels, c the left apex; det(v, w) = 1
-    Vec side[4];   ///< the side as a vector in pixels: w, v - w, -w, w - v
-    Vec middle[4]; ///< the side's midpoint relative to m: w - v, w, v - w, -w
-    Vec inner[4];  ///< the apex within the parallelogram, relative to the side's midpoint
+#include "core/lattice/quad-inl.h"
 
-    explicit Quad(const Edge& e)
-        : v(e.v), w((e.v.x + e.left.x) / 2, (e.v.y + e.left.y) / 2), side{w, v - w, -w, w - v},
-          middle{w - v, w, v - w, -w}, inner{v + v - w, -v - w, w - v - v, v + w} {}
+/// The parallelogram round a flippable edge.
+struct Quad : QuadOf<Vec> {
+    explicit Quad(const Edge& e) : QuadOf(e.v, e.left) {}
 };
 
 /// A triangulation of width x height pixels, both at least 2.
@@ -131,8 +139,10 @@ class Lattice {
 public:
     /// Make all edges of the mesh that has the diagonal from upper left to lower right in every
     /// 2x2 cell, or with `flat` the diagonal whose ends differ less in the guide (on a tie that
-    /// one). `guide`: width x height floats. Memory is kept from one use to the next.
-    void start(int width, int height, const float* guide, bool flat);
+    /// one). `guide`: width x height floats. With `contours` the vertices receive the guide's
+    /// contour words, and `flat` prefers the diagonal that goes along the contour, if one does.
+    /// Memory is kept from one use to the next.
+    void start(int width, int height, const float* guide, bool flat, bool contours = false);
 
     /// Take the memory for so many sites: 4 a pixel are enough.
     void reserve(size_t sites) {
@@ -190,9 +200,7 @@ public:
     /// The apex of side k of the parallelogram q round m that lies beyond, relative to the side's
     /// midpoint; zero on the rim.
     Vec outer_apex(int m, const Quad& q, int k) const {
-        // One of the side's apexes is `inner`, the sum leaves the other; no apex is zero.
-        const Edge& e = edge(m + offset(q.middle[k]));
-        return e.left + e.right - q.inner[k];
+        return apex_beyond(edge(m + offset(q.middle[k])), q.inner[k]);
     }
 
     /// Call f(site) for every edge in address order.
@@ -216,11 +224,9 @@ public:
             const Vec apex = outer_apex(m, q, k);
             if (apex.zero())
                 continue;
-            // Midpoints of the outer triangle's other edges: half way from the side's ends.
             const int middle = m + offset(q.middle[k]);
-            const Vec s = q.side[k];
-            if (f(middle + offset({(apex.x - s.x) / 2, (apex.y - s.y) / 2})) ||
-                f(middle + offset({(apex.x + s.x) / 2, (apex.y + s.y) / 2})))
+            if (f(middle + offset(from_last_end(apex, q.side[k]))) ||
+                f(middle + offset(from_first_end(apex, q.side[k]))))
                 return true;
         }
         return false;

@@ -85,8 +85,7 @@ Triangle locate(const Lattice& lattice, Point p) {
             return describe(lattice, cx, cy, s, t, c);
         const int x = from.x + to.x, y = from.y + to.y;
         const Edge& side = lattice.edge(lattice.site(2 * cx + x, 2 * cy + y));
-        // One of the side's apexes is `own`; the sum leaves the other.
-        apex = side.left + side.right - Vec(2 * own.x - x, 2 * own.y - y);
+        apex = apex_beyond(side, Vec(2 * own.x - x, 2 * own.y - y));
         if (apex.zero())
             return describe(lattice, cx, cy, s, t, c);
         s = to;

@@ -8,10 +8,6 @@
 
 namespace ddt {
 
-/// Fractional bits of a position.
-constexpr int position_bits = 16;
-constexpr int32_t position_one = 1 << position_bits;
-
 /// A position within a lattice, in 2^-16 pixel: 0 <= x <= (width - 1) * 2^16, y alike.
 struct Point {
     int32_t x, y;

@@ -21,18 +21,14 @@ bool any_beyond(const Lattice& lattice, int site, Vec side, Vec inner, int rings
         return true;
     if (rings == 0)
         return false;
-    const Edge& e = lattice.edge(site);
-    const Vec apex = e.left + e.right - inner;
+    const Vec apex = apex_beyond(lattice.edge(site), inner);
     if (apex.zero())
         return false;
-    // The triangle's other sides: from the ends at -side and +side to the apex, as midpoints
-    // relative to this one. In each, the apex within the triangle is the other end.
-    const Vec from_minus((apex.x - side.x) / 2, (apex.y - side.y) / 2);
-    const Vec from_plus((apex.x + side.x) / 2, (apex.y + side.y) / 2);
-    return any_beyond(lattice, site + lattice.offset(from_minus), from_plus, side - from_minus,
-                      rings - 1, f) ||
-           any_beyond(lattice, site + lattice.offset(from_plus), from_minus, -side - from_plus,
-                      rings - 1, f);
+    // As sides and as ways to each other's midpoint. In each, the apex within the triangle is the
+    // other end of this one.
+    const Vec first = from_first_end(apex, side), last = from_last_end(apex, side);
+    return any_beyond(lattice, site + lattice.offset(last), first, side - last, rings - 1, f) ||
+           any_beyond(lattice, site + lattice.offset(first), last, -side - first, rings - 1, f);
 }
 
 /// Call f(site) for the edges of the region of degree 3 of the flippable edge at m until it returns

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ddt/names.h"
 
-#include <charconv>
+#include "core/base/parse_number.h"
+#include "core/options/values.h"
 
 namespace ddt {
 
@@ -9,51 +10,46 @@ namespace {
 
 template <class Value>
 struct Named {
-    const char* name;
     Value value;
+    NamedValue named;
 };
 
-constexpr FilterPreset filters[] = {{"ddt", Surface::patch, 0, 0.4f, 0.1f, 0.07f},
-                                    {"ddt-linear", Surface::linear, 0, 0.0f, -1.0f, 0.0f},
-                                    {"ddt-sharp", Surface::patch, 2, 0.3f, -1.0f, 0.05f}};
-
 constexpr Named<Cost> costs[] = {
-#define DDT_NAMED_COST(name, ...) {#name, Cost::name},
-    DDT_COSTS(DDT_NAMED_COST)
-#undef DDT_NAMED_COST
+#define DDT_NAMED(name, Class, min_gain, temperature, help) {Cost::name, {#name, help}},
+    DDT_COSTS(DDT_NAMED)
+#undef DDT_NAMED
 };
 
 constexpr Named<Scheme> schemes[] = {
-    {"one-round", Scheme::one_round},
-    {"lawson", Scheme::lawson},
-    {"basic", Scheme::basic},
-    {"exproi", Scheme::exproi},
-    {"maxgain", Scheme::maxgain},
-    {"exproi-maxgain", Scheme::exproi_maxgain},
-    {"exproiN-maxgain", Scheme::exproi_n_maxgain},
-    {"look-ahead", Scheme::look_ahead},
-    {"annealing", Scheme::annealing},
-    {"pixel", Scheme::pixel},
+#define DDT_NAMED(enumerator, name, help) {Scheme::enumerator, {name, help}},
+    DDT_SCHEMES(DDT_NAMED)
+#undef DDT_NAMED
 };
 
-constexpr Named<Device> devices[] = {{"auto", Device::automatic},
-                                     {"cpu", Device::cpu},
-                                     {"egl", Device::egl},
-                                     {"osmesa", Device::osmesa}};
-constexpr Named<Start> starts[] = {{"flat", Start::flat}, {"diagonal", Start::diagonal}};
+constexpr Named<Start> starts[] = {
+    {Start::flat, {"flat", "The diagonal that differs less."}},
+    {Start::diagonal, {"diagonal", "The same diagonal everywhere."}},
+};
+
+constexpr Named<Device> devices[] = {
+    {Device::automatic, {"auto", "The GPU by OpenGL if there is one, else the CPU."}},
+    {Device::cpu, {"cpu", "The processor's cores."}},
+    {Device::egl, {"egl", "OpenGL by EGL and no other way, a software renderer included."}},
+    {Device::osmesa, {"osmesa", "OpenGL by OSMesa, a software renderer."}},
+};
 
 template <class Value, size_t n>
 const char* name_of(const Named<Value> (&table)[n], Value value) {
     for (const auto& entry : table)
         if (entry.value == value)
-            return entry.name;
+            return entry.named.name;
     return "";
 }
 
 template <class Value, size_t n>
 bool find(const Named<Value> (&table)[n], std::string_view name, Value& value) {
     for (const auto& entry : table)
-        if (name == entry.name) {
+        if (name == entry.named.name) {
             value = entry.value;
             return true;
         }
@@ -61,55 +57,35 @@ bool find(const Named<Value> (&table)[n], std::string_view name, Value& value) {
 }
 
 template <class Value, size_t n>
+std::vector<NamedValue> values_of(const Named<Value> (&table)[n]) {
+    std::vector<NamedValue> values;
+    for (const auto& entry : table)
+        values.push_back(entry.named);
+    return values;
+}
+
+template <class Value, size_t n>
 std::vector<std::string> names_of(const Named<Value> (&table)[n]) {
     std::vector<std::string> names;
     for (const auto& entry : table)
-        names.emplace_back(entry.name);
+        names.emplace_back(entry.named.name);
     return names;
 }
 
 constexpr std::string_view family_begin = "exproi", family_end = "-maxgain";
 
-/// The N of "exproiN-maxgain", 1 to 250; 0 for any other name.
+/// The N of "exproiN-maxgain", 1 to most_iterations; 0 for any other name.
 int family_member(std::string_view name) {
     const size_t affixes = family_begin.size() + family_end.size();
     if (name.size() <= affixes || name.substr(0, family_begin.size()) != family_begin ||
         name.substr(name.size() - family_end.size()) != family_end)
         return 0;
-    const std::string_view digits = name.substr(family_begin.size(), name.size() - affixes);
     int n = 0;
-    const char* end = digits.data() + digits.size();
-    const auto parsed = std::from_chars(digits.data(), end, n);
-    return parsed.ec == std::errc() && parsed.ptr == end && n >= 1 && n <= 250 ? n : 0;
+    parse_number(name.substr(family_begin.size(), name.size() - affixes), 1, most_iterations, n);
+    return n;
 }
 
 } // namespace
-
-const FilterPreset* find_filter(std::string_view name) {
-    for (const FilterPreset& filter : filters)
-        if (name == filter.name)
-            return &filter;
-    return nullptr;
-}
-std::vector<std::string> filter_names() {
-    std::vector<std::string> names;
-    for (const FilterPreset& filter : filters)
-        names.emplace_back(filter.name);
-    return names;
-}
-bool set_filter(std::string_view name, SurfaceOptions& surface, MeshOptions& mesh) {
-    const FilterPreset* filter = find_filter(name);
-    if (!filter)
-        return false;
-    surface.kind = filter->kind;
-    surface.consistency = filter->consistency;
-    surface.soft = filter->soft;
-    mesh.cost = Cost::abn;
-    mesh.scheme = Scheme::one_round;
-    mesh.min_gain = filter->min_gain;
-    mesh.blur = filter->blur;
-    return true;
-}
 
 const char* cost_name(Cost cost) {
     return name_of(costs, cost);
@@ -119,6 +95,9 @@ bool find_cost(std::string_view name, Cost& cost) {
 }
 std::vector<std::string> cost_names() {
     return names_of(costs);
+}
+std::vector<NamedValue> cost_values() {
+    return values_of(costs);
 }
 
 std::string scheme_name(const MeshOptions& options) {
@@ -133,14 +112,17 @@ bool find_scheme(std::string_view name, MeshOptions& options) {
         options.wide_iterations = n;
         return true;
     }
-    Scheme scheme;
-    if (!find(schemes, name, scheme) || scheme == Scheme::exproi_n_maxgain)
-        return false;
-    options.scheme = scheme;
-    return true;
+    return find(schemes, name, options.scheme);
 }
 std::vector<std::string> scheme_names() {
     return names_of(schemes);
+}
+std::vector<NamedValue> scheme_values() {
+    return values_of(schemes);
+}
+std::string other_schemes() {
+    return std::string(family_begin) + "N" + std::string(family_end) + " for N from 1 to " +
+           std::to_string(most_iterations);
 }
 
 const char* start_name(Start start) {
@@ -152,6 +134,9 @@ bool find_start(std::string_view name, Start& start) {
 std::vector<std::string> start_names() {
     return names_of(starts);
 }
+std::vector<NamedValue> start_values() {
+    return values_of(starts);
+}
 
 const char* device_name(Device device) {
     return name_of(devices, device);
@@ -161,6 +146,16 @@ bool find_device(std::string_view name, Device& device) {
 }
 std::vector<std::string> device_names() {
     return names_of(devices);
+}
+std::vector<NamedValue> device_values() {
+    return values_of(devices);
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names)
+        text += (text.empty() ? "" : ", ") + name;
+    return text;
 }
 
 } // namespace ddt

@@ -17,24 +17,27 @@ struct QuadrantCell {
     /// The mean where the diagonal goes from V to D.
     template <bool quadratic, bool soft>
     DDT_INLINE T through() const {
-        T mean = ((x - v) + (y - v)) * T(1.0f / 16) + (d - v) * T(3.0f / 16);
+        T mean = ((x - v) + (y - v)) * T(through_beside) + (d - v) * T(through_opposite);
         if (quadratic)
-            mean = mean + ((diagonal * T(1.0f / 8) + (vx + vy) * T(5.0f / 128)) +
-                           (xd + yd) * T(1.0f / 128));
+            mean =
+                mean + ((diagonal * T(through_bend_diagonal) + (vx + vy) * T(through_bend_near)) +
+                        (xd + yd) * T(through_bend_far));
         if (soft)
-            mean = mean + ((q_diagonal * T(3.0f / 16) + (qvx + qvy) * T(1.0f / 16)) +
-                           (qxd + qyd) * T(1.0f / 32));
+            mean = mean +
+                   ((q_diagonal * T(through_soft_diagonal) + (qvx + qvy) * T(through_soft_near)) +
+                    (qxd + qyd) * T(through_soft_far));
         return mean;
     }
 
     /// The mean where it goes from X to Y.
     template <bool quadratic, bool soft>
     DDT_INLINE T across() const {
-        T mean = ((x - v) + (y - v)) * T(1.0f / 4);
+        T mean = ((x - v) + (y - v)) * T(across_beside);
         if (quadratic)
-            mean = mean + ((vx + vy) * T(7.0f / 64) + diagonal * T(1.0f / 16));
+            mean = mean + ((vx + vy) * T(across_bend_near) + diagonal * T(across_bend_diagonal));
         if (soft)
-            mean = mean + ((qvx + qvy) * T(7.0f / 32) + q_diagonal * T(3.0f / 16));
+            mean =
+                mean + ((qvx + qvy) * T(across_soft_near) + q_diagonal * T(across_soft_diagonal));
         return mean;
     }
 };
@@ -49,7 +52,7 @@ DDT_INLINE T corrected(T z, T source, T sum, T low, T high) {
     T moved = z + step;
     moved = if_less(moved, low, low, moved);
     moved = if_less(high, moved, high, moved);
-    return if_less_equal(size, T(FLT_MAX), moved, z);
+    return if_less_equal(size, T(largest_float), moved, z);
 }
 
 /// The range a vertex may be moved in, from the range of its 3x3 source pixels and the share of

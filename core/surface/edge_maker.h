@@ -25,6 +25,9 @@ public:
     /// Make all edges.
     void finish() { to_row(m_part.y1); }
 
+    /// Once all are made, with bends: the gradients, as EdgeScratch has them.
+    const float* gradients() const { return m_scratch.gradients.data(); }
+
 private:
     EdgeScratch m_scratch;
     const Lattice* m_lattice = nullptr;

@@ -29,10 +29,10 @@ using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
 HWY_ATTR void soft_weights(const float* gain, int n, float reciprocal_tau, float* weights) {
     using Floats = Lanes<hn::ScalableTag<float>>;
     const int lanes = int(hn::Lanes(hn::ScalableTag<float>()));
-    const Floats zero(0.0f), one(1.0f), half(0.5f), r(reciprocal_tau);
+    const Floats zero(0.0f), one(1.0f), share(soft_share), r(reciprocal_tau);
     const auto weigh = [&](Floats g) HWY_ATTR {
         const Floats w = one + if_less(g, zero, g, zero) * r;
-        return if_less(zero, w, half * w, zero);
+        return if_less(zero, w, share * w, zero);
     };
     int i = 0;
     for (; i + lanes <= n; i += lanes)

@@ -18,10 +18,10 @@ struct GradientMean {
     static DDT_INLINE T weigh(T& gx, T& gy) {
         const T zero = T(0.0f);
         const T square = gx * gx + gy * gy;
-        const T largest = T(FLT_MAX);
-        const T w = if_less_equal(square, largest, rsqrt<1>(square + T(gradient_epsilon)), zero);
-        gx = if_less_equal(square, largest, gx, zero);
-        gy = if_less_equal(square, largest, gy, zero);
+        const T w =
+            if_less_equal(square, T(largest_float), rsqrt<1>(square + T(gradient_epsilon)), zero);
+        gx = if_less_equal(square, T(largest_float), gx, zero);
+        gy = if_less_equal(square, T(largest_float), gy, zero);
         return w;
     }
 
@@ -103,7 +103,7 @@ DDT_INLINE T edge_bend(T gix, T giy, T gjx, T gjy, T zi, T zj, T vx, T vy) {
     T e = T(bend_strength) * ((gix - gjx) * vx + (giy - gjy) * vy);
     e = if_less(e, zero - limit, zero - limit, e);
     e = if_less(limit, e, limit, e);
-    return if_less_equal(limit, T(FLT_MAX), e, zero);
+    return if_less_equal(limit, T(largest_float), e, zero);
 }
 
 /// q of an edge from i to j with apexes c and d, weight w (see net.h).
@@ -112,5 +112,5 @@ DDT_INLINE T edge_softness(T w, T zi, T zj, T zc, T zd) {
     const T zero = T(0.0f);
     const T q = w * ((zc + zd) - (zi + zj));
     const T size = if_less(q, zero, zero - q, q);
-    return if_less_equal(size, T(FLT_MAX), q, zero);
+    return if_less_equal(size, T(largest_float), q, zero);
 }

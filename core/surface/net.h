@@ -34,12 +34,6 @@ namespace ddt {
 /// Channels that are worked on together, one a SIMD lane.
 constexpr int group_size = 4;
 
-/// Square of the gradient below which triangles weigh nearly alike (see above).
-constexpr float gradient_epsilon = 0.02f * 0.02f;
-
-/// How much more than by the gradients an edge is bent (see above).
-constexpr float bend_strength = 1.75f;
-
 /// z and e of one group of channels over the doubled lattice: site s has its group_size numbers at
 /// [s * group_size], z at a vertex, e at an edge's midpoint.
 struct Net {

@@ -21,7 +21,8 @@ struct Patch {
         high = larger<tame>(z2, larger<tame>(z1, z0));
         if (soft && !all_strict) {
             const T zero = T(0.0f);
-            low = if_less(zero, strict, low, if_less_equal(zero, low, T(0.5f) * low, T(-INFINITY)));
+            low = if_less(zero, strict, low,
+                          if_less_equal(zero, low, T(dark_share) * low, T(-INFINITY)));
             high = if_less(zero, strict, high, T(INFINITY));
         }
     }

@@ -35,12 +35,12 @@ void TileMesh::reserve(size_t sites) {
 void TileMesh::triangulate(const float* guide, int width, int height, MeshScratch& scratch,
                            Statistics& statistics) {
     const DenormalsAreZero as_on_gpus;
-    m_lattice.start(width, height, guide, m_job.mesh.start == Start::flat);
+    start(m_lattice, width, height, guide, m_job.mesh);
     ddt::triangulate(m_lattice, m_job.mesh, scratch.workspace, statistics);
     if (m_job.surface.soft == 0)
         return;
     if (m_job.mesh.scheme != Scheme::one_round)
-        find_gains(m_lattice, m_job.mesh.cost, scratch.workspace);
+        find_gains(m_lattice, criterion(m_job.mesh), scratch.workspace);
     m_gain.swap(scratch.workspace.gain);
 }
 

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/gl/offload.h"
 #include "core/tin/delaunay.h"
 #include "core/tin/guarded.h"
 #include "core/tin/step_grid.h"
 #include "core/tin/tin_mesh.h"
+#include "ddt/option_table.h"
 
 namespace ddt {
 
@@ -62,11 +64,38 @@ bool triangulate_points(PointMesh& mesh, std::string& error) {
     return true;
 }
 
+/// As for an image of as many pixels.
+bool choose(Device device, size_t points, const MeshOptions& options, Placement& placement,
+            std::string& error) {
+    Job job;
+    job.window = {0, 0, int(points), 1};
+    job.mesh = options;
+    job.device = device;
+    return place(job, placement, error);
+}
+
+void flip(Tin& tin, const MeshOptions& options, const Placement& placement, Workspace& workspace,
+          Statistics& statistics) {
+    statistics.device = Device::cpu;
+    if (placement.gpu && tin_on_gpu(options)) {
+        const Tin before = tin;
+        if (flip_on_gpu(*placement.gpu, tin, options, workspace, statistics).empty()) {
+            statistics.pixels += int64_t(tin.vertices.size());
+            statistics.device = placement.device;
+            return;
+        }
+        tin = before; // the CPU does it
+    }
+    triangulate(tin, options, workspace, statistics);
+}
+
 bool optimise_points(PointMesh& mesh, const float* guide, const MeshOptions& options,
                      MeshReport* report, std::string& error,
-                     const std::function<bool(float)>& progress) {
+                     const std::function<bool(float)>& progress, Device device) {
     StepGrid grid;
-    if (!check_options(options, error) || !grid.fit(mesh.x, mesh.y, error))
+    Placement placement;
+    if (!check_options(options, error) || !grid.fit(mesh.x, mesh.y, error) ||
+        !choose(device, mesh.x.size(), options, placement, error))
         return false;
     Tin tin;
     tin.vertices = vertices_of(grid, mesh.x, mesh.y);
@@ -81,7 +110,7 @@ bool optimise_points(PointMesh& mesh, const float* guide, const MeshOptions& opt
     MeshReport what;
     if (report)
         what.cost_start = total_cost(TinMesh(tin, options.cost));
-    triangulate(tin, options, workspace, what.statistics);
+    flip(tin, options, placement, workspace, what.statistics);
     if (!going) {
         error = "ddt: cancelled";
         return false;
@@ -102,9 +131,9 @@ bool delaunay(PointMesh& mesh, std::string* error) {
 }
 
 bool optimise(PointMesh& mesh, const float* guide, const MeshOptions& options, MeshReport* report,
-              std::string* error, const std::function<bool(float)>& progress) {
+              std::string* error, const std::function<bool(float)>& progress, Device device) {
     return guarded_call(error, [&](std::string& why) {
-        return optimise_points(mesh, guide, options, report, why, progress);
+        return optimise_points(mesh, guide, options, report, why, progress, device);
     });
 }
 

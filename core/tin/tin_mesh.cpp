@@ -51,8 +51,8 @@ void TinMesh::flip_back(int m) {
     std::swap(e.left, e.right);
 }
 
-void gains(const TinMesh& mesh, Cost cost, const int* edges, size_t n, float* gains) {
-    dispatch(cost, [&](auto which) {
+void gains(const TinMesh& mesh, const Criterion& by, const int* edges, size_t n, float* gains) {
+    dispatch(by.cost, [&](auto which) {
         for (size_t i = 0; i < n; ++i)
             gains[edges[i]] = mesh.gain<decltype(which)>(edges[i]);
     });

@@ -145,14 +145,15 @@ bool any_of_wide_region(const TinMesh& mesh, int m, F&& f) {
     return mesh.any_within(m, 2, f);
 }
 
+/// Contours are those of pixels: there are none here.
 template <class CostOfFloat>
-float gain_of(const TinMesh& mesh, int m) {
+float gain_of(const TinMesh& mesh, int m, float /*contour*/) {
     return mesh.gain<CostOfFloat>(m);
 }
 
-/// Gains of the flippable edges edges[0..n): gains[edges[i]] receives the gain of edges[i]. `cost`
-/// is the mesh's own.
-void gains(const TinMesh& mesh, Cost cost, const int* edges, size_t n, float* gains);
+/// Gains of the flippable edges edges[0..n): gains[edges[i]] receives the gain of edges[i]. The
+/// criterion's cost is the mesh's own.
+void gains(const TinMesh& mesh, const Criterion& by, const int* edges, size_t n, float* gains);
 
 /// The cost of the whole mesh: each edge between two triangles, summed in double.
 double total_cost(const TinMesh& mesh);

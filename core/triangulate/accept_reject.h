@@ -11,9 +11,9 @@ namespace ddt {
 template <class Mesh>
 class AcceptReject {
 public:
-    AcceptReject(Mesh& mesh, Cost cost, float min_gain, const Rules& rules, Workspace& w,
-                 Statistics& statistics)
-        : m_mesh(mesh), m_cost(cost), m_min_gain(min_gain), m_rules(rules), m_w(w),
+    AcceptReject(Mesh& mesh, const Criterion& criterion, float min_gain, const Rules& rules,
+                 Workspace& w, Statistics& statistics)
+        : m_mesh(mesh), m_criterion(criterion), m_min_gain(min_gain), m_rules(rules), m_w(w),
           m_statistics(statistics) {
         m_w.gain.resize(mesh.size());
         m_w.candidates.clear();
@@ -57,7 +57,7 @@ private:
             if (m_mesh.flippable(m))
                 m_w.flippable.push_back(m);
         }
-        gains(m_mesh, m_cost, m_w.flippable.data(), m_w.flippable.size(), m_w.gain.data());
+        gains(m_mesh, m_criterion, m_w.flippable.data(), m_w.flippable.size(), m_w.gain.data());
         m_statistics.evaluations += int64_t(m_w.flippable.size());
         for (const int m : m_w.flippable)
             if (m_w.gain[size_t(m)] > m_min_gain)
@@ -149,7 +149,7 @@ private:
     }
 
     Mesh& m_mesh;
-    const Cost m_cost;
+    const Criterion m_criterion;
     const float m_min_gain;
     const Rules m_rules;
     bool m_wide = false; ///< in this iteration
@@ -158,9 +158,9 @@ private:
 };
 
 template <class Mesh>
-void accept_reject(Mesh& mesh, Cost cost, float min_gain, int max_iterations, const Rules& rules,
-                   Workspace& workspace, Statistics& statistics) {
-    AcceptReject<Mesh> scheme(mesh, cost, min_gain, rules, workspace, statistics);
+void accept_reject(Mesh& mesh, const Criterion& criterion, float min_gain, int max_iterations,
+                   const Rules& rules, Workspace& workspace, Statistics& statistics) {
+    AcceptReject<Mesh> scheme(mesh, criterion, min_gain, rules, workspace, statistics);
     for (int i = 1; i <= max_iterations && scheme.iterate(i); ++i) {
         if (statistics.iterations < i)
             statistics.iterations = i;

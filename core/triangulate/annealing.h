@@ -34,15 +34,17 @@ inline float exponential(uint32_t bits) {
 template <class Mesh>
 class Annealing {
 public:
-    Annealing(Mesh& mesh, Cost cost, uint32_t seed, Workspace& w, Statistics& statistics)
-        : m_mesh(mesh), m_cost(cost), m_seed(mix(seed)), m_w(w), m_statistics(statistics) {}
+    Annealing(Mesh& mesh, const Criterion& criterion, uint32_t seed, Workspace& w,
+              Statistics& statistics)
+        : m_mesh(mesh), m_criterion(criterion), m_seed(mix(seed)), m_w(w),
+          m_statistics(statistics) {}
 
     /// Try about every second flippable edge once, an eighth of all edges after another.
     void iterate(int iteration, float temperature) {
         shuffle(mix(m_seed + uint64_t(iteration)));
         for (uint32_t part = 0; part < parts; ++part) {
             select(part);
-            gains(m_mesh, m_cost, m_w.selected.data(), m_w.selected.size(), m_w.gain.data());
+            gains(m_mesh, m_criterion, m_w.selected.data(), m_w.selected.size(), m_w.gain.data());
             m_statistics.evaluations += int64_t(m_w.selected.size());
             for (const int m : m_w.selected)
                 // Metropolis' u < exp(gain / t), with u = exp(-e).
@@ -90,7 +92,7 @@ private:
     uint32_t mix32(int m) const { return uint32_t(mix(m_seed ^ m_drawn[size_t(m)])); }
 
     Mesh& m_mesh;
-    const Cost m_cost;
+    const Criterion m_criterion;
     const uint64_t m_seed;
     std::vector<uint32_t> m_drawn = std::vector<uint32_t>(m_mesh.size()); ///< a site
     std::vector<int> m_part[parts];                                       ///< its edges
@@ -99,18 +101,18 @@ private:
 };
 
 template <class Mesh>
-void annealing(Mesh& mesh, Cost cost, float min_gain, int iterations, uint32_t seed, Workspace& w,
-               Statistics& statistics) {
+void annealing(Mesh& mesh, const Criterion& criterion, float min_gain, int iterations,
+               uint32_t seed, Workspace& w, Statistics& statistics) {
     // The random iterations take nearly all the time; only they are reported.
     const auto settle = [&] {
         std::function<bool(float)> silent;
         w.progress.swap(silent);
-        one_round(mesh, cost, min_gain, iterations, w, statistics);
+        one_round(mesh, criterion, min_gain, iterations, w, statistics);
         w.progress.swap(silent);
     };
     settle();
-    Annealing<Mesh> scheme(mesh, cost, seed, w, statistics);
-    const float hottest = traits(cost).temperature;
+    Annealing<Mesh> scheme(mesh, criterion, seed, w, statistics);
+    const float hottest = traits(criterion.cost).temperature;
     for (int i = 0; i < iterations; ++i) {
         const float left = float(iterations - i) / float(iterations);
         scheme.iterate(i, (hottest * left) * left);

@@ -2,13 +2,14 @@
 // Included inside a namespace, once for scalars and once for each SIMD target: T is float or a
 // vector of floats. GLSL twin: shaders/gain.glsl.
 
-/// What the gain of flipping edge ab, with apexes c (left) and d, depends on: eight vertices.
+/// What the gain of flipping edge ab, with apexes c (left) and d, depends on: eight vertices. The
+/// sides are in the order of QuadOf (core/lattice/quad-inl.h).
 template <class T>
 struct Neighbourhood {
     T vx, vy;         ///< b - a in pixels
     T wx, wy;         ///< c - a in pixels
     T za, zb, zc, zd; ///< the guide at the parallelogram's corners
-    /// The triangles beyond the sides ac, cb, bd, da: the third vertex relative to the side's first
+    /// The triangles beyond the sides: the third vertex relative to the side's first
     /// end in pixels, its guide, and 1; where there is none (rim): any finite numbers and 0.
     struct Outer {
         T ox, oy, z, present;
@@ -22,7 +23,37 @@ DDT_INLINE typename Cost::Face face_of(T ex, T ey, T ox, T oy, T de, T d_o) {
     return Cost::face((de * oy) - (d_o * ey), (d_o * ex) - (de * ox));
 }
 
-/// Cost of the edge and the four sides before the flip of ab to cd, minus after it.
+/// Present, and known to be: costs no multiplication.
+struct Always {};
+template <class T>
+DDT_INLINE T operator*(Always, T x) {
+    return x;
+}
+
+/// The flip of an edge ab to cd, as far as costs depend on it; sides in the order of QuadOf.
+template <class Cost, class T, class Presence = T>
+struct Flip {
+    using Face = typename Cost::Face;
+    T edge, side[4];     ///< costs as they stand; of a side on the rim: 0
+    Face adc, bcd;       ///< the triangles that the flip makes
+    Face beyond[4];      ///< those beyond the sides
+    Presence present[4]; ///< 1, or 0 of a side on the rim
+    T wx, wy;            ///< c - a in pixels
+    T ux, uy;            ///< b - c in pixels
+
+    /// Cost of the edge and the four sides before the flip, minus after it.
+    DDT_INLINE T gain() const {
+        const T before = (((edge + side[0]) + side[1]) + side[2]) + side[3];
+        T after = Cost::between(adc, bcd, wx - ux, wy - uy);
+        after = after + present[0] * Cost::between(beyond[0], adc, wx, wy);
+        after = after + present[1] * Cost::between(beyond[1], bcd, ux, uy);
+        after = after + present[2] * Cost::between(beyond[2], bcd, wx, wy);
+        after = after + present[3] * Cost::between(beyond[3], adc, ux, uy);
+        return before - after;
+    }
+};
+
+/// The gain of the flip in the neighbourhood.
 template <class Cost, class T>
 DDT_INLINE T flip_gain(const Neighbourhood<T>& n) {
     // In the frame a + s v + t w the triangles have these (d/ds, d/dt); det(v, w) = 1.
@@ -30,31 +61,102 @@ DDT_INLINE T flip_gain(const Neighbourhood<T>& n) {
             b_c = n.zb - n.zc;
     const auto abc = face_of<T, Cost>(n.vx, n.vy, n.wx, n.wy, b_a, c_a);
     const auto abd = face_of<T, Cost>(n.vx, n.vy, n.wx, n.wy, b_a, b_d);
-    const auto adc = face_of<T, Cost>(n.vx, n.vy, n.wx, n.wy, c_a + d_a, c_a);
-    const auto bcd = face_of<T, Cost>(n.vx, n.vy, n.wx, n.wy, b_c + b_d, b_d);
+    Flip<Cost, T> f;
+    f.adc = face_of<T, Cost>(n.vx, n.vy, n.wx, n.wy, c_a + d_a, c_a);
+    f.bcd = face_of<T, Cost>(n.vx, n.vy, n.wx, n.wy, b_c + b_d, b_d);
 
     const T zero = T(0.0f);
     const T ux = n.vx - n.wx, uy = n.vy - n.wy;
-    const auto beyond_ac =
-        face_of<T, Cost>(n.wx, n.wy, n.outer[0].ox, n.outer[0].oy, c_a, n.outer[0].z - n.za);
-    const auto beyond_cb =
-        face_of<T, Cost>(ux, uy, n.outer[1].ox, n.outer[1].oy, b_c, n.outer[1].z - n.zc);
-    const auto beyond_bd = face_of<T, Cost>(zero - n.wx, zero - n.wy, n.outer[2].ox, n.outer[2].oy,
-                                            zero - b_d, n.outer[2].z - n.zb);
-    const auto beyond_da = face_of<T, Cost>(zero - ux, zero - uy, n.outer[3].ox, n.outer[3].oy,
-                                            zero - d_a, n.outer[3].z - n.zd);
+    const auto* o = n.outer;
+    f.beyond[0] = face_of<T, Cost>(n.wx, n.wy, o[0].ox, o[0].oy, c_a, o[0].z - n.za);
+    f.beyond[1] = face_of<T, Cost>(ux, uy, o[1].ox, o[1].oy, b_c, o[1].z - n.zc);
+    f.beyond[2] =
+        face_of<T, Cost>(zero - n.wx, zero - n.wy, o[2].ox, o[2].oy, zero - b_d, o[2].z - n.zb);
+    f.beyond[3] =
+        face_of<T, Cost>(zero - ux, zero - uy, o[3].ox, o[3].oy, zero - d_a, o[3].z - n.zd);
 
-    // The edge that the flip makes, d to c.
-    const T fx = n.wx - ux, fy = n.wy - uy;
-    T before = Cost::between(abc, abd, n.vx, n.vy);
-    before = before + n.outer[0].present * Cost::between(beyond_ac, abc, n.wx, n.wy);
-    before = before + n.outer[1].present * Cost::between(beyond_cb, abc, ux, uy);
-    before = before + n.outer[2].present * Cost::between(beyond_bd, abd, n.wx, n.wy);
-    before = before + n.outer[3].present * Cost::between(beyond_da, abd, ux, uy);
-    T after = Cost::between(adc, bcd, fx, fy);
-    after = after + n.outer[0].present * Cost::between(beyond_ac, adc, n.wx, n.wy);
-    after = after + n.outer[1].present * Cost::between(beyond_cb, bcd, ux, uy);
-    after = after + n.outer[2].present * Cost::between(beyond_bd, bcd, n.wx, n.wy);
-    after = after + n.outer[3].present * Cost::between(beyond_da, adc, ux, uy);
-    return before - after;
+    f.wx = n.wx;
+    f.wy = n.wy;
+    f.ux = ux;
+    f.uy = uy;
+    f.present[0] = o[0].present;
+    f.present[1] = o[1].present;
+    f.present[2] = o[2].present;
+    f.present[3] = o[3].present;
+    f.edge = Cost::between(abc, abd, n.vx, n.vy);
+    f.side[0] = o[0].present * Cost::between(f.beyond[0], abc, n.wx, n.wy);
+    f.side[1] = o[1].present * Cost::between(f.beyond[1], abc, ux, uy);
+    f.side[2] = o[2].present * Cost::between(f.beyond[2], abd, n.wx, n.wy);
+    f.side[3] = o[3].present * Cost::between(f.beyond[3], abd, ux, uy);
+    return f.gain();
+}
+
+/// What lies beyond side k of the quad round the edge at m; `first_end`: the guide at the side's.
+template <class T, class Mesh, class Quad_>
+DDT_INLINE typename Neighbourhood<T>::Outer look_beyond(const Mesh& mesh, typename Mesh::Sites m,
+                                                        const Quad_& q, int k, T first_end) {
+    const auto middle = m + mesh.offset(q.middle[k]);
+    const auto apex = apex_beyond(mesh.edge(middle), q.inner[k]);
+    const auto outer = from_first_end(apex, q.side[k]);
+    return {mesh.number(outer.x), mesh.number(outer.y), mesh.guide_beyond(middle, apex, first_end),
+            mesh.present(apex)};
+}
+
+/// Gather what the gain of the flippable edges at m depends on: a site and T = float, or as many as
+/// T has lanes. Mesh: a lattice seen so, OneSite in gain.h or SiteLanes in gain_simd.cpp.
+template <class T, class Mesh>
+DDT_INLINE Neighbourhood<T> neighbourhood(const Mesh& mesh, typename Mesh::Sites m) {
+    const auto e = mesh.edge(m);
+    const QuadOf<typename Mesh::V> q(e.v, e.left);
+    const auto dv = mesh.offset(e.v), dl = mesh.offset(e.left);
+    Neighbourhood<T> n;
+    n.vx = mesh.number(q.v.x);
+    n.vy = mesh.number(q.v.y);
+    n.wx = mesh.number(q.w.x);
+    n.wy = mesh.number(q.w.y);
+    n.za = mesh.guide(m - dv);
+    n.zb = mesh.guide(m + dv);
+    n.zc = mesh.guide(m + dl);
+    n.zd = mesh.guide(m - dl);
+    n.outer[0] = look_beyond<T>(mesh, m, q, 0, n.za);
+    n.outer[1] = look_beyond<T>(mesh, m, q, 1, n.zc);
+    n.outer[2] = look_beyond<T>(mesh, m, q, 2, n.zb);
+    n.outer[3] = look_beyond<T>(mesh, m, q, 3, n.zd);
+    return n;
+}
+
+/// The contours at an edge's midpoint: the integers of two cells' words together
+/// (core/guide/contour.h).
+template <class T>
+struct Contours {
+    T xx, yy, xy;
+};
+
+/// Of the cells that meet at the midpoint m of a flippable edge along v; a diagonal's is in the
+/// middle of one, which counts twice.
+template <class T, class Mesh, class V>
+DDT_INLINE Contours<T> contours_at(const Mesh& mesh, typename Mesh::Sites m, V v) {
+    // m is odd where v is; a cell's word is at its upper left corner.
+    const auto cell = m - mesh.offset(odd(v));
+    const auto other = cell - mesh.offset(even(v) + even(v));
+    const auto words = mesh.contour(cell) + mesh.contour(other);
+    return {mesh.number(mesh.template steps<0>(words)), mesh.number(mesh.template steps<1>(words)),
+            mesh.number(mesh.template steps<2>(words)) - T(float(contour_steps))};
+}
+
+/// What a flip lowers v' N v by, in units of contour_unit: with v = w + u and the other diagonal
+/// w - u it is 4 w' N u. All numbers are whole and, no edge being longer than longest_edge, below
+/// 2^24: exact.
+template <class T>
+DDT_INLINE T contour_gain(const Contours<T>& n, T wx, T wy, T ux, T uy) {
+    return ((n.xx * (wx * ux)) + (n.yy * (wy * uy))) + (n.xy * ((wx * uy) + (wy * ux)));
+}
+
+/// The gain of flipping the flippable edges at m, `contour` times contour_unit of the contours'.
+template <class Cost, class T, class Mesh>
+DDT_INLINE T gain_with_contours(const Mesh& mesh, typename Mesh::Sites m, float contour) {
+    const Neighbourhood<T> n = neighbourhood<T>(mesh, m);
+    const T along =
+        contour_gain(contours_at<T>(mesh, m, mesh.edge(m).v), n.wx, n.wy, n.vx - n.wx, n.vy - n.wy);
+    return flip_gain<Cost>(n) + T(contour) * along;
 }

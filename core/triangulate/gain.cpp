@@ -14,9 +14,8 @@ double total_cost(const Lattice& lattice, Cost cost) {
             const Vec v = e.v;
             const float za = lattice.guide(m - lattice.offset(v));
             const float de = lattice.guide(m + lattice.offset(v)) - za;
-            // a + o: the apexes relative to a, in pixels; the right one turns the triangle round.
-            const Vec l((e.left.x + v.x) / 2, (e.left.y + v.y) / 2);
-            const Vec r((e.right.x + v.x) / 2, (e.right.y + v.y) / 2);
+            // The right apex turns the triangle round.
+            const Vec l = from_first_end(e.left, v), r = from_first_end(e.right, v);
             const float dl = lattice.guide(m + lattice.offset(e.left)) - za;
             const float dr = lattice.guide(m + lattice.offset(e.right)) - za;
             const auto left = scalar::face_of<float, C>(v.x, v.y, l.x, l.y, de, dl);

@@ -19,80 +19,103 @@ using VI = hn::Vec<DI>;
 #include "core/base/lanes-inl.h"
 #include "core/base/rsqrt-inl.h"
 #include "core/cost/cost-inl.h"
-#include "core/triangulate/gain-inl.h"
 
 using Floats = Lanes<D>;
 
-/// Byte k of each lane as a signed number.
-template <int k>
-HWY_INLINE VI byte(VI x) {
-    return hn::ShiftRight<24>(hn::ShiftLeft<24 - 8 * k>(x));
-}
-HWY_INLINE Floats to_float(VI x) {
-    return hn::ConvertTo(D(), x);
-}
+/// Sites, or coordinates of vectors, one a lane.
+struct Ints {
+    VI i;
+    friend HWY_INLINE Ints operator+(Ints a, Ints b) { return {hn::Add(a.i, b.i)}; }
+    friend HWY_INLINE Ints operator-(Ints a, Ints b) { return {hn::Sub(a.i, b.i)}; }
+};
+/// Twin of Vec.
+struct VecLanes {
+    Ints x, y;
+    friend HWY_INLINE VecLanes operator+(VecLanes a, VecLanes b) { return {a.x + b.x, a.y + b.y}; }
+    friend HWY_INLINE VecLanes operator-(VecLanes a, VecLanes b) { return {a.x - b.x, a.y - b.y}; }
+    friend HWY_INLINE VecLanes operator-(VecLanes a) {
+        const Ints zero{hn::Zero(DI())};
+        return {zero - a.x, zero - a.y};
+    }
+    friend HWY_INLINE VecLanes half(VecLanes a) {
+        return {{hn::ShiftRight<1>(a.x.i)}, {hn::ShiftRight<1>(a.y.i)}};
+    }
+    friend HWY_INLINE VecLanes odd(VecLanes a) {
+        const VI one = hn::Set(DI(), 1);
+        return {{hn::And(a.x.i, one)}, {hn::And(a.y.i, one)}};
+    }
+    friend HWY_INLINE VecLanes even(VecLanes a) {
+        const VI one = hn::Set(DI(), 1);
+        return {{hn::AndNot(a.x.i, one)}, {hn::AndNot(a.y.i, one)}};
+    }
+};
+struct EdgeLanes {
+    VecLanes v, left, right;
+};
 
-/// Gains of the edges at `m`, one a lane.
+#include "core/lattice/quad-inl.h"
+#include "core/triangulate/gain-inl.h"
+
+/// A lattice as neighbourhood() sees it, a site a lane. A site is two words; an edge's are (v,
+/// left), (right, stamp), a vertex's its guide and its contour.
+struct SiteLanes {
+    using Sites = Ints;
+    using V = VecLanes;
+    const int32_t* words;
+    VI stride;
+
+    explicit HWY_INLINE SiteLanes(const Lattice& lattice)
+        : words(reinterpret_cast<const int32_t*>(lattice.sites())),
+          stride(hn::Set(DI(), lattice.stride())) {}
+
+    HWY_INLINE EdgeLanes edge(Ints m) const {
+        const VI first = word(m, 0), second = word(m, 1);
+        return {{byte<0>(first), byte<1>(first)},
+                {byte<2>(first), byte<3>(first)},
+                {byte<0>(second), byte<1>(second)}};
+    }
+    HWY_INLINE Ints offset(VecLanes v) const { return {hn::Add(hn::Mul(v.y.i, stride), v.x.i)}; }
+    HWY_INLINE Floats guide(Ints m) const { return hn::BitCast(D(), word(m, 0)); }
+    HWY_INLINE Floats number(Ints coordinate) const { return hn::ConvertTo(D(), coordinate.i); }
+    HWY_INLINE Floats present(VecLanes apex) const {
+        return hn::IfThenElse(absent(apex), hn::Zero(D()), hn::Set(D(), 1.0f));
+    }
+    HWY_INLINE Floats guide_beyond(Ints middle, VecLanes apex, Floats otherwise) const {
+        return hn::IfThenElse(absent(apex), otherwise.v, guide(middle + offset(apex)).v);
+    }
+    HWY_INLINE Ints contour(Ints corner) const { return {word(corner, 1)}; }
+    template <int k>
+    HWY_INLINE Ints steps(Ints contours) const {
+        const VI mask = hn::Set(DI(), contour_mask);
+        return {hn::And(hn::ShiftRight<k * contour_bits>(contours.i), mask)};
+    }
+
+private:
+    HWY_INLINE VI word(Ints m, int k) const {
+        return hn::GatherIndex(DI(), words + k, hn::ShiftLeft<1>(m.i));
+    }
+    /// Byte k of each lane as a signed number.
+    template <int k>
+    static HWY_INLINE Ints byte(VI x) {
+        return {hn::ShiftRight<24>(hn::ShiftLeft<24 - 8 * k>(x))};
+    }
+    static HWY_INLINE hn::Mask<D> absent(VecLanes apex) {
+        return hn::RebindMask(D(), hn::Eq(hn::Or(apex.x.i, apex.y.i), hn::Zero(DI())));
+    }
+};
+
+/// Gains of the edges at `m`, one a lane; `contour` times contour_unit of the contours', if any.
 template <class Cost_>
-HWY_INLINE hn::Vec<D> gains_of(const Lattice& lattice, VI m) {
-    const DI di;
-    const int32_t* words = reinterpret_cast<const int32_t*>(lattice.sites());
-    const float* floats = reinterpret_cast<const float*>(lattice.sites());
-    const VI stride = hn::Set(di, lattice.stride());
-    // A site is two words; an edge's are (v, left), (right, stamp), a vertex's first is its guide.
-    const auto word = [&](VI site, int k) HWY_ATTR {
-        return hn::GatherIndex(di, words + k, hn::ShiftLeft<1>(site));
-    };
-    const auto guide = [&](VI site) HWY_ATTR {
-        return Floats(hn::GatherIndex(D(), floats, hn::ShiftLeft<1>(site)));
-    };
-    const auto offset = [&](VI x, VI y) HWY_ATTR { return hn::Add(hn::Mul(y, stride), x); };
-
-    const VI record = word(m, 0);
-    const VI vx = byte<0>(record), vy = byte<1>(record);
-    const VI lx = byte<2>(record), ly = byte<3>(record);
-    const VI wx = hn::ShiftRight<1>(hn::Add(vx, lx)), wy = hn::ShiftRight<1>(hn::Add(vy, ly));
-    const VI ux = hn::Sub(vx, wx), uy = hn::Sub(vy, wy);
-    const VI dv = offset(vx, vy), dl = offset(lx, ly), dw = offset(wx, wy), du = hn::Sub(dv, dw);
-
-    Neighbourhood<Floats> n;
-    n.vx = to_float(vx);
-    n.vy = to_float(vy);
-    n.wx = to_float(wx);
-    n.wy = to_float(wy);
-    n.za = guide(hn::Sub(m, dv));
-    n.zb = guide(hn::Add(m, dv));
-    n.zc = guide(hn::Add(m, dl));
-    n.zd = guide(hn::Sub(m, dl));
-
-    // Quad::middle, inner, side of one side, as vectors.
-    const auto outer = [&](VI middle, VI inner_x, VI inner_y, VI side_x, VI side_y,
-                           Floats first_end) HWY_ATTR {
-        const VI r0 = word(middle, 0), r1 = word(middle, 1);
-        const VI ax = hn::Sub(hn::Add(byte<2>(r0), byte<0>(r1)), inner_x);
-        const VI ay = hn::Sub(hn::Add(byte<3>(r0), byte<1>(r1)), inner_y);
-        const auto absent = hn::Eq(hn::Or(ax, ay), hn::Zero(di));
-        Neighbourhood<Floats>::Outer o;
-        o.ox = to_float(hn::ShiftRight<1>(hn::Add(ax, side_x)));
-        o.oy = to_float(hn::ShiftRight<1>(hn::Add(ay, side_y)));
-        const auto absent_float = hn::RebindMask(D(), absent);
-        o.z = hn::IfThenElse(absent_float, first_end.v, guide(hn::Add(middle, offset(ax, ay))).v);
-        o.present = hn::IfThenElse(absent_float, hn::Zero(D()), hn::Set(D(), 1.0f));
-        return o;
-    };
-    const VI zero = hn::Zero(di);
-    n.outer[0] = outer(hn::Sub(m, du), hn::Add(vx, ux), hn::Add(vy, uy), wx, wy, n.za);
-    n.outer[1] = outer(hn::Add(m, dw), hn::Sub(zero, hn::Add(vx, wx)),
-                       hn::Sub(zero, hn::Add(vy, wy)), ux, uy, n.zc);
-    n.outer[2] = outer(hn::Add(m, du), hn::Sub(zero, hn::Add(vx, ux)),
-                       hn::Sub(zero, hn::Add(vy, uy)), hn::Sub(zero, wx), hn::Sub(zero, wy), n.zb);
-    n.outer[3] = outer(hn::Sub(m, dw), hn::Add(vx, wx), hn::Add(vy, wy), hn::Sub(zero, ux),
-                       hn::Sub(zero, uy), n.zd);
-    return flip_gain<Cost_>(n).v;
+HWY_INLINE hn::Vec<D> gains_of(const Lattice& lattice, float contour, VI m) {
+    const SiteLanes mesh(lattice);
+    if (contour == 0)
+        return flip_gain<Cost_>(neighbourhood<Floats>(mesh, {m})).v;
+    return gain_with_contours<Cost_, Floats>(mesh, {m}, contour).v;
 }
 
 template <class Cost_>
-HWY_INLINE void each_block(const Lattice& lattice, const int* sites, size_t count, float* out) {
+HWY_INLINE void each_block(const Lattice& lattice, float contour, const int* sites, size_t count,
+                           float* out) {
     const D d;
     const DI di;
     const size_t lanes = hn::Lanes(d);
@@ -103,17 +126,19 @@ HWY_INLINE void each_block(const Lattice& lattice, const int* sites, size_t coun
         const size_t used = count - i < lanes ? count - i : lanes;
         for (size_t k = 0; k < lanes; ++k)
             site[k] = sites[i + (k < used ? k : 0)];
-        hn::Store(gains_of<Cost_>(lattice, hn::Load(di, site)), d, gain);
+        hn::Store(gains_of<Cost_>(lattice, contour, hn::Load(di, site)), d, gain);
         for (size_t k = 0; k < used; ++k)
             out[site[k]] = gain[k];
     }
 }
 
-HWY_ATTR void gains(const Lattice& lattice, Cost cost, const int* sites, size_t count, float* out) {
-    switch (cost) {
+HWY_ATTR void gains(const Lattice& lattice, const Criterion& criterion, const int* sites,
+                    size_t count, float* out) {
+    const float contour = criterion.contour * contour_unit;
+    switch (criterion.cost) {
 #define DDT_CALL(name, Class, ...)                                                                 \
     case Cost::name:                                                                               \
-        return each_block<Class<Floats>>(lattice, sites, count, out);
+        return each_block<Class<Floats>>(lattice, contour, sites, count, out);
         DDT_COSTS(DDT_CALL)
 #undef DDT_CALL
     }
@@ -128,8 +153,9 @@ namespace ddt {
 
 HWY_EXPORT(gains);
 
-void gains(const Lattice& lattice, Cost cost, const int* sites, size_t n, float* out) {
-    HWY_DYNAMIC_DISPATCH(gains)(lattice, cost, sites, n, out);
+void gains(const Lattice& lattice, const Criterion& criterion, const int* sites, size_t n,
+           float* out) {
+    HWY_DYNAMIC_DISPATCH(gains)(lattice, criterion, sites, n, out);
 }
 
 } // namespace ddt

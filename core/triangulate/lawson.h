@@ -8,16 +8,16 @@
 namespace ddt {
 
 template <class Mesh>
-void lawson(Mesh& mesh, Cost cost, float min_gain, int max_sweeps, const Workspace& workspace,
-            Statistics& statistics) {
-    dispatch(cost, [&](auto which) {
+void lawson(Mesh& mesh, const Criterion& criterion, float min_gain, int max_sweeps,
+            const Workspace& workspace, Statistics& statistics) {
+    dispatch(criterion.cost, [&](auto which) {
         for (int sweep = 0; sweep < max_sweeps; ++sweep) {
             int64_t flips = 0;
             mesh.each_edge([&](int m) {
                 if (!mesh.flippable(m))
                     return;
                 ++statistics.evaluations;
-                if (gain_of<decltype(which)>(mesh, m) > min_gain) {
+                if (gain_of<decltype(which)>(mesh, m, criterion.contour) > min_gain) {
                     mesh.flip(m);
                     ++flips;
                 }

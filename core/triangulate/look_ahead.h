@@ -11,8 +11,8 @@ namespace ddt {
 template <class CostOfFloat, class Mesh>
 class LookAhead {
 public:
-    LookAhead(Mesh& mesh, float min_gain, Statistics& statistics)
-        : m_mesh(mesh), m_min_gain(min_gain), m_statistics(statistics) {
+    LookAhead(Mesh& mesh, float contour, float min_gain, Statistics& statistics)
+        : m_mesh(mesh), m_contour(contour), m_min_gain(min_gain), m_statistics(statistics) {
         mesh.each_edge([&](int m) { mesh.stamp(m) = 1; });
     }
 
@@ -33,7 +33,7 @@ public:
 private:
     float gain(int m) {
         ++m_statistics.evaluations;
-        return gain_of<CostOfFloat>(m_mesh, m);
+        return gain_of<CostOfFloat>(m_mesh, m, m_contour);
     }
 
     void treat(int m) {
@@ -81,15 +81,15 @@ private:
     }
 
     Mesh& m_mesh;
-    const float m_min_gain;
+    const float m_contour, m_min_gain;
     Statistics& m_statistics;
 };
 
 template <class Mesh>
-void look_ahead(Mesh& mesh, Cost cost, float min_gain, int max_sweeps, const Workspace& workspace,
-                Statistics& statistics) {
-    dispatch(cost, [&](auto which) {
-        LookAhead<decltype(which), Mesh> scheme(mesh, min_gain, statistics);
+void look_ahead(Mesh& mesh, const Criterion& criterion, float min_gain, int max_sweeps,
+                const Workspace& workspace, Statistics& statistics) {
+    dispatch(criterion.cost, [&](auto which) {
+        LookAhead<decltype(which), Mesh> scheme(mesh, criterion.contour, min_gain, statistics);
         for (int sweep = 1; sweep <= max_sweeps; ++sweep) {
             const int64_t flips = scheme.sweep();
             if (statistics.iterations < sweep)

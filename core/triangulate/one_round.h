@@ -40,8 +40,9 @@ void find_flippable(const Mesh& mesh, size_t count, Each&& each, Workspace& w) {
 
 /// Evaluate the flippable edges; those above min_gain become candidates.
 template <class Mesh>
-void evaluate(const Mesh& mesh, Cost cost, float min_gain, Workspace& w, Statistics& statistics) {
-    gains(mesh, cost, w.flippable.data(), w.flippable.size(), w.gain.data());
+void evaluate(const Mesh& mesh, const Criterion& criterion, float min_gain, Workspace& w,
+              Statistics& statistics) {
+    gains(mesh, criterion, w.flippable.data(), w.flippable.size(), w.gain.data());
     statistics.evaluations += int64_t(w.flippable.size());
     w.candidates.resize(w.flippable.size() + 1);
     int* out = w.candidates.data();
@@ -89,8 +90,8 @@ void flip_selected(Mesh& mesh, uint8_t next_iteration, Workspace& w) {
 } // namespace one_round_steps
 
 template <class Mesh>
-void one_round(Mesh& mesh, Cost cost, float min_gain, int max_iterations, Workspace& w,
-               Statistics& statistics) {
+void one_round(Mesh& mesh, const Criterion& criterion, float min_gain, int max_iterations,
+               Workspace& w, Statistics& statistics) {
     using namespace one_round_steps;
     w.gain.resize(mesh.size());
     w.blocked.clear();
@@ -101,13 +102,13 @@ void one_round(Mesh& mesh, Cost cost, float min_gain, int max_iterations, Worksp
     };
     // One more than there are, since a place is written before it is known to be taken.
     // Whether w.gain of w.flippable is to be found yet.
-    bool stale = max_iterations < 1 || !start_gains(mesh, cost, min_gain, w, statistics);
+    bool stale = max_iterations < 1 || !start_gains(mesh, criterion, min_gain, w, statistics);
     if (stale)
         find_flippable(mesh, mesh.edges() + 1, all, w);
     for (int iteration = 1; iteration <= max_iterations; ++iteration) {
         const auto stamp = uint8_t(iteration);
         if (stale)
-            evaluate(mesh, cost, min_gain, w, statistics);
+            evaluate(mesh, criterion, min_gain, w, statistics);
         stale = false;
         wake_blocked(mesh, stamp, w);
         if (w.candidates.empty())
@@ -130,7 +131,7 @@ void one_round(Mesh& mesh, Cost cost, float min_gain, int max_iterations, Worksp
             break;
     }
     if (stale)
-        gains(mesh, cost, w.flippable.data(), w.flippable.size(), w.gain.data());
+        gains(mesh, criterion, w.flippable.data(), w.flippable.size(), w.gain.data());
 }
 
 } // namespace ddt

@@ -14,24 +14,29 @@ namespace ddt {
 template <class Mesh>
 void run_scheme(Mesh& mesh, const MeshOptions& options, Workspace& workspace,
                 Statistics& statistics) {
-    const Cost cost = options.cost;
+    const Criterion by = criterion(options);
     const float threshold = min_gain(options);
     const int iterations = options.max_iterations;
     statistics.pixels += int64_t(mesh.vertices());
     Rules rules;
-    if (find_rules(options, rules))
-        return accept_reject(mesh, cost, threshold, iterations, rules, workspace, statistics);
     switch (options.scheme) {
     case Scheme::one_round:
-        return one_round(mesh, cost, threshold, iterations, workspace, statistics);
+        return one_round(mesh, by, threshold, iterations, workspace, statistics);
     case Scheme::lawson:
-        return lawson(mesh, cost, threshold, iterations, workspace, statistics);
+        return lawson(mesh, by, threshold, iterations, workspace, statistics);
     case Scheme::look_ahead:
-        return look_ahead(mesh, cost, threshold, iterations, workspace, statistics);
+        return look_ahead(mesh, by, threshold, iterations, workspace, statistics);
     case Scheme::annealing:
-        return annealing(mesh, cost, threshold, iterations, options.seed, workspace, statistics);
-    default:
-        return; // pixel: the starting mesh is the result
+        return annealing(mesh, by, threshold, iterations, options.seed, workspace, statistics);
+    case Scheme::basic:
+    case Scheme::exproi:
+    case Scheme::maxgain:
+    case Scheme::exproi_maxgain:
+    case Scheme::exproi_n_maxgain:
+        find_rules(options, rules);
+        return accept_reject(mesh, by, threshold, iterations, rules, workspace, statistics);
+    case Scheme::pixel:
+        return; // the starting mesh is the result
     }
 }
 

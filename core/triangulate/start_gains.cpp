@@ -37,6 +37,7 @@ using DI = hn::RebindToSigned<D>;
 #include "core/base/lanes-inl.h"
 #include "core/base/rsqrt-inl.h"
 #include "core/cost/cost-inl.h"
+#include "core/triangulate/gain-inl.h"
 
 using Floats = Lanes<D>;
 
@@ -104,34 +105,13 @@ struct CellRow {
     FaceRow<Face> left, right;              ///< the same two by its vertical sides
     FaceRow<Face> other_top, other_bottom;  ///< those that the other diagonal would make
     Row top_cost, left_cost, diagonal_cost; ///< of the edges as they stand
+    Row xx, yy, xy;                         ///< the integers of the contour words
 
     void resize(int n) {
-        for (Row* row : {&guide, &down, &top_cost, &left_cost, &diagonal_cost})
+        for (Row* row : {&guide, &down, &top_cost, &left_cost, &diagonal_cost, &xx, &yy, &xy})
             row->resize(n);
         for (FaceRow<Face>* row : {&top, &bottom, &left, &right, &other_top, &other_bottom})
             row->resize(n);
-    }
-};
-
-/// One edge as it would be flipped: costs of it and its sides ac, cb, bd, da as they stand, the new
-/// triangles, and the triangles beyond the sides.
-template <class Cost>
-struct Flip {
-    using Face = typename Cost::Face;
-    Floats edge, ac, cb, bd, da;
-    Face adc, bcd, beyond_ac, beyond_cb, beyond_bd, beyond_da;
-    Floats fx, fy;         ///< the edge that the flip makes
-    Floats wx, wy, ux, uy; ///< sides ac and cb
-
-    /// As flip_gain().
-    HWY_INLINE Floats gain() const {
-        const Floats before = (((edge + ac) + cb) + bd) + da;
-        Floats after = Cost::between(adc, bcd, fx, fy);
-        after = after + Cost::between(beyond_ac, adc, wx, wy);
-        after = after + Cost::between(beyond_cb, bcd, ux, uy);
-        after = after + Cost::between(beyond_bd, bcd, wx, wy);
-        after = after + Cost::between(beyond_da, adc, ux, uy);
-        return before - after;
     }
 };
 
@@ -141,9 +121,10 @@ class StartGains {
 public:
     using Face = typename Cost::Face;
     using Cells = CellRow<Face>;
+    using Edges = Flip<Cost, Floats, Always>;
 
-    HWY_ATTR StartGains(const Lattice& lattice, float min_gain, Workspace& w)
-        : m_lattice(lattice), m_min_gain(min_gain), m_w(w) {
+    HWY_ATTR StartGains(const Lattice& lattice, float contour, float min_gain, Workspace& w)
+        : m_lattice(lattice), m_contour(contour * contour_unit), m_min_gain(min_gain), m_w(w) {
         for (Cells& row : m_rows)
             row.resize(lattice.width());
     }
@@ -180,6 +161,26 @@ private:
             *guide.at(x) = 0.0f;
     }
 
+    void load_contours(int y, Cells& cells) {
+        const int s = m_lattice.vertex_site(0, y);
+        for (int x = 0; x < m_lattice.width() - 1; ++x) {
+            const uint32_t word = m_lattice.vertex(s + 2 * x).contour;
+            *cells.xx.at(x) = float(int(word) & contour_mask);
+            *cells.yy.at(x) = float(int(word >> contour_bits) & contour_mask);
+            *cells.xy.at(x) = float(contour_xy(word));
+        }
+    }
+
+    /// The gain of a flip with its midpoint between cell ax of row a and cell bx of row b.
+    HWY_INLINE Floats gain(const Edges& f, const Cells& a, int ax, const Cells& b, int bx) const {
+        const Floats by_cost = f.gain();
+        if (m_contour == 0)
+            return by_cost;
+        const Contours<Floats> n{a.xx.load(ax) + b.xx.load(bx), a.yy.load(ax) + b.yy.load(bx),
+                                 a.xy.load(ax) + b.xy.load(bx)};
+        return by_cost + Floats(m_contour) * contour_gain(n, f.wx, f.wy, f.ux, f.uy);
+    }
+
     /// Whether all lanes are multiples of 2^-12 in -1024 to 1024.
     static HWY_INLINE bool in_steps(Floats z) {
         const D d;
@@ -196,6 +197,8 @@ private:
         const int count = m_lattice.width() - 1, lanes = int(hn::Lanes(D()));
         for (int x = 0; x < count; ++x)
             *cells.down.at(x) = m_lattice.edge(m_lattice.site(2 * x + 1, 2 * y + 1)).v.x > 0;
+        if (m_contour != 0)
+            load_contours(y, cells);
         bool exact = true;
         for (int x = 0; x <= count; x += lanes)
             exact &= in_steps(above.load(x)) & in_steps(below.load(x));
@@ -228,7 +231,20 @@ private:
         return true;
     }
 
-    /// Gains of the edges on top of row y of cells.
+    /// Gains of the edges on top of row y of cells. Such an edge ab can be flipped where the cells
+    /// on both its sides are divided alike:
+    ///
+    ///       both down                          both up
+    ///     +---- d ----1----+                +---- 0 ---- d ----+
+    ///     |     | \ T |    |   row y - 1    |     | T /  |     |
+    ///     |  R  |   \ |    |                |     |  /   |  L  |
+    ///     +---- a --- b ---+                +---- a ---- b ----+
+    ///     |     | \   |  L |   row y        |  R  |   /  |     |
+    ///     |     | B \ |    |                |     |  / B |     |
+    ///     +---- 2 --- c ---+                +---- c ---- 3 ----+
+    ///
+    /// T and B are the cells' triangles beyond the diagonals, L and R those of the cells beside
+    /// them beyond vertical sides. Down: sides ac and bd are the diagonals; up: cb and da.
     HWY_ATTR void horizontal(int y) {
         const Cells &above = row(y + ring - 1), &below = row(y);
         const Floats one(1.0f), zero(0.0f);
@@ -241,33 +257,32 @@ private:
             const Row& under = row(y + 1).guide;
             const Floats z2 = under.load(x), z3 = under.load(x + 1);
             const Floats zc = either(down, z3, z2), zd = either(down, z0, z1);
+            // One of da and ac is upright, the other half as steep as dc, which climbs two rows.
             const Floats a1 = za - zd, a2 = zc - za, b1 = zb - zd, b2 = zc - zb;
-            Flip<Cost> f;
+            Edges f;
             f.adc = Cost::face(a2 - a1, either(down, a1, a2));
             f.bcd = Cost::face(b1 - b2, either(down, b2, b1));
             f.edge = below.top_cost.load(x);
             const Floats below_diagonal = below.diagonal_cost.load(x),
                          above_diagonal = above.diagonal_cost.load(x);
-            f.ac = either(down, below_diagonal, below.left_cost.load(x));
-            f.cb = either(down, below.left_cost.load(x + 1), below_diagonal);
-            f.bd = either(down, above_diagonal, above.left_cost.load(x + 1));
-            f.da = either(down, above.left_cost.load(x), above_diagonal);
+            f.side[0] = either(down, below_diagonal, below.left_cost.load(x));
+            f.side[1] = either(down, below.left_cost.load(x + 1), below_diagonal);
+            f.side[2] = either(down, above_diagonal, above.left_cost.load(x + 1));
+            f.side[3] = either(down, above.left_cost.load(x), above_diagonal);
             const Face under_face = below.bottom.load(x), over_face = above.top.load(x);
-            f.beyond_ac = either(down, under_face, below.right.load(x - 1));
-            f.beyond_cb = either(down, below.left.load(x + 1), under_face);
-            f.beyond_bd = either(down, over_face, above.left.load(x + 1));
-            f.beyond_da = either(down, above.right.load(x - 1), over_face);
-            // c - a is (1, 1) or (0, 1), c - b (0, 1) or (-1, 1).
+            f.beyond[0] = either(down, under_face, below.right.load(x - 1));
+            f.beyond[1] = either(down, below.left.load(x + 1), under_face);
+            f.beyond[2] = either(down, over_face, above.left.load(x + 1));
+            f.beyond[3] = either(down, above.right.load(x - 1), over_face);
             f.wx = down;
-            f.wy = f.uy = one;
+            f.wy = one;
             f.ux = one - down;
-            f.fx = f.wx - f.ux;
-            f.fy = one + one;
+            f.uy = zero - one;
             const Floats flippable = same(down, above.down.load(x));
-            const Floats gain = either(flippable, f.gain(), Floats(no_gain));
-            hn::StoreInterleaved2(zero.v, gain.v, D(), m_w.gain.data() + first + 2 * x);
+            const Floats level = either(flippable, gain(f, above, x, below, x), Floats(no_gain));
+            hn::StoreInterleaved2(zero.v, level.v, D(), m_w.gain.data() + first + 2 * x);
             count(flippable, end - x);
-            propose(gain, first + 2 * x + 1, end - x);
+            propose(level, first + 2 * x + 1, end - x);
         }
     }
 
@@ -287,6 +302,20 @@ private:
         }
     }
 
+    /// Gain of the edge ab on the left of cell x: the same turned.
+    ///
+    ///       both down                          both up
+    ///     +---------+---------+             +---------+---------+
+    ///     |    B    |    B    |  row y - 1  |    B    |    B    |
+    ///     c ------- a ------- +             + ------- a ------- d
+    ///     |  \      |  \   R  |             |  L   /  |      /  |
+    ///     |     \   |     \   |  row y      |   /     |   /     |
+    ///     |  L    \ |       \ |             | /       | /    R  |
+    ///     + ------- b ------- d             c ------- b ------- +
+    ///     |    T    |    T    |  row y + 1  |    T    |    T    |
+    ///     +---------+---------+             +---------+---------+
+    ///
+    /// Down: sides cb and da are the diagonals; up: ac and bd.
     HWY_INLINE Floats vertical(int y, int x, Floats& flippable) {
         const Cells &above = row(y + ring - 1), &cells = row(y), &below = row(y + 1);
         const Floats one(1.0f), zero(0.0f);
@@ -296,30 +325,36 @@ private:
         const Floats zc = either(down, cells.guide.load(x - 1), below.guide.load(x - 1));
         const Floats zd = either(down, below.guide.load(x + 1), cells.guide.load(x + 1));
         const Floats a1 = za - zc, a2 = zd - za, b1 = zb - zc, b2 = zd - zb;
-        Flip<Cost> f;
+        Edges f;
         f.adc = Cost::face(either(down, a1, a2), a2 - a1);
         f.bcd = Cost::face(either(down, b2, b1), b1 - b2);
         f.edge = cells.left_cost.load(x);
         const Floats left_diagonal = cells.diagonal_cost.load(x - 1),
                      right_diagonal = cells.diagonal_cost.load(x);
-        f.ac = either(down, cells.top_cost.load(x - 1), left_diagonal);
-        f.cb = either(down, left_diagonal, below.top_cost.load(x - 1));
-        f.bd = either(down, below.top_cost.load(x), right_diagonal);
-        f.da = either(down, right_diagonal, cells.top_cost.load(x));
+        f.side[0] = either(down, cells.top_cost.load(x - 1), left_diagonal);
+        f.side[1] = either(down, left_diagonal, below.top_cost.load(x - 1));
+        f.side[2] = either(down, below.top_cost.load(x), right_diagonal);
+        f.side[3] = either(down, right_diagonal, cells.top_cost.load(x));
         const Face left_face = cells.left.load(x - 1), right_face = cells.right.load(x);
-        f.beyond_ac = either(down, above.bottom.load(x - 1), left_face);
-        f.beyond_cb = either(down, left_face, below.top.load(x - 1));
-        f.beyond_bd = either(down, below.top.load(x), right_face);
-        f.beyond_da = either(down, right_face, above.bottom.load(x));
-        // c - a is (-1, 0) or (-1, 1), c - b (-1, -1) or (-1, 0).
-        f.wx = f.ux = one;
+        f.beyond[0] = either(down, above.bottom.load(x - 1), left_face);
+        f.beyond[1] = either(down, left_face, below.top.load(x - 1));
+        f.beyond[2] = either(down, below.top.load(x), right_face);
+        f.beyond[3] = either(down, right_face, above.bottom.load(x));
+        f.wx = zero - one;
         f.wy = one - down;
+        f.ux = one;
         f.uy = down;
-        f.fx = one + one;
-        f.fy = f.wy - f.uy;
-        return either(flippable, f.gain(), Floats(no_gain));
+        return either(flippable, gain(f, cells, x - 1, cells, x), Floats(no_gain));
     }
 
+    /// Gain of the diagonal ab of cell x, whose flip needs nothing: a cell is a parallelogram.
+    ///
+    ///       down                    up
+    ///            B                       B
+    ///         a --- d                 c --- a
+    ///       R |  \  | L             R |  /  | L
+    ///         c --- b                 b --- d
+    ///            T                       T
     HWY_INLINE Floats diagonal(int y, int x) {
         const Cells &above = row(y + ring - 1), &cells = row(y), &below = row(y + 1);
         const Floats one(1.0f), zero(0.0f);
@@ -329,24 +364,22 @@ private:
                      left = cells.left_cost.load(x), right = cells.left_cost.load(x + 1);
         const Face beyond_top = above.bottom.load(x), beyond_bottom = below.top.load(x),
                    beyond_left = cells.right.load(x - 1), beyond_right = cells.left.load(x + 1);
-        Flip<Cost> f;
-        // Down: a, b, c, d are upper left, lower right, lower left, upper right; up: upper right,
-        // lower left, upper left, lower right.
+        Edges f;
         f.adc = t;
         f.bcd = b;
         f.edge = cells.diagonal_cost.load(x);
-        f.ac = either(down, left, top);
-        f.cb = either(down, bottom, left);
-        f.bd = either(down, right, bottom);
-        f.da = either(down, top, right);
-        f.beyond_ac = either(down, beyond_left, beyond_top);
-        f.beyond_cb = either(down, beyond_bottom, beyond_left);
-        f.beyond_bd = either(down, beyond_right, beyond_bottom);
-        f.beyond_da = either(down, beyond_top, beyond_right);
-        f.wx = f.uy = one - down;
+        f.side[0] = either(down, left, top);
+        f.side[1] = either(down, bottom, left);
+        f.side[2] = either(down, right, bottom);
+        f.side[3] = either(down, top, right);
+        f.beyond[0] = either(down, beyond_left, beyond_top);
+        f.beyond[1] = either(down, beyond_bottom, beyond_left);
+        f.beyond[2] = either(down, beyond_right, beyond_bottom);
+        f.beyond[3] = either(down, beyond_top, beyond_right);
+        f.wx = down - one;
         f.wy = f.ux = down;
-        f.fx = f.fy = one;
-        return f.gain();
+        f.uy = one - down;
+        return gain(f, cells, x, cells, x);
     }
 
     /// 1 where both flags are alike, else 0.
@@ -365,11 +398,11 @@ private:
 
     /// Put the edges at `site`, site + 2, ... of the first n lanes that gain enough among the
     /// candidates.
-    HWY_INLINE void propose(Floats gain, int site, int n) {
+    HWY_INLINE void propose(Floats gained, int site, int n) {
         const D d;
         const DI di;
         const auto good =
-            hn::And(hn::FirstN(d, size_t(n < 0 ? 0 : n)), hn::Gt(gain.v, hn::Set(d, m_min_gain)));
+            hn::And(hn::FirstN(d, size_t(n < 0 ? 0 : n)), hn::Gt(gained.v, hn::Set(d, m_min_gain)));
         if (hn::AllFalse(d, good))
             return;
         const auto sites = hn::Add(hn::Set(di, site), hn::ShiftLeft<1>(hn::Iota(di, 0)));
@@ -379,21 +412,22 @@ private:
     }
 
     const Lattice& m_lattice;
+    float m_contour; ///< as in gain_with_contours()
     float m_min_gain;
     Workspace& m_w;
     int64_t m_evaluations = 0;
     Cells m_rows[ring];
 };
 
-HWY_ATTR bool inner_gains(const Lattice& lattice, Cost cost, float min_gain, Workspace& w,
-                          int64_t& evaluations) {
+HWY_ATTR bool inner_gains(const Lattice& lattice, const Criterion& criterion, float min_gain,
+                          Workspace& w, int64_t& evaluations) {
     const auto run = [&](auto which) HWY_ATTR {
-        StartGains<decltype(which)> gains(lattice, min_gain, w);
+        StartGains<decltype(which)> gains(lattice, criterion.contour, min_gain, w);
         const bool exact = gains.run();
         evaluations = gains.evaluations();
         return exact;
     };
-    switch (cost) {
+    switch (criterion.cost) {
 #define DDT_CALL(name, Class, ...)                                                                 \
     case Cost::name:                                                                               \
         return run(Class<Floats>());
@@ -435,13 +469,13 @@ void each_outer_edge(const Lattice& lattice, F&& f) {
 
 } // namespace
 
-bool start_gains(const Lattice& lattice, Cost cost, float min_gain, Workspace& w,
+bool start_gains(const Lattice& lattice, const Criterion& criterion, float min_gain, Workspace& w,
                  Statistics& statistics) {
     w.gain.resize(lattice.size() + padding);
     w.candidates.clear();
     int64_t evaluations = 0;
     if (!lattice.fresh() ||
-        !HWY_DYNAMIC_DISPATCH(inner_gains)(lattice, cost, min_gain, w, evaluations))
+        !HWY_DYNAMIC_DISPATCH(inner_gains)(lattice, criterion, min_gain, w, evaluations))
         return false;
     w.flippable.clear();
     each_outer_edge(lattice, [&](int m) {
@@ -449,7 +483,7 @@ bool start_gains(const Lattice& lattice, Cost cost, float min_gain, Workspace& w
         if (lattice.edge(m).flippable())
             w.flippable.push_back(m);
     });
-    gains(lattice, cost, w.flippable.data(), w.flippable.size(), w.gain.data());
+    gains(lattice, criterion, w.flippable.data(), w.flippable.size(), w.gain.data());
     for (const int m : w.flippable)
         if (w.gain[size_t(m)] > min_gain)
             w.candidates.push_back(m);

@@ -11,12 +11,12 @@ namespace ddt {
 ///
 /// False if an edge was flipped since the start, or the guide is not in steps of 2^-12 within -1024
 /// to 1024 (as guide_step() makes it): then nothing was done.
-bool start_gains(const Lattice& lattice, Cost cost, float min_gain, Workspace& w,
+bool start_gains(const Lattice& lattice, const Criterion& criterion, float min_gain, Workspace& w,
                  Statistics& statistics);
 
 /// Only a started lattice has a quick way.
 template <class Mesh>
-bool start_gains(const Mesh&, Cost, float, Workspace&, Statistics&) {
+bool start_gains(const Mesh&, const Criterion&, float, Workspace&, Statistics&) {
     return false;
 }
 

@@ -33,20 +33,8 @@ float blur_share(const MeshOptions& options, int index) {
     if (options.meshes == 1)
         return options.blur;
     const float least = std::max(options.blur - mesh_spread, 0.0f);
-    const float most = std::min(options.blur + mesh_spread, 0.25f);
+    const float most = std::min(options.blur + mesh_spread, largest_blur);
     return least + (most - least) * (float(index) / float(options.meshes - 1));
-}
-
-bool check_options(const MeshOptions& options, std::string& error) {
-    if (options.max_iterations < 0 || options.max_iterations > 250)
-        error = "ddt: max_iterations must be 0 to 250";
-    else if (!(options.blur >= 0 && options.blur <= 0.25f))
-        error = "ddt: blur must be 0 to 1/4";
-    else if (options.meshes < 1 || options.meshes > most_meshes)
-        error = "ddt: meshes must be 1 to " + std::to_string(most_meshes);
-    else
-        return true;
-    return false;
 }
 
 bool find_rules(const MeshOptions& options, Rules& rules) {
@@ -66,9 +54,23 @@ bool find_rules(const MeshOptions& options, Rules& rules) {
     case Scheme::exproi_n_maxgain:
         rules = {true, options.wide_iterations, true};
         return true;
-    default:
+    case Scheme::one_round:
+    case Scheme::lawson:
+    case Scheme::look_ahead:
+    case Scheme::annealing:
+    case Scheme::pixel:
         return false;
     }
+    return false;
+}
+
+Criterion criterion(const MeshOptions& options) {
+    return {options.cost, options.contour};
+}
+
+void start(Lattice& lattice, int width, int height, const float* guide,
+           const MeshOptions& options) {
+    lattice.start(width, height, guide, options.start == Start::flat, options.contour != 0);
 }
 
 void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& workspace,
@@ -76,7 +78,7 @@ void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& worksp
     run_scheme(lattice, options, workspace, statistics);
 }
 
-void find_gains(const Lattice& lattice, Cost cost, Workspace& w) {
+void find_gains(const Lattice& lattice, const Criterion& criterion, Workspace& w) {
     w.gain.resize(lattice.size());
     w.flippable.clear();
     lattice.each_edge([&](int m) {
@@ -84,7 +86,7 @@ void find_gains(const Lattice& lattice, Cost cost, Workspace& w) {
         if (lattice.flippable(m))
             w.flippable.push_back(m);
     });
-    gains(lattice, cost, w.flippable.data(), w.flippable.size(), w.gain.data());
+    gains(lattice, criterion, w.flippable.data(), w.flippable.size(), w.gain.data());
 }
 
 } // namespace ddt

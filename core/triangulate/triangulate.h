@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "core/cost/criterion.h"
 #include "core/lattice/lattice.h"
 #include "ddt/core.h"
 
@@ -37,11 +38,14 @@ struct Workspace {
 /// and the paper's schemes 1e-6, a bare guard against rounding.
 float min_gain(const MeshOptions& options);
 
+/// What the options' scheme judges flips by.
+Criterion criterion(const MeshOptions& options);
+
 /// The share by which the guide of mesh 0 <= index < options.meshes is blurred.
 float blur_share(const MeshOptions& options, int index);
 
-/// Whether the options' numbers are allowed; if not, `error` says which is and what it may be.
-bool check_options(const MeshOptions& options, std::string& error);
+/// Start a lattice as the options want it, for triangulate().
+void start(Lattice& lattice, int width, int height, const float* guide, const MeshOptions& options);
 
 /// Flip edges of a started lattice by options.scheme. Adds to `statistics`.
 void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& workspace,
@@ -49,6 +53,6 @@ void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& worksp
 
 /// Fill workspace.gain with the gains of all flippable edges of a finished mesh, no_gain (gain.h)
 /// at the others.
-void find_gains(const Lattice& lattice, Cost cost, Workspace& workspace);
+void find_gains(const Lattice& lattice, const Criterion& criterion, Workspace& workspace);
 
 } // namespace ddt

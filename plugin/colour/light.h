@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 
+#include "ddt/guide.h"
 #include "plugin/colour/codetable.h"
 #include "plugin/colour/curve.h"
 
@@ -64,7 +65,7 @@ private:
 
     bool m_known = false;
     bool m_keeps_unit = true;
-    std::array<float, 3> m_luma{0.2126f, 0.7152f, 0.0722f};
+    std::array<float, 3> m_luma{luminance_weights[0], luminance_weights[1], luminance_weights[2]};
     Exact m_to_light, m_from_light;
     std::shared_ptr<const Curves> m_to_curves, m_from_curves; ///< null: not a curve a channel
     std::shared_ptr<const CodeTable> m_codes;

@@ -55,8 +55,6 @@ bool check(const Enlargement& work, std::string& error) {
                 " of the picture";
     else if (work.to.box.empty() || !holds(work.full, work.to.box))
         error = "ddt: the part wanted lies outside the result";
-    else if (!work.from.data || !work.to.data)
-        error = "ddt: there is no memory with pixels";
     return error.empty();
 }
 
@@ -84,6 +82,21 @@ void copy(const Enlargement& work) {
             store(to, x, y, 1, channels, pixel.data());
             std::fill(pixel.begin(), pixel.end(), 0.0f);
         }
+}
+
+/// No exception leaves.
+template <class Work>
+Outcome guarded(std::string& error, Work&& body) {
+    error.clear();
+    try {
+        return body();
+    } catch (const std::bad_alloc&) {
+        error = "ddt: out of memory";
+        return Outcome::out_of_memory;
+    } catch (const std::exception& e) {
+        error = std::string("ddt: ") + e.what();
+        return Outcome::bad_job;
+    }
 }
 
 Job job_of(const Enlargement& work) {
@@ -180,26 +193,41 @@ Rect scaled(const Rect& window, double x_factor, double y_factor) {
     return r;
 }
 
-Outcome enlarge(const Enlargement& work, std::string& error) {
-    error.clear();
-    try {
+GuideRecipe guide_recipe(const Layout& layout, const Meaning& meaning) {
+    GuideRecipe guide;
+    guide.linear = meaning.linear;
+    guide.alpha = layout.colour.alpha;
+    for (int k = 0; k < layout.colour.count; ++k) {
+        guide.channel[k] = layout.colour.channel[k];
+        guide.weight[k] = layout.colour.count == 3 ? meaning.light->luma()[size_t(k)] : 1.0f;
+    }
+    return guide;
+}
+
+Outcome enlarge(const Enlargement& work, Source& source, Sink& sink, std::string& error) {
+    return guarded(error, [&] {
         if (!check(work, error))
             return Outcome::bad_job;
-        if (same_size(work.window, work.full)) {
-            copy(work);
-            return Outcome::done;
-        }
-        BufferSource source(work);
-        BufferSink sink(work);
         return ddt::enlarge(source, sink, mapping_of(work.window, work.full, work.to.box),
                             job_of(work), &error);
-    } catch (const std::bad_alloc&) {
-        error = "ddt: out of memory";
-        return Outcome::out_of_memory;
-    } catch (const std::exception& e) {
-        error = std::string("ddt: ") + e.what();
+    });
+}
+
+Outcome enlarge(const Enlargement& work, std::string& error) {
+    if (work.from.data && work.to.data && same_size(work.window, work.full))
+        return guarded(error, [&] {
+            if (!check(work, error))
+                return Outcome::bad_job;
+            copy(work);
+            return Outcome::done;
+        });
+    if (!work.from.data || !work.to.data) {
+        error = "ddt: there is no memory with pixels";
         return Outcome::bad_job;
     }
+    BufferSource source(work);
+    BufferSink sink(work);
+    return enlarge(work, source, sink, error);
 }
 
 } // namespace ddt::host

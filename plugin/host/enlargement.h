@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ddt/core.h"
+#include "ddt/guide.h"
 #include "plugin/colour/layout.h"
 #include "plugin/colour/light.h"
 #include "plugin/host/buffer.h"
@@ -67,5 +68,12 @@ Rect scaled(const Rect& window, double x_factor, double y_factor);
 /// Do it. A full that has the window's size is a copy; a smaller one is Outcome::bad_job, with one
 /// line in `error` as of any failure. Never throws.
 Outcome enlarge(const Enlargement& work, std::string& error);
+
+/// The same with a source and a sink of the host's own, whose pixels are associated linear light or
+/// stay as they are; of from and to only the boxes and the kind of numbers count. Sizes differ.
+Outcome enlarge(const Enlargement& work, Source& source, Sink& sink, std::string& error);
+
+/// How edges are sought in such pixels; the same as the filter does for images of OpenImageIO.
+GuideRecipe guide_recipe(const Layout& layout, const Meaning& meaning);
 
 } // namespace ddt::host

@@ -8,18 +8,6 @@
 namespace ddt::host {
 namespace {
 
-/// How edges are looked for; the same as plan_reading() decides for images of OpenImageIO.
-GuideRecipe recipe(const Layout& layout, const Meaning& meaning) {
-    GuideRecipe guide;
-    guide.linear = meaning.linear;
-    guide.alpha = layout.colour.alpha;
-    for (int k = 0; k < layout.colour.count; ++k) {
-        guide.channel[k] = layout.colour.channel[k];
-        guide.weight[k] = layout.colour.count == 3 ? meaning.light->luma()[size_t(k)] : 1.0f;
-    }
-    return guide;
-}
-
 /// Colour times or divided by alpha: OpenImageIO's premult and unpremult.
 void associate(const ColourLayout& colour, float* pixels, size_t count, int channels) {
     for (size_t i = 0; i < count; ++i, pixels += channels)
@@ -40,7 +28,7 @@ bool must_associate(const Layout& layout) {
 } // namespace
 
 BufferSource::BufferSource(const Enlargement& work)
-    : m_work(work), m_guide(recipe(work.layout, work.meaning)) {}
+    : m_work(work), m_guide(guide_recipe(work.layout, work.meaning)) {}
 
 void BufferSource::read_row(int y, const Rect& r, float* values) const {
     const Rect& box = m_work.from.box;

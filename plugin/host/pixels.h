@@ -2,7 +2,6 @@
 // A host's buffers as the core's source and sink.
 #pragma once
 
-#include "core/guide/guide.h"
 #include "plugin/host/enlargement.h"
 
 namespace ddt::host {

@@ -15,8 +15,6 @@ namespace {
 
 using OIIO::Strutil::fmt::format;
 
-constexpr int64_t largest_coordinate = int64_t(1) << 29; // the core's
-
 int64_t allowed_megabytes() {
     int limit = 0;
     const auto memory = int64_t(OIIO::Sysutil::physical_memory() >> 20);

@@ -64,7 +64,7 @@ bool moves_only(const Projective& m, int& dx, int& dy) {
     const auto& a = m.m;
     const bool shift = m.affine() && a[0] == 1 && a[1] == 0 && a[3] == 0 && a[4] == 1;
     const bool whole = shift && a[6] == std::floor(a[6]) && a[7] == std::floor(a[7]) &&
-                       std::fabs(a[6]) < (1 << 29) && std::fabs(a[7]) < (1 << 29);
+                       std::fabs(a[6]) < largest_coordinate && std::fabs(a[7]) < largest_coordinate;
     if (whole) {
         dx = int(a[6]);
         dy = int(a[7]);

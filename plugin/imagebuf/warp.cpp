@@ -39,10 +39,11 @@ bool image_of(const float* m, OIIO::ROI& roi, std::string& error) {
         max_y = first || !(py <= max_y) ? py : max_y;
         first = false;
     }
-    constexpr float limit = 1 << 29;
+    constexpr float limit = largest_coordinate;
     if (!(min_x > -limit && max_x < limit && min_y > -limit && max_y < limit)) {
         error = "the matrix maps the image's corners beyond any size; coordinates are allowed "
-                "within +-536870912";
+                "within +-" +
+                std::to_string(largest_coordinate);
         return false;
     }
     roi.xbegin = int(std::floor(min_x));

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "request.h"
 
-#include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/strutil.h>
+
+#include "core/base/parse_number.h"
 
 namespace ddt {
 namespace {
@@ -23,13 +25,6 @@ constexpr int largest_size = 1 << 24;
 
 std::string before_query(const std::string& name) {
     return name.substr(0, name.find('?'));
-}
-
-template <typename Number>
-bool parse_number(const std::string& text, Number& number) {
-    const char* end = text.data() + text.size();
-    const auto parsed = std::from_chars(text.data(), end, number);
-    return parsed.ec == std::errc() && parsed.ptr == end;
 }
 
 /// Collects options in the order they come; nothing is checked before all are known.
@@ -56,7 +51,7 @@ public:
             return false;
         }
         m_options += "," + item;
-        Options ignored;
+        FilterOptions ignored;
         if (parse_filter("ddt," + item, ignored, error))
             return true;
         error += "; and filter, height, scale, width";
@@ -74,8 +69,8 @@ public:
 private:
     // A factor and sizes exclude each other; the last wins.
     bool set_scale(const std::string& item, const std::string& value, std::string& error) {
-        if (!parse_number(value, m_request.scale) ||
-            !(m_request.scale > 0 && m_request.scale <= largest_size)) {
+        if (!parse_number(value, std::numeric_limits<double>::min(), double(largest_size),
+                          m_request.scale)) {
             error = format("ddt: \"{}\" is not allowed; scale is a number above 0, at most {}",
                            item, largest_size);
             return false;
@@ -86,7 +81,7 @@ private:
 
     bool set_size(const std::string& item, const std::string& value, int& size,
                   std::string& error) {
-        if (!parse_number(value, size) || size < 1 || size > largest_size) {
+        if (!parse_number(value, 1, largest_size, size)) {
             error = format("ddt: \"{}\" is not allowed; width and height are whole numbers from 1 "
                            "to {}",
                            item, largest_size);
@@ -210,7 +205,7 @@ bool Request::windows(const OIIO::ImageSpec& from, OIIO::ImageSpec& to, std::str
     const int64_t y1 =
         scale_up(int64_t(from.y) - from.full_y + from.height, to.full_height, from.full_height);
     // The origin stays, as with oiiotool --resize.
-    constexpr int64_t limit = 1 << 29;
+    constexpr int64_t limit = largest_coordinate;
     if (x0 < -limit || y0 < -limit || x1 > limit || y1 > limit) {
         error = format("ddt: the output's data window of {} x {} pixels is too large", x1 - x0,
                        y1 - y0);

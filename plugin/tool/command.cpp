@@ -7,7 +7,7 @@
 #include <OpenImageIO/argparse.h>
 #include <OpenImageIO/strutil.h>
 
-#include "plugin/parse_number.h"
+#include "core/base/parse_number.h"
 
 namespace ddt::tool {
 
@@ -35,8 +35,13 @@ public:
         m_args.description(description);
         m_args.arg("operand").hidden().action(
             [this](OIIO::cspan<const char*> a) { m_operands.emplace_back(a[0]); });
-        for (const Flag& flag : command.flags)
+        std::string notes;
+        for (const Flag& flag : command.flags) {
             add(flag);
+            if (!flag.notes.empty())
+                notes += "\n" + flag.notes;
+        }
+        m_args.epilog(notes);
         m_args.arg("--help").help("print this and end").action([this](OIIO::cspan<const char*>) {
             m_help = true;
         });
@@ -114,26 +119,35 @@ ExitCode fail(const Failure& failure) {
 
 Flag number_flag(const char* name, const char* value, const char* help, double low, double high,
                  double& number) {
-    return {name, value, help,
+    return {name,
+            value,
+            help,
             [=, &number](const std::string& text) { return parse_number(text, low, high, number); },
-            format("numbers from {} to {}", low, high)};
+            format("numbers from {} to {}", low, high),
+            ""};
 }
 
 Flag whole_flag(const char* name, const char* value, const char* help, int low, int high,
                 int& number) {
-    return {name, value, help,
+    return {name,
+            value,
+            help,
             [=, &number](const std::string& text) { return parse_number(text, low, high, number); },
-            format("whole numbers from {} to {}", low, high)};
+            format("whole numbers from {} to {}", low, high),
+            ""};
 }
 
 Flag choice_flag(const char* name, const std::vector<std::string>& choices, const char* help,
                  std::string& choice) {
-    return {name, OIIO::Strutil::join(choices, "|"), help,
+    return {name,
+            OIIO::Strutil::join(choices, "|"),
+            help,
             [=, &choice](const std::string& text) {
                 choice = text;
                 return std::find(choices.begin(), choices.end(), text) != choices.end();
             },
-            OIIO::Strutil::join(choices, ", ")};
+            OIIO::Strutil::join(choices, ", "),
+            ""};
 }
 
 Flag text_flag(const char* name, const char* value, const char* help, std::string& text) {
@@ -146,7 +160,7 @@ Flag text_flag(const char* name, const char* value, const char* help, std::strin
 }
 
 Flag switch_flag(const char* name, const char* help, bool& on) {
-    return {name, "", help, [&on](const std::string&) { return on = true; }, ""};
+    return {name, "", help, [&on](const std::string&) { return on = true; }, "", ""};
 }
 
 Flag progress_flag(std::string& mode) {

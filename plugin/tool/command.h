@@ -17,6 +17,7 @@ struct Flag {
     /// Take the value; false if it is not allowed.
     std::function<bool(const std::string&)> set;
     std::string allowed; ///< for the error message
+    std::string notes;   ///< printed after all flags by --help
 };
 
 /// One whose name ends in "..." stands for one or more values.

@@ -10,6 +10,7 @@
 #include "ddt/names.h"
 #include "ddt/resize.h"
 #include "plugin/tool/commands.h"
+#include "plugin/tool/filter_flag.h"
 
 namespace ddt::tool {
 
@@ -36,9 +37,7 @@ public:
         for (const Device device : {Device::egl, Device::osmesa})
             line(device_name(device), describe_device(device));
         line("auto", automatic_device());
-        line("filters", OIIO::Strutil::join(filter_names(), ", "));
-        line("schemes", OIIO::Strutil::join(scheme_names(), ", "));
-        line("costs", OIIO::Strutil::join(cost_names(), ", "));
+        std::printf("\n%s", filter_notes().c_str());
         return exit_done;
     }
 

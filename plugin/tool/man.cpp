@@ -3,6 +3,8 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/tool/filter_flag.h"
+
 namespace ddt::tool {
 
 using OIIO::Strutil::fmt::format;
@@ -55,6 +57,9 @@ std::string man_page(const std::vector<std::unique_ptr<Command>>& commands) {
                            flag.value.empty() ? "" : " \" \\fI" + escaped(flag.value) + "\\fP\"",
                            escaped(flag.help));
     }
+    page += ".SH FILTERS AND OPTIONS\nSPEC is a filter's name, or \"ddt,key=value,...\".\n";
+    for (const Entry& entry : filter_entries())
+        page += format(".TP\n.B {}\n{}\n", escaped(entry.term), escaped(entry.meaning));
     page += ".SH EXIT STATUS\n";
     for (const Code& code : codes)
         page += format(".TP\n.B {}\n{}\n", int(code.code), escaped(code.meaning));

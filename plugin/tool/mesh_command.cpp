@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 
+#include <OpenImageIO/strutil.h>
+
 #include "plugin/tool/commands.h"
+#include "plugin/tool/filter_flag.h"
 #include "plugin/tool/mesh_file.h"
+#include "plugin/tool/mesh_points.h"
 #include "plugin/tool/progress.h"
 
 namespace ddt::tool {
@@ -14,17 +18,30 @@ public:
     MeshCommand() {
         name = "mesh";
         summary = "Write the triangles of an image to an SVG, PLY or OBJ file";
-        paragraphs = {"The image's pixels are the vertices; there are two triangles for every four "
-                      "neighbouring pixels. The whole image is triangulated at once.",
-                      "SVG is a vector picture of the image. PLY (binary) and OBJ are for 3D "
-                      "programs: a pixel "
-                      "a unit, y upwards, colours as displayed, flat unless --height is given."};
-        operands = {{"IN", "any image OpenImageIO reads"},
+        paragraphs = {
+            "The image's pixels are the vertices; there are two triangles for every four "
+            "neighbouring pixels. The whole image is triangulated at once.",
+            "SVG is a vector picture of the image. PLY (binary) and OBJ are for 3D "
+            "programs: a pixel "
+            "a unit, y upwards, colours as displayed, flat unless --height is given.",
+            "A mesh that is there already, a PLY file of any points, keeps its points; its "
+            "edges are flipped so that they follow its colours, or else its z, or else all "
+            "its numbers. The mesh written has all that the points had."};
+        operands = {{"IN", "any image OpenImageIO reads, or a mesh: a name that ends in .ply"},
                     {"OUT", "the mesh: a name that ends in .svg, .ply or .obj"}};
         flags = {
-            {"--filter", "SPEC",
-             "how to triangulate, as the filter's name and options: ddt,scheme=lawson,cost=scf",
-             [this](const std::string& text) { return set_filter(text); }, "see below"},
+            filter_flag("how to triangulate, as the filter's name and options: "
+                        "ddt,scheme=lawson,cost=scf",
+                        m_options, m_filter_error),
+            choice_flag("--cost", cost_names(), "the cost of an edge, as in --filter ddt,cost=...",
+                        m_cost),
+            {"--scheme", "NAME", "which edges flip, as in --filter ddt,scheme=...",
+             [this](const std::string& text) {
+                 MeshOptions parsed;
+                 m_scheme = text;
+                 return find_scheme(text, parsed);
+             },
+             OIIO::Strutil::join(scheme_names(), ", "), ""},
             choice_flag("--fill", {"gradient", "flat", "none"},
                         "SVG: how triangles are filled (default: gradient)", m_fill),
             number_flag("--lines", "WIDTH", "SVG: draw the edges too, so many pixels wide", 0, 1000,
@@ -39,6 +56,13 @@ public:
     ExitCode run(const std::vector<std::string>& values) override {
         if (!m_filter_error.empty())
             return fail(m_filter_error, exit_usage);
+        if (!m_cost.empty() || !m_scheme.empty()) {
+            find_cost(m_cost, m_options.mesh.cost);
+            find_scheme(m_scheme, m_options.mesh);
+            m_options.mesh.min_gain = -1; // what the filter has is meant for its own
+        }
+        if (is_point_mesh(values[0]))
+            return run_on_points(values);
         m_style.fill = m_fill == "flat"   ? Fill::flat
                        : m_fill == "none" ? Fill::none
                                           : Fill::gradient;
@@ -68,10 +92,20 @@ public:
     }
 
 private:
-    /// The filter's own message says more than a list of values.
-    bool set_filter(const std::string& text) {
-        parse_filter(text, m_options, m_filter_error);
-        return true;
+    ExitCode run_on_points(const std::vector<std::string>& values) const {
+        MeshReport report;
+        Failure failure;
+        {
+            Progress progress("triangulating");
+            if (!optimise_file(values[0], values[1], m_options.mesh, report, std::ref(progress),
+                               failure)) {
+                progress.hide();
+                return fail(failure);
+            }
+        }
+        if (m_verbose)
+            print(report);
+        return exit_done;
     }
     bool triangulate(const Picture& picture, Mesh& mesh, MeshReport& report,
                      std::string& error) const {
@@ -91,7 +125,7 @@ private:
 
     Options m_options;
     MeshStyle m_style;
-    std::string m_fill = "gradient", m_filter_error;
+    std::string m_fill = "gradient", m_cost, m_scheme, m_filter_error;
     bool m_verbose = false;
 };
 

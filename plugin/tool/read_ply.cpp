@@ -206,7 +206,7 @@ private:
                 return false;
             for (size_t i = 0; i < element.count; ++i)
                 for (size_t p = 0; p < element.properties.size(); ++p)
-                    if (!read_value(body, element, p, i))
+                    if (!read_value(body, element, p))
                         return m_error.empty()
                                    ? wrong(format("{} {} ends too early or holds what is no number",
                                                   element.name, i))
@@ -246,7 +246,7 @@ private:
         return true;
     }
 
-    bool read_value(Body& body, const Element& element, size_t p, size_t) {
+    bool read_value(Body& body, const Element& element, size_t p) {
         const Property& property = element.properties[p];
         if (property.length)
             return read_list(body, property,

@@ -20,6 +20,7 @@
 #include "core/lattice/locate.h"
 #include "core/surface/edge_maker.h"
 #include "ddt/core.h"
+#include "tests/core/plain.h"
 
 namespace ddt::test {
 
@@ -54,6 +55,18 @@ inline float float_of(uint32_t bits) {
     std::memcpy(&x, &bits, sizeof x);
     return x;
 }
+
+constexpr Cost all_costs[] = {
+#define DDT_COST(name, ...) Cost::name,
+    DDT_COSTS(DDT_COST)
+#undef DDT_COST
+};
+
+constexpr Scheme all_schemes[] = {
+#define DDT_SCHEME(name, ...) Scheme::name,
+    DDT_SCHEMES(DDT_SCHEME)
+#undef DDT_SCHEME
+};
 
 /// Both surfaces with so many rounds of correction each, with and without soft edges.
 inline std::vector<SurfaceOptions> surfaces_with(std::initializer_list<int> rounds) {
@@ -97,6 +110,13 @@ inline uint64_t hash(const std::vector<float>& values, uint64_t h = 0xcbf29ce484
 /// Kinds of guide. `few` has three levels only, so gains tie all over.
 enum class Kind { noise, few, flat, shapes };
 constexpr Kind all_kinds[] = {Kind::noise, Kind::few, Kind::flat, Kind::shapes};
+
+/// Every cost there is.
+constexpr Cost all_costs[] = {
+#define DDT_COST(name, ...) Cost::name,
+    DDT_COSTS(DDT_COST)
+#undef DDT_COST
+};
 
 /// A guide, multiples of 2^-12 about in [0, 1]. `shapes` are half planes, discs and slopes with a
 /// little noise, something like a photograph. Integer arithmetic only: the same everywhere.

@@ -127,7 +127,7 @@ inline ResizeMapping mapping_of(Rect window, Rect to, Rect out) {
 }
 
 inline Job job_of(const TestSource& source, int channels, int threads = 1) {
-    Job job;
+    Job job = plain_job();
     job.window = source.window();
     job.channels = channels;
     job.threads = threads;

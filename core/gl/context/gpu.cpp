@@ -6,10 +6,8 @@
 
 #include <pthread.h>
 
-#include "core/gl/context/failure.h"
 #include "core/gl/context/faults.h"
 #include "core/gl/context/hardware.h"
-#include "core/gl/self_check.h"
 
 namespace ddt::gl {
 
@@ -31,7 +29,11 @@ struct Registry {
 std::atomic<Registry*> g_registry{new Registry};
 std::atomic<bool> g_started{false}; ///< this process or one it was forked from has had a GL thread
 std::atomic<bool> g_forked{false};
+#ifdef DDT_FAULTS
 std::string& g_device_files = *new std::string("/dev");
+#else
+const char* const g_device_files = "/dev";
+#endif
 
 std::unique_ptr<Context> make_context(Device device, std::string& why) {
     switch (device) {
@@ -44,23 +46,13 @@ std::unique_ptr<Context> make_context(Device device, std::string& why) {
     }
 }
 
-/// Set up the device whose context was made. Returns why it is not to be used.
-std::string prepare(Gpu& gpu) {
+/// Set up the device whose context was made.
+void prepare(Gpu& gpu) {
     const Functions& gl = gpu.context->gl;
     GLint64 limit = 0;
     gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &limit);
     gpu.block_limit = size_t(limit);
     gpu.programs = std::make_unique<Programs>(gl);
-    if (strikes(Fault::bits))
-        return gpu.context->renderer + " does not compute as the CPU does";
-    // Software renderers are asked for by name only, and tests compare them with the CPU.
-    if (gpu.context->software)
-        return {};
-    try {
-        return differs_from_cpu(gpu);
-    } catch (const Failure& e) {
-        return e.what();
-    }
 }
 
 void start(Device device, Slot& slot) {
@@ -76,14 +68,14 @@ void start(Device device, Slot& slot) {
     auto* gpu = new Gpu;
     gpu->thread
         .post([&] {
-            std::string why;
-            gpu->context = make_context(device, why);
-            slot.why = gpu->context ? prepare(*gpu) : why;
+            gpu->context = make_context(device, slot.why);
+            if (gpu->context)
+                prepare(*gpu);
         })
         .get();
     gpu->open_milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-    if (gpu->context && slot.why.empty())
+    if (gpu->context)
         slot.gpu = gpu; // else its idle thread is left behind
 }
 
@@ -91,7 +83,7 @@ void start(Device device, Slot& slot) {
 void try_to_start(Device device, Slot& slot) {
     try {
         if (device == Device::automatic && !hardware_possible(g_device_files))
-            slot.why = "no GPU's driver has files in " + g_device_files;
+            slot.why = std::string("no GPU's driver has files in ") + g_device_files;
         else
             start(device, slot);
     } catch (const std::exception& e) {
@@ -135,6 +127,7 @@ bool is_open(Device device) {
     return device == Device::osmesa ? registry.osmesa.tried : registry.hardware.tried;
 }
 
+#ifdef DDT_FAULTS
 void look_for_hardware_in(const std::string& folder) {
     g_device_files = folder;
 }
@@ -142,5 +135,6 @@ void look_for_hardware_in(const std::string& folder) {
 void forget_devices() {
     g_registry = new Registry;
 }
+#endif
 
 } // namespace ddt::gl

@@ -9,6 +9,7 @@
 #include "core/gl/context/context.h"
 #include "core/gl/context/thread.h"
 #include "core/gl/programs.h"
+#include "core/gl/self_check.h"
 #include "ddt/core.h"
 
 namespace ddt::gl {
@@ -19,6 +20,7 @@ struct Gpu {
     Thread thread;
     std::unique_ptr<Context> context;
     std::unique_ptr<Programs> programs;
+    SelfChecks checks;
     size_t block_limit = 0; ///< bytes a storage block may have
     double open_milliseconds = 0;
     std::atomic<bool> broken{false}; ///< lost: of no more use

@@ -7,6 +7,10 @@
 
 namespace ddt {
 
+/// Coordinates of windows, of sources and results, lie within +- this, so that positions and sites
+/// stay far from overflow.
+constexpr int largest_coordinate = 1 << 29;
+
 /// Pixels x0 <= x < x1, y0 <= y < y1.
 struct Rect {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;

@@ -1,30 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // The names of filters, costs, schemes, starts and devices, as options, tables and tools spell
-// them.
+// them. The functions are safe to call from several threads at once.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "ddt/core.h"
+#include "ddt/options.h"
 
 namespace ddt {
 
-/// What a filter's name stands for. `soft` and `min_gain` are in units of the cost abn.
-struct FilterPreset {
-    const char* name;
-    Surface kind;
-    int consistency;
-    float soft, min_gain, blur;
-};
-/// The filter of that name, or null.
-const FilterPreset* find_filter(std::string_view name);
 /// "ddt", "ddt-linear" and "ddt-sharp".
 std::vector<std::string> filter_names();
-/// Set what the filter of that name stands for, for the cost abn and Scheme::one_round, and leave
-/// the rest as it is; false, and nothing changed, if there is none.
-bool set_filter(std::string_view name, SurfaceOptions& surface, MeshOptions& mesh);
 
 /// "abn", "scf", ...
 const char* cost_name(Cost cost);
@@ -36,7 +24,7 @@ std::vector<std::string> cost_names();
 std::string scheme_name(const MeshOptions& options);
 /// Set scheme and wide_iterations by name; false, and nothing changed, if there is none.
 bool find_scheme(std::string_view name, MeshOptions& options);
-/// All names; the family exproi1-maxgain, exproi2-maxgain ... as "exproiN-maxgain".
+/// All names; of the family exproi1-maxgain, exproi2-maxgain ... only the second.
 std::vector<std::string> scheme_names();
 
 /// "flat" or "diagonal".

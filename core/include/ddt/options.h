@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be chosen: how the mesh is made, the surface laid over it, the device.
+// What can be chosen: how the mesh is made, the surface laid over it, the device. Unless set, every
+// option is that of the filter `ddt`. The fields that a specification such as "ddt,cost=scf" can
+// set have a row each in ddt/option_table.h, which tells how to add one.
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "ddt/costs.h"
+#include "ddt/schemes.h"
 
 namespace ddt {
 
@@ -16,18 +20,11 @@ enum class Cost : uint8_t {
 #undef DDT_ENUMERATOR
 };
 
-/// Which edges flip, in which order. Sources are in core/triangulate/; names in ddt/names.h.
+/// Which edges flip, in which order.
 enum class Scheme : uint8_t {
-    one_round,        ///< parallel: of the edges that gain, those that are the best of their region
-    lawson,           ///< sequential: sweeps in address order, an edge that gains flips at once
-    basic,            ///< the paper's: edges with the smallest addresses, accepted in rounds
-    exproi,           ///< the paper's: basic with the wide region
-    maxgain,          ///< the paper's: edges with the largest gains, accepted in rounds
-    exproi_maxgain,   ///< the paper's: maxgain with the wide region
-    exproi_n_maxgain, ///< the paper's: maxgain, the region wide for the first iterations only
-    look_ahead,       ///< sequential: also flips that pay together with a second (Yu et al. 2001)
-    annealing,        ///< parallel: flips that lose, at random, then one_round (Schumaker 1993)
-    pixel,            ///< the starting mesh as it is (Su & Willis 2004)
+#define DDT_ENUMERATOR(name, ...) name,
+    DDT_SCHEMES(DDT_ENUMERATOR)
+#undef DDT_ENUMERATOR
 };
 
 /// Which diagonal a 2x2 cell of pixels starts with.
@@ -42,14 +39,22 @@ enum class Surface : uint8_t {
     patch,  ///< a quadratic patch a triangle; like `linear` never outside the triangle's 3 values
 };
 
+/// Options that are reals and have no bound of their own are 0 to this. None may be subnormal.
+constexpr float largest_real = 1e6f;
+
+/// See SurfaceOptions::consistency.
+constexpr int most_consistency = 16;
+
 /// How values are read off the mesh.
 struct SurfaceOptions {
-    /// Implicit: a plain Surface is one without corrections.
-    SurfaceOptions(Surface kind_ = Surface::patch) : kind(kind_) {}
+    SurfaceOptions() = default;
+    /// Implicit: a plain Surface is one without corrections and soft edges.
+    SurfaceOptions(Surface kind_) : kind(kind_), soft(0) {}
 
-    Surface kind;
+    Surface kind = Surface::patch;
     /// Rounds that correct the vertices so that the surface's mean over each source pixel comes
-    /// back to that pixel's value; 0 to 16. More than 0 can overshoot the source's values.
+    /// back to that pixel's value; 0 to most_consistency. More than 0 can overshoot the source's
+    /// values.
     int consistency = 0;
     /// How far a corrected vertex may leave the range of its 3x3 source pixels, as a share of that
     /// range, and downwards, where none of the nine is negative, of the smallest of them if that is
@@ -58,14 +63,17 @@ struct SurfaceOptions {
     /// Edges that would lose less than this by a flip are blended with their flipped state, so that
     /// the picture is nearly continuous in its input; in units of the cost, 0: none. Without
     /// `consistency` the surface still keeps to its triangle's range, with it to that of the
-    /// vertices near.
-    float soft = 0.0f;
+    /// vertices near. The default is meant for the cost abn.
+    float soft = 0.4f;
     /// The output will be cut off at 0, as integers are: vertices may then get negative within the
     /// limit, and what is left above 0 is sharper for it.
     bool clipped = false;
 };
 
-/// See MeshOptions::meshes.
+/// See MeshOptions::max_iterations, contour, blur and meshes.
+constexpr int most_iterations = 250;
+constexpr float most_contour = 1000.0f;
+constexpr float largest_blur = 0.25f;
 constexpr int most_meshes = 4;
 constexpr float mesh_spread = 0.07f;
 
@@ -73,21 +81,30 @@ struct MeshOptions {
     Cost cost = Cost::abn;
     Scheme scheme = Scheme::one_round;
     Start start = Start::flat;
-    /// A flip must gain more than this, in units of the cost. Negative: the cost's own default (see
-    /// ddt/costs.h), for lawson and the paper's schemes a bare guard against rounding.
-    float min_gain = -1.0f;
-    /// Iterations after which flipping ends; 0 to 250. For lawson and look_ahead these are sweeps,
-    /// for annealing it is the number of random iterations and the limit of those that follow.
+    /// A flip must gain more than this, in units of the cost. Negative: the cost's own (see
+    /// ddt/costs.h), for lawson and the paper's schemes a bare guard against rounding. The default
+    /// is meant for the cost abn and Scheme::one_round; parse_filter() gives others theirs.
+    float min_gain = 0.1f;
+    /// Iterations after which flipping ends; 0 to most_iterations. For lawson and look_ahead these
+    /// are sweeps, for annealing it is the number of random iterations and the limit of those that
+    /// follow.
     int max_iterations = 64;
     /// Share of each neighbour, in rows and then in columns, that is mixed into the guide before
-    /// edges are sought in it; 0 to 1/4. A little keeps single pixels' noise out of the mesh.
-    float blur = 0.0f;
+    /// edges are sought in it; 0 to largest_blur. A little keeps single pixels' noise out of the
+    /// mesh.
+    float blur = 0.07f;
+    /// How much more than by its cost an edge is judged by the contours about it; 0 to
+    /// most_contour, in units of the cost. A structure tensor of the guide, smoothed over seven
+    /// pixels, tells where they run (core/guide/contour.h): the mesh gets steadier and follows them
+    /// further. 0: by the cost alone. The default is meant for the cost abn and Scheme::one_round;
+    /// parse_filter() gives others 0.
+    float contour = 0.8f;
     /// How many meshes are made and their surfaces averaged; 1 to most_meshes. The guides of
     /// several are blurred by shares from `blur` - mesh_spread to `blur` + mesh_spread, as far as
     /// allowed, in even steps. Steadier in sequences and smoother, for so many times the time and
     /// memory.
     int meshes = 1;
-    int wide_iterations = 2; ///< exproi_n_maxgain: iterations with the wide region
+    int wide_iterations = 2; ///< exproi_n_maxgain: iterations with the wide region; 1 or more
     uint32_t seed = 1;       ///< annealing: another seed, another mesh
 };
 
@@ -99,6 +116,20 @@ enum class Device : uint8_t {
     cpu,
     egl,    ///< OpenGL through libEGL, on a GPU or, where there is none, a software renderer
     osmesa, ///< OpenGL through libOSMesa, a software renderer: for tests
+};
+
+/// All that a specification of a filter can say.
+struct FilterOptions {
+    SurfaceOptions surface;
+    MeshOptions mesh;
+    /// Light in which values are interpolated, for hosts that convert colours; the core itself
+    /// does not read it. "auto": linear, from the colour space that the image names; as the numbers
+    /// are where it names none, or one of data. "encoded": as the numbers are. Otherwise the name
+    /// of the image's colour space.
+    std::string light = "auto";
+    /// What the work is done on; the result is the same everywhere. A device named here that cannot
+    /// be had is a failure that says why.
+    Device device = Device::automatic;
 };
 
 } // namespace ddt

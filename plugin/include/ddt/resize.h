@@ -35,40 +35,20 @@
 
 #include "ddt/core.h"
 #include "ddt/names.h"
+#include "ddt/option_table.h"
 
 namespace ddt {
 
-/// How to resize; the defaults are those of the filter name "ddt".
-struct Options {
-    Options();
-
-    /// Filter names: ddt-linear, ddt, ddt-sharp. `clipped` is set by itself for an unsigned integer
-    /// dst.
-    SurfaceOptions surface;
-    MeshOptions mesh;
-    /// Light in which values are interpolated. "auto": linear, from the colour space in the image's
-    /// "oiio:ColorSpace"; as the numbers are where that is absent, unknown or a space of data.
-    /// "encoded": as the numbers are. Otherwise the name of the image's space, which the OCIO
-    /// config must have.
-    std::string light = "auto";
-    /// Where meshes are computed; the result is the same everywhere. A device named here that
-    /// cannot be had is a failure that says why.
-    Device device = Device::automatic;
+/// How to resize; the defaults are those of the filter `ddt`. parse_filter() of
+/// ddt/option_table.h sets the inherited fields by a specification such as "ddt-sharp,cost=scf".
+/// `clipped` is set by itself for an unsigned integer dst. A colour space in `light` must be in the
+/// OCIO config.
+struct Options : FilterOptions {
     /// Called now and then with the share done (0..1), one thread at a time; return false to
     /// cancel, which is a failure.
     std::function<bool(float)> progress;
     Statistics* statistics = nullptr; ///< filled in when not null and a mesh was made
 };
-
-/// True if `spec` is one of filter_names() (ddt/names.h), or one followed by a comma and options.
-bool is_filter_name(OIIO::string_view spec);
-
-/// Parse "ddt,key=value,...": the name sets the surface, blur and min_gain, each key its option;
-/// what is not named keeps its value in `options`. Keys: blur, clipped, consistency, cost, device,
-/// iterations, light, limit, meshes, min_gain, scheme, seed, soft, start; values with names are
-/// those of ddt/names.h. On failure return false with one line in `error` that names the option and
-/// lists what is allowed; `options` is then unchanged.
-bool parse_filter(OIIO::string_view spec, Options& options, std::string& error);
 
 /// Resize: the source's display window maps onto dst's, pixel centres at half integers; data
 /// windows are honoured, beyond the source's data window its outermost pixels go on. `roi` limits
@@ -82,6 +62,20 @@ bool parse_filter(OIIO::string_view spec, Options& options, std::string& error);
 /// nthreads 0: OpenImageIO's attribute "threads".
 bool resize(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options = {},
             OIIO::ROI roi = {}, int nthreads = 0);
+
+/// Which pixels are missing, beside those with a NaN in a channel.
+enum class Missing {
+    nan,   ///< no others
+    alpha, ///< those whose alpha is 0
+};
+
+/// Fill the missing pixels: dst becomes a copy of src in which they are interpolated over triangles
+/// of the pixels about them, as fill_holes() of ddt/points.h does it, with options.mesh; edges are
+/// sought under options.light, values are interpolated as they are. A pixel that lacks some
+/// channels keeps the others; channels of identifiers are copied from the nearest vertex. A failure
+/// without GEOS, and if no pixel is there; not if none is missing.
+bool fill(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options = {},
+          Missing missing = Missing::nan);
 
 /// Warp: M maps source to output pixel coordinates, (x, y, 1) * M with pixel centres at half
 /// integers. An output pixel whose centre comes from outside the source's data window is black. A

@@ -18,8 +18,7 @@
 
 #include "core/base/arith.h"
 #include "core/tiles/tile_worker.h"
-#include "ddt/names.h"
-#include "tests/bench/gpu/half.h"
+#include "ddt/option_table.h"
 #include "tests/bench/gpu/measure.h"
 
 namespace ddt::bench {
@@ -50,7 +49,7 @@ bool parse(int argc, char** argv, Options& o) {
         else if (name == "--size" && std::sscanf(value, "%dx%d", &o.width, &o.height) == 2 &&
                  o.width > 1 && o.height > 1)
             o.cases = 1;
-        else if (name == "--filter" && find_filter(value))
+        else if (name == "--filter" && is_filter_name(value))
             o.filter = value;
         else if (name == "--picture" && *value)
             o.picture = value;
@@ -64,7 +63,12 @@ Job job_of(const Options& o, int width, int height) {
     Job job;
     job.window = {0, 0, width, height};
     job.channels = 4;
-    set_filter(o.filter, job.surface, job.mesh);
+    FilterOptions options;
+    std::string error;
+    if (!parse_filter(o.filter, options, error))
+        throw std::runtime_error(error);
+    job.surface = options.surface;
+    job.mesh = options.mesh;
     return job;
 }
 
@@ -75,34 +79,28 @@ Picture make_picture(const Options& o, int width, int height) {
     return picture;
 }
 
-/// The CPU's output, as floats' or halves' bits.
+/// The bits of the CPU's output.
 class CpuSink final : public Sink {
 public:
-    CpuSink(int width, int height, bool half)
-        : m_width(width), m_half(half),
-          result(size_t(width) * size_t(height) * 4 / (half ? 2 : 1)) {}
+    CpuSink(int width, int height) : m_width(width), result(size_t(width) * size_t(height) * 4) {}
     bool write(const Rect& r, float* values) override {
         for (int y = r.y0; y < r.y1; ++y) {
             const size_t first = (size_t(y) * size_t(m_width) + size_t(r.x0)) * 4;
-            for (size_t i = first; i < first + size_t(r.width()) * 4; ++i, ++values)
-                if (m_half)
-                    reinterpret_cast<uint16_t*>(result.data())[i] = narrowed(*values);
-                else
-                    std::memcpy(&result[i], values, 4);
+            std::memcpy(&result[first], values, size_t(r.width()) * 4 * sizeof(float));
+            values += size_t(r.width()) * 4;
         }
         return true;
     }
 
 private:
     int m_width;
-    bool m_half;
 
 public:
     std::vector<uint32_t> result;
 };
 
 /// Bytes that differ between the device and the CPU on a picture of several tiles.
-size_t differing_bytes(gl::Gpu& gpu, const Options& o, gl::Numbers numbers) {
+size_t differing_bytes(gl::Gpu& gpu, const Options& o) {
     Picture picture = make_picture(o, 700, 530);
     const auto axis = [](int n) {
         ResizeMapping::Axis a;
@@ -111,13 +109,13 @@ size_t differing_bytes(gl::Gpu& gpu, const Options& o, gl::Numbers numbers) {
         return a;
     };
     const ResizeMapping mapping(axis(700), axis(530));
-    CpuSink sink(1400, 1060, numbers == gl::Numbers::halves);
+    CpuSink sink(1400, 1060);
     const Job job = job_of(o, 700, 530);
     TileWorker worker(picture, sink, mapping, job);
     const Grid grid(job.window);
     for (int i = 0; i < grid.count(); ++i)
         worker.work(grid.tile(i), INT_MIN);
-    const Measured m = measure(gpu, picture, job, numbers, 1, true);
+    const Measured m = measure(gpu, picture, job, 1, true);
     size_t differing = 0;
     const auto* a = reinterpret_cast<const char*>(sink.result.data());
     const auto* b = reinterpret_cast<const char*>(m.result.data());
@@ -152,29 +150,25 @@ void measure_case(gl::Gpu& gpu, const Options& o, const char* name, int width, i
                   double bandwidth) {
     Picture picture = make_picture(o, width, height);
     const Job job = job_of(o, width, height);
-    for (const gl::Numbers numbers : {gl::Numbers::floats, gl::Numbers::halves}) {
-        const Measured m = measure(gpu, picture, job, numbers, o.runs, false);
-        const double* ms = m.milliseconds;
-        const double mesh = ms[int(gl::Stage::triangulate)], surface = ms[int(gl::Stage::surface)],
-                     sample = ms[int(gl::Stage::sample)];
-        const auto traffic_by_kernel =
-            traffic(m.work, job.surface, numbers == gl::Numbers::floats ? 4 : 2);
-        double bytes = 0;
-        for (const auto& [kernel, b] : traffic_by_kernel)
-            bytes += b;
-        int dispatches = 0;
-        for (const auto& [kernel, times] : m.dispatches)
-            dispatches += times;
-        std::printf("%-12s %-5s %9.3f %11.3f %9.3f %9.3f %9.3f %9.3f %8.0f %5.1f%% %6d %5zu %5d\n",
-                    name, numbers == gl::Numbers::floats ? "float" : "half",
-                    ms[int(gl::Stage::upload)], mesh, surface, sample, ms[int(gl::Stage::download)],
-                    mesh + surface + sample, bytes * 1e-6,
-                    100.0 * bytes / ((mesh + surface + sample) * 1e-3) / bandwidth, dispatches,
-                    flipping_iterations(m.work), m.batches);
-        std::fflush(stdout);
-        if (o.lists && numbers == gl::Numbers::floats)
-            print_lists(m, traffic_by_kernel);
-    }
+    const Measured m = measure(gpu, picture, job, o.runs, false);
+    const double* ms = m.milliseconds;
+    const double mesh = ms[int(gl::Stage::triangulate)], surface = ms[int(gl::Stage::surface)],
+                 sample = ms[int(gl::Stage::sample)];
+    const auto traffic_by_kernel = traffic(m.work, job.surface);
+    double bytes = 0;
+    for (const auto& [kernel, b] : traffic_by_kernel)
+        bytes += b;
+    int dispatches = 0;
+    for (const auto& [kernel, times] : m.dispatches)
+        dispatches += times;
+    std::printf("%-12s %9.3f %11.3f %9.3f %9.3f %9.3f %9.3f %8.0f %5.1f%% %6d %5zu %5d\n", name,
+                ms[int(gl::Stage::upload)], mesh, surface, sample, ms[int(gl::Stage::download)],
+                mesh + surface + sample, bytes * 1e-6,
+                100.0 * bytes / ((mesh + surface + sample) * 1e-3) / bandwidth, dispatches,
+                flipping_iterations(m.work), m.batches);
+    std::fflush(stdout);
+    if (o.lists)
+        print_lists(m, traffic_by_kernel);
 }
 
 int run(const Options& o) {
@@ -188,15 +182,13 @@ int run(const Options& o) {
     std::printf("%s, OpenGL %s, by %s; opened in %.0f ms\n", gpu->context->renderer.c_str(),
                 gpu->context->version.c_str(), gpu->context->platform.c_str(),
                 gpu->open_milliseconds);
-    size_t differing = 0;
-    for (const gl::Numbers numbers : {gl::Numbers::floats, gl::Numbers::halves})
-        differing += differing_bytes(*gpu, o, numbers);
+    const size_t differing = differing_bytes(*gpu, o);
     std::printf("700x530 to 1400x1060: %zu bytes differ from the CPU's; %d shaders compiled in "
                 "%.0f ms\n",
                 differing, gpu->programs->compiled(), gpu->programs->milliseconds());
     const double bandwidth = copy_bandwidth(*gpu);
     std::printf("copy bandwidth %.1f GB/s (read + written)\n\n", bandwidth * 1e-9);
-    std::printf("milliseconds       upload triangulate   surface    sample  download   kernels"
+    std::printf("milliseconds upload triangulate   surface    sample  download   kernels"
                 "       MB share  disp. iter. batch\n");
     constexpr struct {
         const char* name;

@@ -5,40 +5,32 @@
 #include <cstring>
 
 #include "core/gl/budget.h"
+#include "core/gl/host_tile.h"
 #include "core/gl/strip.h"
-#include "core/guide/guide.h"
 #include "core/tiles/tile_io.h"
-#include "core/triangulate/triangulate.h"
-#include "tests/bench/gpu/half.h"
 
 namespace ddt::bench {
 
-using gl::Numbers;
 using gl::Stage;
 
 namespace {
 
 constexpr int channels = 4;
 
-/// A tile in the layout of a slot.
-struct HostTile {
-    Tile tile;
+struct BenchTile : gl::HostTile {
     Rect reach;
-    gl::TileSize size;
-    std::vector<float> guide, values;
-    std::vector<uint16_t> halves;
 };
 
 class Bench {
 public:
-    Bench(gl::Gpu& gpu, Picture& picture, const Job& job, Numbers numbers)
-        : m_gpu(gpu), m_picture(picture), m_job(job), m_numbers(numbers),
+    Bench(gl::Gpu& gpu, Picture& picture, const Job& job)
+        : m_gpu(gpu), m_picture(picture), m_job(job),
           m_grid({0, 0, picture.width(), picture.height()}),
           m_shape(gl::shape_for({0, 0, picture.width(), picture.height()})),
           m_mapping(axis(picture.width()), axis(picture.height())),
           m_in_flight(gl::affordable_tiles(gpu, m_shape, 1, job.surface, m_grid.count())),
           m_mesh(gpu, m_shape, int(m_in_flight)),
-          m_surfaces(gpu, m_shape, int(m_in_flight), kinds(job), job.surface, numbers) {}
+          m_surfaces(gpu, m_shape, int(m_in_flight), gl::kinds_of(job), job.surface) {}
 
     /// One run over the whole picture.
     void run(gl::Stages& stages, Measured& m, bool keep) {
@@ -46,8 +38,7 @@ public:
         m.work = {};
         const auto uses = m_gpu.programs->uses();
         if (keep)
-            m.result.resize(size_t(m_picture.width()) * size_t(m_picture.height()) * 4 *
-                            number_bytes());
+            m.result.resize(size_t(m_picture.width()) * size_t(m_picture.height()) * 4 * channels);
         for (int first = 0; first < m_grid.count(); first += int(m_in_flight)) {
             read(first, std::min(m_grid.count(), first + int(m_in_flight)));
             batch(stages, m, keep);
@@ -59,62 +50,32 @@ public:
     }
 
 private:
-    static std::vector<gl::GroupKinds> kinds(const Job& job) {
-        gl::GroupKinds k;
-        for (int c = 0; c < channels; ++c)
-            k.strict |= is_strict(job, c) ? 1u << c : 0;
-        return {k};
-    }
     static ResizeMapping::Axis axis(int pixels) {
         ResizeMapping::Axis a;
         a.from_size = a.window1 = pixels;
         a.to_size = a.out1 = 2 * pixels;
         return a;
     }
-    size_t number_bytes() const { return m_numbers == Numbers::halves ? 2 : 4; }
 
     void read(int first, int end) {
         m_tiles.clear();
-        std::vector<float> values, guide;
         for (int i = first; i < end; ++i) {
-            HostTile t;
+            BenchTile t;
             t.tile = m_grid.tile(i);
             t.reach = reach_of(t.tile, m_job.window, m_mapping);
-            int width = 0, height = 0;
-            read_tile(m_picture, t.tile, m_job, values, guide, width, height);
-            if (const float share = blur_share(m_job.mesh, 0); share > 0)
-                blur_guide(guide, width, height, share);
-            t.size = gl::size_in_slot(t.tile, width, height);
-            t.guide.resize(m_shape.pixels());
-            t.values.resize(m_shape.pixels() * channels);
-            for (int y = 0; y < t.size.height; ++y) {
-                const size_t from = size_t(y) * size_t(t.size.width),
-                             to = size_t(y) * size_t(m_shape.width), n = size_t(t.size.width);
-                std::memcpy(&t.guide[to], &guide[from], n * sizeof(float));
-                std::memcpy(&t.values[to * channels], &values[from * channels],
-                            n * channels * sizeof(float));
-            }
-            if (m_numbers == Numbers::halves)
-                for (const float v : t.values)
-                    t.halves.push_back(narrowed(v));
+            gl::read(m_picture, m_job, m_shape, t);
             m_tiles.push_back(std::move(t));
         }
     }
 
     void batch(gl::Stages& stages, Measured& m, bool keep) {
         std::vector<gl::TileSize> sizes;
-        for (const HostTile& t : m_tiles)
+        for (const BenchTile& t : m_tiles)
             sizes.push_back(t.size);
         stages.begin(Stage::upload);
         m_mesh.set_tiles(sizes);
-        for (size_t i = 0; i < m_tiles.size(); ++i) {
-            const HostTile& t = m_tiles[i];
-            m_mesh.write_guide(int(i), t.guide.data());
-            const bool half = m_numbers == Numbers::halves;
-            m_surfaces.write_values(int(i), 0,
-                                    half ? static_cast<const void*>(t.halves.data())
-                                         : static_cast<const void*>(t.values.data()));
-        }
+        for (size_t i = 0; i < m_tiles.size(); ++i)
+            gl::upload(m_tiles[i], m_job, int(i), m_mesh, m_surfaces);
         stages.end();
         gl::finish(m_gpu.context->gl, "upload");
         stages.begin(Stage::triangulate);
@@ -141,7 +102,7 @@ private:
             for (const gl::Strip& s : strips)
                 m_surfaces.sample(m_mesh, s.plan, channels);
             stages.end();
-            m_download.resize(size_t(results) * channels * number_bytes());
+            m_download.resize(size_t(results) * channels * sizeof(float));
             stages.begin(Stage::download);
             m_surfaces.read_result(m_download.size(), m_download.data());
             stages.end();
@@ -156,7 +117,7 @@ private:
             gl::Strip s;
             s.rows = m_tiles[i].reach;
             gl::plan_strip(m_mapping, m_tiles[i].tile, int(i), s);
-            if (size_t(results + s.plan.count) * channels * number_bytes() > m_gpu.block_limit)
+            if (size_t(results + s.plan.count) * channels * sizeof(float) > m_gpu.block_limit)
                 flush();
             s.plan.first_x += int(positions.size());
             s.plan.first_y += int(positions.size());
@@ -169,7 +130,7 @@ private:
     }
 
     void put(const gl::Strip& s, Measured& m) const {
-        const size_t pixel = channels * number_bytes(), row = size_t(2 * m_picture.width()) * pixel;
+        const size_t pixel = channels * sizeof(float), row = size_t(2 * m_picture.width()) * pixel;
         auto* to = reinterpret_cast<char*>(m.result.data());
         const char* from = m_download.data() + size_t(s.plan.first_result) * pixel;
         for (int y = s.rows.y0; y < s.rows.y1; ++y, from += size_t(s.rows.width()) * pixel)
@@ -181,7 +142,7 @@ private:
         const auto counts = m_mesh.read_counts();
         const auto reach = m_mesh.read_reach();
         for (size_t t = 0; t < counts.size(); ++t) {
-            const HostTile& tile = m_tiles[t];
+            const BenchTile& tile = m_tiles[t];
             add_tile(tile.size, double(tile.reach.area()), int(reach[t]), m_job.surface, m.work);
             for (size_t i = 0; i < counts[t].size(); ++i) {
                 const gl::IterationCounts& c = counts[t][i];
@@ -202,25 +163,23 @@ private:
     gl::Gpu& m_gpu;
     Picture& m_picture;
     Job m_job;
-    Numbers m_numbers;
     Grid m_grid;
     gl::SlotShape m_shape;
     ResizeMapping m_mapping;
     size_t m_in_flight;
     gl::DeviceMesh m_mesh;
     gl::Surfaces m_surfaces;
-    std::vector<HostTile> m_tiles;
+    std::vector<BenchTile> m_tiles;
     std::vector<char> m_download;
 };
 
 } // namespace
 
-Measured measure(gl::Gpu& gpu, Picture& picture, const Job& job, Numbers numbers, int runs,
-                 bool keep_result) {
+Measured measure(gl::Gpu& gpu, Picture& picture, const Job& job, int runs, bool keep_result) {
     Measured best;
     double least = 0;
     const auto work = [&] {
-        Bench bench(gpu, picture, job, numbers); // its buffers belong to this thread
+        Bench bench(gpu, picture, job); // its buffers belong to this thread
         for (int i = 0; i < runs; ++i) {
             gl::Stages stages(gpu.context->gl, true);
             Measured m;

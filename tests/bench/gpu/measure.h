@@ -19,13 +19,12 @@ struct Measured {
     std::map<std::string, int> dispatches;           ///< by kernel
     int batches = 0;
     Workload work;
-    std::vector<uint32_t> result; ///< where asked for: the bits of the output, two halves a word
+    std::vector<uint32_t> result; ///< where asked for: the bits of the output
 };
 
 /// Works on the context's thread. Of the job the window, the channels, mesh and surface count.
 /// `keep_result`: for comparison.
-Measured measure(gl::Gpu& gpu, Picture& picture, const Job& job, gl::Numbers numbers, int runs,
-                 bool keep_result);
+Measured measure(gl::Gpu& gpu, Picture& picture, const Job& job, int runs, bool keep_result);
 
 /// Bytes a second that the device copies, counting those read and those written.
 double copy_bandwidth(gl::Gpu& gpu);

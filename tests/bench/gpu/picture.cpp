@@ -4,8 +4,6 @@
 #include <cmath>
 #include <fstream>
 
-#include "tests/bench/gpu/half.h"
-
 namespace ddt::bench {
 
 namespace {
@@ -27,7 +25,7 @@ int mirrored(int i, int n) {
 } // namespace
 
 Picture::Picture(int width, int height)
-    : m_width(width), m_height(height), m_halves(size_t(width) * size_t(height) * 4),
+    : m_width(width), m_height(height), m_values(size_t(width) * size_t(height) * 4),
       m_guide(size_t(width) * size_t(height)) {
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
@@ -45,7 +43,7 @@ void Picture::set(int x, int y, float r, float g, float b) {
     const size_t i = size_t(y) * size_t(m_width) + size_t(x);
     const float rgba[] = {r, g, b, 1.0f};
     for (size_t c = 0; c < 4; ++c)
-        m_halves[4 * i + c] = narrowed(rgba[c]);
+        m_values[4 * i + c] = rgba[c];
     m_guide[i] = std::round((0.2126f * r + 0.7152f * g + 0.0722f * b) * 4096.0f) / 4096.0f;
 }
 
@@ -76,7 +74,7 @@ bool Picture::read(const Rect& r, float* values, float* guide) {
         for (int x = r.x0; x < r.x1; ++x) {
             const size_t i = size_t(y) * size_t(m_width) + size_t(x);
             for (size_t c = 0; c < 4; ++c)
-                *values++ = widened(m_halves[4 * i + c]);
+                *values++ = m_values[4 * i + c];
             *guide++ = m_guide[i];
         }
     return true;

@@ -10,7 +10,7 @@
 
 namespace ddt::bench {
 
-/// RGBA, each number also a half float's value; the guide a multiple of 2^-12.
+/// RGBA; the guide a multiple of 2^-12.
 class Picture final : public Source {
 public:
     /// Shades, discs and stripes with a little noise, about as hard to triangulate as photographs.
@@ -26,7 +26,7 @@ private:
     void set(int x, int y, float r, float g, float b);
 
     int m_width, m_height;
-    std::vector<uint16_t> m_halves; ///< 4 a pixel
+    std::vector<float> m_values; ///< 4 a pixel
     std::vector<float> m_guide;
 };
 

@@ -37,8 +37,7 @@ void add_tile(const gl::TileSize& tile, double positions, int reach, const Surfa
     }
 }
 
-std::map<std::string, double> traffic(const Workload& w, const SurfaceOptions& surface,
-                                      double number_bytes) {
+std::map<std::string, double> traffic(const Workload& w, const SurfaceOptions& surface) {
     std::map<std::string, double> bytes;
     const double all_sites = w.pixels * sites, all_gains = w.pixels * gains;
     bytes["start.comp"] = w.pixels * 4 + all_sites + all_gains;
@@ -75,9 +74,7 @@ std::map<std::string, double> traffic(const Workload& w, const SurfaceOptions& s
         bytes["gradients.comp"] = w.gradients * (sites + values + two_gradients);
     if (w.corrections > 0)
         bytes["correct.comp"] = w.corrections * (net + 2 * values);
-    if (number_bytes < 4)
-        bytes["widen.comp"] = w.pixels * (values / 2 + values);
-    bytes["sample.comp"] = w.served * net + w.out * 4 * number_bytes;
+    bytes["sample.comp"] = w.served * net + w.out * values;
     return bytes;
 }
 

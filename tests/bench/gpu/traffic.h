@@ -26,9 +26,8 @@ void add_tile(const gl::TileSize& tile, double positions, int reach, const Surfa
               Workload& work);
 
 /// Bytes by kernel. A dispatch reads and writes each number once, however many invocations want it:
-/// neighbours want it at about the same time, and it is in a cache then. Four channels of
-/// `number_bytes` bytes are written a position.
-std::map<std::string, double> traffic(const Workload& work, const SurfaceOptions& surface,
-                                      double number_bytes);
+/// neighbours want it at about the same time, and it is in a cache then. Four channels are
+/// written a position.
+std::map<std::string, double> traffic(const Workload& work, const SurfaceOptions& surface);
 
 } // namespace ddt::bench

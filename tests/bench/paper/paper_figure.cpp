@@ -155,7 +155,9 @@ bool make(const std::string& path, const std::string& folder, Square square) {
         ddt::find_scheme(name, options);
         options.cost = ddt::Cost::scf;
         options.start = ddt::Start::diagonal;
-        options.max_iterations = 250;
+        options.max_iterations = ddt::most_iterations;
+        options.min_gain = -1;
+        options.blur = 0;
         const std::string stem = folder + "/" + name;
         const Image picture = enlarged(reduced, factor * zoom, options, close_up);
         const Image back = bench::stored(enlarged(reduced, factor, options), bench::Light::encoded);

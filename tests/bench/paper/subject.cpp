@@ -78,8 +78,9 @@ std::vector<ddt::MeshOptions> all_schemes() {
         o.cost = ddt::Cost::scf;
         o.start = start;
         o.min_gain = 1e-6f;
+        o.blur = 0;
         // Enough for every scheme to end by itself; annealing takes as many as it is given.
-        o.max_iterations = o.scheme == ddt::Scheme::annealing ? 64 : 250;
+        o.max_iterations = o.scheme == ddt::Scheme::annealing ? 64 : ddt::most_iterations;
         schemes.push_back(o);
     };
     for (const char* name :

@@ -27,7 +27,7 @@ TEST(Mesh, HasTwoTrianglesACellAllOfAreaOneHalf) {
 TEST(Mesh, HasTheTrianglesOfTheLattice) {
     const int w = 23, h = 17;
     const auto guide = make_guide(Kind::noise, w, h, 3);
-    MeshOptions o;
+    MeshOptions o = plain_mesh();
     o.cost = Cost::scf;
     Mesh mesh;
     MeshReport report;
@@ -54,7 +54,7 @@ TEST(Mesh, EverySchemeTellsHowFarItIsAndCanBeCancelled) {
     const auto guide = make_guide(Kind::noise, w, h, 3);
     for (const char* name : {"one-round", "lawson", "maxgain", "look-ahead", "annealing"}) {
         SCOPED_TRACE(name);
-        MeshOptions o;
+        MeshOptions o = plain_mesh();
         ASSERT_TRUE(find_scheme(name, o));
         int calls = 0;
         Mesh mesh;
@@ -78,10 +78,12 @@ TEST(Mesh, SaysWhyThereIsNone) {
     EXPECT_EQ(error, "ddt: a mesh needs at least 2 x 2 pixels");
     EXPECT_FALSE(build_mesh(guide.data(), 1 << 15, 1 << 15, {}, mesh, nullptr, &error));
     EXPECT_EQ(error, "ddt: the image is too large for one mesh");
-    MeshOptions o;
-    o.max_iterations = 251;
+    MeshOptions o = plain_mesh();
+    o.max_iterations = most_iterations + 1;
     EXPECT_FALSE(build_mesh(guide.data(), 4, 2, o, mesh, nullptr, &error));
-    EXPECT_EQ(error, "ddt: max_iterations must be 0 to 250");
+    EXPECT_EQ(error,
+              "ddt: option \"iterations=251\" is not allowed; allowed for iterations are whole "
+              "numbers from 0 to 250");
     EXPECT_TRUE(build_mesh(guide.data(), 4, 2, {}, mesh, nullptr, &error));
     EXPECT_EQ(error, "");
 }

@@ -18,6 +18,7 @@ struct Case {
     float soft;
     int consistency;
     uint64_t expected;
+    float contour = 0;
 };
 
 TEST(Golden, EnlargedPicturesHaveTheseBits) {
@@ -35,6 +36,8 @@ TEST(Golden, EnlargedPicturesHaveTheseBits) {
         {Kind::shapes, Cost::abn, Scheme::one_round, Surface::patch, 3, 0, 2, 0x57c884f2221246e7u},
         {Kind::noise, Cost::abn, Scheme::one_round, Surface::linear, 1, 0.3f, 1,
          0x537fd445025bd931u},
+        {Kind::shapes, Cost::abn, Scheme::one_round, Surface::patch, 3, 0.3f, 0, 0x0u, 0.8f},
+        {Kind::noise, Cost::dlp, Scheme::lawson, Surface::patch, 1, 0.3f, 2, 0x0u, 0.4f},
     };
     for (const Case& c : cases) {
         // More than a tile wide; an odd factor, another one down.
@@ -48,9 +51,10 @@ TEST(Golden, EnlargedPicturesHaveTheseBits) {
         SurfaceOptions surface = c.surface;
         surface.soft = c.soft;
         surface.consistency = c.consistency;
-        MeshOptions mesh;
+        MeshOptions mesh = plain_mesh();
         mesh.cost = c.cost;
         mesh.scheme = c.scheme;
+        mesh.contour = c.contour;
         for (const int threads : {1, 3}) {
             ASSERT_EQ(enlarge(values.data(), w, h, c.channels, guide.data(), out.data(), out_w,
                               out_h, surface, mesh, threads),
@@ -68,7 +72,7 @@ TEST(Golden, MeshesAreThese) {
         Lattice lattice;
         Workspace workspace;
         Statistics statistics;
-        MeshOptions options;
+        MeshOptions options = plain_mesh();
         options.cost = cost;
         options.scheme = scheme;
         lattice.start(w, h, guide.data(), true);

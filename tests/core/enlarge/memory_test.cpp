@@ -83,7 +83,7 @@ int64_t peak_of(const Job& job) {
 TEST(Memory, AJobTakesWhatIsSaidWhateverThePicturesSize) {
     {
         // What a process takes once, whatever it enlarges.
-        Job first;
+        Job first = plain_job();
         first.window = {0, 0, 8, 8};
         Noise noise(1);
         EXPECT_EQ(
@@ -91,7 +91,7 @@ TEST(Memory, AJobTakesWhatIsSaidWhateverThePicturesSize) {
             Outcome::done);
     }
     for (const int channels : {1, 3, 9}) {
-        Job job;
+        Job job = plain_job();
         job.channels = channels;
         job.mesh.meshes = channels == 3 ? 3 : 1;
         job.threads = 1;

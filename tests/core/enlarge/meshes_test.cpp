@@ -28,7 +28,7 @@ Job sharp_job(const TestSource& source, int channels, int meshes) {
 }
 
 TEST(Meshes, AreBlurredByEvenSteps) {
-    MeshOptions options;
+    MeshOptions options = plain_mesh();
     options.blur = 0.1f;
     EXPECT_EQ(blur_share(options, 0), 0.1f);
     options.meshes = 3;
@@ -171,7 +171,8 @@ TEST(Meshes, TheirNumberIsBounded) {
         EXPECT_EQ(enlarge(source, sink, mapping_of(source.window(), out, out),
                           sharp_job(source, 1, meshes), &error),
                   Outcome::bad_job);
-        EXPECT_EQ(error, "ddt: meshes must be 1 to 4");
+        EXPECT_EQ(error, "ddt: option \"meshes=" + std::to_string(meshes) +
+                             "\" is not allowed; allowed for meshes are whole numbers from 1 to 4");
     }
 }
 

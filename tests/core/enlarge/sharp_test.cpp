@@ -32,7 +32,7 @@ Picture picture(int width, int height, F&& f) {
 }
 
 Picture enlarged(const Picture& p, int factor, const SurfaceOptions& options,
-                 const MeshOptions& mesh = {}) {
+                 const MeshOptions& mesh = plain_mesh()) {
     Picture out{p.width * factor, p.height * factor, {}};
     out.values.resize(size_t(out.width) * size_t(out.height));
     std::string error;
@@ -213,7 +213,7 @@ TEST(Sharp, NotANumberStaysWhereItIs) {
         Picture p = shapes(1.0f), spoilt = p;
         spoilt.at(20, 16) = value;
         SurfaceOptions options = sharp();
-        MeshOptions mesh; // the same one in both
+        MeshOptions mesh = plain_mesh(); // the same one in both
         mesh.scheme = Scheme::pixel;
         mesh.start = Start::diagonal;
         const Picture a = enlarged(p, 4, options, mesh), b = enlarged(spoilt, 4, options, mesh);

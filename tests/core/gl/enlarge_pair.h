@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "ddt/core.h"
+#include "ddt/names.h"
+#include "tests/core/plain.h"
 
 namespace ddt::test {
 
@@ -20,9 +22,22 @@ struct Picture {
     std::vector<float> values, guide;
 };
 
+/// Options of every scheme there is, with every cost.
+inline std::vector<MeshOptions> every_scheme_and_cost() {
+    std::vector<MeshOptions> all;
+    for (const std::string& scheme : scheme_names())
+        for (const std::string& cost : cost_names()) {
+            MeshOptions mesh = plain_mesh();
+            EXPECT_TRUE(find_scheme(scheme, mesh) || find_scheme("exproi2-maxgain", mesh));
+            EXPECT_TRUE(find_cost(cost, mesh.cost));
+            all.push_back(mesh);
+        }
+    return all;
+}
+
 /// What is done to it.
 struct Order {
-    Job job;
+    Job job = plain_job();
     int out_width = 0, out_height = 0;
     const Mapping* mapping = nullptr; ///< null: window to window
 };

@@ -15,32 +15,19 @@ std::string name_of(const SurfaceOptions& s) {
 
 class SameBits : public OnDevice {};
 
-constexpr Scheme schemes[] = {Scheme::one_round,
-                              Scheme::lawson,
-                              Scheme::basic,
-                              Scheme::exproi,
-                              Scheme::maxgain,
-                              Scheme::exproi_maxgain,
-                              Scheme::exproi_n_maxgain,
-                              Scheme::look_ahead,
-                              Scheme::annealing,
-                              Scheme::pixel};
-constexpr Cost costs[] = {Cost::abn, Cost::scf, Cost::jnd, Cost::dlp, Cost::dp};
-
 TEST_P(SameBits, EverySchemeAndCost) {
-    for (const Scheme scheme : schemes)
-        for (const Cost cost : costs)
-            for (int content = 0; content < int(Content::count); ++content) {
-                const Picture p = make_picture(Content(content), 61, 43, 1, 7u + unsigned(content));
-                Order order;
-                order.job.mesh.scheme = scheme;
-                order.job.mesh.cost = cost;
-                order.out_width = 150;
-                order.out_height = 101;
-                expect_same(GetParam(), p, order,
-                            std::string(name_of(Content(content))) + " " +
-                                scheme_name(order.job.mesh) + " " + cost_name(cost));
-            }
+    for (const MeshOptions& mesh : every_scheme_and_cost())
+        for (int content = 0; content < int(Content::count); ++content) {
+            const Picture p = make_picture(Content(content), 61, 43, 1, 7u + unsigned(content));
+            Order order;
+            order.job.mesh = mesh;
+            order.job.mesh.contour = content % 2 ? 0.0f : 0.8f;
+            order.out_width = 150;
+            order.out_height = 101;
+            expect_same(GetParam(), p, order,
+                        std::string(name_of(Content(content))) + " " + scheme_name(mesh) + " " +
+                            cost_name(mesh.cost));
+        }
 }
 
 TEST_P(SameBits, EverySurface) {
@@ -57,6 +44,28 @@ TEST_P(SameBits, EverySurface) {
         }
 }
 
+// Where vertices may get negative: that they do, and the same on both.
+TEST_P(SameBits, ClippedVertices) {
+    for (const bool whole_groups : {false, true}) {
+        const Picture p = make_picture(Content::drawing, 61, 43, whole_groups ? 4 : 3, 7);
+        Order order;
+        order.job.surface.consistency = 2;
+        order.job.surface.limit = 0.5f;
+        order.out_width = 150;
+        order.out_height = 101;
+        const auto negative = [&] {
+            size_t n = 0;
+            for (const uint32_t bits : enlarge_on(Device::cpu, p, order).bits)
+                n += bits >> 31;
+            return n;
+        };
+        EXPECT_EQ(negative(), 0u);
+        order.job.surface.clipped = true;
+        EXPECT_GT(negative(), 100u);
+        expect_same(GetParam(), p, order, "clipped");
+    }
+}
+
 TEST_P(SameBits, SeveralMeshes) {
     for (const int channels : {3, 4})
         for (const Scheme scheme : {Scheme::one_round, Scheme::lawson})
@@ -67,6 +76,7 @@ TEST_P(SameBits, SeveralMeshes) {
                 order.job.mesh.scheme = scheme;
                 order.job.mesh.blur = 0.05f;
                 order.job.mesh.meshes = 2 + content % 3;
+                order.job.mesh.contour = 0.4f;
                 order.job.surface.consistency = 1;
                 order.job.surface.soft = 0.3f;
                 if (channels == 4)

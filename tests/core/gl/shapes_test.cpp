@@ -2,6 +2,7 @@
 // Sizes, channels, tiles and mappings on the GPU against the CPU, bit for bit.
 #include <cmath>
 
+#include "core/tiles/grid.h"
 #include "ddt/names.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
@@ -39,6 +40,7 @@ Order order_for(const Picture& p, int width, int height) {
     order.out_height = height;
     order.job.surface.consistency = 1;
     order.job.surface.soft = 0.3f;
+    order.job.mesh.contour = 0.4f;
     order.job.threads = 2;
     (void)p;
     return order;
@@ -130,21 +132,32 @@ TEST_P(Shapes, TurnedPictures) {
 TEST_P(Shapes, RandomJobs) {
     std::mt19937 random(20261);
     const auto below = [&](int n) { return int(random() % unsigned(n)); };
+    const std::vector<MeshOptions> meshes = every_scheme_and_cost();
+    int of_several_tiles = 0;
     for (int i = 0; i < 60; ++i) {
-        const Picture p = make_picture(Content(below(int(Content::count))), 1 + below(90),
-                                       1 + below(70), 1 + below(6), unsigned(random()));
+        // Now and then more than a tile.
+        const int width = below(6) ? 1 + below(90) : tile_size + 1 + below(90);
+        const Picture p = make_picture(Content(below(int(Content::count))), width, 1 + below(70),
+                                       1 + below(6), unsigned(random()));
+        of_several_tiles += width > tile_size;
         Order order;
         MeshOptions& mesh = order.job.mesh;
-        mesh.cost = Cost(below(5));
-        mesh.scheme = below(3) ? Scheme::one_round : Scheme(below(int(Scheme::pixel) + 1));
+        mesh = meshes[size_t(below(int(meshes.size())))];
+        if (below(3))
+            mesh.scheme = Scheme::one_round;
         mesh.start = Start(below(2));
         mesh.max_iterations = below(3) ? 64 : below(12);
         mesh.min_gain = below(2) ? -1.0f : 0.01f * float(below(10));
-        mesh.wide_iterations = below(4);
+        mesh.wide_iterations = 1 + below(4);
+        mesh.blur = below(2) ? 0.0f : 0.05f * float(below(6));
+        mesh.meshes = below(3) ? 1 : 1 + below(most_meshes);
+        mesh.seed = uint32_t(random());
+        mesh.contour = below(2) ? 0.0f : 0.2f * float(below(6));
         SurfaceOptions& surface = order.job.surface;
         surface.kind = Surface(below(2));
         surface.consistency = below(4);
         surface.limit = 0.25f * float(below(3));
+        surface.clipped = below(2) != 0;
         surface.soft = below(2) ? 0.0f : 0.1f * float(below(8));
         for (int c = 0; c < p.channels; ++c)
             order.job.kinds.push_back(Channel(below(3)));
@@ -159,6 +172,7 @@ TEST_P(Shapes, RandomJobs) {
                     "job " + std::to_string(i) + ", " + scheme_name(mesh) + " " +
                         cost_name(mesh.cost));
     }
+    EXPECT_GT(of_several_tiles, 3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Devices, Shapes, testing::Values(Device::egl, Device::osmesa),

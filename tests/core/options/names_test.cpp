@@ -19,8 +19,6 @@ TEST(Names, FindWhatTheyName) {
     }
     for (const std::string& name : scheme_names()) {
         MeshOptions options;
-        if (name == "exproiN-maxgain")
-            continue;
         ASSERT_TRUE(find_scheme(name, options)) << name;
         EXPECT_EQ(scheme_name(options), name);
     }
@@ -50,35 +48,6 @@ TEST(Names, OthersAreNotFoundAndChangeNothing) {
     Cost cost = Cost::scf;
     EXPECT_FALSE(find_cost("ABN", cost));
     EXPECT_EQ(cost, Cost::scf);
-}
-
-TEST(Names, AFilterSetsItsOptionsAndLeavesOthers) {
-    for (const std::string& name : filter_names()) {
-        SurfaceOptions surface;
-        MeshOptions mesh;
-        surface.limit = 7.0f;
-        mesh.seed = 42;
-        mesh.scheme = Scheme::lawson;
-        mesh.cost = Cost::dp;
-        ASSERT_TRUE(set_filter(name, surface, mesh));
-        const FilterPreset* filter = find_filter(name);
-        ASSERT_TRUE(filter);
-        EXPECT_EQ(filter->name, name);
-        EXPECT_EQ(surface.kind, filter->kind);
-        EXPECT_EQ(surface.consistency, filter->consistency);
-        EXPECT_EQ(surface.soft, filter->soft);
-        EXPECT_EQ(mesh.blur, filter->blur);
-        EXPECT_EQ(mesh.min_gain, filter->min_gain);
-        EXPECT_EQ(mesh.cost, Cost::abn);
-        EXPECT_EQ(mesh.scheme, Scheme::one_round);
-        EXPECT_EQ(surface.limit, 7.0f);
-        EXPECT_EQ(mesh.seed, 42u);
-    }
-    SurfaceOptions surface;
-    MeshOptions mesh;
-    mesh.blur = 0.2f;
-    EXPECT_FALSE(set_filter("lanczos3", surface, mesh));
-    EXPECT_EQ(mesh.blur, 0.2f);
 }
 
 } // namespace

@@ -7,10 +7,20 @@
 namespace ddt::test {
 namespace {
 
+/// Every cost alone, and some with contours.
+std::vector<Criterion> criteria() {
+    std::vector<Criterion> all(std::begin(all_costs), std::end(all_costs));
+    all.emplace_back(Cost::abn, 0.8f);
+    all.emplace_back(Cost::dp, most_contour);
+    return all;
+}
+
+/// Those whose gains are small numbers: rounding is bounded.
 constexpr Cost costs[] = {Cost::abn, Cost::scf};
 
-float scalar_gain(const Lattice& lattice, Cost cost, int m) {
-    return dispatch(cost, [&](auto c) { return scalar::gain<decltype(c)>(lattice, m); });
+float scalar_gain(const Lattice& lattice, const Criterion& by, int m) {
+    return dispatch(by.cost,
+                    [&](auto c) { return scalar::gain<decltype(c)>(lattice, m, by.contour); });
 }
 
 /// Call f(lattice) for meshes of several kinds, sizes and amounts of random flipping, among them
@@ -24,7 +34,7 @@ void each_mesh(F&& f) {
                 Random random(++seed);
                 Lattice lattice;
                 const auto guide = make_guide(kind, size.x, size.y, seed);
-                lattice.start(size.x, size.y, guide.data(), true);
+                lattice.start(size.x, size.y, guide.data(), true, true);
                 flip_at_random(lattice, flips, random);
                 SCOPED_TRACE(::testing::Message() << size.x << " x " << size.y << ", kind "
                                                   << int(kind) << ", " << flips << " flips");
@@ -32,14 +42,14 @@ void each_mesh(F&& f) {
             }
     Lattice lattice;
     const auto guide = make_guide(Kind::noise, 150, 2, seed);
-    lattice.start(150, 2, guide.data(), true);
+    lattice.start(150, 2, guide.data(), true, true);
     flip_to_longest(lattice);
     SCOPED_TRACE("longest edges");
     f(lattice);
 }
 
 TEST(Gain, IsWhatTheTotalCostFallsBy) {
-    for (const Cost cost : costs)
+    for (const Cost cost : all_costs)
         each_mesh([&](Lattice& lattice) {
             for (const int m : flippable_edges(lattice)) {
                 const double before = total_cost(lattice, cost);
@@ -55,7 +65,7 @@ TEST(Gain, IsWhatTheTotalCostFallsBy) {
 }
 
 TEST(Gain, TotalCostIsTheFormulasInDouble) {
-    for (const Cost cost : costs)
+    for (const Cost cost : {Cost::abn, Cost::scf}) // whose formulas SlowMesh has in double
         each_mesh([&](Lattice& lattice) {
             const double exact = SlowMesh(lattice, cost).total_cost();
             // Each edge is off by a few units of the last place of 1.
@@ -65,7 +75,7 @@ TEST(Gain, TotalCostIsTheFormulasInDouble) {
 }
 
 TEST(Gain, IsThatOfTheSlowMesh) {
-    for (const Cost cost : costs)
+    for (const Cost cost : all_costs)
         each_mesh([&](Lattice& lattice) {
             const SlowMesh slow(lattice, cost);
             for (const int m : flippable_edges(lattice)) {
@@ -76,16 +86,43 @@ TEST(Gain, IsThatOfTheSlowMesh) {
         });
 }
 
+/// v' N v in steps, N the mean of the words of the cells at the edge's midpoint.
+double contour_of(const Lattice& lattice, int m, Vec v) {
+    const int x = m % lattice.stride(), y = m / lattice.stride();
+    double sum = 0;
+    for (const int cell_x : {(x - 1) / 2, x / 2})
+        for (const int cell_y : {(y - 1) / 2, y / 2}) {
+            const uint32_t word = lattice.vertex(lattice.vertex_site(cell_x, cell_y)).contour;
+            const int xx = int(word) & contour_mask, yy = int(word >> contour_bits) & contour_mask,
+                      xy = contour_xy(word);
+            sum += double(xx * v.x * v.x + yy * v.y * v.y + 2 * xy * v.x * v.y);
+        }
+    return sum / 4;
+}
+
+TEST(Gain, OfContoursIsWhatTheirFormFallsBy) {
+    each_mesh([&](Lattice& lattice) {
+        for (const int m : flippable_edges(lattice)) {
+            const Edge& e = lattice.edge(m);
+            const double fall =
+                (contour_of(lattice, m, e.v) - contour_of(lattice, m, e.left)) / contour_steps;
+            const float cost = scalar_gain(lattice, Cost::abn, m);
+            const float both = scalar_gain(lattice, {Cost::abn, 0.8f}, m);
+            ASSERT_NEAR(double(both), double(cost) + 0.8 * fall, 1e-6 * (1 + std::abs(fall)));
+        }
+    });
+}
+
 TEST(Gain, EveryInstructionSetGivesTheScalarBits) {
     constexpr float untouched = -12345.0f;
     on_each_target([&] {
-        for (const Cost cost : costs)
+        for (const Criterion& by : criteria())
             each_mesh([&](Lattice& lattice) {
                 const auto sites = flippable_edges(lattice);
                 std::vector<float> out(lattice.size(), untouched);
-                gains(lattice, cost, sites.data(), sites.size(), out.data());
+                gains(lattice, by, sites.data(), sites.size(), out.data());
                 for (const int m : sites) {
-                    ASSERT_EQ(bits_of(out[size_t(m)]), bits_of(scalar_gain(lattice, cost, m)));
+                    ASSERT_EQ(bits_of(out[size_t(m)]), bits_of(scalar_gain(lattice, by, m)));
                     out[size_t(m)] = untouched;
                 }
                 // Nothing else was written.

@@ -10,17 +10,6 @@
 namespace ddt::test {
 namespace {
 
-constexpr Scheme flipping_schemes[] = {
-    Scheme::one_round,        Scheme::lawson,     Scheme::basic,
-    Scheme::exproi,           Scheme::maxgain,    Scheme::exproi_maxgain,
-    Scheme::exproi_n_maxgain, Scheme::look_ahead, Scheme::annealing};
-
-constexpr Cost all_costs[] = {
-#define DDT_COST(name, ...) Cost::name,
-    DDT_COSTS(DDT_COST)
-#undef DDT_COST
-};
-
 struct Result {
     Lattice lattice;
     Statistics statistics;
@@ -60,7 +49,7 @@ std::set<int> slow_region(const Lattice& lattice, int m, int steps) {
 
 TEST(Region, TheWideOneHasAllEdgesOfTheNextRingOfTriangles) {
     const auto guide = make_guide(Kind::noise, 9, 8, 5);
-    MeshOptions o;
+    MeshOptions o = plain_mesh();
     o.cost = Cost::scf;
     const Result r = run(guide, 9, 8, o);
     r.lattice.each_edge([&](int m) {
@@ -97,8 +86,10 @@ TEST(Schemes, EveryOneEndsInACheaperTriangulation) {
     for (const Pixel size : {Pixel{2, 2}, Pixel{2, 9}, Pixel{11, 2}, Pixel{19, 14}})
         for (const Kind kind : all_kinds)
             for (const Cost cost : all_costs)
-                for (const Scheme scheme : flipping_schemes) {
-                    MeshOptions o;
+                for (const Scheme scheme : all_schemes) {
+                    if (scheme == Scheme::pixel)
+                        continue;
+                    MeshOptions o = plain_mesh();
                     o.scheme = scheme;
                     o.cost = cost;
                     o.start = ++seed % 2 ? Start::flat : Start::diagonal;
@@ -112,12 +103,14 @@ TEST(Schemes, EveryOneEndsInACheaperTriangulation) {
 }
 
 TEST(Schemes, NoFlipThatGainsIsLeft) {
-    for (const Scheme scheme : flipping_schemes)
+    for (const Scheme scheme : all_schemes)
         for (const Cost cost : all_costs) {
-            MeshOptions o;
+            if (scheme == Scheme::pixel)
+                continue;
+            MeshOptions o = plain_mesh();
             o.scheme = scheme;
             o.cost = cost;
-            o.max_iterations = 250;
+            o.max_iterations = most_iterations;
             SCOPED_TRACE(scheme_name(o) + " " + cost_name(cost));
             const Result r = run(make_guide(Kind::shapes, 30, 22, 8), 30, 22, o);
             dispatch(cost, [&](auto which) {
@@ -212,10 +205,10 @@ TEST(AcceptReject, AllRoundsTreatEveryCandidate) {
 
 TEST(LookAhead, NoPairThatGainsIsLeft) {
     for (const Kind kind : {Kind::noise, Kind::shapes}) {
-        MeshOptions o;
+        MeshOptions o = plain_mesh();
         o.scheme = Scheme::look_ahead;
         o.cost = Cost::scf;
-        o.max_iterations = 250;
+        o.max_iterations = most_iterations;
         Result r = run(make_guide(kind, 25, 20, 8), 25, 20, o);
         using C = scalar::Scf<float>;
         for (const int m : flippable_edges(r.lattice)) {
@@ -235,7 +228,7 @@ TEST(LookAhead, NoPairThatGainsIsLeft) {
 }
 
 TEST(LookAhead, EndsBelowLawson) {
-    MeshOptions o;
+    MeshOptions o = plain_mesh();
     o.cost = Cost::scf;
     const auto guide = make_guide(Kind::shapes, 80, 60, 9);
     o.scheme = Scheme::lawson;
@@ -246,7 +239,7 @@ TEST(LookAhead, EndsBelowLawson) {
 
 TEST(Annealing, DependsOnTheSeedAndOnNothingElse) {
     const auto guide = make_guide(Kind::shapes, 60, 40, 9);
-    MeshOptions o;
+    MeshOptions o = plain_mesh();
     o.scheme = Scheme::annealing;
     o.max_iterations = 10;
     const auto once = records(run(guide, 60, 40, o).lattice);
@@ -256,7 +249,7 @@ TEST(Annealing, DependsOnTheSeedAndOnNothingElse) {
 }
 
 TEST(Annealing, EndsBelowOneRound) {
-    MeshOptions o;
+    MeshOptions o = plain_mesh();
     o.cost = Cost::scf;
     const auto guide = make_guide(Kind::shapes, 80, 60, 9);
     const double before = run(guide, 80, 60, o).cost;
@@ -268,7 +261,7 @@ TEST(Annealing, ThePictureIsTheSameForAnyNumberOfThreads) {
     // Wider than a tile, so that tiles overlap.
     const int w = 300, h = 20;
     const auto guide = make_guide(Kind::shapes, w, h, 9);
-    MeshOptions o;
+    MeshOptions o = plain_mesh();
     o.scheme = Scheme::annealing;
     o.max_iterations = 5;
     const auto picture = [&](int threads) {

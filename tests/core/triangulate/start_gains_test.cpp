@@ -11,8 +11,6 @@
 namespace ddt::test {
 namespace {
 
-constexpr Cost costs[] = {Cost::abn, Cost::scf, Cost::jnd, Cost::dlp, Cost::dp};
-
 std::vector<float> stepped(std::vector<float> guide, float scale) {
     for (float& v : guide)
         v = guide_step(v * scale);
@@ -20,17 +18,18 @@ std::vector<float> stepped(std::vector<float> guide, float scale) {
 }
 
 /// Compare with the scalar twin, edge by edge.
-void check(const Lattice& lattice, Cost cost, float min_gain) {
+void check(const Lattice& lattice, const Criterion& by, float min_gain) {
     Workspace w;
     Statistics statistics;
-    ASSERT_TRUE(start_gains(lattice, cost, min_gain, w, statistics));
+    ASSERT_TRUE(start_gains(lattice, by, min_gain, w, statistics));
     int64_t flippable = 0;
     std::vector<int> candidates;
     lattice.each_edge([&](int m) {
         float gain = no_gain;
         if (lattice.edge(m).flippable()) {
             ++flippable;
-            gain = dispatch(cost, [&](auto c) { return scalar::gain<decltype(c)>(lattice, m); });
+            gain = dispatch(
+                by.cost, [&](auto c) { return scalar::gain<decltype(c)>(lattice, m, by.contour); });
             if (gain > min_gain)
                 candidates.push_back(m);
         }
@@ -48,14 +47,15 @@ TEST(StartGains, AreThoseOfEveryEdge) {
                                  Pixel{19, 7}, Pixel{35, 6}, Pixel{70, 9}})
             for (const bool flat : {false, true})
                 for (const Kind kind : all_kinds)
-                    for (const Cost cost : costs) {
+                    for (const Cost cost : all_costs) {
                         const auto guide = stepped(make_guide(kind, size.x, size.y, 5), 1.0f);
                         Lattice lattice;
-                        lattice.start(size.x, size.y, guide.data(), flat);
+                        lattice.start(size.x, size.y, guide.data(), flat, true);
                         SCOPED_TRACE(::testing::Message()
                                      << size.x << " x " << size.y << ", flat " << flat << ", kind "
                                      << int(kind) << ", cost " << int(cost));
-                        check(lattice, cost, 5e-3f);
+                        for (const float contour : {0.0f, 0.8f})
+                            check(lattice, {cost, contour}, 5e-3f);
                     }
     });
 }
@@ -67,9 +67,10 @@ TEST(StartGains, AreExactAtTheEndsOfTheGuidesRange) {
     for (int i = 0; i < 40 * 12; ++i)
         guide.push_back(guide_step((random.unit() - 0.5f) * 8192.0f));
     Lattice lattice;
-    lattice.start(40, 12, guide.data(), true);
-    for (const Cost cost : costs)
-        check(lattice, cost, 0.1f);
+    lattice.start(40, 12, guide.data(), true, true);
+    for (const Cost cost : all_costs)
+        for (const float contour : {0.0f, most_contour})
+            check(lattice, {cost, contour}, 0.1f);
 }
 
 TEST(StartGains, RefuseWhatIsNotInSteps) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/triangulate/triangulate.h"
 
+#include <cmath>
+
+#include "core/guide/guide.h"
 #include "core/triangulate/gain.h"
 #include "tests/core/helpers.h"
 #include "tests/core/triangulate/slow_mesh.h"
@@ -16,13 +19,13 @@ struct Result {
 Result run(const std::vector<float>& guide, int width, int height, const MeshOptions& options) {
     Result r;
     Workspace workspace;
-    r.lattice.start(width, height, guide.data(), options.start == Start::flat);
+    start(r.lattice, width, height, guide.data(), options);
     triangulate(r.lattice, options, workspace, r.statistics);
     return r;
 }
 
 MeshOptions options_of(Scheme scheme, Cost cost, float gain = -1.0f, int iterations = 64) {
-    MeshOptions o;
+    MeshOptions o = plain_mesh();
     o.scheme = scheme;
     o.cost = cost;
     o.min_gain = gain;
@@ -120,12 +123,13 @@ TEST(Triangulate, OneRoundLeavesTheGainsOfTheFinishedMesh) {
         o.scheme = Scheme::one_round;
         for (const int iterations : {0, 1, 3, 64}) {
             o.max_iterations = iterations;
+            o.contour = iterations == 3 ? 0.0f : 0.8f;
             Lattice lattice;
             Workspace left, found;
             Statistics statistics;
-            lattice.start(width, height, guide.data(), o.start == Start::flat);
+            start(lattice, width, height, guide.data(), o);
             triangulate(lattice, o, left, statistics);
-            find_gains(lattice, o.cost, found);
+            find_gains(lattice, criterion(o), found);
             lattice.each_edge([&](int m) {
                 if (lattice.edge(m).flippable()) {
                     ASSERT_EQ(bits_of(left.gain[size_t(m)]), bits_of(found.gain[size_t(m)]));
@@ -140,14 +144,56 @@ TEST(Triangulate, NoGainIsLeftAtTheEnd) {
         for (const float gain : {-1.0f, 0.05f}) {
             o.min_gain = gain;
             o.max_iterations = 250;
+            o.contour = gain > 0 ? 0.4f : 0.0f;
             const Result r = run(guide, w, h, o);
             for (const int m : flippable_edges(r.lattice)) {
-                const float left = dispatch(
-                    o.cost, [&](auto c) { return scalar::gain<decltype(c)>(r.lattice, m); });
+                const float left = dispatch(o.cost, [&](auto c) {
+                    return scalar::gain<decltype(c)>(r.lattice, m, o.contour);
+                });
                 ASSERT_LE(left, min_gain(o));
             }
         }
     });
+}
+
+/// Of the edges whose midpoints are within a pixel of the line through the middle along (dx, dy),
+/// away from the picture's rim, the share that goes at less than 15 degrees from it.
+double share_along(const Lattice& lattice, int size, double dx, double dy) {
+    int near = 0, along = 0;
+    const double length = std::hypot(dx, dy);
+    lattice.each_edge([&](int m) {
+        const double x = m % lattice.stride() * 0.5, y = m / lattice.stride() * 0.5;
+        const double c = size / 2;
+        if (std::max(std::abs(x - c), std::abs(y - c)) > size / 2 - 8 ||
+            std::abs((x - c) * dy - (y - c) * dx) > length)
+            return;
+        const Vec v = lattice.edge(m).v;
+        ++near;
+        along += std::abs(v.x * dy - v.y * dx) < 0.26 * length * std::hypot(v.x, v.y);
+    });
+    return double(along) / near;
+}
+
+// A third of a mesh's edges can go along a contour. Under noise the cost alone loses many of them.
+TEST(Triangulate, WithContoursEdgesFollowAStraightLineUnderNoise) {
+    const int size = 64;
+    Random random(3);
+    for (const auto& d : {Pixel{3, 1}, Pixel{5, 2}, Pixel{-4, 3}, Pixel{1, 6}}) {
+        std::vector<float> guide;
+        const double length = std::hypot(d.x, d.y);
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x) {
+                const double across = ((x - size / 2) * d.y - (y - size / 2) * d.x) / length;
+                const double level = 0.4 + 0.3 * std::clamp(0.5 + across / 2, 0.0, 1.0);
+                guide.push_back(guide_step(float(level) + 0.08f * (random.unit() - 0.5f)));
+            }
+        MeshOptions o = options_of(Scheme::one_round, Cost::abn);
+        const double before = share_along(run(guide, size, size, o).lattice, size, d.x, d.y);
+        o.contour = 0.8f;
+        const double after = share_along(run(guide, size, size, o).lattice, size, d.x, d.y);
+        EXPECT_GT(after, 0.3) << d.x << ", " << d.y;
+        EXPECT_GT(after, before + 0.05) << d.x << ", " << d.y;
+    }
 }
 
 TEST(Triangulate, AFlipMustGainMoreThanMinGain) {

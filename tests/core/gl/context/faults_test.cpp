@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What follows when something fails: the right picture, or the right error.
 #include "core/gl/context/faults.h"
-#include "core/gl/self_check.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
 
@@ -59,22 +58,6 @@ TEST_P(Faults, ARefusedContextIsNamedWithItsVersion) {
     EXPECT_EQ(result.outcome, Outcome::device_unavailable);
     EXPECT_NE(result.error.find("CreateContext"), std::string::npos) << result.error;
     EXPECT_NE(result.error.find("4.3"), std::string::npos) << result.error;
-}
-
-TEST_P(Faults, ADeviceThatComputesOtherwiseIsNotUsed) {
-    gl::arm(Fault::bits, 1, 1000);
-    const Result result = enlarge_on(GetParam(), picture, order);
-    EXPECT_EQ(result.outcome, Outcome::device_unavailable);
-    EXPECT_NE(result.error.find("does not compute as the CPU does"), std::string::npos)
-        << result.error;
-}
-
-TEST_P(Faults, TheSelfCheckFindsNothingHere) {
-    std::string why;
-    bool forked = false;
-    gl::Gpu* gpu = gl::open(GetParam(), why, forked);
-    ASSERT_NE(gpu, nullptr) << why;
-    EXPECT_EQ(gpu->thread.post([&] { return gl::differs_from_cpu(*gpu); }).get(), "");
 }
 
 TEST_P(Faults, AShaderThatDoesNotCompileLeavesTheWorkToTheCpu) {

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers that CPU and GPU compute with, each said once: a constexpr here, and a constant of the
+// same name before every shader (core/gl/programs.cpp).
+#pragma once
+
+#include <cfloat>
+#include <cstdint>
+
+namespace ddt {
+
+#define DDT_CONSTANTS(INT, FLOAT)                                                                  \
+    /* 1/sqrt(x) is guessed as this less half the bits of x (base/rsqrt-inl.h). */                 \
+    INT(rsqrt_magic, 0x5f3759df)                                                                   \
+    /* 1/x alike. */                                                                               \
+    INT(reciprocal_magic, 0x7ef311c7)                                                              \
+    /* The most there is; beyond lie infinity and NaN. */                                          \
+    FLOAT(largest_float, FLT_MAX)                                                                  \
+                                                                                                   \
+    /* No edge is longer than this in either coordinate, in pixels: a flip to a longer one is */   \
+    /* not made. It keeps every vector in a signed byte. (Longest ever seen: 36.) */               \
+    INT(longest_edge, 63)                                                                          \
+    /* A position's bits behind the point. */                                                      \
+    INT(position_bits, 16)                                                                         \
+                                                                                                   \
+    /* Of a guide, in units a pixel: the slope that counts as 45 degrees, and its square. */       \
+    FLOAT(cost_slope, 0.2f)                                                                        \
+    FLOAT(cost_slope_square, 0.04f)                                                                \
+    /* The gain of an edge that cannot be flipped. */                                              \
+    FLOAT(no_gain, -1e30f)                                                                         \
+                                                                                                   \
+    /* Contours (guide/contour.h): bits of an integer of a word; steps of 1 that it counts, also   \
+     */                                                                                            \
+    /* as float; what is added before the fraction is dropped: of Nxx and Nyy 0.01 of the steps */ \
+    /* and a half, of Nxy half of them and a half; the most it gets; the square of the slope */    \
+    /* that is noise, 0.05 a pixel, in the units of sums over a cell's 4 * 64 * 64 shares; what */ \
+    /* a gain of 1 of two words' sums is, 4 / (2 * steps). */                                      \
+    INT(contour_bits, 10)                                                                          \
+    INT(contour_steps, 500)                                                                        \
+    FLOAT(contour_scale, 500.0f)                                                                   \
+    FLOAT(contour_square_bias, 5.5f)                                                               \
+    FLOAT(contour_product_bias, 250.5f)                                                            \
+    FLOAT(contour_most, 505.0f)                                                                    \
+    FLOAT(contour_noise, 4.0f * 64 * 64 * 0.05f * 0.05f)                                           \
+    FLOAT(contour_unit, 4.0f / 1000)                                                               \
+                                                                                                   \
+    /* Square of the gradient below which triangles weigh nearly alike (surface/net.h). */         \
+    FLOAT(gradient_epsilon, 0.02f * 0.02f)                                                         \
+    /* How much more than by the gradients an edge is bent (surface/net.h). */                     \
+    FLOAT(bend_strength, 1.75f)                                                                    \
+    /* Weight of an edge's flipped state where a flip gains nothing: both count alike. */          \
+    FLOAT(soft_share, 0.5f)                                                                        \
+    /* Share of a triangle's smallest value that softness leaves where none is negative. */        \
+    FLOAT(dark_share, 0.5f)                                                                        \
+                                                                                                   \
+    /* Means over a quadrant (surface/consistency-inl.h) of values, bends and softness, where */   \
+    /* the cell's diagonal goes through V, */                                                      \
+    FLOAT(through_beside, 1.0f / 16)                                                               \
+    FLOAT(through_opposite, 3.0f / 16)                                                             \
+    FLOAT(through_bend_diagonal, 1.0f / 8)                                                         \
+    FLOAT(through_bend_near, 5.0f / 128)                                                           \
+    FLOAT(through_bend_far, 1.0f / 128)                                                            \
+    FLOAT(through_soft_diagonal, 3.0f / 16)                                                        \
+    FLOAT(through_soft_near, 1.0f / 16)                                                            \
+    FLOAT(through_soft_far, 1.0f / 32)                                                             \
+    /* and where it goes across, past V. */                                                        \
+    FLOAT(across_beside, 1.0f / 4)                                                                 \
+    FLOAT(across_bend_near, 7.0f / 64)                                                             \
+    FLOAT(across_bend_diagonal, 1.0f / 16)                                                         \
+    FLOAT(across_soft_near, 7.0f / 32)                                                             \
+    FLOAT(across_soft_diagonal, 3.0f / 16)
+
+#define DDT_INT(name, value) constexpr int32_t name = value;
+#define DDT_FLOAT(name, value) constexpr float name = value;
+DDT_CONSTANTS(DDT_INT, DDT_FLOAT)
+#undef DDT_INT
+#undef DDT_FLOAT
+
+/// A pixel in a position's units.
+constexpr int32_t position_one = 1 << position_bits;
+
+} // namespace ddt

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// C++ twin: core/triangulate/accept_reject.h on a TinMesh. one_round() is its MaxGain with a single
+// round of accepting.
+#include "core/gl/device_tin.h"
+
+#include <algorithm>
+
+#include "core/gl/context/failure.h"
+#include "core/gl/offload.h"
+#include "core/tin/face.h"
+#include "ddt/names.h"
+
+namespace ddt {
+
+namespace gl {
+
+namespace {
+
+constexpr size_t group = 256, most_groups = 65535; ///< in a dispatch's x
+constexpr uint32_t dirty = 1;                      ///< shaders/tin.glsl
+
+// The shaders read these as they are.
+static_assert(sizeof(Tin::Vertex) == 12 && sizeof(Tin::Triangle) == 24 && sizeof(Tin::Edge) == 8 &&
+                  sizeof(TinFace) == 16,
+              "without gaps");
+
+template <class T>
+size_t bytes_of(const std::vector<T>& records) {
+    return records.size() * sizeof(T);
+}
+
+} // namespace
+
+DeviceTin::DeviceTin(Gpu& gpu, const Tin& tin)
+    : m_gpu(gpu), m_gl(gpu.context->gl), m_triangles(tin.triangles.size()),
+      m_edges(tin.edges.size()), m_pixel(tin.pixel), m_vertex_buffer(m_gl, bytes_of(tin.vertices)),
+      m_triangle_buffer(m_gl, bytes_of(tin.triangles)), m_edge_buffer(m_gl, bytes_of(tin.edges)),
+      m_face_buffer(m_gl, m_triangles * sizeof(TinFace)),
+      m_gain_buffer(m_gl, m_edges * sizeof(float)), m_mark_buffer(m_gl, m_edges * sizeof(uint32_t)),
+      m_count_buffer(m_gl, sizeof(Counts)) {
+    const size_t largest = std::max(bytes_of(tin.triangles), bytes_of(tin.vertices));
+    if (largest > gpu.block_limit)
+        throw Failure("the mesh is too large for the device");
+    m_vertex_buffer.write(0, bytes_of(tin.vertices), tin.vertices.data());
+    m_triangle_buffer.write(0, bytes_of(tin.triangles), tin.triangles.data());
+    m_edge_buffer.write(0, bytes_of(tin.edges), tin.edges.data());
+    const std::vector<uint32_t> marks(m_edges, dirty);
+    m_mark_buffer.write(0, bytes_of(marks), marks.data());
+    m_gain_buffer.clear();
+}
+
+void DeviceTin::triangulate(const MeshOptions& options, const Workspace& workspace,
+                            Statistics& statistics) {
+    Rules rules{true, 0, false}; // one_round
+    const bool in_rounds = find_rules(options, rules);
+    m_cost = std::string("COST_") + cost_name(options.cost);
+    m_min_gain = min_gain(options);
+    m_by_gain = rules.by_gain;
+    if (options.scheme == Scheme::pixel)
+        return;
+    pass("tin_faces.comp", m_triangles);
+    for (int i = 1; i <= options.max_iterations; ++i) {
+        const bool wide = i <= rules.wide_iterations;
+        const Counts found = pass("tin_evaluate.comp", m_edges);
+        statistics.evaluations += found.evaluated;
+        if (found.candidates == 0)
+            break;
+        uint32_t waiting = 0;
+        do {
+            waiting = pass("tin_accept.comp", m_edges, wide).waiting;
+            pass("tin_reject.comp", m_edges, wide);
+            statistics.rounds += in_rounds;
+        } while (rules.all_rounds && waiting > 0);
+        statistics.flips += pass("tin_flip.comp", m_edges).flipped;
+        statistics.iterations = std::max(statistics.iterations, i);
+        if (!workspace.go_on(found.candidates, m_edges))
+            break;
+    }
+    finish(m_gl, "tin");
+}
+
+DeviceTin::Counts DeviceTin::pass(const char* shader, size_t invocations, bool wide) {
+    m_gpu.programs->use(shader, m_cost);
+    const Buffer* const buffers[] = {&m_vertex_buffer, &m_triangle_buffer, &m_edge_buffer,
+                                     &m_face_buffer,   &m_gain_buffer,     &m_mark_buffer,
+                                     &m_count_buffer};
+    for (GLuint i = 0; i < std::size(buffers); ++i)
+        buffers[i]->bind(i);
+    m_count_buffer.clear();
+    m_gl.Uniform1i(0, GLint(invocations));
+    m_gl.Uniform1f(1, m_pixel);
+    m_gl.Uniform1f(2, m_min_gain);
+    m_gl.Uniform1i(3, m_by_gain);
+    m_gl.Uniform1i(4, wide);
+    const size_t groups = (invocations + group - 1) / group;
+    const size_t across = std::min(groups, most_groups);
+    m_gl.DispatchCompute(GLuint(across), GLuint((groups + across - 1) / across), 1);
+    m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    Counts counts;
+    m_count_buffer.read(0, sizeof counts, &counts);
+    return counts;
+}
+
+void DeviceTin::read(Tin& tin) const {
+    m_triangle_buffer.read(0, bytes_of(tin.triangles), tin.triangles.data());
+    m_edge_buffer.read(0, bytes_of(tin.edges), tin.edges.data());
+}
+
+} // namespace gl
+
+std::string flip_on_gpu(gl::Gpu& gpu, Tin& tin, const MeshOptions& options,
+                        const Workspace& workspace, Statistics& statistics) {
+    try {
+        Statistics own = statistics;
+        gpu.thread
+            .post([&] {
+                gl::DeviceTin device(gpu, tin);
+                device.triangulate(options, workspace, own);
+                device.read(tin);
+            })
+            .get();
+        statistics = own;
+        return {};
+    } catch (const gl::ContextLost& e) {
+        gpu.broken = true;
+        return e.what();
+    } catch (const std::exception& e) {
+        return e.what();
+    }
+}
+
+} // namespace ddt

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Flipping the edges of a Tin on the device.
+#pragma once
+
+#include "core/gl/buffer.h"
+#include "core/gl/context/gpu.h"
+#include "core/tin/tin.h"
+#include "core/triangulate/schemes.h"
+
+namespace ddt::gl {
+
+/// A Tin's arrays on the device, and what the schemes know of its edges. To be used on the
+/// context's thread; throws Failure.
+class DeviceTin {
+public:
+    DeviceTin(Gpu& gpu, const Tin& tin);
+
+    /// Flip edges by a scheme that DeviceMesh::knows(). Adds to `statistics` as its C++ twin does.
+    void triangulate(const MeshOptions& options, const Workspace& workspace,
+                     Statistics& statistics);
+    /// Bring triangles and edges back.
+    void read(Tin& tin) const;
+
+private:
+    /// What one pass over the edges found; the layout of Counts in shaders/tin.glsl.
+    struct Counts {
+        uint32_t evaluated = 0, candidates = 0, waiting = 0, flipped = 0;
+    };
+
+    Counts pass(const char* shader, size_t invocations, bool wide = false);
+
+    Gpu& m_gpu;
+    const Functions& m_gl;
+    size_t m_triangles, m_edges;
+    float m_pixel, m_min_gain = 0;
+    bool m_by_gain = true;
+    std::string m_cost; ///< the macro that chooses it
+    Buffer m_vertex_buffer, m_triangle_buffer, m_edge_buffer, m_face_buffer, m_gain_buffer,
+        m_mark_buffer, m_count_buffer;
+};
+
+} // namespace ddt::gl

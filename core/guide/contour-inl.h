@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Included inside a namespace, once for scalars and once for each SIMD target, where compilers make
+// vectors of the loops over it. GLSL twin: shaders/contour.glsl.
+
+/// A structure tensor: sums of the products of the gradient's components.
+struct Tensor {
+    float xx, yy, xy;
+};
+
+/// Of a cell with these corners, row by row: 4 times the tensor of the mean gradient.
+DDT_INLINE Tensor cell_tensor(float z0, float z1, float z2, float z3) {
+    const float gx = (z1 - z0) + (z3 - z2), gy = (z2 - z0) + (z3 - z1);
+    return {gx * gx, gy * gy, gx * gy};
+}
+
+/// 64 times the binomial mean of seven neighbours, the middle one d.
+DDT_INLINE float smooth(float a, float b, float c, float d, float e, float f, float g) {
+    return ((a + g) + 6.0f * (b + f)) + (15.0f * (c + e) + 20.0f * d);
+}
+
+/// v as an integer from 0 to contour_most; NaN as 0.
+DDT_INLINE uint32_t to_steps(float v) {
+    const float low = v > 0.0f ? v : 0.0f;
+    return uint32_t(int32_t(low < contour_most ? low : contour_most));
+}
+
+/// The word of a cell (contour.h) from 4 * 64 * 64 times its smoothed tensor.
+DDT_INLINE uint32_t contour_word(Tensor t) {
+    const float r = rsqrt<2>((t.xx + t.yy) + contour_noise);
+    const float share = (r * r) * contour_scale;
+    return to_steps(t.xx * share + contour_square_bias) |
+           to_steps(t.yy * share + contour_square_bias) << contour_bits |
+           to_steps(t.xy * share + contour_product_bias) << (2 * contour_bits);
+}

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: Apache-2.0
+// The operation gegl:ddt: in GIMP's tool for GEGL operations, in programs that use GEGL, and
+//
+//     gegl in.png -o out.png -- ddt scale=4
+//
+// Babl converts colours: the operation asks for linear light, or for encoded numbers.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gegl-plugin.h>
+#include <gegl.h>
+
+#include "ddt/names.h"
+#include "plugin/host/parameters.h"
+#include "plugin/host/request.h"
+
+namespace {
+
+using namespace ddt::host;
+using ddt::Rect;
+
+/// Numbers of properties; those of the option table follow.
+enum Property : guint { none, prop_scale, prop_filter, prop_light, prop_options };
+
+constexpr double largest_scale = 1024;
+
+/// What the light of the operation can be: names that find_meaning() knows.
+constexpr const char* lights[] = {"linear", "encoded"};
+
+/// The instance. GObject gives and takes its memory.
+struct Operation {
+    GeglOperationFilter parent;
+    double scale;
+    int filter, light;
+    double* values; ///< one a parameter
+};
+struct OperationClass {
+    GeglOperationFilterClass parent;
+};
+
+GTypeModule* module = nullptr;
+GType operation_type = 0;
+gpointer parent_class = nullptr;
+
+Operation& self_of(gpointer object) {
+    return *reinterpret_cast<Operation*>(object);
+}
+
+Rect rect_of(const GeglRectangle& r) {
+    return {r.x, r.y, r.x + r.width, r.y + r.height};
+}
+GeglRectangle rectangle_of(const Rect& r) {
+    return {r.x0, r.y0, std::max(0, r.width()), std::max(0, r.height())};
+}
+
+GeglRectangle source_box(GeglOperation* operation) {
+    const GeglRectangle* box = gegl_operation_source_get_bounding_box(operation, "input");
+    return box ? *box : GeglRectangle{0, 0, 0, 0};
+}
+
+/// False where there is nothing to enlarge: no picture, or an endless one.
+bool find_windows(GeglOperation* operation, Rect& window, Rect& full) {
+    const GeglRectangle box = source_box(operation);
+    if (box.width <= 0 || box.height <= 0 || gegl_rectangle_is_infinite_plane(&box))
+        return false;
+    window = rect_of(box);
+    full = scaled(window, self_of(operation).scale, self_of(operation).scale);
+    return true;
+}
+
+/// Grey or colour, with alpha or without, as the input is; float, linear or encoded.
+const Babl* format_of(GeglOperation* operation, int& channels) {
+    static const char* const names[2][4] = {
+        {"Y float", "YaA float", "RGB float", "RaGaBaA float"},
+        {"Y' float", "Y'aA float", "R'G'B' float", "R'aG'aB'aA float"}};
+    const Babl* source = gegl_operation_get_source_format(operation, "input");
+    const auto flags = source ? babl_get_model_flags(source)
+                              : BablModelFlag(BABL_MODEL_FLAG_RGB | BABL_MODEL_FLAG_ALPHA);
+    channels = ((flags & BABL_MODEL_FLAG_GRAY) ? 1 : 3) + ((flags & BABL_MODEL_FLAG_ALPHA) ? 1 : 0);
+    return babl_format_with_space(names[self_of(operation).light][channels - 1],
+                                  gegl_operation_get_source_space(operation, "input"));
+}
+
+class GeglSource final : public ddt::Source {
+public:
+    GeglSource(GeglBuffer* buffer, const Babl* format, const Enlargement& work)
+        : m_buffer(buffer), m_format(format), m_channels(work.layout.channels),
+          m_guide(guide_recipe(work.layout, work.meaning)) {}
+    bool read(const Rect& r, float* values, float* guide) override {
+        const GeglRectangle box = rectangle_of(r);
+        gegl_buffer_get(m_buffer, &box, 1.0, m_format, values, GEGL_AUTO_ROWSTRIDE,
+                        GEGL_ABYSS_CLAMP);
+        ddt::make_guide(m_guide, values, r.area(), m_channels, guide);
+        return true;
+    }
+
+private:
+    GeglBuffer* m_buffer;
+    const Babl* m_format;
+    int m_channels;
+    ddt::GuideRecipe m_guide;
+};
+
+class GeglSink final : public ddt::Sink {
+public:
+    GeglSink(GeglBuffer* buffer, const Babl* format) : m_buffer(buffer), m_format(format) {}
+    bool write(const Rect& r, float* values) override {
+        const GeglRectangle box = rectangle_of(r);
+        gegl_buffer_set(m_buffer, &box, 0, m_format, values, GEGL_AUTO_ROWSTRIDE);
+        return true;
+    }
+
+private:
+    GeglBuffer* m_buffer;
+    const Babl* m_format;
+};
+
+/// The filter's specification that the properties amount to.
+std::string specification(const Operation& self) {
+    std::string text = ddt::filter_names()[size_t(self.filter)];
+    for (size_t i = 0; i < parameters().size(); ++i)
+        text += item(parameters()[i], self.values[i]);
+    return text;
+}
+
+void prepare(GeglOperation* operation) {
+    int channels = 0;
+    const Babl* format = format_of(operation, channels);
+    gegl_operation_set_format(operation, "input", format);
+    gegl_operation_set_format(operation, "output", format);
+}
+
+GeglRectangle get_bounding_box(GeglOperation* operation) {
+    Rect window, full;
+    return find_windows(operation, window, full) ? rectangle_of(full) : source_box(operation);
+}
+
+GeglRectangle get_required_for_output(GeglOperation* operation, const gchar*,
+                                      const GeglRectangle* part) {
+    Rect window, full;
+    if (!find_windows(operation, window, full))
+        return *part;
+    return rectangle_of(needed(window, full, rect_of(*part)));
+}
+
+/// All at once: in pieces, halos would be worked on again and again.
+GeglRectangle get_cached_region(GeglOperation* operation, const GeglRectangle*) {
+    return get_bounding_box(operation);
+}
+
+GeglRectangle get_invalidated_by_change(GeglOperation* operation, const gchar*,
+                                        const GeglRectangle*) {
+    return get_bounding_box(operation);
+}
+
+gboolean process(GeglOperation* operation, GeglBuffer* input, GeglBuffer* output,
+                 const GeglRectangle* part, gint) {
+    Enlargement work;
+    if (!find_windows(operation, work.window, work.full))
+        return FALSE;
+    const Operation& self = self_of(operation);
+    if (work.window.area() == work.full.area()) { // scale 1
+        gegl_buffer_copy(input, part, GEGL_ABYSS_CLAMP, output, part);
+        return TRUE;
+    }
+    work.to.box = rect_of(*part);
+    work.from.box = work.window;
+    int channels = 0;
+    const Babl* format = format_of(operation, channels);
+    work.layout = Layout::usual(channels);
+    // GEGL's progress is for the thread that it calls us on.
+    const auto caller = std::this_thread::get_id();
+    work.progress = [&](float share) {
+        if (std::this_thread::get_id() == caller)
+            gegl_operation_progress(operation, double(share), const_cast<gchar*>("ddt"));
+        return true;
+    };
+    std::string error;
+    if (!set_filter(specification(self), lights[self.light], work, error)) {
+        g_warning("%s", error.c_str());
+        return FALSE;
+    }
+    GeglSource source(input, format, work);
+    GeglSink sink(output, format);
+    if (enlarge(work, source, sink, error) == ddt::Outcome::done)
+        return TRUE;
+    g_warning("%s", error.c_str());
+    return FALSE;
+}
+
+void set_property(GObject* object, guint id, const GValue* value, GParamSpec* spec) {
+    Operation& self = self_of(object);
+    if (id == prop_scale)
+        self.scale = g_value_get_double(value);
+    else if (id == prop_filter)
+        self.filter = g_value_get_enum(value);
+    else if (id == prop_light)
+        self.light = g_value_get_enum(value);
+    else if (id - prop_options < parameters().size())
+        self.values[id - prop_options] = G_VALUE_HOLDS_DOUBLE(value) ? g_value_get_double(value)
+                                         : G_VALUE_HOLDS_INT(value) ? double(g_value_get_int(value))
+                                         : G_VALUE_HOLDS_BOOLEAN(value)
+                                             ? double(g_value_get_boolean(value))
+                                             : double(g_value_get_enum(value));
+    else
+        G_OBJECT_WARN_INVALID_PROPERTY_ID(object, id, spec);
+}
+
+void get_property(GObject* object, guint id, GValue* value, GParamSpec* spec) {
+    const Operation& self = self_of(object);
+    if (id == prop_scale) {
+        g_value_set_double(value, self.scale);
+    } else if (id == prop_filter) {
+        g_value_set_enum(value, self.filter);
+    } else if (id == prop_light) {
+        g_value_set_enum(value, self.light);
+    } else if (id - prop_options < parameters().size()) {
+        const double number = self.values[id - prop_options];
+        if (G_VALUE_HOLDS_DOUBLE(value))
+            g_value_set_double(value, number);
+        else if (G_VALUE_HOLDS_INT(value))
+            g_value_set_int(value, int(number));
+        else if (G_VALUE_HOLDS_BOOLEAN(value))
+            g_value_set_boolean(value, number != 0);
+        else
+            g_value_set_enum(value, int(number));
+    } else {
+        G_OBJECT_WARN_INVALID_PROPERTY_ID(object, id, spec);
+    }
+}
+
+void finalize(GObject* object) {
+    g_free(self_of(object).values);
+    G_OBJECT_CLASS(parent_class)->finalize(object);
+}
+
+/// A type of names, for the lists that hosts show. Never unregistered; its texts stay.
+GType enum_of(const std::string& key, const std::vector<std::string>& names) {
+    auto* values = g_new0(GEnumValue, names.size() + 1);
+    for (size_t i = 0; i < names.size(); ++i)
+        values[i] = {int(i), g_strdup(names[i].c_str()), g_strdup(names[i].c_str())};
+    return g_type_module_register_enum(module, ("GeglOpDdt_" + key).c_str(), values);
+}
+
+constexpr auto flags = GParamFlags(G_PARAM_READWRITE | G_PARAM_CONSTRUCT | G_PARAM_STATIC_STRINGS |
+                                   GEGL_PARAM_PAD_INPUT);
+
+/// Texts of parameters() live as long as the process.
+GParamSpec* spec_of(const Parameter& p) {
+    const char *key = p.option->key, *label = p.label.c_str(), *help = p.help.c_str();
+    switch (p.option->kind) {
+    case ddt::OptionKind::real:
+        return gegl_param_spec_double(key, label, help, p.low, p.high, p.initial, p.low,
+                                      p.shown_high, 1.0, flags);
+    case ddt::OptionKind::whole:
+        return gegl_param_spec_int(key, label, help, int(p.low), int(p.high), int(p.initial),
+                                   int(p.low), int(p.shown_high), 1.0, flags);
+    case ddt::OptionKind::toggle:
+        return g_param_spec_boolean(key, label, help, p.initial != 0, flags);
+    default:
+        return gegl_param_spec_enum(key, label, help, enum_of(key, p.names), int(p.initial), flags);
+    }
+}
+
+void init_class(gpointer klass, gpointer) {
+    parent_class = g_type_class_peek_parent(klass);
+    GObjectClass* object = G_OBJECT_CLASS(klass);
+    object->set_property = set_property;
+    object->get_property = get_property;
+    object->finalize = finalize;
+    g_object_class_install_property(
+        object, prop_scale,
+        gegl_param_spec_double("scale", "Scale", "By how much both sides grow", 1.0, largest_scale,
+                               2.0, 1.0, 8.0, 2.0, flags));
+    g_object_class_install_property(
+        object, prop_filter,
+        gegl_param_spec_enum("filter", "Filter", "The surface over the mesh",
+                             enum_of("filter", ddt::filter_names()), 0, flags));
+    g_object_class_install_property(
+        object, prop_light,
+        gegl_param_spec_enum("light", "Light",
+                             "Whether linear light is blended or the encoded numbers",
+                             enum_of("light", {std::begin(lights), std::end(lights)}), 0, flags));
+    for (size_t i = 0; i < parameters().size(); ++i)
+        g_object_class_install_property(object, prop_options + guint(i), spec_of(parameters()[i]));
+
+    GeglOperationClass* operation = GEGL_OPERATION_CLASS(klass);
+    operation->prepare = prepare;
+    operation->get_bounding_box = get_bounding_box;
+    operation->get_required_for_output = get_required_for_output;
+    operation->get_cached_region = get_cached_region;
+    operation->get_invalidated_by_change = get_invalidated_by_change;
+    operation->threaded = FALSE; // the core has threads of its own
+    operation->cache_policy = GEGL_CACHE_POLICY_NEVER;
+    GEGL_OPERATION_FILTER_CLASS(klass)->process = process;
+    gegl_operation_class_set_keys(
+        operation, "name", "gegl:ddt", "title", "Enlarge (ddt)", "categories", "transform",
+        "description", "Enlarge by data-dependent triangulation: edges stay smooth at any factor",
+        nullptr);
+}
+
+void init_instance(GTypeInstance* instance, gpointer) {
+    self_of(instance).values = g_new0(double, parameters().size());
+}
+
+const GeglModuleInfo info = {GEGL_MODULE_ABI_VERSION};
+
+} // namespace
+
+extern "C" {
+
+G_MODULE_EXPORT const GeglModuleInfo* gegl_module_query(GTypeModule*);
+G_MODULE_EXPORT gboolean gegl_module_register(GTypeModule*);
+
+const GeglModuleInfo* gegl_module_query(GTypeModule*) {
+    return &info;
+}
+
+gboolean gegl_module_register(GTypeModule* loading) {
+    module = loading;
+    const GTypeInfo type = {
+        sizeof(OperationClass), nullptr, nullptr,       init_class, nullptr, nullptr,
+        sizeof(Operation),      0,       init_instance, nullptr};
+    operation_type = g_type_module_register_type(module, GEGL_TYPE_OPERATION_FILTER, "GeglOpDdt",
+                                                 &type, GTypeFlags(0));
+    return TRUE;
+}
+}

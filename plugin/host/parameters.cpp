@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/host/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ddt/names.h"
+
+namespace ddt::host {
+namespace {
+
+/// "min_gain" as "Min gain".
+std::string label_of(std::string key) {
+    std::replace(key.begin(), key.end(), '_', ' ');
+    key[0] = char(key[0] - 'a' + 'A');
+    return key;
+}
+
+/// Without the backquotes of the table's texts.
+std::string plain(std::string text) {
+    text.erase(std::remove(text.begin(), text.end(), '`'), text.end());
+    return text;
+}
+
+Parameter number(const Option& option, const std::string& initial) {
+    Parameter p{&option, label_of(option.key), plain(option.help), 0, 0, 0, 0, {}};
+    // Hosts have signed numbers.
+    p.high = std::min(option.high, double(std::numeric_limits<int>::max()));
+    if (option.presets.empty() && !option.holds) {
+        p.low = option.low;
+        p.initial = std::stod(initial);
+    } else {
+        p.low = p.initial = filters_own;
+        p.help += " -1: as the filter has it.";
+    }
+    p.shown_high = std::min(p.high, 256.0);
+    if (option.kind == OptionKind::real)
+        p.shown_high = std::min(p.high, 2.0);
+    return p;
+}
+
+Parameter choice(const Option& option, const std::string& initial) {
+    Parameter p{&option, label_of(option.key), plain(option.help), 0, 0, 0, 0, {}};
+    for (const NamedValue& value : option.values) {
+        if (value.name == initial)
+            p.initial = double(p.names.size());
+        p.names.emplace_back(value.name);
+    }
+    p.high = p.shown_high = double(p.names.size()) - 1;
+    return p;
+}
+
+std::vector<Parameter> make() {
+    std::vector<Parameter> all;
+    const std::string filter = filter_names().front();
+    for (const Option& option : option_table()) {
+        const std::string initial = default_text(option, filter);
+        switch (option.kind) {
+        case OptionKind::real:
+        case OptionKind::whole:
+            all.push_back(number(option, initial));
+            break;
+        case OptionKind::toggle:
+            all.push_back({&option,
+                           label_of(option.key),
+                           plain(option.help),
+                           0,
+                           1,
+                           1,
+                           initial == "1" ? 1.0 : 0.0,
+                           {}});
+            break;
+        case OptionKind::choice:
+            all.push_back(choice(option, initial));
+            break;
+        case OptionKind::text:
+            break;
+        }
+    }
+    return all;
+}
+
+} // namespace
+
+bool Parameter::is_main() const {
+    return option->group == OptionGroup::device;
+}
+
+const std::vector<Parameter>& parameters() {
+    static const auto* all = new std::vector<Parameter>(make()); // never destroyed
+    return *all;
+}
+
+std::string item(const Parameter& p, double value) {
+    if (value == p.initial)
+        return "";
+    std::string text;
+    switch (p.option->kind) {
+    case OptionKind::real:
+        text = number_text(float(value));
+        break;
+    case OptionKind::choice:
+        text = p.names[size_t(std::clamp(value, p.low, p.high))];
+        break;
+    default:
+        text = std::to_string(std::llround(value));
+    }
+    return std::string(",") + p.option->key + "=" + text;
+}
+
+} // namespace ddt::host

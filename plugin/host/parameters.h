@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rows of the option table as parameters of hosts that show each option by itself.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ddt/option_table.h"
+
+namespace ddt::host {
+
+/// What a number that a filter presets is while the user has not touched it.
+constexpr double filters_own = -1;
+
+/// An option as a parameter. `light` is not among them: what a host's numbers mean the host knows.
+struct Parameter {
+    const Option* option;
+    std::string label; ///< "Min gain"
+    std::string help;
+    /// real and whole: the range, from filters_own on where the filter presets the number;
+    /// toggle: 0 and 1; choice: indices of `names`.
+    double low, high;
+    double shown_high; ///< what a slider should end at
+    double initial;
+    std::vector<std::string> names;
+
+    bool is_main() const; ///< not one for experts
+};
+
+/// In the order of the table. Made once; thread-safe.
+const std::vector<Parameter>& parameters();
+
+/// ",key=value" for a specification of the filter; empty for the initial value.
+std::string item(const Parameter& parameter, double value);
+
+} // namespace ddt::host

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/host/request.h"
+
+#include "ddt/option_table.h"
+
+namespace ddt::host {
+
+bool set_filter(std::string_view filter, std::string_view light, Enlargement& work,
+                std::string& error) {
+    FilterOptions options;
+    if (!parse_filter(filter, options, error) ||
+        !find_meaning(options.light == "auto" ? light : options.light, work.meaning, error))
+        return false;
+    work.surface = options.surface;
+    work.mesh = options.mesh;
+    work.device = options.device;
+    return true;
+}
+
+} // namespace ddt::host

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Images with holes.
+#pragma once
+
+#include <string>
+
+#include "ddt/resize.h"
+
+namespace ddt {
+
+/// Make `filled` the image with its holes filled by options.mesh; leave it uninitialised where
+/// there are none. False with one line in `error`.
+bool fill_image(const OIIO::ImageBuf& src, const Options& options, Missing what,
+                OIIO::ImageBuf& filled, std::string& error);
+
+} // namespace ddt

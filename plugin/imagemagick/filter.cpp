@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// The filter module `ddt` of ImageMagick 6:
+//
+//     convert in.png -process "ddt 4 ddt-sharp,cost=scf" out.png
+//
+// The first argument is a factor from 1 on, the second, which may be left out, a filter with its
+// options. sRGB and Gray images go through linear light, RGB and LinearGray ones are it.
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <string>
+#include <vector>
+
+#include <magick/MagickCore.h>
+
+#include "plugin/host/request.h"
+
+namespace {
+
+using namespace ddt::host;
+using ddt::Rect;
+
+/// What the user asked for.
+struct Request {
+    double scale = 0;
+    std::string filter = "ddt";
+};
+
+void complain(ExceptionInfo* exception, ExceptionType type, const std::string& error) {
+    (void)ThrowMagickException(exception, GetMagickModule(), type, error.c_str(), "`%s'", "ddt");
+}
+
+bool parse(int argc, const char** argv, Request& request, std::string& error) {
+    char* end = nullptr;
+    if (argc > 0)
+        request.scale = std::strtod(argv[0], &end);
+    if (argc < 1 || argc > 2 || *end || !(request.scale >= 1 && request.scale <= 1e4)) {
+        error = "ddt: allowed are a scale from 1 on and a filter: -process \"ddt 4 ddt-sharp\"";
+        return false;
+    }
+    if (argc > 1)
+        request.filter = argv[1];
+    return true;
+}
+
+bool is_grey(const Image& image) {
+    return image.colorspace == GRAYColorspace || image.colorspace == LinearGRAYColorspace;
+}
+
+/// The light of an image's numbers, or null where they are neither grey nor red, green and blue.
+const char* light_of(const Image& image) {
+    switch (image.colorspace) {
+    case sRGBColorspace:
+    case GRAYColorspace:
+    case UndefinedColorspace:
+        return "sRGB";
+    case RGBColorspace:
+    case LinearGRAYColorspace:
+        return "linear";
+    default:
+        return nullptr;
+    }
+}
+
+/// Tells ImageMagick's monitor, which may say no.
+struct Progress {
+    const Image* image;
+    bool operator()(float share) const {
+        return SetImageProgress(image, "Enlarge/ddt", MagickOffsetType(share * 1000.0f), 1001) !=
+               MagickFalse;
+    }
+};
+
+Buffer buffer_of(std::vector<uint16_t>& pixels, const Rect& box, int channels) {
+    const ptrdiff_t size = sizeof(uint16_t), pixel = size * channels;
+    pixels.resize(box.area() * size_t(channels));
+    return {pixels.data(), pixel * box.width(), pixel, size, box, Sample::uint16};
+}
+
+/// The enlarged image, or null with an exception.
+Image* enlarged(Image& image, const Request& request, ExceptionInfo* exception) {
+    Enlargement work;
+    std::string error;
+    const char* light = light_of(image);
+    if (!light) {
+        const char* space = CommandOptionToMnemonic(MagickColorspaceOptions, image.colorspace);
+        complain(exception, OptionError,
+                 std::string("ddt: the colorspace ") + space +
+                     " is not allowed; allowed are sRGB, RGB, Gray, LinearGray (-colorspace)");
+        return nullptr;
+    }
+    if (!set_filter(request.filter, light, work, error)) {
+        complain(exception, OptionError, error);
+        return nullptr;
+    }
+    const bool alpha = image.matte != MagickFalse;
+    work.layout = Layout::usual((is_grey(image) ? 1 : 3) + (alpha ? 1 : 0), false);
+    work.window = {0, 0, int(image.columns), int(image.rows)};
+    work.full = scaled(work.window, request.scale, request.scale);
+
+    using Owned = std::unique_ptr<Image, Image* (*)(Image*)>;
+    Owned result(CloneImage(&image, size_t(work.full.width()), size_t(work.full.height()),
+                            MagickTrue, exception),
+                 DestroyImage);
+    if (!result || SetImageStorageClass(result.get(), DirectClass) == MagickFalse)
+        return nullptr;
+    std::vector<uint16_t> from, to;
+    work.from = buffer_of(from, work.window, work.layout.channels);
+    work.to = buffer_of(to, work.full, work.layout.channels);
+    const char* const maps[] = {"R", "RA", "RGB", "RGBA"};
+    const char* const back[] = {"I", "IA", "RGB", "RGBA"};
+    const int map = work.layout.channels - 1;
+    if (ExportImagePixels(&image, 0, 0, image.columns, image.rows, maps[map], ShortPixel,
+                          from.data(), exception) == MagickFalse)
+        return nullptr;
+    work.progress = Progress{&image};
+    const ddt::Outcome outcome = enlarge(work, error);
+    if (outcome != ddt::Outcome::done) {
+        complain(exception,
+                 outcome == ddt::Outcome::out_of_memory ? ResourceLimitError : OptionError, error);
+        return nullptr;
+    }
+    if (ImportImagePixels(result.get(), 0, 0, result->columns, result->rows, back[map], ShortPixel,
+                          to.data()) == MagickFalse) {
+        InheritException(exception, &result->exception);
+        return nullptr;
+    }
+    return result.release();
+}
+
+/// False, and an exception: no image is left then, so that none that is not enlarged is written.
+bool enlarge_list(Image** images, const Request& request, ExceptionInfo* exception) {
+    Image* list = NewImageList();
+    for (Image* i = GetFirstImageInList(*images); i; i = GetNextImageInList(i)) {
+        Image* large = enlarged(*i, request, exception);
+        if (!large) {
+            *images = DestroyImageList(*images);
+            if (list)
+                (void)DestroyImageList(list);
+            return false;
+        }
+        AppendImageToList(&list, large);
+    }
+    (void)DestroyImageList(*images);
+    *images = GetFirstImageInList(list);
+    return true;
+}
+
+} // namespace
+
+extern "C" ModuleExport size_t ddtImage(Image** images, const int argc, const char** argv,
+                                        ExceptionInfo* exception);
+
+size_t ddtImage(Image** images, const int argc, const char** argv, ExceptionInfo* exception) {
+    try {
+        Request request;
+        std::string error;
+        if (!parse(argc, argv, request, error)) {
+            complain(exception, OptionError, error);
+            *images = DestroyImageList(*images);
+        } else {
+            enlarge_list(images, request, exception);
+        }
+    } catch (const std::bad_alloc&) {
+        complain(exception, ResourceLimitError, "ddt: out of memory");
+        *images = DestroyImageList(*images);
+    }
+    return MagickImageFilterSignature;
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the effect does when the host asks. Each returns a Status.
+#pragma once
+
+#include "plugin/openfx/abi.h"
+
+namespace ddt::ofx {
+
+int describe(Effect effect);
+int describe_in_context(Effect effect);
+int region_of_definition(Effect effect, Properties in, Properties out);
+int regions_of_interest(Effect effect, Properties in, Properties out);
+int is_identity(Effect effect, Properties in, Properties out);
+int render(Effect effect, Properties in);
+
+/// True in hosts whose effects cannot change the size of the picture.
+bool zooms();
+
+} // namespace ddt::ofx

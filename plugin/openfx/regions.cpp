@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/host/enlargement.h"
+#include "plugin/openfx/actions.h"
+#include "plugin/openfx/source_clip.h"
+#include "plugin/openfx/suites.h"
+
+namespace ddt::ofx {
+namespace {
+
+void set_rect(Properties p, const char* name, const RectD& r) {
+    set(p, name, r.x1, 0);
+    set(p, name, r.y1, 1);
+    set(p, name, r.x2, 2);
+    set(p, name, r.y2, 3);
+}
+
+} // namespace
+
+int region_of_definition(Effect effect, Properties in, Properties out) {
+    SourceClip source;
+    if (!source.find(effect, in))
+        return reply_default;
+    // Of render scale 1, whatever the scale: canonical regions do not depend on it.
+    const PixelScale& scale = source.at_full_scale;
+    const Windows w = windows_of(source.region, scale, scale, source.settings, zooms());
+    if (w.window.empty())
+        return reply_default;
+    set_rect(out, "OfxImageEffectPropRegionOfDefinition", to_canonical(w.shown, scale));
+    return ok;
+}
+
+int regions_of_interest(Effect effect, Properties in, Properties out) {
+    SourceClip source;
+    if (!source.find(effect, in))
+        return reply_default;
+    RectD wanted{};
+    double* const sides[] = {&wanted.x1, &wanted.y1, &wanted.x2, &wanted.y2};
+    for (int i = 0; i < 4; ++i)
+        *sides[i] = get(in, "OfxImageEffectPropRegionOfInterest", 0.0, i);
+    const Windows w = source.windows();
+    const Rect pixels = host::needed(w.window, w.full, to_pixels(wanted, source.scale));
+    if (pixels.empty())
+        return reply_default;
+    set_rect(out, "OfxImageClipPropRoI_Source", to_canonical(pixels, source.scale));
+    return ok;
+}
+
+int is_identity(Effect effect, Properties in, Properties out) {
+    SourceClip source;
+    if (!source.find(effect, in))
+        return reply_default;
+    const Windows w = source.windows();
+    if (w.window.width() != w.full.width() || w.window.height() != w.full.height() ||
+        w.window.x0 != w.full.x0 || w.window.y0 != w.full.y0)
+        return reply_default;
+    set(out, "OfxPropName", "Source");
+    set(out, "OfxPropTime", source.time);
+    return ok;
+}
+
+} // namespace ddt::ofx

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstring>
+#include <thread>
+
+#include "plugin/host/request.h"
+#include "plugin/openfx/actions.h"
+#include "plugin/openfx/source_clip.h"
+#include "plugin/openfx/suites.h"
+
+namespace ddt::ofx {
+namespace {
+
+/// An image of a clip; released when it goes.
+class Image {
+public:
+    Image(Clip clip, double time) {
+        if (suites.effect->clip_get_image(clip, time, nullptr, &m_image) != ok)
+            m_image = nullptr;
+    }
+    ~Image() {
+        if (m_image)
+            suites.effect->clip_release_image(m_image);
+    }
+    Image(const Image&) = delete;
+    Image& operator=(const Image&) = delete;
+    explicit operator bool() const { return m_image != nullptr; }
+
+    /// 4, 3, 1, or 0 for components that are not supported.
+    int channels() const {
+        const std::string components = get(m_image, "OfxImageEffectPropComponents", "");
+        return components == "OfxImageComponentRGBA"    ? 4
+               : components == "OfxImageComponentRGB"   ? 3
+               : components == "OfxImageComponentAlpha" ? 1
+                                                        : 0;
+    }
+    bool unpremultiplied() const {
+        return get(m_image, "OfxImageEffectPropPreMultiplication", "") == "OfxImageUnPreMultiplied";
+    }
+    /// False for a depth that is not supported or an image without pixels.
+    bool buffer(host::Buffer& b) const {
+        constexpr std::pair<const char*, host::Sample> depths[] = {
+            {"OfxBitDepthFloat", host::Sample::float32},
+            {"OfxBitDepthHalf", host::Sample::half},
+            {"OfxBitDepthShort", host::Sample::uint16},
+            {"OfxBitDepthByte", host::Sample::uint8}};
+        const std::string depth = get(m_image, "OfxImageEffectPropPixelDepth", "");
+        const auto* known = std::find_if(std::begin(depths), std::end(depths),
+                                         [&](const auto& d) { return depth == d.first; });
+        char* data = static_cast<char*>(get_pointer(m_image, "OfxImagePropData"));
+        if (known == std::end(depths) || !data)
+            return false;
+        Rect upwards;
+        int* const sides[] = {&upwards.x0, &upwards.y0, &upwards.x1, &upwards.y1};
+        for (int i = 0; i < 4; ++i)
+            *sides[i] = get(m_image, "OfxImagePropBounds", 0, i);
+        const ptrdiff_t row = get(m_image, "OfxImagePropRowBytes", 0);
+        b.sample = known->second;
+        b.channel = ptrdiff_t(host::size_of(b.sample));
+        b.pixel = b.channel * channels();
+        b.row = -row;
+        b.box = host::flipped(upwards);
+        b.data = data + row * (upwards.height() - 1); // the uppermost
+        return !upwards.empty();
+    }
+
+private:
+    Properties m_image = nullptr;
+};
+
+/// The host's progress bar, and its wish to stop, both asked for on the thread that it called us on
+/// alone.
+class Watch {
+public:
+    explicit Watch(Effect effect) : m_effect(effect) {
+        if (suites.progress)
+            suites.progress->start(m_effect, "Enlarge (ddt)");
+    }
+    ~Watch() {
+        if (suites.progress)
+            suites.progress->end(m_effect);
+    }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+    bool operator()(float share) {
+        if (std::this_thread::get_id() != m_thread)
+            return true;
+        if (suites.progress && suites.progress->update(m_effect, double(share)) != ok)
+            return false;
+        return !suites.effect->abort(m_effect);
+    }
+
+private:
+    Effect m_effect;
+    std::thread::id m_thread = std::this_thread::get_id();
+};
+
+Rect render_window(Properties in) {
+    const auto side = [&](int i) { return get(in, "OfxImageEffectPropRenderWindow", 0, i); };
+    return host::flipped({side(0), side(1), side(2), side(3)});
+}
+
+Rect common(const Rect& a, const Rect& b) {
+    return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+}
+
+/// Make the part of the output black.
+void clear(const host::Buffer& to, const Rect& part, int channels) {
+    const size_t bytes =
+        part.empty() ? 0 : size_t(part.width()) * size_t(channels) * size_t(to.channel);
+    for (int y = part.y0; y < part.y1; ++y)
+        std::memset(to.at(part.x0, y), 0, bytes);
+}
+
+/// What to do with pixels of these components.
+bool plan(const Image& image, const Settings& settings, host::Enlargement& work,
+          std::string& error) {
+    const bool straight =
+        settings.premultiplication == unpremultiplied ||
+        (settings.premultiplication == as_the_image_says && image.unpremultiplied());
+    work.layout = host::Layout::usual(image.channels(), !straight);
+    // A matte is no light: it is blended, and looked at, as it is.
+    return host::set_filter(settings.filter, image.channels() == 1 ? "encoded" : settings.light,
+                            work, error);
+}
+
+int render_part(Effect effect, const SourceClip& source, const Image& from, const Image& to,
+                Rect part, std::string& error) {
+    host::Enlargement work;
+    if (!from.buffer(work.from) || !to.buffer(work.to) || from.channels() == 0 ||
+        from.channels() != to.channels()) {
+        error = "ddt: allowed are RGBA, RGB and Alpha of 8 or 16 bits, half or float, the same in "
+                "and out";
+        return failed;
+    }
+    if (!plan(from, source.settings, work, error))
+        return failed;
+    const Windows w = source.windows();
+    work.window = w.window;
+    work.full = w.full;
+    part = common(part, work.to.box);
+    const Rect inside = common(part, w.full);
+    if (inside.width() != part.width() || inside.height() != part.height())
+        clear(work.to, part, work.layout.channels);
+    if (inside.empty())
+        return ok;
+    host::Buffer& out = work.to;
+    out.data = out.at(inside.x0, inside.y0);
+    out.box = inside;
+    Watch watch(effect);
+    work.progress = std::ref(watch);
+    const Outcome outcome = host::enlarge(work, error);
+    if (outcome == Outcome::cancelled)
+        error.clear();
+    // What is left of a render that was stopped is not looked at: that is no failure.
+    return outcome == Outcome::done || outcome == Outcome::cancelled ? int(ok)
+           : outcome == Outcome::out_of_memory                       ? int(out_of_memory)
+                                                                     : int(failed);
+}
+
+} // namespace
+
+int render(Effect effect, Properties in) {
+    SourceClip source;
+    Clip output = nullptr;
+    std::string error;
+    int status = failed;
+    if (!source.find(effect, in) ||
+        suites.effect->clip_get_handle(effect, "Output", &output, nullptr) != ok)
+        return failed;
+    const Image from(source.clip, source.time), to(output, source.time);
+    if (!from || !to)
+        return suites.effect->abort(effect) ? ok : failed;
+    status = render_part(effect, source, from, to, render_window(in), error);
+    if (!error.empty())
+        complain(effect, error);
+    return status;
+}
+
+} // namespace ddt::ofx

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/openfx/settings.h"
+
+#include "ddt/names.h"
+#include "plugin/host/enlargement.h"
+#include "plugin/host/parameters.h"
+#include "plugin/openfx/suites.h"
+
+namespace ddt::ofx {
+namespace {
+
+constexpr const char* advanced = "advanced";
+
+/// A parameter of the type with what all have; null where the host refuses it.
+Properties define(ParamSet set_, const char* type, const char* name, const char* label,
+                  const std::string& help, const char* parent = nullptr) {
+    Properties p = nullptr;
+    if (suites.param->define(set_, type, name, &p) != ok)
+        return nullptr;
+    set(p, "OfxPropLabel", label);
+    set(p, "OfxParamPropHint", help);
+    if (parent)
+        set(p, "OfxParamPropParent", parent);
+    return p;
+}
+
+/// Some hosts limit a number to +-1 unless it has both ranges.
+template <class Number>
+void set_range(Properties p, Number initial, Number low, Number high, Number shown_high) {
+    if (!p)
+        return;
+    set(p, "OfxParamPropDefault", initial);
+    set(p, "OfxParamPropMin", low);
+    set(p, "OfxParamPropMax", high);
+    set(p, "OfxParamPropDisplayMin", low);
+    set(p, "OfxParamPropDisplayMax", shown_high);
+}
+
+void define_choice(ParamSet set_, const char* name, const char* label, const std::string& help,
+                   const std::vector<std::string>& names, int initial,
+                   const char* parent = nullptr) {
+    Properties p = define(set_, "OfxParamTypeChoice", name, label, help, parent);
+    if (!p)
+        return;
+    for (size_t i = 0; i < names.size(); ++i)
+        set(p, "OfxParamPropChoiceOption", names[i], int(i));
+    set(p, "OfxParamPropDefault", initial);
+}
+
+/// A row of the option table.
+void define_option(ParamSet set_, const host::Parameter& q) {
+    const char *key = q.option->key, *label = q.label.c_str();
+    const char* parent = q.is_main() ? nullptr : advanced;
+    switch (q.option->kind) {
+    case OptionKind::real:
+        return set_range(define(set_, "OfxParamTypeDouble", key, label, q.help, parent), q.initial,
+                         q.low, q.high, q.shown_high);
+    case OptionKind::whole:
+        return set_range(define(set_, "OfxParamTypeInteger", key, label, q.help, parent),
+                         int(q.initial), int(q.low), int(q.high), int(q.shown_high));
+    case OptionKind::toggle:
+        if (Properties p = define(set_, "OfxParamTypeBoolean", key, label, q.help, parent))
+            set(p, "OfxParamPropDefault", int(q.initial));
+        return;
+    default:
+        define_choice(set_, key, label, q.help, q.names, int(q.initial), parent);
+    }
+}
+
+/// A value at the time; `otherwise` where the host has no such parameter.
+template <class Number>
+Number value(ParamSet set_, const char* name, double time, Number otherwise) {
+    Param param = nullptr;
+    Number number = otherwise;
+    if (suites.param->get_handle(set_, name, &param, nullptr) != ok ||
+        suites.param->get_value_at_time(param, time, &number) != ok)
+        return otherwise;
+    return number;
+}
+
+std::string name_at(const std::vector<std::string>& names, int index) {
+    return names[index >= 0 && size_t(index) < names.size() ? size_t(index) : 0];
+}
+
+} // namespace
+
+void define_parameters(ParamSet set_, bool zoom) {
+    set_range(define(set_, "OfxParamTypeDouble", "scale", "Scale", "By how much both sides grow"),
+              2.0, 1.0, 1024.0, 8.0);
+    set_range(define(set_, "OfxParamTypeDouble", "scale_y", "Scale Y",
+                     "By how much the height grows; 0: as much as the width"),
+              0.0, 0.0, 1024.0, 8.0);
+    if (!zoom) {
+        set_range(define(set_, "OfxParamTypeInteger", "width", "Width",
+                         "Width of the result in pixels instead of a scale; 0: by the scale, or "
+                         "from the height"),
+                  0, 0, 1 << 20, 8192);
+        set_range(define(set_, "OfxParamTypeInteger", "height", "Height",
+                         "Height of the result in pixels instead of a scale; 0: by the scale, or "
+                         "from the width"),
+                  0, 0, 1 << 20, 8192);
+    } else {
+        set_range(define(set_, "OfxParamTypeDouble", "centre_x", "Centre X",
+                         "What stays in its place: from the left, 0, to the right, 1"),
+                  0.5, 0.0, 1.0, 1.0);
+        set_range(define(set_, "OfxParamTypeDouble", "centre_y", "Centre Y",
+                         "What stays in its place: from below, 0, to above, 1"),
+                  0.5, 0.0, 1.0, 1.0);
+    }
+    define_choice(set_, "filter", "Filter", "The surface over the mesh", filter_names(), 0);
+    define_choice(set_, "light", "Light",
+                  "What the numbers are: linear light, as compositing hosts hand over; encoded: "
+                  "blended as they are; or an encoding, blended in linear light",
+                  host::meaning_names(), 0);
+    define_choice(set_, "premultiplication", "Premultiplication",
+                  "Whether colour is multiplied by alpha",
+                  {"as the image says", "premultiplied", "unpremultiplied"}, 0);
+    if (Properties group = define(set_, "OfxParamTypeGroup", advanced, "Advanced", ""))
+        set(group, "OfxParamPropGroupOpen", 0);
+    for (const host::Parameter& p : host::parameters())
+        define_option(set_, p);
+}
+
+Settings settings_at(Effect effect, double time) {
+    ParamSet set_ = nullptr;
+    suites.effect->get_param_set(effect, &set_);
+    Settings s;
+    s.scale_x = value(set_, "scale", time, 2.0);
+    s.scale_y = value(set_, "scale_y", time, 0.0);
+    s.scale_y = s.scale_y > 0 ? s.scale_y : s.scale_x;
+    s.width = value(set_, "width", time, 0);
+    s.height = value(set_, "height", time, 0);
+    s.centre_x = value(set_, "centre_x", time, 0.5);
+    s.centre_y = value(set_, "centre_y", time, 0.5);
+    s.filter = name_at(filter_names(), value(set_, "filter", time, 0));
+    s.light = name_at(host::meaning_names(), value(set_, "light", time, 0));
+    s.premultiplication = value(set_, "premultiplication", time, 0);
+    for (const host::Parameter& p : host::parameters())
+        s.filter += host::item(p, p.option->kind == OptionKind::real
+                                      ? value(set_, p.option->key, time, p.initial)
+                                      : double(value(set_, p.option->key, time, int(p.initial))));
+    return s;
+}
+
+} // namespace ddt::ofx

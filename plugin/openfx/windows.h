@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the picture lies and where its enlargement. Hosts count rows upwards and speak of regions
+// in canonical coordinates: pixels at render scale 1, made square. Here all are pixels of the
+// render scale, rows downwards: mirrored about y = 0 (host::flipped), so that ties break as in
+// oiiotool.
+#pragma once
+
+#include "ddt/mapping.h"
+#include "plugin/openfx/abi.h"
+#include "plugin/openfx/settings.h"
+
+namespace ddt::ofx {
+
+/// Pixels a canonical unit has.
+struct PixelScale {
+    double x = 1, y = 1;
+};
+
+struct Windows {
+    Rect window; ///< the source's region of definition
+    Rect full;   ///< the whole enlargement
+    Rect shown;  ///< the output's region of definition: `full`, or of a zoom `window`
+};
+
+Rect to_pixels(const RectD& canonical, const PixelScale& scale);
+RectD to_canonical(const Rect& pixels, const PixelScale& scale);
+
+/// `region`: the source's, canonical. At render scales other than 1 `full` is that of scale 1,
+/// scaled along, as the host expects it.
+Windows windows_of(const RectD& region, const PixelScale& scale, const PixelScale& at_full_scale,
+                   const Settings& settings, bool zoom);
+
+} // namespace ddt::ofx

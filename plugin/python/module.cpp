@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// The compiled part of the Python module; oiio_ddt/__init__.py gives it arrays of three dimensions.
+#include <exception>
+#include <functional>
+#include <string>
+#include <utility>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include "ddt/mesh.h"
+#include "plugin/host/enlargement.h"
+#include "plugin/host/pixels.h"
+#include "plugin/host/request.h"
+
+namespace py = pybind11;
+
+namespace {
+
+using namespace ddt::host;
+
+/// Raised when the caller's progress() says to stop.
+struct Cancelled : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+Sample sample_of(const std::string& name) {
+    constexpr std::pair<const char*, Sample> samples[] = {
+        {"uint8", Sample::uint8},     {"int8", Sample::int8}, {"uint16", Sample::uint16},
+        {"int16", Sample::int16},     {"half", Sample::half}, {"float32", Sample::float32},
+        {"float64", Sample::float64}, {"id32", Sample::id32},
+    };
+    for (const auto& [known, sample] : samples)
+        if (name == known)
+            return sample;
+    throw py::value_error("ddt: unknown kind of number " + name);
+}
+
+Buffer buffer_of(const py::array& array, void* data, Sample sample, int x0, int y0) {
+    const auto height = int(array.shape(0)), width = int(array.shape(1));
+    return {data,
+            ptrdiff_t(array.strides(0)),
+            ptrdiff_t(array.strides(1)),
+            ptrdiff_t(array.strides(2)),
+            {x0, y0, x0 + width, y0 + height},
+            sample};
+}
+
+/// Runs work without the interpreter's lock, and asks Python from time to time whether to go on.
+class Watch {
+public:
+    explicit Watch(py::object progress) : m_progress(std::move(progress)) {}
+
+    /// False: there is an exception, or the caller's function said so. Called on any thread;
+    /// signals are seen when it is Python's main thread, which works with the others.
+    bool operator()(float share) {
+        const py::gil_scoped_acquire lock;
+        try {
+            if (PyErr_CheckSignals() != 0)
+                throw py::error_already_set();
+            if (!m_progress.is_none() && m_progress(share).is(py::bool_(false)))
+                throw Cancelled("ddt: cancelled");
+            return true;
+        } catch (...) {
+            m_exception = std::current_exception();
+            return false;
+        }
+    }
+
+    void rethrow() const {
+        if (m_exception)
+            std::rethrow_exception(m_exception);
+    }
+
+private:
+    py::object m_progress;
+    std::exception_ptr m_exception;
+};
+
+[[noreturn]] void raise(ddt::Outcome outcome, const std::string& error) {
+    if (outcome == ddt::Outcome::out_of_memory)
+        throw std::bad_alloc();
+    if (outcome == ddt::Outcome::bad_job)
+        throw py::value_error(error);
+    throw std::runtime_error(error);
+}
+
+Enlargement work_on(const py::array& pixels, const std::string& sample, const std::string& filter,
+                    const std::string& light, bool associated) {
+    Enlargement work;
+    // Only read: that the memory may be written is not asked for.
+    work.from = buffer_of(pixels, const_cast<void*>(pixels.data()), sample_of(sample), 0, 0);
+    work.window = work.from.box;
+    const auto channels = int(pixels.shape(2));
+    work.layout = work.from.sample == Sample::id32 ? Layout::ids(channels)
+                                                   : Layout::usual(channels, associated);
+    std::string error;
+    if (!set_filter(filter, light, work, error))
+        throw py::value_error(error);
+    return work;
+}
+
+void enlarge_array(const py::array& pixels, py::array& result, const std::string& sample,
+                   std::pair<int, int> full, std::pair<int, int> origin, const std::string& filter,
+                   const std::string& light, bool associated, int threads, py::object progress) {
+    Enlargement work = work_on(pixels, sample, filter, light, associated);
+    work.to =
+        buffer_of(result, result.mutable_data(), work.from.sample, origin.first, origin.second);
+    work.full = {0, 0, full.first, full.second};
+    work.threads = threads;
+    Watch watch(std::move(progress));
+    work.progress = std::ref(watch);
+    std::string error;
+    ddt::Outcome outcome;
+    {
+        const py::gil_scoped_release unlock;
+        outcome = enlarge(work, error);
+    }
+    watch.rethrow();
+    if (outcome != ddt::Outcome::done)
+        raise(outcome, error);
+}
+
+py::array mesh_of(const py::array& pixels, const std::string& sample, const std::string& filter,
+                  const std::string& light, bool associated, py::object progress) {
+    Enlargement work = work_on(pixels, sample, filter, light, associated);
+    Watch watch(std::move(progress));
+    ddt::Mesh mesh;
+    std::string error;
+    bool done = false;
+    {
+        const py::gil_scoped_release unlock;
+        std::vector<float> values(work.window.area() * size_t(work.layout.channels));
+        std::vector<float> guide(work.window.area());
+        done = BufferSource(work).read(work.window, values.data(), guide.data());
+        values = {};
+        done = done && ddt::build_mesh(guide.data(), work.window.width(), work.window.height(),
+                                       work.mesh, mesh, nullptr, &error, std::ref(watch));
+    }
+    watch.rethrow();
+    if (!done)
+        throw py::value_error(error);
+    py::array_t<int32_t> triangles({py::ssize_t(mesh.triangles.size()), py::ssize_t(3)});
+    std::copy_n(mesh.triangles.data()->data(), 3 * mesh.triangles.size(), triangles.mutable_data());
+    return triangles;
+}
+
+} // namespace
+
+PYBIND11_MODULE(_ddt, m) {
+    m.doc() = "The compiled part of oiio_ddt.";
+    py::register_exception<Cancelled>(m, "Cancelled");
+    m.def("enlarge", &enlarge_array);
+    m.def("mesh", &mesh_of);
+}

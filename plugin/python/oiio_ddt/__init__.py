@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Enlarges arrays of pixels by data-dependent triangulation.
+
+    import oiio_ddt
+    large = oiio_ddt.enlarge(image, scale=4, light="sRGB")
+
+The result has the bits that OpenImageIO's filter `ddt` makes of the same pixels, for any number of
+threads and on any device. OpenImageIO is not needed. Functions may be called from several threads
+at once; they release the interpreter's lock while they work. Ctrl-C cancels.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Callable, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _ddt
+from ._ddt import Cancelled
+
+__all__ = ["Cancelled", "enlarge", "mesh"]
+
+# What the numbers of a dtype are to the core; integers of 32 bits and more are copied.
+_SAMPLES = {
+    "uint8": "uint8", "int8": "int8", "uint16": "uint16", "int16": "int16",
+    "float16": "half", "float32": "float32", "float64": "float64",
+    "uint32": "id32", "int32": "id32", "uint64": "id32", "int64": "id32", "bool": "id32",
+}
+
+
+def enlarge(
+    array: Any,
+    scale: Union[None, float, Sequence[float]] = None,
+    *,
+    size: Optional[Tuple[int, int]] = None,
+    filter: str = "ddt",
+    roi: Optional[Tuple[int, int, int, int]] = None,
+    light: str = "encoded",
+    alpha: str = "associated",
+    threads: int = 0,
+    progress: Optional[Callable[[float], Optional[bool]]] = None,
+) -> np.ndarray:
+    """Enlarge an image.
+
+    array     Height x width, or height x width x channels; any strides. Channels are grey; grey,
+              alpha; red, green, blue; the same and alpha; further ones are quantities of their
+              own. uint8 and uint16 stand for 0 to 1, int8 and int16 for -1 to 1, floats for
+              themselves; bool and integers of 32 and 64 bits are numbers of objects: copied from
+              the nearest pixel, never blended.
+    scale     A factor, or one for x and one for y: at least 1. Sizes are rounded to whole pixels.
+    size      Instead of a scale: (width, height) of the result.
+    filter    "ddt", "ddt-linear" or "ddt-sharp", with options: "ddt,cost=scf".
+    roi       (x0, y0, x1, y1) in pixels of the result: only these are made, with the same bits.
+    light     What the numbers of colour mean. "encoded": they are blended as they are. "linear":
+              linear light, as in an EXR. "sRGB", "Rec709", "Gamma1.8", "Gamma2.2", "Gamma2.4":
+              encoded so, and blended in linear light.
+    alpha     "associated": colour is multiplied by alpha already. "unassociated": it is not, as
+              in a PNG; colour where alpha is 0 does not show.
+    threads   How many to use; 0: as many as there are cores.
+    progress  Called now and then with the share done, 0 to 1; if it returns False the work ends
+              with Cancelled, if it raises, with that exception.
+
+    Returns a new C-contiguous array of the same dtype and number of dimensions. Raises ValueError
+    or TypeError for what is not allowed, MemoryError, RuntimeError for a device that cannot be
+    had, KeyboardInterrupt, Cancelled.
+    """
+    pixels, dtype, sample = _as_pixels(array)
+    height, width = pixels.shape[:2]
+    full = _full_size(width, height, scale, size)
+    x0, y0, x1, y1 = _checked_roi(roi, full)
+    if alpha not in ("associated", "unassociated"):
+        raise ValueError(f'ddt: alpha "{alpha}" is not allowed; allowed are associated, '
+                         "unassociated")
+    result = np.empty((y1 - y0, x1 - x0, pixels.shape[2]), pixels.dtype)
+    _ddt.enlarge(pixels, result, sample, full, (x0, y0), filter, light, alpha == "associated",
+                 int(threads), progress)
+    result = _as_dtype(result, dtype)
+    return result[..., 0] if np.ndim(array) == 2 else result
+
+
+def mesh(
+    array: Any,
+    *,
+    filter: str = "ddt",
+    light: str = "encoded",
+    alpha: str = "associated",
+    progress: Optional[Callable[[float], Optional[bool]]] = None,
+) -> np.ndarray:
+    """Triangulate an image, of at least 2 x 2 pixels, at once.
+
+    Returns int32 numbers of vertices, 3 a triangle: vertex y * width + x is pixel (x, y), at
+    (x, y). There are 2 (width - 1) (height - 1) triangles, each of area 1/2 and running from x
+    towards y. Arguments and errors are those of enlarge(). Takes about 80 bytes a pixel meanwhile.
+    """
+    pixels, _, sample = _as_pixels(array)
+    return _ddt.mesh(pixels, sample, filter, light, alpha == "associated", progress)
+
+
+def _as_pixels(array: Any) -> Tuple[np.ndarray, np.dtype, str]:
+    """The array as height x width x channels of what the core knows, its dtype, and what its
+    numbers are."""
+    pixels = np.asarray(array)
+    dtype = pixels.dtype
+    sample = _SAMPLES.get(dtype.name)
+    if sample is None:
+        raise TypeError(f"ddt: dtype {dtype} is not allowed; allowed are {', '.join(_SAMPLES)}")
+    if pixels.ndim == 2:
+        pixels = pixels[..., np.newaxis]
+    if pixels.ndim != 3 or 0 in pixels.shape:
+        raise ValueError(f"ddt: an array of shape {np.shape(array)} is no image; allowed are "
+                         "height x width and height x width x channels")
+    if not dtype.isnative:
+        pixels = pixels.astype(dtype.newbyteorder("="))
+    if dtype == bool:
+        pixels = pixels.astype(np.uint32)
+    elif dtype.itemsize == 8 and dtype.kind in "iu":
+        pixels = np.ascontiguousarray(pixels).view(np.uint32)
+    return pixels, dtype, sample
+
+
+def _as_dtype(result: np.ndarray, dtype: np.dtype) -> np.ndarray:
+    if dtype.itemsize == 8 and dtype.kind in "iu":
+        return result.view(dtype.newbyteorder("=")).astype(dtype, copy=False)
+    return result.astype(dtype, copy=False)
+
+
+def _full_size(width: int, height: int, scale: Any, size: Any) -> Tuple[int, int]:
+    if (scale is None) == (size is None):
+        raise ValueError("ddt: give either a scale or a size")
+    if size is not None:
+        full_width, full_height = (int(n) for n in size)
+        return full_width, full_height
+    x, y = (scale, scale) if np.ndim(scale) == 0 else scale
+    if not (1 <= x < 1e6 and 1 <= y < 1e6):
+        raise ValueError(f"ddt: scale {scale} is not allowed; allowed are numbers from 1 on")
+    return int(width * x + 0.5), int(height * y + 0.5)
+
+
+def _checked_roi(roi: Any, full: Tuple[int, int]) -> Tuple[int, int, int, int]:
+    x0, y0, x1, y1 = (0, 0, *full) if roi is None else (int(n) for n in roi)
+    if not (0 <= x0 < x1 <= full[0] and 0 <= y0 < y1 <= full[1]):
+        raise ValueError(f"ddt: roi {roi} is not allowed; allowed are (x0, y0, x1, y1) within the "
+                         f"result of {full[0]} x {full[1]} pixels")
+    return x0, y0, x1, y1

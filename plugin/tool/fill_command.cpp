@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/commands.h"
+#include "plugin/tool/filter_flag.h"
+#include "plugin/tool/image_file.h"
+#include "plugin/tool/picture.h"
+
+namespace ddt::tool {
+
+namespace {
+
+class FillCommand final : public Command {
+public:
+    FillCommand() {
+        name = "fill";
+        summary = "Fill the missing pixels of an image";
+        paragraphs = {
+            "Pixels that are missing, those with a NaN, are interpolated over triangles of the "
+            "pixels about them, whose edges are flipped so that the image's own edges run on "
+            "across the hole. All other pixels stay as they are. Beyond the outermost pixels that "
+            "are there the nearest goes on. Needs GEOS."};
+        operands = {{"IN", "any image OpenImageIO reads"}, {"OUT", "any image OpenImageIO writes"}};
+        flags = {
+            choice_flag("--missing", {"nan", "alpha"},
+                        "what is missing besides pixels with a NaN: nothing (nan, the default), or "
+                        "those whose alpha is 0",
+                        m_missing),
+            filter_flag(
+                "how to flip edges, as the filter's name and options: ddt,scheme=lawson,cost=jnd",
+                m_options, m_filter_error),
+        };
+    }
+
+    ExitCode run(const std::vector<std::string>& values) override {
+        if (!m_filter_error.empty())
+            return fail(m_filter_error, exit_usage);
+        OIIO::ImageBuf image, filled;
+        Failure failure;
+        if (!open_image(values[0], image, failure.why))
+            return fail(failure.why, code_of_message(failure.why));
+        const Missing missing = m_missing == "alpha" ? Missing::alpha : Missing::nan;
+        if (!ddt::fill(filled, image, m_options, missing)) {
+            failure.why = filled.geterror();
+            return fail(failure.why, code_of_message(failure.why));
+        }
+        return write_image(
+                   filled, values[1], [](float) {}, failure)
+                   ? exit_done
+                   : fail(failure);
+    }
+
+private:
+    Options m_options;
+    std::string m_missing = "nan", m_filter_error;
+};
+
+} // namespace
+
+std::unique_ptr<Command> make_fill_command() {
+    return std::make_unique<FillCommand>();
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <OpenImageIO/strutil.h>
+
+#include "core/base/parse_number.h"
+#include "ddt/resize.h"
+#include "plugin/tool/commands.h"
+#include "plugin/tool/filter_flag.h"
+#include "plugin/tool/image_file.h"
+#include "plugin/tool/point_file.h"
+#include "plugin/tool/progress.h"
+#include "plugin/tool/size.h"
+
+namespace ddt::tool {
+
+namespace {
+
+using OIIO::Strutil::fmt::format;
+
+/// A part of the plane.
+struct Window {
+    double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+/// "X0,Y0,X1,Y1", the corners of a window that is not empty.
+bool parse_window(const std::string& text, Window& window) {
+    const std::vector<std::string> parts = OIIO::Strutil::splits(text, ",");
+    Window w;
+    double* const numbers[] = {&w.x0, &w.y0, &w.x1, &w.y1};
+    if (parts.size() != 4)
+        return false;
+    for (size_t k = 0; k < 4; ++k)
+        if (!parse_number(parts[k], -1e300, 1e300, *numbers[k]))
+            return false;
+    if (!(w.x1 > w.x0 && w.y1 > w.y0))
+        return false;
+    window = w;
+    return true;
+}
+
+/// Leave out the points that lack a number in one of the columns.
+void drop_unknown(PointFile& points, const std::vector<std::string>& names) {
+    const size_t count = points.mesh.x.size();
+    std::vector<uint8_t> keep(count, 1);
+    for (const std::string& name : names)
+        for (size_t i = 0; i < count; ++i)
+            keep[i] &= uint8_t(!std::isnan(points.find(name)->values[i]));
+    const auto squeeze = [&](auto& numbers) {
+        size_t to = 0;
+        for (size_t i = 0; i < count; ++i)
+            if (keep[i])
+                numbers[to++] = numbers[i];
+        numbers.resize(to);
+    };
+    squeeze(points.mesh.x);
+    squeeze(points.mesh.y);
+    for (Column& column : points.columns)
+        squeeze(column.values);
+}
+
+class ScatterCommand final : public Command {
+public:
+    ScatterCommand() {
+        name = "scatter";
+        summary = "Make an image of scattered points with values";
+        paragraphs = {
+            "The points are triangulated (Delaunay, by GEOS), unless the file brings triangles; "
+            "edges are flipped until they run along the values' own edges; values are interpolated "
+            "linearly over the triangles. Outside them pixels are empty: 0, alpha 0.",
+            "POINTS is a PLY file or text (CSV, XYZ) whose first line names the columns, x and y "
+            "among them. Points without a number (nan) are left out. The image spans the points' "
+            "box, the y axis upwards. Its channels are red, green, blue and alpha where the file "
+            "has them, else z, else all columns; whole-number colours are taken as displayed "
+            "(sRGB). An alpha channel is added where there is none."};
+        operands = {{"POINTS", "PLY, or text with a line of names"},
+                    {"OUT", "any image OpenImageIO writes"}};
+        flags = {
+            {"--size", "WxH", "size of the image; a 0 keeps the shape (default: 1024x0)",
+             [this](const std::string& text) {
+                 m_size = text;
+                 Size size;
+                 return text.find('%') == std::string::npos &&
+                        text.find('x') != std::string::npos && parse_size(text, {1, 1, 0, 0}, size);
+             },
+             "WxH, Wx0 and 0xH", ""},
+            {"--window", "X0,Y0,X1,Y1", "the part of the plane to show (default: the points' box)",
+             [this](const std::string& text) {
+                 return m_has_window = parse_window(text, m_window);
+             },
+             "two corners, the smaller coordinates first", ""},
+            switch_flag("--y-down", "the y axis runs downwards", m_y_down),
+            {"--channels", "NAMES", "columns that become the image's channels: red,green,blue",
+             [this](const std::string& text) {
+                 m_channels = OIIO::Strutil::splits(text, ",");
+                 return !text.empty();
+             },
+             "names of columns", ""},
+            filter_flag(
+                "how to flip edges, as the filter's name and options: ddt,scheme=lawson,cost=jnd",
+                m_options, m_filter_error),
+            {"--mesh", "FILE", "write the triangles too, a PLY file",
+             [this](const std::string& text) {
+                 m_mesh_path = text;
+                 return OIIO::Strutil::iends_with(text, ".ply");
+             },
+             "names that end in .ply", ""},
+            progress_flag(m_progress),
+        };
+    }
+
+    ExitCode run(const std::vector<std::string>& values) override {
+        if (!m_filter_error.empty())
+            return fail(m_filter_error, exit_usage);
+        Progress progress("triangulating", progress_mode(m_progress));
+        PointFile points;
+        Failure failure;
+        if (read_points(values[0], points, failure) && prepare(points, failure) &&
+            triangulate(points, progress, failure) && write(points, values[1], failure) &&
+            (m_mesh_path.empty() || write_points(m_mesh_path, points, failure)))
+            return exit_done;
+        progress.hide();
+        return fail(failure);
+    }
+
+private:
+    bool prepare(PointFile& points, Failure& failure) {
+        if (m_channels.empty())
+            m_channels = usual_columns(points);
+        if (m_channels.empty()) {
+            failure = {"the points have no values beside x and y", exit_failed};
+            return false;
+        }
+        std::vector<std::string> names;
+        for (const Column& column : points.columns)
+            names.push_back(column.name);
+        for (const std::string& name : m_channels)
+            if (!points.find(name)) {
+                failure = {format("there is no column \"{}\"; there are {}", name,
+                                  OIIO::Strutil::join(names, ", ")),
+                           exit_usage};
+                return false;
+            }
+        if (points.mesh.triangles.empty())
+            drop_unknown(points, m_channels);
+        return true;
+    }
+
+    std::vector<const Column*> columns(const PointFile& points) const {
+        std::vector<const Column*> chosen;
+        for (const std::string& name : m_channels)
+            chosen.push_back(points.find(name));
+        return chosen;
+    }
+
+    bool triangulate(PointFile& points, Progress& progress, Failure& failure) const {
+        const std::vector<float> guide = guide_of(points, columns(points));
+        if ((!points.mesh.triangles.empty() || delaunay(points.mesh, &failure.why)) &&
+            optimise(points.mesh, guide.data(), m_options.mesh, nullptr, &failure.why,
+                     std::ref(progress)))
+            return true;
+        failure.code = code_of_message(failure.why);
+        return false;
+    }
+
+    Window box(const PointMesh& mesh) const {
+        if (m_has_window)
+            return m_window;
+        const auto x = std::minmax_element(mesh.x.begin(), mesh.x.end());
+        const auto y = std::minmax_element(mesh.y.begin(), mesh.y.end());
+        return {*x.first, *y.first, *x.second, *y.second};
+    }
+
+    /// Pixels whose outer borders are the window's.
+    PixelGrid grid(const PointMesh& mesh) const {
+        const Window w = box(mesh);
+        const double across = w.x1 - w.x0, down = w.y1 - w.y0, longest = std::max(across, down);
+        const auto whole = [&](double length) {
+            return std::max(1, int(std::lround(length / longest * 1e6)));
+        };
+        Size size;
+        parse_size(m_size, {whole(across), whole(down), 0, 0}, size);
+        PixelGrid g;
+        g.width = std::max(size.width, 1);
+        g.height = std::max(size.height, 1);
+        g.step_x = across / g.width;
+        g.step_y = m_y_down ? down / g.height : -down / g.height;
+        g.x = w.x0 + 0.5 * g.step_x;
+        g.y = (m_y_down ? w.y0 : w.y1) + 0.5 * g.step_y;
+        return g;
+    }
+
+    OIIO::ImageSpec spec_of(const PixelGrid& g, const std::vector<const Column*>& chosen,
+                            bool& has_alpha) const {
+        OIIO::ImageSpec spec(g.width, g.height, int(chosen.size()), OIIO::TypeFloat);
+        spec.channelnames.clear();
+        bool displayed = false;
+        for (size_t c = 0; c < chosen.size(); ++c) {
+            const std::string& n = chosen[c]->name;
+            spec.channelnames.push_back(n == "red"     ? "R"
+                                        : n == "green" ? "G"
+                                        : n == "blue"  ? "B"
+                                        : n == "alpha" ? "A"
+                                        : n == "z"     ? "Z"
+                                                       : n);
+            if (n == "alpha") {
+                has_alpha = true;
+                spec.alpha_channel = int(c);
+            } else {
+                displayed |= chosen[c]->scale != 1;
+            }
+        }
+        if (!has_alpha) {
+            spec.channelnames.emplace_back("A");
+            spec.alpha_channel = spec.nchannels++;
+        }
+        if (displayed)
+            spec.attribute("oiio:ColorSpace", "sRGB");
+        return spec;
+    }
+
+    bool write(const PointFile& points, const std::string& path, Failure& failure) const {
+        const std::vector<const Column*> chosen = columns(points);
+        const PixelGrid g = grid(points.mesh);
+        bool has_alpha = false;
+        const OIIO::ImageSpec spec = spec_of(g, chosen, has_alpha);
+        const size_t count = points.mesh.x.size(), channels = size_t(spec.nchannels);
+        std::vector<float> values(count * channels, 1.0f);
+        for (size_t c = 0; c < chosen.size(); ++c)
+            for (size_t i = 0; i < count; ++i)
+                values[i * channels + c] = chosen[c]->values[i];
+        std::vector<float> pixels(size_t(g.width) * size_t(g.height) * channels, 0.0f);
+        std::vector<uint8_t> inside(size_t(g.width) * size_t(g.height));
+        if (!draw(points.mesh, values.data(), int(channels), g, pixels.data(), inside.data(),
+                  &failure.why)) {
+            failure.code = code_of_message(failure.why);
+            return false;
+        }
+        const OIIO::ImageBuf image(spec, pixels.data());
+        return write_image(
+            image, path, [](float) {}, failure);
+    }
+
+    Options m_options;
+    std::string m_size = "1024x0", m_filter_error, m_mesh_path, m_progress = "auto";
+    std::vector<std::string> m_channels;
+    Window m_window;
+    bool m_has_window = false, m_y_down = false;
+};
+
+} // namespace
+
+std::unique_ptr<Command> make_scatter_command() {
+    return std::make_unique<ScatterCommand>();
+}
+
+} // namespace ddt::tool

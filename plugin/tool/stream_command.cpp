@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <new>
+#include <thread>
+
+#include "plugin/host/request.h"
+#include "plugin/tool/commands.h"
+#include "plugin/tool/hand_over.h"
+#include "plugin/tool/stream_frame.h"
+
+namespace ddt::tool {
+
+namespace {
+
+/// What the stream ended with; the first failure counts.
+class Verdict {
+public:
+    void fail(int64_t frame, const std::string& why, ExitCode code) {
+        const std::lock_guard<std::mutex> lock(m_mutex);
+        if (m_failure.code == exit_done)
+            m_failure = {"ddt: frame " + std::to_string(frame) + ": " + why, code};
+    }
+    const Failure& failure() const { return m_failure; }
+
+private:
+    std::mutex m_mutex;
+    Failure m_failure{"", exit_done};
+};
+
+class StreamCommand final : public Command {
+public:
+    StreamCommand() {
+        name = "stream";
+        summary = "Enlarge the pictures of a stream";
+        paragraphs = {
+            "Reads PAM, PPM, PGM or PFM pictures from the standard input, one after the other, and "
+            "writes each enlarged to the standard output as soon as it is done, for pipes such as "
+            "ffmpeg -i in.mp4 -f image2pipe -c:v pam - | ddt stream --scale 2 | ffmpeg -f "
+            "image2pipe -c:v pam -i - out.mp4. One picture is read and one written while a third "
+            "is worked on.",
+            "Numbers of PAM, PPM and PGM are taken to be sRGB, those of PFM linear light; the "
+            "filter's option light= says otherwise. PAM's alpha is not associated."};
+        flags = {
+            number_flag("--scale", "S", "by how much both sides grow (default: 2)", 1, 1024,
+                        m_scale),
+            {"--filter", "SPEC",
+             "the filter's name and options (default: ddt): ddt-sharp,light=encoded",
+             [this](const std::string& text) {
+                 m_filter = text;
+                 return true;
+             },
+             "", ""},
+            whole_flag("--threads", "N", "threads to use (default: all cores)", 0, 4096, m_threads),
+        };
+    }
+
+    ExitCode run(const std::vector<std::string>&) override {
+        host::Enlargement work;
+        std::string error;
+        if (!host::set_filter(m_filter, "sRGB", work, error))
+            return fail(error, exit_usage);
+        std::signal(SIGPIPE, SIG_IGN); // a failure of the write instead
+        Verdict verdict;
+        HandOver<Frame> read, made;
+        std::thread reader([&] { read_all(read, verdict); });
+        std::thread writer([&] { write_all(made, read, verdict); });
+        enlarge_all(read, made, verdict);
+        made.close();
+        read.close();
+        writer.join();
+        finish(reader, verdict);
+        return verdict.failure().code == exit_done ? exit_done : fail(verdict.failure());
+    }
+
+private:
+    void read_all(HandOver<Frame>& read, Verdict& verdict) {
+        for (int64_t n = 1;; ++n) {
+            Frame frame;
+            std::string error;
+            ReadResult result = ReadResult::failed;
+            try {
+                result = read_frame(stdin, frame, error);
+                if (result == ReadResult::failed)
+                    verdict.fail(n, error, exit_failed);
+            } catch (const std::bad_alloc&) {
+                verdict.fail(n, "out of memory", exit_resources);
+            }
+            if (result != ReadResult::frame || !read.put(std::move(frame)))
+                break;
+        }
+        m_reading = false;
+        read.close();
+    }
+
+    void enlarge_all(HandOver<Frame>& read, HandOver<Frame>& made, Verdict& verdict) {
+        int64_t n = 0;
+        while (auto frame = read.take()) {
+            ++n;
+            Frame large;
+            std::string error;
+            const Outcome outcome = enlarge(*frame, large, error);
+            if (outcome != Outcome::done)
+                return verdict.fail(n, error.substr(error.find(' ') + 1),
+                                    outcome == Outcome::bad_job ? exit_failed : exit_resources);
+            if (!made.put(std::move(large)))
+                return;
+        }
+    }
+
+    Outcome enlarge(Frame& frame, Frame& large, std::string& error) const {
+        host::Enlargement work;
+        if (!host::set_filter(m_filter, frame.is_float() ? "linear" : "sRGB", work, error))
+            return Outcome::bad_job;
+        work.threads = m_threads;
+        work.layout = host::Layout::usual(frame.channels, false);
+        work.from = frame.buffer();
+        work.window = work.from.box;
+        work.full = host::scaled(work.window, m_scale, m_scale);
+        try {
+            large = frame;
+            large.width = work.full.width();
+            large.height = work.full.height();
+            large.allocate();
+        } catch (const std::bad_alloc&) {
+            error = "ddt: out of memory";
+            return Outcome::out_of_memory;
+        }
+        work.to = large.buffer();
+        return host::enlarge(work, error);
+    }
+
+    static void write_all(HandOver<Frame>& made, HandOver<Frame>& read, Verdict& verdict) {
+        int64_t n = 0;
+        while (auto frame = made.take()) {
+            std::string error;
+            if (write_frame(stdout, *frame, error) && ++n)
+                continue;
+            verdict.fail(n + 1, error, exit_failed);
+            made.close();
+            read.close();
+            return;
+        }
+    }
+
+    /// The reader may wait for a picture that never comes while nobody wants it any more: then the
+    /// process ends without it.
+    void finish(std::thread& reader, const Verdict& verdict) {
+        if (verdict.failure().code != exit_done && m_reading) {
+            fail(verdict.failure());
+            std::_Exit(verdict.failure().code);
+        }
+        reader.join();
+    }
+
+    double m_scale = 2;
+    std::string m_filter = "ddt";
+    int m_threads = 0;
+    std::atomic<bool> m_reading{true};
+};
+
+} // namespace
+
+std::unique_ptr<Command> make_stream_command() {
+    return std::make_unique<StreamCommand>();
+}
+
+} // namespace ddt::tool

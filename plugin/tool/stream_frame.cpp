@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/stream_frame.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+namespace ddt::tool {
+
+namespace {
+
+constexpr int largest_side = 1 << 24;
+constexpr size_t longest_word = 64;
+
+bool is_blank(int c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+/// The next word of a header, and the one blank after it; comments from # to the line's end are
+/// skipped. Empty at the end of the stream or for a word of senseless length.
+std::string word(std::FILE* in) {
+    int c = std::getc(in);
+    while (is_blank(c) || c == '#') {
+        if (c == '#')
+            while (c != '\n' && c != EOF)
+                c = std::getc(in);
+        else
+            c = std::getc(in);
+    }
+    std::string text;
+    for (; c != EOF && !is_blank(c) && text.size() < longest_word; c = std::getc(in))
+        text += char(c);
+    return text.size() < longest_word ? text : "";
+}
+
+bool whole(const std::string& text, int most, int& number) {
+    char* end = nullptr;
+    const long value = std::strtol(text.c_str(), &end, 10);
+    number = int(value);
+    return !text.empty() && *end == 0 && value >= 1 && value <= most;
+}
+
+/// The lines "WIDTH 640" up to "ENDHDR".
+bool read_pam(std::FILE* in, Frame& frame) {
+    bool sizes = true;
+    for (std::string key = word(in); key != "ENDHDR"; key = word(in)) {
+        const std::string value = word(in);
+        if (key == "WIDTH")
+            sizes &= whole(value, largest_side, frame.width);
+        else if (key == "HEIGHT")
+            sizes &= whole(value, largest_side, frame.height);
+        else if (key == "DEPTH")
+            sizes &= whole(value, 4, frame.channels);
+        else if (key == "MAXVAL")
+            sizes &= whole(value, 65535, frame.largest);
+        else if (key == "TUPLTYPE")
+            frame.tuple_type = value;
+        else
+            return false;
+    }
+    return sizes && frame.width > 0 && frame.height > 0 && frame.channels > 0 && frame.largest > 0;
+}
+
+bool read_header(std::FILE* in, Frame& frame) {
+    if (frame.magic == "P7")
+        return read_pam(in, frame);
+    frame.channels = frame.magic == "P6" || frame.magic == "PF" ? 3 : 1;
+    if (!whole(word(in), largest_side, frame.width) || !whole(word(in), largest_side, frame.height))
+        return false;
+    if (frame.magic[1] == '5' || frame.magic[1] == '6')
+        return whole(word(in), 65535, frame.largest);
+    frame.scale = word(in);
+    char* end = nullptr;
+    const double scale = std::strtod(frame.scale.c_str(), &end);
+    return !frame.scale.empty() && *end == 0 && scale != 0;
+}
+
+std::string header(const Frame& f) {
+    const std::string size = std::to_string(f.width) + " " + std::to_string(f.height) + "\n";
+    if (f.is_float())
+        return f.magic + "\n" + size + f.scale + "\n";
+    const std::string largest = std::to_string(f.largest) + "\n";
+    if (f.magic != "P7")
+        return f.magic + "\n" + size + largest;
+    return "P7\nWIDTH " + std::to_string(f.width) + "\nHEIGHT " + std::to_string(f.height) +
+           "\nDEPTH " + std::to_string(f.channels) + "\nMAXVAL " + largest +
+           (f.tuple_type.empty() ? "" : "TUPLTYPE " + f.tuple_type + "\n") + "ENDHDR\n";
+}
+
+/// From the stream's order of bytes to this machine's, or back.
+void order_bytes(Frame& f) {
+    constexpr uint16_t one = 1;
+    const bool low_first_here = *reinterpret_cast<const char*>(&one) == 1;
+    const bool low_first = f.is_float() && f.scale[0] == '-';
+    const size_t size = host::size_of(f.sample());
+    if (size > 1 && low_first != low_first_here)
+        for (size_t i = 0; i < f.pixels.size(); i += size)
+            std::reverse(f.pixels.begin() + ptrdiff_t(i), f.pixels.begin() + ptrdiff_t(i + size));
+}
+
+/// The row of the memory that is the stream's i-th: PFM's run upwards.
+char* row(Frame& f, int i) {
+    const int y = f.is_float() ? f.height - 1 - i : i;
+    return f.pixels.data() + size_t(y) * f.row_bytes();
+}
+
+} // namespace
+
+host::Sample Frame::sample() const {
+    return is_float()       ? host::Sample::float32
+           : largest == 255 ? host::Sample::uint8
+                            : host::Sample::uint16;
+}
+
+size_t Frame::row_bytes() const {
+    return size_t(width) * size_t(channels) * host::size_of(sample());
+}
+
+void Frame::allocate() {
+    pixels.resize(row_bytes() * size_t(height));
+}
+
+host::Buffer Frame::buffer() {
+    const auto size = ptrdiff_t(host::size_of(sample()));
+    return {pixels.data(), ptrdiff_t(row_bytes()), size * channels,
+            size,          {0, 0, width, height},  sample()};
+}
+
+ReadResult read_frame(std::FILE* in, Frame& frame, std::string& error) {
+    frame = {};
+    const int first = std::getc(in);
+    if (first == EOF)
+        return ReadResult::end;
+    const int second = std::getc(in);
+    frame.magic = {char(first), char(second)};
+    if (frame.magic != "P7" && frame.magic != "P6" && frame.magic != "P5" && frame.magic != "PF" &&
+        frame.magic != "Pf") {
+        error = "no picture begins here; allowed are PAM (P7), PPM (P6), PGM (P5) and PFM";
+        return ReadResult::failed;
+    }
+    if (!read_header(in, frame)) {
+        error = "the header is not one of a " + frame.magic + " picture of 1 to 4 channels";
+        return ReadResult::failed;
+    }
+    if (!frame.is_float() && frame.largest != 255 && frame.largest != 65535) {
+        error = "the largest value " + std::to_string(frame.largest) +
+                " is not allowed; allowed are 255 and 65535";
+        return ReadResult::failed;
+    }
+    frame.allocate();
+    size_t got = 0;
+    for (int i = 0; i < frame.height; ++i) {
+        const size_t n = std::fread(row(frame, i), 1, frame.row_bytes(), in);
+        got += n;
+        if (n < frame.row_bytes()) {
+            error = "it ends after " + std::to_string(got) + " of " +
+                    std::to_string(frame.pixels.size()) + " bytes";
+            return ReadResult::failed;
+        }
+    }
+    order_bytes(frame);
+    return ReadResult::frame;
+}
+
+bool write_frame(std::FILE* out, Frame& frame, std::string& error) {
+    order_bytes(frame);
+    const std::string text = header(frame);
+    bool done = std::fwrite(text.data(), 1, text.size(), out) == text.size();
+    for (int i = 0; done && i < frame.height; ++i)
+        done = std::fwrite(row(frame, i), 1, frame.row_bytes(), out) == frame.row_bytes();
+    if (done && std::fflush(out) == 0)
+        return true;
+    error = errno == EPIPE ? "the reader of the result has gone"
+                           : std::string("the result cannot be written: ") + std::strerror(errno);
+    return false;
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frames of a stream of pictures: Netpbm's PAM (P7), PPM (P6), PGM (P5), and PFM (PF, Pf), one
+// after the other without anything between, as `ffmpeg -f image2pipe -c:v pam -` writes them.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "plugin/host/enlargement.h"
+
+namespace ddt::tool {
+
+/// A picture with its header. Alpha is not associated (PAM's definition).
+struct Frame {
+    std::string magic;      ///< "P7", "P6", "P5", "PF", "Pf"
+    std::string tuple_type; ///< PAM's TUPLTYPE, may be empty
+    std::string scale;      ///< PFM's third number as it stands; below 0: the low byte comes first
+    int width = 0, height = 0, channels = 0;
+    int largest = 0; ///< 255 or 65535; PFM: 0
+    /// Numbers of this machine's byte order, rows downwards: uint8, uint16 or float.
+    std::vector<char> pixels;
+
+    bool is_float() const { return largest == 0; }
+    host::Sample sample() const;
+    host::Buffer buffer();
+    /// Take the memory for the size.
+    void allocate();
+    size_t row_bytes() const;
+};
+
+enum class ReadResult { frame, end, failed };
+
+/// Read the next frame. `end`: the stream ended where a frame could have begun. `failed`: one line
+/// in `error` that says what is wrong with it.
+ReadResult read_frame(std::FILE* in, Frame& frame, std::string& error);
+
+/// Write it, and hand it on at once. False with one line in `error`; a closed pipe is such a
+/// failure (SIGPIPE is to be ignored). May change the order of the frame's bytes.
+bool write_frame(std::FILE* out, Frame& frame, std::string& error);
+
+} // namespace ddt::tool

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What meshes of scattered points are good for, in figures.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ddt/points.h"
+
+namespace ddt::bench {
+
+/// A way to flip edges; `pixel` none, so the Delaunay triangulation.
+struct Way {
+    std::string name;
+    MeshOptions options;
+};
+/// Delaunay, then every cost by `scheme`.
+std::vector<Way> ways_of(const std::string& scheme);
+
+/// Whole numbers below `count`, the same everywhere (SplitMix64).
+class Numbers {
+public:
+    explicit Numbers(uint64_t seed) : m_state(seed) {}
+    uint64_t next();
+    double share() { return double(next() >> 11) / double(uint64_t(1) << 53); }
+
+private:
+    uint64_t m_state;
+};
+
+/// RMS and largest error of the test functions from 33, 100 and 1000 points.
+bool print_functions(const std::vector<Way>& ways, int sets);
+/// A picture from `share` of its pixels.
+bool print_pictures(const std::vector<Way>& ways, const std::vector<std::string>& files, int crop,
+                    double share);
+/// Holes: single pixels and blocks, beside OpenImageIO's fillholes_pushpull.
+bool print_fill(const std::vector<Way>& ways, const std::vector<std::string>& files, int crop);
+/// Seconds to triangulate and to flip.
+bool print_time(const std::string& scheme, const std::vector<int>& counts);
+
+} // namespace ddt::bench

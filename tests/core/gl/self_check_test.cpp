@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every program is checked before it is used, and a check that fails is heeded. Software renderers
+// are checked here as hardware is elsewhere.
+#include "core/gl/self_check.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
+#include "core/gl/context/faults.h"
+#include "core/gl/context/gpu.h"
+#include "ddt/names.h"
+#include "tests/core/gl/devices.h"
+#include "tests/core/gl/pictures.h"
+
+namespace ddt::test {
+namespace {
+
+struct Change {
+    const char *constant, *value;
+};
+
+/// A constant of the program, and another value that is not right.
+Change change_of(const std::string& program) {
+    const auto has = [&](const char* part) { return program.find(part) != program.npos; };
+    if (has("COST_")) // by 1 part in 3000 at the first guess
+        return {"rsqrt_magic", "1597460000"};
+    if (has("select.comp"))
+        return {"LIST_GROUP", "32"};
+    if (has("flip.comp"))
+        return {"longest_edge", "1"};
+    if (has("gradients.comp"))
+        return {"gradient_epsilon", "0.000401"};
+    if (has("correct.comp"))
+        return {"across_beside", "0.2501"};
+    if (has("SOFT"))
+        return {"soft_share", "0.501"};
+    if (has("QUADRATIC"))
+        return {"bend_strength", "1.751"};
+    return {"SAMPLE_GROUP_X", "8"};
+}
+
+/// One job for each set of programs that a job can want.
+std::vector<Order> orders() {
+    std::vector<Order> all;
+    Order order;
+    order.out_width = 60;
+    order.out_height = 50;
+    order.job.surface.soft = 0.2f;
+    for (const std::string& name : cost_names())
+        for (const Scheme scheme :
+             {Scheme::one_round, Scheme::maxgain, Scheme::pixel, Scheme::lawson}) {
+            order.job.mesh.scheme = scheme;
+            find_cost(name, order.job.mesh.cost);
+            all.push_back(order);
+        }
+    order.job.mesh = {};
+    for (const Surface kind : {Surface::linear, Surface::patch})
+        for (const float soft : {0.0f, 0.2f})
+            for (const int consistency : {0, 1})
+                for (const int meshes : {1, 3}) {
+                    order.job.surface.kind = kind;
+                    order.job.surface.soft = soft;
+                    order.job.surface.consistency = consistency;
+                    order.job.mesh.meshes = meshes;
+                    all.push_back(order);
+                }
+    return all;
+}
+
+class SelfCheck : public OnDevice {
+protected:
+    void SetUp() override {
+        OnDevice::SetUp();
+        setenv("DDT_VERBOSE", "1", 1);
+    }
+    void TearDown() override {
+        gl::change_constant("", "", "");
+        gl::forget_devices();
+        unsetenv("DDT_VERBOSE");
+    }
+
+    gl::Gpu& fresh_device() const {
+        gl::forget_devices();
+        std::string why;
+        bool forked = false;
+        gl::Gpu* gpu = gl::open(GetParam(), why, forked);
+        EXPECT_NE(gpu, nullptr) << why;
+        gpu->checks.software_too = true;
+        return *gpu;
+    }
+
+    /// Do the job; true if on the device. `lines`: what was said of checks that failed.
+    bool on_device(const Picture& picture, const Order& order, std::vector<std::string>& lines) {
+        const Result cpu = enlarge_on(Device::cpu, picture, order);
+        testing::internal::CaptureStderr();
+        const Result result = enlarge_on(GetParam(), picture, order);
+        std::istringstream said(testing::internal::GetCapturedStderr());
+        for (std::string line; std::getline(said, line);)
+            if (line.find("does not compute as the CPU does") != line.npos)
+                lines.push_back(line);
+        EXPECT_EQ(result.outcome, Outcome::done) << result.error;
+        EXPECT_EQ(result.bits, cpu.bits);
+        return result.statistics.device == GetParam();
+    }
+};
+
+std::set<std::string> programs_of(gl::Gpu& gpu) {
+    const auto names = gpu.programs->names();
+    return {names.begin(), names.end()};
+}
+
+TEST_P(SelfCheck, EveryProgramIsCheckedBeforeItIsUsedAndAWrongOneIsNot) {
+    std::set<std::string> proved;
+    for (const int channels : {3, 4}) {
+        const Picture picture = make_picture(Content::photo, 24, 20, channels, 4);
+        for (Order order : orders()) {
+            order.job.channels = channels;
+            std::vector<std::string> lines;
+            gl::Gpu& right = fresh_device();
+            right.thread.post([&] { EXPECT_EQ(right.checks.differs(right, order.job), ""); }).get();
+            const std::set<std::string> checked = programs_of(right);
+            EXPECT_TRUE(on_device(picture, order, lines));
+            const std::set<std::string> used = programs_of(right);
+            EXPECT_EQ(used, checked) << "a program was used that the check did not";
+            EXPECT_TRUE(lines.empty());
+            for (const std::string& program : used) {
+                if (!proved.insert(program).second)
+                    continue;
+                const Change change = change_of(program);
+                gl::change_constant(program, change.constant, change.value);
+                fresh_device();
+                EXPECT_FALSE(on_device(picture, order, lines)) << program << " is wrong and used";
+                EXPECT_EQ(lines.size(), 1u) << program;
+                // What is known is not checked again; another job's programs may be right.
+                EXPECT_FALSE(on_device(picture, order, lines)) << program;
+                lines.clear();
+                gl::change_constant("", "", "");
+            }
+        }
+    }
+    // 5 programs a cost, select, flip, gradients, 4 that correct, 16 that sample.
+    EXPECT_GE(proved.size(), 5 * cost_names().size() + 3 + 4 + 16);
+}
+
+INSTANTIATE_TEST_SUITE_P(Devices, SelfCheck, testing::Values(Device::egl, Device::osmesa),
+                         device_name);
+
+} // namespace
+} // namespace ddt::test

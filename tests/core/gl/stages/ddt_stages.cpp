@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a device's bits part from the CPU's, stage by stage (HACKING.md, "When bits differ on a new
+// driver"). Exits with 2 if any stage differs.
+//
+//   ddt_stages [--device egl|osmesa] [--filter NAME] [--cost NAME] [--scheme NAME] [--rounds N]
+//              [--picture photo|noise|drawing|flat|hdr|nonfinite|tiny] [--size WxH] [--seed N]
+//              [--change PROGRAM CONSTANT VALUE]
+//
+// --rounds: of corrections; --change: what a fault looks like, a constant of one program
+// ("sample.comp QUADRATIC WHOLE_GROUPS") changed.
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+
+#include "core/gl/context/faults.h"
+#include "core/tiles/grid.h"
+#include "ddt/names.h"
+#include "tests/core/gl/pictures.h"
+#include "tests/core/gl/stages/compare_stages.h"
+
+namespace ddt::test {
+namespace {
+
+struct Arguments {
+    Device device = Device::egl;
+    Job job;
+    Content content = Content::photo;
+    int width = 64, height = 48, channels = 4;
+    unsigned seed = 1;
+};
+
+bool find_content(const char* name, Content& content) {
+    for (int i = 0; i < int(Content::count); ++i)
+        if (!std::strcmp(name, name_of(Content(i)))) {
+            content = Content(i);
+            return true;
+        }
+    return false;
+}
+
+bool parse(int argc, char** argv, Arguments& a) {
+    set_filter("ddt", a.job.surface, a.job.mesh);
+    for (int i = 1; i < argc; i += 2) {
+        const std::string name = argv[i];
+        if (i + 1 >= argc)
+            return false;
+        const char* value = argv[i + 1];
+        bool known = true;
+        if (name == "--device")
+            known = find_device(value, a.device) && a.device != Device::cpu;
+        else if (name == "--filter")
+            known = set_filter(value, a.job.surface, a.job.mesh);
+        else if (name == "--cost")
+            known = find_cost(value, a.job.mesh.cost);
+        else if (name == "--scheme")
+            known = find_scheme(value, a.job.mesh);
+        else if (name == "--rounds")
+            a.job.surface.consistency = std::atoi(value);
+        else if (name == "--picture")
+            known = find_content(value, a.content);
+        else if (name == "--size")
+            known = std::sscanf(value, "%dx%d", &a.width, &a.height) == 2 && a.width > 1 &&
+                    a.height > 1 && a.width <= tile_size && a.height <= tile_size;
+        else if (name == "--seed")
+            a.seed = unsigned(std::atoi(value));
+        else if (name == "--change" && i + 3 < argc) {
+            gl::change_constant(value, argv[i + 2], argv[i + 3]);
+            i += 2;
+        } else
+            known = false;
+        if (!known) {
+            std::fprintf(stderr, "ddt_stages: %s %s: not understood\n", argv[i], value);
+            return false;
+        }
+    }
+    return true;
+}
+
+int run(const Arguments& a) {
+    std::string why;
+    bool forked = false;
+    gl::Gpu* gpu = gl::open(a.device, why, forked);
+    if (!gpu) {
+        std::fprintf(stderr, "ddt_stages: no device: %s\n", why.c_str());
+        return 1;
+    }
+    const gl::Context& context = *gpu->context;
+    std::printf("%s, OpenGL %s, by %s\n", context.renderer.c_str(), context.version.c_str(),
+                context.platform.c_str());
+    const Picture picture = make_picture(a.content, a.width, a.height, a.channels, a.seed);
+    const StageResult* first = nullptr;
+    const auto results = compare_stages(*gpu, picture, a.job);
+    for (const StageResult& r : results) {
+        std::printf("%s\n", line_of(r).c_str());
+        if (!first && r.differing > 0)
+            first = &r;
+    }
+    if (first)
+        std::printf("first: %s, %s, at %d, %d\n", first->name.c_str(), first->what.c_str(),
+                    first->x, first->y);
+    else
+        std::printf("no bit differs\n");
+    return first ? 2 : 0;
+}
+
+} // namespace
+} // namespace ddt::test
+
+int main(int argc, char** argv) {
+    ddt::test::Arguments arguments;
+    if (!ddt::test::parse(argc, argv, arguments))
+        return 1;
+    // Failures on the device arrive as exceptions.
+    try {
+        return ddt::test::run(arguments);
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "ddt_stages: %s\n", e.what());
+        return 1;
+    }
+}

@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The Python module oiio_ddt, against OpenImageIO's Python module with the plugin, and alone."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import tracemalloc
+
+import numpy as np
+import pytest
+
+import oiio_ddt
+
+INTEGERS = ("bool", "uint32", "int32", "uint64", "int64")
+NUMBERS = ("uint8", "int8", "uint16", "int16", "float16", "float32", "float64")
+
+
+def picture(width=70, height=50, channels=3, dtype="float32"):
+    """Edges, a slope, and light beyond 1 in floats; colour times alpha where there is one."""
+    y, x = np.mgrid[0:height, 0:width].astype(np.float32)
+    disc = ((x - 30) ** 2 + (y - 25) ** 2 < 300) * 0.7 + x / width * 0.3
+    image = np.stack([disc * (1 - 0.2 * c) for c in range(channels)], axis=2)
+    if channels in (2, 4):
+        image[..., -1] = np.clip(x / 40, 0, 1)
+        image[..., :-1] *= image[..., -1:]
+    if np.dtype(dtype).kind == "f":
+        return (image * 3).astype(dtype)
+    return (image * np.iinfo(dtype).max).astype(dtype)
+
+
+def by_filter(image, size, spec, space=None):
+    """What OpenImageIO's resize makes of it, with the plugin."""
+    oiio = pytest.importorskip("OpenImageIO")
+    height, width, channels = image.shape
+    form = {"float16": "half", "float32": "float", "float64": "double"}.get(
+        image.dtype.name, image.dtype.name)
+    source = oiio.ImageBuf(oiio.ImageSpec(width, height, channels, form))
+    # Whole numbers as they are: set_pixels converts.
+    source.set_pixels(oiio.ROI(0, width, 0, height, 0, 1, 0, channels), image)
+    if space:
+        source.specmod().attribute("oiio:ColorSpace", space)
+    oiio.get_string_attribute("format_list")
+    large = oiio.ImageBufAlgo.resize(source, spec, roi=oiio.ROI(0, size[0], 0, size[1], 0, 1, 0,
+                                                                channels))
+    assert not large.has_error, large.geterror()
+    return large.get_pixels(form)
+
+
+@pytest.mark.parametrize("dtype", ["uint8", "uint16", "int16", "float16", "float32"])
+@pytest.mark.parametrize("channels", [1, 3, 4])
+def test_the_filters_bits(dtype, channels):
+    image = picture(channels=channels, dtype=dtype)
+    for light, spec, space in (("linear", "ddt,light=linear", None),
+                               ("sRGB", "ddt,light=sRGB", None),
+                               ("encoded", "ddt-sharp,light=encoded", "sRGB")):
+        ours = oiio_ddt.enlarge(image, size=(161, 101), filter=spec.split(",")[0], light=light)
+        theirs = by_filter(image, (161, 101), spec, space)
+        assert ours.dtype == image.dtype
+        assert ours.tobytes() == theirs.astype(dtype).tobytes(), light
+
+
+@pytest.mark.parametrize("dtype", NUMBERS + INTEGERS)
+def test_keeps_dtype_and_dimensions(dtype):
+    image = (np.arange(12 * 9 * 2).reshape(9, 12, 2) % 100).astype(dtype)
+    large = oiio_ddt.enlarge(image, 2)
+    assert large.dtype == image.dtype and large.shape == (18, 24, 2)
+    flat = oiio_ddt.enlarge(image[..., 0], (2, 3))
+    assert flat.dtype == image.dtype and flat.shape == (27, 24)
+    swapped = image.astype(image.dtype.newbyteorder())
+    again = oiio_ddt.enlarge(swapped, 2)
+    assert again.dtype == swapped.dtype and np.array_equal(again, large)
+
+
+@pytest.mark.parametrize("dtype", INTEGERS)
+def test_numbers_of_objects_are_copied(dtype):
+    values = [0, 1] if dtype == "bool" else [0, 3, np.iinfo(dtype).max, np.iinfo(dtype).max - 1]
+    image = np.random.default_rng(1).choice(np.array(values, dtype), (20, 30))
+    large = oiio_ddt.enlarge(image, 3)
+    assert set(np.unique(large)) <= set(np.array(values, dtype))
+    assert np.array_equal(large[1::3, 1::3], image)
+
+
+def test_strides_of_any_kind():
+    image = picture(60, 40, 4, "uint8")
+    wanted = oiio_ddt.enlarge(np.ascontiguousarray(image[::-1, ::2, 2::-1]), 2, light="sRGB")
+    assert np.array_equal(oiio_ddt.enlarge(image[::-1, ::2, 2::-1], 2, light="sRGB"), wanted)
+    planes = np.ascontiguousarray(picture(30, 20, 3).transpose(2, 0, 1))
+    assert np.array_equal(oiio_ddt.enlarge(planes.transpose(1, 2, 0), 2),
+                          oiio_ddt.enlarge(np.ascontiguousarray(planes.transpose(1, 2, 0)), 2))
+
+
+def test_a_part_is_a_crop_for_any_number_of_threads():
+    image = picture(300, 280)
+    whole = oiio_ddt.enlarge(image, 2.5, threads=2)
+    for x0, y0, x1, y1 in ((0, 0, 40, 30), (600, 650, 750, 700), (637, 1, 638, 2)):
+        part = oiio_ddt.enlarge(image, 2.5, roi=(x0, y0, x1, y1), threads=1)
+        assert np.array_equal(part, whole[y0:y1, x0:x1])
+
+
+def test_unassociated_alpha():
+    image = picture(channels=4)
+    straight = image.copy()
+    alpha = image[..., 3:]
+    straight[..., :3] = np.divide(image[..., :3], alpha, where=alpha > 0, out=np.zeros_like(image[..., :3]))
+    straight[..., :3][alpha[..., 0] == 0] = 5  # does not show
+    large = oiio_ddt.enlarge(straight, 2, light="linear", alpha="unassociated")
+    product = straight.copy()
+    product[..., :3] *= alpha
+    wanted = oiio_ddt.enlarge(product, 2, light="linear")
+    some = wanted[..., 3:] > 0
+    wanted[..., :3] = np.divide(wanted[..., :3], wanted[..., 3:], where=some, out=wanted[..., :3].copy())
+    assert np.array_equal(large, wanted)
+
+
+@pytest.mark.parametrize("arguments, says", [
+    (dict(), "either a scale or a size"),
+    (dict(scale=2, size=(9, 9)), "either a scale or a size"),
+    (dict(scale=0.5), "scale 0.5"),
+    (dict(scale=float("nan")), "scale nan"),
+    (dict(size=(5, 500)), "must not be smaller"),
+    (dict(scale=2, filter="ddtx"), "unknown filter"),
+    (dict(scale=2, filter="ddt,blur=9"), "blur=9"),
+    (dict(scale=2, light="dim"), "allowed are linear, encoded, sRGB"),
+    (dict(scale=2, alpha="some"), "associated"),
+    (dict(scale=2, roi=(0, 0, 1000, 2)), "roi"),
+])
+def test_errors_name_what_is_allowed(arguments, says):
+    with pytest.raises(ValueError, match=says) as caught:
+        oiio_ddt.enlarge(picture(), **arguments)
+    assert str(caught.value).startswith("ddt: ") and "\n" not in str(caught.value)
+
+
+def test_arrays_that_are_no_image():
+    with pytest.raises(TypeError, match="complex128"):
+        oiio_ddt.enlarge(np.zeros((4, 4), complex), 2)
+    for shape in ((4,), (0, 4), (2, 2, 2, 2)):
+        with pytest.raises(ValueError, match="no image"):
+            oiio_ddt.enlarge(np.zeros(shape), 2)
+
+
+def test_progress_rises_and_cancels():
+    image = picture(900, 600)
+    shares = []
+    oiio_ddt.enlarge(image, 2, threads=2, progress=shares.append)
+    assert shares == sorted(shares) and shares[-1] == 1
+    calls = []
+    with pytest.raises(oiio_ddt.Cancelled):
+        oiio_ddt.enlarge(image, 2, threads=2, progress=lambda share: calls.append(share) or False)
+    assert len(calls) == 1
+    with pytest.raises(ZeroDivisionError):
+        oiio_ddt.enlarge(image, 2, threads=2, progress=lambda share: 1 / 0)
+
+
+def test_ctrl_c_cancels():
+    calls = []
+
+    def interrupt(share):
+        calls.append(share)
+        signal.raise_signal(signal.SIGINT)
+
+    with pytest.raises(KeyboardInterrupt):
+        oiio_ddt.enlarge(picture(900, 900), 2, threads=1, progress=interrupt)
+    assert len(calls) < 16
+
+
+def test_the_lock_is_released_and_no_thread_stays():
+    image = picture(700, 500)
+    before = len(os.listdir("/proc/self/task"))
+    wanted = oiio_ddt.enlarge(image, 2)
+    results = [None] * 4
+
+    def work(i):
+        results[i] = oiio_ddt.enlarge(image, 2)
+
+    threads = [threading.Thread(target=work, args=(i,)) for i in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all(np.array_equal(result, wanted) for result in results)
+    assert len(os.listdir("/proc/self/task")) == before
+    counted = []
+    stop = threading.Event()
+    counter = threading.Thread(target=lambda: [counted.append(1) for _ in iter(stop.is_set, True)])
+    counter.start()
+    seen = []
+    oiio_ddt.enlarge(image, 4, threads=1, progress=lambda share: seen.append(len(counted)))
+    stop.set()
+    counter.join()
+    assert seen[-1] > seen[0]
+
+
+def test_a_mesh_covers_the_picture():
+    image = picture(40, 30)
+    triangles = oiio_ddt.mesh(image, light="linear")
+    assert triangles.dtype == np.int32 and triangles.shape == (2 * 39 * 29, 3)
+    x, y = triangles % 40, triangles // 40
+    area = (x[:, 1] - x[:, 0]) * (y[:, 2] - y[:, 0]) - (x[:, 2] - x[:, 0]) * (y[:, 1] - y[:, 0])
+    assert np.all(area == 1)
+    assert set(triangles.ravel()) == set(range(40 * 30))
+    plain = oiio_ddt.mesh(image, filter="ddt,scheme=pixel,start=diagonal")
+    assert not np.array_equal(plain, triangles)
+    with pytest.raises(ValueError, match="2 x 2"):
+        oiio_ddt.mesh(image[:1])
+
+
+def test_no_memory_stays():
+    image = picture(100, 100)
+    oiio_ddt.enlarge(image, 2)
+    tracemalloc.start()
+    for _ in range(20):
+        oiio_ddt.enlarge(image, 2)
+    held, _ = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert held < 100_000
+
+
+def test_works_without_openimageio():
+    code = ("import sys; sys.modules['OpenImageIO'] = None; import numpy, oiio_ddt;"
+            "oiio_ddt.enlarge(numpy.zeros((4, 4)), 2);"
+            "maps = open('/proc/self/maps').read();"
+            "assert 'OpenImageIO' not in maps and 'libtbb' not in maps")
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_stubs_name_what_is_there():
+    folder = os.path.dirname(oiio_ddt.__file__)
+    assert os.path.exists(os.path.join(folder, "py.typed"))
+    with open(os.path.join(folder, "_ddt.pyi"), encoding="utf-8") as stubs:
+        text = stubs.read()
+    for name in ("Cancelled", "enlarge", "mesh"):
+        assert name in text and getattr(oiio_ddt, name).__doc__ is not None or name == "Cancelled"

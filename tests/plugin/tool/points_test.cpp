@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+// The commands on points: scatter, fill, mesh of a mesh; and the files they read.
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "plugin/tool/commands.h"
+#include "plugin/tool/picture.h"
+#include "plugin/tool/point_file.h"
+#include "tests/temporary.h"
+
+namespace ddt::tool {
+namespace {
+
+struct Ran {
+    ExitCode code;
+    std::string err;
+};
+
+Ran run(std::unique_ptr<Command> command, const std::vector<std::string>& args) {
+    testing::internal::CaptureStderr();
+    const ExitCode code = parse_and_run(*command, args);
+    return {code, testing::internal::GetCapturedStderr()};
+}
+
+std::string write_file(const std::string& name, const std::string& text) {
+    const std::string path = temporary(name);
+    std::ofstream(path, std::ios::binary) << text;
+    return path;
+}
+
+OIIO::ImageBuf load(const std::string& path) {
+    OIIO::ImageBuf image;
+    std::string error;
+    EXPECT_TRUE(open_image(path, image, error)) << error;
+    return image;
+}
+
+std::string table_error(const std::string& text) {
+    PointFile points;
+    std::string error;
+    EXPECT_FALSE(read_table(text, points, error));
+    return error;
+}
+
+TEST(PointTable, SeparatorsAndComments) {
+    for (const char* text : {"x,y,z\n1,2,3\n4,5,6\n", "# X Y Z\n1 2 3\n\n# more\n4\t5  6\n",
+                             "x;y;z\r\n1;2;3\r\n4;5;6", "\"z\", \"x\",\"y\"\n3, 1, 2\n6,4,5\n"}) {
+        PointFile points;
+        std::string error;
+        ASSERT_TRUE(read_table(text, points, error)) << error;
+        EXPECT_EQ(points.mesh.x, (std::vector<double>{1, 4}));
+        EXPECT_EQ(points.mesh.y, (std::vector<double>{2, 5}));
+        ASSERT_EQ(points.columns.size(), 1u);
+        EXPECT_EQ(points.columns[0].name, "z");
+        EXPECT_EQ(points.columns[0].values, (std::vector<float>{3, 6}));
+    }
+}
+
+TEST(PointTable, SaysWhichLineIsWrong) {
+    EXPECT_EQ(table_error("1,2,3\n"),
+              "line 1: the first line must name the columns, x and y among them");
+    EXPECT_EQ(table_error("x,y,z\n1,2,3\n1,2\n"), "line 3 has 2 columns, not 3");
+    EXPECT_EQ(table_error("x,y,z\n1,2,three\n"), "line 2: \"three\" is no number");
+    EXPECT_EQ(table_error("x,y,z\n"), "there are no points");
+    EXPECT_EQ(table_error(""), "there are no points");
+}
+
+const std::string ply_header = "element vertex 3\nproperty float x\nproperty float y\n"
+                               "property uchar red\nelement face 1\n"
+                               "property list uchar int vertex_indices\nend_header\n";
+
+TEST(Ply, AllEncodingsReadAlike) {
+    const std::string zero(4, '\0'), one_big("\x3f\x80\0\0", 4), one_little("\0\0\x80\x3f", 4);
+    const auto body = [&](const std::string& one, const std::string& list) {
+        return zero + zero + '\xff' + one + zero + '\0' + zero + one + '\x33' + list;
+    };
+    const std::string big("\3\0\0\0\0\0\0\0\1\0\0\0\2", 13),
+        little("\3\0\0\0\0\1\0\0\0\2\0\0\0", 13);
+    for (const std::string& text :
+         {"ply\nformat ascii 1.0\ncomment nothing\n" + ply_header +
+              "0 0 255\n1 0 0\n0 1 51\n3 0 1 2\n",
+          "ply\nformat binary_big_endian 1.0\n" + ply_header + body(one_big, big),
+          "ply\nformat binary_little_endian 1.0\n" + ply_header + body(one_little, little)}) {
+        PointFile points;
+        std::string error;
+        ASSERT_TRUE(read_ply(text, points, error)) << error;
+        EXPECT_EQ(points.mesh.x, (std::vector<double>{0, 1, 0}));
+        EXPECT_EQ(points.mesh.y, (std::vector<double>{0, 0, 1}));
+        ASSERT_EQ(points.columns.size(), 1u);
+        EXPECT_EQ(points.columns[0].values, (std::vector<float>{1, 0, 0.2f}));
+        ASSERT_EQ(points.mesh.triangles.size(), 1u);
+        EXPECT_EQ(points.mesh.triangles[0], (std::array<int32_t, 3>{0, 1, 2}));
+        // Cut short anywhere it is an error and nothing worse.
+        for (size_t n = 0; n + 2 < text.size(); n += 3)
+            EXPECT_FALSE(read_ply(text.substr(0, n), points, error)) << n;
+    }
+}
+
+TEST(Ply, RefusesNonsense) {
+    const auto error_of = [](const std::string& text) {
+        PointFile points;
+        std::string error;
+        EXPECT_FALSE(read_ply(text, points, error));
+        return error;
+    };
+    EXPECT_EQ(error_of("solid"), "not a PLY file: it does not begin with \"ply\"");
+    EXPECT_EQ(error_of("ply\nformat ascii 1.0\nelement vertex 99999999999\nproperty float x\n"
+                       "property float y\nend_header\n"),
+              "the file ends before its vertex elements do");
+    EXPECT_EQ(error_of("ply\nformat ascii 1.0\nproperty float x\nend_header\n"),
+              "not a line of a PLY header: \"property float x\"");
+    EXPECT_EQ(
+        error_of("ply\nformat ascii 1.0\nelement vertex 1\nproperty float z\nend_header\n1\n"),
+        "there are no points with x and y");
+}
+
+TEST(Ply, WhatIsWrittenReadsTheSame) {
+    PointFile points;
+    points.mesh = {{0.1, 5, 3}, {0, 1e-9, 7}, {{0, 1, 2}}};
+    points.columns = {{"z", "float", 1, {1.5f, -2, 3}}, {"red", "uchar", 255, {0, 0.2f, 1}}};
+    const std::string path = temporary("written.ply");
+    Failure failure;
+    ASSERT_TRUE(write_points(path, points, failure)) << failure.why;
+    PointFile again;
+    ASSERT_TRUE(read_points(path, again, failure)) << failure.why;
+    EXPECT_EQ(again.mesh.x, points.mesh.x);
+    EXPECT_EQ(again.mesh.y, points.mesh.y);
+    EXPECT_EQ(again.mesh.triangles, points.mesh.triangles);
+    ASSERT_EQ(again.columns.size(), 2u);
+    for (size_t k = 0; k < 2; ++k) {
+        EXPECT_EQ(again.columns[k].name, points.columns[k].name);
+        EXPECT_EQ(again.columns[k].values, points.columns[k].values);
+    }
+}
+
+/// A square of 4 x 4 with z = x + 10 y in its corners and middle, as text.
+const char* const plane = "x,y,z,weight\n0,0,0,1\n4,0,4,2\n0,4,40,3\n4,4,44,4\n2,2,22,nan\n";
+
+class OnPoints : public testing::Test {
+protected:
+    void SetUp() override {
+        if (!has_delaunay())
+            GTEST_SKIP() << "built without GEOS";
+    }
+};
+
+TEST_F(OnPoints, ScatterMakesAnImage) {
+    const std::string in = write_file("plane.csv", plane), out = temporary("plane.exr");
+    const Ran ran =
+        run(make_scatter_command(), {in, out, "--size", "8x4", "--mesh", temporary("plane.ply")});
+    ASSERT_EQ(ran.code, exit_done) << ran.err;
+    const OIIO::ImageBuf image = load(out);
+    ASSERT_EQ(image.spec().width, 8);
+    ASSERT_EQ(image.spec().height, 4);
+    ASSERT_EQ(image.spec().channelnames, (std::vector<std::string>{"Z", "A"}));
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 8; ++i) {
+            // The upper row is that of large y.
+            EXPECT_NEAR(image.getchannel(i, j, 0, 0), 0.25 + 0.5 * i + 10 * (3.5 - j), 1e-4);
+            EXPECT_EQ(image.getchannel(i, j, 0, 1), 1.0f);
+        }
+    PointFile mesh;
+    Failure failure;
+    ASSERT_TRUE(read_points(temporary("plane.ply"), mesh, failure)) << failure.why;
+    EXPECT_EQ(mesh.mesh.triangles.size(), 4u);
+}
+
+TEST_F(OnPoints, ScatterLeavesTheOutsideEmptyAndPointsWithoutNumbersOut) {
+    const std::string in = write_file("plane.csv", plane), out = temporary("window.exr");
+    const Ran ran = run(make_scatter_command(), {in, out, "--size", "6x6", "--window", "-1,-1,5,5",
+                                                 "--y-down", "--channels", "weight,z"});
+    ASSERT_EQ(ran.code, exit_done) << ran.err;
+    const OIIO::ImageBuf image = load(out);
+    ASSERT_EQ(image.spec().channelnames, (std::vector<std::string>{"weight", "Z", "A"}));
+    for (int j = 0; j < 6; ++j)
+        for (int i = 0; i < 6; ++i) {
+            const bool in_square = i > 0 && i < 5 && j > 0 && j < 5;
+            EXPECT_EQ(image.getchannel(i, j, 0, 2), in_square ? 1.0f : 0.0f);
+            EXPECT_NEAR(image.getchannel(i, j, 0, 1), in_square ? i - 0.5 + 10 * (j - 0.5) : 0,
+                        1e-4);
+            EXPECT_TRUE(image.getchannel(i, j, 0, 0) >= 0 && image.getchannel(i, j, 0, 0) <= 4);
+        }
+}
+
+TEST_F(OnPoints, ScatterSaysWhatIsWrong) {
+    const std::string in = write_file("plane.csv", plane), out = temporary("wrong.exr");
+    struct Case {
+        std::vector<std::string> args;
+        ExitCode code;
+        const char* told;
+    };
+    for (const Case& c :
+         {Case{{in, out, "--channels", "height"}, exit_usage, "there are z, weight"},
+          Case{{in, out, "--size", "12"}, exit_usage, "WxH"},
+          Case{{in, out, "--window", "1,1,0,0"}, exit_usage, "two corners"},
+          Case{{in, out, "--filter", "ddt,cost=x"}, exit_usage, "abn, scf"},
+          Case{{temporary("none.csv"), out}, exit_failed, "none.csv"},
+          Case{{write_file("line.csv", "x,y,z\n0,0,1\n1,1,2\n2,2,3\n"), out},
+               exit_failed,
+               "not on one line"},
+          Case{{write_file("nan.csv", "x,y,z\n0,0,nan\n1,1,nan\n2,3,nan\n"), out},
+               exit_failed,
+               "points"}}) {
+        const Ran ran = run(make_scatter_command(), c.args);
+        EXPECT_EQ(ran.code, c.code) << c.told;
+        EXPECT_NE(ran.err.find(c.told), std::string::npos) << ran.err;
+        EXPECT_FALSE(OIIO::Filesystem::exists(out));
+    }
+}
+
+TEST(MeshOfPoints, EdgesFollowTheValues) {
+    // A quad whose diagonal crosses the step: the other one does not.
+    PointFile points;
+    points.mesh = {{0, 4, 9, 5, -4, 13, 4, 5},
+                   {0, 0, 4, 4, 2, 2, -5, 9},
+                   {{0, 1, 3}, {1, 2, 3}, {0, 3, 4}, {1, 5, 2}, {0, 6, 1}, {3, 2, 7}}};
+    points.columns = {{"z", "float", 1, {0, 1, 1, 0, 0, 1, 0, 1}}};
+    const std::string in = temporary("step.ply"), out = temporary("flipped.ply");
+    Failure failure;
+    ASSERT_TRUE(write_points(in, points, failure));
+    const Ran ran = run(make_mesh_command(), {in, out, "--cost", "jnd", "--scheme", "lawson"});
+    ASSERT_EQ(ran.code, exit_done) << ran.err;
+    PointFile flipped;
+    ASSERT_TRUE(read_points(out, flipped, failure));
+    EXPECT_EQ(flipped.mesh.x, points.mesh.x);
+    EXPECT_EQ(flipped.columns[0].values, points.columns[0].values);
+    EXPECT_EQ(flipped.mesh.triangles.size(), points.mesh.triangles.size());
+    EXPECT_EQ(run(make_mesh_command(), {in, temporary("a.svg")}).code, exit_usage);
+    EXPECT_EQ(run(make_mesh_command(), {in, out, "--scheme", "x"}).code, exit_usage);
+    EXPECT_EQ(run(make_mesh_command(), {write_file("bad.ply", "ply\n"), out}).code, exit_failed);
+}
+
+TEST_F(OnPoints, FillFillsWhatIsMissingAndNothingElse) {
+    OIIO::ImageBuf image(OIIO::ImageSpec(12, 9, 4, OIIO::TypeFloat));
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    for (int y = 0; y < 9; ++y)
+        for (int x = 0; x < 12; ++x) {
+            const float plain[4] = {0.05f * float(x), 0.1f * float(y), 0.5f, 1};
+            image.setpixel(x, y, plain);
+        }
+    const OIIO::ImageBuf whole = image;
+    const float hole[4] = {nan, nan, nan, nan}, clear[4] = {0, 0, 0, 0};
+    const float lacks_red[4] = {nan, 0.3f, 0.7f, 1};
+    for (int x = 4; x < 7; ++x)
+        image.setpixel(x, 4, hole);
+    image.setpixel(2, 2, lacks_red);
+    image.setpixel(9, 6, clear);
+    const std::string in = temporary("holes.exr"), out = temporary("filled.exr");
+    ASSERT_TRUE(image.write(in));
+    for (const bool alpha : {false, true}) {
+        const Ran ran = run(make_fill_command(), {in, out, "--missing", alpha ? "alpha" : "nan"});
+        ASSERT_EQ(ran.code, exit_done) << ran.err;
+        const OIIO::ImageBuf filled = load(out);
+        for (int y = 0; y < 9; ++y)
+            for (int x = 0; x < 12; ++x)
+                for (int c = 0; c < 4; ++c) {
+                    const bool was_clear = x == 9 && y == 6, lacked = x == 2 && y == 2;
+                    const float wanted = was_clear && !alpha ? 0.0f
+                                         : lacked && c > 0   ? lacks_red[c]
+                                                             : whole.getchannel(x, y, 0, c);
+                    EXPECT_NEAR(filled.getchannel(x, y, 0, c), wanted, 1e-6) << x << " " << y;
+                }
+    }
+}
+
+} // namespace
+} // namespace ddt::tool
