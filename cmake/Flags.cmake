@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Compile flags that every target gets.
 #
-# The bits of the result are a promise (see core/arith): no contraction of a*b+c to one rounding,
+# The bits of the result are a promise (see core/base/arith.h): no contraction of a*b+c to one rounding,
 # no reordering of float sums.
 add_compile_options(-ffp-contract=off -fno-fast-math)
 add_compile_options(-Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wno-psabi)
@@ -24,3 +24,9 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     " -mssse3 '-DHWY_DISABLED_TARGETS=~(HWY_SSSE3|HWY_AVX2)'")
 endif()
 set(CMAKE_EXE_LINKER_FLAGS_SANITIZE "-fsanitize=address,undefined")
+
+# With clang also what libFuzzer goes by, for tests/fuzz.
+if(CMAKE_BUILD_TYPE STREQUAL "Sanitize" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  set(DDT_LIBFUZZER ON)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()

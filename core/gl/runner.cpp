@@ -36,13 +36,11 @@ Runner::~Runner() {
 }
 
 void Runner::drop_meshes() {
-    m_gpu.thread
-        .post([this] {
-            m_surfaces.reset();
-            m_mesh.reset();
-            m_stages.reset();
-        })
-        .wait();
+    m_gpu.thread.call([this] {
+        m_surfaces.reset();
+        m_mesh.reset();
+        m_stages.reset();
+    });
 }
 
 void Runner::work() {

@@ -15,6 +15,7 @@
 #include "core/tiles/tile_worker.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/schemes.h"
+#include "core/triangulate/triangulate.h"
 #include "ddt/names.h"
 
 namespace ddt::gl {
@@ -123,9 +124,9 @@ Outcomes on_cpu(const Job& job, const Tile& tile) {
         Lattice lattice;
         Workspace workspace;
         Statistics statistics;
-        lattice.start(w, h, guide.data(), job.mesh.start == Start::flat);
+        start(lattice, w, h, guide.data(), job.mesh);
         triangulate(lattice, job.mesh, workspace, statistics);
-        find_gains(lattice, job.mesh.cost, workspace);
+        find_gains(lattice, criterion(job.mesh), workspace);
         take_mesh(lattice.sites(), workspace.gain.data(), lattice.stride(), o);
     }
     CheckSink sink(job.channels);
@@ -189,6 +190,7 @@ std::string key_of(const Job& job) {
                          : find_rules(mesh, rules)      ? "accept_reject"
                                                         : "one_round";
     std::string key = std::string(scheme) + ' ' + cost_name(mesh.cost);
+    key += mesh.contour > 0 ? " contour" : "";
     key += job.surface.kind == Surface::linear ? " linear" : " patch";
     key += job.surface.soft > 0 ? " soft" : "";
     key += job.surface.consistency > 0 ? " consistency" : "";
@@ -207,6 +209,8 @@ Job check_job(const Job& job) {
     check.kinds[3] = Channel::alpha;
     check.mesh.scheme = job.mesh.scheme;
     check.mesh.cost = job.mesh.cost;
+    check.mesh.contour = job.mesh.contour > 0 ? 0.4f : 0.0f;
+    check.mesh.min_gain = -1.0f;
     check.mesh.blur = 0.07f; // several meshes differ by it
     check.mesh.meshes = std::min(job.mesh.meshes, 2);
     check.surface.kind = job.surface.kind;

@@ -136,9 +136,9 @@ private:
         std::vector<std::string> names;
         for (const Column& column : points.columns)
             names.push_back(column.name);
-        for (const std::string& name : m_channels)
-            if (!points.find(name)) {
-                failure = {format("there is no column \"{}\"; there are {}", name,
+        for (const std::string& channel : m_channels)
+            if (!points.find(channel)) {
+                failure = {format("there is no column \"{}\"; there are {}", channel,
                                   OIIO::Strutil::join(names, ", ")),
                            exit_usage};
                 return false;
@@ -150,8 +150,8 @@ private:
 
     std::vector<const Column*> columns(const PointFile& points) const {
         std::vector<const Column*> chosen;
-        for (const std::string& name : m_channels)
-            chosen.push_back(points.find(name));
+        for (const std::string& channel : m_channels)
+            chosen.push_back(points.find(channel));
         return chosen;
     }
 

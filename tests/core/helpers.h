@@ -21,28 +21,9 @@
 #include "core/surface/edge_maker.h"
 #include "ddt/core.h"
 #include "tests/core/plain.h"
+#include "tests/core/random.h"
 
 namespace ddt::test {
-
-/// splitmix64: the same numbers everywhere, which the standard distributions do not promise.
-class Random {
-public:
-    explicit Random(uint64_t seed) : m_state(seed) {}
-    uint64_t bits() {
-        uint64_t z = m_state += 0x9e3779b97f4a7c15u;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        return z ^ (z >> 31);
-    }
-    int below(int n) { return int(bits() % uint64_t(n)); }
-    /// low <= result <= high
-    int between(int low, int high) { return low + below(high - low + 1); }
-    /// A multiple of 2^-24 in [0, 1).
-    float unit() { return float(bits() >> 40) * (1.0f / 16777216.0f); }
-
-private:
-    uint64_t m_state;
-};
 
 inline uint32_t bits_of(float x) {
     uint32_t bits;
@@ -110,13 +91,6 @@ inline uint64_t hash(const std::vector<float>& values, uint64_t h = 0xcbf29ce484
 /// Kinds of guide. `few` has three levels only, so gains tie all over.
 enum class Kind { noise, few, flat, shapes };
 constexpr Kind all_kinds[] = {Kind::noise, Kind::few, Kind::flat, Kind::shapes};
-
-/// Every cost there is.
-constexpr Cost all_costs[] = {
-#define DDT_COST(name, ...) Cost::name,
-    DDT_COSTS(DDT_COST)
-#undef DDT_COST
-};
 
 /// A guide, multiples of 2^-12 about in [0, 1]. `shapes` are half planes, discs and slopes with a
 /// little noise, something like a photograph. Integer arithmetic only: the same everywhere.

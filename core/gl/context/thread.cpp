@@ -3,30 +3,37 @@
 
 #include <thread>
 
+#include "core/base/arith.h"
+
 namespace ddt::gl {
 
 Thread::Thread() {
     std::thread([this] { run(); }).detach();
 }
 
-void Thread::push(std::function<void()> f) {
+void Thread::push(Task& task) noexcept {
     {
         const std::lock_guard<std::mutex> lock(m_mutex);
-        m_queue.push_back(std::move(f));
+        *m_end = &task;
+        m_end = &task.next;
     }
     m_wake.notify_one();
 }
 
 void Thread::run() {
+    // A software renderer's threads are started from here and inherit it.
+    const DenormalsAreZero as_on_gpus;
     for (;;) {
-        std::function<void()> f;
+        Task* task = nullptr;
         {
             std::unique_lock<std::mutex> lock(m_mutex);
-            m_wake.wait(lock, [this] { return !m_queue.empty(); });
-            f = std::move(m_queue.front());
-            m_queue.pop_front();
+            m_wake.wait(lock, [this] { return m_first != nullptr; });
+            task = m_first;
+            m_first = task->next;
+            if (!m_first)
+                m_end = &m_first;
         }
-        f();
+        task->run();
     }
 }
 

@@ -3,11 +3,10 @@
 #pragma once
 
 #include <condition_variable>
-#include <deque>
-#include <functional>
 #include <future>
 #include <memory>
 #include <mutex>
+#include <utility>
 
 namespace ddt::gl {
 
@@ -22,19 +21,66 @@ public:
     /// Run f there; the future has its result or exception.
     template <class F>
     auto post(F f) -> std::future<decltype(f())> {
-        auto task = std::make_shared<std::packaged_task<decltype(f())()>>(std::move(f));
-        auto result = task->get_future();
-        push([task] { (*task)(); });
+        auto task = std::make_unique<Posted<F>>(std::move(f));
+        auto result = task->work.get_future();
+        push(*task.release()); // deletes itself
         return result;
     }
 
+    /// Run f, which must not throw, there, and return when it has run. Takes no memory: for
+    /// destructors, which may run because there is none.
+    template <class F>
+    void call(F f) noexcept {
+        Called<F> task(std::move(f));
+        push(task);
+        task.wait();
+    }
+
 private:
-    void push(std::function<void()> f);
+    /// A link of the queue, made by who posts, so that queueing cannot fail.
+    struct Task {
+        virtual ~Task() = default;
+        /// The last thing done with the task: it may be gone afterwards.
+        virtual void run() noexcept = 0;
+        Task* next = nullptr;
+    };
+
+    template <class F>
+    struct Posted final : Task {
+        explicit Posted(F f) : work(std::move(f)) {}
+        void run() noexcept override {
+            work();
+            delete this;
+        }
+        std::packaged_task<decltype(std::declval<F&>()())()> work;
+    };
+
+    template <class F>
+    struct Called final : Task {
+        explicit Called(F f) : work(std::move(f)) {}
+        void run() noexcept override {
+            work();
+            const std::lock_guard<std::mutex> lock(mutex);
+            done = true;
+            changed.notify_one(); // under the lock: once it is free, the task may be gone
+        }
+        void wait() {
+            std::unique_lock<std::mutex> lock(mutex);
+            changed.wait(lock, [this] { return done; });
+        }
+        F work;
+        bool done = false;
+        std::mutex mutex;
+        std::condition_variable changed;
+    };
+
+    void push(Task& task) noexcept;
     void run();
 
     std::mutex m_mutex;
     std::condition_variable m_wake;
-    std::deque<std::function<void()>> m_queue;
+    Task* m_first = nullptr;
+    Task** m_end = &m_first; ///< where the next task is linked
 };
 
 } // namespace ddt::gl

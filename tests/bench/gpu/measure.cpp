@@ -8,6 +8,7 @@
 #include "core/gl/host_tile.h"
 #include "core/gl/strip.h"
 #include "core/tiles/tile_io.h"
+#include "core/triangulate/triangulate.h"
 
 namespace ddt::bench {
 
@@ -82,7 +83,7 @@ private:
         m_mesh.triangulate(m_job.mesh);
         stages.end();
         stages.begin(Stage::surface);
-        m_surfaces.make(m_mesh, m_job.mesh.cost);
+        m_surfaces.make(m_mesh, criterion(m_job.mesh));
         stages.end();
         gl::finish(m_gpu.context->gl, "triangulation");
         count(m);

@@ -57,7 +57,7 @@ double seconds(const std::vector<float>& guide, int width, int height, const ddt
     ddt::Workspace workspace;
     ddt::Statistics statistics;
     const std::clock_t begin = std::clock();
-    lattice.start(width, height, guide.data(), o.start == ddt::Start::flat);
+    ddt::start(lattice, width, height, guide.data(), o);
     triangulate(lattice, o, workspace, statistics);
     return double(std::clock() - begin) / CLOCKS_PER_SEC;
 }

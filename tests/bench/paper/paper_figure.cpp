@@ -158,6 +158,7 @@ bool make(const std::string& path, const std::string& folder, Square square) {
         options.max_iterations = ddt::most_iterations;
         options.min_gain = -1;
         options.blur = 0;
+        options.contour = 0;
         const std::string stem = folder + "/" + name;
         const Image picture = enlarged(reduced, factor * zoom, options, close_up);
         const Image back = bench::stored(enlarged(reduced, factor, options), bench::Light::encoded);

@@ -79,6 +79,7 @@ std::vector<ddt::MeshOptions> all_schemes() {
         o.start = start;
         o.min_gain = 1e-6f;
         o.blur = 0;
+        o.contour = 0;
         // Enough for every scheme to end by itself; annealing takes as many as it is given.
         o.max_iterations = o.scheme == ddt::Scheme::annealing ? 64 : ddt::most_iterations;
         schemes.push_back(o);

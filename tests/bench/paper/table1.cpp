@@ -113,7 +113,7 @@ double measure(const Subject& s, const std::vector<float>& guide, const ddt::Mes
     ddt::Workspace workspace;
     ddt::Statistics statistics;
     double begin = work_time();
-    lattice.start(s.width(), s.height(), guide.data(), o.start == ddt::Start::flat);
+    ddt::start(lattice, s.width(), s.height(), guide.data(), o);
     sum.init += work_time() - begin;
     sum.cost_start += total_cost(lattice, o.cost);
     begin = work_time();
@@ -129,7 +129,7 @@ double measure(const Subject& s, const std::vector<float>& guide, const ddt::Mes
     unflipped.scheme = ddt::Scheme::pixel;
     const double pixel = enlarge_on(ddt::Device::cpu, 1, work_time, s, guide, unflipped);
     begin = work_time();
-    lattice.start(s.width(), s.height(), guide.data(), o.start == ddt::Start::flat);
+    ddt::start(lattice, s.width(), s.height(), guide.data(), o);
     sum.final += pixel - (work_time() - begin);
     for (const NamedDevice& d : devices) {
         const double time = enlarge_on(d.device, 0, wall_time, s, guide, o);

@@ -12,6 +12,7 @@
 
 #include "ddt/core.h"
 #include "ddt/names.h"
+#include "ddt/option_table.h"
 #include "tests/core/plain.h"
 
 namespace ddt::test {
@@ -33,6 +34,17 @@ inline std::vector<MeshOptions> every_scheme_and_cost() {
             all.push_back(mesh);
         }
     return all;
+}
+
+/// Give a job the options of a filter's specification; false if it is none.
+inline bool set_filter(const std::string& specification, Job& job) {
+    FilterOptions options;
+    std::string error;
+    if (!parse_filter(specification, options, error))
+        return false;
+    job.mesh = options.mesh;
+    job.surface = options.surface;
+    return true;
 }
 
 /// What is done to it.

@@ -264,11 +264,11 @@ TEST(Options, FailureChangesNothing) {
     EXPECT_EQ(options.surface.kind, ddt::Surface::patch);
 }
 
-TEST(ParseFilter, ContoursCountWithTheFiltersOwnCostAndSchemeOnly) {
+TEST(Options, ContoursCountWithTheFiltersOwnCostAndSchemeOnly) {
     const auto contour = [](const char* spec) {
-        FilterOptions options;
+        ddt::FilterOptions options;
         std::string error;
-        EXPECT_TRUE(parse_filter(spec, options, error)) << error;
+        EXPECT_TRUE(ddt::parse_filter(spec, options, error)) << error;
         return options.mesh.contour;
     };
     EXPECT_GT(contour("ddt"), 0.0f);

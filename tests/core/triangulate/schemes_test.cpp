@@ -19,7 +19,7 @@ struct Result {
 Result run(const std::vector<float>& guide, int width, int height, const MeshOptions& o) {
     Result r;
     Workspace workspace;
-    r.lattice.start(width, height, guide.data(), o.start == Start::flat);
+    start(r.lattice, width, height, guide.data(), o);
     r.cost_start = total_cost(r.lattice, o.cost);
     triangulate(r.lattice, o, workspace, r.statistics);
     r.cost = total_cost(r.lattice, o.cost);

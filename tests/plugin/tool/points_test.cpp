@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The commands on points: scatter, fill, mesh of a mesh; and the files they read.
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 
@@ -207,7 +208,7 @@ TEST_F(OnPoints, ScatterSaysWhatIsWrong) {
         const Ran ran = run(make_scatter_command(), c.args);
         EXPECT_EQ(ran.code, c.code) << c.told;
         EXPECT_NE(ran.err.find(c.told), std::string::npos) << ran.err;
-        EXPECT_FALSE(OIIO::Filesystem::exists(out));
+        EXPECT_FALSE(std::filesystem::exists(out));
     }
 }
 

@@ -31,7 +31,7 @@ protected:
     }
     static Job job_of(const char* filter) {
         Job job;
-        EXPECT_TRUE(set_filter(filter, job.surface, job.mesh));
+        EXPECT_TRUE(set_filter(filter, job));
         return job;
     }
 

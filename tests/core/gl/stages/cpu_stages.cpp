@@ -15,9 +15,9 @@ namespace {
 void make_mesh(const std::vector<float>& guide, int width, int height, const MeshOptions& options,
                Lattice& lattice, Workspace& w) {
     Statistics statistics;
-    lattice.start(width, height, guide.data(), options.start == Start::flat);
+    start(lattice, width, height, guide.data(), options);
     triangulate(lattice, options, w, statistics);
-    find_gains(lattice, options.cost, w);
+    find_gains(lattice, criterion(options), w);
 }
 
 } // namespace

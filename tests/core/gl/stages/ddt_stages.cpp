@@ -2,7 +2,7 @@
 // Where a device's bits part from the CPU's, stage by stage (HACKING.md, "When bits differ on a new
 // driver"). Exits with 2 if any stage differs.
 //
-//   ddt_stages [--device egl|osmesa] [--filter NAME] [--cost NAME] [--scheme NAME] [--rounds N]
+//   ddt_stages [--device egl|osmesa] [--filter SPECIFICATION] [--cost NAME] [--scheme NAME] [--rounds N]
 //              [--picture photo|noise|drawing|flat|hdr|nonfinite|tiny] [--size WxH] [--seed N]
 //              [--change PROGRAM CONSTANT VALUE]
 //
@@ -41,7 +41,6 @@ bool find_content(const char* name, Content& content) {
 }
 
 bool parse(int argc, char** argv, Arguments& a) {
-    set_filter("ddt", a.job.surface, a.job.mesh);
     for (int i = 1; i < argc; i += 2) {
         const std::string name = argv[i];
         if (i + 1 >= argc)
@@ -51,7 +50,7 @@ bool parse(int argc, char** argv, Arguments& a) {
         if (name == "--device")
             known = find_device(value, a.device) && a.device != Device::cpu;
         else if (name == "--filter")
-            known = set_filter(value, a.job.surface, a.job.mesh);
+            known = set_filter(value, a.job);
         else if (name == "--cost")
             known = find_cost(value, a.job.mesh.cost);
         else if (name == "--scheme")

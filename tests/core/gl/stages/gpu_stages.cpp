@@ -4,6 +4,7 @@
 #include "core/gl/budget.h"
 #include "core/gl/strip.h"
 #include "core/surface/net.h"
+#include "core/triangulate/triangulate.h"
 
 namespace ddt::test {
 
@@ -57,7 +58,7 @@ MeshStage GpuStages::mesh(const MeshOptions& options, int iterations, bool gains
     m_mesh.read_sites(0, stage.sites.data());
     if (gains_alone)
         m_mesh.forget_gains();
-    m_mesh.find_gains(options.cost);
+    m_mesh.find_gains(criterion(options));
     gl::finish(m_gpu.context->gl, "gains");
     m_mesh.read_gains(0, stage.gains.data());
     return stage;
@@ -80,8 +81,8 @@ SurfaceStage GpuStages::surface(int rounds) {
     gl::Surfaces surfaces(m_gpu, m_shape, 1, kinds, options);
     finish_mesh();
     gl::upload_values(m_tile, m_job, 0, surfaces);
-    surfaces.make(m_mesh, m_job.mesh.cost);
-    m_mesh.find_gains(m_job.mesh.cost);
+    surfaces.make(m_mesh, criterion(m_job.mesh));
+    m_mesh.find_gains(criterion(m_job.mesh));
 
     const bool bend = options.kind != Surface::linear, soft = options.soft > 0;
     const size_t numbers = m_shape.sites() * group_size;
@@ -120,7 +121,7 @@ std::vector<float> GpuStages::result(int out_width, int out_height) {
     gl::Surfaces surfaces(m_gpu, m_shape, 1, gl::kinds_of(m_job), m_job.surface);
     finish_mesh();
     gl::upload_values(m_tile, m_job, 0, surfaces);
-    surfaces.make(m_mesh, m_job.mesh.cost);
+    surfaces.make(m_mesh, criterion(m_job.mesh));
     const auto axis = [](int from, int to) {
         ResizeMapping::Axis a;
         a.from_size = a.window1 = from;

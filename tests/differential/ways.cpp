@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/differential/ways.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <hwy/highway.h>
+
+#include "ddt/names.h"
+
+namespace ddt::test {
+
+namespace {
+
+class PictureSource final : public Source {
+public:
+    explicit PictureSource(const RandomJob& job) : m_job(job) {}
+    bool read(const Rect& r, float* values, float* guide) override {
+        const auto channels = size_t(m_job.job.channels), width = size_t(r.width());
+        for (int y = r.y0; y < r.y1; ++y, values += width * channels, guide += width) {
+            const size_t first = size_t(y) * size_t(m_job.width) + size_t(r.x0);
+            std::memcpy(values, &m_job.values[first * channels], width * channels * sizeof(float));
+            std::memcpy(guide, &m_job.guide[first], width * sizeof(float));
+        }
+        return true;
+    }
+
+private:
+    const RandomJob& m_job;
+};
+
+/// The output pixels of a part; those that nothing is written to keep a mark.
+class PictureSink final : public Sink {
+public:
+    PictureSink(const Rect& part, int channels, bool places)
+        : values(part.area() * size_t(channels), Done::mark), m_part(part), m_channels(channels),
+          m_places(places) {}
+    bool write(const Rect& r, float* from) override {
+        const size_t row = size_t(r.width()) * size_t(m_channels);
+        for (int y = r.y0; y < r.y1; ++y, from += row)
+            std::memcpy(at(r.x0, y), from, row * sizeof(float));
+        return true;
+    }
+    float* place(const Rect& r, size_t& row) override {
+        row = size_t(m_part.width()) * size_t(m_channels);
+        return m_places ? at(r.x0, r.y0) : nullptr;
+    }
+
+    std::vector<float> values;
+
+private:
+    float* at(int x, int y) {
+        return &values[(size_t(y - m_part.y0) * size_t(m_part.width()) + size_t(x - m_part.x0)) *
+                       size_t(m_channels)];
+    }
+    Rect m_part;
+    int m_channels;
+    bool m_places;
+};
+
+/// The instruction sets that were compiled and this machine has, the narrowest first.
+std::vector<int64_t> targets() {
+    std::vector<int64_t> all = hwy::SupportedAndGeneratedTargets();
+    std::sort(all.rbegin(), all.rend()); // the larger the number, the narrower
+    return all;
+}
+
+} // namespace
+
+Way reference_way() {
+    return {"reference", targets().front()};
+}
+
+std::vector<Way> other_ways(const std::vector<Device>& devices) {
+    std::vector<Way> ways;
+    for (const int64_t target : targets())
+        if (target != reference_way().target)
+            ways.push_back({hwy::TargetName(target), target});
+    ways.push_back({"2 threads", 0, 2});
+    ways.push_back({"7 threads, in place", 0, 7, Device::cpu, false, true});
+    ways.push_back({"a part", 0, 2, Device::cpu, true});
+    for (const Device device : devices) {
+        ways.push_back({device_name(device), 0, 2, device});
+        ways.push_back({std::string(device_name(device)) + ", a part", 0, 2, device, true});
+    }
+    return ways;
+}
+
+Done run(const RandomJob& job, const Way& way) {
+    hwy::SetSupportedTargetsForTest(way.target);
+    hwy::GetChosenTarget().Update(way.target ? way.target : hwy::SupportedTargets());
+    const Rect& out = way.part ? job.part : job.out;
+    const std::unique_ptr<Mapping> mapping = mapping_of_part(job, out);
+    PictureSource source(job);
+    PictureSink sink(out, job.job.channels, way.places);
+    Job j = job.job;
+    j.threads = way.threads;
+    j.device = way.device;
+    Done done;
+    done.outcome = enlarge(source, sink, *mapping, j, &done.error);
+    done.values = std::move(sink.values);
+    return done;
+}
+
+size_t differing(const RandomJob& job, const Done& reference, const Way& way, const Done& done) {
+    const Rect& r = way.part ? job.part : job.out;
+    const auto row = size_t(r.width()) * size_t(job.job.channels);
+    size_t count = 0;
+    for (int y = r.y0; y < r.y1; ++y) {
+        const float* expected = &reference.values[(size_t(y) * size_t(job.out.x1) + size_t(r.x0)) *
+                                                  size_t(job.job.channels)];
+        const float* got = &done.values[size_t(y - r.y0) * row];
+        for (size_t i = 0; i < row; ++i)
+            count += std::memcmp(expected + i, got + i, sizeof(float)) != 0;
+    }
+    return count;
+}
+
+const char* broken_promise(const RandomJob& job, const std::vector<float>& values) {
+    const bool corrected = job.job.surface.consistency > 0;
+    for (int c = 0; c < job.job.channels; ++c) {
+        const Channel kind = job.job.kinds[size_t(c)];
+        if (kind == Channel::nearest)
+            continue;
+        float low = INFINITY, high = -INFINITY;
+        bool finite = true;
+        for (size_t i = size_t(c); i < job.values.size(); i += size_t(job.job.channels)) {
+            finite &= std::isfinite(job.values[i]);
+            low = std::min(low, job.values[i]);
+            high = std::max(high, job.values[i]);
+        }
+        if (!finite)
+            continue;
+        // What is near zero becomes zero when it is read.
+        low = std::min(low, 0.0f);
+        high = std::max(high, 0.0f);
+        for (size_t i = size_t(c); i < values.size(); i += size_t(job.job.channels)) {
+            const float v = values[i];
+            if (v == Done::mark)
+                continue;
+            if (!std::isfinite(v))
+                return "a finite channel became infinite or NaN";
+            if ((!corrected || kind == Channel::alpha) && (v < low || v > high))
+                return "a strict channel left the range of its pixels";
+        }
+    }
+    return nullptr;
+}
+
+} // namespace ddt::test

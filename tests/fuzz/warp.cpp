@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Warps by any matrix of any picture: a result, or one line.
+#include <OpenImageIO/imagebufalgo.h>
+
+#include "ddt/resize.h"
+#include "tests/fuzz/bytes.h"
+#include "tests/fuzz/require.h"
+
+using namespace ddt;
+using namespace ddt::fuzz;
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+    Bytes bytes(data, size);
+    OIIO::ImageBuf src(OIIO::ImageSpec(bytes.between(1, 20), bytes.between(1, 20),
+                                       bytes.between(1, 5), OIIO::TypeDesc::FLOAT));
+    // Near the identity, where something is to be seen, or any floats.
+    const bool near = bytes.coin();
+    float matrix[9];
+    for (int i = 0; i < 9; ++i)
+        matrix[i] =
+            near ? float(i % 4 == 0) + float(bytes.take<int8_t>()) / 64 : bytes.take<float>();
+    const bool recompute = bytes.coin();
+    OIIO::ROI roi;
+    if (bytes.coin())
+        roi = OIIO::ROI(bytes.take<int8_t>(), 130, bytes.take<int8_t>(), 130);
+    // What takes long is not what is looked for.
+    if (recompute && !near)
+        roi = OIIO::ROI(0, 16, 0, 16);
+    auto* pixels = static_cast<float*>(src.localpixels());
+    for (size_t i = 0; i < src.spec().image_pixels() * size_t(src.nchannels()); ++i)
+        pixels[i] = bytes.take<float>();
+    OIIO::ImageBuf dst;
+    const OIIO::M33fParam m(matrix);
+    if (!warp(dst, src, m, {}, recompute, OIIO::ImageBuf::WrapDefault, roi, 1)) {
+        require(!dst.initialized(), "a failure leaves no image");
+        require_error_line(dst.geterror());
+    }
+    return 0;
+}
