@@ -27,8 +27,12 @@ void for_each_index(int threads, int count, const std::function<void(int, int)>&
     }
     tbb::task_arena arena(threads);
     arena.execute([&] {
-        tbb::parallel_for(0, count,
-                          [&](int i) { body(tbb::this_task_arena::current_thread_index(), i); });
+        // Isolated: where the body waits for tasks of its own, as a source that uses oneTBB does,
+        // its thread does not begin another index meanwhile, in the slot that is in use.
+        tbb::parallel_for(0, count, [&](int i) {
+            tbb::this_task_arena::isolate(
+                [&] { body(tbb::this_task_arena::current_thread_index(), i); });
+        });
     });
 }
 

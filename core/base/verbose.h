@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether lines on stderr are wanted.
+// Lines about the work, for whoever wants them (ddt/log.h).
 #pragma once
+
+#include "ddt/log.h"
 
 namespace ddt {
 
-/// The environment variable DDT_VERBOSE is set, not empty, and does not begin with 0.
+/// Whether anybody wants lines.
 bool verbose();
+
+/// Tell a line, formatted as by printf, without line end. Never throws.
+__attribute__((format(printf, 1, 2))) void say(const char* format, ...) noexcept;
 
 } // namespace ddt

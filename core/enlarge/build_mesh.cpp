@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ddt/mesh.h"
 
-#include <new>
-
 #include "core/base/arith.h"
+#include "core/base/guarded.h"
 #include "core/guide/guide.h"
 #include "core/lattice/list_triangles.h"
 #include "core/triangulate/gain.h"
@@ -64,24 +63,16 @@ bool build(const float* guide, int width, int height, const MeshOptions& options
 bool build_mesh(const float* guide, int width, int height, const MeshOptions& options, Mesh& mesh,
                 MeshReport* report, std::string* error,
                 const std::function<bool(float)>& progress) {
-    std::string why;
-    if (width < 2 || height < 2)
-        why = "ddt: a mesh needs at least 2 x 2 pixels";
-    else if (int64_t(width) * height > most_pixels)
-        why = "ddt: the image is too large for one mesh";
-    else
-        check_options(options, why);
-    if (why.empty()) {
-        try {
-            if (!build(guide, width, height, options, mesh, report, progress))
-                why = "ddt: cancelled";
-        } catch (const std::bad_alloc&) {
-            why = "ddt: out of memory";
-        }
-    }
-    if (error)
-        *error = why;
-    return why.empty();
+    return succeeds(error, [&](std::string& why) {
+        if (width < 2 || height < 2)
+            why = "ddt: a mesh needs at least 2 x 2 pixels";
+        else if (int64_t(width) * height > most_pixels)
+            why = "ddt: the image is too large for one mesh";
+        else if (check_options(options, why) &&
+                 !build(guide, width, height, options, mesh, report, progress))
+            why = "ddt: cancelled";
+        return why.empty();
+    });
 }
 
 } // namespace ddt

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
-#include <exception>
 #include <memory>
-#include <new>
 #include <vector>
 
+#include "core/base/guarded.h"
 #include "core/base/parallel.h"
 #include "core/base/verbose.h"
 #include "core/gl/offload.h"
@@ -64,20 +62,6 @@ const char* describe(Outcome outcome) {
     return "ddt: unknown failure";
 }
 
-/// Add what tiles were worth.
-void add(const Statistics& s, Statistics& sum) {
-    sum.pixels += s.pixels;
-    sum.evaluations += s.evaluations;
-    sum.flips += s.flips;
-    sum.rounds += s.rounds;
-    sum.iterations = std::max(sum.iterations, s.iterations);
-    sum.times.read += s.times.read;
-    sum.times.triangulate += s.times.triangulate;
-    sum.times.surface += s.times.surface;
-    sum.times.sample += s.times.sample;
-    sum.times.write += s.times.write;
-}
-
 int thread_count(const Job& job) {
     return job.threads > 0 ? allowed_threads(job.threads) : usual_threads();
 }
@@ -104,19 +88,19 @@ void work_on_cpu(Source& source, Sink& sink, const Mapping& mapping, const Job& 
     });
     for (const auto& worker : workers)
         if (worker)
-            add(worker->statistics(), statistics);
+            statistics += worker->statistics();
 }
 
-/// Tell of a job on stderr, for DDT_VERBOSE.
+/// Tell of a job.
 void report(const Placement& placement, const std::string& failure, const Statistics& statistics,
             double seconds) {
     if (!failure.empty())
-        std::fprintf(stderr, "ddt: %s failed, finished on the CPU: %s\n",
-                     describe(placement).c_str(), failure.c_str());
-    std::fprintf(stderr, "ddt: device %s; %lld pixels, %lld flips, %d iterations, %.1f ms\n",
-                 failure.empty() ? describe(placement).c_str() : "cpu",
-                 static_cast<long long>(statistics.pixels),
-                 static_cast<long long>(statistics.flips), statistics.iterations, seconds * 1e3);
+        say("ddt: %s failed, finished on the CPU: %s", describe(placement).c_str(),
+            failure.c_str());
+    say("ddt: device %s; %lld pixels, %lld flips, %d iterations, %.1f ms",
+        failure.empty() ? describe(placement).c_str() : "cpu",
+        static_cast<long long>(statistics.pixels), static_cast<long long>(statistics.flips),
+        statistics.iterations, seconds * 1e3);
 }
 
 Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, std::string& why) {
@@ -148,22 +132,24 @@ Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, 
 Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                 std::string* error) {
     Outcome outcome = Outcome::bad_job;
-    std::string why;
-    try {
+    const Caught caught = guarded_call(error, [&] {
+        std::string why;
         if (check(job, why))
             outcome = run(source, sink, mapping, job, why);
         if (outcome != Outcome::done && why.empty())
             why = describe(outcome);
-    } catch (const std::bad_alloc&) {
-        outcome = Outcome::out_of_memory;
-        why = describe(outcome);
-    } catch (const std::exception& e) {
-        outcome = Outcome::bad_job;
-        why = std::string("ddt: ") + e.what();
+        if (error)
+            *error = std::move(why);
+    });
+    switch (caught) {
+    case Caught::nothing:
+        return outcome;
+    case Caught::out_of_memory:
+        return Outcome::out_of_memory;
+    case Caught::other:
+        break;
     }
-    if (error)
-        *error = why;
-    return outcome;
+    return Outcome::bad_job;
 }
 
 } // namespace ddt

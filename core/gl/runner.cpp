@@ -2,7 +2,6 @@
 #include "core/gl/runner.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "core/base/parallel.h"
 #include "core/base/verbose.h"
@@ -207,22 +206,17 @@ void Runner::write(Strip& strip) {
     if (!strip.last || !m_run.going())
         return;
     m_run.tile_done(t.index);
-    m_statistics.pixels += t.statistics.pixels;
-    m_statistics.evaluations += t.statistics.evaluations;
-    m_statistics.flips += t.statistics.flips;
-    m_statistics.rounds += t.statistics.rounds;
-    m_statistics.iterations = std::max(m_statistics.iterations, t.statistics.iterations);
+    m_statistics += t.statistics;
 }
 
 void Runner::report() {
     const auto ms = [&](Stage stage) { return m_stages->milliseconds(stage); };
-    std::fprintf(stderr,
-                 "ddt: upload %.2f ms, triangulate %.2f ms, surface %.2f ms, sample %.2f ms, "
-                 "download %.2f ms; opened in %.0f ms, %d shaders compiled in %.0f ms, checked in "
-                 "%.0f ms\n",
-                 ms(Stage::upload), ms(Stage::triangulate), ms(Stage::surface), ms(Stage::sample),
-                 ms(Stage::download), m_gpu.open_milliseconds, m_gpu.programs->compiled(),
-                 m_gpu.programs->milliseconds(), m_gpu.checks.milliseconds());
+    say("ddt: upload %.2f ms, triangulate %.2f ms, surface %.2f ms, sample %.2f ms, "
+        "download %.2f ms; opened in %.0f ms, %d shaders compiled in %.0f ms, checked in "
+        "%.0f ms",
+        ms(Stage::upload), ms(Stage::triangulate), ms(Stage::surface), ms(Stage::sample),
+        ms(Stage::download), m_gpu.open_milliseconds, m_gpu.programs->compiled(),
+        m_gpu.programs->milliseconds(), m_gpu.checks.milliseconds());
 }
 
 } // namespace ddt::gl

@@ -57,6 +57,7 @@ void DeviceMesh::find_contours() {
     m_gpu.programs->use("contours.comp");
     m_contours.bind(2);
     m_guide.bind(5);
+    // An invocation a cell.
     dispatch_over(m_shape.width - 1, m_shape.height - 1, start_group_x, start_group_y);
     barrier();
 }

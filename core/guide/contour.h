@@ -37,6 +37,8 @@ class ContourRows {
 public:
     /// `guide`: width x height floats, both at least 2, that stay where they are.
     ContourRows(const float* guide, int width, int height);
+    /// Bytes that this takes, about.
+    static size_t memory(int width) { return (3 * (ring + 1) + 1) * sizeof(float) * size_t(width); }
     /// The width - 1 words of the next row of cells; for height - 1 rows.
     const uint32_t* next();
 

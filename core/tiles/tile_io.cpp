@@ -62,8 +62,11 @@ bool serves(const Tile& tile, const Position& p) {
 }
 
 Point local(const Tile& tile, const Position& p) {
-    return {int32_t(p.x - int64_t(tile.pixels.x0) * position_one),
-            int32_t(p.y - int64_t(tile.pixels.y0) * position_one)};
+    const auto along = [](int64_t position, int begin, int end) {
+        return int32_t(std::clamp(position - int64_t(begin) * position_one, int64_t(0),
+                                  int64_t(end - 1 - begin) * position_one));
+    };
+    return {along(p.x, tile.pixels.x0, tile.pixels.x1), along(p.y, tile.pixels.y0, tile.pixels.y1)};
 }
 
 bool read_tile(Source& source, const Tile& tile, const Job& job, std::vector<float>& values,

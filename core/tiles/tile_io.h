@@ -17,7 +17,8 @@ Rect reach_of(const Tile& tile, const Rect& window, const Mapping& mapping);
 /// Whether a position, not outside the window, is the tile's to sample.
 bool serves(const Tile& tile, const Position& p);
 
-/// A position in the lattice of the tile.
+/// A position in the lattice of the tile; one outside its pixels is moved to the nearest inside, so
+/// that no mapping leads out of the lattice.
 Point local(const Tile& tile, const Position& p);
 
 /// Numbers nearer to zero than these become zero when a tile is read. So nothing

@@ -2,8 +2,10 @@
 #include "core/tiles/tile_worker.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "core/base/arith.h"
+#include "core/guide/contour.h"
 #include "core/guide/guide.h"
 #include "core/tiles/tile_io.h"
 
@@ -32,7 +34,8 @@ size_t TileWorker::memory(const Job& job) {
     const size_t consistency = job.surface.consistency > 0 ? sites * sizeof(float) * group_size : 0;
     const size_t guides = job.mesh.meshes > 1 ? 2 : 1;
     const size_t planes = pixels * sizeof(float) * (guides + size_t(job.channels));
-    return meshes + workspace + consistency + planes + 2 * strip_floats * sizeof(float);
+    const size_t contours = ContourRows::memory(tile_size + 1 + 2 * tile_halo);
+    return meshes + workspace + consistency + planes + contours + 2 * strip_floats * sizeof(float);
 }
 
 void TileWorker::reserve() {
@@ -93,25 +96,34 @@ void TileWorker::make_edges_for(int32_t y) {
     m_clock.lap(m_statistics.times.surface);
 }
 
+/// Sampling follows a row from position to position, by exact arithmetic in 32 bits.
+bool TileWorker::follows(const Point& a, const Point& b) {
+    constexpr int32_t longest = 2 * position_one;
+    return std::abs(b.x - a.x) <= longest && std::abs(b.y - a.y) <= longest;
+}
+
 Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
     const size_t row = size_t(reach.width()) * size_t(m_job.channels);
     m_positions.resize(size_t(reach.width()));
     m_inside.resize(size_t(reach.width()));
     m_points.resize(size_t(reach.width()));
-    if (m_mapping.separable()) {
+    bool grid = m_mapping.separable();
+    if (grid) {
         m_mapping.row(reach.y0, reach.x0, reach.x1, m_positions.data(), m_inside.data());
         for (size_t i = 0; i < m_points.size(); ++i)
             m_points[i] = local(tile, m_positions[i]);
+        for (size_t i = 1; i < m_points.size(); ++i)
+            grid = grid && follows(m_points[i - 1], m_points[i]);
+    }
+    if (grid)
         m_columns.find(m_points.data(), int(m_points.size()), m_width);
-    } else if (m_meshes[0].edges_wait()) {
+    else if (m_meshes[0].edges_wait())
         for (TileMesh& mesh : m_meshes)
             mesh.finish_edges();
-    }
-    const int strip = m_mapping.separable() ? int(std::max<size_t>(1, strip_floats / row)) : 1;
+    const int strip = grid ? int(std::max<size_t>(1, strip_floats / row)) : 1;
     for (int y = reach.y0; y < reach.y1; y += strip) {
         const Rect rows{reach.x0, y, reach.x1, std::min(y + strip, reach.y1)};
-        const Outcome outcome =
-            m_mapping.separable() ? write_rows(tile, rows) : write_runs(tile, rows);
+        const Outcome outcome = grid ? write_rows(tile, rows) : write_runs(tile, rows);
         if (outcome != Outcome::done)
             return outcome;
     }
@@ -210,8 +222,11 @@ Outcome TileWorker::write_runs(const Tile& tile, const Rect& row) {
             continue;
         }
         const int begin = i;
-        for (; i < width && serves(i); ++i)
+        for (; i < width && serves(i); ++i) {
             m_points[size_t(i - begin)] = local(tile, m_positions[size_t(i)]);
+            if (i > begin && !follows(m_points[size_t(i - begin) - 1], m_points[size_t(i - begin)]))
+                break;
+        }
         const int n = i - begin;
         m_out.resize(size_t(n) * size_t(m_job.channels) + row_padding);
         sample(n, m_out.data());

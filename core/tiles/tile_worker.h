@@ -35,6 +35,7 @@ private:
     void make_edges_for(int32_t y);
     Outcome write(const Tile& tile, const Rect& reach);
     Outcome write_rows(const Tile& tile, const Rect& rows);
+    static bool follows(const Point& a, const Point& b);
     Outcome write_runs(const Tile& tile, const Rect& row);
     void sample(int n, float* out);
     int sample_block(const int32_t* y, int n, float* out, size_t row);

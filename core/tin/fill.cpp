@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <deque>
 
+#include "core/base/guarded.h"
 #include "core/tin/draw.h"
-#include "core/tin/guarded.h"
 
 namespace ddt {
 
@@ -163,7 +163,7 @@ private:
 bool fill_holes(float* values, int width, int height, int channels, const Channel* kinds,
                 const float* guide, const uint8_t* missing, const MeshOptions& options,
                 std::string* error) {
-    return guarded_call(error, [&](std::string& why) {
+    return succeeds(error, [&](std::string& why) {
         return Holes(values, width, height, channels, kinds, guide, missing).fill(options, why);
     });
 }

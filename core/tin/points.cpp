@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/guarded.h"
 #include "core/gl/offload.h"
 #include "core/tin/delaunay.h"
-#include "core/tin/guarded.h"
 #include "core/tin/step_grid.h"
 #include "core/tin/tin_mesh.h"
 #include "ddt/option_table.h"
@@ -127,12 +127,12 @@ bool optimise_points(PointMesh& mesh, const float* guide, const MeshOptions& opt
 } // namespace
 
 bool delaunay(PointMesh& mesh, std::string* error) {
-    return guarded_call(error, [&](std::string& why) { return triangulate_points(mesh, why); });
+    return succeeds(error, [&](std::string& why) { return triangulate_points(mesh, why); });
 }
 
 bool optimise(PointMesh& mesh, const float* guide, const MeshOptions& options, MeshReport* report,
               std::string* error, const std::function<bool(float)>& progress, Device device) {
-    return guarded_call(error, [&](std::string& why) {
+    return succeeds(error, [&](std::string& why) {
         return optimise_points(mesh, guide, options, report, why, progress, device);
     });
 }

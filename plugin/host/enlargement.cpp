@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <exception>
-#include <new>
 
+#include "core/base/guarded.h"
 #include "core/tiles/grid.h"
 #include "core/tiles/tile_io.h"
 #include "plugin/colour/encodings.h"
@@ -88,15 +87,11 @@ void copy(const Enlargement& work) {
 template <class Work>
 Outcome guarded(std::string& error, Work&& body) {
     error.clear();
-    try {
-        return body();
-    } catch (const std::bad_alloc&) {
-        error = "ddt: out of memory";
-        return Outcome::out_of_memory;
-    } catch (const std::exception& e) {
-        error = std::string("ddt: ") + e.what();
-        return Outcome::bad_job;
-    }
+    Outcome outcome = Outcome::bad_job;
+    const Caught caught = guarded_call(&error, [&] { outcome = body(); });
+    if (caught == Caught::nothing)
+        return outcome;
+    return caught == Caught::out_of_memory ? Outcome::out_of_memory : Outcome::bad_job;
 }
 
 Job job_of(const Enlargement& work) {

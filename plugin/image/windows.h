@@ -15,8 +15,8 @@ namespace ddt {
 bool check_source(const OIIO::ImageBuf& src, std::string& error);
 
 /// False with one line in `error` unless an image of `roi`'s size may be allocated: coordinates
-/// within +-largest_coordinate, and no more bytes than OpenImageIO's attribute "limits:imagesize_MB" or than the
-/// machine has memory.
+/// within +-largest_coordinate, and no more bytes than OpenImageIO's attribute
+/// "limits:imagesize_MB" or than the machine has memory.
 bool check_size(const OIIO::ROI& roi, int channels, OIIO::TypeDesc format, std::string& error);
 
 /// Make `dst` ready to be written and `roi` what is to be written of it, as ImageBufAlgo does (the

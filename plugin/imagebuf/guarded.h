@@ -2,12 +2,12 @@
 // The boundary of the library: no exception passes it, no half-written image stays behind it.
 #pragma once
 
-#include <exception>
-#include <new>
 #include <string>
 
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
+
+#include "core/base/guarded.h"
 
 namespace ddt {
 
@@ -17,28 +17,23 @@ namespace ddt {
 /// after "ddt: ", is dst's error.
 template <class Body>
 bool guarded(OIIO::ImageBuf& dst, Body&& body) noexcept {
-    std::string error;
-    try {
+    bool done = false;
+    guarded_call(nullptr, [&] {
         const bool fresh = !dst.initialized();
         OIIO::ROI touched;
-        try {
-            if (body(touched, error))
-                return true;
-        } catch (const std::bad_alloc&) {
-            error = "out of memory";
-        } catch (const std::exception& e) {
-            error = e.what();
-        }
+        std::string error;
+        const Caught caught = guarded_call(&error, [&] { done = body(touched, error); });
+        done = done && caught == Caught::nothing;
+        if (done)
+            return;
         if (fresh)
             dst.reset();
         else if (touched.defined())
             OIIO::ImageBufAlgo::zero(dst, touched);
-        const bool named = error.compare(0, 5, "ddt: ") == 0;
-        dst.errorfmt("{}{}", named ? "" : "ddt: ", error);
-    } catch (...) {
-        // Not even the message could be stored.
-    }
-    return false;
+        tell(&error, error.empty() ? "out of memory" : std::string(error).c_str());
+        dst.errorfmt("{}", error);
+    });
+    return done;
 }
 
 } // namespace ddt

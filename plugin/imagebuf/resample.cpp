@@ -2,7 +2,6 @@
 #include "plugin/imagebuf/resample.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/strutil.h>
@@ -83,10 +82,8 @@ bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& map
         return false;
     }
     if (verbose())
-        std::fprintf(
-            stderr,
-            "ddt: %d x %d to %d x %d pixels, %d of %d channels, %s light, %d iterations, "
-            "%.2f flips a pixel, %.3f s\n",
+        say("ddt: %d x %d to %d x %d pixels, %d of %d channels, %s light, %d iterations, "
+            "%.2f flips a pixel, %.3f s",
             job.window.width(), job.window.height(), roi.width(), roi.height(), roi.nchannels(),
             src.nchannels(), reading.light.converts() ? "converted to linear" : "unconverted",
             statistics.iterations,

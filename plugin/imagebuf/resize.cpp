@@ -108,15 +108,14 @@ bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Option
 
 bool resize(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options, OIIO::ROI roi,
             int nthreads) {
-    if (&dst == &src) {
-        const OIIO::ImageBuf copy(src);
-        return resize(dst, copy, options, roi, nthreads);
-    }
     return guarded(dst, [&](OIIO::ROI& touched, std::string& error) {
         if (!check_source(src, error))
             return false;
-        OIIO::ImageBuf ids;
-        const OIIO::ImageBuf& exact = read_ids(src, ids) ? ids : src;
+        OIIO::ImageBuf copy, ids;
+        if (&dst == &src)
+            copy = src;
+        const OIIO::ImageBuf& from = &dst == &src ? copy : src;
+        const OIIO::ImageBuf& exact = read_ids(from, ids) ? ids : from;
         return resize_checked(dst, exact, options, roi, nthreads, touched, error);
     });
 }

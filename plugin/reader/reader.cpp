@@ -5,14 +5,13 @@
 // reader of a file that nobody else wants, it asks every reader under a mutex that opening a file
 // takes, too: foreign names are refused before anything is called.
 #include <cstring>
-#include <exception>
 #include <memory>
-#include <new>
 
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/strutil.h>
 
+#include "core/base/guarded.h"
 #include "plugin/image/windows.h"
 #include "request.h"
 
@@ -61,16 +60,10 @@ private:
 template <typename F>
 bool Reader::report(F f) {
     std::string error;
-    try {
-        if (f(error))
-            return true;
-    } catch (const std::bad_alloc&) {
-        error = "ddt: out of memory";
-    } catch (const std::exception& e) {
-        error = e.what();
-    }
+    if (succeeds(&error, f))
+        return true;
     if (!error.empty())
-        errorfmt("{}", error);
+        guarded_call(nullptr, [&] { errorfmt("{}", error); });
     return false;
 }
 

@@ -2,12 +2,11 @@
 // The filter objects that stand for "ddt" wherever OpenImageIO passes a Filter2D.
 #pragma once
 
-#include <exception>
-#include <new>
 #include <string>
 
 #include <OpenImageIO/filter.h>
 
+#include "core/base/guarded.h"
 #include "ddt/resize.h"
 
 namespace ddt {
@@ -50,15 +49,11 @@ bool parse_filter_for(OIIO::ImageBuf& dst, OIIO::string_view spec, Options& opti
 /// Run f and return what it does; an exception becomes an error of dst.
 template <typename F>
 bool without_throwing(OIIO::ImageBuf& dst, F f) {
-    try {
-        return f();
-    } catch (const std::bad_alloc&) {
-        dst.errorfmt("ddt: not enough memory");
-    } catch (const std::exception& e) {
-        dst.errorfmt("ddt: {}", e.what());
-    } catch (...) {
-        dst.errorfmt("ddt: unknown error");
-    }
+    bool done = false;
+    std::string error;
+    if (guarded_call(&error, [&] { done = f(); }) == Caught::nothing)
+        return done;
+    guarded_call(nullptr, [&] { dst.errorfmt("{}", error); });
     return false;
 }
 

@@ -8,6 +8,11 @@
 // distance, over the frames, from its mean over the frames; the table tells the output's, as
 // multiples of the input's: root mean square and 99.9th percentile over all pixels and channels of
 // all images.
+//
+// The second pair of figures is of a slow pan: each frame shows the original an output pixel
+// further to the right, so that the reduced picture moves by 1 / N of its pixels. The motion is
+// undone, a whole pixel of the output, and the differences of neighbouring frames are told in the
+// same way, as multiples of what noise alone differs by.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -35,6 +40,10 @@ metrics::Image noisy(const metrics::Image& image, unsigned seed) {
 /// Deviations of all values over frames, one image added after the other.
 class Deviations {
 public:
+    void add(double square) {
+        m_total += square;
+        m_all.push_back(float(std::sqrt(square)));
+    }
     void begin(size_t values) {
         m_sum.assign(values, 0);
         m_squares.assign(values, 0);
@@ -53,8 +62,7 @@ public:
         for (size_t i = 0; i < m_sum.size(); ++i) {
             double mean = m_sum[i] / m_frames;
             double variance = std::max(m_squares[i] / m_frames - mean * mean, 0.0);
-            m_total += variance;
-            m_all.push_back(float(std::sqrt(variance)));
+            add(variance);
         }
     }
     double rms() const { return std::sqrt(m_total / double(m_all.size())); }
@@ -72,35 +80,95 @@ private:
     double m_total = 0;
 };
 
+/// The original from this column on, as wide as all frames of a pan can be and as is a multiple of
+/// the scale.
+metrics::Image part_from(const metrics::Image& original, int column, int frames, int scale) {
+    const int width = (original.width() - (frames - 1)) / scale * scale;
+    metrics::Image part;
+    for (int c = 0; c < 3; ++c) {
+        part.channels[c] = metrics::Plane(width, original.height());
+        for (int y = 0; y < original.height(); ++y)
+            for (int x = 0; x < width; ++x)
+                part.channels[c].at(x, y) = original.channels[c].at(x + column, y);
+    }
+    return part;
+}
+
+/// Squares of the differences of two neighbouring frames of a pan, `border` pixels away from the
+/// rim.
+void add_differences(const metrics::Image& before, const metrics::Image& after, int border,
+                     Deviations& sum) {
+    for (int c = 0; c < 3; ++c)
+        for (int y = border; y < after.height() - border; ++y)
+            for (int x = border; x + 1 < after.width() - border; ++x) {
+                const double d = after.channels[c].at(x, y) - before.channels[c].at(x + 1, y);
+                sum.add(d * d);
+            }
+}
+
 struct Settings {
     int scale = 4, frames = 8;
     bench::Light light = bench::Light::linear;
 };
 
-bool measure(const bench::Row& row, const std::vector<metrics::Image>& images,
+/// Enlarge a frame under noise; false, with a line on stderr, if that fails.
+bool enlarge(const bench::Row& row, const metrics::Image& frame, const Settings& settings,
+             metrics::Image& out) {
+    OIIO::ImageBuf enlarged = row.enlarge(bench::to_light(frame, settings.light), settings.scale);
+    if (enlarged.has_error()) {
+        std::fprintf(stderr, "%s: %s\n", row.name.c_str(), enlarged.geterror().c_str());
+        return false;
+    }
+    out = bench::to_display(enlarged, settings.light);
+    return true;
+}
+
+bool pan(const bench::Row& row, const std::vector<metrics::Image>& originals,
+         const Settings& settings, Deviations& differences) {
+    for (size_t k = 0; k < originals.size(); ++k) {
+        metrics::Image before, after;
+        for (int f = 0; f < settings.frames; ++f) {
+            metrics::Image frame =
+                noisy(bench::reduced(part_from(originals[k], f, settings.frames, settings.scale),
+                                     settings.scale, settings.light, bench::Reduce::box),
+                      unsigned(k * 1000 + size_t(f)));
+            if (!enlarge(row, frame, settings, after))
+                return false;
+            if (f > 0)
+                add_differences(before, after, settings.scale, differences);
+            std::swap(before, after);
+        }
+    }
+    return true;
+}
+
+bool measure(const bench::Row& row, const std::vector<metrics::Image>& originals,
              const Settings& settings) {
     Deviations in, out;
-    for (size_t k = 0; k < images.size(); ++k) {
-        const metrics::Image& image = images[k];
+    for (size_t k = 0; k < originals.size(); ++k) {
+        const metrics::Image image =
+            bench::reduced(originals[k], settings.scale, settings.light, bench::Reduce::box);
         size_t values = image.channels[0].values.size() * 3;
         in.begin(values);
         out.begin(values * size_t(settings.scale * settings.scale));
         for (int f = 0; f < settings.frames; ++f) {
             metrics::Image frame = noisy(image, unsigned(k * 1000 + size_t(f)));
-            OIIO::ImageBuf enlarged =
-                row.enlarge(bench::to_light(frame, settings.light), settings.scale);
-            if (enlarged.has_error()) {
-                std::fprintf(stderr, "%s: %s\n", row.name.c_str(), enlarged.geterror().c_str());
+            metrics::Image enlarged;
+            if (!enlarge(row, frame, settings, enlarged))
                 return false;
-            }
             in.frame(frame);
-            out.frame(bench::to_display(enlarged, settings.light));
+            out.frame(enlarged);
         }
         in.end();
         out.end();
     }
-    std::printf("%-24s %6.2f %6.2f\n", row.name.c_str(), out.rms() / in.rms(),
-                out.percentile(0.999) / in.rms());
+    Deviations differences;
+    if (!pan(row, originals, settings, differences))
+        return false;
+    const double by_noise = noise_level * std::sqrt(2.0);
+    std::printf("%-24s %6.2f %6.2f  %6.2f %6.2f\n", row.name.c_str(), out.rms() / in.rms(),
+                out.percentile(0.999) / in.rms(), differences.rms() / by_noise,
+                differences.percentile(0.999) / by_noise);
     std::fflush(stdout);
     return true;
 }
@@ -142,8 +210,7 @@ int main(int argc, char** argv) {
         metrics::Image original;
         std::string error;
         if (bench::read_original(file, settings.scale, settings.light, original, error))
-            images.push_back(
-                bench::reduced(original, settings.scale, settings.light, bench::Reduce::box));
+            images.push_back(std::move(original));
         else
             std::fprintf(stderr, "%s is left out: %s\n", file.c_str(), error.c_str());
     }
@@ -152,8 +219,10 @@ int main(int argc, char** argv) {
         return 1;
     }
 
-    std::printf("%zu images, %dx, %s light, %d frames\n\n%-24s %6s %6s\n", images.size(),
-                settings.scale, light_name.c_str(), settings.frames, "", "rms", "99.9%");
+    std::printf(
+        "%zu images, %dx, %s light, %d frames\n\n%-24s %6s %6s  %6s %6s\n%-24s %6s %6s  %6s %6s\n",
+        images.size(), settings.scale, light_name.c_str(), settings.frames, "", "still", "still",
+        "pan", "pan", "", "rms", "99.9%", "rms", "99.9%");
     bool all_well = true;
     for (const bench::Row& row : bench::all_rows(settings.light, more))
         if (row.name.find(only) != std::string::npos)

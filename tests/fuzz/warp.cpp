@@ -15,9 +15,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
                                        bytes.between(1, 5), OIIO::TypeDesc::FLOAT));
     // Near the identity, where something is to be seen, or any floats.
     const bool near = bytes.coin();
-    float matrix[9];
+    float matrix[3][3];
     for (int i = 0; i < 9; ++i)
-        matrix[i] =
+        matrix[i / 3][i % 3] =
             near ? float(i % 4 == 0) + float(bytes.take<int8_t>()) / 64 : bytes.take<float>();
     const bool recompute = bytes.coin();
     OIIO::ROI roi;

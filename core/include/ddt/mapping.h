@@ -25,18 +25,24 @@ struct Position {
     int64_t x = 0, y = 0;
 };
 
-/// Which source position an output pixel shows. Called from several threads at once.
+/// Which source position an output pixel shows. Called from several threads at once, whole rows and
+/// parts of rows in any order and more than once: the answer must be a function of the pixel alone.
+///
+/// Positions lie within Job::window, from the centre of its first pixel to that of its last, on
+/// both axes. A position outside reads nothing that is not there: its pixel shows the nearest
+/// within the tile that asks, or is not written. Neighbours in a row at most 2 pixels apart are
+/// fast; longer steps are allowed.
 class Mapping {
 public:
     virtual ~Mapping() = default;
     /// A rectangle that holds every output pixel whose position lies in the source rectangle
     /// [x0, x1) x [y0, y1) (pixel centres at integers). It may hold others too.
     virtual Rect reach(double x0, double y0, double x1, double y1) const = 0;
-    /// Positions of the output pixels x0 <= x < x1 of row y; at most 2 source pixels may lie
-    /// between neighbours. inside[i] = 0 marks a pixel that shows nothing of the source: it is
-    /// not written.
+    /// Positions of the output pixels x0 <= x < x1 of row y. inside[i] = 0 marks a pixel that shows
+    /// nothing of the source: it is not written.
     virtual void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const = 0;
-    /// True if reach() holds exactly the pixels of its rectangle and row() is all inside.
+    /// True if reach() holds exactly the pixels of its rectangle, row() is all inside, x depends on
+    /// the column alone and y on the row alone.
     virtual bool separable() const { return false; }
 };
 

@@ -2,8 +2,12 @@
 #include "core/base/verbose.h"
 
 #include <cstdlib>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+
+#include "ddt/core.h"
 
 namespace ddt {
 namespace {
@@ -20,6 +24,28 @@ TEST(Verbose, IsAnythingSetThatDoesNotBeginWithZero) {
         EXPECT_TRUE(verbose()) << yes;
     }
     unsetenv("DDT_VERBOSE");
+}
+
+TEST(Verbose, ACallbackTakesTheLines) {
+    unsetenv("DDT_VERBOSE");
+    std::vector<std::string> lines;
+    set_log([&](const char* line) { lines.emplace_back(line); });
+    EXPECT_TRUE(verbose());
+    say("ddt: %d of %s", 3, "them");
+    std::vector<float> pixels(4 * 4, 0.5f), out(8 * 8);
+    EXPECT_EQ(enlarge(pixels.data(), 4, 4, 1, nullptr, out.data(), 8, 8), Outcome::done);
+    set_log({});
+    say("ddt: nobody listens");
+    EXPECT_FALSE(verbose());
+    ASSERT_GE(lines.size(), 2u);
+    EXPECT_EQ(lines[0], "ddt: 3 of them");
+    EXPECT_EQ(lines.back().rfind("ddt: device ", 0), 0u) << lines.back();
+}
+
+TEST(Verbose, WhatACallbackThrowsIsDropped) {
+    set_log([](const char*) { throw 1; });
+    say("ddt: a line");
+    set_log({});
 }
 
 } // namespace

@@ -2,7 +2,8 @@
 // Where a device's bits part from the CPU's, stage by stage (HACKING.md, "When bits differ on a new
 // driver"). Exits with 2 if any stage differs.
 //
-//   ddt_stages [--device egl|osmesa] [--filter SPECIFICATION] [--cost NAME] [--scheme NAME] [--rounds N]
+//   ddt_stages [--device egl|osmesa] [--filter SPECIFICATION] [--cost NAME] [--scheme NAME]
+//   [--rounds N]
 //              [--picture photo|noise|drawing|flat|hdr|nonfinite|tiny] [--size WxH] [--seed N]
 //              [--change PROGRAM CONSTANT VALUE]
 //

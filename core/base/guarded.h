@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// The boundary of the library: no exception passes it.
+#pragma once
+
+#include <exception>
+#include <new>
+#include <string>
+
+namespace ddt {
+
+/// What came out of a guarded call.
+enum class Caught { nothing, out_of_memory, other };
+
+/// Set *error, unless null, to "ddt: " and `what`, or to nothing where there is no memory for that.
+inline void tell(std::string* error, const char* what) noexcept {
+    if (!error)
+        return;
+    error->clear();
+    try {
+        const std::string line(what);
+        *error = line.compare(0, 5, "ddt: ") == 0 ? line : "ddt: " + line;
+    } catch (...) {
+    }
+}
+
+/// Call f(). What it throws, of whatever type, ends here as one line in *error.
+template <class F>
+Caught guarded_call(std::string* error, F&& f) noexcept {
+    try {
+        f();
+        return Caught::nothing;
+    } catch (const std::bad_alloc&) {
+        tell(error, "out of memory");
+        return Caught::out_of_memory;
+    } catch (const std::exception& e) {
+        tell(error, e.what());
+    } catch (...) {
+        tell(error, "an exception of unknown type");
+    }
+    return Caught::other;
+}
+
+/// Call f(why), which returns whether it succeeded. *error receives one line, or none on success.
+template <class F>
+bool succeeds(std::string* error, F&& f) noexcept {
+    bool done = false;
+    const Caught caught = guarded_call(error, [&] {
+        std::string why;
+        done = f(why);
+        if (error)
+            *error = done ? std::string() : std::move(why);
+    });
+    return done && caught == Caught::nothing;
+}
+
+} // namespace ddt

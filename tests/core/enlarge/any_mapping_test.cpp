@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mappings that jump about and ones that lead out of the window.
+#include "tests/core/job_helpers.h"
+
+namespace ddt::test {
+namespace {
+
+constexpr int width = 400, height = 300;
+
+/// A plane, so that every position's value is known.
+float plane(double x, double y) {
+    return float((x + 2 * y) / 1024);
+}
+
+class Plane final : public Source {
+public:
+    bool read(const Rect& r, float* values, float* guide) override {
+        for (int y = r.y0; y < r.y1; ++y)
+            for (int x = r.x0; x < r.x1; ++x)
+                *values++ = *guide++ = plane(x, y);
+        return true;
+    }
+};
+
+/// Positions anywhere in [-beyond, size + beyond), each axis by itself if `grid`.
+class Scattered final : public Mapping {
+public:
+    Scattered(Rect out, int beyond, bool grid) : m_out(out), m_beyond(beyond), m_grid(grid) {}
+    Rect reach(double, double, double, double) const override { return m_out; }
+    void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override {
+        for (int x = x0; x < x1; ++x) {
+            *positions++ = at(x, y);
+            *inside++ = 1;
+        }
+    }
+    bool separable() const override { return m_grid; }
+    Position at(int x, int y) const {
+        return {along(m_grid ? Random(uint64_t(x)) : Random(uint64_t(y * 10000 + x)), width),
+                along(m_grid ? Random(uint64_t(y) + 7777) : Random(uint64_t(y * 10000 + x) + 99),
+                      height)};
+    }
+
+private:
+    int64_t along(Random random, int size) const {
+        const auto most = uint64_t(size - 1 + 2 * m_beyond) * position_one;
+        return int64_t(random.bits() % (most + 1)) - int64_t(m_beyond) * position_one;
+    }
+    Rect m_out;
+    int m_beyond;
+    bool m_grid;
+};
+
+Job job_of_plane() {
+    Job job = plain_job();
+    job.window = {0, 0, width, height};
+    job.surface = Surface::linear;
+    job.device = Device::cpu;
+    return job;
+}
+
+TEST(AnyMapping, MayJumpByAnyDistance) {
+    Plane source;
+    const Rect out{0, 0, 150, 60};
+    const Scattered mapping(out, 0, false);
+    TestSink sink(out, 1);
+    ASSERT_EQ(enlarge(source, sink, mapping, job_of_plane()), Outcome::done);
+    EXPECT_EQ(sink.written(1), int64_t(out.area()));
+    for (int y = 0; y < out.y1; ++y)
+        for (int x = 0; x < out.x1; ++x) {
+            const Position p = mapping.at(x, y);
+            ASSERT_NEAR(*sink.at(x, y),
+                        plane(double(p.x) / position_one, double(p.y) / position_one), 1e-5f);
+        }
+}
+
+TEST(AnyMapping, OneAxisAtATimeToo) {
+    Plane source;
+    const Rect out{0, 0, 150, 60};
+    const Scattered mapping(out, 0, true);
+    for (const Channel kind : {Channel::blend, Channel::nearest}) {
+        Job job = job_of_plane();
+        job.kinds = {kind};
+        TestSink sink(out, 1);
+        ASSERT_EQ(enlarge(source, sink, mapping, job), Outcome::done);
+        const float tolerance = kind == Channel::blend ? 1e-5f : 3.0f / 1024;
+        for (int y = 0; y < out.y1; ++y)
+            for (int x = 0; x < out.x1; ++x) {
+                const Position p = mapping.at(x, y);
+                ASSERT_NEAR(*sink.at(x, y),
+                            plane(double(p.x) / position_one, double(p.y) / position_one),
+                            tolerance);
+            }
+    }
+}
+
+TEST(AnyMapping, OutsideTheWindowNothingIsReadThatIsNotThere) {
+    Plane source;
+    const Rect out{0, 0, 150, 60};
+    for (const int beyond : {1, 1000, 1 << 28})
+        for (const bool grid : {false, true}) {
+            TestSink sink(out, 1);
+            ASSERT_EQ(enlarge(source, sink, Scattered(out, beyond, grid), job_of_plane()),
+                      Outcome::done);
+            EXPECT_EQ(sink.strays, 0);
+            for (const float v : sink.values())
+                ASSERT_TRUE(v == -99.0f || (v >= 0 && v <= plane(width - 1, height - 1))) << v;
+        }
+}
+
+} // namespace
+} // namespace ddt::test

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// No exception of user code, of whatever type, leaves the library.
+#include <stdexcept>
+
+#include "ddt/mesh.h"
+#include "tests/core/job_helpers.h"
+
+namespace ddt::test {
+namespace {
+
+enum class Thrown { error, memory, number };
+
+void throw_it(Thrown what) {
+    switch (what) {
+    case Thrown::error:
+        throw std::runtime_error("a line that is longer than any string keeps within itself");
+    case Thrown::memory:
+        throw std::bad_alloc();
+    case Thrown::number:
+        throw 42;
+    }
+}
+
+enum class Where { source, sink, reach, row, progress };
+
+class ThrowingSource final : public Source {
+public:
+    explicit ThrowingSource(Thrown what) : m_what(what) {}
+    bool read(const Rect&, float*, float*) override {
+        throw_it(m_what);
+        return true;
+    }
+
+private:
+    Thrown m_what;
+};
+
+class ThrowingSink final : public Sink {
+public:
+    explicit ThrowingSink(Thrown what) : m_what(what) {}
+    bool write(const Rect&, float*) override {
+        throw_it(m_what);
+        return true;
+    }
+
+private:
+    Thrown m_what;
+};
+
+class ThrowingMapping final : public Mapping {
+public:
+    ThrowingMapping(const Mapping& mapping, Where where, Thrown what)
+        : m_mapping(mapping), m_where(where), m_what(what) {}
+    Rect reach(double x0, double y0, double x1, double y1) const override {
+        if (m_where == Where::reach)
+            throw_it(m_what);
+        return m_mapping.reach(x0, y0, x1, y1);
+    }
+    void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override {
+        if (m_where == Where::row)
+            throw_it(m_what);
+        m_mapping.row(y, x0, x1, positions, inside);
+    }
+
+private:
+    const Mapping& m_mapping;
+    Where m_where;
+    Thrown m_what;
+};
+
+void expect_line(const std::string& error) {
+    EXPECT_EQ(error.rfind("ddt: ", 0), 0u) << error;
+    EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+}
+
+TEST(Throwing, EnlargeNeverDoes) {
+    const Rect window{0, 0, 600, 40}, out{0, 0, 700, 80};
+    TestSource source(window, 1, 3);
+    const ResizeMapping mapping = mapping_of(window, out, out);
+    for (const int threads : {1, 3})
+        for (const Thrown what : {Thrown::error, Thrown::memory, Thrown::number})
+            for (const Where where :
+                 {Where::source, Where::sink, Where::reach, Where::row, Where::progress}) {
+                Job job = job_of(source, 1, threads);
+                job.device = Device::cpu;
+                if (where == Where::progress)
+                    job.progress = [&](float) {
+                        throw_it(what);
+                        return true;
+                    };
+                ThrowingSource bad_source(what);
+                ThrowingSink bad_sink(what);
+                TestSink sink(out, 1);
+                std::string error;
+                const Outcome outcome =
+                    enlarge(where == Where::source ? static_cast<Source&>(bad_source) : source,
+                            where == Where::sink ? static_cast<Sink&>(bad_sink) : sink,
+                            ThrowingMapping(mapping, where, what), job, &error);
+                EXPECT_EQ(outcome,
+                          what == Thrown::memory ? Outcome::out_of_memory : Outcome::bad_job);
+                expect_line(error);
+            }
+}
+
+TEST(Throwing, BuildMeshNeverDoes) {
+    const auto guide = make_guide(Kind::shapes, 60, 40, 3);
+    for (const Thrown what : {Thrown::error, Thrown::memory, Thrown::number}) {
+        Mesh mesh;
+        std::string error;
+        const auto progress = [&](float) {
+            throw_it(what);
+            return true;
+        };
+        EXPECT_FALSE(build_mesh(guide.data(), 60, 40, {}, mesh, nullptr, &error, progress));
+        expect_line(error);
+        EXPECT_FALSE(build_mesh(guide.data(), 60, 40, {}, mesh, nullptr, nullptr, progress));
+    }
+}
+
+} // namespace
+} // namespace ddt::test
