@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The paper's schemes, whole, one group a tile: rounds of accepting and rejecting wait for one
-// another too often for dispatches. C++ twin: core/triangulate/accept_reject.cpp. The first
+// another too often for dispatches. C++ twin: core/triangulate/accept_reject.h. The first
 // iteration's gains are there already.
 #define ACCESS coherent
 #include "lists.glsl"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flipping an edge. C++ twins: Lattice::flip, flip_selected in core/triangulate/one_round.cpp. After
+// Flipping an edge. C++ twins: Lattice::flip, flip_selected in core/triangulate/one_round.h. After
 // lattice.glsl.
 
 // Let the side at m + middle_of(s), whose record is e, have the apex that came with the flip.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lists of an iteration. C++ twin: core/triangulate/one_round.cpp.
+// The lists of an iteration. C++ twin: core/triangulate/one_round.h.
 //
 // An iteration has three steps: evaluate the dirty edges, those that gain are candidates; select
 // the best candidates; flip them, and what they touch is dirty. Each step goes through one list and

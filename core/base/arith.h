@@ -21,6 +21,9 @@ namespace ddt {
 /// Constant of the reciprocal square root's seed, for both twins of rsqrt().
 constexpr int32_t rsqrt_magic = 0x5f3759df;
 
+/// Constant of the reciprocal's seed, for both twins of reciprocal().
+constexpr int32_t reciprocal_magic = 0x7ef311c7;
+
 /// While it lives, this thread treats denormal floats as zero, as GPUs do. Otherwise values below
 /// 1.2e-38 could differ between devices.
 class DenormalsAreZero {

@@ -8,10 +8,36 @@
 // same with the triangles exchanged or the edge reversed.
 //
 // "DLR" is Dyn, Levin & Rippa 1990, "Data dependent triangulations for piecewise linear
-// interpolation", IMA Journal of Numerical Analysis 10. Theirs hold for any triangles; here, with
-// all areas 1/2, the third vertex of a triangle is 1/|e| away from its edge e, and since the two
-// gradients differ across the edge only, each plane misses the other's third vertex by
-// |g1 - g2| / |e|.
+// interpolation", IMA Journal of Numerical Analysis 10. The third vertex of a triangle of area D /
+// 2 is D / |e| away from its edge e, and since the two gradients differ across the edge only, the
+// other triangle's plane misses that vertex by D |g1 - g2| / |e|.
+
+/// D of the two triangles beside an edge, where all areas are 1/2, as in a lattice.
+struct Unimodular {};
+/// The same of any triangles.
+template <class T>
+struct Doubled {
+    T a, b;
+};
+
+/// (D1 x + D2 y) for the Ds of the triangles.
+template <class T>
+DDT_INLINE T weighted(T x, T y, Unimodular) {
+    return x + y;
+}
+template <class T>
+DDT_INLINE T weighted(T x, T y, Doubled<T> d) {
+    return (d.a * x) + (d.b * y);
+}
+/// x (D1 + D2) / 2
+template <class T>
+DDT_INLINE T times_mean(T x, Unimodular) {
+    return x;
+}
+template <class T>
+DDT_INLINE T times_mean(T x, Doubled<T> d) {
+    return x * (T(0.5f) * (d.a + d.b));
+}
 
 /// Angle between normals (DLR): 1 - cos of the angle between (g1, s) and (g2, s); 0 to 2.
 /// s = 0.2 is the slope, in guide units a pixel, that counts as 45 degrees.
@@ -24,7 +50,8 @@ struct Abn {
         const T r = rsqrt<3>(((gx * gx) + (gy * gy)) + T(0.04f));
         return {gx * r, gy * r, T(0.2f) * r};
     }
-    static DDT_INLINE T between(const Face& a, const Face& b, T, T) {
+    template <class Areas = Unimodular>
+    static DDT_INLINE T between(const Face& a, const Face& b, T, T, Areas = {}) {
         return T(1.0f) - (((a.x * b.x) + (a.y * b.y)) + (a.z * b.z));
     }
 };
@@ -40,7 +67,8 @@ struct Scf {
         const T square = (gx * gx) + (gy * gy);
         return {gx, gy, square * rsqrt<3>(square)};
     }
-    static DDT_INLINE T between(const Face& a, const Face& b, T, T) {
+    template <class Areas = Unimodular>
+    static DDT_INLINE T between(const Face& a, const Face& b, T, T, Areas = {}) {
         return (a.length * b.length) - ((a.x * b.x) + (a.y * b.y));
     }
 };
@@ -52,26 +80,29 @@ struct Jnd {
         T x, y;
     };
     static DDT_INLINE Face face(T gx, T gy) { return {gx, gy}; }
-    static DDT_INLINE T between(const Face& a, const Face& b, T, T) {
+    template <class Areas = Unimodular>
+    static DDT_INLINE T between(const Face& a, const Face& b, T, T, Areas = {}) {
         const T dx = a.x - b.x, dy = a.y - b.y;
         const T square = (dx * dx) + (dy * dy);
         return square * rsqrt<3>(square);
     }
 };
 
-/// Deviation from linear polynomials (DLR): the norm of the two vertical distances of a plane from
-/// the other's third vertex. Both are |g1 - g2| / |e|, so every norm is that up to a factor.
+/// Deviation from linear polynomials (DLR): the mean, so the 1-norm, of the two vertical distances
+/// of a plane from the other's third vertex. Where all areas are 1/2, both are |g1 - g2| / |e|.
 template <class T>
 struct Dlp {
     using Face = typename Jnd<T>::Face;
     static DDT_INLINE Face face(T gx, T gy) { return {gx, gy}; }
-    static DDT_INLINE T between(const Face& a, const Face& b, T ex, T ey) {
-        return Jnd<T>::between(a, b, ex, ey) * rsqrt<3>((ex * ex) + (ey * ey));
+    template <class Areas = Unimodular>
+    static DDT_INLINE T between(const Face& a, const Face& b, T ex, T ey, Areas areas = {}) {
+        const T across = rsqrt<3>((ex * ex) + (ey * ey));
+        return times_mean(Jnd<T>::between(a, b, ex, ey, areas) * across, areas);
     }
 };
 
 /// Distance from planes (DLR): the same with distances at right angles to the planes, the guide
-/// in units of s as for Abn: |g1 - g2| / |e| * (1 / |(g1, s)| + 1 / |(g2, s)|), the 1-norm.
+/// in units of s as for Abn: |g1 - g2| / |e| * (D2 / |(g1, s)| + D1 / |(g2, s)|), the 1-norm.
 template <class T>
 struct Dp {
     struct Face {
@@ -80,10 +111,11 @@ struct Dp {
     static DDT_INLINE Face face(T gx, T gy) {
         return {gx, gy, rsqrt<3>(((gx * gx) + (gy * gy)) + T(0.04f))};
     }
-    static DDT_INLINE T between(const Face& a, const Face& b, T ex, T ey) {
+    template <class Areas = Unimodular>
+    static DDT_INLINE T between(const Face& a, const Face& b, T ex, T ey, Areas areas = {}) {
         const T dx = a.x - b.x, dy = a.y - b.y;
         const T square = (dx * dx) + (dy * dy);
         const T vertical = (square * rsqrt<3>(square)) * rsqrt<3>((ex * ex) + (ey * ey));
-        return vertical * (a.r + b.r);
+        return vertical * weighted(b.r, a.r, areas);
     }
 };

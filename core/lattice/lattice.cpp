@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace ddt {
 
@@ -109,6 +110,14 @@ void Lattice::flip(int m) {
     e.right = e.v;
     e.v = c;
     m_longest = std::max({m_longest, std::abs(int(c.x)), std::abs(int(c.y))});
+}
+
+void Lattice::flip_back(int m) {
+    flip(m);
+    // Flipped twice it runs the other way.
+    Edge& e = edge(m);
+    e.v = -e.v;
+    std::swap(e.left, e.right);
 }
 
 void Lattice::find_first_edges() {

@@ -17,6 +17,7 @@
 // right-hand side on screen; only consistency matters.)
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -161,9 +162,30 @@ public:
     /// Whether no edge was flipped since start().
     bool fresh() const { return m_fresh; }
 
+    // What schemes ask any mesh that they flip; twin: core/tin/tin_mesh.h.
+    bool flippable(int m) const { return edge(m).flippable(); }
+    uint8_t& stamp(int m) { return edge(m).stamp; }
+    uint8_t stamp(int m) const { return edge(m).stamp; }
+    size_t vertices() const { return size_t(m_width) * size_t(m_height); }
+    size_t edges() const { return size_t(2 * m_width - 1) * size_t(2 * m_height - 1) - vertices(); }
+    /// Where in the image an edge is, as one number: its midpoint, in doubled coordinates, in an
+    /// image in which the lattice's first pixel is at (origin_x, origin_y).
+    uint64_t place(int m, int origin_x, int origin_y) const {
+        return uint64_t(uint32_t(m / m_stride + 2 * origin_y)) << 32 |
+               uint32_t(m % m_stride + 2 * origin_x);
+    }
+    /// The sides of the parallelogram round the flippable edge at m: ac, cb, bd, da.
+    std::array<int, 4> sides(int m) const {
+        const Quad q(edge(m));
+        return {m + offset(q.middle[0]), m + offset(q.middle[1]), m + offset(q.middle[2]),
+                m + offset(q.middle[3])};
+    }
+
     /// Flip the flippable edge at m: (v, L, R) <- (L, -v, v); in its parallelogram's sides the apex
     /// that went away is replaced.
     void flip(int m);
+    /// Undo the last flip of the edge at m, if no side of it was flipped since.
+    void flip_back(int m);
 
     /// The apex of side k of the parallelogram q round m that lies beyond, relative to the side's
     /// midpoint; zero on the rim.

@@ -51,6 +51,12 @@ inline float gain(const Lattice& lattice, int m) {
 
 } // namespace scalar
 
+/// The same under the name by which schemes ask any mesh.
+template <class CostOfFloat>
+inline float gain_of(const Lattice& lattice, int m) {
+    return scalar::gain<CostOfFloat>(lattice, m);
+}
+
 /// Gains of the flippable edges sites[0..n): gains[sites[i]] receives the gain of sites[i]. By the
 /// widest vectors this machine has; the bits are those of scalar::gain().
 void gains(const Lattice& lattice, Cost cost, const int* sites, size_t n, float* gains);

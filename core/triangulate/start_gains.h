@@ -14,4 +14,10 @@ namespace ddt {
 bool start_gains(const Lattice& lattice, Cost cost, float min_gain, Workspace& w,
                  Statistics& statistics);
 
+/// Only a started lattice has a quick way.
+template <class Mesh>
+bool start_gains(const Mesh&, Cost, float, Workspace&, Statistics&) {
+    return false;
+}
+
 } // namespace ddt

@@ -4,8 +4,7 @@
 #include <algorithm>
 
 #include "core/cost/cost.h"
-#include "core/triangulate/gain.h"
-#include "core/triangulate/schemes.h"
+#include "core/triangulate/run_scheme.h"
 
 namespace ddt {
 
@@ -74,25 +73,7 @@ bool find_rules(const MeshOptions& options, Rules& rules) {
 
 void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& workspace,
                  Statistics& statistics) {
-    const Cost cost = options.cost;
-    const float threshold = min_gain(options);
-    const int iterations = options.max_iterations;
-    statistics.pixels += int64_t(lattice.width()) * lattice.height();
-    Rules rules;
-    if (find_rules(options, rules))
-        return accept_reject(lattice, cost, threshold, iterations, rules, workspace, statistics);
-    switch (options.scheme) {
-    case Scheme::one_round:
-        return one_round(lattice, cost, threshold, iterations, workspace, statistics);
-    case Scheme::lawson:
-        return lawson(lattice, cost, threshold, iterations, workspace, statistics);
-    case Scheme::look_ahead:
-        return look_ahead(lattice, cost, threshold, iterations, workspace, statistics);
-    case Scheme::annealing:
-        return annealing(lattice, cost, threshold, iterations, options.seed, workspace, statistics);
-    default:
-        return; // pixel: the starting mesh is the result
-    }
+    run_scheme(lattice, options, workspace, statistics);
 }
 
 void find_gains(const Lattice& lattice, Cost cost, Workspace& w) {
@@ -100,7 +81,7 @@ void find_gains(const Lattice& lattice, Cost cost, Workspace& w) {
     w.flippable.clear();
     lattice.each_edge([&](int m) {
         w.gain[size_t(m)] = no_gain;
-        if (lattice.edge(m).flippable())
+        if (lattice.flippable(m))
             w.flippable.push_back(m);
     });
     gains(lattice, cost, w.flippable.data(), w.flippable.size(), w.gain.data());

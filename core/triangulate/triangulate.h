@@ -51,19 +51,4 @@ void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& worksp
 /// at the others.
 void find_gains(const Lattice& lattice, Cost cost, Workspace& workspace);
 
-/// Sequential local optimization (Lawson 1977): sweeps over all edges in address order; an edge
-/// that gains flips at once; until a sweep flips nothing. The reference.
-void lawson(Lattice& lattice, Cost cost, float min_gain, int max_sweeps, const Workspace& workspace,
-            Statistics& statistics);
-
-/// The default parallel scheme. An iteration: evaluate the gains of all edges that a flip touched
-/// (at first, of all); select every edge whose gain exceeds min_gain and is the largest of its
-/// 2-region, the smaller address winning a tie; flip the selected.
-///
-/// Two edges outside each other's 2-region never write the same record, nor does one's flip change
-/// the other's gain, so the order of flips within an iteration is immaterial, and every flip lowers
-/// the total cost by its gain. Leaves workspace.gain as find_gains() would.
-void one_round(Lattice& lattice, Cost cost, float min_gain, int max_iterations,
-               Workspace& workspace, Statistics& statistics);
-
 } // namespace ddt

@@ -9,6 +9,7 @@
 #include "core/surface/edge_maker.h"
 #include "core/tiles/grid.h"
 #include "core/triangulate/gain.h"
+#include "core/triangulate/one_round.h"
 #include "core/triangulate/triangulate.h"
 #include "noise.h"
 

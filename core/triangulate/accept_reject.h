@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
+// The definition of accept_reject() of core/triangulate/schemes.h.
+#pragma once
+
 #include "core/lattice/region.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/schemes.h"
 
 namespace ddt {
 
-namespace {
-
-/// What Edge::stamp says while the scheme runs.
-enum Mark : uint8_t { idle, dirty, untreated, accepted, rejected };
-
+template <class Mesh>
 class AcceptReject {
 public:
-    AcceptReject(Lattice& lattice, Cost cost, float min_gain, const Rules& rules, Workspace& w,
+    AcceptReject(Mesh& mesh, Cost cost, float min_gain, const Rules& rules, Workspace& w,
                  Statistics& statistics)
-        : m_lattice(lattice), m_cost(cost), m_min_gain(min_gain), m_rules(rules), m_w(w),
+        : m_mesh(mesh), m_cost(cost), m_min_gain(min_gain), m_rules(rules), m_w(w),
           m_statistics(statistics) {
-        m_w.gain.resize(lattice.size());
+        m_w.gain.resize(mesh.size());
         m_w.candidates.clear();
         m_w.dirty.clear();
-        lattice.each_edge([&](int m) { touch(m); });
+        mesh.each_edge([&](int m) { touch(m); });
     }
 
     /// False if there was nothing to flip.
@@ -34,7 +33,9 @@ public:
     }
 
 private:
-    uint8_t& mark(int m) { return m_lattice.edge(m).stamp; }
+    /// What an edge's stamp says while the scheme runs.
+    enum Mark : uint8_t { idle, dirty, untreated, accepted, rejected };
+    uint8_t& mark(int m) { return m_mesh.stamp(m); }
 
     void touch(int m) {
         if (mark(m) != dirty) {
@@ -53,10 +54,10 @@ private:
         m_w.flippable.clear();
         for (const int m : m_w.dirty) {
             mark(m) = idle;
-            if (m_lattice.edge(m).flippable())
+            if (m_mesh.flippable(m))
                 m_w.flippable.push_back(m);
         }
-        gains(m_lattice, m_cost, m_w.flippable.data(), m_w.flippable.size(), m_w.gain.data());
+        gains(m_mesh, m_cost, m_w.flippable.data(), m_w.flippable.size(), m_w.gain.data());
         m_statistics.evaluations += int64_t(m_w.flippable.size());
         for (const int m : m_w.flippable)
             if (m_w.gain[size_t(m)] > m_min_gain)
@@ -65,7 +66,7 @@ private:
 
     template <class F>
     bool any_of_region(int m, F&& f) const {
-        return m_wide ? any_of_wide_region(m_lattice, m, f) : m_lattice.any_of_region(m, f);
+        return m_wide ? any_of_wide_region(m_mesh, m, f) : m_mesh.any_of_region(m, f);
     }
 
     /// Whether candidate m comes before n.
@@ -139,15 +140,15 @@ private:
             mark(m) = idle;
         m_w.dirty.clear();
         for (const int m : m_w.selected)
-            m_lattice.flip(m);
+            m_mesh.flip(m);
         for (const int m : m_w.selected) {
             touch(m);
-            m_lattice.each_of_region(m, [&](int other) { touch(other); });
+            m_mesh.each_of_region(m, [&](int other) { touch(other); });
         }
         m_statistics.flips += int64_t(m_w.selected.size());
     }
 
-    Lattice& m_lattice;
+    Mesh& m_mesh;
     const Cost m_cost;
     const float m_min_gain;
     const Rules m_rules;
@@ -156,15 +157,14 @@ private:
     Statistics& m_statistics;
 };
 
-} // namespace
-
-void accept_reject(Lattice& lattice, Cost cost, float min_gain, int max_iterations,
-                   const Rules& rules, Workspace& workspace, Statistics& statistics) {
-    AcceptReject scheme(lattice, cost, min_gain, rules, workspace, statistics);
+template <class Mesh>
+void accept_reject(Mesh& mesh, Cost cost, float min_gain, int max_iterations, const Rules& rules,
+                   Workspace& workspace, Statistics& statistics) {
+    AcceptReject<Mesh> scheme(mesh, cost, min_gain, rules, workspace, statistics);
     for (int i = 1; i <= max_iterations && scheme.iterate(i); ++i) {
         if (statistics.iterations < i)
             statistics.iterations = i;
-        if (!workspace.go_on(workspace.dirty.size(), lattice.size()))
+        if (!workspace.go_on(workspace.dirty.size(), mesh.size()))
             break;
     }
 }

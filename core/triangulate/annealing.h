@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
+// The definition of annealing() of core/triangulate/schemes.h.
+#pragma once
+
 #include <cstring>
 
 #include "core/triangulate/gain.h"
+#include "core/triangulate/one_round.h"
 #include "core/triangulate/schemes.h"
 
 namespace ddt {
 
-namespace {
-
 /// 64 well mixed bits of a number (the finalizer of SplitMix64: Steele, Lea & Flood 2014, "Fast
 /// splittable pseudorandom number generators").
-uint64_t mix(uint64_t x) {
+inline uint64_t mix(uint64_t x) {
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
     return x ^ (x >> 31);
@@ -19,7 +21,7 @@ uint64_t mix(uint64_t x) {
 /// A random number with exponential distribution, mean 1, from 32 random bits: -log of a number
 /// uniform in (0, 1]. Only + - * of floats, log(1 + f) as a parabola (within 0.01), so that all
 /// machines agree.
-float exponential(uint32_t bits) {
+inline float exponential(uint32_t bits) {
     constexpr float log2 = 0.69314718f;
     const float uniform = float((bits >> 8) + 1) * (1.0f / 16777216.0f);
     uint32_t word;
@@ -29,22 +31,23 @@ float exponential(uint32_t bits) {
     return log2 * ((0.0f - float(exponent)) - (f + ((0.34f * f) * (1.0f - f))));
 }
 
+template <class Mesh>
 class Annealing {
 public:
-    Annealing(Lattice& lattice, Cost cost, uint32_t seed, Workspace& w, Statistics& statistics)
-        : m_lattice(lattice), m_cost(cost), m_seed(mix(seed)), m_w(w), m_statistics(statistics) {}
+    Annealing(Mesh& mesh, Cost cost, uint32_t seed, Workspace& w, Statistics& statistics)
+        : m_mesh(mesh), m_cost(cost), m_seed(mix(seed)), m_w(w), m_statistics(statistics) {}
 
     /// Try about every second flippable edge once, an eighth of all edges after another.
     void iterate(int iteration, float temperature) {
         shuffle(mix(m_seed + uint64_t(iteration)));
         for (uint32_t part = 0; part < parts; ++part) {
             select(part);
-            gains(m_lattice, m_cost, m_w.selected.data(), m_w.selected.size(), m_w.gain.data());
+            gains(m_mesh, m_cost, m_w.selected.data(), m_w.selected.size(), m_w.gain.data());
             m_statistics.evaluations += int64_t(m_w.selected.size());
             for (const int m : m_w.selected)
                 // Metropolis' u < exp(gain / t), with u = exp(-e).
                 if (m_w.gain[size_t(m)] > 0.0f - temperature * exponential(mix32(m))) {
-                    m_lattice.flip(m);
+                    m_mesh.flip(m);
                     ++m_statistics.flips;
                 }
         }
@@ -56,13 +59,10 @@ private:
     /// Draw a number for every edge, and by it put the edge in one of the parts. The edge's place
     /// is taken in the image, not in the lattice, so that tiles that overlap draw the same.
     void shuffle(uint64_t salt) {
-        const int stride = m_lattice.stride();
         for (auto& part : m_part)
             part.clear();
-        m_lattice.each_edge([&](int m) {
-            const uint64_t x = uint32_t(m % stride + 2 * m_w.origin_x);
-            const uint64_t y = uint32_t(m / stride + 2 * m_w.origin_y);
-            const auto drawn = uint32_t(mix(salt ^ (y << 32 | x)));
+        m_mesh.each_edge([&](int m) {
+            const auto drawn = uint32_t(mix(salt ^ m_mesh.place(m, m_w.origin_x, m_w.origin_y)));
             m_drawn[size_t(m)] = drawn;
             m_part[drawn % parts].push_back(m);
         });
@@ -73,12 +73,12 @@ private:
     void select(uint32_t part) {
         m_w.selected.clear();
         for (const int m : m_part[part]) {
-            if (!m_lattice.edge(m).flippable())
+            if (!m_mesh.flippable(m))
                 continue;
             const uint32_t own = m_drawn[size_t(m)];
-            const bool beaten = m_lattice.any_of_region(m, [&](int other) {
+            const bool beaten = m_mesh.any_of_region(m, [&](int other) {
                 const uint32_t drawn = m_drawn[size_t(other)];
-                return drawn % parts == part && m_lattice.edge(other).flippable() &&
+                return drawn % parts == part && m_mesh.flippable(other) &&
                        (drawn > own || (drawn == own && other < m));
             });
             if (!beaten)
@@ -89,28 +89,27 @@ private:
     /// More random bits of an edge that has been drawn.
     uint32_t mix32(int m) const { return uint32_t(mix(m_seed ^ m_drawn[size_t(m)])); }
 
-    Lattice& m_lattice;
+    Mesh& m_mesh;
     const Cost m_cost;
     const uint64_t m_seed;
-    std::vector<uint32_t> m_drawn = std::vector<uint32_t>(m_lattice.size()); ///< a site
-    std::vector<int> m_part[parts];                                          ///< its edges
+    std::vector<uint32_t> m_drawn = std::vector<uint32_t>(m_mesh.size()); ///< a site
+    std::vector<int> m_part[parts];                                       ///< its edges
     Workspace& m_w;
     Statistics& m_statistics;
 };
 
-} // namespace
-
-void annealing(Lattice& lattice, Cost cost, float min_gain, int iterations, uint32_t seed,
-               Workspace& w, Statistics& statistics) {
+template <class Mesh>
+void annealing(Mesh& mesh, Cost cost, float min_gain, int iterations, uint32_t seed, Workspace& w,
+               Statistics& statistics) {
     // The random iterations take nearly all the time; only they are reported.
     const auto settle = [&] {
         std::function<bool(float)> silent;
         w.progress.swap(silent);
-        one_round(lattice, cost, min_gain, iterations, w, statistics);
+        one_round(mesh, cost, min_gain, iterations, w, statistics);
         w.progress.swap(silent);
     };
     settle();
-    Annealing scheme(lattice, cost, seed, w, statistics);
+    Annealing<Mesh> scheme(mesh, cost, seed, w, statistics);
     const float hottest = traits(cost).temperature;
     for (int i = 0; i < iterations; ++i) {
         const float left = float(iterations - i) / float(iterations);
@@ -119,7 +118,7 @@ void annealing(Lattice& lattice, Cost cost, float min_gain, int iterations, uint
             return;
     }
     // Stamps of the first one_round would be taken for those of the second.
-    lattice.each_edge([&](int m) { lattice.edge(m).stamp = 0; });
+    mesh.each_edge([&](int m) { mesh.stamp(m) = 0; });
     settle();
 }
 

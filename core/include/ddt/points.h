@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Meshes of any points: scattered samples, meshes that somebody has, what is left of an image with
+// holes.
+//
+// The costs and schemes are those of ddt/mesh.h; lengths are measured in a unit in which a mesh's
+// triangles have the mean area 1/2, as those of an image have in pixels. Functions return false
+// with one line in `error`, when that is not null; nothing here throws. They may be called from
+// several threads at once for different meshes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ddt/mesh.h"
+
+namespace ddt {
+
+/// Points in the plane and triangles of them, as indices of points.
+struct PointMesh {
+    std::vector<double> x, y;
+    std::vector<std::array<int32_t, 3>> triangles;
+};
+
+/// No mesh has more points.
+constexpr size_t most_points = size_t(1) << 27;
+
+/// Whether this library was built with GEOS, which delaunay() needs.
+bool has_delaunay();
+
+/// Make mesh.triangles: the Delaunay triangulation of the points, by GEOS. Positions are rounded to
+/// 2^-29 of the points' extent or finer. Of points at one position the first is used. False if
+/// there are not three that are not on one line, a position is not finite, or without GEOS.
+bool delaunay(PointMesh& mesh, std::string* error = nullptr);
+
+/// Flip edges of the mesh's triangles, which together may have any shape, by options.scheme and
+/// options.cost (blur, meshes, start and a guide in several channels mean nothing here). `guide`: a
+/// float a point, about 0 to 1. Triangles come out with the orientation from x towards y. False
+/// also where the triangles are no triangulation: one without area, an edge of more than two.
+bool optimise(PointMesh& mesh, const float* guide, const MeshOptions& options,
+              MeshReport* report = nullptr, std::string* error = nullptr,
+              const std::function<bool(float)>& progress = {});
+
+/// Pixels laid over the plane: pixel (i, j) shows the point (x + i * step_x, y + j * step_y). A
+/// negative step_y is for files whose y goes upwards.
+struct PixelGrid {
+    double x = 0, y = 0;
+    double step_x = 1, step_y = 1; ///< not 0
+    int width = 0, height = 0;
+};
+
+/// Interpolate linearly over the mesh's triangles: `values` are `channels` floats a point, `pixels`
+/// as many a pixel, row by row. Pixels outside all triangles are left as they are; `inside`, one
+/// byte a pixel, tells where those are: 0. A pixel on an edge belongs to one triangle, whichever
+/// order the triangles have.
+bool draw(const PointMesh& mesh, const float* values, int channels, const PixelGrid& grid,
+          float* pixels, uint8_t* inside, std::string* error = nullptr);
+
+/// Fill the pixels of an image whose byte in `missing` is not 0: a mesh of those near the holes is
+/// made, its edges are flipped by `options`, and holes are interpolated over its triangles, so that
+/// edges run on across them. What lies outside all triangles, beyond the outermost pixels that are
+/// there, gets the value of the nearest. `values`: `channels` floats a pixel; `kinds`: one a
+/// channel, or null if all are Channel::blend; `guide`: a float a pixel, not looked at where one is
+/// missing. Nothing is done if nothing is missing; false if all is, or without GEOS.
+bool fill_holes(float* values, int width, int height, int channels, const Channel* kinds,
+                const float* guide, const uint8_t* missing, const MeshOptions& options,
+                std::string* error = nullptr);
+
+} // namespace ddt

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/tin/draw.h"
+
+#include "core/tin/guarded.h"
+
+namespace ddt {
+
+bool draw(const PointMesh& mesh, const float* values, int channels, const PixelGrid& grid,
+          float* pixels, uint8_t* inside, std::string* error) {
+    return guarded_call(error, [&](std::string& why) {
+        return each_pixel(mesh, grid, inside, why,
+                          [&](const std::array<int32_t, 3>& triangle, const Covered& covered) {
+                              float* to = pixels + covered.pixel * size_t(channels);
+                              for (int c = 0; c < channels; ++c)
+                                  to[c] = value_at(values, channels, c, triangle, covered);
+                          });
+    });
+}
+
+} // namespace ddt

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// Filling holes of images.
+#include <algorithm>
+#include <deque>
+
+#include "core/tin/draw.h"
+#include "core/tin/guarded.h"
+
+namespace ddt {
+
+namespace {
+
+/// Pixels that are there and no farther than this from a hole, along both axes, are in the mesh:
+/// those that a hole's edges depend on, and a few that tell them where to go.
+constexpr int margin = 6;
+
+class Holes {
+public:
+    Holes(float* values, int width, int height, int channels, const Channel* kinds,
+          const float* guide, const uint8_t* missing)
+        : m_values(values), m_width(width), m_height(height), m_channels(size_t(channels)),
+          m_kinds(kinds), m_guide(guide), m_missing(missing) {}
+
+    bool fill(const MeshOptions& options, std::string& error) {
+        const size_t size = size_t(m_width) * size_t(m_height);
+        const auto count = size_t(std::count_if(m_missing, m_missing + size, is_set));
+        if (count == 0)
+            return true;
+        if (count == size) {
+            error = "ddt: no pixel is there to fill the others from";
+            return false;
+        }
+        collect();
+        std::vector<uint8_t> inside(size, 0);
+        if (spans_plane() && !(delaunay(m_mesh, &error) &&
+                               optimise(m_mesh, m_guides.data(), options, nullptr, &error) &&
+                               interpolate(inside.data(), error)))
+            return false;
+        spread(inside);
+        return true;
+    }
+
+private:
+    static bool is_set(uint8_t byte) { return byte != 0; }
+
+    float* pixel(size_t i) { return m_values + i * m_channels; }
+
+    /// How many missing pixels there are near each pixel, by sums along rows, then columns.
+    std::vector<uint8_t> near_holes() const {
+        const size_t size = size_t(m_width) * size_t(m_height);
+        std::vector<uint8_t> rows(size, 0), near(size, 0);
+        for (int y = 0; y < m_height; ++y)
+            for (int x = 0; x < m_width; ++x) {
+                const size_t i = size_t(y) * size_t(m_width) + size_t(x);
+                if (m_missing[i])
+                    std::fill(&rows[i] - std::min(x, margin),
+                              &rows[i] + std::min(m_width - 1 - x, margin) + 1, uint8_t(1));
+            }
+        for (int y = 0; y < m_height; ++y) {
+            const int last = std::min(y + margin, m_height - 1);
+            for (int k = std::max(y - margin, 0); k <= last; ++k)
+                for (int x = 0; x < m_width; ++x)
+                    near[size_t(y) * size_t(m_width) + size_t(x)] |=
+                        rows[size_t(k) * size_t(m_width) + size_t(x)];
+        }
+        return near;
+    }
+
+    void collect() {
+        const std::vector<uint8_t> near = near_holes();
+        for (int y = 0; y < m_height; ++y)
+            for (int x = 0; x < m_width; ++x) {
+                const size_t i = size_t(y) * size_t(m_width) + size_t(x);
+                if (m_missing[i] || !near[i])
+                    continue;
+                m_mesh.x.push_back(x);
+                m_mesh.y.push_back(y);
+                m_guides.push_back(m_guide[i]);
+                m_points.insert(m_points.end(), pixel(i), pixel(i) + m_channels);
+            }
+    }
+
+    /// Whether three of the points are not on one line.
+    bool spans_plane() const {
+        const size_t n = m_mesh.x.size();
+        for (size_t i = 2; i < n; ++i)
+            if ((m_mesh.x[1] - m_mesh.x[0]) * (m_mesh.y[i] - m_mesh.y[0]) !=
+                (m_mesh.y[1] - m_mesh.y[0]) * (m_mesh.x[i] - m_mesh.x[0]))
+                return true;
+        return false;
+    }
+
+    float value(size_t channel, const std::array<int32_t, 3>& triangle,
+                const Covered& covered) const {
+        if (m_kinds && m_kinds[channel] == Channel::nearest) {
+            const double* w = covered.weight;
+            const auto k = size_t(std::max_element(w, w + 3) - w);
+            return m_points[size_t(triangle[k]) * m_channels + channel];
+        }
+        return value_at(m_points.data(), int(m_channels), int(channel), triangle, covered);
+    }
+
+    bool interpolate(uint8_t* inside, std::string& error) {
+        return each_pixel(m_mesh, {0, 0, 1, 1, m_width, m_height}, inside, error,
+                          [&](const std::array<int32_t, 3>& triangle, const Covered& covered) {
+                              if (!m_missing[covered.pixel])
+                                  return;
+                              for (size_t c = 0; c < m_channels; ++c)
+                                  pixel(covered.pixel)[c] = value(c, triangle, covered);
+                          });
+    }
+
+    /// Give missing pixels outside all triangles the value of the nearest that has one, counted in
+    /// steps along rows and columns.
+    void spread(const std::vector<uint8_t>& inside) {
+        const size_t size = inside.size(), width = size_t(m_width);
+        std::vector<uint8_t> known(size);
+        std::deque<size_t> queue;
+        for (size_t i = 0; i < size; ++i)
+            known[i] = !m_missing[i] || inside[i];
+        const auto each_neighbour = [&](size_t i, auto&& f) {
+            const size_t x = i % width;
+            if (i >= width)
+                f(i - width);
+            if (x > 0)
+                f(i - 1);
+            if (x + 1 < width)
+                f(i + 1);
+            if (i + width < size)
+                f(i + width);
+        };
+        for (size_t i = 0; i < size; ++i)
+            if (known[i])
+                each_neighbour(i, [&](size_t n) {
+                    if (!known[n] && (queue.empty() || queue.back() != i))
+                        queue.push_back(i);
+                });
+        for (; !queue.empty(); queue.pop_front()) {
+            const size_t i = queue.front();
+            each_neighbour(i, [&](size_t n) {
+                if (known[n])
+                    return;
+                known[n] = 1;
+                std::copy_n(pixel(i), m_channels, pixel(n));
+                queue.push_back(n);
+            });
+        }
+    }
+
+    float* m_values;
+    int m_width, m_height;
+    size_t m_channels;
+    const Channel* m_kinds;
+    const float* m_guide;
+    const uint8_t* m_missing;
+    PointMesh m_mesh;
+    std::vector<float> m_guides; ///< a point
+    std::vector<float> m_points; ///< the points' values
+};
+
+} // namespace
+
+bool fill_holes(float* values, int width, int height, int channels, const Channel* kinds,
+                const float* guide, const uint8_t* missing, const MeshOptions& options,
+                std::string* error) {
+    return guarded_call(error, [&](std::string& why) {
+        return Holes(values, width, height, channels, kinds, guide, missing).fill(options, why);
+    });
+}
+
+} // namespace ddt

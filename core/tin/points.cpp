@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ddt/points.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/tin/delaunay.h"
+#include "core/tin/guarded.h"
+#include "core/tin/step_grid.h"
+#include "core/tin/tin_mesh.h"
+
+namespace ddt {
+
+namespace {
+
+bool before(Steps a, Steps b) {
+    return a.y != b.y ? a.y < b.y : a.x < b.x;
+}
+
+/// Whether there are three points, sorted and all different, that are not on one line.
+bool spans_plane(const std::vector<Steps>& points) {
+    return std::any_of(points.begin(), points.end(),
+                       [&](Steps p) { return orientation(points.front(), points.back(), p) != 0; });
+}
+
+bool triangulate_points(PointMesh& mesh, std::string& error) {
+    StepGrid grid;
+    if (!grid.fit(mesh.x, mesh.y, error))
+        return false;
+    // The points row by row, of those at one position the first alone.
+    std::vector<int32_t> order(mesh.x.size());
+    std::iota(order.begin(), order.end(), 0);
+    const std::vector<Tin::Vertex> vertices = vertices_of(grid, mesh.x, mesh.y);
+    const auto at = [&](int32_t i) { return vertices[size_t(i)].at; };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int32_t i, int32_t k) { return before(at(i), at(k)); });
+    order.erase(std::unique(order.begin(), order.end(),
+                            [&](int32_t i, int32_t k) {
+                                return !before(at(i), at(k)) && !before(at(k), at(i));
+                            }),
+                order.end());
+    std::vector<Steps> points;
+    points.reserve(order.size());
+    for (const int32_t i : order)
+        points.push_back(at(i));
+    if (!spans_plane(points)) {
+        error = "ddt: triangles need 3 points that are not on one line";
+        return false;
+    }
+    std::vector<std::array<int32_t, 3>> triangles;
+    if (!find_delaunay(points, triangles, error))
+        return false;
+    complete_hull(points, triangles);
+    if (!covers_hull(points, triangles)) {
+        error = "ddt: GEOS's triangles do not cover the points' convex hull";
+        return false;
+    }
+    for (auto& t : triangles)
+        for (int32_t& v : t)
+            v = order[size_t(v)];
+    mesh.triangles = std::move(triangles);
+    return true;
+}
+
+bool optimise_points(PointMesh& mesh, const float* guide, const MeshOptions& options,
+                     MeshReport* report, std::string& error,
+                     const std::function<bool(float)>& progress) {
+    StepGrid grid;
+    if (!check_options(options, error) || !grid.fit(mesh.x, mesh.y, error))
+        return false;
+    Tin tin;
+    tin.vertices = vertices_of(grid, mesh.x, mesh.y);
+    for (size_t i = 0; i < tin.vertices.size(); ++i)
+        tin.vertices[i].guide = guide[i];
+    if (!connect(tin, mesh.triangles, error))
+        return false;
+    bool going = true;
+    Workspace workspace;
+    if (progress)
+        workspace.progress = [&](float share) { return going = progress(share); };
+    MeshReport what;
+    if (report)
+        what.cost_start = total_cost(TinMesh(tin, options.cost));
+    triangulate(tin, options, workspace, what.statistics);
+    if (!going) {
+        error = "ddt: cancelled";
+        return false;
+    }
+    if (report) {
+        what.cost = total_cost(TinMesh(tin, options.cost));
+        *report = what;
+    }
+    for (size_t t = 0; t < mesh.triangles.size(); ++t)
+        std::copy_n(tin.triangles[t].vertex, 3, mesh.triangles[t].begin());
+    return true;
+}
+
+} // namespace
+
+bool delaunay(PointMesh& mesh, std::string* error) {
+    return guarded_call(error, [&](std::string& why) { return triangulate_points(mesh, why); });
+}
+
+bool optimise(PointMesh& mesh, const float* guide, const MeshOptions& options, MeshReport* report,
+              std::string* error, const std::function<bool(float)>& progress) {
+    return guarded_call(error, [&](std::string& why) {
+        return optimise_points(mesh, guide, options, report, why, progress);
+    });
+}
+
+} // namespace ddt

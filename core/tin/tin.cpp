@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/tin/tin.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ddt {
+
+namespace {
+
+/// One of a triangle's sides, with its ends in the order of their addresses.
+struct Side {
+    int32_t first, second;
+    int32_t triangle, corner;
+    bool forwards; ///< whether the triangle has it from first to second, so lies to its left
+};
+
+bool before(Steps a, Steps b) {
+    return a.y != b.y ? a.y < b.y : a.x < b.x;
+}
+
+/// A line that tells where in the file the fault is.
+std::string fault(size_t triangle, const char* what) {
+    return "ddt: triangle " + std::to_string(triangle) + " " + what;
+}
+
+bool list_triangles(Tin& tin, const std::vector<std::array<int32_t, 3>>& triangles,
+                    std::string& error) {
+    tin.triangles.clear();
+    tin.triangles.reserve(triangles.size());
+    double doubled_area = 0;
+    for (std::array<int32_t, 3> t : triangles) {
+        for (const int32_t v : t)
+            if (v < 0 || size_t(v) >= tin.vertices.size()) {
+                error = fault(tin.triangles.size(), "has a vertex that there is not");
+                return false;
+            }
+        const auto at = [&](size_t k) { return tin.vertices[size_t(t[k])].at; };
+        int64_t area = orientation(at(0), at(1), at(2));
+        if (area < 0) {
+            std::swap(t[1], t[2]);
+            area = -area;
+        }
+        // In one way round and from one vertex on, so that arithmetic does not depend on the
+        // file's.
+        while (before(at(1), at(0)) || before(at(2), at(0)))
+            std::rotate(t.begin(), t.begin() + 1, t.end());
+        if (area == 0) {
+            error = fault(tin.triangles.size(), "has no area");
+            return false;
+        }
+        doubled_area += double(area);
+        tin.triangles.push_back({{t[0], t[1], t[2]}, {-1, -1, -1}});
+    }
+    if (tin.triangles.empty()) {
+        error = "ddt: there are no triangles";
+        return false;
+    }
+    tin.pixel = float(1.0 / std::sqrt(doubled_area / double(tin.triangles.size())));
+    return true;
+}
+
+std::vector<Side> list_sides(const Tin& tin) {
+    std::vector<Side> sides;
+    sides.reserve(3 * tin.triangles.size());
+    for (size_t t = 0; t < tin.triangles.size(); ++t)
+        for (int k = 0; k < 3; ++k) {
+            const int32_t p = tin.triangles[t].vertex[k], q = tin.triangles[t].vertex[(k + 1) % 3];
+            const bool forwards = before(tin.vertices[size_t(p)].at, tin.vertices[size_t(q)].at);
+            sides.push_back({forwards ? p : q, forwards ? q : p, int32_t(t), k, forwards});
+        }
+    // By midpoint; then the two sides of an edge are neighbours. Different edges of a triangulation
+    // with the same midpoint would cross.
+    const auto key = [&](const Side& s) {
+        const Steps a = tin.vertices[size_t(s.first)].at, b = tin.vertices[size_t(s.second)].at;
+        return std::array<uint32_t, 2>{uint32_t(a.y) + uint32_t(b.y),
+                                       uint32_t(a.x) + uint32_t(b.x)};
+    };
+    std::sort(sides.begin(), sides.end(), [&](const Side& s, const Side& t) {
+        const auto ks = key(s), kt = key(t);
+        if (ks != kt)
+            return ks < kt;
+        return std::array<int32_t, 3>{s.first, s.second, !s.forwards} <
+               std::array<int32_t, 3>{t.first, t.second, !t.forwards};
+    });
+    return sides;
+}
+
+} // namespace
+
+bool connect(Tin& tin, const std::vector<std::array<int32_t, 3>>& triangles, std::string& error) {
+    if (!list_triangles(tin, triangles, error))
+        return false;
+    const std::vector<Side> sides = list_sides(tin);
+    tin.edges.clear();
+    tin.edges.reserve(sides.size() / 2 + 1);
+    for (size_t i = 0; i < sides.size(); ++i) {
+        const Side& s = sides[i];
+        const bool fresh =
+            i == 0 || sides[i - 1].first != s.first || sides[i - 1].second != s.second;
+        if (fresh)
+            tin.edges.emplace_back();
+        Tin::Edge& e = tin.edges.back();
+        int32_t& own = s.forwards ? e.left : e.right;
+        if (own >= 0) {
+            error = fault(size_t(s.triangle), "lies over another at one of its edges");
+            return false;
+        }
+        own = s.triangle;
+        tin.triangles[size_t(s.triangle)].edge[s.corner] = int32_t(tin.edges.size() - 1);
+    }
+    return true;
+}
+
+void flip(Tin& tin, int m) {
+    const TinQuad q(tin, m);
+    const Tin::Edge e = tin.edges[size_t(m)];
+    tin.triangles[size_t(e.left)] = {{q.d, q.c, q.a}, {m, q.ac, q.da}};
+    tin.triangles[size_t(e.right)] = {{q.c, q.d, q.b}, {m, q.bd, q.cb}};
+    // cb and da have changed triangles.
+    Tin::Edge& cb = tin.edges[size_t(q.cb)];
+    (cb.left == e.left ? cb.left : cb.right) = e.right;
+    Tin::Edge& da = tin.edges[size_t(q.da)];
+    (da.left == e.right ? da.left : da.right) = e.left;
+}
+
+} // namespace ddt

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any scheme on any mesh.
+#pragma once
+
+#include "core/triangulate/accept_reject.h"
+#include "core/triangulate/annealing.h"
+#include "core/triangulate/lawson.h"
+#include "core/triangulate/look_ahead.h"
+#include "core/triangulate/one_round.h"
+
+namespace ddt {
+
+/// Flip edges of a mesh by options.scheme. Adds to `statistics`.
+template <class Mesh>
+void run_scheme(Mesh& mesh, const MeshOptions& options, Workspace& workspace,
+                Statistics& statistics) {
+    const Cost cost = options.cost;
+    const float threshold = min_gain(options);
+    const int iterations = options.max_iterations;
+    statistics.pixels += int64_t(mesh.vertices());
+    Rules rules;
+    if (find_rules(options, rules))
+        return accept_reject(mesh, cost, threshold, iterations, rules, workspace, statistics);
+    switch (options.scheme) {
+    case Scheme::one_round:
+        return one_round(mesh, cost, threshold, iterations, workspace, statistics);
+    case Scheme::lawson:
+        return lawson(mesh, cost, threshold, iterations, workspace, statistics);
+    case Scheme::look_ahead:
+        return look_ahead(mesh, cost, threshold, iterations, workspace, statistics);
+    case Scheme::annealing:
+        return annealing(mesh, cost, threshold, iterations, options.seed, workspace, statistics);
+    default:
+        return; // pixel: the starting mesh is the result
+    }
+}
+
+} // namespace ddt

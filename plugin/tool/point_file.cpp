@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/point_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/strutil.h>
+
+#include "plugin/tool/whole_file.h"
+
+namespace ddt::tool {
+
+using OIIO::Strutil::fmt::format;
+
+namespace {
+
+/// Appends numbers in little endian order, whatever the machine's is.
+class Bytes {
+public:
+    template <class Word>
+    void word(Word v) {
+        for (size_t k = 0; k < sizeof v; ++k)
+            m_bytes += char(uint64_t(v) >> (8 * k) & 0xff);
+    }
+    void number(double v) {
+        uint64_t bits;
+        std::memcpy(&bits, &v, sizeof bits);
+        word(bits);
+    }
+    void number(float v) {
+        uint32_t bits;
+        std::memcpy(&bits, &v, sizeof bits);
+        word(bits);
+    }
+    const std::string& text() const { return m_bytes; }
+
+private:
+    std::string m_bytes;
+};
+
+void put(const Column& column, size_t point, Bytes& to) {
+    const float v = column.values[point] * column.scale;
+    const auto whole = [&](float most) {
+        return uint32_t(v > 0 ? std::min(v + 0.5f, most) : 0.0f);
+    };
+    if (column.type == "uchar")
+        to.word(uint8_t(whole(255)));
+    else if (column.type == "ushort")
+        to.word(uint16_t(whole(65535)));
+    else
+        to.number(v);
+}
+
+/// Colours of whole numbers stay such; every other column is float.
+std::string written_type(const Column& column) {
+    return column.type == "uchar" || column.type == "ushort" ? column.type : "float";
+}
+
+} // namespace
+
+const Column* PointFile::find(const std::string& name) const {
+    for (const Column& column : columns)
+        if (column.name == name)
+            return &column;
+    return nullptr;
+}
+
+bool read_points(const std::string& path, PointFile& points, Failure& failure) {
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    if (!file.good() && !file.eof()) {
+        failure = {"\"" + path + "\": " + std::strerror(errno ? errno : EIO), exit_failed};
+        return false;
+    }
+    const std::string extension = OIIO::Strutil::lower(OIIO::Filesystem::extension(path));
+    std::string error;
+    if (extension == ".ply" ? read_ply(text, points, error) : read_table(text, points, error))
+        return true;
+    failure = {"\"" + path + "\": " + error, exit_failed};
+    return false;
+}
+
+bool write_points(const std::string& path, const PointFile& points, Failure& failure) {
+    const size_t count = points.mesh.x.size();
+    std::string header = format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n"
+                                "property double x\nproperty double y\n",
+                                count);
+    for (const Column& column : points.columns)
+        header += format("property {} {}\n", written_type(column), column.name);
+    header += format("element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+                     points.mesh.triangles.size());
+    Bytes bytes;
+    for (size_t i = 0; i < count; ++i) {
+        bytes.number(points.mesh.x[i]);
+        bytes.number(points.mesh.y[i]);
+        for (const Column& column : points.columns)
+            put(column, i, bytes);
+    }
+    for (const auto& t : points.mesh.triangles) {
+        bytes.word(uint8_t(3));
+        for (const int32_t v : t)
+            bytes.word(uint32_t(v));
+    }
+    WholeFile file;
+    if (!file.open(path, failure))
+        return false;
+    std::fwrite(header.data(), 1, header.size(), file.file());
+    std::fwrite(bytes.text().data(), 1, bytes.text().size(), file.file());
+    return file.commit(failure);
+}
+
+std::vector<std::string> usual_columns(const PointFile& points) {
+    if (points.find("red") && points.find("green") && points.find("blue")) {
+        std::vector<std::string> names{"red", "green", "blue"};
+        if (points.find("alpha"))
+            names.emplace_back("alpha");
+        return names;
+    }
+    if (points.find("z"))
+        return {"z"};
+    std::vector<std::string> names;
+    for (const Column& column : points.columns)
+        names.push_back(column.name);
+    return names;
+}
+
+std::vector<float> guide_of(const PointFile& points, const std::vector<const Column*>& columns) {
+    std::vector<const Column*> parts;
+    for (const Column* column : columns)
+        if (column->name != "alpha" && parts.size() < 3)
+            parts.push_back(column);
+    if (parts.empty())
+        parts = columns;
+    const size_t count = points.mesh.x.size();
+    std::vector<double> mean(count, 0);
+    for (const Column* column : parts)
+        for (size_t i = 0; i < count; ++i)
+            mean[i] += double(column->values[i]);
+    double low = INFINITY, high = -INFINITY;
+    for (const double v : mean)
+        if (std::isfinite(v)) {
+            low = std::min(low, v);
+            high = std::max(high, v);
+        }
+    const double scale = high > low ? 1 / (high - low) : 0;
+    std::vector<float> guide(count, 0.0f);
+    for (size_t i = 0; i < count; ++i)
+        if (std::isfinite(mean[i]))
+            guide[i] = float((mean[i] - low) * scale);
+    return guide;
+}
+
+} // namespace ddt::tool

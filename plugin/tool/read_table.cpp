@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points as text: comma-separated values, XYZ files with a header.
+#include <algorithm>
+
+#include <OpenImageIO/strutil.h>
+
+#include "plugin/tool/point_file.h"
+
+namespace ddt::tool {
+
+namespace {
+
+using OIIO::Strutil::fmt::format;
+
+/// The cells of a line.
+std::vector<std::string> split(const std::string& line) {
+    const bool separated = line.find_first_of(",;") != std::string::npos;
+    std::vector<std::string> cells;
+    if (separated) {
+        for (const std::string& cell :
+             OIIO::Strutil::splits(line, line.find(',') != std::string::npos ? "," : ";"))
+            cells.emplace_back(OIIO::Strutil::strip(cell, " \t\"'"));
+    } else {
+        cells = OIIO::Strutil::splits(line); // at blanks
+    }
+    return cells;
+}
+
+} // namespace
+
+bool read_table(const std::string& text, PointFile& points, std::string& error) {
+    points = {};
+    std::vector<int> place; ///< of each column: -1 x, -2 y, else an index
+    size_t number = 0;
+    for (size_t at = 0; at < text.size(); ++number) {
+        const size_t end = std::min(text.find('\n', at), text.size());
+        std::string line(OIIO::Strutil::strip(text.substr(at, end - at)));
+        at = end + 1;
+        if (!line.empty() && line[0] == '#')
+            line = place.empty() ? std::string(OIIO::Strutil::strip(line.substr(1))) : "";
+        if (line.empty())
+            continue;
+        const std::vector<std::string> cells = split(line);
+        if (place.empty()) {
+            for (const std::string& cell : cells) {
+                const std::string name = OIIO::Strutil::lower(cell);
+                if (name == "x" || name == "y") {
+                    place.push_back(name == "x" ? -1 : -2);
+                    continue;
+                }
+                place.push_back(int(points.columns.size()));
+                points.columns.push_back({name, "float", 1, {}});
+            }
+            const auto axes = [&](int axis) {
+                return std::count(place.begin(), place.end(), axis);
+            };
+            if (axes(-1) != 1 || axes(-2) != 1) {
+                error = format("line {}: the first line must name the columns, x and y among them",
+                               number + 1);
+                return false;
+            }
+            continue;
+        }
+        if (cells.size() != place.size()) {
+            error =
+                format("line {} has {} columns, not {}", number + 1, cells.size(), place.size());
+            return false;
+        }
+        for (size_t k = 0; k < cells.size(); ++k) {
+            char* parsed = nullptr;
+            const double v =
+                cells[k].empty() ? 0 : OIIO::Strutil::strtod(cells[k].c_str(), &parsed);
+            if (cells[k].empty() || *parsed) {
+                error = format("line {}: \"{}\" is no number", number + 1, cells[k]);
+                return false;
+            }
+            if (place[k] == -1)
+                points.mesh.x.push_back(v);
+            else if (place[k] == -2)
+                points.mesh.y.push_back(v);
+            else
+                points.columns[size_t(place[k])].values.push_back(float(v));
+        }
+    }
+    if (points.mesh.x.empty())
+        error = "there are no points";
+    return !points.mesh.x.empty();
+}
+
+} // namespace ddt::tool

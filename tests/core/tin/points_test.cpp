@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ddt/points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "core/tin/step_grid.h"
+#include "tests/core/helpers.h"
+
+namespace ddt::test {
+namespace {
+
+/// `count` points in a square of 1000 x 1000.
+PointMesh random_points(int count, uint64_t seed) {
+    Random random(seed);
+    PointMesh mesh;
+    for (int i = 0; i < count; ++i) {
+        mesh.x.push_back(random.below(1000000) * 1e-3);
+        mesh.y.push_back(random.below(1000000) * 1e-3);
+    }
+    return mesh;
+}
+
+/// The circle through a, b, c holds no other point. In long double; cases too near to tell pass.
+bool is_delaunay(const PointMesh& mesh) {
+    for (const auto& t : mesh.triangles) {
+        long double m[3][3];
+        for (size_t p = 0; p < mesh.x.size(); ++p) {
+            for (size_t k = 0; k < 3; ++k) {
+                const long double x = mesh.x[size_t(t[k])] - mesh.x[p],
+                                  y = mesh.y[size_t(t[k])] - mesh.y[p];
+                m[k][0] = x;
+                m[k][1] = y;
+                m[k][2] = x * x + y * y;
+            }
+            const long double det = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                                    m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+                                    m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+            if (det > 1e3L)
+                return false;
+        }
+    }
+    return true;
+}
+
+/// Twice the area of all triangles, each of which must be positive.
+int64_t doubled_area(const PointMesh& mesh) {
+    StepGrid grid;
+    std::string error;
+    EXPECT_TRUE(grid.fit(mesh.x, mesh.y, error));
+    const auto vertices = vertices_of(grid, mesh.x, mesh.y);
+    int64_t sum = 0;
+    for (const auto& t : mesh.triangles) {
+        const int64_t area = orientation(vertices[size_t(t[0])].at, vertices[size_t(t[1])].at,
+                                         vertices[size_t(t[2])].at);
+        EXPECT_GT(area, 0);
+        sum += area;
+    }
+    return sum;
+}
+
+std::string failure_of(PointMesh mesh) {
+    std::string error;
+    EXPECT_FALSE(delaunay(mesh, &error));
+    return error;
+}
+
+class Delaunay : public testing::Test {
+    void SetUp() override {
+        if (!has_delaunay())
+            GTEST_SKIP() << "built without GEOS";
+    }
+};
+
+TEST_F(Delaunay, CirclesThroughTrianglesAreEmpty) {
+    for (const int count : {3, 4, 10, 300}) {
+        PointMesh mesh = random_points(count, uint64_t(count));
+        std::string error;
+        ASSERT_TRUE(delaunay(mesh, &error)) << error;
+        EXPECT_TRUE(is_delaunay(mesh));
+    }
+}
+
+TEST_F(Delaunay, CoversTheConvexHull) {
+    // Many points on and next to a straight rim: what GEOS leaves out is added.
+    for (uint64_t seed = 1; seed <= 20; ++seed) {
+        PointMesh mesh = random_points(2000, seed);
+        std::string error;
+        ASSERT_TRUE(delaunay(mesh, &error)) << error;
+        std::set<std::array<int32_t, 2>> sides;
+        for (const auto& t : mesh.triangles)
+            for (size_t k = 0; k < 3; ++k)
+                EXPECT_TRUE(sides.insert({t[k], t[(k + 1) % 3]}).second);
+        size_t rim = 0;
+        for (const auto& s : sides)
+            rim += !sides.count({s[1], s[0]});
+        EXPECT_EQ(mesh.triangles.size(), 2 * mesh.x.size() - 2 - rim);
+    }
+}
+
+TEST_F(Delaunay, PointsOfAGridAndPointsTwice) {
+    PointMesh mesh;
+    for (int k = 0; k < 2; ++k)
+        for (int y = 0; y < 12; ++y)
+            for (int x = 0; x < 17; ++x) {
+                mesh.x.push_back(x);
+                mesh.y.push_back(y);
+            }
+    std::string error;
+    ASSERT_TRUE(delaunay(mesh, &error)) << error;
+    EXPECT_EQ(mesh.triangles.size(), 2u * 11 * 16);
+    for (const auto& t : mesh.triangles)
+        for (const int32_t v : t)
+            EXPECT_LT(v, 12 * 17);
+}
+
+TEST_F(Delaunay, SaysWhatIsWrong) {
+    PointMesh line;
+    for (int i = 0; i < 9; ++i) {
+        line.x.push_back(3 * i);
+        line.y.push_back(2 * i);
+    }
+    EXPECT_EQ(failure_of(line), "ddt: triangles need 3 points that are not on one line");
+    EXPECT_EQ(failure_of({{1, 2}, {5, 3}, {}}),
+              "ddt: triangles need 3 points that are not on one line");
+    EXPECT_EQ(failure_of({{7, 7, 7}, {5, 5, 5}, {}}),
+              "ddt: triangles need 3 points that are not on one line");
+    EXPECT_NE(failure_of({}).find("3 to"), std::string::npos);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(failure_of({{0, 1, nan}, {0, 1, 5}, {}}),
+              "ddt: point 2 has a position that is not finite");
+    const double huge = std::numeric_limits<double>::max();
+    EXPECT_EQ(failure_of({{-huge, huge, 0}, {0, 1, 5}, {}}),
+              "ddt: the points' positions are too far apart");
+}
+
+TEST_F(Delaunay, FlipsKeepTheHullAndLowerTheCost) {
+    PointMesh mesh = random_points(500, 3);
+    std::string error;
+    ASSERT_TRUE(delaunay(mesh, &error)) << error;
+    const int64_t area = doubled_area(mesh);
+    std::vector<float> guide;
+    for (size_t i = 0; i < mesh.x.size(); ++i)
+        guide.push_back(mesh.x[i] + mesh.y[i] > 900 ? 1.0f : 0.0f);
+    for (const Cost cost : {Cost::abn, Cost::scf, Cost::jnd, Cost::dlp, Cost::dp}) {
+        PointMesh flipped = mesh;
+        MeshOptions options;
+        options.cost = cost;
+        options.scheme = Scheme::lawson;
+        options.min_gain = -1;
+        MeshReport report;
+        ASSERT_TRUE(optimise(flipped, guide.data(), options, &report, &error)) << error;
+        EXPECT_EQ(doubled_area(flipped), area);
+        EXPECT_LT(report.cost, report.cost_start);
+        EXPECT_GT(report.statistics.flips, 0);
+        EXPECT_EQ(report.statistics.pixels, 500);
+    }
+}
+
+TEST(Optimise, DoesNotDependOnTheOrderOfTriangles) {
+    PointMesh mesh{{0, 4, 5, 1, 2}, {0, 1, 6, 5, 3}, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
+    PointMesh other = mesh;
+    other.triangles = {{3, 2, 4}, {4, 3, 0}, {4, 1, 0}, {2, 4, 1}};
+    const float guide[] = {0, 0.3f, 0.9f, 0.4f, 0.8f};
+    for (PointMesh* m : {&mesh, &other}) {
+        ASSERT_TRUE(optimise(*m, guide, {}));
+        for (auto& t : m->triangles)
+            std::sort(t.begin(), t.end());
+        std::sort(m->triangles.begin(), m->triangles.end());
+    }
+    EXPECT_EQ(mesh.triangles, other.triangles);
+}
+
+TEST(Optimise, RefusesWhatIsNoTriangulation) {
+    const PointMesh points{{0, 4, 0, 4, 2}, {0, 0, 4, 4, 0}, {}};
+    const float guide[5] = {};
+    const auto failure = [&](std::vector<std::array<int32_t, 3>> triangles) {
+        PointMesh mesh = points;
+        mesh.triangles = std::move(triangles);
+        std::string error;
+        EXPECT_FALSE(optimise(mesh, guide, {}, nullptr, &error));
+        return error;
+    };
+    EXPECT_EQ(failure({}), "ddt: there are no triangles");
+    EXPECT_EQ(failure({{0, 1, 2}, {0, 1, 5}}), "ddt: triangle 1 has a vertex that there is not");
+    EXPECT_EQ(failure({{0, 1, 4}}), "ddt: triangle 0 has no area");
+    EXPECT_EQ(failure({{0, 1, 2}, {0, 1, 3}}), "ddt: triangle 1 lies over another at one of its "
+                                               "edges");
+    PointMesh mesh{{0, 4, 0}, {0, 0, 4}, {{0, 1, 2}}};
+    MeshOptions options;
+    options.max_iterations = 1000;
+    EXPECT_FALSE(optimise(mesh, guide, options));
+    EXPECT_TRUE(optimise(mesh, guide, {}));
+}
+
+TEST_F(Delaunay, CanBeCancelledWhileFlipping) {
+    PointMesh mesh = random_points(300, 4);
+    ASSERT_TRUE(delaunay(mesh));
+    std::vector<float> guide;
+    for (size_t i = 0; i < mesh.x.size(); ++i)
+        guide.push_back(float(i % 7) / 7);
+    std::string error;
+    EXPECT_FALSE(optimise(mesh, guide.data(), {}, nullptr, &error, [](float) { return false; }));
+    EXPECT_EQ(error, "ddt: cancelled");
+}
+
+TEST(Draw, APlaneStaysAPlaneAndEveryPixelHasOneTriangle) {
+    PointMesh mesh{{0, 8, 8, 0, 4}, {0, 0, 8, 8, 4}, {{0, 1, 4}, {1, 4, 2}, {2, 3, 4}, {3, 0, 4}}};
+    const auto plane = [](double x, double y) { return float(0.25 * x - 0.5 * y + 3); };
+    std::vector<float> values;
+    for (size_t i = 0; i < 5; ++i)
+        values.push_back(plane(mesh.x[i], mesh.y[i]));
+    // Pixels beyond the square on both sides, on its rim, its diagonals and its middle.
+    const PixelGrid grid{-1, 9, 0.5, -0.5, 21, 21};
+    std::vector<float> pixels(21 * 21, -7.0f);
+    std::vector<uint8_t> inside(21 * 21);
+    ASSERT_TRUE(draw(mesh, values.data(), 1, grid, pixels.data(), inside.data()));
+    for (int j = 0; j < 21; ++j)
+        for (int i = 0; i < 21; ++i) {
+            const double x = -1 + 0.5 * i, y = 9 - 0.5 * j;
+            const bool in = x >= 0 && x <= 8 && y >= 0 && y <= 8;
+            ASSERT_EQ(inside[size_t(21 * j + i)] != 0, in) << x << " " << y;
+            ASSERT_NEAR(pixels[size_t(21 * j + i)], in ? plane(x, y) : -7.0f, 1e-5);
+        }
+    std::vector<float> again(21 * 21, -7.0f);
+    std::reverse(mesh.triangles.begin(), mesh.triangles.end());
+    ASSERT_TRUE(draw(mesh, values.data(), 1, grid, again.data(), inside.data()));
+    EXPECT_EQ(pixels, again);
+}
+
+/// An image of 0 and 1 with a slanting edge, and a hole across it: how much is wrong after filling.
+double error_of_filling(const MeshOptions& options) {
+    constexpr int width = 40, height = 30;
+    std::vector<float> whole, image, guide;
+    std::vector<uint8_t> missing;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            whole.push_back(2 * y > x + 9 ? 1.0f : 0.0f);
+            missing.push_back(x >= 15 && x < 23 && y >= 8 && y < 18);
+            image.push_back(missing.back() ? std::nanf("") : whole.back());
+        }
+    guide = image;
+    std::string error;
+    EXPECT_TRUE(fill_holes(image.data(), width, height, 1, nullptr, guide.data(), missing.data(),
+                           options, &error))
+        << error;
+    double wrong = 0;
+    for (size_t i = 0; i < image.size(); ++i) {
+        EXPECT_TRUE(image[i] >= 0 && image[i] <= 1) << i;
+        EXPECT_TRUE(missing[i] || image[i] == whole[i]);
+        wrong += std::fabs(image[i] - whole[i]);
+    }
+    return wrong;
+}
+
+TEST_F(Delaunay, EdgesRunOnAcrossHoles) {
+    MeshOptions options;
+    options.cost = Cost::dp;
+    options.scheme = Scheme::look_ahead;
+    options.min_gain = -1;
+    MeshOptions without = options;
+    without.scheme = Scheme::pixel;
+    EXPECT_LT(error_of_filling(options), 0.6 * error_of_filling(without));
+}
+
+TEST_F(Delaunay, HolesAtTheRimTakeTheNearestPixel) {
+    std::vector<float> image(8 * 6, 0.5f), guide(8 * 6, 0.5f);
+    std::vector<uint8_t> missing(8 * 6, 0);
+    for (size_t i = 0; i < 8; ++i) // the upper row and a corner
+        missing[i] = 1;
+    missing[47] = 1;
+    for (size_t i = 0; i < missing.size(); ++i)
+        if (missing[i])
+            image[i] = -9;
+    ASSERT_TRUE(fill_holes(image.data(), 8, 6, 1, nullptr, guide.data(), missing.data(), {}));
+    EXPECT_EQ(image, guide);
+    // One pixel, or one row, that is there.
+    std::fill(missing.begin(), missing.end(), uint8_t(1));
+    missing[20] = 0;
+    std::fill(image.begin(), image.end(), -9.0f);
+    image[20] = 0.5f;
+    ASSERT_TRUE(fill_holes(image.data(), 8, 6, 1, nullptr, guide.data(), missing.data(), {}));
+    EXPECT_EQ(image, guide);
+    missing[20] = 1;
+    std::string error;
+    EXPECT_FALSE(
+        fill_holes(image.data(), 8, 6, 1, nullptr, guide.data(), missing.data(), {}, &error));
+    EXPECT_EQ(error, "ddt: no pixel is there to fill the others from");
+}
+
+} // namespace
+} // namespace ddt::test
