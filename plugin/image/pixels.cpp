@@ -44,8 +44,8 @@ void write_codes(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, c
     }
 }
 
-/// Pixels of a file, through OpenImageIO's cache. Not by ImageBuf::get_pixels(), which does not fail
-/// when the cache does and leaves that as the image's error, where another may be pending.
+/// Pixels of a file, through OpenImageIO's cache. Not by ImageBuf::get_pixels(), which does not
+/// fail when the cache does and leaves that as the image's error, where another may be pending.
 bool read_cached(const OIIO::ImageBuf& image, const OIIO::ROI& roi, OIIO::TypeDesc type, void* out,
                  std::string& error) {
     const auto cache = image.imagecache();

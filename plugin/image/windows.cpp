@@ -88,6 +88,7 @@ bool allocate(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, in
 } // namespace
 
 bool check_source(const OIIO::ImageBuf& src, std::string& error) {
+    const bool pending = src.has_error(); // of something else, and no reason to fail
     if (!src.initialized()) {
         error = src.has_error() ? format("the source image cannot be read: {}", src.geterror(false))
                                 : "the source image is uninitialised; give one that holds pixels";
@@ -122,6 +123,12 @@ bool check_source(const OIIO::ImageBuf& src, std::string& error) {
         error = format("the source's pixels are {}; allowed are 8 to 32-bit integers, half, float "
                        "and double",
                        spec.format.c_str());
+        return false;
+    }
+    // OpenImageIO 3 reads a file into memory now, when its pixels are first asked for, and what it
+    // could not read is left black.
+    if (src.localpixels(); !pending && src.has_error()) {
+        error = format("the source image cannot be read: {}", src.geterror(false));
         return false;
     }
     return check_window("data", spec.x, spec.width, error) &&

@@ -9,6 +9,8 @@
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 
+#include "plugin/colour/config.h"
+
 namespace ddt {
 
 /// Run `body(touched, error)`, which returns false with a line in `error` when it fails, and sets
@@ -34,7 +36,7 @@ bool guarded(OIIO::ImageBuf& dst, Body&& body) noexcept {
         else if (touched.defined())
             OIIO::ImageBufAlgo::zero(dst, touched);
         const bool named = error.compare(0, 5, "ddt: ") == 0;
-        dst.errorfmt("{}{}", named ? "" : "ddt: ", error);
+        dst.errorfmt("{}{}", named ? "" : "ddt: ", one_line(error)); // OpenImageIO's may be more
     } catch (...) {
         // Not even the message could be stored.
     }

@@ -137,7 +137,8 @@ bool resize_by_oiio(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::
     if (!check_size(part, spec.nchannels, spec.format, error))
         return false;
     OIIO::ImageBuf all;
-    return make_image(all, spec, error) && resized(all, part) && copy_moved(dst, all, roi, 0, 0, Beyond::edge, error);
+    return make_image(all, spec, error) && resized(all, part) &&
+           copy_moved(dst, all, roi, 0, 0, Beyond::edge, error);
 }
 
 } // namespace ddt

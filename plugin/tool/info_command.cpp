@@ -10,6 +10,7 @@
 #include "ddt/names.h"
 #include "ddt/resize.h"
 #include "plugin/tool/commands.h"
+#include "plugin/tool/plugin_file.h"
 
 namespace ddt::tool {
 
@@ -20,7 +21,10 @@ public:
     InfoCommand() {
         name = "info";
         summary = "Print versions, devices and what the filters' options allow";
-        paragraphs = {"A device that cannot be used is listed with the reason."};
+        paragraphs = {
+            "A device that cannot be used is listed with the reason.",
+            "Of the plugin it tells which functions of OpenImageIO are redirected in this "
+            "program, and what could not be."};
     }
 
     ExitCode run(const std::vector<std::string>&) override {
@@ -29,6 +33,8 @@ public:
                                                        OIIO_version(OIIO::openimageio_version()),
                                                        OIIO_VERSION_STRING));
         line("OpenColorIO", OCIO_NAMESPACE::GetVersion());
+        for (const std::string& text : describe_plugin())
+            line("plugin", text);
         const char* config = std::getenv("OCIO");
         line("OCIO config", config && *config ? config : "none in $OCIO; the one built in");
         line("cpu",
