@@ -72,7 +72,7 @@ private:
 
 TEST(Reentry, UserCodeMayUseTheSameThreadPool) {
     const Rect window{0, 0, 2600, 1300}, out{0, 0, 2600, 1302}; // 66 tiles
-    TestSource source(window, 1, 3);
+    TestSource source(window, 1, 3, Kind::noise);
     const ResizeMapping mapping = mapping_of(window, out, out);
     Job job = job_of(source, 1);
     job.device = Device::cpu;
