@@ -31,6 +31,13 @@ __attribute__((noinline)) void* operator new(size_t size) {
 void* operator new[](size_t size) {
     return operator new(size);
 }
+void* operator new(size_t size, const std::nothrow_t&) noexcept {
+    try {
+        return operator new(size);
+    } catch (const std::bad_alloc&) {
+        return nullptr;
+    }
+}
 __attribute__((noinline)) void operator delete(void* p) noexcept {
     if (p)
         heap_now -= int64_t(malloc_usable_size(p));
