@@ -5,15 +5,8 @@ if(NOT CLANG_FORMAT)
   message("skipped: clang-format is not installed")
   return()
 endif()
-execute_process(
-  COMMAND git ls-files --cached --others --exclude-standard *.cpp *.h
-  WORKING_DIRECTORY ${SOURCE_DIR} OUTPUT_VARIABLE files RESULT_VARIABLE status)
-if(NOT status EQUAL 0)
-  message("skipped: git does not list the files of ${SOURCE_DIR}")
-  return()
-endif()
-string(STRIP "${files}" files)
-string(REPLACE "\n" ";" files "${files}")
+include(${CMAKE_CURRENT_LIST_DIR}/tracked_files.cmake)
+list_tracked_files("*.cpp;*.h")
 execute_process(
   COMMAND ${CLANG_FORMAT} --dry-run --Werror ${files}
   WORKING_DIRECTORY ${SOURCE_DIR} RESULT_VARIABLE status)
