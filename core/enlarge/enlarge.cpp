@@ -20,7 +20,7 @@ namespace {
 
 /// Tiles in flight take no more than this together for each of their meshes (or one tile's share,
 /// if that is more).
-constexpr size_t memory_limit = size_t(192) << 20;
+constexpr size_t memory_limit = size_t(176) << 20;
 
 /// Largest number of pixels of a window, so that its tiles can be counted.
 constexpr double largest_area = double(int64_t(1) << 45);
