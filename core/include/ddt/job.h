@@ -96,7 +96,7 @@ enum class Outcome {
 
 /// Read the source tile by tile, triangulate, and write every output pixel the mapping gives.
 /// Memory beside what source and sink hold: about 31 MiB a thread with the filter `ddt` and up to 4
-/// channels, 37 with `ddt-sharp`, 14 more for every further 4 channels; never more than 192 MiB for
+/// channels, 37 with `ddt-sharp`, 14 more for every further 4 channels; never more than 176 MiB for
 /// all threads, or one thread's share, times MeshOptions::meshes. Never throws: what source, sink,
 /// mapping or progress throw is Outcome::out_of_memory or bad_job. They may use oneTBB themselves.
 /// `error`, when not null, receives one line if the outcome is not `done`. ddt/log.h tells the
