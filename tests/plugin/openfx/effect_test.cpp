@@ -240,10 +240,11 @@ TEST_F(OpenFx, DescribesItself) {
                              "cost", "blur", "meshes", "consistency"})
         EXPECT_EQ(effect->params.count(name), 1u) << name;
     for (const auto& [name, param] : effect->params)
-        if (param.type == "OfxParamTypeDouble" || param.type == "OfxParamTypeInteger")
+        if (param.type == "OfxParamTypeDouble" || param.type == "OfxParamTypeInteger") {
             for (const char* range : {"OfxParamPropMin", "OfxParamPropMax",
                                       "OfxParamPropDisplayMin", "OfxParamPropDisplayMax"})
                 EXPECT_EQ(param.properties.values.count(range), 1u) << name << range;
+        }
 }
 
 TEST_F(OpenFx, ActionsInAnyOrderAndOfNobody) {
