@@ -195,7 +195,7 @@ TEST_F(OpenFx, UnpremultipliedColourIsMultipliedFirst) {
     const ImageBuf wanted =
         OIIO::ImageBufAlgo::unpremult(images::enlarged(product, 100, 80, with_light("linear")));
     open(nuke, straight);
-    effect->source.premultiplication = "OfxImageUnPreMultiplied";
+    effect->source.premultiplication = "OfxImageAlphaUnPremultiplied";
     render_whole();
     EXPECT_TRUE(same_pixels(effect->output, wanted));
     effect->choose("premultiplication", "premultiplied");
@@ -214,14 +214,17 @@ TEST_F(OpenFx, AProxyIsEnlargedByItself) {
     EXPECT_TRUE(same_pixels(effect->output, images::enlarged(image, 62, 42, with_light("linear"))));
 }
 
-TEST_F(OpenFx, AMatteIsBlendedAsItIs) {
-    const ImageBuf image = photograph(40, 30, 1, TypeDesc::FLOAT);
-    open(nuke, image);
-    effect->choose("light", "sRGB");
-    render_whole();
-    ImageBuf same = image;
-    same.specmod().attribute("oiio:ColorSpace", "sRGB");
-    EXPECT_TRUE(same_pixels(effect->output, images::enlarged(same, 80, 60, with_light("encoded"))));
+TEST_F(OpenFx, AMatteIsLinearWhateverTheLight) {
+    for (const char* depth : {"OfxBitDepthFloat", "OfxBitDepthShort"}) {
+        const ImageBuf image = photograph(40, 30, 1, type_of(depth));
+        const ImageBuf wanted = images::enlarged(image, 80, 60, with_light("linear"));
+        for (const char* light : {"linear", "sRGB"}) {
+            open(nuke, image, depth);
+            effect->choose("light", light);
+            render_whole();
+            EXPECT_TRUE(same_pixels(effect->output, wanted)) << light << depth;
+        }
+    }
 }
 
 TEST_F(OpenFx, AScaleOfOneIsTheSource) {
