@@ -128,22 +128,24 @@ Image* enlarged(Image& image, const Request& request, ExceptionInfo* exception) 
     return result.release();
 }
 
-/// False, and an exception: no image is left then, so that none that is not enlarged is written.
-bool enlarge_list(Image** images, const Request& request, ExceptionInfo* exception) {
-    Image* list = NewImageList();
+struct ListDestroyer {
+    void operator()(Image* list) const { (void)DestroyImageList(list); }
+};
+
+/// In case of an exception the images stay as they are, as with filters of ImageMagick's own: none at
+/// all would be an assertion of its own. `convert` tells the exception and ends with 1.
+void enlarge_list(Image** images, const Request& request, ExceptionInfo* exception) {
+    std::unique_ptr<Image, ListDestroyer> done;
     for (Image* i = GetFirstImageInList(*images); i; i = GetNextImageInList(i)) {
         Image* large = enlarged(*i, request, exception);
-        if (!large) {
-            *images = DestroyImageList(*images);
-            if (list)
-                (void)DestroyImageList(list);
-            return false;
-        }
+        if (!large)
+            return;
+        Image* list = done.release();
         AppendImageToList(&list, large);
+        done.reset(GetFirstImageInList(list));
     }
     (void)DestroyImageList(*images);
-    *images = GetFirstImageInList(list);
-    return true;
+    *images = done.release();
 }
 
 } // namespace
@@ -155,15 +157,12 @@ size_t ddtImage(Image** images, const int argc, const char** argv, ExceptionInfo
     try {
         Request request;
         std::string error;
-        if (!parse(argc, argv, request, error)) {
-            complain(exception, OptionError, error);
-            *images = DestroyImageList(*images);
-        } else {
+        if (parse(argc, argv, request, error))
             enlarge_list(images, request, exception);
-        }
+        else
+            complain(exception, OptionError, error);
     } catch (const std::bad_alloc&) {
         complain(exception, ResourceLimitError, "ddt: out of memory");
-        *images = DestroyImageList(*images);
     }
     return MagickImageFilterSignature;
 }
