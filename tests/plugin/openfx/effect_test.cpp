@@ -250,6 +250,22 @@ TEST_F(OpenFx, DescribesItself) {
         }
 }
 
+TEST_F(OpenFx, TheContextsAreFilterAndGeneral) {
+    Host host_(natron, DDT_OFX_BUNDLE);
+    host_.plugin().set_host(host_.abi());
+    ASSERT_EQ(host_.act("OfxActionLoad"), ddt::ofx::ok);
+    for (const auto& [context, status] :
+         {std::pair("OfxImageEffectContextFilter", ddt::ofx::ok),
+          {"OfxImageEffectContextGeneral", ddt::ofx::ok},
+          {"OfxImageEffectContextGenerator", ddt::ofx::missing_host_feature}}) {
+        Effect described(host_);
+        Properties in;
+        in.put("OfxImageEffectPropContext", std::string(context));
+        EXPECT_EQ(host_.act("OfxImageEffectActionDescribeInContext", &described, &in), status);
+        EXPECT_EQ(described.clips.size(), status == ddt::ofx::ok ? 2u : 0u) << context;
+    }
+}
+
 TEST_F(OpenFx, ActionsInAnyOrderAndOfNobody) {
     Host early(nuke, DDT_OFX_BUNDLE);
     early.plugin().set_host(nullptr);
