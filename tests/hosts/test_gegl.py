@@ -42,9 +42,9 @@ class Gegl(support.Case):
         return done.stdout + done.stderr
 
     def same_floats(self, a, b):
-        self.succeed("oiiotool", a, "-d", "float", "-o", "a.tif")
-        self.succeed("oiiotool", b, "-d", "float", "-o", "b.tif")
-        self.assert_same("a.tif", "b.tif")
+        pixels = [self.load(name).get_pixels("float") for name in (a, b)]
+        self.assertEqual(pixels[0].shape, pixels[1].shape, f"{a} and {b}")
+        self.assertEqual(pixels[0].tobytes(), pixels[1].tobytes(), f"{a} and {b}")
 
     def test_the_filters_bits(self):
         for name in ("float.exr", "alpha.exr", "large.exr"):
@@ -59,6 +59,8 @@ class Gegl(support.Case):
     def test_the_filters_bits_of_numbers_that_are_encoded(self):
         for name in ("photo.png", "deep.png", "grey.png"):
             for spec, properties in (("ddt", ()), ("ddt,light=encoded", ("light=encoded",))):
+                if properties and name != "photo.png":
+                    continue
                 self.assertEqual(self.gegl(name, "out.tif", "scale=2.5", *properties), "")
                 self.succeed("oiiotool", name, f"--resize:filter={spec}", "250%", "-d", "float",
                              "-o", "wanted.tif")
