@@ -4,6 +4,7 @@
 import os
 import shutil
 import subprocess
+import threading
 import unittest
 
 import support
@@ -65,6 +66,31 @@ class Stream(support.Case):
             file.write(frame * 20)
         done = self.attempt("sh", "-c", f"'{DDT}' stream --scale 4 < in.ppm | head -c 100 > /dev/null")
         self.assertIn("the reader of the result has gone", done.stderr)
+
+    def started(self):
+        return subprocess.Popen([DDT, "stream", "--scale", "2"], stdin=subprocess.PIPE,
+                                stdout=subprocess.PIPE, env=support.environment(False))
+
+    def test_a_frame_comes_out_before_the_next_goes_in(self):
+        frame, large = b"P6\n4 4\n255\n" + bytes(48), b"P6\n8 8\n255\n" + bytes(192)
+        with self.started() as process:
+            for _ in range(3):
+                process.stdin.write(frame)
+                process.stdin.flush()
+                self.assertEqual(process.stdout.read(len(large)), large)
+            process.stdin.close()
+            self.assertEqual(process.wait(timeout=60), 0)
+
+    def test_frames_are_read_while_one_cannot_be_written(self):
+        # None of these fits into a pipe: whoever reads only after he has written stops at the first.
+        frame = b"P6\n400 300\n255\n" + bytes(360000)
+        with self.started() as process:
+            writing = threading.Thread(target=lambda: process.stdin.write(frame * 3), daemon=True)
+            writing.start()
+            writing.join(60)
+            held_up = writing.is_alive()
+            process.kill()
+        self.assertFalse(held_up)
 
     @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not there")
     def test_between_two_ffmpegs(self):
