@@ -35,7 +35,8 @@ public:
                                                         : 0;
     }
     bool unpremultiplied() const {
-        return get(m_image, "OfxImageEffectPropPreMultiplication", "") == "OfxImageAlphaUnPremultiplied";
+        return get(m_image, "OfxImageEffectPropPreMultiplication", "") ==
+               "OfxImageAlphaUnPremultiplied";
     }
     /// False for a depth that is not supported or an image without pixels.
     bool buffer(host::Buffer& b) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The effect, loaded from its bundle into hosts of several kinds.
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 #include <thread>
 
 #include "ddt/resize.h"
@@ -319,16 +321,24 @@ TEST_F(OpenFx, StopsWhenTheHostSaysSo) {
     EXPECT_EQ(std::memcmp(effect->output.row(0) + 1700 * 12, untouched, 4), 0);
 }
 
+size_t threads_here() {
+    const std::filesystem::directory_iterator tasks("/proc/self/task"), end;
+    return size_t(std::distance(tasks, end));
+}
+
 TEST_F(OpenFx, TwoThreadsAtOnceAndNoneLeft) {
     const ImageBuf image = photograph(300, 200, 4, TypeDesc::FLOAT);
     const ImageBuf wanted = images::enlarged(image, 600, 400, with_light("linear"));
     open(natron, image);
+    effect->choose("device", "cpu"); // a GPU's thread stays
     effect->output = effect->source;
     effect->output.box = {0, 0, 600, 400};
     effect->output.allocate();
+    const size_t before = threads_here();
     std::thread other([&] { EXPECT_EQ(effect->render({0, 0, 600, 200}), ddt::ofx::ok); });
     EXPECT_EQ(effect->render({0, 200, 600, 400}), ddt::ofx::ok);
     other.join();
+    EXPECT_EQ(threads_here(), before);
     EXPECT_TRUE(same_pixels(effect->output, wanted));
 }
 
