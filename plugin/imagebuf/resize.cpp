@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <OpenImageIO/imagebufalgo_util.h>
+#include <OpenImageIO/strutil.h>
 
 #include "plugin/image/channels.h"
 #include "plugin/image/pixels.h"
@@ -45,11 +46,9 @@ bool enlarge_then_shrink(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const O
     OIIO::set_roi_full(spec, full);
     if (!check_size(part, spec.nchannels, spec.format, error))
         return false;
-    OIIO::ImageBuf between(spec);
-    if (!between.initialized()) {
-        error = "out of memory";
+    OIIO::ImageBuf between;
+    if (!make_image(between, spec, error))
         return false;
-    }
     const ResizeMapping mapping(x_axis(src.spec(), spec, part), y_axis(src.spec(), spec, part));
     return resample(between, src, mapping, part, options, nthreads, error) &&
            resize_by_oiio(dst, between, roi, nthreads, error);
@@ -88,8 +87,14 @@ bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Option
         return false;
     if (roi.width() <= 0)
         return true;
-    touched = roi;
     const OIIO::ROI from = src.roi_full(), to = dst.roi_full();
+    if (to.width() < 1 || to.height() < 1) {
+        error = OIIO::Strutil::fmt::format(
+            "the destination's display window has {} x {} pixels; at least 1 x 1 is needed",
+            to.width(), to.height());
+        return false;
+    }
+    touched = roi;
     const bool shrink_x = to.width() < from.width(), shrink_y = to.height() < from.height();
     const bool grow_x = to.width() > from.width(), grow_y = to.height() > from.height();
     if ((shrink_x && !grow_y) || (shrink_y && !grow_x))
