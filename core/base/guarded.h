@@ -13,7 +13,7 @@ namespace ddt {
 /// What came out of a guarded call.
 enum class Caught { nothing, out_of_memory, other };
 
-/// Set *error, unless null, to "ddt: " and `what` in one line, or to nothing where there is no memory for that.
+/// Set *error, unless null, to "ddt: " and `what` in one line; to nothing where memory runs out.
 inline void tell(std::string* error, const char* what) noexcept {
     if (!error)
         return;

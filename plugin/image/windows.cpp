@@ -83,10 +83,23 @@ bool allocate(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, in
     return true;
 }
 
+/// OpenImageIO 3 reads a file into memory when its pixels are first asked for, which is now; any
+/// version leaves black what it could not read. An error that comes from elsewhere, on an image
+/// that has its pixels, is no reason to fail.
+bool check_pixels(const OIIO::ImageBuf& src, std::string& error) {
+    if (src.pixels_valid())
+        return true;
+    // Once it has failed, 2.4 does not fail again.
+    if (!src.has_error())
+        src.localpixels();
+    if (src.has_error())
+        error = format("the source image cannot be read: {}", src.geterror(false));
+    return error.empty();
+}
+
 } // namespace
 
 bool check_source(const OIIO::ImageBuf& src, std::string& error) {
-    const bool pending = src.has_error(); // of something else, and no reason to fail
     if (!src.initialized()) {
         error = src.has_error() ? format("the source image cannot be read: {}", src.geterror(false))
                                 : "the source image is uninitialised; give one that holds pixels";
@@ -123,13 +136,7 @@ bool check_source(const OIIO::ImageBuf& src, std::string& error) {
                        spec.format.c_str());
         return false;
     }
-    // OpenImageIO 3 reads a file into memory now, when its pixels are first asked for, and what it
-    // could not read is left black.
-    if (src.localpixels(); !pending && src.has_error()) {
-        error = format("the source image cannot be read: {}", src.geterror(false));
-        return false;
-    }
-    return check_window("data", spec.x, spec.width, error) &&
+    return check_pixels(src, error) && check_window("data", spec.x, spec.width, error) &&
            check_window("data", spec.y, spec.height, error) &&
            check_window("display", spec.full_x, spec.full_width, error) &&
            check_window("display", spec.full_y, spec.full_height, error);

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include <OpenImageIO/imagebufalgo.h>
-#include <OpenImageIO/strutil.h>
 #include <OpenImageIO/sysutil.h>
 #include <OpenImageIO/timer.h>
 
@@ -91,31 +90,8 @@ bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& map
     return true;
 }
 
-namespace {
-
-/// OpenImageIO's resize ends the process where a filter has 2^20 weights and more, which its widest
-/// has at some 170000 source pixels to one of the result; it counts all weights of a row in an int.
-bool check_shrinking(const OIIO::ROI& from, const OIIO::ROI& to, const OIIO::ROI& roi,
-                     std::string& error) {
-    constexpr double most_times = 65536, weights = 8, most_weights = 1 << 30;
-    const double across = double(from.width()) / to.width();
-    const double down = double(from.height()) / to.height();
-    if (across <= most_times && down <= most_times &&
-        (weights * std::max(across, 1.0) + 1) * roi.width() <= most_weights)
-        return true;
-    error = OIIO::Strutil::fmt::format("{} x {} pixels cannot be shrunk to {} x {}; allowed are "
-                                       "{:.0f} times along an axis",
-                                       from.width(), from.height(), to.width(), to.height(),
-                                       most_times);
-    return false;
-}
-
-} // namespace
-
 bool resize_by_oiio(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::ROI& roi,
                     int nthreads, std::string& error) {
-    if (!check_shrinking(src.roi_full(), dst.roi_full(), roi, error))
-        return false;
     const auto resized = [&](OIIO::ImageBuf& out, const OIIO::ROI& part) {
         if (OIIO::ImageBufAlgo::resize(out, src, "", 0.0f, part, nthreads))
             return true;

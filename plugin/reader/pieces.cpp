@@ -17,7 +17,8 @@ constexpr int shortest = 64, longest = 1024;      // sides of pieces in pixels, 
 
 /// Where along an axis pieces begin, and where the last one ends: at the first pixel that lies on
 /// the next tile of the source's mesh, so that no tile is worked on for two pieces, unless that
-/// makes them longer than `most`. Where they begin changes no pixel.
+/// makes them longer than `most` and a quarter, as the first one of a tile that fills `most` is a
+/// little. Where they begin changes no pixel.
 std::vector<int> cut(const ResizeMapping::Axis& a, int most) {
     const double scale = double(a.to_size) / a.from_size;
     const double step = tile_size * std::max(1.0, std::ceil(shortest / (tile_size * scale)));
@@ -27,7 +28,7 @@ std::vector<int> cut(const ResizeMapping::Axis& a, int most) {
         // The hull of the pixels' centres goes on to the edge.
         const int begin = cuts.back();
         const int stop = border >= a.window1 - 1 ? a.out1 : a.first_at_or_after(int(border));
-        const int parts = (stop - begin + most - 1) / most;
+        const int parts = stop > begin ? std::max(1, (stop - begin + most * 3 / 4) / most) : 0;
         for (int i = 1; i <= parts; ++i)
             cuts.push_back(begin + int(int64_t(stop - begin) * i / parts));
     }
