@@ -147,7 +147,7 @@ import sys
 import OpenImageIO as oiio
 oiio.attribute("plugin_searchpath", sys.argv[1])
 cut = oiio.ImageInput.open("large.tif.ddt?scale=4")
-pixels = cut.read_tiles(4096, 4160, 4096, 4160, 0, 1, oiio.UINT8)
+pixels = cut.read_tiles(4096, 4160, 4096, 4160, 0, 1, 0, 3, oiio.UINT8)
 print(0 if pixels is None else len(pixels))
 """, PLUGINS, DDT_VERBOSE="1", DDT_DEVICE="cpu")
         self.assertEqual(done.returncode, 0, done.stderr)
