@@ -140,20 +140,20 @@ class Reader(Case):
         self.refuse("photo.png.ddt?scale=1e6", "ddt: ", "16777216")
 
     def test_a_cut_reads_a_part(self):
-        """Of a picture of 8 x 8 tiles of the mesh, only those that the cut lies on are worked on."""
-        self.succeed("oiiotool", "photo.png", "--resize", "2048x2048", "-o", "large.tif")
+        """Of a picture of 4 x 4 tiles of the mesh, only those that the cut lies on are worked on."""
+        self.succeed("oiiotool", "photo.png", "--resize", "1024x1024", "-o", "large.tif")
         done = self.attempt(sys.executable, "-c", """
 import sys
 import OpenImageIO as oiio
 oiio.attribute("plugin_searchpath", sys.argv[1])
 cut = oiio.ImageInput.open("large.tif.ddt?scale=4")
-pixels = cut.read_tiles(4096, 4160, 4096, 4160, 0, 1, 0, 3, oiio.UINT8)
+pixels = cut.read_tiles(2176, 2240, 2176, 2240, 0, 1, 0, 3, oiio.UINT8)
 print(0 if pixels is None else len(pixels))
 """, PLUGINS, DDT_VERBOSE="1", DDT_DEVICE="cpu")
         self.assertEqual(done.returncode, 0, done.stderr)
         taken = [int(n) for n in re.findall(r"; (\d+) pixels, \d+ flips", done.stderr)]
         self.assertTrue(taken, done.stderr)
-        self.assertLess(sum(taken), 4 * 321 * 321)
+        self.assertLessEqual(sum(taken), 4 * 321 * 321)
 
     def test_errors_at_reading(self):
         self.fail_with("iconvert", "photo.png.ddt?scale=2&light=nosuchspace", "out.png",
