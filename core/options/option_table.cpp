@@ -194,6 +194,9 @@ std::vector<Option> make_table() {
             "consistency", surface, &SurfaceOptions::consistency, 0, most_consistency,
             "Rounds that correct the surface so that its mean over each source pixel comes back.")
             .in("ddt-sharp", "2"),
+        toggle("fitted", surface, &SurfaceOptions::fitted,
+               "1: vertices and bends by weights that were fitted to pictures stand in place of "
+               "the rounds of `consistency`, where there are any."),
         number("limit", surface, &SurfaceOptions::limit, 0.0f, largest_real,
                "How far a corrected pixel may leave the range of its 3x3 neighbours, as a share of "
                "that range; downwards of the darkest of them, if that is less."),
