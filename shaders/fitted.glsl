@@ -37,6 +37,19 @@ vec4 tap(ivec2 p, ivec2 size) {
     return z;
 }
 
+// v, or where it is not finite, `otherwise`.
+vec4 finite_or(vec4 v, vec4 otherwise) {
+    precise vec4 negated = vec4(0.0) - v;
+    vec4 size = if_less(v, vec4(0.0), negated, v);
+    return if_less_equal(size, vec4(largest_float), v, otherwise);
+}
+
+// v within a range; NaN stays.
+vec4 clamped(vec4 v, vec4 low, vec4 high) {
+    vec4 above = if_less(v, low, low, v);
+    return if_less(high, above, high, above);
+}
+
 vec4 share(vec4 index, int k) {
     precise vec4 t = (index - fitted_node[k - 1]) * node_scale;
     return upper(vec4(0.0), lower(vec4(1.0), t));
@@ -92,10 +105,8 @@ vec4 fitted_vertex(ivec2 p, ivec2 size, vec4 step_, vec4 low, vec4 high, out vec
         else
             move = move + share(index, k) * sum;
     }
-    precise vec4 negated = zero - move;
-    vec4 length_ = if_less(move, zero, negated, move);
-    precise vec4 moved = z + move;
-    return if_less_equal(length_, vec4(largest_float), upper(low, lower(high, moved)), z);
+    precise vec4 moved = z + finite_or(move, zero);
+    return finite_or(clamped(moved, low, high), z);
 }
 
 // The bend of the edge e with midpoint m (in doubled coordinates) and gain g. index: the mean of
@@ -158,10 +169,8 @@ vec4 fitted_bend(Edge e, ivec2 m, float g, vec4 index, ivec2 size) {
         else
             f = f + share(index, k) * sum;
     }
-    precise vec4 negated = zero - f;
-    vec4 length_ = if_less(f, zero, negated, f);
     precise vec4 wide = bend_limit * range;
     vec4 limit = if_less(zero, strict, rise, wide);
     precise vec4 least = zero - limit;
-    return if_less_equal(length_, vec4(largest_float), upper(least, lower(limit, f)), plain);
+    return finite_or(clamped(finite_or(f, plain), least, limit), plain);
 }

@@ -144,6 +144,9 @@ bool is_abn(const FilterOptions& o) {
 bool is_abn_one_round(const FilterOptions& o) {
     return is_abn(o) && o.mesh.scheme == Scheme::one_round;
 }
+bool is_abn_two_rounds(const FilterOptions& o) {
+    return is_abn(o) && o.surface.consistency == 2;
+}
 
 std::vector<Option> make_table() {
     constexpr auto colour = OptionGroup::colour, mesh = OptionGroup::mesh,
@@ -196,7 +199,10 @@ std::vector<Option> make_table() {
             .in("ddt-sharp", "2"),
         toggle("fitted", surface, &SurfaceOptions::fitted,
                "1: vertices and bends by weights that were fitted to pictures stand in place of "
-               "the rounds of `consistency`, where there are any."),
+               "the rounds of `consistency`, where there are any. 0 with costs other than `abn` "
+               "and other numbers of rounds than 2, unless given.")
+            .in("ddt-sharp", "1")
+            .where(is_abn_two_rounds, "0"),
         number("limit", surface, &SurfaceOptions::limit, 0.0f, largest_real,
                "How far a corrected pixel may leave the range of its 3x3 neighbours, as a share of "
                "that range; downwards of the darkest of them, if that is less."),

@@ -131,6 +131,20 @@ struct EdgeFeatures {
     }
 };
 
+/// v, or where it is not finite, `otherwise`.
+template <class T>
+DDT_INLINE T finite_or(T v, T otherwise) {
+    const T size = if_less(v, T(0.0f), T(0.0f) - v, v);
+    return if_less_equal(size, T(largest_float), v, otherwise);
+}
+
+/// v within a range; NaN stays.
+template <class T>
+DDT_INLINE T clamped(T v, T low, T high) {
+    const T above = if_less(v, low, low, v);
+    return if_less(high, above, high, above);
+}
+
 /// Where an index lies between the nodes: what each node's weights count.
 template <class T>
 DDT_INLINE void find_shares(T index, const FittedTable& table, T share[fitted_nodes]) {
@@ -157,9 +171,7 @@ DDT_INLINE T fitted_vertex(T z, T low, T high, const VertexFeatures<T>& v,
             (T(w[4]) * v.f[4] + T(w[5]) * v.f[5]);
         step = k == 0 ? sum : step + share[k] * sum;
     }
-    const T size = if_less(step, zero, zero - step, step);
-    const T moved = upper(low, lower(high, z + step));
-    return if_less_equal(size, T(largest_float), moved, z);
+    return finite_or(clamped(z + finite_or(step, zero), low, high), z);
 }
 
 /// The bend of an edge with these weights of its null features, node after node. In lanes where
@@ -179,8 +191,7 @@ DDT_INLINE T fitted_bend(const EdgeFeatures<T>& edge, T index, T strict, const f
                        (T(s[2]) * edge.shared[2] + T(s[3]) * edge.shared[3]));
         e = k == 0 ? sum : e + share[k] * sum;
     }
-    const T size = if_less(e, zero, zero - e, e);
+    const T plain = edge.shared[2];
     const T limit = if_less(zero, strict, edge.rise, T(table.bend_limit) * edge.range);
-    const T clamped = upper(zero - limit, lower(limit, e));
-    return if_less_equal(size, T(largest_float), clamped, edge.shared[2]);
+    return finite_or(clamped(finite_or(e, plain), zero - limit, limit), plain);
 }
