@@ -144,8 +144,8 @@ bool is_abn(const FilterOptions& o) {
 bool is_abn_one_round(const FilterOptions& o) {
     return is_abn(o) && o.mesh.scheme == Scheme::one_round;
 }
-bool is_abn_two_rounds(const FilterOptions& o) {
-    return is_abn(o) && o.surface.consistency == 2;
+bool is_clipped_abn_two_rounds(const FilterOptions& o) {
+    return is_abn(o) && o.surface.consistency == 2 && o.surface.clipped;
 }
 
 std::vector<Option> make_table() {
@@ -199,10 +199,11 @@ std::vector<Option> make_table() {
             .in("ddt-sharp", "2"),
         toggle("fitted", surface, &SurfaceOptions::fitted,
                "1: vertices and bends by weights that were fitted to pictures stand in place of "
-               "the rounds of `consistency`, where there are any. 0 with costs other than `abn` "
-               "and other numbers of rounds than 2, unless given.")
+               "the rounds of `consistency`, where there are any. Unless given, 1 in `ddt-sharp` "
+               "with `clipped=1`, the cost `abn` and 2 rounds: the pictures they were fitted to "
+               "had no highlights brighter than white.")
             .in("ddt-sharp", "1")
-            .where(is_abn_two_rounds, "0"),
+            .where(is_clipped_abn_two_rounds, "0"),
         number("limit", surface, &SurfaceOptions::limit, 0.0f, largest_real,
                "How far a corrected pixel may leave the range of its 3x3 neighbours, as a share of "
                "that range; downwards of the darkest of them, if that is less."),
