@@ -11,6 +11,7 @@
 #include "core/gl/host_tile.h"
 #include "core/gl/strip.h"
 #include "core/guide/guide.h"
+#include "core/surface/fitted/fitted.h"
 #include "core/tiles/tile_io.h"
 #include "core/tiles/tile_worker.h"
 #include "core/triangulate/gain.h"
@@ -195,6 +196,7 @@ std::string key_of(const Job& job) {
     key += job.surface.kind == Surface::linear ? " linear" : " patch";
     key += job.surface.soft > 0 ? " soft" : "";
     key += job.surface.consistency > 0 ? " consistency" : "";
+    key += is_fitted(job.surface) ? " fitted" : "";
     key += mesh.meshes > 1 ? " meshes" : "";
     return key + (job.channels % group_size == 0 ? " whole groups" : "");
 }
@@ -217,6 +219,7 @@ Job check_job(const Job& job) {
     check.surface.kind = job.surface.kind;
     check.surface.consistency = std::min(job.surface.consistency, 2);
     check.surface.soft = job.surface.soft > 0 ? 0.3f : 0.0f;
+    check.surface.fitted = job.surface.fitted;
     return check;
 }
 

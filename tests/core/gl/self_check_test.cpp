@@ -9,6 +9,7 @@
 
 #include "core/gl/context/faults.h"
 #include "core/gl/context/gpu.h"
+#include "core/surface/fitted/fitted.h"
 #include "ddt/names.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
@@ -40,9 +41,11 @@ Change change_of(const std::string& program) {
         return {"gradient_epsilon", "0.000401"};
     if (has("correct.comp"))
         return {"across_beside", "0.2501"};
+    if (has("bends.comp"))
+        return {"bend_strength", "1.751"};
     if (has("SOFT"))
         return {"soft_share", "0.501"};
-    if (has("QUADRATIC"))
+    if (has("QUADRATIC") && !has("STORED_BENDS"))
         return {"bend_strength", "1.751"};
     return {"SAMPLE_GROUP_X", "8"};
 }
@@ -81,8 +84,12 @@ std::vector<Order> orders() {
                     order.job.surface.kind = kind;
                     order.job.surface.soft = soft;
                     order.job.surface.consistency = consistency;
+                    order.job.surface.fitted = false;
                     order.job.mesh.meshes = meshes;
                     all.push_back(order);
+                    order.job.surface.fitted = true;
+                    if (is_fitted(order.job.surface))
+                        all.push_back(order);
                 }
     return all;
 }

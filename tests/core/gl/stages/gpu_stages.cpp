@@ -77,6 +77,7 @@ SurfaceStage GpuStages::surface(int rounds) {
     const gl::Functions& gl = m_gpu.context->gl;
     SurfaceOptions options = m_job.surface;
     options.consistency = rounds;
+    options.fitted = false; // its vertices and bends are seen in the result
     const auto kinds = gl::kinds_of(m_job);
     gl::Surfaces surfaces(m_gpu, m_shape, 1, kinds, options);
     finish_mesh();
