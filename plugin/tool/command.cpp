@@ -151,12 +151,15 @@ Flag choice_flag(const char* name, const std::vector<std::string>& choices, cons
 }
 
 Flag text_flag(const char* name, const char* value, const char* help, std::string& text) {
-    return {name, value, help,
+    return {name,
+            value,
+            help,
             [&text](const std::string& given) {
                 text = given;
                 return !given.empty();
             },
-            "texts that are not empty", ""};
+            "texts that are not empty",
+            ""};
 }
 
 Flag switch_flag(const char* name, const char* help, bool& on) {

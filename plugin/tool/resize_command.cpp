@@ -18,7 +18,8 @@ public:
         name = "resize";
         summary = "Resize an image, a sequence, or a part of an image";
         paragraphs = {
-            "The same pixels as oiiotool IN --resize:filter=ddt SIZE -o OUT with the plugin; from 8 or "
+            "The same pixels as oiiotool IN --resize:filter=ddt SIZE -o OUT with the plugin; from "
+            "8 or "
             "16 bits into EXR or HDR, with --type half or float.",
             "Sizes are oiiotool's: 640x480; 0x480 keeps the shape; 640x480+10-20 moves the origin; "
             "50%, 50%x75%; 2.5 is a factor. They are those of the display window.",
@@ -46,7 +47,8 @@ public:
             switch_flag("--keep-going", "go on with the other frames after one failed",
                         m_run.keep_going),
             {"--part", "K/N", "write the part K of N into OUT, an EXR file, for ddt join",
-             [this](const std::string& text) { return parse_part(text, m_part); }, allowed_parts, ""},
+             [this](const std::string& text) { return parse_part(text, m_part); }, allowed_parts,
+             ""},
             progress_flag(m_progress),
         };
     }

@@ -36,9 +36,8 @@ public:
                 continue;
             }
             const int64_t memory = m_run.memory_of ? m_run.memory_of(task) : 0;
-            m_room.wait(lock, [&] {
-                return m_stopped || m_taken == 0 || m_taken + memory <= m_allowed;
-            });
+            m_room.wait(lock,
+                        [&] { return m_stopped || m_taken == 0 || m_taken + memory <= m_allowed; });
             if (m_stopped)
                 return;
             m_taken += memory;
