@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <mutex>
 #include <new>
 #include <numeric>
@@ -118,6 +119,8 @@ FrameCounts run_frames(const std::vector<FrameTask>& tasks, const FrameRun& run,
 
 int64_t memory_allowed() {
     auto bytes = int64_t(OIIO::Sysutil::physical_memory());
+    if (bytes == 0) // not known: no /proc
+        bytes = std::numeric_limits<int64_t>::max();
     int64_t limit = 0;
     if (std::ifstream("/sys/fs/cgroup/memory.max") >> limit && limit > 0)
         bytes = std::min(bytes, limit);
