@@ -25,7 +25,7 @@ cp "$build_dir/plugins/ddt.imageio.so" build/plugins/
 cp "$source_dir/testimages/scene.png" photo.png
 for i in 1 2 3; do cp "$source_dir/testimages/light.exr" in.000$i.exr; done
 # Large enough for parts.
-oiiotool in.0001.exr --resize 640x480 -o render.exr
+oiiotool in.0001.exr --resize 320x240 -o render.exr
 
 ran=0
 run() {

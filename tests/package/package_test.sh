@@ -37,7 +37,7 @@ int main() {
 END
 # shellcheck disable=SC2046 # words on purpose
 c++ -std=c++17 "$work/main.cpp" -o "$work/by-pkg-config" \
-    $(PKG_CONFIG_PATH=$pc pkg-config --define-variable=prefix="$prefix" --cflags --libs oiio-ddt) ||
+    $(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs oiio-ddt) ||
     failed "pkg-config"
 "$work/by-pkg-config" || failed "the program by pkg-config"
 mkdir "$work/consumer"
