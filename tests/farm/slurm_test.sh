@@ -51,7 +51,7 @@ for node in n1 n2; do
     daemons+=($!)
 done
 node2=$!
-up() { [ "$(timeout 10 sinfo -h -t idle -o %D 2>/dev/null)" = 2 ]; }
+up() { [ "$(timeout -s KILL 5 sinfo -h -t idle -o %D 2>/dev/null)" = 2 ]; }
 for ((i = 0; i < 60; ++i)); do
     up || ! kill -0 "${daemons[@]}" 2>/dev/null && break
     sleep 0.5
