@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # The image libraries the plugin and the ImageBuf library need, as the imported targets
 # OpenImageIO::OpenImageIO and PkgConfig::OpenColorIO. Used as CoreDependencies.cmake is, after it.
-find_package(OpenImageIO 2.4 REQUIRED)
+# No version here: OpenImageIO's own check refuses another major one than is asked for.
+find_package(OpenImageIO REQUIRED)
+if(OpenImageIO_VERSION VERSION_LESS 2.4)
+  message(FATAL_ERROR "OpenImageIO ${OpenImageIO_VERSION} is too old: 2.4 or later is needed")
+endif()
 
 # Debian's OpenImageIO names OpenCV's headers among its own, though nothing public uses them and
 # the package does not bring them along; CMake refuses folders that are not there.

@@ -5,11 +5,19 @@
 #include "served.glsl"
 #include "locate.glsl"
 #include "consistency.glsl"
+#ifdef FITTED
+#include "fitted.glsl"
+#endif
 
 layout(local_size_x = SURFACE_GROUP_X, local_size_y = SURFACE_GROUP_Y) in; // z: a tile
 
 layout(std430, binding = 4) readonly buffer Source { uvec4 source[]; };
 layout(std430, binding = 5) writeonly buffer Corrected { uvec4 corrected_value[]; };
+
+// FITTED: vertices go where their features' weights say; the indices are for bends.comp.
+#ifdef FITTED
+layout(std430, binding = 6) writeonly buffer Bends { vec4 index_at[]; }; // a site
+#endif
 
 layout(location = 2) uniform vec4 limit;
 layout(location = 3) uniform float lowest;
@@ -106,6 +114,22 @@ vec4 mean_of(int tile, ivec2 cell, ivec2 v) {
     return v_to_d ? through(c) : across(c);
 }
 
+// The sum of the quadrants' means of a vertex that is not on the rim, and the range it may go in.
+void measure(int tile, ivec2 p, out vec4 sum_, out vec4 low, out vec4 high) {
+    precise vec4 sum = vec4(0.0);
+    for (int i = 0; i < 4; ++i)
+        sum = sum + mean_of(tile, p - 1 + ivec2(i & 1, i >> 1), p);
+    sum_ = sum;
+    low = source_at(p);
+    high = low;
+    for (int i = 0; i < 9; ++i) {
+        vec4 n = source_at(p + ivec2(i % 3 - 1, i / 3 - 1));
+        low = if_less(n, low, n, low);
+        high = if_less(high, n, n, high);
+    }
+    widen(limit, lowest, low, high);
+}
+
 void main() {
     int tile = int(gl_GlobalInvocationID.z);
     ivec2 p = ivec2(gl_GlobalInvocationID.xy), size = extent[tile].xy;
@@ -114,18 +138,24 @@ void main() {
     first_site = tile * slot_sites;
     first_pixel = tile * slot_pixels;
     vec4 z = value_at(p);
+#ifdef FITTED
+    precise vec4 sum = vec4(0.0);
+    vec4 low = z, high = z, index;
+    bool inner = p.x > 0 && p.y > 0 && p.x + 1 < size.x && p.y + 1 < size.y;
+    if (inner)
+        measure(tile, p, sum, low, high);
+    precise vec4 move = vec4(0.0) - sum * 0.25;
+    vec4 moved = fitted_vertex(p, size, move, low, high, index);
+    if (inner)
+        z = moved;
+    index_at[first_site + offset(2 * p)] = index;
+#else
     if (p.x > 0 && p.y > 0 && p.x + 1 < size.x && p.y + 1 < size.y) {
-        precise vec4 sum = vec4(0.0);
-        vec4 low = source_at(p), high = low;
-        for (int i = 0; i < 4; ++i)
-            sum = sum + mean_of(tile, p - 1 + ivec2(i & 1, i >> 1), p);
-        for (int i = 0; i < 9; ++i) {
-            vec4 n = source_at(p + ivec2(i % 3 - 1, i / 3 - 1));
-            low = if_less(n, low, n, low);
-            high = if_less(high, n, n, high);
-        }
-        widen(limit, lowest, low, high);
+        precise vec4 sum;
+        vec4 low, high;
+        measure(tile, p, sum, low, high);
         z = corrected(z, source_at(p), sum, low, high);
     }
+#endif
     corrected_value[pixel_of(p)] = floatBitsToUint(z);
 }

@@ -6,7 +6,11 @@
 #include "surface.glsl"
 
 layout(std430, binding = 1) readonly buffer Values { uvec4 value[]; };      // a pixel
+#ifdef STORED_BENDS
+layout(std430, binding = 2) readonly buffer Bends { vec4 stored_bend[]; }; // a site: fitted ones
+#else
 layout(std430, binding = 2) readonly buffer Gradients { vec4 gradient[]; }; // two a pixel: x, y
+#endif
 layout(std430, binding = 3) readonly buffer Gains { float gain[]; };        // a site
 
 layout(location = 0) uniform float reciprocal_tau;
@@ -23,9 +27,13 @@ vec4 value_at(ivec2 p) {
 
 // e of the edge between i and j; seen from either end the same, but for the sign of zero.
 vec4 bend(ivec2 i, ivec2 j) {
+#ifdef STORED_BENDS
+    return stored_bend[first_site + offset(i + j)];
+#else
     int at_i = 2 * pixel_of(i), at_j = 2 * pixel_of(j);
     return edge_bend(gradient[at_i], gradient[at_i + 1], gradient[at_j], gradient[at_j + 1],
                      value_at(i), value_at(j), j - i);
+#endif
 }
 
 // q of the edge between i and j.

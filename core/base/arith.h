@@ -21,7 +21,8 @@
 namespace ddt {
 
 /// While it lives, this thread treats denormal floats as zero, as GPUs do. Otherwise values below
-/// 1.2e-38 could differ between devices.
+/// 1.2e-38 could differ between devices. On processors other than x86-64 and AArch64 it does
+/// nothing: there, bits are promised only where no operation meets or makes such a value.
 class DenormalsAreZero {
 public:
 #if defined(__SSE2__)
@@ -39,6 +40,9 @@ public:
     ~DenormalsAreZero() {
         asm volatile("msr fpcr, %0" ::"r"(m_saved));
     }
+#else
+    // Not defaulted: an object that is only there to live must not look unused.
+    DenormalsAreZero() {}
 #endif
     DenormalsAreZero(const DenormalsAreZero&) = delete;
     DenormalsAreZero& operator=(const DenormalsAreZero&) = delete;

@@ -17,3 +17,12 @@ HWY_INLINE Blocks spread(const float* p) {
     const auto block = hn::ShiftRight<2>(hn::Iota(di, 0));
     return hn::TableLookupLanes(hn::LoadU(d, p), hn::IndicesFromVec(d, block));
 }
+
+/// Block k to p + 2 k group_size.
+HWY_INLINE void store_every_second(Blocks v, float* p) {
+    HWY_ALIGN float blocks[4 * group_size];
+    v.store(blocks);
+    for (int k = 0; k < blocks_in_vector(); ++k)
+        Lanes<hn::CappedTag<float, group_size>>::load(blocks + k * group_size)
+            .store(p + 2 * k * group_size);
+}

@@ -6,18 +6,20 @@
 #include <new>
 #include <string>
 
+#include "core/base/one_line.h"
+
 namespace ddt {
 
 /// What came out of a guarded call.
 enum class Caught { nothing, out_of_memory, other };
 
-/// Set *error, unless null, to "ddt: " and `what`, or to nothing where there is no memory for that.
+/// Set *error, unless null, to "ddt: " and `what` in one line; to nothing where memory runs out.
 inline void tell(std::string* error, const char* what) noexcept {
     if (!error)
         return;
     error->clear();
     try {
-        const std::string line(what);
+        const std::string line = one_line(what);
         *error = line.compare(0, 5, "ddt: ") == 0 ? line : "ddt: " + line;
     } catch (...) {
     }
@@ -48,7 +50,7 @@ bool succeeds(std::string* error, F&& f) noexcept {
         std::string why;
         done = f(why);
         if (error)
-            *error = done ? std::string() : std::move(why);
+            *error = done ? std::string() : one_line(why);
     });
     return done && caught == Caught::nothing;
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include <sys/mman.h>
+#include <unistd.h>
 
 namespace ddt {
 
@@ -11,7 +12,7 @@ void ask_for_large_pages(const void* begin, size_t bytes) {
 #ifdef MADV_HUGEPAGE
     // Less holds no large page, but much that is not ours.
     constexpr size_t least = size_t(4) << 20;
-    constexpr uintptr_t page = 4096;
+    static const auto page = uintptr_t(sysconf(_SC_PAGESIZE));
     const auto at = reinterpret_cast<uintptr_t>(begin);
     const uintptr_t first = (at + page - 1) / page * page, last = (at + bytes) / page * page;
     if (begin && bytes >= least)

@@ -5,6 +5,7 @@
 #include <cfloat>
 
 #include "core/gl/context/failure.h"
+#include "core/surface/fitted/fitted.h"
 #include "core/surface/net.h"
 
 namespace ddt::gl {
@@ -19,7 +20,11 @@ size_t gradient_bytes(const SlotShape& shape, const SurfaceOptions& options) {
     return options.kind == Surface::linear ? 0 : 2 * value_bytes(shape);
 }
 int corrected_buffers(const SurfaceOptions& options) {
-    return std::min(options.consistency, 2);
+    return is_fitted(options) ? 1 : std::min(options.consistency, 2);
+}
+// A site has group_size floats.
+size_t bend_bytes(const SlotShape& shape, const SurfaceOptions& options) {
+    return is_fitted(options) ? shape.sites() * group_size * sizeof(float) : 0;
 }
 
 /// Groups of invocations that go over n things.
@@ -44,17 +49,24 @@ Surfaces::Surfaces(Gpu& gpu, const SlotShape& shape, int tiles,
         for (int i = 0; i < corrected_buffers(options); ++i)
             g.corrected[i] = std::make_unique<Buffer>(m_gl, value_bytes(shape) * n);
         g.gradients = std::make_unique<Buffer>(m_gl, gradient_bytes(shape, options) * n);
+        if (is_fitted(options))
+            g.bends = std::make_unique<Buffer>(m_gl, bend_bytes(shape, options) * n);
         m_groups.push_back(std::move(g));
+    }
+    if (is_fitted(options)) {
+        m_table = std::make_unique<Buffer>(m_gl, sizeof(FittedTable));
+        m_table->write(0, sizeof(FittedTable), &fitted_table());
     }
 }
 
 size_t Surfaces::bytes(const SlotShape& shape, size_t groups, const SurfaceOptions& options) {
     return groups * (value_bytes(shape) * size_t(1 + corrected_buffers(options)) +
-                     gradient_bytes(shape, options));
+                     gradient_bytes(shape, options) + bend_bytes(shape, options));
 }
 
 size_t Surfaces::largest_bytes(const SlotShape& shape, const SurfaceOptions& options) {
-    return std::max(value_bytes(shape), gradient_bytes(shape, options));
+    return std::max(
+        {value_bytes(shape), gradient_bytes(shape, options), bend_bytes(shape, options)});
 }
 
 void Surfaces::write_values(int slot, int group, const float* values) {
@@ -68,10 +80,14 @@ std::string Surfaces::defines() const {
 }
 
 void Surfaces::make(DeviceMesh& mesh, const Criterion& by) {
-    if (m_options.soft > 0)
+    if (m_options.soft > 0 || fitted())
         mesh.find_gains(by);
     for (Group& group : m_groups) {
         group.values = group.source.get();
+        if (fitted()) {
+            fit(mesh, group);
+            continue;
+        }
         for (int round = 0; round < m_options.consistency; ++round) {
             // Values are read as far off as the surface and the apexes beyond its triangles go;
             // each later round reads about as far again round those, and a pixel further.
@@ -96,23 +112,41 @@ void Surfaces::find_gradients(DeviceMesh& mesh, const Group& group, Margin margi
 }
 
 void Surfaces::bind_net(const DeviceMesh& mesh, int group) {
-    bind_net(mesh, m_groups[size_t(group)]);
+    const Group& g = m_groups[size_t(group)];
+    bind_net(mesh, g, edges_of(g));
 }
 
-void Surfaces::bind_net(const DeviceMesh& mesh, const Group& group) {
+void Surfaces::bind_net(const DeviceMesh& mesh, const Group& group, const Buffer& edges) {
     mesh.bind();
     group.values->bind(1);
-    group.gradients->bind(2);
+    edges.bind(2);
     mesh.gains().bind(3);
     m_gl.Uniform1f(0, m_options.soft > 0 ? 1.0f / m_options.soft : 0.0f);
     const unsigned strict = group.kinds.strict;
     m_gl.Uniform4f(1, lane(strict, 0), lane(strict, 1), lane(strict, 2), lane(strict, 3));
 }
 
-void Surfaces::correct(DeviceMesh& mesh, Group& group, int round, Margin margin) {
+void Surfaces::fit(DeviceMesh& mesh, Group& group) {
+    // What correct() reads is as far about as in a last round; indices are wanted at the ends of
+    // edges, bends of edges of triangles that are read.
+    find_gradients(mesh, group, {3, 2});
+    m_table->bind_uniform(1);
+    group.bends->bind(6);
+    correct(mesh, group, 0, {2, 1}, " FITTED");
+    m_gpu.programs->use("bends.comp", defines());
+    bind_net(mesh, group, *group.gradients);
+    group.source->bind(1);
+    group.bends->bind(5);
+    m_gl.Uniform2i(9, 1, 1);
+    mesh.dispatch_over(2 * m_shape.width - 1, 2 * m_shape.height - 1, 64, 2);
+    m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void Surfaces::correct(DeviceMesh& mesh, Group& group, int round, Margin margin,
+                       const std::string& more) {
     const Buffer* to = group.corrected[round & 1].get();
-    m_gpu.programs->use("correct.comp", defines());
-    bind_net(mesh, group);
+    m_gpu.programs->use("correct.comp", defines() + more);
+    bind_net(mesh, group, *group.gradients);
     group.source->bind(4);
     to->bind(5);
     const auto limit = [&](int i) { return lane(~group.kinds.strict, i) * m_options.limit; };
@@ -150,7 +184,8 @@ void Surfaces::sample(DeviceMesh& mesh, const SamplePlan& plan, int channels) {
 
 void Surfaces::sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int channels, int index) {
     const char* layout = channels % group_size == 0 ? " WHOLE_GROUPS" : "";
-    m_gpu.programs->use("sample.comp", defines() + layout + (index > 0 ? " MEAN" : ""));
+    m_gpu.programs->use("sample.comp", defines() + layout + (fitted() ? " STORED_BENDS" : "") +
+                                           (index > 0 ? " MEAN" : ""));
     m_gl.Uniform1i(2, plan.slot + index);
     m_gl.Uniform1i(3, plan.separable);
     m_gl.Uniform3i(4, plan.columns, plan.rows, plan.count);
@@ -162,7 +197,7 @@ void Surfaces::sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int channel
     }
     for (size_t g = 0; g < m_groups.size(); ++g) {
         const Group& group = m_groups[g];
-        bind_net(mesh, group);
+        bind_net(mesh, group, edges_of(group));
         m_positions->bind(4);
         m_result->bind(5);
         group.source->bind(6);

@@ -68,16 +68,23 @@ private:
         std::unique_ptr<Buffer> source;       ///< values as they were read
         std::unique_ptr<Buffer> corrected[2]; ///< by consistency rounds, in turn
         std::unique_ptr<Buffer> gradients;
+        std::unique_ptr<Buffer> bends;  ///< fitted ones, of edges; at vertices their indices
         const Buffer* values = nullptr; ///< what the surface goes through now
     };
-    void bind_net(const DeviceMesh& mesh, const Group& group);
+    bool fitted() const { return m_table != nullptr; }
+    const Buffer& edges_of(const Group& group) const {
+        return fitted() ? *group.bends : *group.gradients;
+    }
+    void bind_net(const DeviceMesh& mesh, const Group& group, const Buffer& edges);
     /// How far about the positions that tiles serve something is made: so many times the longest
     /// edge, and so many pixels.
     struct Margin {
         int edges, pixels;
     };
     void find_gradients(DeviceMesh& mesh, const Group& group, Margin margin);
-    void correct(DeviceMesh& mesh, Group& group, int round, Margin margin);
+    void correct(DeviceMesh& mesh, Group& group, int round, Margin margin,
+                 const std::string& more = "");
+    void fit(DeviceMesh& mesh, Group& group);
     void reserve(std::unique_ptr<Buffer>& buffer, size_t bytes);
     void sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int channels, int index);
 
@@ -87,6 +94,7 @@ private:
     SurfaceOptions m_options;
     std::vector<Group> m_groups;
     std::unique_ptr<Buffer> m_positions, m_result;
+    std::unique_ptr<Buffer> m_table; ///< FittedTable, if the surface is fitted
 };
 
 } // namespace ddt::gl

@@ -144,6 +144,9 @@ bool is_abn(const FilterOptions& o) {
 bool is_abn_one_round(const FilterOptions& o) {
     return is_abn(o) && o.mesh.scheme == Scheme::one_round;
 }
+bool is_clipped_abn_two_rounds(const FilterOptions& o) {
+    return is_abn(o) && o.surface.consistency == 2 && o.surface.clipped;
+}
 
 std::vector<Option> make_table() {
     constexpr auto colour = OptionGroup::colour, mesh = OptionGroup::mesh,
@@ -194,6 +197,13 @@ std::vector<Option> make_table() {
             "consistency", surface, &SurfaceOptions::consistency, 0, most_consistency,
             "Rounds that correct the surface so that its mean over each source pixel comes back.")
             .in("ddt-sharp", "2"),
+        toggle("fitted", surface, &SurfaceOptions::fitted,
+               "1: vertices and bends by weights that were fitted to pictures stand in place of "
+               "the rounds of `consistency`, where there are any. Unless given, 1 in `ddt-sharp` "
+               "with `clipped=1`, the cost `abn` and 2 rounds: the pictures they were fitted to "
+               "had no highlights brighter than white.")
+            .in("ddt-sharp", "1")
+            .where(is_clipped_abn_two_rounds, "0"),
         number("limit", surface, &SurfaceOptions::limit, 0.0f, largest_real,
                "How far a corrected pixel may leave the range of its 3x3 neighbours, as a share of "
                "that range; downwards of the darkest of them, if that is less."),

@@ -163,7 +163,7 @@ HWY_INLINE void add_cells(const Lattice& lattice, const Net& net, float* sum) {
         }
 }
 
-HWY_ATTR void correct(const Lattice& lattice, Surface surface, Net& net, Consistency& c) {
+HWY_ATTR void add_means(const Lattice& lattice, Surface surface, const Net& net, Consistency& c) {
     const bool soft = !net.soft.empty();
     if (surface == Surface::linear && soft)
         add_cells<false, true>(lattice, net, c.sum.data());
@@ -173,6 +173,9 @@ HWY_ATTR void correct(const Lattice& lattice, Surface surface, Net& net, Consist
         add_cells<true, true>(lattice, net, c.sum.data());
     else
         add_cells<true, false>(lattice, net, c.sum.data());
+}
+
+HWY_ATTR void correct(const Lattice& lattice, Net& net, const Consistency& c) {
     for (int y = 1; y + 1 < lattice.height(); ++y)
         for (int x = 1; x + 1 < lattice.width(); ++x) {
             const size_t at = (size_t(y) * size_t(lattice.width()) + size_t(x)) * group_size;
@@ -191,6 +194,7 @@ HWY_AFTER_NAMESPACE();
 namespace ddt {
 
 HWY_EXPORT(find_limits);
+HWY_EXPORT(add_means);
 HWY_EXPORT(correct);
 
 void Consistency::begin(const Lattice& lattice, const Net& net, float limit, bool clipped) {
@@ -209,9 +213,14 @@ void Consistency::begin(const Lattice& lattice, const Net& net, float limit, boo
     (lattice.width(), lattice.height(), limits, clipped ? -FLT_MAX : 0.0f, *this);
 }
 
-void Consistency::correct(const Lattice& lattice, Surface surface, Net& net) {
+void Consistency::measure(const Lattice& lattice, Surface surface, const Net& net) {
     sum.assign(source.size(), 0.0f);
-    HWY_DYNAMIC_DISPATCH(correct)(lattice, surface, net, *this);
+    HWY_DYNAMIC_DISPATCH(add_means)(lattice, surface, net, *this);
+}
+
+void Consistency::correct(const Lattice& lattice, Surface surface, Net& net) {
+    measure(lattice, surface, net);
+    HWY_DYNAMIC_DISPATCH(correct)(lattice, net, *this);
 }
 
 void Consistency::restore(const Lattice& lattice, unsigned lanes, Net& net) const {

@@ -22,6 +22,9 @@ public:
     /// clipped: SurfaceOptions::clipped.
     void begin(const Lattice& lattice, const Net& net, float limit, bool clipped = false);
 
+    /// The first half of correct(): find the surface's means, and leave the vertices as they are.
+    void measure(const Lattice& lattice, Surface surface, const Net& net);
+
     /// One round on the whole lattice, whose edges must all have been bent (for Surface::patch) and
     /// softened (where the net has soft edges), and whose divisions have been found.
     void correct(const Lattice& lattice, Surface surface, Net& net);

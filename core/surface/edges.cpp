@@ -82,14 +82,6 @@ HWY_INLINE Blocks spread_every_second(const float* p) {
     return hn::TableLookupLanes(hn::LoadU(d, p), hn::IndicesFromVec(d, block));
 }
 
-/// Block k to p + 2 k group_size.
-HWY_INLINE void store_every_second(Blocks v, float* p) {
-    HWY_ALIGN float blocks[4 * group_size];
-    v.store(blocks);
-    for (int k = 0; k < blocks_in_vector(); ++k)
-        Lanes4::load(blocks + k * group_size).store(p + 2 * k * group_size);
-}
-
 /// Where flag is 1 `yes`, where it is 0 `no`.
 HWY_INLINE Blocks either(Blocks flag, Blocks yes, Blocks no) {
     return if_less(Blocks(0.0f), flag, yes, no);

@@ -7,6 +7,7 @@
 #include "core/sample/evaluate.h"
 #include "core/surface/consistency.h"
 #include "core/surface/edge_maker.h"
+#include "core/surface/fitted/fitted.h"
 #include "core/surface/net.h"
 #include "core/tiles/grid.h"
 #include "core/triangulate/triangulate.h"
@@ -18,6 +19,7 @@ namespace ddt {
 struct MeshScratch {
     Workspace workspace;
     Consistency consistency;
+    Fitted fitted;
 };
 
 /// The memory of one mesh, kept from one tile to the next.
@@ -52,7 +54,12 @@ public:
                      float* out, size_t row);
 
 private:
+    /// The part of the lattice whose edges are sampled: triangles of the tile reach into the halo.
+    Rect sampled_part(const Tile& tile) const;
+    void correct(int group, MeshScratch& scratch);
+    void fit(int group, const Rect& part, MeshScratch& scratch);
     void begin_edges(Net& net, const Rect& part);
+    void begin_softness(Net& net, const Rect& part);
 
     const Job& m_job;
     Lattice m_lattice;

@@ -32,10 +32,12 @@ size_t TileWorker::memory(const Job& job) {
     // Gains, work lists.
     const size_t workspace = sites * (sizeof(float) + 4 * sizeof(int));
     const size_t consistency = job.surface.consistency > 0 ? sites * sizeof(float) * group_size : 0;
+    const size_t fitted = is_fitted(job.surface) ? pixels * sizeof(float) * group_size : 0;
     const size_t guides = job.mesh.meshes > 1 ? 2 : 1;
     const size_t planes = pixels * sizeof(float) * (guides + size_t(job.channels));
     const size_t contours = ContourRows::memory(tile_size + 1 + 2 * tile_halo);
-    return meshes + workspace + consistency + planes + contours + 2 * strip_floats * sizeof(float);
+    return meshes + workspace + consistency + fitted + planes + contours +
+           2 * strip_floats * sizeof(float);
 }
 
 void TileWorker::reserve() {

@@ -10,6 +10,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/strutil.h>
 
+#include "core/base/one_line.h"
 #include "plugin/colour/builtin.h"
 
 namespace ddt {
@@ -116,14 +117,6 @@ std::string names_in(const std::vector<OCIO::ConstConfigRcPtr>& list) {
 }
 
 } // namespace
-
-std::string one_line(const std::string& text) {
-    std::string line;
-    std::istringstream words(text);
-    for (std::string word; words >> word;)
-        line += (line.empty() ? "" : " ") + word;
-    return line;
-}
 
 bool find_space(const std::string& name, NamedBy by, Space& found, std::string& error) {
     std::vector<OCIO::ConstConfigRcPtr> list;

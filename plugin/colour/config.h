@@ -34,7 +34,4 @@ bool find_space(const std::string& name, NamedBy by, Space& found, std::string& 
 /// The text of colour/carried.ocio.
 const char* carried_config_text();
 
-/// `text` with its line breaks and runs of blanks made single blanks.
-std::string one_line(const std::string& text);
-
 } // namespace ddt

@@ -11,6 +11,7 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "core/base/one_line.h"
 #include "plugin/colour/config.h"
 #include "plugin/colour/fork.h"
 

@@ -3,7 +3,7 @@
 //
 //     gegl in.png -o out.png -- ddt scale=4
 //
-// Babl converts colours: the operation asks for linear light, or for encoded numbers.
+// It works in linear light, or on the encoded numbers.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -17,6 +17,7 @@
 
 #include "ddt/names.h"
 #include "plugin/host/parameters.h"
+#include "plugin/host/pixels.h"
 #include "plugin/host/request.h"
 
 namespace {
@@ -73,44 +74,98 @@ bool find_windows(GeglOperation* operation, Rect& window, Rect& full) {
     return true;
 }
 
-/// Grey or colour, with alpha or without, as the input is; float, linear or encoded.
-const Babl* format_of(GeglOperation* operation, int& channels) {
-    static const char* const names[2][4] = {
-        {"Y float", "YaA float", "RGB float", "RaGaBaA float"},
-        {"Y' float", "Y'aA float", "R'G'B' float", "R'aG'aB'aA float"}};
+/// What the operation asks babl for, and what it makes of it by itself.
+struct Wanted {
+    const Babl* format = nullptr; ///< float, grey or colour, with alpha or without, as the input is
+    int channels = 0;
+    bool associated = true;
+    const char* light = "linear"; ///< one of meaning_names()
+    /// The largest of the input's whole numbers if it has such, and they only became floats; else
+    /// 0.
+    float largest = 0;
+};
+
+/// As OpenImageIO makes floats of whole numbers; babl's may differ in the last place.
+void snap(float largest, float* values, size_t count) {
+    const float unit = 1.0f / largest;
+    for (size_t i = 0; i < count; ++i)
+        values[i] = std::nearbyint(values[i] * largest) * unit;
+}
+
+/// The name of the light whose numbers a space's curve makes of linear light; null if there is
+/// none.
+const char* curve_of(const Babl* space) {
+    const Babl* curves[3] = {};
+    babl_space_get(space, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
+                   &curves[0], &curves[1], &curves[2]);
+    if (curves[0] != curves[1] || curves[0] != curves[2])
+        return nullptr;
+    return curves[0] == babl_trc("sRGB")     ? "sRGB"
+           : curves[0] == babl_trc("linear") ? "linear"
+                                             : nullptr;
+}
+
+/// Numbers are taken as the input has them where their curve is known: babl's own way through it
+/// and back differs from the filter's in the last places, and for transparent pixels.
+Wanted wanted_by(GeglOperation* operation) {
+    // By curve, then without alpha, with, and associated.
+    static const char* const colour[2][3] = {{"RGB float", "RGBA float", "RaGaBaA float"},
+                                             {"R'G'B' float", "R'G'B'A float", "R'aG'aB'aA float"}};
+    static const char* const grey[2][3] = {{"Y float", "YA float", "YaA float"},
+                                           {"Y' float", "Y'A float", "Y'aA float"}};
     const Babl* source = gegl_operation_get_source_format(operation, "input");
+    const Babl* space = gegl_operation_get_source_space(operation, "input");
     const auto flags = source ? babl_get_model_flags(source)
-                              : BablModelFlag(BABL_MODEL_FLAG_RGB | BABL_MODEL_FLAG_ALPHA);
-    channels = ((flags & BABL_MODEL_FLAG_GRAY) ? 1 : 3) + ((flags & BABL_MODEL_FLAG_ALPHA) ? 1 : 0);
-    return babl_format_with_space(names[self_of(operation).light][channels - 1],
-                                  gegl_operation_get_source_space(operation, "input"));
+                              : BablModelFlag(BABL_MODEL_FLAG_RGB | BABL_MODEL_FLAG_ALPHA |
+                                              BABL_MODEL_FLAG_ASSOCIATED);
+    const bool alpha = flags & BABL_MODEL_FLAG_ALPHA, is_grey = flags & BABL_MODEL_FLAG_GRAY;
+    const char* curve =
+        flags & BABL_MODEL_FLAG_NONLINEAR ? curve_of(space ? space : babl_space("sRGB")) : nullptr;
+    const bool blend_encoded = self_of(operation).light == 1;
+    Wanted wanted;
+    wanted.channels = (is_grey ? 1 : 3) + (alpha ? 1 : 0);
+    wanted.associated = flags & BABL_MODEL_FLAG_ASSOCIATED;
+    wanted.light = blend_encoded ? "encoded" : curve ? curve : "linear";
+    wanted.format = babl_format_with_space(
+        (is_grey ? grey : colour)[blend_encoded || curve][alpha ? wanted.associated ? 2 : 1 : 0],
+        space);
+    if (source && babl_format_get_model(source) == babl_format_get_model(wanted.format)) {
+        const Babl* type = babl_format_get_type(source, 0);
+        wanted.largest = type == babl_type("u8") ? 255.0f : type == babl_type("u16") ? 65535.0f : 0;
+    }
+    return wanted;
 }
 
 class GeglSource final : public ddt::Source {
 public:
-    GeglSource(GeglBuffer* buffer, const Babl* format, const Enlargement& work)
-        : m_buffer(buffer), m_format(format), m_channels(work.layout.channels),
+    GeglSource(GeglBuffer* buffer, const Wanted& wanted, const Enlargement& work)
+        : m_buffer(buffer), m_wanted(wanted), m_work(work),
           m_guide(guide_recipe(work.layout, work.meaning)) {}
     bool read(const Rect& r, float* values, float* guide) override {
         const GeglRectangle box = rectangle_of(r);
-        gegl_buffer_get(m_buffer, &box, 1.0, m_format, values, GEGL_AUTO_ROWSTRIDE,
+        gegl_buffer_get(m_buffer, &box, 1.0, m_wanted.format, values, GEGL_AUTO_ROWSTRIDE,
                         GEGL_ABYSS_CLAMP);
-        ddt::make_guide(m_guide, values, r.area(), m_channels, guide);
+        if (m_wanted.largest > 0)
+            snap(m_wanted.largest, values, r.area() * size_t(m_wanted.channels));
+        to_work(m_work, values, r.area());
+        ddt::make_guide(m_guide, values, r.area(), m_work.layout.channels, guide);
         return true;
     }
 
 private:
     GeglBuffer* m_buffer;
-    const Babl* m_format;
-    int m_channels;
+    const Wanted m_wanted;
+    const Enlargement& m_work;
     ddt::GuideRecipe m_guide;
 };
 
 class GeglSink final : public ddt::Sink {
 public:
-    GeglSink(GeglBuffer* buffer, const Babl* format) : m_buffer(buffer), m_format(format) {}
+    GeglSink(GeglBuffer* buffer, const Babl* format, const Enlargement& work)
+        : m_buffer(buffer), m_format(format), m_work(work) {}
     bool write(const Rect& r, float* values) override {
         const GeglRectangle box = rectangle_of(r);
+        from_work(m_work, values, r.area());
         gegl_buffer_set(m_buffer, &box, 0, m_format, values, GEGL_AUTO_ROWSTRIDE);
         return true;
     }
@@ -118,6 +173,7 @@ public:
 private:
     GeglBuffer* m_buffer;
     const Babl* m_format;
+    const Enlargement& m_work;
 };
 
 /// The filter's specification that the properties amount to.
@@ -129,8 +185,7 @@ std::string specification(const Operation& self) {
 }
 
 void prepare(GeglOperation* operation) {
-    int channels = 0;
-    const Babl* format = format_of(operation, channels);
+    const Babl* format = wanted_by(operation).format;
     gegl_operation_set_format(operation, "input", format);
     gegl_operation_set_format(operation, "output", format);
 }
@@ -170,9 +225,8 @@ gboolean process(GeglOperation* operation, GeglBuffer* input, GeglBuffer* output
     }
     work.to.box = rect_of(*part);
     work.from.box = work.window;
-    int channels = 0;
-    const Babl* format = format_of(operation, channels);
-    work.layout = Layout::usual(channels);
+    const Wanted wanted = wanted_by(operation);
+    work.layout = Layout::usual(wanted.channels, wanted.associated);
     // GEGL's progress is for the thread that it calls us on.
     const auto caller = std::this_thread::get_id();
     work.progress = [&](float share) {
@@ -181,12 +235,12 @@ gboolean process(GeglOperation* operation, GeglBuffer* input, GeglBuffer* output
         return true;
     };
     std::string error;
-    if (!set_filter(specification(self), lights[self.light], work, error)) {
+    if (!set_filter(specification(self), wanted.light, work, error)) {
         g_warning("%s", error.c_str());
         return FALSE;
     }
-    GeglSource source(input, format, work);
-    GeglSink sink(output, format);
+    GeglSource source(input, wanted, work);
+    GeglSink sink(output, wanted.format, work);
     if (enlarge(work, source, sink, error) == ddt::Outcome::done)
         return TRUE;
     g_warning("%s", error.c_str());

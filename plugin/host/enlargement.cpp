@@ -101,7 +101,6 @@ Job job_of(const Enlargement& work) {
     job.kinds = work.layout.kinds;
     job.mesh = work.mesh;
     job.surface = work.surface;
-    job.surface.clipped |= is_unsigned(work.to.sample);
     job.threads = work.threads;
     job.device = work.device;
     job.progress = work.progress;

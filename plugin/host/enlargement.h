@@ -50,7 +50,7 @@ struct Enlargement {
     Rect window, full;
     Layout layout;
     Meaning meaning;
-    SurfaceOptions surface; ///< `clipped` is set by itself where `to` is unsigned
+    SurfaceOptions surface; ///< `clipped` is what the user says: oiiotool's files count as floats
     MeshOptions mesh;
     Device device = Device::automatic;
     int threads = 0;

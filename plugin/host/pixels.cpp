@@ -27,6 +27,20 @@ bool must_associate(const Layout& layout) {
 
 } // namespace
 
+void to_work(const Enlargement& work, float* values, size_t count) {
+    const Layout& layout = work.layout;
+    if (must_associate(layout))
+        associate(layout.colour, values, count, layout.channels);
+    to_light(*work.meaning.light, layout.colour, values, count, layout.channels);
+}
+
+void from_work(const Enlargement& work, float* values, size_t count) {
+    const Layout& layout = work.layout;
+    from_light(*work.meaning.light, layout.colour, values, count, layout.channels);
+    if (must_associate(layout))
+        dissociate(layout.colour, values, count, layout.channels);
+}
+
 BufferSource::BufferSource(const Enlargement& work)
     : m_work(work), m_guide(guide_recipe(work.layout, work.meaning)) {}
 
@@ -51,9 +65,7 @@ bool BufferSource::read(const Rect& r, float* values, float* guide) {
             std::fill_n(guide, width, 0.0f);
             continue;
         }
-        if (must_associate(layout))
-            associate(layout.colour, values, width, layout.channels);
-        to_light(*m_work.meaning.light, layout.colour, values, width, layout.channels);
+        to_work(m_work, values, width);
         make_guide(m_guide, values, width, layout.channels, guide);
     }
     return true;
@@ -63,11 +75,8 @@ bool BufferSink::write(const Rect& r, float* values) {
     const Layout& layout = m_work.layout;
     if (write_codes(r, values))
         return true;
-    if (!layout.is_ids()) {
-        from_light(*m_work.meaning.light, layout.colour, values, r.area(), layout.channels);
-        if (must_associate(layout))
-            dissociate(layout.colour, values, r.area(), layout.channels);
-    }
+    if (!layout.is_ids())
+        from_work(m_work, values, r.area());
     const size_t row = size_t(r.width()) * size_t(layout.channels);
     for (int y = r.y0; y < r.y1; ++y, values += row)
         store(m_work.to, r.x0, y, size_t(r.width()), layout.channels, values);

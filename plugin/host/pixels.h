@@ -6,6 +6,10 @@
 
 namespace ddt::host {
 
+/// What memory holds, to what the core works on, and back: associated linear light, or as it is.
+void to_work(const Enlargement& work, float* values, size_t count);
+void from_work(const Enlargement& work, float* values, size_t count);
+
 class BufferSource final : public Source {
 public:
     explicit BufferSource(const Enlargement& work);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include <OpenImageIO/imagecache.h>
 #include <OpenImageIO/imageio.h>
 
 #include "plugin/colour/codes.h"
@@ -43,24 +44,34 @@ void write_codes(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, c
     }
 }
 
+/// Pixels of a file, through OpenImageIO's cache. Not by ImageBuf::get_pixels(), which does not
+/// fail when the cache does and leaves that as the image's error, where another may be pending.
+bool read_cached(const OIIO::ImageBuf& image, const OIIO::ROI& roi, OIIO::TypeDesc type, void* out,
+                 std::string& error) {
+    const auto cache = image.imagecache();
+    const auto name = OIIO::ustring(image.name());
+    if (cache->get_pixels(name, image.subimage(), image.miplevel(), roi.xbegin, roi.xend,
+                          roi.ybegin, roi.yend, roi.zbegin, roi.zend, roi.chbegin, roi.chend, type,
+                          out, OIIO::AutoStride, OIIO::AutoStride, OIIO::AutoStride))
+        return true;
+    error = cache->geterror();
+    if (error.empty())
+        error = "the source image cannot be read";
+    return false;
+}
+
 } // namespace
 
 bool read_pixels(const OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend,
                  OIIO::TypeDesc type, void* out, std::string& error) {
     const int channels = chend - chbegin;
-    if (image.localpixels()) {
-        const auto pixel = OIIO::stride_t(type.size()) * channels;
+    const auto pixel = OIIO::stride_t(type.size()) * channels;
+    if (image.localpixels())
         return OIIO::convert_image(channels, r.width(), r.height(), 1,
                                    image.pixeladdr(r.x0, r.y0, 0, chbegin), image.spec().format,
                                    image.pixel_stride(), image.scanline_stride(), OIIO::AutoStride,
                                    out, type, pixel, pixel * r.width(), OIIO::AutoStride);
-    }
-    // Pixels of a file, through OpenImageIO's cache.
-    if (image.get_pixels({r.x0, r.x1, r.y0, r.y1, 0, 1, chbegin, chend}, type, out) &&
-        !image.has_error())
-        return true;
-    error = image.has_error() ? image.geterror(false) : "the source image cannot be read";
-    return false;
+    return read_cached(image, {r.x0, r.x1, r.y0, r.y1, 0, 1, chbegin, chend}, type, out, error);
 }
 
 bool read_ids(const OIIO::ImageBuf& src, OIIO::ImageBuf& ids) {

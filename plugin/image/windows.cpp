@@ -49,6 +49,15 @@ ResizeMapping::Axis axis(int from0, int from_size, int to0, int to_size, int win
     return a;
 }
 
+bool take_memory(OIIO::ImageBuf& image, const OIIO::ImageSpec& spec, std::string& error) {
+    image.reset(spec, OIIO::InitializePixels::No);
+    if (image.localpixels())
+        return true;
+    image.clear();
+    error = "out of memory";
+    return false;
+}
+
 /// What IBAprep does with a roi and a dst that is not initialised, less making pixels black of
 /// which all will be written: that would take a tenth of the filter's time.
 bool allocate(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int flags,
@@ -69,12 +78,26 @@ bool allocate(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, in
     if (full_is_roi)
         OIIO::set_roi_full(spec, roi);
     const bool all = roi.chbegin <= 0 && roi.chend >= spec.nchannels;
-    dst.reset(spec, all ? OIIO::InitializePixels::No : OIIO::InitializePixels::Yes);
-    if (!dst.initialized())
-        error = "the destination cannot be prepared";
-    else
-        ask_for_large_pages(dst.localpixels(), dst.spec().image_bytes());
-    return dst.initialized();
+    if (!take_memory(dst, spec, error))
+        return false;
+    ask_for_large_pages(dst.localpixels(), dst.spec().image_bytes());
+    if (!all)
+        OIIO::ImageBufAlgo::zero(dst);
+    return true;
+}
+
+/// OpenImageIO 3 reads a file into memory when its pixels are first asked for, which is now; any
+/// version leaves black what it could not read. An error that comes from elsewhere, on an image
+/// that has its pixels, is no reason to fail.
+bool check_pixels(const OIIO::ImageBuf& src, std::string& error) {
+    if (src.pixels_valid())
+        return true;
+    // Once it has failed, 2.4 does not fail again.
+    if (!src.has_error())
+        src.localpixels();
+    if (src.has_error())
+        error = format("the source image cannot be read: {}", src.geterror(false));
+    return error.empty();
 }
 
 } // namespace
@@ -116,7 +139,7 @@ bool check_source(const OIIO::ImageBuf& src, std::string& error) {
                        spec.format.c_str());
         return false;
     }
-    return check_window("data", spec.x, spec.width, error) &&
+    return check_pixels(src, error) && check_window("data", spec.x, spec.width, error) &&
            check_window("data", spec.y, spec.height, error) &&
            check_window("display", spec.full_x, spec.full_width, error) &&
            check_window("display", spec.full_y, spec.full_height, error);
@@ -148,6 +171,10 @@ bool check_size(const OIIO::ROI& roi, int channels, OIIO::TypeDesc type, std::st
     return true;
 }
 
+bool make_image(OIIO::ImageBuf& image, const OIIO::ImageSpec& spec, std::string& error) {
+    return take_memory(image, spec, error) && OIIO::ImageBufAlgo::zero(image);
+}
+
 bool prepare(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int flags,
              std::string& error) {
     if (dst.initialized()) {
@@ -163,7 +190,7 @@ bool prepare(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int
         if (!allocate(dst, src, roi, flags, error))
             return false;
     } else if (!OIIO::ImageBufAlgo::IBAprep(roi, &dst, &src, flags) || !dst.initialized()) {
-        error = dst.has_error() ? dst.geterror() : "the destination cannot be prepared";
+        error = dst.has_error() ? dst.geterror() : "out of memory";
         return false;
     }
     roi.chend = std::min(roi.chend, std::min(src.nchannels(), dst.nchannels()));

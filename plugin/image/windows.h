@@ -19,6 +19,10 @@ bool check_source(const OIIO::ImageBuf& src, std::string& error);
 /// "limits:imagesize_MB" or than the machine has memory.
 bool check_size(const OIIO::ROI& roi, int channels, OIIO::TypeDesc format, std::string& error);
 
+/// Make `image` one of black pixels as `spec` says. False with one line in `error` when there is no
+/// memory: OpenImageIO 3 fills it without looking.
+bool make_image(OIIO::ImageBuf& image, const OIIO::ImageSpec& spec, std::string& error);
+
 /// Make `dst` ready to be written and `roi` what is to be written of it, as ImageBufAlgo does (the
 /// flags are IBAprep's): an initialised dst keeps its size and cuts the roi; another is allocated
 /// for the roi, or like src without one. The size is checked before. False with one line in

@@ -19,7 +19,7 @@ template <class Body>
 bool guarded(OIIO::ImageBuf& dst, Body&& body) noexcept {
     bool done = false;
     guarded_call(nullptr, [&] {
-        const bool fresh = !dst.initialized();
+        const bool fresh = !dst.initialized(), pending = dst.has_error();
         OIIO::ROI touched;
         std::string error;
         const Caught caught = guarded_call(&error, [&] { done = body(touched, error); });
@@ -30,6 +30,8 @@ bool guarded(OIIO::ImageBuf& dst, Body&& body) noexcept {
             dst.reset();
         else if (touched.defined())
             OIIO::ImageBufAlgo::zero(dst, touched);
+        if (!pending)
+            dst.geterror(); // OpenImageIO's own words for it
         tell(&error, error.empty() ? "out of memory" : std::string(error).c_str());
         dst.errorfmt("{}", error);
     });

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include <OpenImageIO/imagebufalgo.h>
-#include <OpenImageIO/strutil.h>
 #include <OpenImageIO/sysutil.h>
 #include <OpenImageIO/timer.h>
 
@@ -110,8 +109,9 @@ bool resize_by_oiio(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::
     OIIO::set_roi_full(spec, dst.roi_full());
     if (!check_size(part, spec.nchannels, spec.format, error))
         return false;
-    OIIO::ImageBuf all(spec);
-    return resized(all, part) && copy_moved(dst, all, roi, 0, 0, Beyond::edge, error);
+    OIIO::ImageBuf all;
+    return make_image(all, spec, error) && resized(all, part) &&
+           copy_moved(dst, all, roi, 0, 0, Beyond::edge, error);
 }
 
 } // namespace ddt

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <OpenImageIO/imagebufalgo_util.h>
+#include <OpenImageIO/strutil.h>
 
 #include "plugin/image/channels.h"
 #include "plugin/image/pixels.h"
@@ -45,11 +46,9 @@ bool enlarge_then_shrink(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const O
     OIIO::set_roi_full(spec, full);
     if (!check_size(part, spec.nchannels, spec.format, error))
         return false;
-    OIIO::ImageBuf between(spec);
-    if (!between.initialized()) {
-        error = "out of memory";
+    OIIO::ImageBuf between;
+    if (!make_image(between, spec, error))
         return false;
-    }
     const ResizeMapping mapping(x_axis(src.spec(), spec, part), y_axis(src.spec(), spec, part));
     return resample(between, src, mapping, part, options, nthreads, error) &&
            resize_by_oiio(dst, between, roi, nthreads, error);
@@ -81,6 +80,23 @@ bool enlarge_then_shrink_in_bands(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src
     return true;
 }
 
+/// OpenImageIO's resize ends the process where a filter has 2^20 weights and more, which its widest
+/// has at some 170000 source pixels to one of the result; it counts all weights of a row in an int.
+bool check_shrinking(const OIIO::ROI& from, const OIIO::ROI& to, const OIIO::ROI& roi,
+                     std::string& error) {
+    constexpr double most_times = 65536, weights = 8, most_weights = 1 << 30;
+    const double across = std::max(double(from.width()) / to.width(), 1.0);
+    const double down = double(from.height()) / to.height();
+    const double most_columns = most_weights / (weights * across + 1);
+    if (across <= most_times && down <= most_times && roi.width() <= most_columns)
+        return true;
+    error = OIIO::Strutil::fmt::format("{} x {} pixels cannot be shrunk to {} x {}; allowed are "
+                                       "{:.0f} times along an axis, and {:.0f} columns at once",
+                                       from.width(), from.height(), to.width(), to.height(),
+                                       most_times, most_columns);
+    return false;
+}
+
 bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options,
                     OIIO::ROI roi, int nthreads, OIIO::ROI& touched, std::string& error) {
     using namespace OIIO::ImageBufAlgo;
@@ -88,10 +104,18 @@ bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Option
         return false;
     if (roi.width() <= 0)
         return true;
-    touched = roi;
     const OIIO::ROI from = src.roi_full(), to = dst.roi_full();
+    if (to.width() < 1 || to.height() < 1) {
+        error = OIIO::Strutil::fmt::format(
+            "the destination's display window has {} x {} pixels; at least 1 x 1 is needed",
+            to.width(), to.height());
+        return false;
+    }
     const bool shrink_x = to.width() < from.width(), shrink_y = to.height() < from.height();
     const bool grow_x = to.width() > from.width(), grow_y = to.height() > from.height();
+    if ((shrink_x || shrink_y) && !check_shrinking(from, to, roi, error))
+        return false;
+    touched = roi;
     if ((shrink_x && !grow_y) || (shrink_y && !grow_x))
         return resize_by_oiio(dst, src, roi, nthreads, error);
     if (shrink_x || shrink_y)

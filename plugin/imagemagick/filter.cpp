@@ -5,6 +5,7 @@
 //
 // The first argument is a factor from 1 on, the second, which may be left out, a filter with its
 // options. sRGB and Gray images go through linear light, RGB and LinearGray ones are it.
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <new>
@@ -71,10 +72,25 @@ struct Progress {
     }
 };
 
-Buffer buffer_of(std::vector<uint16_t>& pixels, const Rect& box, int channels) {
-    const ptrdiff_t size = sizeof(uint16_t), pixel = size * channels;
+template <class Number>
+Buffer buffer_of(std::vector<Number>& pixels, const Rect& box, int channels) {
+    const ptrdiff_t size = sizeof(Number), pixel = size * channels;
     pixels.resize(box.area() * size_t(channels));
-    return {pixels.data(), pixel * box.width(), pixel, size, box, Sample::uint16};
+    return {pixels.data(), pixel * box.width(),
+            pixel,         size,
+            box,           size == 1 ? Sample::uint8 : Sample::uint16};
+}
+
+/// Numbers as they were before ImageMagick made 16 bits of 8, or empty if they have been changed
+/// since. As floats a number of 8 bits and the same one of 16 may differ in the last place.
+std::vector<uint8_t> of_8_bits(const std::vector<uint16_t>& pixels) {
+    constexpr uint16_t step = 65535 / 255;
+    if (!std::all_of(pixels.begin(), pixels.end(), [](uint16_t v) { return v % step == 0; }))
+        return {};
+    std::vector<uint8_t> bytes(pixels.size());
+    std::transform(pixels.begin(), pixels.end(), bytes.begin(),
+                   [](uint16_t v) { return uint8_t(v / step); });
+    return bytes;
 }
 
 /// The enlarged image, or null with an exception.
@@ -113,6 +129,11 @@ Image* enlarged(Image& image, const Request& request, ExceptionInfo* exception) 
     if (ExportImagePixels(&image, 0, 0, image.columns, image.rows, maps[map], ShortPixel,
                           from.data(), exception) == MagickFalse)
         return nullptr;
+    std::vector<uint8_t> bytes;
+    if (image.depth <= 8)
+        bytes = of_8_bits(from);
+    if (!bytes.empty())
+        work.from = buffer_of(bytes, work.window, work.layout.channels);
     work.progress = Progress{&image};
     const ddt::Outcome outcome = enlarge(work, error);
     if (outcome != ddt::Outcome::done) {
@@ -128,22 +149,24 @@ Image* enlarged(Image& image, const Request& request, ExceptionInfo* exception) 
     return result.release();
 }
 
-/// False, and an exception: no image is left then, so that none that is not enlarged is written.
-bool enlarge_list(Image** images, const Request& request, ExceptionInfo* exception) {
-    Image* list = NewImageList();
+struct ListDestroyer {
+    void operator()(Image* list) const { (void)DestroyImageList(list); }
+};
+
+/// In case of an exception the images stay as they are, as with filters of ImageMagick's own: none
+/// at all would be an assertion of its own. `convert` tells the exception and ends with 1.
+void enlarge_list(Image** images, const Request& request, ExceptionInfo* exception) {
+    std::unique_ptr<Image, ListDestroyer> done;
     for (Image* i = GetFirstImageInList(*images); i; i = GetNextImageInList(i)) {
         Image* large = enlarged(*i, request, exception);
-        if (!large) {
-            *images = DestroyImageList(*images);
-            if (list)
-                (void)DestroyImageList(list);
-            return false;
-        }
+        if (!large)
+            return;
+        Image* list = done.release();
         AppendImageToList(&list, large);
+        done.reset(GetFirstImageInList(list));
     }
     (void)DestroyImageList(*images);
-    *images = GetFirstImageInList(list);
-    return true;
+    *images = done.release();
 }
 
 } // namespace
@@ -155,15 +178,12 @@ size_t ddtImage(Image** images, const int argc, const char** argv, ExceptionInfo
     try {
         Request request;
         std::string error;
-        if (!parse(argc, argv, request, error)) {
-            complain(exception, OptionError, error);
-            *images = DestroyImageList(*images);
-        } else {
+        if (parse(argc, argv, request, error))
             enlarge_list(images, request, exception);
-        }
+        else
+            complain(exception, OptionError, error);
     } catch (const std::bad_alloc&) {
         complain(exception, ResourceLimitError, "ddt: out of memory");
-        *images = DestroyImageList(*images);
     }
     return MagickImageFilterSignature;
 }

@@ -7,7 +7,8 @@
 namespace ddt::ofx {
 
 int describe(Effect effect);
-int describe_in_context(Effect effect);
+/// Of the contexts Filter and General; a Status that says so for others.
+int describe_in_context(Effect effect, Properties in);
 int region_of_definition(Effect effect, Properties in, Properties out);
 int regions_of_interest(Effect effect, Properties in, Properties out);
 int is_identity(Effect effect, Properties in, Properties out);

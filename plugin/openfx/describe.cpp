@@ -34,7 +34,10 @@ int describe(Effect effect) {
     return ok;
 }
 
-int describe_in_context(Effect effect) {
+int describe_in_context(Effect effect, Properties in) {
+    const std::string context = get(in, "OfxImageEffectPropContext", "");
+    if (context != "OfxImageEffectContextFilter" && context != "OfxImageEffectContextGeneral")
+        return missing_host_feature;
     for (const char* clip : {"Source", "Output"}) {
         Properties p = nullptr;
         if (suites.effect->clip_define(effect, clip, &p) != ok)

@@ -30,7 +30,7 @@ int act(std::string_view action, Effect effect, Properties in, Properties out) {
     if (action == "OfxActionDescribe")
         return describe(effect);
     if (action == "OfxImageEffectActionDescribeInContext")
-        return describe_in_context(effect);
+        return describe_in_context(effect, in);
     if (action == "OfxImageEffectActionGetRegionOfDefinition")
         return region_of_definition(effect, in, out);
     if (action == "OfxImageEffectActionGetRegionsOfInterest")

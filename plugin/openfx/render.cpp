@@ -35,7 +35,8 @@ public:
                                                         : 0;
     }
     bool unpremultiplied() const {
-        return get(m_image, "OfxImageEffectPropPreMultiplication", "") == "OfxImageUnPreMultiplied";
+        return get(m_image, "OfxImageEffectPropPreMultiplication", "") ==
+               "OfxImageAlphaUnPremultiplied";
     }
     /// False for a depth that is not supported or an image without pixels.
     bool buffer(host::Buffer& b) const {
@@ -119,9 +120,9 @@ bool plan(const Image& image, const Settings& settings, host::Enlargement& work,
         settings.premultiplication == unpremultiplied ||
         (settings.premultiplication == as_the_image_says && image.unpremultiplied());
     work.layout = host::Layout::usual(image.channels(), !straight);
-    // A matte is no light: it is blended, and looked at, as it is.
-    return host::set_filter(settings.filter, image.channels() == 1 ? "encoded" : settings.light,
-                            work, error);
+    // A matte is coverage, which mixes like linear light: its numbers are never converted.
+    const bool matte = image.channels() == 1 && settings.light != "encoded";
+    return host::set_filter(settings.filter, matte ? "linear" : settings.light, work, error);
 }
 
 int render_part(Effect effect, const SourceClip& source, const Image& from, const Image& to,

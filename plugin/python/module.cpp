@@ -107,6 +107,8 @@ void enlarge_array(const py::array& pixels, py::array& result, const std::string
     work.to =
         buffer_of(result, result.mutable_data(), work.from.sample, origin.first, origin.second);
     work.full = {0, 0, full.first, full.second};
+    // Integers in memory, as of an ImageBuf.
+    work.surface.clipped |= is_unsigned(work.to.sample);
     work.threads = threads;
     Watch watch(std::move(progress));
     work.progress = std::ref(watch);

@@ -4,6 +4,7 @@
 // It does not claim to be "procedural": a failing open would crash oiiotool. While OIIO looks for a
 // reader of a file that nobody else wants, it asks every reader under a mutex that opening a file
 // takes, too: foreign names are refused before anything is called.
+#include <algorithm>
 #include <cstring>
 #include <memory>
 
@@ -12,11 +13,15 @@
 #include <OpenImageIO/strutil.h>
 
 #include "core/base/guarded.h"
+#include "pieces.h"
 #include "plugin/image/windows.h"
 #include "request.h"
+#include "source_image.h"
 
 namespace ddt {
 namespace {
+
+constexpr int tile_side = 64;
 
 class Reader final : public OIIO::ImageInput {
 public:
@@ -34,18 +39,19 @@ public:
         return m_subimage;
     }
     bool seek_subimage(int subimage, int miplevel) override;
-    bool read_native_scanline(int subimage, int miplevel, int y, int z, void* data) override {
-        return read_native_scanlines(subimage, miplevel, y, y + 1, z, data);
-    }
-    bool read_native_scanlines(int subimage, int miplevel, int ybegin, int yend, int z,
-                               void* data) override;
+    bool read_native_scanline(int, int, int, int, void*) override { return false; } // tiles only
+    bool read_native_tile(int subimage, int miplevel, int x, int y, int z, void* data) override;
+    using ImageInput::read_native_tiles;
+    bool read_native_tiles(int subimage, int miplevel, int xbegin, int xend, int ybegin, int yend,
+                           int zbegin, int zend, void* data) override;
 
 private:
     bool open_source(const OIIO::ImageSpec& config, std::string& error);
     /// Go to a subimage that the source has; the result's description becomes m_spec.
     bool describe(int subimage, std::string& error);
-    /// Enlarge the current subimage, unless that has been done.
-    bool compute(std::string& error);
+    /// Copy pixels of the current subimage to rows of `width` pixels; what `r` has beyond the data
+    /// window is black.
+    bool read(const Rect& r, int width, void* data, std::string& error);
     /// Run f(error); a failure or an exception becomes this reader's error.
     template <typename F>
     bool report(F f);
@@ -53,8 +59,10 @@ private:
     Request m_request;
     std::unique_ptr<OIIO::ImageInput> m_source;
     int m_subimage = -1;
-    OIIO::ImageBuf m_result; ///< of the current subimage, uninitialised until it is asked for
-    std::string m_failure;   ///< why there will be no result of the current subimage
+    OIIO::ImageSpec m_hints;              ///< that the source was opened with
+    std::unique_ptr<SourceImage> m_image; ///< the current subimage, null until it is asked for
+    std::unique_ptr<Pieces> m_pieces;     ///< of it enlarged, likewise
+    std::string m_failure;                ///< why it cannot be had
 };
 
 template <typename F>
@@ -87,21 +95,21 @@ bool Reader::open(const std::string& name, OIIO::ImageSpec& newspec,
 }
 
 bool Reader::open_source(const OIIO::ImageSpec& config, std::string& error) {
-    OIIO::ImageSpec hints = config;
+    m_hints = config;
     // Meant for the file that we are, not for the one that we read.
-    hints.erase_attribute("oiio:ioproxy");
-    m_source = OIIO::ImageInput::open(m_request.source, &hints);
+    m_hints.erase_attribute("oiio:ioproxy");
+    m_source = OIIO::ImageInput::open(m_request.source, &m_hints);
     if (m_source)
         return true;
-    std::string reason = OIIO::geterror();
-    reason = reason.substr(0, reason.find('\n'));
-    error = OIIO::Strutil::fmt::format("ddt: cannot open \"{}\": {}", m_request.source, reason);
+    error = OIIO::Strutil::fmt::format("ddt: cannot open \"{}\": {}", m_request.source,
+                                       OIIO::geterror());
     return false;
 }
 
 bool Reader::close() {
+    m_pieces.reset();
+    m_image.reset();
     m_source.reset();
-    m_result.clear();
     m_failure.clear();
     m_subimage = -1;
     return true;
@@ -136,67 +144,70 @@ bool Reader::describe(int subimage, std::string& error) {
         return false;
     }
     OIIO::ImageSpec to = from;
-    if (!m_request.windows(from, to, error) ||
-        !check_size(from.roi(), from.nchannels, from.format, error) ||
-        !check_size(to.roi(), to.nchannels, to.format, error))
+    if (!m_request.windows(from, to, error))
         return false;
-    // All channels have one type, and rows come whole.
-    to.channelformats.clear();
-    to.tile_width = to.tile_height = to.tile_depth = 0;
+    if (!check_size(from.roi(), from.nchannels, from.format, error) ||
+        !check_size(to.roi(), to.nchannels, to.format, error)) {
+        error = "ddt: " + error;
+        return false;
+    }
+    to.channelformats.clear(); // all channels have one type
+    to.tile_width = to.tile_height = tile_side;
+    to.tile_depth = 1;
     // True of the source's pixels only.
     for (const char* name :
          {"oiio:SHA-1", "oiio:ConstantColor", "oiio:AverageColor", "textureformat"})
         to.erase_attribute(name);
+    m_pieces.reset();
+    m_image.reset();
+    m_failure.clear();
     m_spec = to;
     m_subimage = subimage;
-    m_result.clear();
-    m_failure.clear();
     return true;
 }
 
-bool Reader::read_native_scanlines(int subimage, int miplevel, int ybegin, int yend, int,
-                                   void* data) {
+bool Reader::read_native_tile(int subimage, int miplevel, int x, int y, int, void* data) {
     lock_guard lock(*this);
     if (!seek_subimage(subimage, miplevel))
         return false;
     return report([&](std::string& error) {
-        if (!compute(error))
-            return false;
-        const size_t row = m_spec.scanline_bytes();
-        const auto* pixels = static_cast<const char*>(m_result.localpixels());
-        const int top = m_spec.y, bottom = m_spec.y + m_spec.height;
-        if (ybegin < top || yend > bottom || ybegin > yend) {
-            error = OIIO::Strutil::fmt::format("ddt: no rows {} to {}; allowed are {} to {}",
-                                               ybegin, yend - 1, top, bottom - 1);
-            return false;
-        }
-        std::memcpy(data, pixels + size_t(ybegin - top) * row, size_t(yend - ybegin) * row);
-        return true;
+        return read({x, y, x + tile_side, y + tile_side}, tile_side, data, error);
     });
 }
 
-bool Reader::compute(std::string& error) {
-    if (m_result.initialized())
-        return true;
+bool Reader::read_native_tiles(int subimage, int miplevel, int xbegin, int xend, int ybegin,
+                               int yend, int, int, void* data) {
+    lock_guard lock(*this);
+    if (!seek_subimage(subimage, miplevel))
+        return false;
+    return report([&](std::string& error) {
+        return read({xbegin, ybegin, xend, yend}, xend - xbegin, data, error);
+    });
+}
+
+bool Reader::read(const Rect& r, int width, void* data, std::string& error) {
     error = m_failure;
     if (!error.empty())
         return false;
-
-    OIIO::ImageSpec from = m_source->spec(m_subimage);
-    from.channelformats.clear();
-    OIIO::ImageBuf source(from), result(m_spec);
-    if (!source.localpixels() || !result.localpixels())
-        error = "ddt: out of memory";
-    else if (!m_source->read_image(m_subimage, 0, 0, from.nchannels, from.format,
-                                   source.localpixels()))
-        error = OIIO::Strutil::fmt::format("ddt: cannot read \"{}\": {}", m_request.source,
-                                           m_source->geterror());
-    else if (!resize(result, source, m_request.options, result.roi(), threads()))
-        error = result.geterror();
-    if (error.empty())
-        m_result = std::move(result);
-    m_failure = error;
-    return error.empty();
+    if (!m_pieces) {
+        m_image = std::make_unique<SourceImage>();
+        if (!m_image->open(m_request.source, *m_source, m_subimage, m_hints, error)) {
+            m_failure = error;
+            return false;
+        }
+        m_pieces = std::make_unique<Pieces>(m_image->image(), m_spec, m_request.options);
+    }
+    const Rect window = rect_of(m_spec.roi());
+    const Rect wanted{std::max(r.x0, window.x0), std::max(r.y0, window.y0),
+                      std::min(r.x1, window.x1), std::min(r.y1, window.y1)};
+    const size_t pixel = m_spec.pixel_bytes(), stride = pixel * size_t(width);
+    if (wanted.x0 != r.x0 || wanted.y0 != r.y0 || wanted.x1 != r.x1 || wanted.y1 != r.y1)
+        std::memset(data, 0, stride * size_t(r.height()));
+    if (wanted.x0 >= wanted.x1 || wanted.y0 >= wanted.y1)
+        return true;
+    auto* first = static_cast<char*>(data) + stride * size_t(wanted.y0 - r.y0) +
+                  pixel * size_t(wanted.x0 - r.x0);
+    return m_pieces->read(wanted, threads(), first, stride, error);
 }
 
 } // namespace

@@ -122,6 +122,12 @@ std::string beside(const std::string& sidecar, const std::string& path) {
     return folder.empty() || OIIO::Filesystem::path_is_absolute(path) ? path : folder + "/" + path;
 }
 
+/// Pipes, sockets, devices, folders: opening these may wait for ever, or never end. What does not
+/// exist may still be an image to some reader.
+bool is_special(const std::string& path) {
+    return OIIO::Filesystem::exists(path) && !OIIO::Filesystem::is_regular(path);
+}
+
 bool parse(const std::string& name, Request& request, std::string& error) {
     const std::string path = before_query(name);
     Parser parser(request);
@@ -142,6 +148,11 @@ bool parse(const std::string& name, Request& request, std::string& error) {
     if (request.source.empty() || is_request_name(request.source)) {
         error = format("ddt: \"{}\" does not name an image to enlarge; allowed is a file that is "
                        "not itself a .ddt",
+                       request.source);
+        return false;
+    }
+    if (is_special(before_query(request.source))) {
+        error = format("ddt: \"{}\" is not a regular file; allowed is a file that holds an image",
                        request.source);
         return false;
     }

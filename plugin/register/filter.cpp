@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <vector>
 
+#include "core/base/one_line.h"
+
 namespace ddt {
 
 float Filter::tent(float x, float width) {
@@ -45,7 +47,7 @@ bool parse_filter_for(OIIO::ImageBuf& dst, OIIO::string_view spec, Options& opti
     std::string error;
     if (parse_filter(spec, options, error))
         return true;
-    dst.errorfmt("{}", error);
+    dst.errorfmt("{}", one_line(error));
     return false;
 }
 

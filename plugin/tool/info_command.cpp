@@ -6,11 +6,12 @@
 #include <OpenImageIO/strutil.h>
 #include <OpenImageIO/sysutil.h>
 
-#include "core/gl/offload.h"
+#include "ddt/devices.h"
 #include "ddt/names.h"
 #include "ddt/resize.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/filter_flag.h"
+#include "plugin/tool/plugin_file.h"
 
 namespace ddt::tool {
 
@@ -21,7 +22,10 @@ public:
     InfoCommand() {
         name = "info";
         summary = "Print versions, devices and what the filters' options allow";
-        paragraphs = {"A device that cannot be used is listed with the reason."};
+        paragraphs = {
+            "A device that cannot be used is listed with the reason.",
+            "Of the plugin it tells which functions of OpenImageIO are redirected in this "
+            "program, and what could not be."};
     }
 
     ExitCode run(const std::vector<std::string>&) override {
@@ -30,6 +34,8 @@ public:
                                                        OIIO_version(OIIO::openimageio_version()),
                                                        OIIO_VERSION_STRING));
         line("OpenColorIO", OCIO_NAMESPACE::GetVersion());
+        for (const std::string& text : describe_plugin())
+            line("plugin", text);
         const char* config = std::getenv("OCIO");
         line("OCIO config", config && *config ? config : "none in $OCIO; the one built in");
         line("cpu",
@@ -46,20 +52,18 @@ private:
     static std::string describe_device(Device device) {
         Job job;
         job.device = device;
-        Placement placement;
-        std::string why;
-        if (!place(job, placement, why))
-            return "not used: " + why.substr(why.find(": ", 5) + 2);
-        return describe(placement);
+        std::string text;
+        if (!ddt::describe_device(job, text))
+            return "not used: " + text.substr(text.find(": ", 5) + 2);
+        return text;
     }
     /// What a large image is worked on when no device is named.
     static std::string automatic_device() {
         Job job;
         job.window = {0, 0, 8192, 8192};
-        Placement placement;
-        std::string why;
-        place(job, placement, why);
-        return (why.empty() ? describe(placement) : why) +
+        std::string text;
+        ddt::describe_device(job, text);
+        return text +
                " (for a large image; small ones, schemes a GPU does not know, and machines whose "
                "only renderer is software use the cpu)";
     }

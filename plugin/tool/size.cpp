@@ -44,10 +44,15 @@ private:
     const char *m_at, *m_end;
 };
 
+/// To the nearest whole number; 0, which is not allowed, for what is too large.
+int whole(float size) {
+    size += 0.5f;
+    return size >= 0 && size <= float(largest) ? int(size) : 0;
+}
+
 /// Single precision, as oiiotool does it: the last pixel may depend on it.
 int scaled(int pixels, float factor) {
-    const float size = float(pixels) * factor + 0.5f;
-    return size >= 0 && size <= float(largest) ? int(size) : 0;
+    return whole(float(pixels) * factor);
 }
 
 bool by_pixels(const std::string& text, const Size& from, Size& to) {
@@ -58,9 +63,9 @@ bool by_pixels(const std::string& text, const Size& from, Size& to) {
     if (!scan.end() && !(scan.offset(size.x) && scan.offset(size.y) && scan.end()))
         return false;
     if (size.width == 0 && size.height > 0)
-        size.width = int(float(size.height) * float(from.width) / float(from.height) + 0.5f);
+        size.width = whole(float(size.height) * float(from.width) / float(from.height));
     else if (size.height == 0 && size.width > 0)
-        size.height = int(float(size.width) * float(from.height) / float(from.width) + 0.5f);
+        size.height = whole(float(size.width) * float(from.height) / float(from.width));
     to = size;
     return true;
 }

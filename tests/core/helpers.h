@@ -49,7 +49,8 @@ constexpr Scheme all_schemes[] = {
 #undef DDT_SCHEME
 };
 
-/// Both surfaces with so many rounds of correction each, with and without soft edges.
+/// Both surfaces with so many rounds of correction each, with and without soft edges; where one
+/// round is among them, fitted vertices and bends too.
 inline std::vector<SurfaceOptions> surfaces_with(std::initializer_list<int> rounds) {
     std::vector<SurfaceOptions> all;
     for (const Surface kind : {Surface::linear, Surface::patch})
@@ -59,6 +60,9 @@ inline std::vector<SurfaceOptions> surfaces_with(std::initializer_list<int> roun
                 s.consistency = consistency;
                 s.soft = soft;
                 all.push_back(s);
+                s.fitted = kind == Surface::patch && consistency == 1;
+                if (s.fitted)
+                    all.push_back(s);
             }
     return all;
 }

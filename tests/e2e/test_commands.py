@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every oiiotool command that takes a filter, with nothing but the plugin path set."""
 
+import os
 import unittest
 
-from support import PLUGINS, Case
+from support import BUILD, PLUGINS, Case
 
 # Command with FILTER in place of the filter, its argument, and the size of a 40x32 image's result.
 COMMANDS = {
@@ -58,6 +59,13 @@ class Commands(Case):
     def test_options_reach_the_filter(self):
         self.check_all_differ("photo.png",
                               ("ddt", "ddt,scheme=pixel", "ddt,scheme=pixel,light=encoded"))
+
+    def test_info_tells_what_is_redirected(self):
+        done = self.succeed(os.path.join(BUILD, "bin", "ddt"), "info")
+        self.assertRegex(done, r"plugin +/.*ddt\.imageio\.so\n")
+        self.assertRegex(done, r"plugin +(\d+) of \1 filter functions redirected in \d+ places")
+        self.assertRegex(done, r"plugin +(\d+) of \1 ImageBufAlgo functions redirected in \d+ places")
+        self.assertNotIn("missed", done)
 
     def test_plugin_path_by_attribute(self):
         self.succeed("oiiotool", "photo.png", "--resize:filter=ddt", "300%", "-o", "a.png")

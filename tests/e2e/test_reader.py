@@ -2,6 +2,8 @@
 """Enlarged images under names of their own, and sidecar files."""
 
 import os
+import re
+import sys
 import unittest
 
 import OpenImageIO as oiio
@@ -121,6 +123,37 @@ class Reader(Case):
             with self.subTest(text=text[:20]):
                 self.write("bad.ddt", text)
                 self.refuse("bad.ddt", *says)
+
+    def test_special_files_and_recursion(self):
+        os.mkfifo(self.path("pipe.png"))
+        self.fail_with("iinfo", "pipe.png.ddt?scale=2", says=("ddt: ", "not a regular file"))
+        for source, *says in (("pipe.png", "not a regular file"), ("/dev/zero", "not a regular"),
+                              (".", "not a regular file"), ("chain.ddt", "not itself a .ddt"),
+                              ("other.ddt", "not itself a .ddt"),
+                              ("photo.png.ddt?scale=2", "not itself a .ddt")):
+            with self.subTest(source=source):
+                self.write("chain.ddt", f"{source}\nscale=2\n")
+                self.refuse("chain.ddt", *says)
+
+    def test_sizes_that_no_machine_has(self):
+        self.refuse("photo.png.ddt?scale=20000", "ddt: ", "800000 x 640000", "allowed")
+        self.refuse("photo.png.ddt?scale=1e6", "ddt: ", "16777216")
+
+    def test_a_cut_reads_a_part(self):
+        """Of a picture of 4 x 4 tiles of the mesh, only those that the cut lies on are worked on."""
+        self.succeed("oiiotool", "photo.png", "--resize", "1024x1024", "-o", "large.tif")
+        done = self.attempt(sys.executable, "-c", """
+import sys
+import OpenImageIO as oiio
+oiio.attribute("plugin_searchpath", sys.argv[1])
+cut = oiio.ImageInput.open("large.tif.ddt?scale=4")
+pixels = cut.read_tiles(2176, 2240, 2176, 2240, 0, 1, 0, 3, oiio.UINT8)
+print(0 if pixels is None else len(pixels))
+""", PLUGINS, DDT_VERBOSE="1", DDT_DEVICE="cpu")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        taken = [int(n) for n in re.findall(r"; (\d+) pixels, \d+ flips", done.stderr)]
+        self.assertTrue(taken, done.stderr)
+        self.assertLessEqual(sum(taken), 4 * 321 * 321)
 
     def test_errors_at_reading(self):
         self.fail_with("iconvert", "photo.png.ddt?scale=2&light=nosuchspace", "out.png",

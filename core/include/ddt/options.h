@@ -68,6 +68,10 @@ struct SurfaceOptions {
     /// The output will be cut off at 0, as integers are: vertices may then get negative within the
     /// limit, and what is left above 0 is sharper for it.
     bool clipped = false;
+    /// Vertices and bends by weights that were fitted to pictures stand in place of the rounds of
+    /// consistency, however many; without any, and in Surface::linear, there are none. The limit
+    /// holds. Bends may be up to twice the range of the four pixels round the edge.
+    bool fitted = false;
 };
 
 /// See MeshOptions::max_iterations, contour, blur and meshes.

@@ -10,7 +10,8 @@ namespace {
 
 std::string name_of(const SurfaceOptions& s) {
     return (s.kind == Surface::linear ? "linear consistency " : "patch consistency ") +
-           std::to_string(s.consistency) + " soft " + std::to_string(s.soft);
+           std::to_string(s.consistency) + " soft " + std::to_string(s.soft) +
+           (s.fitted ? " fitted" : "");
 }
 
 class SameBits : public OnDevice {};

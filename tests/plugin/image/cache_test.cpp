@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sources that are files behind OpenImageIO's cache.
 #include <cstdio>
+#include <filesystem>
 
 #include <OpenImageIO/imagecache.h>
 
@@ -24,7 +25,9 @@ protected:
         m_cache = OIIO::ImageCache::create(false);
     }
     ~CacheTest() override {
+#if OIIO_VERSION < OIIO_MAKE_VERSION(3, 0, 0)
         OIIO::ImageCache::destroy(m_cache);
+#endif
         std::remove(m_path.c_str());
     }
     int64_t statistic(const char* name) const {
@@ -34,8 +37,8 @@ protected:
     }
 
     std::string m_path;
-    OIIO::ImageBuf m_pixels; ///< the same in memory
-    OIIO::ImageCache* m_cache;
+    OIIO::ImageBuf m_pixels;                           ///< the same in memory
+    decltype(OIIO::ImageCache::create(false)) m_cache; ///< 3.x hands out a shared pointer
 };
 
 TEST_F(CacheTest, AFileIsReadTileByTile) {
@@ -70,6 +73,28 @@ TEST_F(CacheTest, AWholeFileIsNeverInMemory) {
     OIIO::ImageBuf same;
     ASSERT_TRUE(ddt::resize(same, m_pixels, {}, size, 2)) << same.geterror();
     EXPECT_EQ(images::bytes(dst), images::bytes(same));
+}
+
+TEST_F(CacheTest, AnErrorPendingOnTheSourceIsNotOurs) {
+    const OIIO::ImageBuf src(m_path, 0, 0, m_cache);
+    src.error("left by somebody");
+    OIIO::ImageBuf dst, same;
+    const OIIO::ROI size(0, side + 8, 0, side + 8, 0, 1, 0, 1);
+    ASSERT_TRUE(ddt::resize(dst, src, {}, size)) << dst.geterror();
+    EXPECT_EQ(src.geterror(), "left by somebody");
+    ASSERT_TRUE(ddt::resize(same, m_pixels, {}, size)) << same.geterror();
+    EXPECT_EQ(images::bytes(dst), images::bytes(same));
+}
+
+TEST_F(CacheTest, ATruncatedFileIsAnError) {
+    std::filesystem::resize_file(m_path, std::filesystem::file_size(m_path) / 2);
+    const OIIO::ImageBuf src(m_path, 0, 0, m_cache);
+    OIIO::ImageBuf dst;
+    EXPECT_FALSE(ddt::resize(dst, src, {}, OIIO::ROI(0, side + 8, 0, side + 8, 0, 1, 0, 1)));
+    const std::string error = dst.geterror();
+    EXPECT_EQ(error.find("ddt: "), 0u) << error;
+    EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+    EXPECT_FALSE(dst.initialized());
 }
 
 } // namespace

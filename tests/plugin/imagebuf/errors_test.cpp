@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What fails, fails with one line, and leaves nothing half done.
+#include <sys/resource.h>
+
 #include <fstream>
 
 #include "tests/plugin/images.h"
@@ -54,7 +56,13 @@ TEST(Errors, FileThatIsCutShort) {
     ImageBuf dst;
     EXPECT_FALSE(ddt::resize(dst, ImageBuf(path), {}, window(0, 400, 0, 400)));
     EXPECT_FALSE(dst.initialized());
-    EXPECT_TRUE(dst.has_error());
+    expect_error(dst, "TIFF");
+    // In memory the pixels that were not read are there, black.
+    ImageBuf local(path);
+    EXPECT_FALSE(local.read(0, 0, true));
+    EXPECT_FALSE(ddt::resize(dst, local, {}, window(0, 400, 0, 400)));
+    EXPECT_FALSE(dst.initialized());
+    expect_error(dst, "cannot be read");
 }
 
 TEST(Errors, DeepImage) {
@@ -141,6 +149,61 @@ TEST(Errors, CallbackThatThrows) {
     ddt::Options options;
     options.progress = [](float) -> bool { throw std::runtime_error("from the callback"); };
     expect_failure(src, "from the callback", window(0, 64, 0, 64), options);
+}
+
+/// OpenImageIO's own filter would end the process: it has 2^20 weights and more.
+TEST(Errors, ShrinkingByTooMuch) {
+    for (const ROI& to : {window(0, 1, 0, 1), window(0, 2, 0, 1)})
+        for (const bool turned : {false, true}) {
+            const ImageBuf src =
+                turned ? make(200000, 1, 1, OIIO::TypeUInt8) : make(1, 200000, 1, OIIO::TypeUInt8);
+            const ROI roi = turned ? window(0, to.yend, 0, to.xend) : to;
+            ImageBuf dst;
+            EXPECT_FALSE(ddt::resize(dst, src, {}, roi));
+            EXPECT_FALSE(dst.initialized());
+            expect_error(dst, turned ? "200000 x 1 pixels" : "1 x 200000 pixels");
+        }
+}
+
+TEST(Errors, DestinationWithoutADisplayWindow) {
+    ImageSpec spec(8, 8, 1, OIIO::TypeFloat);
+    spec.full_width = spec.full_height = 0;
+    ImageBuf dst(spec);
+    EXPECT_FALSE(ddt::resize(dst, make(4, 4, 1)));
+    expect_error(dst, "display window has 0 x 0 pixels");
+}
+
+TEST(Errors, AreOneLineWhateverIsEchoed) {
+    ddt::Options options;
+    options.light = "no\nspace";
+    expect_failure(make(4, 4, 3), "no space", window(0, 8, 0, 8), options);
+}
+
+/// A limit of the process's memory, for as long as it lives.
+class Limit {
+public:
+    explicit Limit(rlim_t bytes) {
+        getrlimit(RLIMIT_AS, &m_before);
+        rlimit limit = m_before;
+        limit.rlim_cur = bytes;
+        setrlimit(RLIMIT_AS, &limit);
+    }
+    ~Limit() { setrlimit(RLIMIT_AS, &m_before); }
+
+private:
+    rlimit m_before{};
+};
+
+TEST(Errors, MemoryThatRunsOutIsCalledSo) {
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    const ImageBuf src = make(64, 64, 4);
+    ImageBuf warm, dst;
+    ASSERT_TRUE(ddt::resize(warm, src, {}, window(0, 128, 0, 128))); // threads take address space
+    const Limit limit(rlim_t(4) << 30);
+    EXPECT_FALSE(ddt::resize(dst, src, {}, window(0, 32768, 0, 16384))); // 8 GiB
+    EXPECT_FALSE(dst.initialized());
+    expect_error(dst, "out of memory");
+#endif
 }
 
 } // namespace

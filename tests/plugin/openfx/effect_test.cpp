@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The effect, loaded from its bundle into hosts of several kinds.
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 #include <thread>
 
 #include "ddt/resize.h"
@@ -195,7 +197,7 @@ TEST_F(OpenFx, UnpremultipliedColourIsMultipliedFirst) {
     const ImageBuf wanted =
         OIIO::ImageBufAlgo::unpremult(images::enlarged(product, 100, 80, with_light("linear")));
     open(nuke, straight);
-    effect->source.premultiplication = "OfxImageUnPreMultiplied";
+    effect->source.premultiplication = "OfxImageAlphaUnPremultiplied";
     render_whole();
     EXPECT_TRUE(same_pixels(effect->output, wanted));
     effect->choose("premultiplication", "premultiplied");
@@ -214,14 +216,17 @@ TEST_F(OpenFx, AProxyIsEnlargedByItself) {
     EXPECT_TRUE(same_pixels(effect->output, images::enlarged(image, 62, 42, with_light("linear"))));
 }
 
-TEST_F(OpenFx, AMatteIsBlendedAsItIs) {
-    const ImageBuf image = photograph(40, 30, 1, TypeDesc::FLOAT);
-    open(nuke, image);
-    effect->choose("light", "sRGB");
-    render_whole();
-    ImageBuf same = image;
-    same.specmod().attribute("oiio:ColorSpace", "sRGB");
-    EXPECT_TRUE(same_pixels(effect->output, images::enlarged(same, 80, 60, with_light("encoded"))));
+TEST_F(OpenFx, AMatteIsLinearWhateverTheLight) {
+    for (const char* depth : {"OfxBitDepthFloat", "OfxBitDepthShort"}) {
+        const ImageBuf image = photograph(40, 30, 1, type_of(depth));
+        const ImageBuf wanted = images::enlarged(image, 80, 60, with_light("linear"));
+        for (const char* light : {"linear", "sRGB"}) {
+            open(nuke, image, depth);
+            effect->choose("light", light);
+            render_whole();
+            EXPECT_TRUE(same_pixels(effect->output, wanted)) << light << depth;
+        }
+    }
 }
 
 TEST_F(OpenFx, AScaleOfOneIsTheSource) {
@@ -240,10 +245,27 @@ TEST_F(OpenFx, DescribesItself) {
                              "cost", "blur", "meshes", "consistency"})
         EXPECT_EQ(effect->params.count(name), 1u) << name;
     for (const auto& [name, param] : effect->params)
-        if (param.type == "OfxParamTypeDouble" || param.type == "OfxParamTypeInteger")
+        if (param.type == "OfxParamTypeDouble" || param.type == "OfxParamTypeInteger") {
             for (const char* range : {"OfxParamPropMin", "OfxParamPropMax",
                                       "OfxParamPropDisplayMin", "OfxParamPropDisplayMax"})
                 EXPECT_EQ(param.properties.values.count(range), 1u) << name << range;
+        }
+}
+
+TEST_F(OpenFx, TheContextsAreFilterAndGeneral) {
+    Host host_(natron, DDT_OFX_BUNDLE);
+    host_.plugin().set_host(host_.abi());
+    ASSERT_EQ(host_.act("OfxActionLoad"), ddt::ofx::ok);
+    for (const auto& [context, status] :
+         {std::pair("OfxImageEffectContextFilter", ddt::ofx::ok),
+          {"OfxImageEffectContextGeneral", ddt::ofx::ok},
+          {"OfxImageEffectContextGenerator", ddt::ofx::missing_host_feature}}) {
+        Effect described(host_);
+        Properties in;
+        in.put("OfxImageEffectPropContext", std::string(context));
+        EXPECT_EQ(host_.act("OfxImageEffectActionDescribeInContext", &described, &in), status);
+        EXPECT_EQ(described.clips.size(), status == ddt::ofx::ok ? 2u : 0u) << context;
+    }
 }
 
 TEST_F(OpenFx, ActionsInAnyOrderAndOfNobody) {
@@ -299,16 +321,24 @@ TEST_F(OpenFx, StopsWhenTheHostSaysSo) {
     EXPECT_EQ(std::memcmp(effect->output.row(0) + 1700 * 12, untouched, 4), 0);
 }
 
+size_t threads_here() {
+    const std::filesystem::directory_iterator tasks("/proc/self/task"), end;
+    return size_t(std::distance(tasks, end));
+}
+
 TEST_F(OpenFx, TwoThreadsAtOnceAndNoneLeft) {
     const ImageBuf image = photograph(300, 200, 4, TypeDesc::FLOAT);
     const ImageBuf wanted = images::enlarged(image, 600, 400, with_light("linear"));
     open(natron, image);
+    effect->choose("device", "cpu"); // a GPU's thread stays
     effect->output = effect->source;
     effect->output.box = {0, 0, 600, 400};
     effect->output.allocate();
+    const size_t before = threads_here();
     std::thread other([&] { EXPECT_EQ(effect->render({0, 0, 600, 200}), ddt::ofx::ok); });
     EXPECT_EQ(effect->render({0, 200, 600, 400}), ddt::ofx::ok);
     other.join();
+    EXPECT_EQ(threads_here(), before);
     EXPECT_TRUE(same_pixels(effect->output, wanted));
 }
 

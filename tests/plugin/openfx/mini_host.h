@@ -33,7 +33,7 @@ struct Properties {
 struct Picture {
     Rect box; ///< rows counted upwards
     int channels = 4;
-    std::string depth = "OfxBitDepthFloat", premultiplication = "OfxImagePreMultiplied";
+    std::string depth = "OfxBitDepthFloat", premultiplication = "OfxImageAlphaPremultiplied";
     std::vector<char> bytes;
     bool rows_reversed = false; ///< row bytes are negative
 

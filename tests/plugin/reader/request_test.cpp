@@ -2,6 +2,8 @@
 #include "request.h"
 #include "tests/temporary.h"
 
+#include <sys/stat.h>
+
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -166,6 +168,18 @@ TEST(Request, BoundsSizes) {
     error.clear();
     EXPECT_FALSE(r.windows(far, to, error));
     EXPECT_NE(error.find("data window"), std::string::npos) << error;
+}
+
+TEST(Request, RefusesWhatIsNoRegularFile) {
+    const std::string pipe = ddt::temporary("pipe.png");
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    for (const std::string& source : {pipe, std::string("/dev/zero"), ddt::temporary(".")}) {
+        const std::string error = refused(source + ".ddt?scale=2");
+        EXPECT_NE(error.find("not a regular file"), std::string::npos) << error;
+        const File sidecar(source + "\nscale=2\n");
+        EXPECT_NE(refused(File::path()).find("not a regular file"), std::string::npos);
+    }
+    std::remove(pipe.c_str());
 }
 
 } // namespace

@@ -39,5 +39,13 @@ TEST(Size, AnythingElseIsRefused) {
     }
 }
 
+TEST(Size, AShapeThatIsKeptIsNotTooLarge) {
+    Size to{1, 2, 3, 4};
+    for (const char* text : {"0x2000000000", "2147483647x0", "0x16777216"})
+        EXPECT_FALSE(parse_size(text, {200000, 1, 0, 0}, to)) << text;
+    EXPECT_FALSE(parse_size("2000000x0", {1, 200000, 0, 0}, to));
+    EXPECT_EQ(to.width, 1);
+}
+
 } // namespace
 } // namespace ddt::tool

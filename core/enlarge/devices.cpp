@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ddt/devices.h"
+
+#include "core/base/guarded.h"
+#include "core/gl/offload.h"
+
+namespace ddt {
+
+bool describe_device(const Job& job, std::string& line) noexcept {
+    std::string text;
+    const bool had = succeeds(&line, [&](std::string& why) {
+        Placement placement;
+        if (!place(job, placement, why))
+            return false;
+        text = describe(placement);
+        return true;
+    });
+    if (had)
+        line.swap(text);
+    return had;
+}
+
+} // namespace ddt

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// What fitted bends and vertices are made of (see fitted.h). Included inside a namespace, once for
+// scalars and once for each SIMD target: T is a float or a vector of floats, a lane a channel. GLSL
+// twin: shaders/fitted.glsl. Pixels come through `tap`, a function of a vertex of the lattice or
+// beyond its rim. Sums are written so that an edge seen from its other end has the same bits.
+
+template <class T>
+DDT_INLINE T lower(T a, T b) {
+    return if_less(b, a, b, a);
+}
+template <class T>
+DDT_INLINE T upper(T a, T b) {
+    return if_less(a, b, b, a);
+}
+
+/// The pixel at (x, y), where the picture goes on past its rim as its odd mirror image: so does
+/// what varies along one axis only, and so do planes. `inside` reads it within.
+template <class T, class Inside>
+DDT_INLINE T odd_mirror_tap(int x, int y, int width, int height, Inside inside) {
+    const auto within = [](int v, int n) { return v < 0 ? 0 : v < n ? v : n - 1; };
+    const int cx = within(x, width), cy = within(y, height);
+    const int mx = within(2 * cx - x, width), my = within(2 * cy - y, height);
+    const auto column = [&](int at) {
+        const T centre = inside(at, cy);
+        return cy == y ? centre : (centre + centre) - inside(at, my);
+    };
+    const T centre = column(cx);
+    return cx == x ? centre : (centre + centre) - column(mx);
+}
+
+/// A pixel, or a vector in pixels.
+struct Place {
+    int x, y;
+    friend DDT_INLINE Place operator+(Place a, Place b) { return {a.x + b.x, a.y + b.y}; }
+    friend DDT_INLINE Place operator*(int i, Place v) { return {i * v.x, i * v.y}; }
+};
+DDT_INLINE Place half_of(Place v) {
+    return {v.x / 2, v.y / 2};
+}
+/// The same as an address.
+DDT_INLINE ptrdiff_t half_of(ptrdiff_t v) {
+    return v / 2;
+}
+
+/// What a vertex is moved by, and the index that its weights depend on.
+template <class T>
+struct VertexFeatures {
+    T f[fitted_vertex_features];
+    T index;
+
+    /// `step`: what a round of consistency would move it by (consistency-inl.h).
+    template <class Tap>
+    DDT_INLINE void find(T step, const FittedTable& table, Tap tap) {
+        const T z = tap(0, 0), quarter = T(0.25f);
+        T sum[5];
+        sum[0] = (tap(-1, 0) + tap(1, 0)) + (tap(0, -1) + tap(0, 1));
+        sum[1] = (tap(-1, -1) + tap(1, 1)) + (tap(1, -1) + tap(-1, 1));
+        sum[2] = (tap(-2, 0) + tap(2, 0)) + (tap(0, -2) + tap(0, 2));
+        sum[3] = ((tap(-2, -1) + tap(2, 1)) + (tap(2, -1) + tap(-2, 1))) +
+                 ((tap(-1, -2) + tap(1, 2)) + (tap(1, -2) + tap(-1, 2)));
+        sum[4] = (tap(-2, -2) + tap(2, 2)) + (tap(2, -2) + tap(-2, 2));
+        f[0] = sum[0] * quarter - z;
+        f[1] = sum[1] * quarter - z;
+        f[2] = sum[2] * quarter - z;
+        f[3] = sum[3] * T(0.125f) - z;
+        f[4] = sum[4] * quarter - z;
+        f[5] = step;
+        T low = z, high = z;
+        for (int y = -2; y <= 2; ++y)
+            for (int x = -2; x <= 2; ++x) {
+                low = lower(low, tap(x, y));
+                high = upper(high, tap(x, y));
+            }
+        T near = T(0.0f);
+        for (int y = -2; y <= 2; ++y) {
+            T row = T(0.0f);
+            for (int x = -2; x <= 2; ++x)
+                row = row + lower(tap(x, y) - low, high - tap(x, y));
+            near = near + row;
+        }
+        const T r = rsqrt<3>((high - low) * T(25.0f) + T(table.index_epsilon));
+        index = near * (r * r);
+    }
+};
+
+/// What an edge is bent by. a, b: its ends; c, d: its apexes; v = b - a.
+template <class T>
+struct EdgeFeatures {
+    T null[fitted_edge_null], shared[fitted_edge_shared];
+    T rise;  ///< from a to b, not negative
+    T range; ///< of a, b, c and d
+
+    /// v in pixels; l, r: the apexes relative to the midpoint in doubled coordinates. P: Place or
+    /// ptrdiff_t. e: the plain bend.
+    template <class P, class Tap>
+    DDT_INLINE void find(P a, P v, P l, P r, T e, Tap tap) {
+        const P first = a + half_of(v + l), second = a + half_of(v + r);
+        const auto on = [&](int i) { return tap(a + i * v); };
+        const auto c = [&](int i) { return tap(first + i * v); };
+        const auto d = [&](int i) { return tap(second + i * v); };
+        const auto ac = [&](int i) { return tap(a + l + i * v); };
+        const auto ad = [&](int i) { return tap(a + r + i * v); };
+        const auto cc = [&](int i) { return tap(first + l + i * v); };
+        const auto dd = [&](int i) { return tap(second + r + i * v); };
+        const T half = T(0.5f), quarter = T(0.25f), zero = T(0.0f);
+        const T za = on(0), zb = on(1), zc = c(0), zd = d(0);
+        const T middle = (za + zb) * half;
+        // Means over taps that mirror one another, less the midpoint's: along the edge at 3/2 and
+        // 5/2 of its length, beside it through its apexes, and twice and three times as far.
+        const T o0 = (on(-1) + on(2)) * half - middle;
+        const T o1 = (on(-2) + on(3)) * half - middle;
+        const T o2 = (zc + zd) * half - middle;
+        const T o3 = ((c(-1) + c(1)) + (d(-1) + d(1))) * quarter - middle;
+        const T o4 = ((c(-2) + c(2)) + (d(-2) + d(2))) * quarter - middle;
+        const T o5 = ((ac(0) + ac(1)) + (ad(0) + ad(1))) * quarter - middle;
+        const T o6 = ((ac(-1) + ac(2)) + (ad(-1) + ad(2))) * quarter - middle;
+        const T o7 = (cc(0) + dd(0)) * half - middle;
+        const T o8 = ((cc(-1) + cc(1)) + (dd(-1) + dd(1))) * quarter - middle;
+        null[0] = (o3 - o2) - half * o0;
+        null[1] = (o4 - o2) - half * (o0 + o1);
+        null[2] = (o5 - o6) - half * (o0 - o1);
+        null[3] = (o7 - o8) - (o0 - half * o1);
+        const T difference = zb - za;
+        rise = if_less(difference, zero, zero - difference, difference);
+        const T four = T(4.0f) * o0;
+        shared[0] = o0;
+        shared[1] = o1;
+        shared[2] = e;
+        shared[3] = upper(zero - rise, lower(rise, four));
+        range = upper(upper(za, zb), upper(zc, zd)) - lower(lower(za, zb), lower(zc, zd));
+    }
+};
+
+/// v, or where it is not finite, `otherwise`.
+template <class T>
+DDT_INLINE T finite_or(T v, T otherwise) {
+    const T size = if_less(v, T(0.0f), T(0.0f) - v, v);
+    return if_less_equal(size, T(largest_float), v, otherwise);
+}
+
+/// v within a range; NaN stays.
+template <class T>
+DDT_INLINE T clamped(T v, T low, T high) {
+    const T above = if_less(v, low, low, v);
+    return if_less(high, above, high, above);
+}
+
+/// Where an index lies between the nodes: what each node's weights count.
+template <class T>
+DDT_INLINE void find_shares(T index, const FittedTable& table, T share[fitted_nodes]) {
+    const T zero = T(0.0f), one = T(1.0f);
+    share[0] = one;
+    for (int k = 1; k < fitted_nodes; ++k) {
+        const T t = (index - T(table.node[k - 1])) * T(table.node_scale);
+        share[k] = upper(zero, lower(one, t));
+    }
+}
+
+/// Where a vertex goes from z.
+template <class T>
+DDT_INLINE T fitted_vertex(T z, T low, T high, const VertexFeatures<T>& v,
+                           const FittedTable& table) {
+    const T zero = T(0.0f);
+    T share[fitted_nodes];
+    find_shares(v.index, table, share);
+    T step = zero;
+    for (int k = 0; k < fitted_nodes; ++k) {
+        const float* w = table.vertex[k];
+        const T sum =
+            ((T(w[0]) * v.f[0] + T(w[1]) * v.f[1]) + (T(w[2]) * v.f[2] + T(w[3]) * v.f[3])) +
+            (T(w[4]) * v.f[4] + T(w[5]) * v.f[5]);
+        step = k == 0 ? sum : step + share[k] * sum;
+    }
+    return finite_or(clamped(z + finite_or(step, zero), low, high), z);
+}
+
+/// The bend of an edge with these weights of its null features, node after node. In lanes where
+/// `strict` is not 0 it stays within the edge's rise.
+template <class T>
+DDT_INLINE T fitted_bend(const EdgeFeatures<T>& edge, T index, T strict, const float* null,
+                         const FittedTable& table) {
+    const T zero = T(0.0f);
+    T share[fitted_nodes];
+    find_shares(index, table, share);
+    T e = zero;
+    for (int k = 0; k < fitted_nodes; ++k) {
+        const float *w = null + k * fitted_edge_null, *s = table.shared[k];
+        const T sum = ((T(w[0]) * edge.null[0] + T(w[1]) * edge.null[1]) +
+                       (T(w[2]) * edge.null[2] + T(w[3]) * edge.null[3])) +
+                      ((T(s[0]) * edge.shared[0] + T(s[1]) * edge.shared[1]) +
+                       (T(s[2]) * edge.shared[2] + T(s[3]) * edge.shared[3]));
+        e = k == 0 ? sum : e + share[k] * sum;
+    }
+    const T plain = edge.shared[2];
+    const T limit = if_less(zero, strict, edge.rise, T(table.bend_limit) * edge.range);
+    return finite_or(clamped(finite_or(e, plain), zero - limit, limit), plain);
+}

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The operation gegl:ddt in Debian's `gegl` and in GIMP's console, against oiiotool with the plugin."""
+
+import os
+import shutil
+import subprocess
+import unittest
+
+import support
+
+FOLDER = os.path.join(support.BUILD, "hosts", "gegl")
+
+
+def gegl_environment():
+    system = subprocess.run(["pkg-config", "--variable=pluginsdir", "gegl-0.4"], check=True,
+                            capture_output=True, text=True).stdout.strip()
+    # Babl takes the way from one format to another that is quickest today, and allows itself some
+    # error unless it is told not to.
+    return {"GEGL_PATH": f"{system}:{FOLDER}", "GEGL_USE_OPENCL": "no", "BABL_TOLERANCE": "0"}
+
+
+class Gegl(support.Case):
+    # GEGL reads and writes floats as they are: a photograph, a drawing with alpha, light beyond 1.
+    IMAGES = {
+        **support.Case.IMAGES,
+        "float.exr": "photo.png --iscolorspace Linear -d float",
+        "alpha.exr": "photo.tif --iscolorspace Linear -d float",
+        "large.exr": "--pattern fill:topleft=1,0,0:bottomright=0,3,2 700x300 3 "
+                     "--line:color=1,1,1 3,2,690,288 -d float",
+        "deep.png": "photo.png -d uint16",
+        "grey.png": "photo.png --ch 0 --chnames Y",
+        "straight.png": "--pattern fill:topleft=0.9,0.1,0.2,0:topright=0.1,0.7,0.3,1:"
+                        "bottomleft=0.2,0.3,0.8,0.5:bottomright=1,1,0,1 48x40 4 "
+                        "--box:color=1,0,0,0:fill=1 10,6,20,30 "
+                        "--attrib:type=int oiio:UnassociatedAlpha 1 -d uint16",
+    }
+
+    def gegl(self, source, out, *properties):
+        # The program ends with 0 whatever happens: what counts is the picture.
+        done = self.attempt("gegl", source, "-o", out, "--", "ddt", *properties,
+                            **gegl_environment())
+        return done.stdout + done.stderr
+
+    def same_floats(self, a, b):
+        pixels = [self.load(name).get_pixels("float") for name in (a, b)]
+        self.assertEqual(pixels[0].shape, pixels[1].shape, f"{a} and {b}")
+        self.assertEqual(pixels[0].tobytes(), pixels[1].tobytes(), f"{a} and {b}")
+
+    def test_the_filters_bits(self):
+        for name in ("float.exr", "alpha.exr", "large.exr"):
+            for spec, properties in (("ddt", ()), ("ddt-sharp,cost=scf,meshes=2",
+                                                   ("filter=ddt-sharp", "cost=scf", "meshes=2"))):
+                said = self.gegl(name, "out.exr", "scale=3", *properties)
+                self.assertEqual(said, "", name)
+                self.succeed("oiiotool", name, f"--resize:filter={spec},light=linear", "300%",
+                             "-o", "wanted.exr")
+                self.same_floats("out.exr", "wanted.exr")
+
+    def test_the_filters_bits_of_numbers_that_are_encoded(self):
+        for name in ("photo.png", "deep.png", "grey.png"):
+            for spec, properties in (("ddt", ()), ("ddt,light=encoded", ("light=encoded",))):
+                if properties and name != "photo.png":
+                    continue
+                self.assertEqual(self.gegl(name, "out.tif", "scale=2.5", *properties), "")
+                self.succeed("oiiotool", name, f"--resize:filter={spec}", "250%", "-d", "float",
+                             "-o", "wanted.tif")
+                self.same_floats("out.tif", "wanted.tif")
+
+    def test_codes_in_a_file_are_at_most_one_apart(self):
+        # Babl rounds in double, OpenImageIO in float: the middle of two codes may become either.
+        self.assertEqual(self.gegl("photo.png", "out.png", "scale=2.5"), "")
+        self.succeed("oiiotool", "photo.png", "--resize:filter=ddt", "250%", "-d", "uint16", "-o",
+                     "wanted.png")
+        self.succeed("oiiotool", "--fail", "0.0000153", "--diff", "out.png", "wanted.png")
+
+    def test_alpha_is_multiplied_in_floats(self):
+        # oiiotool by itself would multiply codes of 16 bits while it reads, and lose some of them.
+        numbers = ("oiiotool", "--iconfig", "oiio:UnassociatedAlpha", "1")
+        self.assertEqual(self.gegl("straight.png", "out.tif", "scale=2"), "")
+        self.succeed(*numbers, "straight.png", "-d", "float", "--eraseattrib",
+                     "oiio:UnassociatedAlpha", "--premult", "-o", "product.exr")
+        self.succeed("oiiotool", "product.exr", "--resize:filter=ddt,light=sRGB", "200%",
+                     "--unpremult", "-d", "float", "-o", "wanted.exr")
+        # It complains about GEGL's profile of colours.
+        self.attempt(*numbers, "out.tif", "--eraseattrib", "oiio:UnassociatedAlpha", "-d", "float",
+                     "-o", "numbers.exr")
+        self.assert_same("numbers.exr", "wanted.exr")
+
+    def test_a_scale_of_one_changes_nothing(self):
+        self.gegl("float.exr", "out.exr", "scale=1")
+        self.same_floats("out.exr", "float.exr")
+
+    def test_what_is_not_allowed_is_told(self):
+        said = self.gegl("photo.png", "out.png", "scale=2", "device=nonsense")
+        self.assertIn("nonsense\naccepted values: auto cpu egl osmesa", said)
+
+
+class Gimp(support.Case):
+    PROGRAM = shutil.which("gimp-console-2.10") or shutil.which("gimp-console")
+    IMAGES = {"small.png": "--create 40x32 3 -d uint8"}
+
+    # GIMP 2.10 runs operations of others by its GEGL tool alone, which a script cannot use: what can
+    # be seen here is that it takes the module in and goes on.
+    @unittest.skipUnless(PROGRAM, "skipped: GIMP's console is not there")
+    def test_it_takes_the_module_in(self):
+        script = ('(let* ((image (car (gimp-file-load RUN-NONINTERACTIVE "small.png" "small.png"))))'
+                  '(gimp-message (string-append "width " '
+                  '(number->string (car (gimp-image-width image))))) (gimp-quit 0))')
+        done = self.attempt(self.PROGRAM, "-idf", "--batch-interpreter", "plug-in-script-fu-eval",
+                            "-b", script, HOME=self.folder, LD_DEBUG="files",
+                            LD_DEBUG_OUTPUT=self.path("loaded"), **gegl_environment())
+        said = done.stdout + done.stderr
+        self.assertIn("width 40", said)
+        self.assertNotIn("ddt.so", said)
+        loaded = ""
+        for name in os.listdir(self.folder):
+            if name.startswith("loaded."):
+                with open(self.path(name), encoding="utf-8", errors="replace") as file:
+                    loaded += file.read()
+        self.assertIn(f"calling init: {FOLDER}/ddt.so", loaded)
+
+
+if __name__ == "__main__":
+    unittest.main()

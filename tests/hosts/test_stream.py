@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`ddt stream`: pictures one after the other through pipes."""
+
+import os
+import shutil
+import subprocess
+import threading
+import unittest
+
+import support
+
+DDT = os.path.join(support.BUILD, "bin", "ddt")
+
+
+def pfm(width, height, value):
+    """A PFM of one colour, low byte first."""
+    import struct
+    return b"PF\n%d %d\n-1.0\n" % (width, height) + struct.pack("<f", value) * (3 * width * height)
+
+
+class Stream(support.Case):
+    def stream(self, data, *arguments):
+        return subprocess.run([DDT, "stream", *arguments], input=data, capture_output=True,
+                              env=support.environment(False), timeout=120)
+
+    def file(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def test_the_filters_bits_for_every_frame(self):
+        self.succeed("oiiotool", "photo.png", "-o", "photo.ppm")
+        done = self.stream(self.file("photo.ppm") * 3, "--scale", "2", "--filter", "ddt-sharp")
+        self.assertEqual((done.returncode, done.stderr), (0, b""))
+        self.succeed("oiiotool", "photo.png", "--resize:filter=ddt-sharp", "200%", "-o",
+                     "wanted.ppm")
+        self.assertEqual(done.stdout, self.file("wanted.ppm") * 3)
+
+    def test_floats_keep_their_order_of_bytes(self):
+        done = self.stream(pfm(5, 4, 0.75) + pfm(3, 3, 2.0), "--scale", "3")
+        self.assertEqual(done.stdout, pfm(15, 12, 0.75) + pfm(9, 9, 2.0))
+
+    def test_the_end_of_the_stream_is_no_failure(self):
+        done = self.stream(b"")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, b"", b""))
+
+    def test_a_short_frame_ends_with_a_line_after_those_before(self):
+        frame = b"P6\n4 4\n255\n" + bytes(48)
+        done = self.stream(frame + frame[:-7])
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr, b"ddt: frame 2: it ends after 41 of 48 bytes\n")
+        self.assertEqual(done.stdout, b"P6\n8 8\n255\n" + bytes(192))
+
+    def test_what_is_no_picture_is_named(self):
+        for data, says in ((b"GIF89a", b"frame 1: no picture begins here"),
+                           (b"P6\n4 x\n", b"header"), (b"P7\nWIDTH 4\n", b"header"),
+                           (b"P6\n4 4\n1000\n", b"255 and 65535")):
+            done = self.stream(data)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(says, done.stderr)
+            self.assertEqual(done.stderr.count(b"\n"), 1)
+        self.assertEqual(self.stream(b"", "--filter", "ddtx").returncode, 2)
+
+    def test_a_closed_pipe_ends_it(self):
+        frame = b"P6\n300 300\n255\n" + bytes(270000)
+        with open(self.path("in.ppm"), "wb") as file:
+            file.write(frame * 20)
+        done = self.attempt("sh", "-c", f"'{DDT}' stream --scale 4 < in.ppm | head -c 100 > /dev/null")
+        self.assertIn("the reader of the result has gone", done.stderr)
+
+    def started(self):
+        return subprocess.Popen([DDT, "stream", "--scale", "2"], stdin=subprocess.PIPE,
+                                stdout=subprocess.PIPE, env=support.environment(False))
+
+    def test_a_frame_comes_out_before_the_next_goes_in(self):
+        frame, large = b"P6\n4 4\n255\n" + bytes(48), b"P6\n8 8\n255\n" + bytes(192)
+        with self.started() as process:
+            for _ in range(3):
+                process.stdin.write(frame)
+                process.stdin.flush()
+                self.assertEqual(process.stdout.read(len(large)), large)
+            process.stdin.close()
+            self.assertEqual(process.wait(timeout=60), 0)
+
+    def test_frames_are_read_while_one_cannot_be_written(self):
+        # None of these fits into a pipe: whoever reads only after he has written stops at the first.
+        frame = b"P6\n400 300\n255\n" + bytes(360000)
+        with self.started() as process:
+            writing = threading.Thread(target=lambda: process.stdin.write(frame * 3), daemon=True)
+            writing.start()
+            writing.join(60)
+            held_up = writing.is_alive()
+            process.kill()
+        self.assertFalse(held_up)
+
+    @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not there")
+    def test_between_two_ffmpegs(self):
+        done = self.attempt(
+            "bash", "-c", "set -o pipefail; ffmpeg -v error -f lavfi -i testsrc=size=64x48:rate=5 "
+            f"-frames:v 5 -f image2pipe -c:v pam - | '{DDT}' stream --scale 2 | "
+            "ffmpeg -v error -f image2pipe -c:v pam -i - -f rawvideo -pix_fmt rgb24 out.rgb")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(os.path.getsize(self.path("out.rgb")), 5 * 128 * 96 * 3)
+
+
+if __name__ == "__main__":
+    unittest.main()

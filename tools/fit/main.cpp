@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fits the weights of core/surface/fitted/weights.inc and prints that file.
+//
+//   fit_weights PHOTOGRAPHS DRAWINGS [options] > weights.inc
+//
+// PHOTOGRAPHS and DRAWINGS are folders of pictures of 8 bits. Each is reduced by 2 and by 4 in
+// encoded and in linear light, and the surface's weights are those with which the enlarged pictures
+// come closest to the originals: exact least squares on the finished pictures, but that the clamps
+// are left out. The same folders and options give the same numbers. What is done goes to stderr.
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include <OpenImageIO/argparse.h>
+#include <tbb/parallel_for.h>
+
+#include "metrics/psnr.h"
+#include "metrics/ssim.h"
+#include "tests/bench/reference.h"
+#include "tools/fit/normal_equations.h"
+
+namespace {
+
+struct Set {
+    const char* name;
+    std::string folder;
+    int scale;
+    bench::Light light;
+    double weight;
+};
+
+struct Figures {
+    double psnr = 0, ssim = 0;
+    int pictures = 0;
+};
+
+bool add(const Set& set, unsigned every, fit::NormalEquations& sum) {
+    const std::vector<std::string> files = bench::image_files(set.folder);
+    std::vector<fit::NormalEquations> parts(files.size());
+    std::vector<std::string> errors(files.size());
+    tbb::parallel_for(size_t(0), files.size(), [&](size_t i) {
+        fit::Scene scene;
+        if (fit::make_scene(files[i], set.scale, set.light, scene, errors[i]))
+            parts[i].add(scene, set.weight, every, uint32_t(i + 1));
+    });
+    for (size_t i = 0; i < files.size(); ++i) {
+        if (!errors[i].empty())
+            std::fprintf(stderr, "%s is left out: %s\n", files[i].c_str(), errors[i].c_str());
+        sum.add(parts[i]);
+    }
+    std::fprintf(stderr, "%s, %dx: %zu pictures\n", set.name, set.scale, files.size());
+    return !files.empty();
+}
+
+void report(const Set& set, const ddt::FittedWeights& weights) {
+    const std::vector<std::string> files = bench::image_files(set.folder);
+    std::vector<Figures> all(files.size());
+    tbb::parallel_for(size_t(0), files.size(), [&](size_t i) {
+        fit::Scene scene;
+        std::string error;
+        if (!fit::make_scene(files[i], set.scale, set.light, scene, error))
+            return;
+        const metrics::Image a = metrics::without_border(scene.original, set.scale);
+        const metrics::Image b = metrics::without_border(
+            bench::stored(fit::enlarge(scene, weights), set.light), set.scale);
+        all[i] = {metrics::psnr(a, b), metrics::ssim(metrics::luma(a), metrics::luma(b)), 1};
+    });
+    Figures sum;
+    for (const Figures& f : all)
+        sum = {sum.psnr + f.psnr, sum.ssim + f.ssim, sum.pictures + f.pictures};
+    std::fprintf(stderr, "%-30s %dx %7.3f %.4f\n", set.name, set.scale, sum.psnr / sum.pictures,
+                 sum.ssim / sum.pictures);
+}
+
+template <size_t n>
+void print(const float (&row)[n], bool last) {
+    std::printf("{");
+    for (size_t i = 0; i < n; ++i)
+        std::printf(i == 0 ? "%#.9gf" : ", %#.9gf", double(row[i]));
+    std::printf(last ? "}" : "},\n");
+}
+
+template <size_t n, size_t m>
+void print(const float (&nodes)[m][n], const char* after) {
+    std::printf("{");
+    for (size_t k = 0; k < m; ++k)
+        print(nodes[k], k + 1 == m);
+    std::printf("%s\n", after);
+}
+
+/// The file weights.inc.
+void print(const ddt::FittedWeights& w, const std::vector<std::string>& folders, int every,
+           double ridge, double drawings) {
+    std::printf("// SPDX-License-Identifier: Apache-2.0\n"
+                "// FittedWeights (weights.h), as this printed them (tools/fit):\n"
+                "//     fit_weights PHOTOGRAPHS DRAWINGS --every %d --ridge %g --drawings %g\n",
+                every, ridge, drawings);
+    const char* const kinds[] = {"Photographs", "Drawings"};
+    for (size_t f = 0; f < 2; ++f) {
+        std::printf("// %s:\n", kinds[f]);
+        for (const std::string& file : bench::image_files(folders[f]))
+            std::printf("//     %s\n", std::filesystem::path(file).filename().c_str());
+    }
+    std::printf("{\n// Vertices, a row a node of the index.\n");
+    print(w.vertex, "},");
+    std::printf("// Edges: what their features that do not vanish count.\n");
+    print(w.shared, "},\n{");
+    for (int length = 0; length < ddt::fitted_lengths; ++length) {
+        std::printf("{");
+        for (int kind = 0; kind < ddt::fitted_kinds; ++kind) {
+            const char* const names[] = {"cannot be flipped", "would lose much by it",
+                                         "what a gain of 0 adds"};
+            std::printf("// |v|^2 %s: %s.\n",
+                        length == 2   ? "> 2"
+                        : length == 1 ? "= 2"
+                                      : "= 1",
+                        names[kind]);
+            print(w.null[length][kind], kind + 1 == ddt::fitted_kinds ? "}" : "},");
+        }
+        std::printf(length + 1 == ddt::fitted_lengths ? "}\n" : "},\n");
+    }
+    std::printf("}}\n");
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    int every = 24;
+    float ridge = 1e-5f, drawings = 0.3f;
+    bool reported = false;
+    std::vector<std::string> folders;
+    OIIO::ArgParse args;
+    args.usage("fit_weights PHOTOGRAPHS DRAWINGS [options]");
+    args.arg("folder").hidden().action(
+        [&](OIIO::cspan<const char*> a) { folders.push_back(a[0]); });
+    args.arg("--every %d:N", &every).help("use one in N pixels (default: 24)");
+    args.arg("--ridge %f:R", &ridge).help("add this share to the diagonal (default: 1e-5)");
+    args.arg("--drawings %f:W", &drawings).help("what a drawing weighs (default: 0.3)");
+    args.arg("--report", &reported).help("then measure every picture");
+    if (args.parse(argc, const_cast<const char**>(argv)) < 0 || folders.size() != 2 || every < 1) {
+        args.print_help();
+        return 2;
+    }
+    std::vector<Set> sets;
+    for (const auto light : {bench::Light::encoded, bench::Light::linear})
+        for (const int scale : {2, 4}) {
+            const bool is_linear = light == bench::Light::linear;
+            sets.push_back({is_linear ? "photographs, linear" : "photographs, encoded", folders[0],
+                            scale, light, 1});
+            sets.push_back({is_linear ? "drawings, linear" : "drawings, encoded", folders[1], scale,
+                            light, double(drawings)});
+        }
+    fit::NormalEquations equations;
+    for (const Set& set : sets)
+        if (!add(set, unsigned(every), equations))
+            return 1;
+    const ddt::FittedWeights w = equations.solve(double(ridge));
+    print(w, folders, every, double(ridge), double(drawings));
+    for (const Set& set : sets)
+        if (reported)
+            report(set, w);
+    return 0;
+}
