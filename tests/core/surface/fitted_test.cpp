@@ -238,8 +238,7 @@ TEST(Fitted, AContourThatIsLevelUprightOrDiagonalStaysEven) {
                 for (int x = 0; x < size; ++x)
                     values.push_back(profiles[k](contour.u(x, y)));
             ASSERT_EQ(enlarge(values.data(), size, size, 1, nullptr, large.data(), size * factor,
-                              size * factor, options.surface, options.mesh, 1,
-                              nullptr),
+                              size * factor, options.surface, options.mesh, 1, nullptr),
                       Outcome::done);
             // By where a position lies across the contour, away from the picture's rim.
             std::map<int, std::pair<float, float>> ranges;
