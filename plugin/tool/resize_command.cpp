@@ -19,8 +19,7 @@ public:
         summary = "Resize an image, a sequence, or a part of an image";
         paragraphs = {
             "The same pixels as oiiotool IN --resize:filter=ddt SIZE -o OUT with the plugin; from "
-            "8 or 16 bits into EXR or HDR, with --type half or float. Of 8 bits, a value midway "
-            "may go the other way.",
+            "8 or 16 bits into EXR or HDR, with --type half or float.",
             "Sizes are oiiotool's: 640x480; 0x480 keeps the shape; 640x480+10-20 moves the origin; "
             "50%, 50%x75%; 2.5 is a factor. They are those of the display window.",
             "Sequences: IN and OUT with # (four digits), ### (three) or %04d in place of the "
