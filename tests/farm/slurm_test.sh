@@ -52,10 +52,8 @@ for node in n1 n2; do
 done
 node2=$!
 up() { [ "$(timeout -s KILL 5 sinfo -h -t idle -o %D 2>/dev/null)" = 2 ]; }
-for ((i = 0; i < 60; ++i)); do
-    up || ! kill -0 "${daemons[@]}" 2>/dev/null && break
-    sleep 0.5
-done
+begin=$SECONDS
+while ((SECONDS < begin + 30)) && kill -0 "${daemons[0]}" 2>/dev/null && ! up; do sleep 0.5; done
 up || { echo "skipped: Slurm does not start here: $(cat "$work"/*.out | grep -m 1 -i error || true)"; exit 77; }
 
 # ddt, but for frame 3, whose first run finds a disk with room for one block, and for what runs first
