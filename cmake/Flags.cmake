@@ -5,6 +5,10 @@
 # no reordering of float sums.
 add_compile_options(-ffp-contract=off -fno-fast-math)
 add_compile_options(-Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wno-psabi)
+# Conditions without branches are meant so (core/lattice).
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 14)
+  add_compile_options(-Wno-bitwise-instead-of-logical)
+endif()
 if(DDT_WERROR)
   add_compile_options(-Werror)
 endif()

@@ -27,3 +27,18 @@ install(FILES
   ${CMAKE_CURRENT_BINARY_DIR}/oiio-ddt-config-version.cmake
   cmake/CoreDependencies.cmake cmake/ImageDependencies.cmake
   DESTINATION ${package_dir})
+
+# The same for pkg-config: pkg-config --cflags --libs oiio-ddt
+set(DDT_PC_REQUIRES "tbb libhwy")
+set(DDT_PC_LIBS -lddt_core)
+if(GEOS_FOUND)
+  string(APPEND DDT_PC_REQUIRES " geos")
+endif()
+if(DDT_PLUGIN)
+  string(PREPEND DDT_PC_REQUIRES "OpenImageIO OpenColorIO ")
+  set(DDT_PC_LIBS "-lddt_image -lddt_core")
+endif()
+# From where the file lies, so that an installed tree can be moved.
+file(RELATIVE_PATH DDT_PC_PREFIX ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+configure_file(cmake/package/oiio-ddt.pc.in oiio-ddt.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/oiio-ddt.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

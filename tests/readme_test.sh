@@ -20,10 +20,12 @@ mkdir "$scratch/here"
 cd "$scratch/here"
 # A copy, not a link: the wrapper cannot preload a plugin from a path with a space in it.
 mkdir -p build/bin build/plugins
-cp "$build_dir/bin/ddt-oiiotool" build/bin/
+cp "$build_dir/bin/ddt" "$build_dir/bin/ddt-oiiotool" build/bin/
 cp "$build_dir/plugins/ddt.imageio.so" build/plugins/
 cp "$source_dir/testimages/scene.png" photo.png
-cp "$source_dir/testimages/light.exr" render.exr
+for i in 1 2 3; do cp "$source_dir/testimages/light.exr" in.000$i.exr; done
+# Large enough for parts.
+oiiotool in.0001.exr --resize 320x240 -o render.exr
 
 ran=0
 run() {

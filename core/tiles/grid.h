@@ -26,6 +26,8 @@ class Grid {
 public:
     explicit Grid(const Rect& window);
     int count() const { return m_columns * m_rows; }
+    int columns() const { return m_columns; }
+    int rows() const { return m_rows; }
     Tile tile(int index) const;
 
 private:

@@ -2,6 +2,7 @@
 #include "plugin/image/windows.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imagebufalgo_util.h>
@@ -17,7 +18,9 @@ using OIIO::Strutil::fmt::format;
 
 int64_t allowed_megabytes() {
     int limit = 0;
-    const auto memory = int64_t(OIIO::Sysutil::physical_memory() >> 20);
+    auto memory = int64_t(OIIO::Sysutil::physical_memory() >> 20);
+    if (memory == 0) // not known: no /proc
+        memory = std::numeric_limits<int64_t>::max();
     if (!OIIO::getattribute("limits:imagesize_MB", limit) || limit <= 0)
         return memory;
     return std::min<int64_t>(limit, memory);

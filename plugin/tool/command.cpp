@@ -15,6 +15,12 @@ using OIIO::Strutil::fmt::format;
 
 namespace {
 
+bool takes_more(const Command& command) {
+    return std::any_of(
+        command.operands.begin(), command.operands.end(),
+        [](const Operand& operand) { return OIIO::Strutil::ends_with(operand.name, "..."); });
+}
+
 /// Hand the command's flags to OpenImageIO's parser, which also prints them for --help.
 class Parser {
 public:
@@ -54,9 +60,12 @@ public:
             return wrong(m_args.geterror());
         if (!m_error.empty())
             return wrong(m_error);
-        if (m_operands.size() != m_command.operands.size())
-            return wrong(format("{} takes {} arguments, not {}", m_command.name,
-                                m_command.operands.size(), m_operands.size()));
+        const bool more = takes_more(m_command),
+                   few = m_operands.size() < m_command.operands.size();
+        if (few || (m_operands.size() > m_command.operands.size() && !more))
+            return wrong(format("{} takes {} arguments{}, not {}", m_command.name,
+                                m_command.operands.size(), more ? " or more" : "",
+                                m_operands.size()));
         return m_command.run(m_operands);
     }
 
@@ -138,6 +147,18 @@ Flag choice_flag(const char* name, const std::vector<std::string>& choices, cons
                 return std::find(choices.begin(), choices.end(), text) != choices.end();
             },
             OIIO::Strutil::join(choices, ", "),
+            ""};
+}
+
+Flag text_flag(const char* name, const char* value, const char* help, std::string& text) {
+    return {name,
+            value,
+            help,
+            [&text](const std::string& given) {
+                text = given;
+                return !given.empty();
+            },
+            "texts that are not empty",
             ""};
 }
 

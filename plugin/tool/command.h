@@ -20,6 +20,7 @@ struct Flag {
     std::string notes;   ///< printed after all flags by --help
 };
 
+/// One whose name ends in "..." stands for one or more values.
 struct Operand {
     std::string name, help;
 };
@@ -34,7 +35,8 @@ public:
     std::vector<Operand> operands;
     std::vector<Flag> flags;
 
-    /// `values`: one an operand. Errors go to stderr as a line after "ddt: ".
+    /// `values`: one an operand, or more where that stands for more. Errors go to stderr as a line
+    /// after "ddt: ".
     virtual ExitCode run(const std::vector<std::string>& values) = 0;
 };
 
@@ -55,6 +57,7 @@ Flag whole_flag(const char* name, const char* value, const char* help, int low, 
                 int& number);
 Flag choice_flag(const char* name, const std::vector<std::string>& choices, const char* help,
                  std::string& choice);
+Flag text_flag(const char* name, const char* value, const char* help, std::string& text);
 Flag switch_flag(const char* name, const char* help, bool& on);
 
 /// --progress, whose value `mode` names one for progress_mode().

@@ -6,6 +6,7 @@ namespace ddt::tool {
 std::vector<std::unique_ptr<Command>> make_commands() {
     std::vector<std::unique_ptr<Command>> commands;
     commands.push_back(make_resize_command());
+    commands.push_back(make_join_command());
     commands.push_back(make_stream_command());
     commands.push_back(make_mesh_command());
     commands.push_back(make_scatter_command());

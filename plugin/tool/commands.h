@@ -11,6 +11,7 @@ namespace ddt::tool {
 
 std::unique_ptr<Command> make_mesh_command();
 std::unique_ptr<Command> make_resize_command();
+std::unique_ptr<Command> make_join_command();
 std::unique_ptr<Command> make_compare_command();
 std::unique_ptr<Command> make_scatter_command();
 std::unique_ptr<Command> make_fill_command();

@@ -24,7 +24,10 @@ bool can_be_read(const std::string& path) {
         return false;
     const OIIO::ImageSpec& spec = in->spec();
     const int rows = spec.tile_height > 0 ? spec.tile_height : 16;
-    std::vector<char> pixels(spec.scanline_bytes(true) * size_t(rows));
+    // Room for whole tiles: OpenImageIO's reader writes beyond the image's edge (2.4.7, TIFF).
+    const size_t width =
+        spec.tile_width > 0 ? size_t(spec.width) + size_t(spec.tile_width) : size_t(spec.width);
+    std::vector<char> pixels(spec.pixel_bytes(true) * width * size_t(rows));
     const int end = spec.y + spec.height;
     for (int y = spec.y; y < end; y += rows) {
         const int y1 = std::min(end, y + rows);

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+
 #include "plugin/tool/commands.h"
 #include "plugin/tool/filter_flag.h"
+#include "plugin/tool/part_file.h"
 #include "plugin/tool/progress.h"
 #include "plugin/tool/resize_file.h"
+#include "plugin/tool/sequence.h"
 
 namespace ddt::tool {
 
@@ -12,11 +16,15 @@ class ResizeCommand final : public Command {
 public:
     ResizeCommand() {
         name = "resize";
-        summary = "Resize an image";
+        summary = "Resize an image, a sequence, or a part of an image";
         paragraphs = {
-            "The same pixels as oiiotool IN --resize:filter=ddt SIZE -o OUT with the plugin.",
+            "The same pixels as oiiotool IN --resize:filter=ddt SIZE -o OUT with the plugin; from "
+            "8 or 16 bits into EXR or HDR, with --type half or float.",
             "Sizes are oiiotool's: 640x480; 0x480 keeps the shape; 640x480+10-20 moves the origin; "
             "50%, 50%x75%; 2.5 is a factor. They are those of the display window.",
+            "Sequences: IN and OUT with # (four digits), ### (three) or %04d in place of the "
+            "frame's number, and %V or %v in that of the view or its first letter. Without "
+            "--frames these are the frames of which there is a file.",
             "OUT appears under its name when it is whole; until then what was there stays there."};
         operands = {{"IN", "any image OpenImageIO reads"},
                     {"SIZE", "size of the result"},
@@ -28,6 +36,18 @@ public:
                         "pixel type of the result (default: the image's)", m_settings.type),
             whole_flag("--threads", "N", "threads to use (default: all cores)", 0, 4096,
                        m_settings.threads),
+            text_flag("--frames", "LIST", "frames of a sequence: 1-100, 1-100x2, -5--1, 1,4,9",
+                      m_frames),
+            text_flag("--views", "LIST", "views of a sequence: left,right", m_views),
+            whole_flag("--jobs", "N",
+                       "frames at a time (default: 1), fewer where memory would not do", 1, 64,
+                       m_run.jobs),
+            switch_flag("--skip-existing", "leave out what is there already", m_run.skip_existing),
+            switch_flag("--keep-going", "go on with the other frames after one failed",
+                        m_run.keep_going),
+            {"--part", "K/N", "write the part K of N into OUT, an EXR file, for ddt join",
+             [this](const std::string& text) { return parse_part(text, m_part); }, allowed_parts,
+             ""},
             progress_flag(m_progress),
         };
     }
@@ -36,17 +56,41 @@ public:
         if (!m_filter_error.empty())
             return fail(m_filter_error, exit_usage);
         m_settings.size = values[1];
-        Progress progress("resizing", progress_mode(m_progress));
+        std::vector<FrameTask> tasks{{values[0], values[2]}};
         Failure failure;
-        if (resize_file(values[0], values[2], m_settings, std::ref(progress), failure))
-            return exit_done;
-        progress.hide();
-        return fail(failure);
+        const bool sequence = is_sequence(values[0], m_frames, m_views);
+        if (sequence && !list_tasks(values[0], values[2], m_frames, m_views, tasks, failure))
+            return fail(failure);
+        // Text that is no size is so of every frame.
+        if (OIIO::ImageSpec some(1024, 1024, 1), result; !plan_result(some, m_settings, result))
+            return fail(refused_size(m_settings.size));
+
+        m_run.run = [this](const FrameTask& task, const std::function<bool(float)>& progress,
+                           Failure& why) {
+            return m_part.count > 0
+                       ? resize_part(task.in, task.out, m_settings, m_part, progress, why)
+                       : resize_file(task.in, task.out, m_settings, progress, why);
+        };
+        m_run.memory_of = [this](const FrameTask& task) {
+            return m_run.jobs > 1 ? memory_to_resize(task.in, m_settings) : 0;
+        };
+        FrameCounts counts;
+        {
+            Progress progress(sequence ? std::to_string(tasks.size()) + " frames" : "resizing",
+                              progress_mode(m_progress));
+            counts = run_frames(tasks, m_run, progress);
+        }
+        if (sequence)
+            std::printf("%zu frames: %d written, %d skipped, %d failed\n", tasks.size(),
+                        counts.written, counts.skipped, counts.failed);
+        return counts.code;
     }
 
 private:
     ResizeSettings m_settings;
-    std::string m_filter_error, m_progress = "auto";
+    FrameRun m_run;
+    Part m_part{0, 0}; ///< no part
+    std::string m_filter_error, m_frames, m_views, m_progress = "auto";
 };
 
 } // namespace

@@ -15,6 +15,9 @@ namespace {
 /// Of the whole, as progress tells: what is left is writing.
 constexpr float share_of_resizing = 0.8f;
 
+/// What enlarging takes at most beside input and output.
+constexpr int64_t memory_beside = int64_t(256) << 20;
+
 } // namespace
 
 bool plan_result(const OIIO::ImageSpec& from, const ResizeSettings& settings,
@@ -81,6 +84,14 @@ bool resize_file(const std::string& in, const std::string& out, const ResizeSett
         progress(share_of_resizing + share * (1 - share_of_resizing));
     };
     return write_image(result, out, writing, failure);
+}
+
+int64_t memory_to_resize(const std::string& in, const ResizeSettings& settings) {
+    const auto file = OIIO::ImageInput::open(in);
+    OIIO::ImageSpec spec;
+    if (!file || !plan_result(file->spec(), settings, spec))
+        return 0;
+    return int64_t(file->spec().image_bytes() + spec.image_bytes()) + memory_beside;
 }
 
 } // namespace ddt::tool

@@ -33,4 +33,7 @@ Failure refused_size(const std::string& size);
 bool resize_file(const std::string& in, const std::string& out, const ResizeSettings& settings,
                  const std::function<bool(float)>& progress, Failure& failure);
 
+/// Bytes that resize_file() takes at its peak, about; 0 if that cannot be told.
+int64_t memory_to_resize(const std::string& in, const ResizeSettings& settings);
+
 } // namespace ddt::tool

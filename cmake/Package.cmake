@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: Apache-2.0
+# Debian packages: cmake --build build --target package writes build/oiio-ddt_VERSION_ARCH.deb.
+#
+# What is installed under another component's name than the default makes a package of its own,
+# oiio-ddt-COMPONENT (cmake/HostPackages.cmake). To be included after everything is installed.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME oiio-ddt)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+# Nobody's address: whoever hands the package on gives their own.
+set(DDT_PACKAGE_CONTACT "the oiio-ddt authors <oiio-ddt@example.org>" CACHE STRING
+  "The Debian package's maintainer, as Name <address>")
+set(CPACK_PACKAGE_CONTACT "${DDT_PACKAGE_CONTACT}")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+get_cmake_property(CPACK_COMPONENTS_ALL COMPONENTS)
+list(REMOVE_ITEM CPACK_COMPONENTS_ALL Unspecified)
+
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "image enlargement by data-dependent triangulation")
+set(CPACK_COMPONENT_OIIO-DDT_DESCRIPTION
+"A plugin adds the filters ddt, ddt-linear and ddt-sharp to programs that use
+OpenImageIO, such as oiiotool and maketx. The command ddt enlarges images,
+sequences and parts of images, and there is a library for C++.")
+set(CPACK_DEBIAN_OIIO-DDT_PACKAGE_NAME oiio-ddt)
+set(CPACK_DEBIAN_OIIO-DDT_PACKAGE_DEPENDS openimageio-tools)
+set(CPACK_DEBIAN_OIIO-DDT_PACKAGE_SUGGESTS
+  "libopenimageio-dev, libopencolorio-dev, libtbb-dev, libhwy-dev, libgeos-dev")
+
+# Debian's policy: each package says whose it is and what changed.
+set(documents ${CMAKE_CURRENT_BINARY_DIR}/package)
+configure_file(cmake/package/copyright ${documents}/copyright COPYONLY)
+configure_file(cmake/package/changelog.txt ${documents}/changelog @ONLY)
+execute_process(COMMAND gzip -9nkf ${documents}/changelog COMMAND_ERROR_IS_FATAL ANY)
+foreach(component ${CPACK_COMPONENTS_ALL})
+  string(TOUPPER ${component} upper)
+  set(package oiio-ddt)
+  set(only_packaged)
+  if(NOT component STREQUAL oiio-ddt)
+    string(APPEND package -${component})
+    set(only_packaged EXCLUDE_FROM_ALL)
+    set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${package})
+    set(CPACK_COMPONENT_${upper}_DESCRIPTION
+      "The filters ddt, ddt-linear and ddt-sharp of oiio-ddt, for ${component}.")
+  endif()
+  install(FILES ${documents}/copyright ${documents}/changelog.gz
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component} ${only_packaged})
+endforeach()
+
+# OpenImageIO finds the plugin in login shells. By the GNU standards /etc belongs to the prefix
+# /usr; others get none. A link, and not a file that dpkg would keep as the user's on removal.
+install(CODE "
+  if(CMAKE_INSTALL_PREFIX MATCHES \"/usr$\")
+    set(etc \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/../etc/profile.d\")
+    file(MAKE_DIRECTORY \"\${etc}\")
+    file(CREATE_LINK /usr/share/oiio-ddt/profile.sh \"\${etc}/oiio-ddt.sh\" SYMBOLIC)
+  endif()" COMPONENT oiio-ddt)
+configure_file(cmake/package/profile.sh.in ${documents}/profile.sh @ONLY)
+install(FILES ${documents}/profile.sh DESTINATION ${CMAKE_INSTALL_DATADIR}/oiio-ddt)
+include(CPack)

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/fingerprint.h"
+
+#include <vector>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/hash.h>
+#include <OpenImageIO/strutil.h>
+
+#include "ddt/option_table.h"
+
+namespace ddt::tool {
+
+namespace {
+
+constexpr int pieces = 16;
+constexpr size_t piece = size_t(64) << 10;
+
+} // namespace
+
+std::string fingerprint(const std::string& source, const OIIO::ImageSpec& source_spec,
+                        const OIIO::ImageSpec& result, const ResizeSettings& settings) {
+    OIIO::SHA1 hash;
+    const auto add = [&](const std::string& text) { hash.append(text.data(), text.size() + 1); };
+    const auto windows = [&](const OIIO::ImageSpec& s) {
+        add(OIIO::Strutil::fmt::format("{} {} {} {} {} {} {} {} {} {}", s.x, s.y, s.width, s.height,
+                                       s.full_x, s.full_y, s.full_width, s.full_height, s.nchannels,
+                                       s.format));
+    };
+    add(DDT_VERSION);
+    add(std::to_string(int(settings.options.surface.kind)));
+    for (const Option& option : option_table())
+        if (option.group != OptionGroup::device) // which gives the same bits
+            add(option.key + ("=" + option.get(settings.options)));
+    windows(source_spec);
+    windows(result);
+    for (const std::string& channel : source_spec.channelnames)
+        add(channel);
+    add(source_spec.get_string_attribute("oiio:ColorSpace"));
+
+    const uint64_t size = OIIO::Filesystem::file_size(source);
+    add(std::to_string(size));
+    OIIO::Filesystem::IOFile file(source, OIIO::Filesystem::IOProxy::Read);
+    if (!file.opened())
+        return {};
+    std::vector<char> bytes(piece);
+    for (uint64_t i = 0; i < pieces; ++i) {
+        const uint64_t last = size > piece ? size - piece : 0;
+        hash.append(bytes.data(),
+                    file.pread(bytes.data(), piece, int64_t(last * i / (pieces - 1))));
+    }
+    return hash.digest();
+}
+
+} // namespace ddt::tool

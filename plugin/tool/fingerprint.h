@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// What parts of one result have in common.
+#pragma once
+
+#include <string>
+
+#include <OpenImageIO/imageio.h>
+
+#include "plugin/tool/resize_file.h"
+
+namespace ddt::tool {
+
+/// A hash of what makes the result: the source, the result's windows and pixel type, the filter's
+/// options less the device, and the version. Of the source its header, its size in bytes and 16
+/// pieces of 64 KiB, evenly spread: reading all of it would take longer than a part. Empty if the
+/// file cannot be read.
+std::string fingerprint(const std::string& source, const OIIO::ImageSpec& source_spec,
+                        const OIIO::ImageSpec& result, const ResizeSettings& settings);
+
+} // namespace ddt::tool

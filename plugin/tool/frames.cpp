@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/frames.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <regex>
+#include <set>
+
+namespace ddt::tool {
+
+namespace {
+
+constexpr size_t most_frames = 1000000;
+
+bool number(const std::string& text, int& n) {
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), n);
+    return parsed.ec == std::errc() && parsed.ptr == text.data() + text.size();
+}
+
+/// One of the items between commas, without them.
+bool append_range(const std::string& item, std::vector<int>& frames) {
+    static const std::regex form("(-?[0-9]+)(?:-(-?[0-9]+)(?:x([0-9]+))?)?");
+    std::smatch part;
+    int first = 0, last = 0, by = 1;
+    if (!std::regex_match(item, part, form) || !number(part[1], first))
+        return false;
+    last = first;
+    if ((part[2].matched && !number(part[2], last)) || (part[3].matched && !number(part[3], by)) ||
+        by < 1)
+        return false;
+    const size_t count = size_t(std::abs(int64_t(last) - first)) / size_t(by) + 1;
+    if (frames.size() + count > most_frames)
+        return false;
+    for (size_t i = 0; i < count; ++i)
+        frames.push_back(first + int(i) * (last < first ? -by : by));
+    return true;
+}
+
+void replace(std::string& text, const char* what, const std::string& by) {
+    for (size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+        text.replace(at, 2, by);
+}
+
+} // namespace
+
+bool parse_frames(const std::string& text, std::vector<int>& frames) {
+    std::vector<int> listed;
+    size_t begin = 0;
+    for (size_t end = 0; end != std::string::npos; begin = end + 1) {
+        end = text.find(',', begin);
+        if (!append_range(text.substr(begin, end - begin), listed))
+            return false;
+    }
+    frames = listed;
+    return true;
+}
+
+FrameName::FrameName(const std::string& text) : m_before(text) {
+    static const std::regex form("#+|@+|%(0([1-9]))?d");
+    const size_t folder = text.rfind('/') + 1;
+    const std::string name = text.substr(folder);
+    m_has_view = text.find("%V") != std::string::npos || text.find("%v") != std::string::npos;
+    std::smatch part;
+    if (!std::regex_search(name, part, form))
+        return;
+    const std::string number = part[0];
+    m_digits = number == "#"      ? 4
+               : number[0] == '%' ? (part[2].matched ? std::atoi(part[2].str().c_str()) : 1)
+                                  : int(number.size());
+    m_before = text.substr(0, folder) + part.prefix().str();
+    m_after = part.suffix();
+}
+
+std::string FrameName::name(int frame, const std::string& view) const {
+    std::string text = m_before;
+    if (has_frame()) {
+        char digits[32];
+        std::snprintf(digits, sizeof digits, "%0*d", std::min(m_digits, 16), frame);
+        text += digits + m_after;
+    }
+    if (m_has_view) {
+        replace(text, "%V", view);
+        replace(text, "%v", view.substr(0, 1));
+    }
+    return text;
+}
+
+std::vector<int> FrameName::frames_there(const std::vector<std::string>& views) const {
+    namespace fs = std::filesystem;
+    std::set<int> found;
+    if (!has_frame())
+        return {};
+    for (const std::string& view : views.empty() ? std::vector<std::string>{""} : views) {
+        // Where the number would begin; what comes after it is checked by making the name.
+        FrameName before = *this;
+        before.m_digits = -1;
+        const std::string prefix = before.name(0, view);
+        const fs::path folder = fs::path(prefix + "x").parent_path();
+        std::error_code error;
+        for (const fs::directory_entry& entry :
+             fs::directory_iterator(folder.empty() ? "." : folder, error)) {
+            const std::string path = (folder / entry.path().filename()).string();
+            const size_t end = path.find_first_not_of("0123456789", prefix.size() + 1);
+            int frame = 0;
+            if (prefix.size() < path.size() &&
+                number(path.substr(prefix.size(), end - prefix.size()), frame) &&
+                name(frame, view) == path)
+                found.insert(frame);
+        }
+    }
+    return {found.begin(), found.end()};
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/join.h"
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+
+#include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
+
+#include "plugin/tool/image_file.h"
+#include "plugin/tool/part_file.h"
+
+namespace ddt::tool {
+
+namespace {
+
+using OIIO::Strutil::fmt::format;
+
+/// A part's file, read from top to bottom, a row of tiles at a time.
+struct PartFile {
+    std::string path;
+    PartHeader header;
+    Rect window;
+    std::unique_ptr<OIIO::ImageInput> input; ///< open only while its rows are wanted
+    std::vector<char> tiles;                 ///< the pixels of a row of tiles
+    int y0 = 0, y1 = 0;                      ///< of those rows
+};
+
+bool cannot_read(const PartFile& part, Failure& failure) {
+    std::string why = part.input ? part.input->geterror() : OIIO::geterror();
+    why = std::string(OIIO::Strutil::strip(why.substr(0, why.find('\n'))));
+    failure = {"cannot read \"" + part.path + "\"" + (why.empty() ? "" : ": " + why), exit_failed};
+    return false;
+}
+
+bool read_header(PartFile& part, OIIO::ImageSpec& spec, Failure& failure) {
+    part.input = OIIO::ImageInput::open(part.path);
+    if (!part.input)
+        return cannot_read(part, failure);
+    spec = part.input->spec();
+    part.input.reset();
+    if (!part.header.take_from(spec)) {
+        failure = {"\"" + part.path + "\" is no part; allowed are files of ddt resize --part"};
+        return false;
+    }
+    part.window = {spec.x, spec.y, spec.x + spec.width, spec.y + spec.height};
+    return true;
+}
+
+bool overlap(const Rect& a, const Rect& b) {
+    return std::max(a.x0, b.x0) < std::min(a.x1, b.x1) &&
+           std::max(a.y0, b.y0) < std::min(a.y1, b.y1);
+}
+
+/// Whether the parts, in order of their numbers, are all there are, and once.
+bool check_numbers(const std::vector<PartFile>& parts, Failure& failure) {
+    const PartHeader& first = parts.front().header;
+    for (size_t i = 1; i < parts.size(); ++i) {
+        const PartHeader& other = parts[i].header;
+        if (other.job != first.job || other.part.count != first.part.count) {
+            failure = {format("\"{}\" and \"{}\" are parts of different jobs: another source, size "
+                              "or option",
+                              parts[0].path, parts[i].path)};
+            return false;
+        }
+        if (other.part.index == parts[i - 1].header.part.index) {
+            failure = {format("part {} is there twice: \"{}\" and \"{}\"", other.part.index,
+                              parts[i - 1].path, parts[i].path)};
+            return false;
+        }
+    }
+    std::vector<std::string> missing;
+    auto part = parts.begin();
+    for (int i = 1; i <= first.part.count; ++i) {
+        if (part != parts.end() && part->header.part.index == i)
+            ++part;
+        else
+            missing.push_back(std::to_string(i));
+    }
+    if (missing.empty())
+        return true;
+    if (missing.size() > 8) {
+        missing.resize(8);
+        missing.push_back("...");
+    }
+    failure = {format("of {} parts there are missing: {}", first.part.count,
+                      OIIO::Strutil::join(missing, ", "))};
+    return false;
+}
+
+/// Whether their windows fill the whole, without overlaps.
+bool check_windows(const std::vector<PartFile>& parts, Failure& failure) {
+    const Rect& whole = parts.front().header.whole;
+    size_t area = 0;
+    for (size_t i = 0; i < parts.size(); ++i) {
+        area += parts[i].window.area();
+        for (size_t k = 0; k < i; ++k)
+            if (overlap(parts[i].window, parts[k].window)) {
+                failure = {format("\"{}\" and \"{}\" overlap", parts[k].path, parts[i].path)};
+                return false;
+            }
+        const Rect& w = parts[i].window;
+        if (w.x0 < whole.x0 || w.y0 < whole.y0 || w.x1 > whole.x1 || w.y1 > whole.y1) {
+            failure = {"\"" + parts[i].path + "\" leaves the whole's window"};
+            return false;
+        }
+    }
+    if (area == whole.area())
+        return true;
+    failure = {"the parts do not fill the whole's window"};
+    return false;
+}
+
+/// Make the row of tiles with the pixels of row y the part's current one.
+bool load(PartFile& part, int y, OIIO::TypeDesc type, size_t pixel, Failure& failure) {
+    if (!part.input) {
+        part.input = OIIO::ImageInput::open(part.path);
+        if (!part.input)
+            return cannot_read(part, failure);
+    }
+    const OIIO::ImageSpec& spec = part.input->spec();
+    const int height = spec.tile_height;
+    part.y0 = part.window.y0 + (y - part.window.y0) / height * height;
+    part.y1 = std::min(part.y0 + height, part.window.y1);
+    part.tiles.resize(pixel * size_t(part.window.width()) * size_t(height));
+    return part.input->read_tiles(0, 0, part.window.x0, part.window.x1, part.y0, part.y1, 0, 1, 0,
+                                  spec.nchannels, type, part.tiles.data()) ||
+           cannot_read(part, failure);
+}
+
+/// Put the rows [y0, y1) of a part where they belong among those rows of the whole.
+bool copy_rows(PartFile& part, int y0, int y1, OIIO::TypeDesc type, size_t pixel, char* rows,
+               Failure& failure) {
+    const Rect& whole = part.header.whole;
+    const size_t row = pixel * size_t(whole.width()), mine = pixel * size_t(part.window.width());
+    for (int y = std::max(y0, part.window.y0); y < std::min(y1, part.window.y1); ++y) {
+        if ((y < part.y0 || y >= part.y1) && !load(part, y, type, pixel, failure))
+            return false;
+        std::memcpy(rows + row * size_t(y - y0) + pixel * size_t(part.window.x0 - whole.x0),
+                    &part.tiles[mine * size_t(y - part.y0)], mine);
+    }
+    if (part.window.y1 <= y1) {
+        part.input.reset();
+        part.tiles = {};
+    }
+    return true;
+}
+
+/// The whole's spec from a part's.
+OIIO::ImageSpec whole_spec(OIIO::ImageSpec spec, const PartHeader& header, bool tiles) {
+    spec.x = header.whole.x0;
+    spec.y = header.whole.y0;
+    spec.width = header.whole.width();
+    spec.height = header.whole.height();
+    if (const OIIO::TypeDesc type(header.type); type != spec.format)
+        spec.set_format(type);
+    const auto restore = [&](const char* key, const std::string& value) {
+        spec.erase_attribute(key);
+        if (!value.empty())
+            spec.attribute(key, value);
+    };
+    restore("compression", header.compression);
+    restore("oiio:ColorSpace", header.colour_space);
+    // What OpenEXR's writer adds by itself.
+    for (const char* key : {"DateTime", "oiio:Gamma", "oiio:subimages"})
+        spec.erase_attribute(key);
+    if (!tiles)
+        spec.tile_width = spec.tile_height = spec.tile_depth = 0;
+    return spec;
+}
+
+} // namespace
+
+bool join(const std::vector<std::string>& paths, const std::string& out,
+          const std::function<bool(float)>& progress, Failure& failure) {
+    std::vector<PartFile> parts(paths.size());
+    OIIO::ImageSpec spec;
+    for (size_t i = 0; i < paths.size(); ++i) {
+        parts[i].path = paths[i];
+        if (!read_header(parts[i], spec, failure))
+            return false;
+    }
+    std::stable_sort(parts.begin(), parts.end(), [](const PartFile& a, const PartFile& b) {
+        return a.header.part.index < b.header.part.index;
+    });
+    if (!check_numbers(parts, failure) || !check_windows(parts, failure))
+        return false;
+
+    // Channels of types of their own pass as they are.
+    const OIIO::TypeDesc type =
+        spec.channelformats.empty() ? spec.format : OIIO::TypeDesc(OIIO::TypeDesc::UNKNOWN);
+    const size_t pixel = spec.pixel_bytes(true);
+    const int height = spec.tile_height;
+    const Rect whole = parts.front().header.whole;
+    ImageFile file;
+    if (!file.create(out, failure))
+        return false;
+    const bool tiled = file.output().supports("tiles");
+    if (!file.open(whole_spec(spec, parts.front().header, tiled), failure))
+        return false;
+    std::vector<char> rows(pixel * size_t(whole.width()) * size_t(height));
+    for (int y0 = whole.y0; y0 < whole.y1; y0 += height) {
+        const int y1 = std::min(y0 + height, whole.y1);
+        for (PartFile& part : parts)
+            if (part.window.y0 < y1 && part.window.y1 > y0 &&
+                !copy_rows(part, y0, y1, type, pixel, rows.data(), failure))
+                return false;
+        const bool written =
+            tiled ? file.output().write_tiles(whole.x0, whole.x1, y0, y1, 0, 1, type, rows.data())
+                  : file.output().write_scanlines(y0, y1, 0, type, rows.data());
+        if (!written) {
+            failure = file.failed();
+            return false;
+        }
+        progress(float(y1 - whole.y0) / float(whole.height()));
+    }
+    return file.commit(failure);
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/part_file.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <vector>
+
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagecache.h>
+#include <OpenImageIO/strutil.h>
+
+#include "core/tiles/grid.h"
+#include "plugin/image/windows.h"
+#include "plugin/tool/fingerprint.h"
+#include "plugin/tool/image_file.h"
+
+namespace ddt::tool {
+
+namespace {
+
+using OIIO::Strutil::fmt::format;
+
+constexpr const char* job_key = "ddt:job";
+constexpr const char* part_key = "ddt:part";
+constexpr const char* whole_key = "ddt:whole";
+constexpr const char* type_key = "ddt:type";
+constexpr const char* space_key = "ddt:colorspace";
+constexpr const char* compression_key = "ddt:compression";
+
+constexpr int cache_megabytes = 192;
+
+/// Tiles of a whole as wide as this are less high, so that a row of them stays small for joining.
+constexpr int64_t largest_row = int64_t(64) << 20;
+
+/// A cache of this file alone, small, that reads no more than it must.
+class LazyImage {
+public:
+    LazyImage() : m_cache(OIIO::ImageCache::create(false)) {
+        m_cache->attribute("max_memory_MB", cache_megabytes);
+        m_cache->attribute("autotile", tile_size);
+        m_cache->attribute("autoscanline", 1);
+    }
+#if OIIO_VERSION_MAJOR < 3
+    ~LazyImage() {
+        m_image.clear();
+        OIIO::ImageCache::destroy(m_cache, true);
+    }
+#endif
+    LazyImage(const LazyImage&) = delete;
+    LazyImage& operator=(const LazyImage&) = delete;
+
+    bool open(const std::string& path, Failure& failure) {
+        m_image.reset(path, 0, 0, m_cache);
+        if (m_image.init_spec(path, 0, 0))
+            return true;
+        failure.why = m_image.has_error() ? m_image.geterror() : "cannot read \"" + path + "\"";
+        if (failure.why.find(path) == std::string::npos)
+            failure.why = "\"" + path + "\": " + failure.why;
+        return false;
+    }
+    const OIIO::ImageBuf& image() const {
+        return m_image;
+    }
+
+private:
+    decltype(OIIO::ImageCache::create()) m_cache;
+    OIIO::ImageBuf m_image;
+};
+
+/// The type in which a part keeps numbers of `type` so that they come back; unknown if there is
+/// none.
+OIIO::TypeDesc stored_type(OIIO::TypeDesc type) {
+    switch (type.basetype) {
+    case OIIO::TypeDesc::HALF:
+    case OIIO::TypeDesc::FLOAT:
+    case OIIO::TypeDesc::UINT32:
+        return type;
+    case OIIO::TypeDesc::UINT8:
+    case OIIO::TypeDesc::INT8:
+        return OIIO::TypeHalf;
+    case OIIO::TypeDesc::UINT16:
+    case OIIO::TypeDesc::INT16:
+        return OIIO::TypeFloat;
+    default:
+        return OIIO::TypeUnknown;
+    }
+}
+
+/// Enlarges a part in strips and hands on whole rows of the file's tiles.
+class StripWriter {
+public:
+    StripWriter(const OIIO::ImageBuf& source, const OIIO::ImageSpec& whole, const Rect& part,
+                int tile_height, OIIO::ImageOutput& output)
+        : m_source(source), m_spec(whole), m_part(part), m_tile_height(tile_height),
+          m_output(output), m_done(part.y0) {
+        m_spec.x = part.x0;
+        m_spec.width = part.width();
+    }
+
+    /// The part's rows up to `end`.
+    bool strip(int end, const Options& options, int threads, std::string& error) {
+        OIIO::ImageSpec spec = m_spec;
+        spec.y = m_done;
+        spec.height = end - m_done;
+        if (!check_size(OIIO::get_roi(spec), spec.nchannels, spec.format, error))
+            return false;
+        OIIO::ImageBuf strip;
+        strip.reset(spec, OIIO::InitializePixels::No);
+        if (!strip.initialized()) {
+            error = "out of memory";
+            return false;
+        }
+        const size_t row = spec.scanline_bytes();
+        if (m_made > m_done)
+            std::memcpy(strip.localpixels(), m_left.data(), row * size_t(m_made - m_done));
+        OIIO::ROI roi = strip.roi();
+        roi.ybegin = m_made;
+        if (!resize(strip, m_source, options, roi, threads)) {
+            error = strip.geterror();
+            return false;
+        }
+        const int rows =
+            end == m_part.y1 ? end - m_done : (end - m_done) / m_tile_height * m_tile_height;
+        const auto* pixels = static_cast<const char*>(strip.localpixels());
+        if (rows > 0 && !m_output.write_tiles(m_part.x0, m_part.x1, m_done, m_done + rows, 0, 1,
+                                              spec.format, pixels))
+            return false;
+        m_left.assign(pixels + row * size_t(rows), pixels + row * size_t(end - m_done));
+        m_done += rows;
+        m_made = end;
+        return true;
+    }
+
+private:
+    const OIIO::ImageBuf& m_source;
+    OIIO::ImageSpec m_spec;
+    const Rect m_part;
+    const int m_tile_height;
+    OIIO::ImageOutput& m_output;
+    int m_done;               ///< rows before are written
+    int m_made = m_part.y0;   ///< rows before are enlarged
+    std::vector<char> m_left; ///< those between
+};
+
+bool check_part(const OIIO::ImageSpec& from, const OIIO::ImageSpec& to, const Grid& grid,
+                const Part& part, Failure& failure) {
+    if (to.full_width < from.full_width || to.full_height < from.full_height)
+        failure = {"--part is for enlarging; allowed are sizes of " +
+                       format("{} x {} and more", from.full_width, from.full_height),
+                   exit_usage};
+    else if (part.count > grid.count())
+        failure = {format("--part {}/{} is not allowed; allowed are at most {} parts of this image",
+                          part.index, part.count, grid.count()),
+                   exit_usage};
+    else if (stored_type(to.format) == OIIO::TypeUnknown)
+        failure = {format("pixels of {} cannot be kept in parts; choose another --type",
+                          to.format.c_str()),
+                   exit_usage};
+    else
+        return true;
+    return false;
+}
+
+/// The spec of a part's file.
+OIIO::ImageSpec file_spec(const OIIO::ImageSpec& whole, const Rect& part) {
+    OIIO::ImageSpec spec = whole;
+    spec.x = part.x0;
+    spec.y = part.y0;
+    spec.width = part.width();
+    spec.height = part.height();
+    spec.set_format(stored_type(whole.format));
+    if (spec.format != whole.format)
+        spec.channelformats.clear();
+    spec.tile_width = 64;
+    spec.tile_height =
+        int64_t(whole.width) * int64_t(whole.pixel_bytes()) * 64 > largest_row ? 16 : 64;
+    spec.tile_depth = 1;
+    spec.attribute("compression", "zip");
+    return spec;
+}
+
+} // namespace
+
+void PartHeader::write_to(OIIO::ImageSpec& spec) const {
+    spec.attribute(job_key, job);
+    spec.attribute(part_key, format("{}/{}", part.index, part.count));
+    spec.attribute(whole_key, format("{} {} {} {}", whole.x0, whole.y0, whole.x1, whole.y1));
+    spec.attribute(type_key, type);
+    spec.attribute(space_key, colour_space);
+    spec.attribute(compression_key, compression);
+}
+
+bool PartHeader::take_from(OIIO::ImageSpec& spec) {
+    job = spec.get_string_attribute(job_key);
+    type = spec.get_string_attribute(type_key);
+    colour_space = spec.get_string_attribute(space_key);
+    compression = spec.get_string_attribute(compression_key);
+    const std::string window = spec.get_string_attribute(whole_key);
+    if (job.empty() || spec.tile_width < 1 ||
+        !parse_part(spec.get_string_attribute(part_key), part) ||
+        std::sscanf(window.c_str(), "%d %d %d %d", &whole.x0, &whole.y0, &whole.x1, &whole.y1) !=
+            4 ||
+        whole.empty())
+        return false;
+    for (const char* key : {job_key, part_key, whole_key, type_key, space_key, compression_key})
+        spec.erase_attribute(key);
+    return true;
+}
+
+bool resize_part(const std::string& in, const std::string& out, const ResizeSettings& settings,
+                 Part part, const std::function<bool(float)>& progress, Failure& failure) {
+    LazyImage lazy;
+    if (!lazy.open(in, failure))
+        return false;
+    const OIIO::ImageBuf& image = lazy.image();
+    // The cache's pixels may be of another type than the file's.
+    OIIO::ImageSpec from = image.spec(), whole;
+    from.set_format(image.nativespec().format);
+    from.channelformats = image.nativespec().channelformats;
+    if (!check_source(image, failure.why))
+        return false;
+    if (!plan_result(from, settings, whole)) {
+        failure = refused_size(settings.size);
+        return false;
+    }
+    const Grid grid(rect_of(image.roi()));
+    if (!check_part(from, whole, grid, part, failure))
+        return false;
+    const ResizeMapping::Axis x = x_axis(from, whole, OIIO::get_roi(whole));
+    const ResizeMapping::Axis y = y_axis(from, whole, OIIO::get_roi(whole));
+    const Rect tiles = tiles_of_part(grid.columns(), grid.rows(), part);
+    const Rect pixels = pixels_of_tiles(tiles, grid.columns(), grid.rows(), x, y);
+
+    PartHeader header;
+    header.job = fingerprint(in, from, whole, settings);
+    if (header.job.empty()) {
+        failure = {"\"" + in + "\" is no file that can be read as bytes, which --part needs"};
+        return false;
+    }
+    header.part = part;
+    header.whole = rect_of(OIIO::get_roi(whole));
+    header.type = whole.format.c_str();
+    header.colour_space = whole.get_string_attribute("oiio:ColorSpace");
+    header.compression = whole.get_string_attribute("compression");
+    OIIO::ImageSpec spec = file_spec(whole, pixels);
+    header.write_to(spec);
+    ImageFile file;
+    if (!file.create(out, failure))
+        return false;
+    for (const char* needed : {"tiles", "displaywindow", "negativeorigin", "arbitrary_metadata"})
+        if (!file.output().supports(needed)) {
+            failure = {"\"" + out + "\" cannot hold a part; allowed are names that end in .exr",
+                       exit_usage};
+            return false;
+        }
+    if (!file.open(spec, failure))
+        return false;
+
+    StripWriter writer(image, whole, pixels, spec.tile_height, file.output());
+    for (int row = tiles.y0; row < tiles.y1; ++row) {
+        const Rect one{tiles.x0, row, tiles.x1, row + 1};
+        Options options = settings.options;
+        options.progress = [&](float share) {
+            return progress((float(row - tiles.y0) + share) / float(tiles.height()));
+        };
+        const int end = pixels_of_tiles(one, grid.columns(), grid.rows(), x, y).y1;
+        std::string error;
+        if (!writer.strip(end, options, settings.threads, error)) {
+            failure = error.empty() ? file.failed() : Failure{error, code_of_message(error)};
+            return false;
+        }
+    }
+    return file.commit(failure);
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/run_frames.h"
+
+#include <algorithm>
+#include <condition_variable>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <mutex>
+#include <new>
+#include <numeric>
+#include <thread>
+
+#include <OpenImageIO/sysutil.h>
+
+#include "plugin/tool/command.h"
+
+namespace ddt::tool {
+
+namespace {
+
+class Queue {
+public:
+    Queue(const std::vector<FrameTask>& tasks, const FrameRun& run, Progress& progress)
+        : m_tasks(tasks), m_run(run), m_progress(progress), m_shares(tasks.size()) {}
+
+    /// Take frames until there are none left.
+    void work() {
+        std::unique_lock<std::mutex> lock(m_mutex);
+        while (m_next < m_tasks.size() && !m_stopped) {
+            const size_t index = m_next++;
+            const FrameTask& task = m_tasks[index];
+            std::error_code ignored;
+            if (m_run.skip_existing && std::filesystem::exists(task.out, ignored)) {
+                ++m_counts.skipped;
+                show(index, 1);
+                continue;
+            }
+            const int64_t memory = m_run.memory_of ? m_run.memory_of(task) : 0;
+            m_room.wait(lock,
+                        [&] { return m_stopped || m_taken == 0 || m_taken + memory <= m_allowed; });
+            if (m_stopped)
+                return;
+            m_taken += memory;
+            lock.unlock();
+            Failure failure;
+            const bool done = attempt(task, index, failure);
+            lock.lock();
+            m_taken -= memory;
+            show(index, 1);
+            done ? void(++m_counts.written) : note(failure);
+            m_room.notify_all();
+        }
+    }
+
+    FrameCounts counts() const { return m_counts; }
+
+private:
+    bool attempt(const FrameTask& task, size_t index, Failure& failure) {
+        try {
+            return m_run.run(
+                task,
+                [&](float share) {
+                    const std::lock_guard<std::mutex> guard(m_mutex);
+                    show(index, share);
+                    return true;
+                },
+                failure);
+        } catch (const std::bad_alloc&) {
+            failure = {"\"" + task.in + "\": out of memory", exit_resources};
+        } catch (const std::exception& e) {
+            failure = {"\"" + task.in + "\": " + e.what(), exit_failed};
+        }
+        return false;
+    }
+
+    void show(size_t index, float share) {
+        m_total += double(share) - double(m_shares[index]);
+        m_shares[index] = share;
+        m_progress(float(m_total / double(m_tasks.size())));
+    }
+
+    void note(const Failure& failure) {
+        ++m_counts.failed;
+        m_progress.hide();
+        fail(failure);
+        if (m_counts.code == exit_done || failure.code == exit_resources)
+            m_counts.code = failure.code;
+        m_stopped = !m_run.keep_going;
+    }
+
+    const std::vector<FrameTask>& m_tasks;
+    const FrameRun& m_run;
+    Progress& m_progress;
+    std::mutex m_mutex; ///< of all that follows
+    std::condition_variable m_room;
+    std::vector<float> m_shares;
+    double m_total = 0;
+    size_t m_next = 0;
+    const int64_t m_allowed = memory_allowed();
+    int64_t m_taken = 0;
+    bool m_stopped = false;
+    FrameCounts m_counts;
+};
+
+} // namespace
+
+FrameCounts run_frames(const std::vector<FrameTask>& tasks, const FrameRun& run,
+                       Progress& progress) {
+    Queue queue(tasks, run, progress);
+    std::vector<std::thread> threads;
+    for (size_t i = 1; i < std::min(size_t(run.jobs), tasks.size()); ++i)
+        threads.emplace_back([&] { queue.work(); });
+    queue.work();
+    for (std::thread& thread : threads)
+        thread.join();
+    return queue.counts();
+}
+
+int64_t memory_allowed() {
+    auto bytes = int64_t(OIIO::Sysutil::physical_memory());
+    if (bytes == 0) // not known: no /proc
+        bytes = std::numeric_limits<int64_t>::max();
+    int64_t limit = 0;
+    if (std::ifstream("/sys/fs/cgroup/memory.max") >> limit && limit > 0)
+        bytes = std::min(bytes, limit);
+    return bytes / 4 * 3;
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/sequence.h"
+
+#include <filesystem>
+
+#include <OpenImageIO/strutil.h>
+
+#include "plugin/tool/frames.h"
+
+namespace ddt::tool {
+
+namespace {
+
+bool refuse(const std::string& why, Failure& failure) {
+    failure = {why, exit_usage};
+    return false;
+}
+
+/// Whether a name leaves open what is given, and nothing else.
+bool check_name(const std::string& text, const FrameName& name, bool frames, bool views,
+                Failure& failure) {
+    if (name.has_frame() != frames)
+        return refuse("\"" + text + "\" " +
+                          (frames ? "has no place for the frame; allowed are names such as "
+                                    "in.#.exr and in.%04d.exr"
+                                  : "needs frames; give --frames, or an input with them"),
+                      failure);
+    if (name.has_view() != views)
+        return refuse("\"" + text + "\" " +
+                          (views ? "has no place for the view; allowed are names with %V or %v"
+                                 : "needs views; give --views"),
+                      failure);
+    return true;
+}
+
+} // namespace
+
+bool is_sequence(const std::string& in, const std::string& frames, const std::string& views) {
+    const FrameName name(in);
+    std::error_code ignored;
+    return !frames.empty() || !views.empty() ||
+           ((name.has_frame() || name.has_view()) && !std::filesystem::exists(in, ignored));
+}
+
+bool list_tasks(const std::string& in, const std::string& out, const std::string& frames,
+                const std::string& views, std::vector<FrameTask>& tasks, Failure& failure) {
+    const FrameName from(in), to(out);
+    const bool numbered = !frames.empty() || from.has_frame();
+    if (!check_name(in, from, numbered, !views.empty(), failure) ||
+        !check_name(out, to, numbered, !views.empty(), failure))
+        return false;
+    const std::vector<std::string> names = OIIO::Strutil::splits(views, ",");
+    std::vector<int> numbers{0};
+    if (!frames.empty() && !parse_frames(frames, numbers))
+        return refuse("--frames \"" + frames + "\" is not allowed; allowed are " + allowed_frames,
+                      failure);
+    if (frames.empty() && numbered)
+        numbers = from.frames_there(names);
+    if (numbers.empty()) {
+        failure = {"there is no file \"" + in + "\" of any frame"};
+        return false;
+    }
+    tasks.clear();
+    for (const int number : numbers)
+        for (const std::string& view : names.empty() ? std::vector<std::string>{""} : names)
+            tasks.push_back({from.name(number, view), to.name(number, view)});
+    return true;
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Sequences and parts: `ddt resize --frames`, `--part` and `ddt join`."""
+
+import os
+import resource
+import subprocess
+import unittest
+
+from support import BUILD, Case, environment
+
+DDT = os.path.join(BUILD, "bin", "ddt")
+
+
+class Farm(Case):
+    def ddt(self, *arguments, code=0, says=""):
+        done = subprocess.run([DDT, *arguments], cwd=self.folder, env=environment(False),
+                              capture_output=True, text=True, timeout=240)
+        text = done.stdout + done.stderr
+        self.assertEqual(done.returncode, code, text)
+        self.assertIn(says, text)
+        return text
+
+    def there(self, *names):
+        return [os.path.exists(self.path(name)) for name in names]
+
+
+class Sequences(Farm):
+    def setUp(self):
+        super().setUp()
+        for frame in (-1, 0, 1, 2, 4):
+            self.succeed("oiiotool", "scene.exr", "--addc", str(frame), "-o", f"in.{frame:04d}.exr")
+
+    def test_frames(self):
+        self.ddt("resize", "in.#.exr", "200%", "out.%04d.exr", "--frames", "-1-4x5,0-2",
+                 "--jobs", "3", says="5 frames: 5 written, 0 skipped, 0 failed")
+        for frame in (-1, 0, 1, 2, 4):
+            self.ddt("resize", f"in.{frame:04d}.exr", "200%", "one.exr")
+            self.assert_same("one.exr", f"out.{frame:04d}.exr")
+        # Those that are there, without being told.
+        self.ddt("resize", "in.#.exr", "200%", "all.#.exr", says="5 frames: 5 written")
+        self.assert_same("all.-001.exr", "out.-001.exr")
+
+    def test_oiiotool_does_the_same_frames(self):
+        self.ddt("resize", "in.#.exr", "200%", "ours.#.exr", "--frames", "0-2")
+        self.succeed("oiiotool", "--frames", "0-2", "in.#.exr", "--resize:filter=ddt", "200%",
+                     "-o", "theirs.#.exr")
+        for frame in range(3):
+            self.assert_same(f"ours.{frame:04d}.exr", f"theirs.{frame:04d}.exr")
+
+    def test_views(self):
+        for view in ("left", "right"):
+            os.rename(self.path("in.0001.exr" if view == "left" else "in.0002.exr"),
+                      self.path(f"in.{view}.0001.exr"))
+        self.ddt("resize", "in.%V.#.exr", "2", "out.%v.#.exr", "--views", "left,right",
+                 says="2 frames: 2 written")
+        self.assert_different("out.l.0001.exr", "out.r.0001.exr")
+
+    def test_a_failure_ends_it_or_not(self):
+        self.ddt("resize", "in.#.exr", "2", "out.#.exr", "--frames", "1-4", code=1,
+                 says="in.0003.exr")
+        self.assertEqual(self.there("out.0002.exr", "out.0003.exr", "out.0004.exr"),
+                         [True, False, False])
+        self.ddt("resize", "in.#.exr", "2", "out.#.exr", "--frames", "1-4", "--keep-going",
+                 "--skip-existing", code=1, says="4 frames: 1 written, 2 skipped, 1 failed")
+        self.assertEqual(self.there("out.0003.exr", "out.0004.exr"), [False, True])
+
+    def test_progress_of_all_frames(self):
+        text = self.ddt("resize", "in.#.exr", "2", "out.#.exr", "--progress", "lines")
+        shares = [int(line.split()[2].rstrip("%")) for line in text.splitlines()
+                  if line.startswith("ddt progress ")]
+        self.assertEqual(shares, sorted(set(shares)))
+        self.assertEqual(shares[-1], 100)
+
+
+class Parts(Farm):
+    #                          "tiled.exr": five tiles of 256 pixels across and three down
+    IMAGES = {
+        **Case.IMAGES,
+        "tiled.exr": "--pattern noise:type=uniform:min=0.1:max=0.9 1100x700 3 --blur 5x5 "
+                     "--origin -20+30 --fullsize 1060x760+0+0 --tile 32 32 -d half",
+        "deep.png": "--pattern noise:type=uniform 600x300 3 --blur 3x3 -d uint16",
+    }
+
+    def parts(self, image, size, count, *options):
+        for i in range(1, count + 1):
+            self.ddt("resize", image, size, f"part.{i}.exr", "--part", f"{i}/{count}", *options)
+        return [f"part.{i}.exr" for i in range(1, count + 1)]
+
+    def check_same(self, image, size, count, out, *options):
+        names = self.parts(image, size, count, *options)
+        self.ddt("join", *reversed(names), out)
+        self.ddt("resize", image, size, "whole" + out[-4:], *options)
+        self.assert_same(out, "whole" + out[-4:])
+        ours, theirs = self.load(out).spec(), self.load("whole" + out[-4:]).spec()
+        self.assertEqual((ours.roi, ours.roi_full, ours.format),
+                         (theirs.roi, theirs.roi_full, theirs.format))
+        self.assertEqual(ours.get_string_attribute("oiio:ColorSpace"),
+                         theirs.get_string_attribute("oiio:ColorSpace"))
+        self.assertEqual([a.name for a in ours.extra_attribs if a.name.startswith("ddt:")], [])
+        return names
+
+    def test_the_same_bits(self):
+        self.check_same("tiled.exr", "170%x230%", 7, "joined.exr", "--filter", "ddt-sharp")
+
+    def test_rows(self):
+        names = self.check_same("tiled.exr", "300%", 3, "joined.exr")
+        self.assertEqual([self.size(name)[0] for name in names], [3300] * 3)
+
+    def test_integers_come_back(self):
+        self.check_same("deep.png", "200%", 2, "joined.png")
+        self.check_same("photo.png", "300%", 1, "joined.tif")
+
+    def test_options_may_name_devices(self):
+        self.ddt("resize", "deep.png", "200%", "part.1.exr", "--part", "1/2", "--filter",
+                 "ddt,device=cpu")
+        self.ddt("resize", "deep.png", "200%", "part.2.exr", "--part", "2/2", "--filter", "ddt")
+        self.ddt("join", "part.1.exr", "part.2.exr", "out.exr")
+
+    def test_wrong_parts_are_refused(self):
+        names = self.parts("deep.png", "200%", 3)
+        out = "out.exr"
+        self.ddt("join", names[0], names[2], out, code=1, says="missing: 2")
+        self.ddt("join", *names, names[1], out, code=1, says="part 2 is there twice")
+        for other in (("deep.png", "200%", "--filter", "ddt-linear"), ("deep.png", "201%"),
+                      ("photo.tif", "200%")):
+            count = "2/3" if other[0] == "deep.png" else "1/1"
+            self.ddt("resize", *other[:2], "other.exr", "--part", count, *other[2:])
+            self.ddt("join", names[0], "other.exr", names[2], out, code=1, says="different jobs")
+        self.ddt("join", "scene.exr", out, code=1, says="no part")
+        self.ddt("join", names[0], out, code=1, says="missing: 2, 3")
+        # A part of another width: somebody cropped it.
+        self.succeed("oiiotool", names[1], "--crop", "600x100+0+300", "--tile", "64", "64", "-o",
+                     names[1])
+        self.ddt("join", *names, out, code=1)
+        self.assertEqual(self.there(out), [False])
+
+    def test_what_cannot_be_a_part(self):
+        for arguments, says in ((("photo.png", "200%", "p.exr", "--part", "1/2"), "at most 1 part"),
+                                (("tiled.exr", "50%", "p.exr", "--part", "1/2"), "enlarging"),
+                                (("tiled.exr", "200%", "p.png", "--part", "1/2"), ".exr"),
+                                (("tiled.exr", "200%", "p.exr", "--part", "3/2"), "K <= N")):
+            self.ddt("resize", *arguments, code=2, says=says)
+
+    def test_reads_its_own_share_alone(self):
+        """Tiles of the source that a part does not need may be broken."""
+        names = self.check_same("tiled.exr", "200%", 3, "joined.exr")
+        before = self.hashes(names[0])
+        with open(self.path("tiled.exr"), "r+b") as file:
+            size = os.path.getsize(self.path("tiled.exr"))
+            # The last rows of tiles come last in the file.
+            file.seek(size * 3 // 4)
+            file.write(b"\xff" * (size // 4))
+        self.ddt("resize", "tiled.exr", "200%", names[0], "--part", "1/3")
+        self.assertEqual(self.hashes(names[0]), before)
+        self.ddt("resize", "tiled.exr", "200%", names[2], "--part", "3/3", code=1)
+
+    def test_joining_takes_256_MiB_at_most(self):
+        """Of an image that is larger."""
+        self.succeed("oiiotool", "--pattern", "fill:topleft=0,1,0:bottomright=1,0,1", "1500x1500",
+                     "3", "-d", "half", "--tile", "64", "64", "-o", "large.exr")
+        names = self.parts("large.exr", "500%", 3, "--filter", "ddt-linear")
+        self.assertGreater(7500 * 7500 * 6, 256 << 20)
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+        pid = os.fork()
+        if pid == 0:
+            os.chdir(self.folder)
+            os.execve(DDT, [DDT, "join", *names, "joined.exr"], environment(False))
+        _, status, usage = os.wait4(pid, 0)
+        self.assertEqual(status, 0)
+        self.assertGreater(before, 0)
+        self.assertLess(usage.ru_maxrss, 256 << 10)
+
+
+if __name__ == "__main__":
+    unittest.main()

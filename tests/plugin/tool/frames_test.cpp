@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/frames.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "plugin/tool/sequence.h"
+#include "tests/temporary.h"
+
+namespace ddt::tool {
+namespace {
+
+using Numbers = std::vector<int>;
+
+TEST(Frames, Lists) {
+    const auto frames = [](const char* text) {
+        Numbers numbers;
+        return parse_frames(text, numbers) ? numbers : Numbers{-999};
+    };
+    EXPECT_EQ(frames("7"), (Numbers{7}));
+    EXPECT_EQ(frames("1-4"), (Numbers{1, 2, 3, 4}));
+    EXPECT_EQ(frames("1-10x4"), (Numbers{1, 5, 9}));
+    EXPECT_EQ(frames("3-1"), (Numbers{3, 2, 1}));
+    EXPECT_EQ(frames("10-1x4"), (Numbers{10, 6, 2}));
+    EXPECT_EQ(frames("-3--1,5,-1-1"), (Numbers{-3, -2, -1, 5, -1, 0, 1}));
+    for (const char* wrong : {"", "x", "1-", "1-5x0", "1-5x", "1--", "1,,2", "1-5y2", "1 - 5",
+                              "1-2000000", "99999999999"})
+        EXPECT_EQ(frames(wrong), (Numbers{-999})) << wrong;
+}
+
+TEST(Frames, Names) {
+    EXPECT_EQ(FrameName("a.#.exr").name(7), "a.0007.exr");
+    EXPECT_EQ(FrameName("a.##.exr").name(7), "a.07.exr");
+    EXPECT_EQ(FrameName("a.######.exr").name(7), "a.000007.exr");
+    EXPECT_EQ(FrameName("a.@@@.exr").name(12345), "a.12345.exr");
+    EXPECT_EQ(FrameName("a.%05d.exr").name(-7), "a.-0007.exr");
+    EXPECT_EQ(FrameName("a%d.exr").name(7), "a7.exr");
+    EXPECT_EQ(FrameName("dir#/%V/a.%v.#.exr").name(7, "left"), "dir#/left/a.l.0007.exr");
+    EXPECT_EQ(FrameName("a.%V_%V.exr").name(0, "right"), "a.right_right.exr");
+    EXPECT_FALSE(FrameName("dir#/a.exr").has_frame());
+    EXPECT_FALSE(FrameName("100%.exr").has_frame());
+}
+
+TEST(Frames, ThoseThatAreThere) {
+    const std::string folder = temporary("frames");
+    std::filesystem::create_directories(folder);
+    for (const char* name : {"a.0001.exr", "a.0012.exr", "a.-003.exr", "a.12345.exr", "a.7.exr",
+                             "a.00x1.exr", "b.0002.exr", "a.left.0004.exr", "a.0005.exr.txt"})
+        std::ofstream(folder + "/" + name) << "";
+    EXPECT_EQ(FrameName(folder + "/a.#.exr").frames_there({}), (Numbers{-3, 1, 12, 12345}));
+    EXPECT_EQ(FrameName(folder + "/a.%V.#.exr").frames_there({"left", "right"}), (Numbers{4}));
+    EXPECT_EQ(FrameName("/no/such/folder/a.#.exr").frames_there({}), Numbers{});
+}
+
+TEST(Frames, TasksOfACommandLine) {
+    std::vector<FrameTask> tasks;
+    Failure failure;
+    ASSERT_TRUE(list_tasks("i.%V.#.exr", "o.%v.%03d.png", "1-2", "left,right", tasks, failure));
+    ASSERT_EQ(tasks.size(), 4u);
+    EXPECT_EQ(tasks[2].in, "i.left.0002.exr");
+    EXPECT_EQ(tasks[3].out, "o.r.002.png");
+    struct Case {
+        const char *in, *out, *frames, *views, *said;
+        ExitCode code;
+    };
+    for (const Case& c : {Case{"i.exr", "o.#.exr", "1-2", "", "no place for the frame", exit_usage},
+                          Case{"i.#.exr", "o.exr", "1-2", "", "no place for the frame", exit_usage},
+                          Case{"i.#.exr", "o.#.exr", "1-", "", "1-100x2", exit_usage},
+                          Case{"i.%V.exr", "o.%V.exr", "", "", "--views", exit_usage},
+                          Case{"i.#.exr", "o.#.exr", "1", "left", "%V", exit_usage},
+                          Case{"/none/i.#.exr", "o.#.exr", "", "", "no file", exit_failed}}) {
+        EXPECT_FALSE(list_tasks(c.in, c.out, c.frames, c.views, tasks, failure));
+        EXPECT_NE(failure.why.find(c.said), std::string::npos) << failure.why;
+        EXPECT_EQ(failure.code, c.code);
+    }
+}
+
+} // namespace
+} // namespace ddt::tool

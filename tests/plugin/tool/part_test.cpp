@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/part.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/tiles/grid.h"
+
+namespace ddt::tool {
+namespace {
+
+TEST(Parts, Texts) {
+    Part part;
+    EXPECT_TRUE(parse_part("3/16", part));
+    EXPECT_EQ(part.index, 3);
+    EXPECT_EQ(part.count, 16);
+    for (const char* wrong : {"", "3", "0/4", "5/4", "3/", "/4", "-1/4", "1/0", "1/2/3"})
+        EXPECT_FALSE(parse_part(wrong, part)) << wrong;
+}
+
+/// Every tile belongs to one part, and no part is without.
+void expect_cover(int columns, int rows, int count) {
+    std::vector<int> owners(size_t(columns) * size_t(rows));
+    for (int i = 1; i <= count; ++i) {
+        const Rect tiles = tiles_of_part(columns, rows, {i, count});
+        ASSERT_FALSE(tiles.empty()) << columns << " x " << rows << ", " << i << "/" << count;
+        for (int y = tiles.y0; y < tiles.y1; ++y)
+            for (int x = tiles.x0; x < tiles.x1; ++x)
+                ++owners[size_t(y) * size_t(columns) + size_t(x)];
+    }
+    for (const int owner : owners)
+        ASSERT_EQ(owner, 1) << columns << " x " << rows << " in " << count;
+}
+
+TEST(Parts, AreTheGridWhateverTheirNumber) {
+    for (int columns = 1; columns <= 7; ++columns)
+        for (int rows = 1; rows <= 7; ++rows)
+            for (int count = 1; count <= columns * rows; ++count)
+                expect_cover(columns, rows, count);
+    expect_cover(512, 512, 1000);
+}
+
+TEST(Parts, AreWholeRowsWhereThereAreEnough) {
+    for (int i = 1; i <= 16; ++i) {
+        const Rect tiles = tiles_of_part(40, 32, {i, 16});
+        EXPECT_EQ(tiles.width(), 40);
+        EXPECT_EQ(tiles.height(), 2);
+    }
+}
+
+TEST(Parts, AreCutWhereNoTileIsWorkedTwice) {
+    // A data window that begins where it likes, three tiles wide and high.
+    ResizeMapping::Axis x;
+    x.from0 = -10;
+    x.from_size = 700;
+    x.to0 = 5;
+    x.to_size = 2333;
+    x.window0 = -37;
+    x.window1 = x.window0 + 3 * tile_size;
+    x.out0 = -90;
+    x.out1 = 2500;
+    const Grid grid({x.window0, x.window0, x.window1, x.window1});
+    ASSERT_EQ(grid.columns(), 3);
+    int end = x.out0;
+    for (int i = 0; i < 3; ++i) {
+        const Rect r = pixels_of_tiles({i, 0, i + 1, 3}, 3, 3, x, x);
+        EXPECT_EQ(r.x0, end);
+        EXPECT_EQ(r.y0, x.out0);
+        EXPECT_EQ(r.y1, x.out1);
+        end = r.x1;
+        // Both ends show cells of this tile alone.
+        const Rect cells = grid.tile(i).cells;
+        EXPECT_GE(x.position(r.x0), int64_t(cells.x0) << 16);
+        EXPECT_LT(x.position(r.x1 - 1), int64_t(cells.x1 + (i == 2)) << 16);
+    }
+    EXPECT_EQ(end, x.out1);
+}
+
+} // namespace
+} // namespace ddt::tool
