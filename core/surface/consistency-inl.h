@@ -58,7 +58,8 @@ DDT_INLINE T corrected(T z, T source, T sum, T low, T high) {
 /// The range a vertex may be moved in, from the range of its 3x3 source pixels and the share of
 /// that by which it may be left. Downwards the share is of the smallest pixel too, if that is
 /// less and none is negative: beside a light a thousand times as bright it would be black. Unless
-/// `lowest`, a bound below 0, says that what is negative will be cut off.
+/// `lowest`, a bound below 0, says that what is negative will be cut off. Where floats end, the range
+/// stays what it was.
 template <class T>
 DDT_INLINE void widen(T limit, T lowest, T& low, T& high) {
     const T zero = T(0.0f);
@@ -66,6 +67,8 @@ DDT_INLINE void widen(T limit, T lowest, T& low, T& high) {
     const T wide = low - margin;
     const T dim = low - limit * low;
     const T floor = if_less(lowest, zero, lowest, if_less(dim, zero, zero, dim));
-    high = high + margin;
-    low = if_less(low, zero, wide, if_less(wide, floor, floor, wide));
+    const T raised = high + margin;
+    const T sunk = if_less(low, zero, wide, if_less(wide, floor, floor, wide));
+    high = if_less_equal(raised, T(largest_float), raised, high);
+    low = if_less_equal(zero - T(largest_float), sunk, sunk, low);
 }

@@ -70,7 +70,8 @@ struct SurfaceOptions {
     bool clipped = false;
     /// Vertices and bends by weights that were fitted to pictures stand in place of the rounds of
     /// consistency, however many; without any, and in Surface::linear, there are none. The limit
-    /// holds. Bends may be up to twice the range of the four pixels round the edge.
+    /// holds. Bends may be up to twice the range of the four pixels round the edge. The pictures
+    /// had no highlights; with some, the rounds are better (docs/quality.md).
     bool fitted = false;
 };
 

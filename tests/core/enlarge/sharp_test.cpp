@@ -231,5 +231,24 @@ TEST(Sharp, NotANumberStaysWhereItIs) {
     }
 }
 
+TEST(Sharp, FiniteNumbersGiveFiniteOnesToTheEndOfFloats) {
+    Random random(7);
+    const Picture p = picture(24, 20, [&](int, int) {
+        const float v = random.unit();
+        return v < 0.3f ? -3.4e38f : v < 0.6f ? 3.4e38f : v;
+    });
+    for (const int rounds : {1, 2, 5})
+        for (const bool clipped : {false, true})
+            for (const bool fitted : {false, true}) {
+                SurfaceOptions options = sharp();
+                options.consistency = rounds;
+                options.clipped = clipped;
+                options.fitted = fitted;
+                const Picture large = enlarged(p, 3, options);
+                for (const float v : large.values)
+                    ASSERT_TRUE(std::isfinite(v)) << rounds << ' ' << clipped << ' ' << fitted;
+            }
+}
+
 } // namespace
 } // namespace ddt::test

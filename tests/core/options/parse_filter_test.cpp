@@ -279,4 +279,20 @@ TEST(Options, ContoursCountWithTheFiltersOwnCostAndSchemeOnly) {
     EXPECT_EQ(contour("ddt,scheme=exproi,contour=0.5"), 0.5f);
 }
 
+TEST(Options, TheSharpFilterIsFittedWhereItIsClippedAndUnlessToldOtherwise) {
+    const auto fitted = [](const char* spec) {
+        ddt::FilterOptions options;
+        std::string error;
+        EXPECT_TRUE(ddt::parse_filter(spec, options, error)) << error;
+        return options.surface.fitted;
+    };
+    EXPECT_TRUE(fitted("ddt-sharp,clipped=1"));
+    EXPECT_FALSE(fitted("ddt-sharp,clipped=1,fitted=0"));
+    EXPECT_FALSE(fitted("ddt-sharp"));
+    EXPECT_TRUE(fitted("ddt-sharp,fitted=1"));
+    EXPECT_FALSE(fitted("ddt-sharp,clipped=1,cost=scf"));
+    EXPECT_FALSE(fitted("ddt-sharp,clipped=1,consistency=3"));
+    EXPECT_FALSE(fitted("ddt,clipped=1"));
+}
+
 } // namespace
