@@ -20,14 +20,14 @@
 
 namespace ddt {
 
-/// While it lives, this thread treats denormal floats as zero, as GPUs do. Otherwise values below
-/// 1.2e-38 could differ between devices. On processors other than x86-64 and AArch64 it does
+/// While it lives, this thread treats denormal floats as zero, as GPUs do, rounds to nearest and traps
+/// nothing, whatever its caller has set. Otherwise values below 1.2e-38 could differ between devices. On processors other than x86-64 and AArch64 it does
 /// nothing: there, bits are promised only where no operation meets or makes such a value.
 class DenormalsAreZero {
 public:
 #if defined(__SSE2__)
     DenormalsAreZero() : m_saved(_mm_getcsr()) {
-        _mm_setcsr(m_saved | 0x8040u);
+        _mm_setcsr(0x9fc0u);
     }
     ~DenormalsAreZero() {
         _mm_setcsr(m_saved);
@@ -35,7 +35,7 @@ public:
 #elif defined(__aarch64__)
     DenormalsAreZero() {
         asm volatile("mrs %0, fpcr" : "=r"(m_saved));
-        asm volatile("msr fpcr, %0" ::"r"(m_saved | (uint64_t(1) << 24)));
+        asm volatile("msr fpcr, %0" ::"r"(uint64_t(1) << 24));
     }
     ~DenormalsAreZero() {
         asm volatile("msr fpcr, %0" ::"r"(m_saved));

@@ -110,10 +110,12 @@ float guide_step(float v) {
 
 void make_guide(const GuideRecipe& recipe, const float* pixels, size_t count, int stride,
                 float* guide) {
+    const DenormalsAreZero whatever_the_caller_has;
     HWY_DYNAMIC_DISPATCH(make_guide)(recipe, pixels, count, size_t(stride), guide);
 }
 
 void blur_guide(std::vector<float>& guide, int width, int height, float share) {
+    const DenormalsAreZero whatever_the_caller_has;
     const float own = 1.0f - 2.0f * share;
     const auto columns = size_t(width);
     std::vector<float> above(columns), here(columns), below(columns);

@@ -136,6 +136,11 @@ void TileMesh::make_edges_for(int32_t y) {
     m_edges.to_row((y >> position_bits) + m_lattice.longest());
 }
 
+void TileMesh::finish_edges() {
+    const DenormalsAreZero as_on_gpus;
+    m_edges.finish();
+}
+
 void TileMesh::sample(const Point* points, int n, float* out) {
     const DenormalsAreZero as_on_gpus;
     locate_row(m_lattice, points, n, m_search, m_row);

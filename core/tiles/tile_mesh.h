@@ -44,7 +44,7 @@ public:
     /// make_edges_for() its y, in ascending order, or finish_edges(), is to be called.
     bool edges_wait() const { return m_nets.size() == 1; }
     void make_edges_for(int32_t y);
-    void finish_edges() { m_edges.finish(); }
+    void finish_edges();
 
     /// Sample at n points; row_padding floats more may be written.
     void sample(const Point* points, int n, float* out);
