@@ -12,6 +12,11 @@ namespace ddt {
 
 class SourceImage {
 public:
+    SourceImage() = default;
+    ~SourceImage();
+    SourceImage(const SourceImage&) = delete;
+    SourceImage& operator=(const SourceImage&) = delete;
+
     /// `input` is open at the subimage; `hints` are those it was opened with. False with one line
     /// in `error`.
     bool open(const std::string& path, OIIO::ImageInput& input, int subimage,
@@ -24,16 +29,5 @@ private:
     std::shared_ptr<OIIO::ImageCache> m_cache;
     std::unique_ptr<OIIO::ImageBuf> m_image;
 };
-
-/// An image cache of one's own, whatever OpenImageIO's version hands out, and as an ImageBuf takes
-/// it.
-std::shared_ptr<OIIO::ImageCache> make_cache();
-inline auto cache_argument(const std::shared_ptr<OIIO::ImageCache>& cache) {
-#if OIIO_VERSION >= OIIO_MAKE_VERSION(3, 0, 0)
-    return cache;
-#else
-    return cache.get();
-#endif
-}
 
 } // namespace ddt
