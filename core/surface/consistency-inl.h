@@ -58,8 +58,8 @@ DDT_INLINE T corrected(T z, T source, T sum, T low, T high) {
 /// The range a vertex may be moved in, from the range of its 3x3 source pixels and the share of
 /// that by which it may be left. Downwards the share is of the smallest pixel too, if that is
 /// less and none is negative: beside a light a thousand times as bright it would be black. Unless
-/// `lowest`, a bound below 0, says that what is negative will be cut off. Where floats end, the range
-/// stays what it was.
+/// `lowest`, a bound below 0, says that what is negative will be cut off. Where floats end, the
+/// range stays what it was.
 template <class T>
 DDT_INLINE void widen(T limit, T lowest, T& low, T& high) {
     const T zero = T(0.0f);
