@@ -4,6 +4,7 @@
 
 #include "core/gl/buffer.h"
 #include "core/gl/context/gpu.h"
+#include "core/tin/face.h"
 #include "core/tin/tin.h"
 #include "core/triangulate/schemes.h"
 
@@ -20,6 +21,9 @@ public:
                      Statistics& statistics);
     /// Bring triangles and edges back.
     void read(Tin& tin) const;
+    /// Bring the faces of all triangles and the gains of all edges, which were found last, back;
+    /// the vectors have their sizes.
+    void read_work(std::vector<TinFace>& faces, std::vector<float>& gains) const;
 
 private:
     /// What one pass over the edges found; the layout of Counts in shaders/tin.glsl.

@@ -87,6 +87,13 @@ OIIO::TypeDesc stored_type(OIIO::TypeDesc type) {
     }
 }
 
+/// Whether it is the name of a kind of number.
+bool is_number_type(const std::string& name) {
+    const OIIO::TypeDesc type(name);
+    return stored_type(type) != OIIO::TypeUnknown &&
+           type == OIIO::TypeDesc(OIIO::TypeDesc::BASETYPE(type.basetype));
+}
+
 /// Enlarges a part in strips and hands on whole rows of the file's tiles.
 class StripWriter {
 public:
@@ -201,7 +208,7 @@ bool PartHeader::take_from(OIIO::ImageSpec& spec) {
         !parse_part(spec.get_string_attribute(part_key), part) ||
         std::sscanf(window.c_str(), "%d %d %d %d", &whole.x0, &whole.y0, &whole.x1, &whole.y1) !=
             4 ||
-        whole.empty())
+        whole.empty() || !is_number_type(type))
         return false;
     for (const char* key : {job_key, part_key, whole_key, type_key, space_key, compression_key})
         spec.erase_attribute(key);
