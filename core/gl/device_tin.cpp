@@ -64,9 +64,13 @@ void DeviceTin::triangulate(const MeshOptions& options, const Workspace& workspa
         statistics.evaluations += found.evaluated;
         if (found.candidates == 0)
             break;
-        uint32_t waiting = 0;
+        uint32_t waiting = found.candidates;
         do {
+            // The first in order is accepted, if anything is right.
+            const uint32_t before = waiting;
             waiting = pass("tin_accept.comp", m_edges, wide).waiting;
+            if (waiting >= before)
+                throw DoesNotEnd("no edge of a round was accepted");
             pass("tin_reject.comp", m_edges, wide);
             statistics.rounds += in_rounds;
         } while (rules.all_rounds && waiting > 0);

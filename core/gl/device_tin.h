@@ -3,12 +3,18 @@
 #pragma once
 
 #include "core/gl/buffer.h"
+#include "core/gl/context/failure.h"
 #include "core/gl/context/gpu.h"
 #include "core/tin/face.h"
 #include "core/tin/tin.h"
 #include "core/triangulate/schemes.h"
 
 namespace ddt::gl {
+
+/// Flipping does not come to an end, as it does if the device computes right.
+struct DoesNotEnd : Failure {
+    using Failure::Failure;
+};
 
 /// A Tin's arrays on the device, and what the schemes know of its edges. To be used on the
 /// context's thread; throws Failure.

@@ -21,12 +21,14 @@ namespace {
 
 using OIIO::Strutil::fmt::format;
 
-constexpr const char* job_key = "ddt:job";
-constexpr const char* part_key = "ddt:part";
-constexpr const char* whole_key = "ddt:whole";
-constexpr const char* type_key = "ddt:type";
-constexpr const char* space_key = "ddt:colorspace";
-constexpr const char* compression_key = "ddt:compression";
+// Not "ddt:": OpenImageIO writes no metadata that begin with the name of another format, which
+// "ddt" is where the plugin's reader is.
+constexpr const char* job_key = "ddt_part:job";
+constexpr const char* part_key = "ddt_part:part";
+constexpr const char* whole_key = "ddt_part:whole";
+constexpr const char* type_key = "ddt_part:type";
+constexpr const char* space_key = "ddt_part:colorspace";
+constexpr const char* compression_key = "ddt_part:compression";
 
 constexpr int cache_megabytes = 192;
 

@@ -62,13 +62,14 @@ bool write_part(Bytes& bytes, int index, const std::string& path) {
             spec.tile_height = bytes.below(5) * 16;
             break;
         case 11:
-            spec.attribute(bytes.coin() ? "ddt:compression" : "ddt:colorspace", bytes.line(24));
+            spec.attribute(bytes.coin() ? "ddt_part:compression" : "ddt_part:colorspace",
+                           bytes.line(24));
             break;
         }
-    spec.attribute("ddt:job", job);
-    spec.attribute("ddt:part", part);
-    spec.attribute("ddt:whole", whole);
-    spec.attribute("ddt:type", type);
+    spec.attribute("ddt_part:job", job);
+    spec.attribute("ddt_part:part", part);
+    spec.attribute("ddt_part:whole", whole);
+    spec.attribute("ddt_part:type", type);
     const auto file = OIIO::ImageOutput::create(path);
     const std::vector<char> pixels(spec.image_bytes());
     const bool done = file && file->open(path, spec) &&

@@ -90,6 +90,9 @@ TEST_P(TinCheck, EveryProgramIsCheckedBeforeItIsUsedAndAWrongOneIsNot) {
         EXPECT_TRUE(lines.empty());
         EXPECT_EQ(checked.size(), 5u);
         for (const std::string& program : checked) {
+            const bool by_cost = program.find("tin_faces") == 0 || program.find("tin_eval") == 0;
+            if (!by_cost && cost != cost_names().front())
+                continue; // these do not look at the cost
             const Change change = change_of(program);
             gl::change_constant(program, change.constant, change.value);
             fresh_device();
