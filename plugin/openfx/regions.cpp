@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "plugin/host/enlargement.h"
+#include "plugin/host/request.h"
 #include "plugin/openfx/actions.h"
 #include "plugin/openfx/source_clip.h"
 #include "plugin/openfx/suites.h"

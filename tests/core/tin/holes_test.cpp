@@ -79,17 +79,15 @@ TEST(JobHoles, AreFilledAsFillHolesDoesAndTheMeshSeesThemSo) {
             holed.values[size_t(y * width + x) * channels] = std::nanf("");
             holed.guide[size_t(y * width + x)] = std::nanf("");
         }
-    holed.values[5 * channels + 2] = 0; // alpha
+    holed.values[5 * channels + 2] = 0;             // alpha
     holed.values[9 * channels + 1] = std::nanf(""); // an identifier is what it is
     for (const Holes holes : {Holes::fill, Holes::fill_alpha}) {
         Plain filled = holed;
         std::string error;
-        ASSERT_TRUE(fill_missing({filled.values.data(), filled.guide.data(), width, height,
-                                  channels,
-                                  std::vector{Channel::blend, Channel::nearest, Channel::alpha}
-                                      .data(),
-                                  true},
-                                 holes, MeshOptions(), Device::cpu, error))
+        ASSERT_TRUE(fill_missing(
+            {filled.values.data(), filled.guide.data(), width, height, channels,
+             std::vector{Channel::blend, Channel::nearest, Channel::alpha}.data(), true},
+            holes, MeshOptions(), Device::cpu, error))
             << error;
         for (size_t i = 0; i < filled.guide.size(); ++i) {
             EXPECT_TRUE(std::isfinite(filled.guide[i]));
