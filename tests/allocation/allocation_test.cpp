@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "ddt/core.h"
+#include "ddt/log.h"
 #include "ddt/mesh.h"
 #include "ddt/option_table.h"
 #include "ddt/points.h"
@@ -114,8 +115,9 @@ void fail_at_every_request(const Task& task, Whose whose, Bits result) {
             failing = whose;
             const bool done = task(result, error);
             failing = Whose::nobodys;
-            if (done)
+            if (done) {
                 ASSERT_EQ(std::memcmp(result.data(), expected.data(), result.size() * 4), 0) << n;
+            }
             if (failed == 0) {
                 ASSERT_TRUE(done) << error;
                 break;
@@ -178,6 +180,12 @@ TEST_P(AllocationOn, ADevice) {
         if (!task(result, error) && error.find("cannot be had") != error.npos)
             GTEST_SKIP() << error;
         fail_at_every_request(task, Whose::ours, result);
+        // Nothing of that has cost the process its device.
+        std::string told;
+        set_log([&](const char* line) { told += line; });
+        EXPECT_TRUE(task(result, error)) << error;
+        set_log(nullptr);
+        EXPECT_NE(told.find(std::string("device ") + GetParam()), told.npos) << told;
     }
 }
 INSTANTIATE_TEST_SUITE_P(Devices, AllocationOn, testing::Values("egl", "osmesa"),
@@ -215,7 +223,7 @@ TEST(Allocation, Holes) {
 // OpenImageIO's own requests are met.
 TEST(Allocation, AnImageBuf) {
     const OnDevice cpu("cpu");
-    for (const OIIO::TypeDesc type : {OIIO::TypeFloat, OIIO::TypeUInt8}) {
+    for (const OIIO::TypeDesc& type : {OIIO::TypeFloat, OIIO::TypeUInt8}) {
         OIIO::ImageSpec spec(width, height, 3, type);
         spec.attribute("oiio:ColorSpace", "sRGB");
         OIIO::ImageBuf source(spec);
@@ -229,8 +237,8 @@ TEST(Allocation, AnImageBuf) {
                 const Whose whose = failing.exchange(Whose::nobodys);
                 if (!done)
                     error = enlarged.geterror();
-                else
-                    EXPECT_TRUE(enlarged.get_pixels(size, OIIO::TypeFloat, result.data()));
+                else if (!enlarged.get_pixels(size, OIIO::TypeFloat, result.data()))
+                    ADD_FAILURE() << enlarged.geterror();
                 failing = whose;
                 return done;
             },
