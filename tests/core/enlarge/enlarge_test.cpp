@@ -5,14 +5,13 @@
 #include <new>
 #include <stdexcept>
 
-#include <tbb/global_control.h>
-
 #include "core/base/arith.h"
 #include "core/sample/evaluate.h"
 #include "core/surface/consistency.h"
 #include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"
 #include "tests/core/job_helpers.h"
+#include "tests/many_threads.h"
 
 namespace ddt::test {
 namespace {
@@ -40,11 +39,6 @@ std::vector<float> crop(const std::vector<float>& values, Rect whole, Rect part,
                            size_t(c)]);
     return r;
 }
-
-/// More threads than this machine may have cores.
-class ManyThreads {
-    tbb::global_control m_control{tbb::global_control::max_allowed_parallelism, 8};
-};
 
 TEST(Enlarge, AnyNumberOfThreadsGivesTheSameBits) {
     const ManyThreads allowed;
