@@ -84,7 +84,7 @@ HWY_INLINE constexpr size_t Lanes(D) {
 
 template <class D>
 HWY_INLINE Vec<D> LoadU(D, const typename D::T* p) {
-    Vec<D> v;
+    Vec<D> v{};
     std::memcpy(&v, p, sizeof v);
     return v;
 }
@@ -114,7 +114,7 @@ HWY_INLINE void StoreInterleaved2(Vec<D> a, Vec<D> b, D, typename D::T* p) {
 }
 template <class D, class I>
 HWY_INLINE Vec<D> GatherIndex(D, const typename D::T* p, I index) {
-    Vec<D> v;
+    Vec<D> v{};
     for (size_t i = 0; i < D::lanes; ++i)
         v[i] = p[index[i]];
     return v;
@@ -136,21 +136,21 @@ HWY_INLINE Vec<D> Zero(D) {
 }
 template <class D>
 HWY_INLINE Vec<D> Set(D, typename D::T x) {
-    Vec<D> v;
+    Vec<D> v{};
     for (size_t i = 0; i < D::lanes; ++i)
         v[i] = x;
     return v;
 }
 template <class D>
 HWY_INLINE Vec<D> Iota(D, typename D::T first) {
-    Vec<D> v;
+    Vec<D> v{};
     for (size_t i = 0; i < D::lanes; ++i)
         v[i] = first + typename D::T(i);
     return v;
 }
 template <class D>
 HWY_INLINE Mask<D> FirstN(D, size_t n) {
-    Mask<D> mask;
+    Mask<D> mask{};
     for (size_t i = 0; i < D::lanes; ++i)
         mask[i] = i < n ? -1 : 0;
     return mask;
@@ -267,7 +267,7 @@ HWY_INLINE Mask<D> RebindMask(D, M mask) {
 template <class D, class V>
 HWY_INLINE Vec<D> DemoteTo(D, V v) {
     static_assert(std::is_same<typename D::T, uint8_t>::value, "");
-    Vec<D> bytes;
+    Vec<D> bytes{};
     for (size_t i = 0; i < D::lanes; ++i)
         bytes[i] = uint8_t(v[i] < 0 ? 0 : v[i] > 255 ? 255 : v[i]);
     return bytes;
@@ -285,7 +285,7 @@ HWY_INLINE I IndicesFromVec(D, I index) {
 }
 template <class V, class I>
 HWY_INLINE V TableLookupLanes(V v, I index) {
-    V result;
+    V result{};
     for (size_t i = 0; i < sizeof(V) / sizeof(v[0]); ++i)
         result[i] = v[index[i]];
     return result;
