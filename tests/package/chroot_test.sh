@@ -28,8 +28,8 @@ trap 'exit 1' INT TERM
 failed() { echo "FAILED: $*"; exit 1; }
 # A step that depends on the network and on how busy the machine is: skipped unless it is done in time.
 within_time() {
-    local code=0
-    timeout -k 5 $((${DDT_TEST_SECONDS:-160} - SECONDS)) "$@" >"$work/log" 2>&1 || code=$?
+    local code=0 left=$((${DDT_TEST_SECONDS:-160} - SECONDS))
+    timeout -k 5 $((left > 0 ? left : 1)) "$@" >"$work/log" 2>&1 || code=$?
     [ $code != 124 ] || { echo "skipped: takes too long here: $*"; exit 77; }
     return $code
 }
@@ -79,8 +79,8 @@ echo "installed, used, removed without a trace: oiio-ddt"
 # What follows adds to that, if there is time.
 skipped() { echo "left out: $*"; exit 0; }
 within_time() {
-    local code=0
-    timeout -k 5 $((${DDT_TEST_SECONDS:-160} - SECONDS)) "$@" >"$work/log" 2>&1 || code=$?
+    local code=0 left=$((${DDT_TEST_SECONDS:-160} - SECONDS))
+    timeout -k 5 $((left > 0 ? left : 1)) "$@" >"$work/log" 2>&1 || code=$?
     [ $code != 124 ] || skipped "for want of time: $*"
     return $code
 }
