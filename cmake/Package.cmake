@@ -49,7 +49,8 @@ foreach(component ${CPACK_COMPONENTS_ALL})
     set(only_packaged EXCLUDE_FROM_ALL)
     set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${package})
     set(CPACK_COMPONENT_${upper}_DESCRIPTION
-      "The filters ddt, ddt-linear and ddt-sharp of oiio-ddt, for ${host_${component}}.")
+      "The filters ddt, ddt-linear and ddt-sharp of oiio-ddt,
+for ${host_${component}}.")
   endif()
   install(FILES ${documents}/copyright ${documents}/changelog.gz
     DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component} ${only_packaged})
