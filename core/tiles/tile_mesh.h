@@ -46,6 +46,9 @@ public:
     void make_edges_for(int32_t y);
     void finish_edges();
 
+    /// To be called before positions are sampled that are not those of the columns before.
+    void begin_panel() { m_search.begin(); }
+
     /// Sample at n points; row_padding floats more may be written.
     void sample(const Point* points, int n, float* out);
     /// Sample some of n rows at y[0], y[1], ... and the x of `points`, whose y is overwritten,

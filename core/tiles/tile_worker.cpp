@@ -16,6 +16,13 @@ namespace {
 /// Floats of output that are handed to the sink at once, about: half a megabyte.
 constexpr size_t strip_floats = size_t(1) << 17;
 
+/// Columns of output that are worked on at once: what is kept for each column stays small however
+/// long the rows are.
+int panel_columns(const Job& job) {
+    constexpr size_t most = size_t(1) << 14;
+    return int(std::clamp<size_t>(strip_floats / size_t(job.channels), 1, most));
+}
+
 /// Pixels of the largest tile of a window; a lattice has at least 2 x 2.
 size_t largest_tile(const Rect& window) {
     const auto along = [](int pixels) {
@@ -104,28 +111,63 @@ bool TileWorker::follows(const Point& a, const Point& b) {
     return std::abs(b.x - a.x) <= longest && std::abs(b.y - a.y) <= longest;
 }
 
-Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
-    const size_t row = size_t(reach.width()) * size_t(m_job.channels);
-    m_positions.resize(size_t(reach.width()));
-    m_inside.resize(size_t(reach.width()));
-    m_points.resize(size_t(reach.width()));
-    bool grid = m_mapping.separable();
-    if (grid) {
-        m_mapping.row(reach.y0, reach.x0, reach.x1, m_positions.data(), m_inside.data());
-        for (size_t i = 0; i < m_points.size(); ++i)
-            m_points[i] = local(tile, m_positions[i]);
-        for (size_t i = 1; i < m_points.size(); ++i)
-            grid = grid && follows(m_points[i - 1], m_points[i]);
+/// Find where the columns of `rows`, of a separable mapping, lie. False if neighbours are too far
+/// apart to be sampled as a grid.
+bool TileWorker::find_columns(const Tile& tile, const Rect& rows) {
+    m_points.resize(size_t(rows.width()));
+    m_mapping.row(rows.y0, rows.x0, rows.x1, m_positions.data(), m_inside.data());
+    for (size_t i = 0; i < m_points.size(); ++i)
+        m_points[i] = local(tile, m_positions[i]);
+    for (size_t i = 1; i < m_points.size(); ++i)
+        if (!follows(m_points[i - 1], m_points[i]))
+            return false;
+    m_columns.find(m_points.data(), int(m_points.size()), m_width);
+    return true;
+}
+
+/// Call f(panel) for parts of r that are no wider than a panel, from left to right, until it
+/// returns something else than `done`.
+template <class F>
+Outcome TileWorker::each_panel(const Rect& r, F&& f) const {
+    const int columns = panel_columns(m_job);
+    for (int x = r.x0; x < r.x1; x += columns) {
+        const Outcome outcome =
+            f(Rect{x, r.y0, r.x0 + std::min(x - r.x0 + columns, r.width()), r.y1});
+        if (outcome != Outcome::done)
+            return outcome;
     }
+    return Outcome::done;
+}
+
+Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
+    const int width = std::min(reach.width(), panel_columns(m_job));
+    const bool panels = reach.width() > width;
+    m_positions.resize(size_t(width));
+    m_inside.resize(size_t(width));
+    m_points.resize(size_t(width));
+    bool grid = m_mapping.separable();
     if (grid)
-        m_columns.find(m_points.data(), int(m_points.size()), m_width);
-    else if (m_meshes[0].edges_wait())
+        each_panel({reach.x0, reach.y0, reach.x1, reach.y0 + 1}, [&](const Rect& panel) {
+            grid = grid && find_columns(tile, panel);
+            return Outcome::done;
+        });
+    if (!grid && m_meshes[0].edges_wait())
         for (TileMesh& mesh : m_meshes)
             mesh.finish_edges();
+    const size_t row = size_t(width) * size_t(m_job.channels);
     const int strip = grid ? int(std::max<size_t>(1, strip_floats / row)) : 1;
     for (int y = reach.y0; y < reach.y1; y += strip) {
         const Rect rows{reach.x0, y, reach.x1, std::min(y + strip, reach.y1)};
-        const Outcome outcome = grid ? write_rows(tile, rows) : write_runs(tile, rows);
+        const Outcome outcome = each_panel(rows, [&](const Rect& part) {
+            if (panels)
+                for (TileMesh& mesh : m_meshes)
+                    mesh.begin_panel();
+            if (!grid)
+                return write_runs(tile, part);
+            if (panels)
+                find_columns(tile, part);
+            return write_rows(tile, part);
+        });
         if (outcome != Outcome::done)
             return outcome;
     }

@@ -34,6 +34,9 @@ private:
     const float* guide_of(size_t mesh); ///< to be called in ascending order
     void make_edges_for(int32_t y);
     Outcome write(const Tile& tile, const Rect& reach);
+    bool find_columns(const Tile& tile, const Rect& rows);
+    template <class F>
+    Outcome each_panel(const Rect& r, F&& f) const;
     Outcome write_rows(const Tile& tile, const Rect& rows);
     static bool follows(const Point& a, const Point& b);
     Outcome write_runs(const Tile& tile, const Rect& row);
