@@ -19,9 +19,9 @@ constexpr int rows_to_go_on(int channels) {
 
 /// Make room in `kept`, `row` floats for each row of pixels from row `first` on, for the rows
 /// before `end`. Of the rows before `made`, which are of use, those before `keep` may go. `more`:
-/// rows to make room for beside.
-void make_room(std::vector<float>& kept, size_t row, int more, int& first, int keep, int made,
-               int end) {
+/// rows to make room for beside; there are no more than `height`.
+void make_room(std::vector<float>& kept, size_t row, int more, int height, int& first, int keep,
+               int made, int end) {
     if (size_t(end - first) * row + edge_padding <= kept.size())
         return;
     const int from = std::clamp(keep, first, std::max(first, made));
@@ -29,11 +29,12 @@ void make_room(std::vector<float>& kept, size_t row, int more, int& first, int k
         std::memmove(kept.data(), kept.data() + size_t(from - first) * row,
                      size_t(made - from) * row * sizeof(float));
     first = from;
-    const size_t size = size_t(end - first) * row + edge_padding;
-    if (kept.size() >= size)
+    if (size_t(end - first) * row + edge_padding <= kept.size())
         return;
     // A vector that grows by itself would take up to twice of it.
-    kept.reserve(size + size_t(more) * row);
+    if (made <= from)
+        std::vector<float>().swap(kept);
+    kept.reserve(size_t(std::min(end - first + more, height)) * row + edge_padding);
     kept.resize(kept.capacity());
 }
 
@@ -161,7 +162,8 @@ void EdgeMaker::load_vertices(int end, int keep) {
     if (end <= m_vertex_rows)
         return;
     int first = m_net->first / (2 * lattice.stride());
-    make_room(m_net->values, net_row(lattice), m_go_on, first, keep, m_vertex_rows, end);
+    make_room(m_net->values, net_row(lattice), m_go_on, lattice.height(), first, keep,
+              m_vertex_rows, end);
     m_net->first = lattice.vertex_site(0, first);
     const int beside = lattice.longest() + 1;
     set_vertices(lattice, m_values,
@@ -172,6 +174,15 @@ void EdgeMaker::load_vertices(int end, int keep) {
 }
 
 void EdgeMaker::to_row(int y, int keep) {
+    // What is far above is made in steps, or all of it would have to be kept.
+    for (int next = m_edge_rows / 2 + rows_at_once;
+         m_few_edges && next < std::min({y, keep, m_part.y1 - rows_at_once});
+         next = m_edge_rows / 2 + rows_at_once)
+        go_on(next, next);
+    go_on(y, keep);
+}
+
+void EdgeMaker::go_on(int y, int keep) {
     if (2 * y < m_edge_rows)
         return;
     const Lattice& lattice = *m_lattice;
@@ -187,14 +198,15 @@ void EdgeMaker::to_row(int y, int keep) {
                       std::min(top, std::min(edges, m_gradient_rows) - longest - 1));
     if (m_few_edges && m_recipe.gain) {
         int first = row_of(m_net->first_soft);
-        make_room(m_net->soft, net_row(lattice), m_go_on, first, top, (m_edge_rows + 1) / 2,
-                  last + 1);
+        make_room(m_net->soft, net_row(lattice), m_go_on, lattice.height(), first, top,
+                  (m_edge_rows + 1) / 2, last + 1);
         m_net->first_soft = lattice.vertex_site(0, first);
     }
     if (m_few_edges && m_recipe.bend) {
         int first = row_of(m_scratch.first);
-        make_room(m_scratch.gradients, net_row(lattice) / 2, m_go_on, first, edges - longest - 1,
-                  m_gradient_rows, std::min(last + longest + 1, lattice.height()));
+        make_room(m_scratch.gradients, net_row(lattice) / 2, m_go_on, lattice.height(), first,
+                  edges - longest - 1, m_gradient_rows,
+                  std::min(last + longest + 1, lattice.height()));
         m_scratch.first = lattice.vertex_site(0, first);
     }
     if (m_recipe.bend)

@@ -52,6 +52,7 @@ public:
 private:
     void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe, bool few_values,
                bool few_edges, Net& net);
+    void go_on(int y, int keep);
     void load_vertices(int end, int keep);
 
     EdgeScratch m_scratch;

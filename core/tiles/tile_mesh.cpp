@@ -17,7 +17,7 @@ bool is_corrected(const SurfaceOptions& surface) {
 }
 
 /// Edges of most tiles are no longer than this.
-constexpr int usual_longest = 7;
+constexpr int usual_longest = 8;
 
 /// A recipe that takes the memory of the surface's.
 EdgeRecipe recipe_of(const SurfaceOptions& surface) {

@@ -95,15 +95,12 @@ enum class Outcome {
 };
 
 /// Read the source tile by tile, triangulate, and write every output pixel the mapping gives.
-/// Memory beside what source and sink hold, measured (tests/core/enlarge/memory_test.cpp): 10 MiB a
-/// thread with the filter `ddt` and up to 4 channels, 24 with `ddt-sharp`, 4 more for every further
-/// 4 channels (where bends are fitted 9), and more where the mapping is not separable.
-/// No more threads work than fit into 192 MiB, or into 12 MiB for each that is asked for, if that
-/// is more; times MeshOptions::meshes; one in any case. So with `ddt` all do, and with `ddt-sharp`
-/// 7 or about half. Never throws: what source, sink, mapping or progress throw is
-/// Outcome::out_of_memory or bad_job. They may use oneTBB themselves. `error`, when not null,
-/// receives one line if the outcome is not `done`. ddt/log.h tells the device, the iterations and
-/// where the time went.
+/// Memory beside what source and sink hold, measured: 10 MiB a thread with the filter `ddt` and up
+/// to 4 channels, 24 with `ddt-sharp`, 4 to 9 for every further 4. Threads work that fit into 192
+/// MiB, or 12 MiB for each asked for, times MeshOptions::meshes. Never throws: what source, sink,
+/// mapping or progress throw is Outcome::out_of_memory or bad_job. They may use oneTBB themselves.
+/// `error`, when not null, receives one line if the outcome is not `done`. ddt/log.h tells the
+/// device, the iterations and where the time went.
 Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                 std::string* error = nullptr);
 
