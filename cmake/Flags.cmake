@@ -29,6 +29,14 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
 endif()
 set(CMAKE_EXE_LINKER_FLAGS_SANITIZE "-fsanitize=address,undefined")
 
+# -DCMAKE_BUILD_TYPE=Threads: the thread sanitizer, for tests/threads. One instruction set: threads are
+# the same in all.
+set(CMAKE_CXX_FLAGS_THREADS "-O1 -g1 -fsanitize=thread -Wno-tsan -DDDT_THREAD_SANITIZER")
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  string(APPEND CMAKE_CXX_FLAGS_THREADS " -mssse3 -DHWY_DISABLED_TARGETS=~HWY_SSSE3")
+endif()
+set(CMAKE_EXE_LINKER_FLAGS_THREADS "-fsanitize=thread")
+
 # With clang also what libFuzzer goes by, for tests/fuzz.
 if(CMAKE_BUILD_TYPE STREQUAL "Sanitize" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   set(DDT_LIBFUZZER ON)

@@ -2,12 +2,32 @@
 #include "core/base/parallel.h"
 
 #include <algorithm>
+#include <vector>
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "core/base/ordered.h"
+
 namespace ddt {
+
+namespace {
+
+/// While one lives a body is at work: after the call began, after the one before in the same slot,
+/// and before the call returns. That is what oneTBB sees to.
+struct InSlot {
+    char* slot;
+    InSlot(char* begin, char* of_slot) : slot(of_slot) {
+        happens_after(begin);
+        happens_after(slot);
+    }
+    ~InSlot() { happens_before(slot); }
+    InSlot(const InSlot&) = delete;
+    InSlot& operator=(const InSlot&) = delete;
+};
+
+} // namespace
 
 int usual_threads() {
     return allowed_threads(tbb::this_task_arena::max_concurrency());
@@ -26,14 +46,22 @@ void for_each_index(int threads, int count, const std::function<void(int, int)>&
         return;
     }
     tbb::task_arena arena(threads);
+    std::vector<char> slots(static_cast<size_t>(threads)); // tokens
+    char begin = 0;
+    happens_before(&begin);
     arena.execute([&] {
         // Isolated: where the body waits for tasks of its own, as a source that uses oneTBB does,
         // its thread does not begin another index meanwhile, in the slot that is in use.
         tbb::parallel_for(0, count, [&](int i) {
-            tbb::this_task_arena::isolate(
-                [&] { body(tbb::this_task_arena::current_thread_index(), i); });
+            tbb::this_task_arena::isolate([&] {
+                const int slot = tbb::this_task_arena::current_thread_index();
+                const InSlot ordered(&begin, &slots[size_t(slot)]);
+                body(slot, i);
+            });
         });
     });
+    for (char& slot : slots)
+        happens_after(&slot);
 }
 
 } // namespace ddt

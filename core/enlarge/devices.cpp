@@ -10,7 +10,7 @@ bool describe_device(const Job& job, std::string& line) noexcept {
     std::string text;
     const bool had = succeeds(&line, [&](std::string& why) {
         Placement placement;
-        if (!place(job, placement, why))
+        if (!find_place(job, placement, why))
             return false;
         text = describe(placement);
         return true;

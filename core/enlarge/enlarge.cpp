@@ -114,7 +114,7 @@ void report(const Placement& placement, const std::string& failure, const Statis
 Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, std::string& why) {
     const auto begin = std::chrono::steady_clock::now();
     Placement placement;
-    if (!place(job, placement, why))
+    if (!find_place(job, placement, why))
         return Outcome::device_unavailable;
     const Grid grid(job.window);
     Run run(job, grid.count());

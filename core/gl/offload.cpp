@@ -16,7 +16,7 @@ constexpr size_t worth_opening = 4'000'000, worth_using = 250'000;
 
 } // namespace
 
-bool place(const Job& job, Placement& placement, std::string& why) {
+bool find_place(const Job& job, Placement& placement, std::string& why) {
     placement = {};
     Device wanted;
     if (!gl::wish(job, wanted, why))

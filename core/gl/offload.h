@@ -25,7 +25,7 @@ struct Placement {
 
 /// Choose by Job::device and DDT_DEVICE. False if a device that was named cannot be had; `why` says
 /// what stood in the way.
-bool place(const Job& job, Placement& placement, std::string& why);
+bool find_place(const Job& job, Placement& placement, std::string& why);
 
 /// Work on the tiles of a job as far as the GPU gets; `run` knows how far that is. Adds to
 /// `statistics` for the tiles it finished. `threads`: how many may read the source and write to the

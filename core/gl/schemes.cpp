@@ -96,7 +96,7 @@ void DeviceMesh::start(const MeshOptions& options) {
 }
 
 void DeviceMesh::one_round() {
-    const int dispatched = std::min(m_iterations, dispatched_iterations);
+    const int dispatched = std::min(m_iterations, m_dispatched);
     for (int i = 1; i <= dispatched; ++i) {
         if (i > 1) // else start() has
             step("evaluate.comp", i, Step::evaluate, m_criterion);

@@ -146,6 +146,7 @@ Outcomes on_gpu(Gpu& gpu, const Job& job, const Tile& tile) {
     t.tile = tile;
     read(source, job, shape, t);
     DeviceMesh mesh(gpu, shape, meshes);
+    mesh.finish_after(2); // so that each of one_round's programs flips edges
     Surfaces surfaces(gpu, shape, meshes, kinds_of(job), job.surface);
     mesh.set_tiles(std::vector<TileSize>(size_t(meshes), t.size));
     upload(t, job, 0, mesh, surfaces);

@@ -71,7 +71,7 @@ bool choose(Device device, size_t points, const MeshOptions& options, Placement&
     job.window = {0, 0, int(points), 1};
     job.mesh = options;
     job.device = device;
-    return place(job, placement, error);
+    return find_place(job, placement, error);
 }
 
 void flip(Tin& tin, const MeshOptions& options, const Placement& placement, Workspace& workspace,

@@ -98,7 +98,7 @@ HWY_INLINE T either(Floats flag, const T& yes, const T& no) {
 
 /// A row of cells. "Down" is the diagonal from upper left to lower right.
 template <class Face>
-struct CellRow {
+struct DividedCells {
     Row guide;                              ///< at the vertices on top
     Row down;                               ///< 1 where the diagonal is down, else 0
     FaceRow<Face> top, bottom;              ///< the triangles at the cell's horizontal sides,
@@ -120,7 +120,7 @@ template <class Cost>
 class StartGains {
 public:
     using Face = typename Cost::Face;
-    using Cells = CellRow<Face>;
+    using Cells = DividedCells<Face>;
     using Edges = Flip<Cost, Floats, Always>;
 
     HWY_ATTR StartGains(const Lattice& lattice, float contour, float min_gain, Workspace& w)

@@ -8,6 +8,8 @@
 #include <OpenImageIO/imagebufalgo.h>
 
 #include "core/base/guarded.h"
+#include "plugin/image/pixels.h"
+#include "plugin/image/windows.h"
 
 namespace ddt {
 
@@ -36,6 +38,21 @@ bool guarded(OIIO::ImageBuf& dst, Body&& body) noexcept {
         dst.errorfmt("{}", error);
     });
     return done;
+}
+
+/// The same with a source, which may be dst itself: `body(from, touched, error)` has its pixels
+/// apart from dst's, with ids as exact as they were stored.
+template <class Body>
+bool guarded_from(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, Body&& body) noexcept {
+    return guarded(dst, [&](OIIO::ROI& touched, std::string& error) {
+        if (!check_source(src, error))
+            return false;
+        OIIO::ImageBuf copy, ids;
+        if (&dst == &src)
+            copy = src;
+        const OIIO::ImageBuf& from = &dst == &src ? copy : src;
+        return body(read_ids(from, ids) ? ids : from, touched, error);
+    });
 }
 
 } // namespace ddt

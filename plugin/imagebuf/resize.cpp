@@ -132,15 +132,8 @@ bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Option
 
 bool resize(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options, OIIO::ROI roi,
             int nthreads) {
-    return guarded(dst, [&](OIIO::ROI& touched, std::string& error) {
-        if (!check_source(src, error))
-            return false;
-        OIIO::ImageBuf copy, ids;
-        if (&dst == &src)
-            copy = src;
-        const OIIO::ImageBuf& from = &dst == &src ? copy : src;
-        const OIIO::ImageBuf& exact = read_ids(from, ids) ? ids : from;
-        return resize_checked(dst, exact, options, roi, nthreads, touched, error);
+    return guarded_from(dst, src, [&](const auto& from, OIIO::ROI& touched, std::string& error) {
+        return resize_checked(dst, from, options, roi, nthreads, touched, error);
     });
 }
 

@@ -117,15 +117,8 @@ bool warp(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fParam M, con
 bool warp(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fParam M, const Options& options,
           bool recompute_roi, OIIO::ImageBuf::WrapMode wrap, bool edgeclamp, OIIO::ROI roi,
           int nthreads) {
-    return guarded(dst, [&](OIIO::ROI& touched, std::string& error) {
-        if (!check_source(src, error))
-            return false;
-        OIIO::ImageBuf copy, ids;
-        if (&dst == &src)
-            copy = src;
-        const OIIO::ImageBuf& from = &dst == &src ? copy : src;
-        const OIIO::ImageBuf& exact = read_ids(from, ids) ? ids : from;
-        return warp_checked(dst, exact, M, options, recompute_roi, wrap, edgeclamp, roi, nthreads,
+    return guarded_from(dst, src, [&](const auto& from, OIIO::ROI& touched, std::string& error) {
+        return warp_checked(dst, from, M, options, recompute_roi, wrap, edgeclamp, roi, nthreads,
                             touched, error);
     });
 }

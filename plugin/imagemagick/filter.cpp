@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
-#include <new>
 #include <string>
 #include <vector>
 
 #include <magick/MagickCore.h>
 
+#include "core/base/guarded.h"
 #include "plugin/host/request.h"
 
 namespace {
@@ -175,15 +175,17 @@ extern "C" ModuleExport size_t ddtImage(Image** images, const int argc, const ch
                                         ExceptionInfo* exception);
 
 size_t ddtImage(Image** images, const int argc, const char** argv, ExceptionInfo* exception) {
-    try {
+    std::string error;
+    bool understood = true;
+    const ddt::Caught caught = ddt::guarded_call(&error, [&] {
         Request request;
-        std::string error;
-        if (parse(argc, argv, request, error))
+        understood = parse(argc, argv, request, error);
+        if (understood)
             enlarge_list(images, request, exception);
-        else
-            complain(exception, OptionError, error);
-    } catch (const std::bad_alloc&) {
-        complain(exception, ResourceLimitError, "ddt: out of memory");
-    }
+    });
+    if (caught != ddt::Caught::nothing)
+        complain(exception, ResourceLimitError, error.empty() ? "ddt: out of memory" : error);
+    else if (!understood)
+        complain(exception, OptionError, error);
     return MagickImageFilterSignature;
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The two functions that hosts look for, and the way from actions to what is done.
-#include <exception>
-#include <new>
 #include <string_view>
 
+#include "core/base/guarded.h"
 #include "plugin/openfx/actions.h"
 #include "plugin/openfx/suites.h"
 
@@ -44,13 +43,13 @@ int act(std::string_view action, Effect effect, Properties in, Properties out) {
 
 /// Nothing may be thrown into the host.
 int entry(const char* action, const void* handle, Properties in, Properties out) {
-    try {
-        return act(action ? action : "", static_cast<Effect>(const_cast<void*>(handle)), in, out);
-    } catch (const std::bad_alloc&) {
-        return out_of_memory;
-    } catch (const std::exception&) {
-        return failed;
-    }
+    int status = failed;
+    const Caught caught = guarded_call(nullptr, [&] {
+        status = act(action ? action : "", static_cast<Effect>(const_cast<void*>(handle)), in, out);
+    });
+    return caught == Caught::out_of_memory ? out_of_memory
+           : caught == Caught::nothing     ? status
+                                           : failed;
 }
 
 void set_host(Host* host) {

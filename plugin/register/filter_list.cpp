@@ -3,6 +3,7 @@
 
 #include <OpenImageIO/imagebufalgo.h>
 
+#include "core/base/guarded.h"
 #include "filter.h"
 #include "hooks.h"
 
@@ -25,14 +26,14 @@ void copy_filterdesc(int index, OIIO::FilterDesc* description) {
 
 /// Null for options that do not parse, as OIIO has it for names it does not know.
 Filter* create_ours(OIIO::string_view spec, float width, float height) noexcept {
-    try {
+    Filter* filter = nullptr;
+    guarded_call(nullptr, [&] {
         Options options;
         std::string error;
         if (parse_filter(spec, options, error))
-            return new Filter(spec, std::move(options), width, height);
-    } catch (...) {
-    }
-    return nullptr;
+            filter = new Filter(spec, std::move(options), width, height);
+    });
+    return filter;
 }
 
 /// False for a caller within OpenImageIO that would evaluate the filter itself, because what it

@@ -12,6 +12,7 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include "core/base/guarded.h"
 #include "core/base/verbose.h"
 #include "hooks.h"
 #include "version.h"
@@ -74,27 +75,26 @@ bool fits_the_program() {
 
 __attribute__((constructor)) void on_load() noexcept {
     const bool talk = ddt::verbose();
-    try {
+    const ddt::Caught caught = ddt::guarded_call(nullptr, [&] {
         leave_preload_list();
         if (!fits_the_program())
             return;
         ddt::redirect_all();
         if (talk)
             print(ddt::describe_redirects());
-    } catch (...) {
-        if (talk)
-            std::fputs("ddt: could not register\n", stderr);
-    }
+    });
+    if (talk && caught != ddt::Caught::nothing)
+        std::fputs("ddt: could not register\n", stderr);
 }
 
 } // namespace
 
 // For `ddt info`: what describe_redirects() says.
 extern "C" __attribute__((visibility("default"))) const char* ddt_redirects() noexcept {
-    try {
+    const char* words = "";
+    ddt::guarded_call(nullptr, [&] {
         static const auto* text = new std::string(ddt::describe_redirects());
-        return text->c_str();
-    } catch (...) {
-        return "";
-    }
+        words = text->c_str();
+    });
+    return words;
 }

@@ -37,40 +37,40 @@ bool write(const OIIO::ImageBuf& image, const std::string& path) {
     return false;
 }
 
-std::string size_after(const OIIO::ImageBuf& image, double scale) {
-    return std::to_string(std::lround(image.spec().width * scale)) + "x" +
-           std::to_string(std::lround(image.spec().height * scale)) + "!";
+std::string size_after(const Task& task) {
+    return std::to_string(task.width()) + "x" + std::to_string(task.height()) + "!";
 }
 
 Way imagemagick(const std::string& program, const std::string& name, const Command& operation) {
-    return {name, [=](const OIIO::ImageBuf& image, double scale, int threads) {
+    return {name, [=](const Task& task) {
                 const bench::ScratchFolder folder;
                 const std::string in = folder.file("in.ppm");
-                if (!write(image, in))
+                if (!write(task.image, in))
                     return -1.0;
-                const Command without = {program, "-limit", "thread", std::to_string(threads),
+                const Command without = {program, "-limit", "thread", std::to_string(task.threads),
                                          in,      "null:"};
                 Command with(without.begin(), without.end() - 1);
                 with.insert(with.end(), operation.begin(), operation.end());
-                with.insert(with.end(), {size_after(image, scale), "null:"});
+                with.insert(with.end(), {size_after(task), "null:"});
                 return difference(with, without);
             }};
 }
 
 /// vips works while it writes, so writing a raw image counts too; it is little.
 Way vips(const std::string& kernel) {
-    return {
-        "vips " + kernel, [=](const OIIO::ImageBuf& image, double scale, int threads) {
-            const bench::ScratchFolder folder;
-            const std::string in = folder.file("in.ppm"), out = folder.file("out.v");
-            if (!write(image, in))
-                return -1.0;
-            const Command start = {"env", "VIPS_CONCURRENCY=" + std::to_string(threads), "vips"};
-            Command with = start, without = start;
-            with.insert(with.end(), {"resize", in, out, std::to_string(scale), "--kernel", kernel});
-            without.insert(without.end(), {"copy", in, out});
-            return difference(with, without);
-        }};
+    return {"vips " + kernel, [=](const Task& task) {
+                const bench::ScratchFolder folder;
+                const std::string in = folder.file("in.ppm"), out = folder.file("out.v");
+                if (!write(task.image, in))
+                    return -1.0;
+                const Command start = {"env", "VIPS_CONCURRENCY=" + std::to_string(task.threads),
+                                       "vips"};
+                Command with = start, without = start;
+                with.insert(with.end(),
+                            {"resize", in, out, std::to_string(task.scale), "--kernel", kernel});
+                without.insert(without.end(), {"copy", in, out});
+                return difference(with, without);
+            }};
 }
 
 } // namespace

@@ -18,21 +18,36 @@ double median(Times values) {
     return n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
-/// Median of a / b, round by round.
-double ratio(const Times& a, const Times& b) {
-    Times ratios;
+/// a / b, round by round, in order.
+Times ratios(const Times& a, const Times& b) {
+    Times result;
     for (size_t i = 0; i < a.size(); ++i)
-        ratios.push_back(a[i] / b[i]);
-    return median(ratios);
+        result.push_back(a[i] / b[i]);
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+double ratio(const Times& a, const Times& b) {
+    return median(ratios(a, b));
+}
+
+/// The median, and the quartiles about it.
+void print_ratio(const Times& a, const Times& b) {
+    const Times sorted = ratios(a, b);
+    const size_t n = sorted.size(), quarter = n / 4;
+    char text[48];
+    std::snprintf(text, sizeof text, "%.2f %.2f-%.2f", median(sorted), sorted[quarter],
+                  sorted[n - 1 - quarter]);
+    std::printf(" %15s", text);
 }
 
 /// Times of every way, alternately; false if one failed.
-bool measure(const std::vector<Way>& ways, const OIIO::ImageBuf& image, double scale, int threads,
-             int rounds, std::vector<Times>& times) {
+bool measure(const std::vector<Way>& ways, const Task& task, int rounds,
+             std::vector<Times>& times) {
     times.assign(ways.size(), {});
     for (int round = 0; round < rounds; ++round)
         for (size_t i = 0; i < ways.size(); ++i) {
-            times[i].push_back(ways[i].run(image, scale, threads));
+            times[i].push_back(ways[i].run(task));
             if (times[i].back() < 0)
                 return false;
         }
@@ -41,6 +56,10 @@ bool measure(const std::vector<Way>& ways, const OIIO::ImageBuf& image, double s
 
 double output_pixels(const OIIO::ImageBuf& image, double scale) {
     return double(image.spec().image_pixels()) * scale * scale;
+}
+
+const char* name_of(Memory memory) {
+    return memory == Memory::warm ? "warm " : "fresh";
 }
 
 void heading(const char* what, const OIIO::ImageBuf& image, Format format, int threads) {
@@ -56,6 +75,8 @@ bool print_ratios(const Pictures& pictures, const Plan& plan) {
         ways.push_back(ddt_way(filter));
     for (const Way& way : oiio_ways())
         ways.push_back(way);
+    for (const Way& way : neighbour_ways())
+        ways.push_back(way);
     if (plan.programs)
         for (const Way& way : program_ways())
             ways.push_back(way);
@@ -64,22 +85,30 @@ bool print_ratios(const Pictures& pictures, const Plan& plan) {
     for (const Format format : plan.formats)
         for (const int threads : plan.threads) {
             const OIIO::ImageBuf image = pictures.make(plan.megapixels, format);
-            heading("times as fast as", image, format, threads);
-            std::printf("%-20s", "");
+            heading("times as fast as (and the middle half of the rounds)", image, format, threads);
+            std::printf("%-26s", "");
             for (size_t other = ours; other < ways.size(); ++other)
                 std::printf(" %15s", ways[other].name.c_str());
             std::printf(" %15s\n", "ns/output pixel");
-            for (const double scale : plan.scales) {
-                if (!measure(ways, image, scale, threads, plan.rounds, times))
-                    return false;
-                for (size_t i = 0; i < ours; ++i) {
-                    std::printf("%-14s %4gx", ways[i].name.c_str(), scale);
-                    for (size_t other = ours; other < ways.size(); ++other)
-                        std::printf(" %15.2f", ratio(times[other], times[i]));
-                    std::printf(" %15.2f\n", median(times[i]) * 1e9 / output_pixels(image, scale));
-                    std::fflush(stdout);
+            for (const double scale : plan.scales)
+                for (const Memory memory : plan.memory) {
+                    OIIO::ImageBuf into;
+                    Task task{image, scale, threads, nullptr};
+                    if (memory == Memory::warm) {
+                        into = warm_image(task);
+                        task.into = &into;
+                    }
+                    if (!measure(ways, task, plan.rounds, times))
+                        return false;
+                    for (size_t i = 0; i < ours; ++i) {
+                        std::printf("%-14s %4gx %s", ways[i].name.c_str(), scale, name_of(memory));
+                        for (size_t other = ours; other < ways.size(); ++other)
+                            print_ratio(times[other], times[i]);
+                        std::printf(" %15.2f\n",
+                                    median(times[i]) * 1e9 / output_pixels(image, scale));
+                        std::fflush(stdout);
+                    }
                 }
-            }
         }
     return true;
 }
@@ -96,7 +125,7 @@ bool print_stages(const Pictures& pictures, const Plan& plan) {
                 const Way way = ddt_way(filter, &s);
                 Times stage[5];
                 for (int round = 0; round < plan.rounds; ++round) {
-                    if (way.run(image, scale, 1) < 0)
+                    if (way.run({image, scale, 1, nullptr}) < 0)
                         return false;
                     const int64_t spent[5] = {s.times.read, s.times.triangulate, s.times.surface,
                                               s.times.sample, s.times.write};
@@ -130,7 +159,7 @@ bool print_growth(const Pictures& pictures, const Plan& plan) {
     for (double size = smallest; size <= plan.largest; size *= 4) {
         const OIIO::ImageBuf image = pictures.make(size, Format::srgb_8bit);
         std::vector<Times> times;
-        if (!measure(ways, image, scale, 1, size > 4 ? 1 : plan.rounds, times))
+        if (!measure(ways, {image, scale, 1, nullptr}, size > 4 ? 1 : plan.rounds, times))
             return false;
         for (size_t i = 0; i < ways.size(); ++i)
             points[i].emplace_back(double(image.spec().image_pixels()), median(times[i]));
@@ -156,8 +185,8 @@ bool print_threads(const Pictures& pictures, const Plan& plan) {
             const Way way = ddt_way(filter);
             Times one, several;
             for (int round = 0; round < std::max(plan.rounds, 5); ++round) {
-                one.push_back(way.run(image, scale, 1));
-                several.push_back(way.run(image, scale, most));
+                one.push_back(way.run({image, scale, 1, nullptr}));
+                several.push_back(way.run({image, scale, most, nullptr}));
                 if (one.back() < 0 || several.back() < 0)
                     return false;
             }

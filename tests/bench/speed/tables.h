@@ -12,11 +12,16 @@
 
 namespace speed {
 
+/// Whether the result's memory is there. What must be had from the system costs as much as an
+/// enlargement, or several times as much, by the state the system's memory is in.
+enum class Memory { warm, fresh };
+
 struct Plan {
     std::vector<std::string> filters;
     std::vector<double> scales;
     std::vector<int> threads;
     std::vector<Format> formats;
+    std::vector<Memory> memory;
     double megapixels = 1; ///< of the source
     double largest = 64;   ///< megapixels up to which growth is looked at
     int rounds = 3;

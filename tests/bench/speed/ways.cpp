@@ -13,15 +13,15 @@ namespace speed {
 
 namespace {
 
-OIIO::ROI enlarged(const OIIO::ImageBuf& image, double scale) {
-    const auto size = [&](int length) { return int(std::lround(length * scale)); };
-    return {0, size(image.spec().width), 0, size(image.spec().height), 0, 1, 0, 3};
+OIIO::ROI enlarged(const Task& task) {
+    return {0, task.width(), 0, task.height(), 0, 1, 0, 3};
 }
 
 /// Time `resize`, a function that fills the image it is given.
 template <class Resize>
-double seconds(const std::string& name, Resize&& resize) {
-    OIIO::ImageBuf result;
+double seconds(const std::string& name, const Task& task, Resize&& resize) {
+    OIIO::ImageBuf fresh;
+    OIIO::ImageBuf& result = task.into ? *task.into : fresh;
     const auto start = std::chrono::steady_clock::now();
     const bool done = resize(result);
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
@@ -32,14 +32,25 @@ double seconds(const std::string& name, Resize&& resize) {
 
 } // namespace
 
+OIIO::ImageBuf warm_image(const Task& task) {
+    OIIO::ImageSpec spec = task.image.spec();
+    spec.width = spec.full_width = task.width();
+    spec.height = spec.full_height = task.height();
+    OIIO::ImageBuf image(spec);
+    const std::vector<float> grey(size_t(spec.nchannels), 0.5f);
+    OIIO::ImageBufAlgo::fill(image, grey);
+    return image;
+}
+
 Way ddt_way(const std::string& filter, ddt::Statistics* statistics) {
-    return {filter, [=](const OIIO::ImageBuf& image, double scale, int threads) {
-                return seconds(filter, [&](OIIO::ImageBuf& result) {
+    return {filter, [=](const Task& task) {
+                return seconds(filter, task, [&](OIIO::ImageBuf& result) {
                     ddt::Options options;
                     std::string error;
                     options.statistics = statistics;
                     if (ddt::parse_filter(filter, options, error))
-                        return ddt::resize(result, image, options, enlarged(image, scale), threads);
+                        return ddt::resize(result, task.image, options, enlarged(task),
+                                           task.threads);
                     result.errorfmt("{}", error);
                     return false;
                 });
@@ -49,10 +60,10 @@ Way ddt_way(const std::string& filter, ddt::Statistics* statistics) {
 std::vector<Way> oiio_ways() {
     std::vector<Way> ways;
     for (const char* filter : {"triangle", "blackman-harris", "lanczos3"})
-        ways.push_back({filter, [filter](const OIIO::ImageBuf& image, double scale, int threads) {
-                            return seconds(filter, [&](OIIO::ImageBuf& result) {
-                                return OIIO::ImageBufAlgo::resize(result, image, filter, 0,
-                                                                  enlarged(image, scale), threads);
+        ways.push_back({filter, [filter](const Task& task) {
+                            return seconds(filter, task, [&](OIIO::ImageBuf& result) {
+                                return OIIO::ImageBufAlgo::resize(result, task.image, filter, 0,
+                                                                  enlarged(task), task.threads);
                             });
                         }});
     return ways;

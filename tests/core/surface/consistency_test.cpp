@@ -13,6 +13,7 @@ struct Shape {
     float tau = 0;
     float limit = 0.25f;
     bool strict = false;
+    bool clipped = false;
 };
 
 /// The vertices after some rounds.
@@ -27,7 +28,7 @@ std::vector<float> corrected(const Scene& scene, const std::vector<float>& value
     set_vertices(l, values.data(), 1, 0, 1, net);
     std::fill_n(net.strict, group_size, shape.strict ? 1.0f : 0.0f);
     find_gains(l, Cost::abn, workspace);
-    consistency.begin(l, net, shape.limit);
+    consistency.begin(l, net, shape.limit, shape.clipped);
     for (int i = 0; i < rounds; ++i) {
         if (shape.surface == Surface::patch)
             make_edges(l, scene.all(), true, nullptr, 0, edges, net);
@@ -182,6 +183,38 @@ TEST(Consistency, TheRimStaysAndTheRestIsLimited) {
                         ASSERT_LE(v, high + margin);
                     }
             }
+    });
+}
+
+TEST(Consistency, WhatWillBeCutOffMayGetNegativeWithinTheLimit) {
+    each_scene([](const Scene& scene, Random& random) {
+        const int w = scene.lattice.width(), h = scene.lattice.height();
+        const auto source =
+            fill(scene.pixels(), [&] { return random.below(2) ? 0.0f : random.unit(); });
+        for (const float limit : {0.0f, 0.25f}) {
+            Shape shape{Surface::patch, 0, limit, false};
+            const auto kept = corrected(scene, source, shape, 1);
+            shape.clipped = true;
+            const auto moved = corrected(scene, source, shape, 1);
+            int negative = 0;
+            for (int y = 1; y + 1 < h; ++y)
+                for (int x = 1; x + 1 < w; ++x) {
+                    const auto at = size_t(y * w + x);
+                    float low = HUGE_VALF, high = -HUGE_VALF;
+                    for (int j = y - 1; j <= y + 1; ++j)
+                        for (int i = x - 1; i <= x + 1; ++i) {
+                            low = std::min(low, source[size_t(j * w + i)]);
+                            high = std::max(high, source[size_t(j * w + i)]);
+                        }
+                    ASSERT_GE(moved[at], low - limit * (high - low));
+                    // One round starts from the same vertices: only the bound differs.
+                    ASSERT_EQ(kept[at], std::max(moved[at], std::min(0.0f, low)));
+                    negative += moved[at] < 0;
+                }
+            if (limit == 0.0f || (w > 8 && h > 8)) {
+                EXPECT_EQ(negative > 0, limit > 0.0f);
+            }
+        }
     });
 }
 
