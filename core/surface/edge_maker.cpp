@@ -198,8 +198,8 @@ void EdgeMaker::go_on(int y, int keep) {
                       std::min(top, std::min(edges, m_gradient_rows) - longest - 1));
     if (m_few_edges && m_recipe.gain) {
         int first = row_of(m_net->first_soft);
-        make_room(m_net->soft, net_row(lattice), m_go_on, lattice.height(), first, top,
-                  (m_edge_rows + 1) / 2, last + 1);
+        make_room(m_net->soft, net_row(lattice), m_go_on, lattice.height(), first,
+                  std::min(top, edges), (m_edge_rows + 1) / 2, last + 1);
         m_net->first_soft = lattice.vertex_site(0, first);
     }
     if (m_few_edges && m_recipe.bend) {

@@ -17,7 +17,7 @@ bool is_corrected(const SurfaceOptions& surface) {
 }
 
 /// Edges of most tiles are no longer than this.
-constexpr int usual_longest = 8;
+constexpr int usual_longest = 10;
 
 /// A recipe that takes the memory of the surface's.
 EdgeRecipe recipe_of(const SurfaceOptions& surface) {
