@@ -35,7 +35,7 @@ size_t TileWorker::memory(const Job& job, bool separable) {
     const size_t pixels = size_t(width) * size_t(height), sites = 4 * pixels;
     const size_t meshes = size_t(job.mesh.meshes) * TileMesh::memory(job, width, height, separable);
     // Gains, where no mesh keeps them, and work lists, which are longest in noise.
-    const size_t workspace = (wants_gains(job.surface) ? 0 : sites * sizeof(float)) + pixels * 8;
+    const size_t workspace = (wants_gains(job.surface) ? 0 : sites * sizeof(float)) + pixels * 10;
     const size_t scratch = MeshScratch::memory(job, width, height);
     const size_t guides = job.mesh.meshes > 1 ? 2 : 1;
     const size_t planes = pixels * sizeof(float) * (guides + size_t(job.channels));
