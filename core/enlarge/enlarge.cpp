@@ -7,6 +7,7 @@
 #include "core/base/guarded.h"
 #include "core/base/parallel.h"
 #include "core/base/verbose.h"
+#include "core/enlarge/whole_source.h"
 #include "core/gl/offload.h"
 #include "core/tiles/grid.h"
 #include "core/tiles/run.h"
@@ -39,7 +40,8 @@ bool check(const Job& job, std::string& error) {
     else if (!job.kinds.empty() && job.kinds.size() != size_t(job.channels))
         error = "ddt: Job::kinds must be empty or have one entry a channel";
     else
-        return check_options({job.surface, job.mesh, FilterOptions().light, job.device}, error);
+        return check_options({job.surface, job.mesh, FilterOptions().light, job.device, job.holes},
+                             error);
     return false;
 }
 
@@ -111,11 +113,18 @@ void report(const Placement& placement, const std::string& failure, const Statis
         statistics.iterations, seconds * 1e3);
 }
 
-Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, std::string& why) {
+Outcome run(Source& given, Sink& sink, const Mapping& mapping, const Job& job, std::string& why) {
     const auto begin = std::chrono::steady_clock::now();
     Placement placement;
     if (!find_place(job, placement, why))
         return Outcome::device_unavailable;
+    WholeSource whole;
+    const bool fill = job.holes != Holes::keep;
+    if (const Outcome outcome =
+            fill ? whole.fill(given, job, thread_count(job), why) : Outcome::done;
+        outcome != Outcome::done)
+        return outcome;
+    Source& source = fill ? whole : given;
     const Grid grid(job.window);
     Run run(job, grid.count());
     Statistics statistics;

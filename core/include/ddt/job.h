@@ -78,6 +78,12 @@ struct Job {
     /// read. A device that fails later, also for lack of memory, leaves the rest to the CPU. A
     /// process forked from one that used a GPU has none and uses the CPU, whatever is named.
     Device device = Device::automatic;
+    /// Unless keep, the whole window is read first, and kept. Pixels in which a channel that is not
+    /// Channel::nearest is NaN, and by fill_alpha those whose Channel::alpha is 0, are filled as by
+    /// fill_holes() of ddt/points.h, with `mesh` (but the cost's own min_gain, and look_ahead in
+    /// place of one_round); a pixel that lacks some channels keeps the others. Only with GEOS; a
+    /// failure if all pixels are missing.
+    Holes holes = Holes::keep;
     /// Called from time to time with the share done, 0 to 1, one thread at a time; return false
     /// to cancel. May be empty.
     std::function<bool(float)> progress;
