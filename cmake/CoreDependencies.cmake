@@ -1,11 +1,29 @@
 # SPDX-License-Identifier: Apache-2.0
-# What the core needs, as the imported targets TBB::tbb, PkgConfig::HWY and Threads::Threads, and what
-# it can use, PkgConfig::GEOS. Used by this project and, installed, by those that link its libraries.
+# What the core needs, as the imported targets Threads::Threads, PkgConfig::HWY and (TBB_FOUND) TBB::tbb,
+# and what it can use, PkgConfig::GEOS. Used by this project, where DDT_HIGHWAY and DDT_TBB are the user's
+# wishes and DDT_NEEDED is QUIET, and, installed, by those that link its libraries, where they say
+# what these were built with and DDT_NEEDED is REQUIRED.
 find_package(Threads REQUIRED)
-find_package(TBB REQUIRED)
 find_package(PkgConfig REQUIRED)
-pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)
-message(STATUS "oneTBB ${TBB_VERSION}, Highway ${HWY_VERSION}")
+set(TBB_FOUND FALSE)
+if(DDT_TBB)
+  find_package(TBB ${DDT_NEEDED})
+endif()
+if(TBB_FOUND)
+  message(STATUS "oneTBB ${TBB_VERSION}")
+else()
+  message(STATUS "oneTBB: left out; work is shared among threads that end with the call")
+endif()
+set(HWY_FOUND FALSE)
+if(DDT_HIGHWAY)
+  pkg_check_modules(HWY ${DDT_NEEDED} IMPORTED_TARGET libhwy>=1.0)
+endif()
+if(HWY_FOUND)
+  message(STATUS "Highway ${HWY_VERSION}")
+else()
+  message(STATUS "Highway: left out; one instruction set, the one that the compiler is told to use")
+  add_library(PkgConfig::HWY INTERFACE IMPORTED)
+endif()
 pkg_check_modules(GEOS QUIET IMPORTED_TARGET geos>=3.6)
 if(GEOS_FOUND)
   message(STATUS "GEOS ${GEOS_VERSION}: points can be triangulated, holes filled (ddt/points.h)")

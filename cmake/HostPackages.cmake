@@ -2,8 +2,9 @@
 # Where the modules for other hosts are found by them on Debian. Each is a component, hence a package,
 # of its own (cmake/Package.cmake), which a plain `cmake --install` leaves out.
 #
-# Not these: ImageMagick's module, whose delegates belong into a file of another package, and the
-# OpenFX effect, whose folder /usr/OFX Debian does not allow.
+# OpenFX's own folder, /usr/OFX, Debian does not allow: the effect is in a folder that login shells
+# name in OFX_PLUGIN_PATH (cmake/Package.cmake). ImageMagick's delegates belong into a file of another
+# package, and lie among the documents as an example.
 if(TARGET ddt_gegl)
   install(TARGETS ddt_gegl LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/gegl-0.4
     COMPONENT gegl EXCLUDE_FROM_ALL)
@@ -20,4 +21,31 @@ if(TARGET ddt_python)
     OUTPUT_VARIABLE CPACK_DEBIAN_PYTHON3_PACKAGE_DEPENDS OUTPUT_STRIP_TRAILING_WHITESPACE)
   set(scripts ${PROJECT_SOURCE_DIR}/cmake/package/python3)
   set(CPACK_DEBIAN_PYTHON3_PACKAGE_CONTROL_EXTRA "${scripts}/postinst;${scripts}/prerm")
+endif()
+if(TARGET ddt_imagemagick)
+  # Where the library looks for filters; its package makes the folder.
+  file(GLOB folders ${MagickCore_LIBDIR}/ImageMagick-${MagickCore_VERSION}*/modules-Q*/filters)
+  file(RELATIVE_PATH DDT_FILTERS_FROM_LIB "${MagickCore_LIBDIR}" "${folders}")
+  if(DDT_FILTERS_FROM_LIB MATCHES "^ImageMagick-[^;]*/filters$")
+    set(filters ${CMAKE_INSTALL_LIBDIR}/${DDT_FILTERS_FROM_LIB})
+    install(TARGETS ddt_imagemagick LIBRARY DESTINATION ${filters}
+      COMPONENT imagemagick EXCLUDE_FROM_ALL)
+    set(folder /usr/${filters})
+    configure_file(plugin/imagemagick/ddt.la.in ${CMAKE_BINARY_DIR}/package/ddt.la @ONLY)
+    install(FILES ${CMAKE_BINARY_DIR}/package/ddt.la DESTINATION ${filters}
+      COMPONENT imagemagick EXCLUDE_FROM_ALL)
+    install(FILES plugin/imagemagick/delegates.xml
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/oiio-ddt-imagemagick/examples
+      COMPONENT imagemagick EXCLUDE_FROM_ALL)
+    set(CPACK_DEBIAN_IMAGEMAGICK_PACKAGE_SUGGESTS oiio-ddt) # the delegates' program
+  else()
+    message(STATUS "ImageMagick's package: left out (its folder of filters is not one: \"${folders}\")")
+  endif()
+endif()
+if(TARGET ddt_openfx)
+  set(DDT_OFX_INSTALL_DIR ${CMAKE_INSTALL_LIBDIR}/OFX/Plugins)
+  get_target_property(built ddt_openfx LIBRARY_OUTPUT_DIRECTORY)
+  file(RELATIVE_PATH in_bundle ${CMAKE_BINARY_DIR}/hosts/openfx ${built})
+  install(TARGETS ddt_openfx LIBRARY DESTINATION ${DDT_OFX_INSTALL_DIR}/${in_bundle}
+    COMPONENT openfx EXCLUDE_FROM_ALL)
 endif()

@@ -18,6 +18,8 @@ if(DDT_PLUGIN)
 endif()
 install(EXPORT oiio-ddt-targets NAMESPACE ddt:: DESTINATION ${package_dir})
 
+set(DDT_WITH_TBB ${TBB_FOUND})
+set(DDT_WITH_HIGHWAY ${HWY_FOUND})
 configure_package_config_file(cmake/oiio-ddt-config.cmake.in oiio-ddt-config.cmake
   INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/oiio-ddt-config-version.cmake
@@ -29,13 +31,19 @@ install(FILES
   DESTINATION ${package_dir})
 
 # The same for pkg-config: pkg-config --cflags --libs oiio-ddt
-set(DDT_PC_REQUIRES "tbb libhwy")
+set(DDT_PC_REQUIRES)
 set(DDT_PC_LIBS -lddt_core)
+if(TBB_FOUND)
+  string(APPEND DDT_PC_REQUIRES " tbb")
+endif()
+if(HWY_FOUND)
+  string(APPEND DDT_PC_REQUIRES " libhwy")
+endif()
 if(GEOS_FOUND)
   string(APPEND DDT_PC_REQUIRES " geos")
 endif()
 if(DDT_PLUGIN)
-  string(PREPEND DDT_PC_REQUIRES "OpenImageIO OpenColorIO ")
+  string(PREPEND DDT_PC_REQUIRES "OpenImageIO OpenColorIO")
   set(DDT_PC_LIBS "-lddt_image -lddt_core")
 endif()
 # From where the file lies, so that an installed tree can be moved.

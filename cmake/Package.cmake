@@ -36,6 +36,10 @@ set(documents ${CMAKE_CURRENT_BINARY_DIR}/package)
 configure_file(cmake/package/copyright ${documents}/copyright COPYONLY)
 configure_file(cmake/package/changelog.txt ${documents}/changelog @ONLY)
 execute_process(COMMAND gzip -9nkf ${documents}/changelog COMMAND_ERROR_IS_FATAL ANY)
+set(host_gegl "GEGL and GIMP: gegl:ddt")
+set(host_imagemagick "ImageMagick: convert -process ddt")
+set(host_openfx "OpenFX hosts: Enlarge (ddt)")
+set(host_python3 "Python: oiio_ddt")
 foreach(component ${CPACK_COMPONENTS_ALL})
   string(TOUPPER ${component} upper)
   set(package oiio-ddt)
@@ -45,20 +49,29 @@ foreach(component ${CPACK_COMPONENTS_ALL})
     set(only_packaged EXCLUDE_FROM_ALL)
     set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${package})
     set(CPACK_COMPONENT_${upper}_DESCRIPTION
-      "The filters ddt, ddt-linear and ddt-sharp of oiio-ddt, for ${component}.")
+      "The filters ddt, ddt-linear and ddt-sharp of oiio-ddt,
+for ${host_${component}}.")
   endif()
   install(FILES ${documents}/copyright ${documents}/changelog.gz
     DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component} ${only_packaged})
 endforeach()
 
-# OpenImageIO finds the plugin in login shells. By the GNU standards /etc belongs to the prefix
-# /usr; others get none. A link, and not a file that dpkg would keep as the user's on removal.
-install(CODE "
-  if(CMAKE_INSTALL_PREFIX MATCHES \"/usr$\")
-    set(etc \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/../etc/profile.d\")
-    file(MAKE_DIRECTORY \"\${etc}\")
-    file(CREATE_LINK /usr/share/oiio-ddt/profile.sh \"\${etc}/oiio-ddt.sh\" SYMBOLIC)
-  endif()" COMPONENT oiio-ddt)
-configure_file(cmake/package/profile.sh.in ${documents}/profile.sh @ONLY)
-install(FILES ${documents}/profile.sh DESTINATION ${CMAKE_INSTALL_DATADIR}/oiio-ddt)
+# Login shells tell hosts where plugins are, by `script`. By the GNU standards /etc belongs to the
+# prefix /usr; others get none. A link, and not a file that dpkg would keep as the user's on removal.
+# Further arguments are install()'s.
+function(ddt_profile package script)
+  configure_file(${script} ${documents}/${package}/profile.sh @ONLY)
+  install(FILES ${documents}/${package}/profile.sh
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/${package} ${ARGN})
+  install(CODE "
+    if(CMAKE_INSTALL_PREFIX MATCHES \"/usr$\")
+      set(etc \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/../etc/profile.d\")
+      file(MAKE_DIRECTORY \"\${etc}\")
+      file(CREATE_LINK /usr/share/${package}/profile.sh \"\${etc}/${package}.sh\" SYMBOLIC)
+    endif()" ${ARGN})
+endfunction()
+ddt_profile(oiio-ddt cmake/package/profile.sh.in COMPONENT oiio-ddt)
+if(TARGET ddt_openfx)
+  ddt_profile(oiio-ddt-openfx cmake/package/profile-openfx.sh.in COMPONENT openfx EXCLUDE_FROM_ALL)
+endif()
 include(CPack)

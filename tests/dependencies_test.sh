@@ -11,7 +11,7 @@ trap 'rm -rf "$scratch"' EXIT
 
 mkdir "$scratch/project"
 cat >"$scratch/project/CMakeLists.txt" <<EOF
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.20)
 project(stand_in NONE)
 function(pkg_check_modules)
 endfunction()

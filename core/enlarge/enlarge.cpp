@@ -19,9 +19,10 @@ namespace ddt {
 
 namespace {
 
-/// Tiles in flight take no more than this together for each of their meshes (or one tile's share,
-/// if that is more).
-constexpr size_t memory_limit = size_t(176) << 20;
+/// Workers together take no more than the first, or, where so many threads are asked for that it is
+/// more, than the second for each of them; times the meshes. One there is in any case.
+constexpr size_t memory_limit = size_t(192) << 20;
+constexpr size_t memory_per_thread = size_t(12) << 20;
 
 /// Largest number of pixels of a window, so that its tiles can be counted.
 constexpr double largest_area = double(int64_t(1) << 45);
@@ -68,12 +69,19 @@ int thread_count(const Job& job) {
     return job.threads > 0 ? allowed_threads(job.threads) : usual_threads();
 }
 
+/// Threads that work on tiles at the same time.
+int worker_count(const Job& job, const Mapping& mapping) {
+    const auto wanted = size_t(thread_count(job));
+    const size_t limit =
+        std::max(memory_limit, wanted * memory_per_thread) * size_t(job.mesh.meshes);
+    const size_t fitting = limit / TileWorker::memory(job, mapping.separable());
+    return int(std::clamp<size_t>(fitting, 1, wanted));
+}
+
 /// Work on all tiles that are not done.
 void work_on_cpu(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                  const Grid& grid, Run& run, Statistics& statistics) {
-    const size_t in_flight =
-        std::max<size_t>(1, memory_limit * size_t(job.mesh.meshes) / TileWorker::memory(job));
-    const int threads = int(std::min<size_t>(size_t(thread_count(job)), in_flight));
+    const int threads = worker_count(job, mapping);
 
     auto workers = std::vector<std::unique_ptr<TileWorker>>(size_t(threads));
     for_each_index(threads, grid.count(), [&](int slot, int index) {

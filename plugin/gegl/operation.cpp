@@ -365,9 +365,10 @@ void init_class(gpointer klass, gpointer) {
     operation->cache_policy = GEGL_CACHE_POLICY_NEVER;
     GEGL_OPERATION_FILTER_CLASS(klass)->process = process;
     gegl_operation_class_set_keys(
-        operation, "name", "gegl:ddt", "title", "Enlarge (ddt)", "categories", "transform",
-        "description", "Enlarge by data-dependent triangulation: edges stay smooth at any factor",
-        nullptr);
+        operation, "name", "gegl:ddt", "title", "Enlarge (ddt)",
+        // Not "transform", which GIMP's tool for GEGL operations leaves out.
+        "categories", "enhance", "description",
+        "Enlarge by data-dependent triangulation: edges stay smooth at any factor", nullptr);
 }
 
 void init_instance(GTypeInstance* instance, gpointer) {

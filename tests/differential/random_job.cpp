@@ -172,8 +172,11 @@ RandomJob random_job(uint64_t seed, uint64_t number) {
     j.kind = Values(random.below(int(Values::count)));
     const int channels = random.between(1, 6);
     const bool turned = j.width > 1 && j.height > 1 && random.below(4) == 0;
-    set_shape(j, channels, j.width + random.below(200), j.height + random.below(200),
-              turned ? 0.1 * random.between(1, 60) : 0.0);
+    // One after the other: compilers draw arguments of one call in orders of their own.
+    const double angle = turned ? 0.1 * random.between(1, 60) : 0.0;
+    const int out_height = j.height + random.below(200);
+    const int out_width = j.width + random.below(200);
+    set_shape(j, channels, out_width, out_height, angle);
     for (int c = 0; c < j.job.channels; ++c)
         j.job.kinds.push_back(Channel(random.below(3)));
     draw_picture(j, random);

@@ -95,12 +95,25 @@ class Gegl(support.Case):
         self.assertIn("nonsense\naccepted values: auto cpu egl osmesa", said)
 
 
+# Operations with one of these categories GIMP 2.10's tool "GEGL Operation" leaves out of its list.
+NOT_IN_GIMP = {"compositors", "core", "debug", "display", "hidden", "input", "output", "programming",
+               "transform", "video"}
+
+
 class Gimp(support.Case):
     PROGRAM = shutil.which("gimp-console-2.10") or shutil.which("gimp-console")
     IMAGES = {"small.png": "--create 40x32 3 -d uint8"}
 
     # GIMP 2.10 runs operations of others by its GEGL tool alone, which a script cannot use: what can
-    # be seen here is that it takes the module in and goes on.
+    # be seen here is that the tool would offer the operation, and that GIMP takes the module in.
+    def test_its_tool_would_offer_it(self):
+        about = subprocess.run(["gegl", "--info", "gegl:ddt"], capture_output=True, check=True,
+                               env={**os.environ, **gegl_environment()}).stdout
+        said = dict(line.split(None, 1) for line in about.decode(errors="replace").splitlines()
+                    if len(line.split(None, 1)) == 2)
+        self.assertEqual(said["title"], "Enlarge (ddt)")
+        self.assertTrue(NOT_IN_GIMP.isdisjoint(said["categories"].split(":")), said["categories"])
+
     @unittest.skipUnless(PROGRAM, "skipped: GIMP's console is not there")
     def test_it_takes_the_module_in(self):
         script = ('(let* ((image (car (gimp-file-load RUN-NONINTERACTIVE "small.png" "small.png"))))'

@@ -43,7 +43,7 @@ c++ -std=c++17 "$work/main.cpp" -o "$work/by-pkg-config" \
 mkdir "$work/consumer"
 cp "$work/main.cpp" "$work/consumer/"
 cat >"$work/consumer/CMakeLists.txt" <<'END'
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.20)
 project(consumer LANGUAGES C CXX)
 set(CMAKE_CXX_STANDARD 17)
 find_package(oiio-ddt REQUIRED)

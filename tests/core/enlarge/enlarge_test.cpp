@@ -5,14 +5,13 @@
 #include <new>
 #include <stdexcept>
 
-#include <tbb/global_control.h>
-
 #include "core/base/arith.h"
 #include "core/sample/evaluate.h"
 #include "core/surface/consistency.h"
 #include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"
 #include "tests/core/job_helpers.h"
+#include "tests/many_threads.h"
 
 namespace ddt::test {
 namespace {
@@ -40,11 +39,6 @@ std::vector<float> crop(const std::vector<float>& values, Rect whole, Rect part,
                            size_t(c)]);
     return r;
 }
-
-/// More threads than this machine may have cores.
-class ManyThreads {
-    tbb::global_control m_control{tbb::global_control::max_allowed_parallelism, 8};
-};
 
 TEST(Enlarge, AnyNumberOfThreadsGivesTheSameBits) {
     const ManyThreads allowed;
@@ -407,12 +401,12 @@ TEST(Enlarge, NothingWantedIsNothingDone) {
 }
 
 TEST(Enlarge, ManyChannelsWorkOnFewerTilesAtOnce) {
-    // 64 channels take some 130 MB a tile; only one may be in flight.
+    // 128 channels take some 100 MB a tile; only one may be in flight.
     const ManyThreads allowed;
-    TestSource source({0, 0, 400, 280}, 64, 14, Kind::flat);
+    TestSource source({0, 0, 400, 280}, 128, 14, Kind::flat);
     const Rect to{0, 0, 400, 280};
     const auto mapping = mapping_of(source.window(), to, to);
-    const auto values = run(source, job_of(source, 64, 7), mapping, to);
+    const auto values = run(source, job_of(source, 128, 7), mapping, to);
     EXPECT_EQ(source.reads.size(), 4u);
     EXPECT_EQ(source.most_running, 1);
     EXPECT_EQ(differing(values, source.values()), 0u);

@@ -4,8 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <tbb/global_control.h>
-
+#include "tests/many_threads.h"
 #include "tests/plugin/images.h"
 
 namespace {
@@ -29,7 +28,7 @@ int64_t peak_of(Work&& work) {
 /// Enlarge a picture by factors, on more threads than there is memory for.
 int64_t peak_of_enlarging(const char* filter, int side, int channels, double x, double y) {
     return peak_of([=] {
-        const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 16);
+        const ddt::test::ManyThreads many(16);
         auto src = images::make(side, side, channels, OIIO::TypeUInt8);
         auto* pixels = static_cast<unsigned char*>(src.localpixels());
         for (int row = 0; row < side; ++row)

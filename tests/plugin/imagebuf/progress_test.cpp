@@ -4,8 +4,7 @@
 #include <mutex>
 #include <thread>
 
-#include <tbb/global_control.h>
-
+#include "tests/many_threads.h"
 #include "tests/plugin/images.h"
 
 namespace {
@@ -13,10 +12,7 @@ namespace {
 using images::make;
 using images::window;
 
-/// More threads than the machine may have cores.
-class ManyThreads {
-    tbb::global_control m_control{tbb::global_control::max_allowed_parallelism, 8};
-};
+using ddt::test::ManyThreads;
 
 /// Twelve tiles.
 images::ImageBuf picture(OIIO::TypeDesc type = OIIO::TypeUInt8) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/plugin/openfx/mini_host.h"
 
+#include <algorithm>
 #include <cstdarg>
 #include <thread>
 
@@ -146,6 +147,7 @@ const ofx::EffectSuite effect_suite = {
 int define(ofx::ParamSet set, const char* type, const char* name, ofx::Properties* p) {
     Effect& effect = *reinterpret_cast<Effect*>(set);
     EXPECT_EQ(effect.params.count(name), 0u) << name;
+    EXPECT_EQ(effect.host.kind().no_types.count(type), 0u) << name << ", a " << type;
     Param& param = effect.params[name];
     param.type = type;
     effect.param_order.emplace_back(name);
@@ -182,7 +184,8 @@ int progress_start(void*, const char*) {
 int progress_update(void* e, double) {
     if (!on_host_thread)
         ++static_cast<Effect*>(e)->foreign_calls;
-    return ofx::ok;
+    constexpr int reply_no = 13;
+    return current->stop_after >= 0 && current->stop_after-- <= 0 ? reply_no : int(ofx::ok);
 }
 int progress_end(void*) {
     ++current->progress_ended;
@@ -216,19 +219,25 @@ char* Picture::row(int y) {
 
 const void* Host::fetch(ofx::Properties, const char* name, int version) {
     const std::string suite = name;
-    if (version != 1)
-        return nullptr;
-    if (suite == "OfxProgressSuite")
-        return current->kind().progress ? &progress_suite : nullptr;
-    if (suite == "OfxMessageSuite")
-        return current->kind().message ? &message_suite : nullptr;
-    if (!current->give_suites)
+    current->asked.push_back(suite + " " + std::to_string(version));
+    if (version != 1 || !current->kind().suites.count(suite) || current->withheld.count(suite))
         return nullptr;
     return suite == "OfxPropertySuite"      ? static_cast<const void*>(&property_suite)
            : suite == "OfxImageEffectSuite" ? static_cast<const void*>(&effect_suite)
            : suite == "OfxParameterSuite"   ? static_cast<const void*>(&param_suite)
+           : suite == "OfxProgressSuite"    ? static_cast<const void*>(&progress_suite)
+           : suite == "OfxMessageSuite"     ? static_cast<const void*>(&message_suite)
                                             : nullptr;
 }
+
+namespace {
+
+void put_list(Properties& p, const char* name, const std::vector<std::string>& list) {
+    for (size_t i = 0; i < list.size(); ++i)
+        p.put(name, list[i], int(i));
+}
+
+} // namespace
 
 Host::Host(const Kind& kind, const std::string& bundle_file) : m_kind(kind) {
     current = this;
@@ -241,8 +250,18 @@ Host::Host(const Kind& kind, const std::string& bundle_file) : m_kind(kind) {
     EXPECT_EQ(get(1), nullptr);
     EXPECT_EQ(get(-1), nullptr);
     m_plugin = get(0);
-    m_properties.put("OfxImageEffectPropSupportsMultiResolution", kind.multi_resolution);
+    m_properties.put("OfxPropType", std::string("OfxTypeImageEffectHost"));
     m_properties.put("OfxPropName", kind.name);
+    const size_t dot = kind.api_version.find('.');
+    m_properties.put("OfxPropAPIVersion", std::stoi(kind.api_version), 0);
+    m_properties.put("OfxPropAPIVersion", std::stoi(kind.api_version.substr(dot + 1)), 1);
+    put_list(m_properties, "OfxImageEffectPropSupportedContexts", kind.contexts);
+    put_list(m_properties, "OfxImageEffectPropSupportedComponents", kind.components);
+    put_list(m_properties, "OfxImageEffectPropSupportedPixelDepths", kind.depths);
+    m_properties.put("OfxImageEffectPropSupportsMultiResolution", kind.multi_resolution);
+    m_properties.put("OfxImageEffectPropSupportsTiles", kind.tiles);
+    for (const auto& [name, value] : kind.further)
+        m_properties.put(name, value);
     m_abi = {handle(&m_properties), fetch};
 }
 
@@ -271,7 +290,7 @@ void Effect::describe(const char* context) {
         if (it == param.properties.values.end())
             continue;
         const Value& initial = it->second[0];
-        param.value = initial.index() == 0 ? std::get<int>(initial) : std::get<double>(initial);
+        set(name, initial.index() == 0 ? std::get<int>(initial) : std::get<double>(initial));
     }
     ASSERT_EQ(host.act("OfxActionCreateInstance", this), ofx::ok);
 }
@@ -324,6 +343,18 @@ bool Effect::is_identity() {
     put_scale(in, 1);
     return host.act("OfxImageEffectActionIsIdentity", this, &in, &out) == ofx::ok &&
            out.at<std::string>("OfxPropName") == "Source";
+}
+
+void Effect::set(const std::string& parameter, double value) {
+    Param& param = params.at(parameter);
+    const bool real = param.type == "OfxParamTypeDouble";
+    const auto& given = param.properties.values;
+    const bool ranges = given.count("OfxParamPropMin") && given.count("OfxParamPropMax") &&
+                        given.count("OfxParamPropDisplayMin") &&
+                        given.count("OfxParamPropDisplayMax");
+    if (host.kind().narrow_numbers && !ranges && (real || param.type == "OfxParamTypeInteger"))
+        value = real ? std::clamp(value, -1.0, 1.0) : 0;
+    param.value = value;
 }
 
 void Effect::choose(const std::string& parameter, const std::string& option) {

@@ -44,12 +44,18 @@ struct Picture {
     char* row(int y);
 };
 
-/// What of hosts differs.
+/// What of hosts differs: kinds.h has some.
 struct Kind {
-    std::string name = "plain";
-    int multi_resolution = 1;
-    bool progress = true, message = true, pixel_aspect = true;
-    std::set<std::string> unknown; ///< properties that it refuses
+    std::string name, api_version;
+    std::vector<std::string> contexts, components, depths;
+    int multi_resolution = 1, tiles = 1;
+    std::map<std::string, int> further; ///< other properties of the host
+    std::set<std::string> suites;       ///< all of version 1
+    std::set<std::string> unknown;      ///< properties of effects that it refuses
+    std::set<std::string> no_types;     ///< of parameters, with which it crashes
+    bool pixel_aspect = true;           ///< clips have one
+    /// Numbers without ranges and display ranges keep to -1 to 1, whole ones to 0.
+    bool narrow_numbers = false;
 };
 
 class Effect;
@@ -63,9 +69,11 @@ public:
     const ddt::ofx::Plugin& plugin() const { return *m_plugin; }
     const Kind& kind() const { return m_kind; }
     ddt::ofx::Host* abi() { return &m_abi; }
-    bool give_suites = true;
+    std::set<std::string> withheld; ///< suites that it does not have after all
+    std::vector<std::string> asked; ///< suites that it was asked for, with a space and the version
     std::vector<std::string> messages;
     int progress_started = 0, progress_ended = 0;
+    int stop_after = -1; ///< updates of progress until it says to stop; -1: never
 
 private:
     static const void* fetch(ddt::ofx::Properties, const char* name, int version);
@@ -96,7 +104,8 @@ public:
                            double scale = 1);
     /// True if the action names the source.
     bool is_identity();
-    void set(const std::string& parameter, double value) { params.at(parameter).value = value; }
+    /// As far as its range goes.
+    void set(const std::string& parameter, double value);
     void choose(const std::string& parameter, const std::string& option);
 
     Host& host;

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stands in for Highway where that is not installed or not wanted (DDT_HIGHWAY=OFF): what the
+// project uses of it, by its names, for one target with vectors of four lanes, which are the
+// compiler's own (vector_size; GCC 11 and clang 14 have them on any processor). The bits are the
+// same, since each operation rounds once; functions do what Highway promises of them, for the types
+// and in the ranges they are called with here.
+//
+// In the include path instead of Highway, never beside it. A group of channels (four) fits a
+// vector.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+#include <vector>
+
+#define HWY_NAMESPACE N_PLAIN
+#define HWY_BEFORE_NAMESPACE() static_assert(true, "")
+#define HWY_AFTER_NAMESPACE() static_assert(true, "")
+#define HWY_ONCE 1
+#define HWY_ATTR
+#define HWY_INLINE inline __attribute__((always_inline))
+#define HWY_ALIGN alignas(16)
+#define HWY_MAX_BYTES 16
+#define HWY_EXPORT(function) static_assert(true, "")
+#define HWY_DYNAMIC_DISPATCH(function) N_PLAIN::function
+#define HWY_STATIC_TARGET 1
+
+namespace hwy {
+
+// For tests, which run on each target.
+static inline int64_t SupportedTargets() {
+    return HWY_STATIC_TARGET;
+}
+static inline std::vector<int64_t> SupportedAndGeneratedTargets() {
+    return {HWY_STATIC_TARGET};
+}
+static inline void SetSupportedTargetsForTest(int64_t) {}
+static inline const char* TargetName(int64_t) {
+    return "without Highway";
+}
+namespace {
+struct ChosenTarget {
+    void Update(int64_t) {}
+};
+} // namespace
+static inline ChosenTarget GetChosenTarget() {
+    return {};
+}
+
+namespace HWY_NAMESPACE {
+
+/// A tag: vectors of n numbers of type T_.
+template <class T_, size_t n>
+struct Tag {
+    using T = T_;
+    static constexpr size_t lanes = n;
+    typedef T V __attribute__((vector_size(n * sizeof(T))));
+};
+template <class T>
+using ScalableTag = Tag<T, 4>;
+template <class T, size_t most>
+using CappedTag = Tag<T, (most < 4 ? most : 4)>;
+template <class T, class D>
+using Rebind = Tag<T, D::lanes>;
+template <class D>
+using RebindToSigned = Rebind<int32_t, D>;
+template <class D>
+using RebindToUnsigned = Rebind<uint32_t, D>;
+
+template <class D>
+using Vec = typename D::V;
+/// -1 in lanes that are true, 0 in others.
+template <class D>
+using Mask = typename RebindToSigned<D>::V;
+
+template <class D>
+HWY_INLINE constexpr size_t Lanes(D) {
+    return D::lanes;
+}
+
+// In and out of memory.
+
+template <class D>
+HWY_INLINE Vec<D> LoadU(D, const typename D::T* p) {
+    Vec<D> v{};
+    std::memcpy(&v, p, sizeof v);
+    return v;
+}
+template <class D>
+HWY_INLINE Vec<D> Load(D d, const typename D::T* p) {
+    return LoadU(d, p);
+}
+template <class D>
+HWY_INLINE Vec<D> LoadDup128(D d, const typename D::T* p) {
+    static_assert(sizeof(Vec<D>) == 16, "one block of 128 bits");
+    return LoadU(d, p);
+}
+template <class D>
+HWY_INLINE void StoreU(Vec<D> v, D, typename D::T* p) {
+    std::memcpy(p, &v, sizeof v);
+}
+template <class D>
+HWY_INLINE void Store(Vec<D> v, D d, typename D::T* p) {
+    StoreU(v, d, p);
+}
+template <class D>
+HWY_INLINE void StoreInterleaved2(Vec<D> a, Vec<D> b, D, typename D::T* p) {
+    for (size_t i = 0; i < D::lanes; ++i) {
+        p[2 * i] = a[i];
+        p[2 * i + 1] = b[i];
+    }
+}
+template <class D, class I>
+HWY_INLINE Vec<D> GatherIndex(D, const typename D::T* p, I index) {
+    Vec<D> v{};
+    for (size_t i = 0; i < D::lanes; ++i)
+        v[i] = p[index[i]];
+    return v;
+}
+template <class D>
+HWY_INLINE size_t CompressStore(Vec<D> v, Mask<D> mask, D, typename D::T* p) {
+    size_t count = 0;
+    for (size_t i = 0; i < D::lanes; ++i)
+        if (mask[i])
+            p[count++] = v[i];
+    return count;
+}
+
+// The same in every lane, or by the lane's number.
+
+template <class D>
+HWY_INLINE Vec<D> Zero(D) {
+    return Vec<D>{};
+}
+template <class D>
+HWY_INLINE Vec<D> Set(D, typename D::T x) {
+    Vec<D> v{};
+    for (size_t i = 0; i < D::lanes; ++i)
+        v[i] = x;
+    return v;
+}
+template <class D>
+HWY_INLINE Vec<D> Iota(D, typename D::T first) {
+    Vec<D> v{};
+    for (size_t i = 0; i < D::lanes; ++i)
+        v[i] = first + typename D::T(i);
+    return v;
+}
+template <class D>
+HWY_INLINE Mask<D> FirstN(D, size_t n) {
+    Mask<D> mask{};
+    for (size_t i = 0; i < D::lanes; ++i)
+        mask[i] = i < n ? -1 : 0;
+    return mask;
+}
+
+// Lane by lane.
+
+template <class V>
+HWY_INLINE V Add(V a, V b) {
+    return a + b;
+}
+template <class V>
+HWY_INLINE V Sub(V a, V b) {
+    return a - b;
+}
+template <class V>
+HWY_INLINE V Mul(V a, V b) {
+    return a * b;
+}
+template <class V>
+HWY_INLINE V And(V a, V b) {
+    return a & b;
+}
+template <class V>
+HWY_INLINE V AndNot(V a, V b) {
+    return ~a & b;
+}
+template <class V>
+HWY_INLINE V Or(V a, V b) {
+    return a | b;
+}
+template <int bits, class V>
+HWY_INLINE V ShiftLeft(V a) {
+    return a << bits;
+}
+template <int bits, class V>
+HWY_INLINE V ShiftRight(V a) {
+    return a >> bits;
+}
+template <class V>
+HWY_INLINE V ShiftRightSame(V a, int bits) {
+    return a >> bits;
+}
+template <class V>
+HWY_INLINE V BroadcastSignBit(V a) {
+    return a >> 31;
+}
+template <class V>
+HWY_INLINE auto Lt(V a, V b) {
+    return a < b;
+}
+template <class V>
+HWY_INLINE auto Le(V a, V b) {
+    return a <= b;
+}
+template <class V>
+HWY_INLINE auto Gt(V a, V b) {
+    return a > b;
+}
+template <class V>
+HWY_INLINE auto Eq(V a, V b) {
+    return a == b;
+}
+template <class M, class V>
+HWY_INLINE V IfThenElse(M mask, V yes, V no) {
+    return mask ? yes : no;
+}
+template <class M, class V>
+HWY_INLINE V IfThenElseZero(M mask, V yes) {
+    return mask ? yes : V{};
+}
+template <class M, class V>
+HWY_INLINE V IfThenZeroElse(M mask, V no) {
+    return mask ? V{} : no;
+}
+template <class V>
+HWY_INLINE V Min(V a, V b) {
+    return a < b ? a : b;
+}
+template <class V>
+HWY_INLINE V Max(V a, V b) {
+    return a > b ? a : b;
+}
+/// Of floats.
+template <class V>
+HWY_INLINE V Abs(V a) {
+    using I = decltype(a < a);
+    return (V)((I)a & 0x7fffffff);
+}
+/// Of floats, to the nearest, of two the even one: adding 2^23 leaves no room for a fraction.
+template <class V>
+HWY_INLINE V Round(V a) {
+    using I = decltype(a < a);
+    const V size = Abs(a), whole = (size + 8388608.0f) - 8388608.0f;
+    const V with_sign = (V)((I)whole | ((I)a & ~0x7fffffff));
+    return size < 8388608.0f ? with_sign : a;
+}
+
+// From one type to another.
+
+template <class D, class V>
+HWY_INLINE Vec<D> BitCast(D, V v) {
+    return (Vec<D>)v;
+}
+template <class D, class V>
+HWY_INLINE Vec<D> ConvertTo(D, V v) {
+    return __builtin_convertvector(v, Vec<D>);
+}
+template <class D, class M>
+HWY_INLINE Mask<D> RebindMask(D, M mask) {
+    return mask;
+}
+/// Signed numbers of 32 bits to the nearest ones of D, which has bytes.
+template <class D, class V>
+HWY_INLINE Vec<D> DemoteTo(D, V v) {
+    static_assert(std::is_same<typename D::T, uint8_t>::value, "");
+    Vec<D> bytes{};
+    for (size_t i = 0; i < D::lanes; ++i)
+        bytes[i] = uint8_t(v[i] < 0 ? 0 : v[i] > 255 ? 255 : v[i]);
+    return bytes;
+}
+
+// Across lanes.
+
+template <class V>
+HWY_INLINE auto GetLane(V v) {
+    return v[0];
+}
+template <class D, class I>
+HWY_INLINE I IndicesFromVec(D, I index) {
+    return index;
+}
+template <class V, class I>
+HWY_INLINE V TableLookupLanes(V v, I index) {
+    V result{};
+    for (size_t i = 0; i < sizeof(V) / sizeof(v[0]); ++i)
+        result[i] = v[index[i]];
+    return result;
+}
+template <class D>
+HWY_INLINE size_t CountTrue(D, Mask<D> mask) {
+    size_t count = 0;
+    for (size_t i = 0; i < D::lanes; ++i)
+        count += mask[i] != 0;
+    return count;
+}
+template <class D>
+HWY_INLINE bool AllTrue(D d, Mask<D> mask) {
+    return CountTrue(d, mask) == D::lanes;
+}
+template <class D>
+HWY_INLINE bool AllFalse(D d, Mask<D> mask) {
+    return CountTrue(d, mask) == 0;
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace hwy
