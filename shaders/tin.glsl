@@ -64,7 +64,7 @@ float to_float(ivec2 w) {
 }
 
 float reciprocal(float x) {
-    precise float y = intBitsToFloat(0x7ef311c7 - floatBitsToInt(x));
+    precise float y = intBitsToFloat(reciprocal_magic - floatBitsToInt(x));
     for (int i = 0; i < 4; ++i)
         y = y + y * (1.0 - x * y);
     return y;

@@ -7,6 +7,7 @@
 #include "core/base/guarded.h"
 #include "core/base/parallel.h"
 #include "core/base/verbose.h"
+#include "core/enlarge/whole_source.h"
 #include "core/gl/offload.h"
 #include "core/tiles/grid.h"
 #include "core/tiles/run.h"
@@ -18,9 +19,10 @@ namespace ddt {
 
 namespace {
 
-/// Tiles in flight take no more than this together for each of their meshes (or one tile's share,
-/// if that is more).
-constexpr size_t memory_limit = size_t(176) << 20;
+/// Workers together take no more than the first, or, where so many threads are asked for that it is
+/// more, than the second for each of them; times the meshes. One there is in any case.
+constexpr size_t memory_limit = size_t(192) << 20;
+constexpr size_t memory_per_thread = size_t(12) << 20;
 
 /// Largest number of pixels of a window, so that its tiles can be counted.
 constexpr double largest_area = double(int64_t(1) << 45);
@@ -38,7 +40,8 @@ bool check(const Job& job, std::string& error) {
     else if (!job.kinds.empty() && job.kinds.size() != size_t(job.channels))
         error = "ddt: Job::kinds must be empty or have one entry a channel";
     else
-        return check_options({job.surface, job.mesh, FilterOptions().light, job.device}, error);
+        return check_options({job.surface, job.mesh, FilterOptions().light, job.device, job.holes},
+                             error);
     return false;
 }
 
@@ -66,12 +69,19 @@ int thread_count(const Job& job) {
     return job.threads > 0 ? allowed_threads(job.threads) : usual_threads();
 }
 
+/// Threads that work on tiles at the same time.
+int worker_count(const Job& job, const Mapping& mapping) {
+    const auto wanted = size_t(thread_count(job));
+    const size_t limit =
+        std::max(memory_limit, wanted * memory_per_thread) * size_t(job.mesh.meshes);
+    const size_t fitting = limit / TileWorker::memory(job, mapping.separable());
+    return int(std::clamp<size_t>(fitting, 1, wanted));
+}
+
 /// Work on all tiles that are not done.
 void work_on_cpu(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                  const Grid& grid, Run& run, Statistics& statistics) {
-    const size_t in_flight =
-        std::max<size_t>(1, memory_limit * size_t(job.mesh.meshes) / TileWorker::memory(job));
-    const int threads = int(std::min<size_t>(size_t(thread_count(job)), in_flight));
+    const int threads = worker_count(job, mapping);
 
     auto workers = std::vector<std::unique_ptr<TileWorker>>(size_t(threads));
     for_each_index(threads, grid.count(), [&](int slot, int index) {
@@ -103,11 +113,18 @@ void report(const Placement& placement, const std::string& failure, const Statis
         statistics.iterations, seconds * 1e3);
 }
 
-Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, std::string& why) {
+Outcome run(Source& given, Sink& sink, const Mapping& mapping, const Job& job, std::string& why) {
     const auto begin = std::chrono::steady_clock::now();
     Placement placement;
     if (!find_place(job, placement, why))
         return Outcome::device_unavailable;
+    WholeSource whole;
+    const bool fill = job.holes != Holes::keep;
+    if (const Outcome outcome =
+            fill ? whole.fill(given, job, thread_count(job), why) : Outcome::done;
+        outcome != Outcome::done)
+        return outcome;
+    Source& source = fill ? whole : given;
     const Grid grid(job.window);
     Run run(job, grid.count());
     Statistics statistics;

@@ -7,7 +7,6 @@
 
 #include "core/gl/context/failure.h"
 #include "core/gl/offload.h"
-#include "core/tin/face.h"
 #include "ddt/names.h"
 
 namespace ddt {
@@ -65,9 +64,13 @@ void DeviceTin::triangulate(const MeshOptions& options, const Workspace& workspa
         statistics.evaluations += found.evaluated;
         if (found.candidates == 0)
             break;
-        uint32_t waiting = 0;
+        uint32_t waiting = found.candidates;
         do {
+            // The first in order is accepted, if anything is right.
+            const uint32_t before = waiting;
             waiting = pass("tin_accept.comp", m_edges, wide).waiting;
+            if (waiting >= before)
+                throw DoesNotEnd("no edge of a round was accepted");
             pass("tin_reject.comp", m_edges, wide);
             statistics.rounds += in_rounds;
         } while (rules.all_rounds && waiting > 0);
@@ -106,21 +109,31 @@ void DeviceTin::read(Tin& tin) const {
     m_edge_buffer.read(0, bytes_of(tin.edges), tin.edges.data());
 }
 
+void DeviceTin::read_work(std::vector<TinFace>& faces, std::vector<float>& gains) const {
+    m_face_buffer.read(0, bytes_of(faces), faces.data());
+    m_gain_buffer.read(0, bytes_of(gains), gains.data());
+}
+
 } // namespace gl
 
 std::string flip_on_gpu(gl::Gpu& gpu, Tin& tin, const MeshOptions& options,
                         const Workspace& workspace, Statistics& statistics) {
     try {
         Statistics own = statistics;
+        std::string difference;
         gpu.thread
             .post([&] {
+                difference = gpu.checks.differs(gpu, options);
+                if (!difference.empty())
+                    return;
                 gl::DeviceTin device(gpu, tin);
                 device.triangulate(options, workspace, own);
                 device.read(tin);
             })
             .get();
-        statistics = own;
-        return {};
+        if (difference.empty())
+            statistics = own;
+        return difference;
     } catch (const gl::ContextLost& e) {
         gpu.broken = true;
         return e.what();

@@ -3,11 +3,18 @@
 #pragma once
 
 #include "core/gl/buffer.h"
+#include "core/gl/context/failure.h"
 #include "core/gl/context/gpu.h"
+#include "core/tin/face.h"
 #include "core/tin/tin.h"
 #include "core/triangulate/schemes.h"
 
 namespace ddt::gl {
+
+/// Flipping does not come to an end, as it does if the device computes right.
+struct DoesNotEnd : Failure {
+    using Failure::Failure;
+};
 
 /// A Tin's arrays on the device, and what the schemes know of its edges. To be used on the
 /// context's thread; throws Failure.
@@ -20,6 +27,9 @@ public:
                      Statistics& statistics);
     /// Bring triangles and edges back.
     void read(Tin& tin) const;
+    /// Bring the faces of all triangles and the gains of all edges, which were found last, back;
+    /// the vectors have their sizes.
+    void read_work(std::vector<TinFace>& faces, std::vector<float>& gains) const;
 
 private:
     /// What one pass over the edges found; the layout of Counts in shaders/tin.glsl.

@@ -10,6 +10,7 @@
 #include "core/gl/context/gpu.h"
 #include "core/gl/host_tile.h"
 #include "core/gl/strip.h"
+#include "core/gl/tin_check.h"
 #include "core/guide/guide.h"
 #include "core/surface/fitted/fitted.h"
 #include "core/tiles/tile_io.h"
@@ -239,19 +240,28 @@ std::string differs_from_cpu(Gpu& gpu, const Job& wanted) {
            "): " + what;
 }
 
-const std::string& SelfChecks::differs(Gpu& gpu, const Job& job) {
+const std::string& SelfChecks::differs(Gpu& gpu, const std::string& key,
+                                       const std::function<std::string()>& check) {
     static const std::string unchecked;
     if (gpu.context->software && !software_too)
         return unchecked;
-    const std::string key = key_of(job);
     const auto known = m_differences.find(key);
     if (known != m_differences.end())
         return known->second;
     const auto begin = std::chrono::steady_clock::now();
-    std::string difference = differs_from_cpu(gpu, job);
+    std::string difference = check();
     m_milliseconds +=
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     return m_differences[key] = std::move(difference);
+}
+
+const std::string& SelfChecks::differs(Gpu& gpu, const Job& job) {
+    return differs(gpu, key_of(job), [&] { return differs_from_cpu(gpu, job); });
+}
+
+const std::string& SelfChecks::differs(Gpu& gpu, const MeshOptions& of_points) {
+    return differs(gpu, tin_key_of(of_points),
+                   [&] { return tin_differs_from_cpu(gpu, of_points); });
 }
 
 } // namespace ddt::gl

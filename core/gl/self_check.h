@@ -2,6 +2,7 @@
 // Whether a device keeps the promise of the same bits.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 
@@ -26,6 +27,8 @@ class SelfChecks {
 public:
     /// differs_from_cpu(), the first time that its programs are wanted.
     const std::string& differs(Gpu& gpu, const Job& job);
+    /// tin_differs_from_cpu() of core/gl/tin_check.h alike.
+    const std::string& differs(Gpu& gpu, const MeshOptions& of_points);
     double milliseconds() const { return m_milliseconds; }
 
     /// Software renderers are asked for by name only, and tests compare them with the CPU: they are
@@ -33,6 +36,9 @@ public:
     bool software_too = false;
 
 private:
+    const std::string& differs(Gpu& gpu, const std::string& key,
+                               const std::function<std::string()>& check);
+
     std::map<std::string, std::string> m_differences;
     double m_milliseconds = 0;
 };

@@ -38,6 +38,14 @@ constexpr Named<Device> devices[] = {
     {Device::osmesa, {"osmesa", "OpenGL by OSMesa, a software renderer."}},
 };
 
+constexpr Named<Holes> holes_table[] = {
+    {Holes::keep, {"keep", "Nothing."}},
+    {Holes::fill,
+     {"fill", "Those with a NaN are filled, over triangles of the pixels about them, so that edges "
+              "run on."}},
+    {Holes::fill_alpha, {"fill-alpha", "Those whose alpha is 0, too."}},
+};
+
 template <class Value, size_t n>
 const char* name_of(const Named<Value> (&table)[n], Value value) {
     for (const auto& entry : table)
@@ -149,6 +157,19 @@ std::vector<std::string> device_names() {
 }
 std::vector<NamedValue> device_values() {
     return values_of(devices);
+}
+
+const char* holes_name(Holes holes) {
+    return name_of(holes_table, holes);
+}
+bool find_holes(std::string_view name, Holes& holes) {
+    return find(holes_table, name, holes);
+}
+std::vector<std::string> holes_names() {
+    return names_of(holes_table);
+}
+std::vector<NamedValue> holes_values() {
+    return values_of(holes_table);
 }
 
 std::string joined(const std::vector<std::string>& names) {

@@ -213,6 +213,9 @@ std::vector<Option> make_table() {
             .in("ddt-linear", "0")
             .in("ddt-sharp", "0.3")
             .where(is_abn, "0"),
+        choice("holes", surface, &FilterOptions::holes, holes_name, find_holes, holes_values(),
+               "What becomes of pixels that are missing. Filling needs the whole image in memory, "
+               "and GEOS when this was built."),
         choice("device", device, &FilterOptions::device, device_name, find_device, device_values(),
                "Where meshes are computed. No choice changes a bit of the result."),
     };

@@ -25,6 +25,7 @@ std::vector<NamedValue> cost_values();
 std::vector<NamedValue> scheme_values();
 std::vector<NamedValue> start_values();
 std::vector<NamedValue> device_values();
+std::vector<NamedValue> holes_values();
 
 /// What schemes are allowed beside scheme_values(), in words.
 std::string other_schemes();

@@ -29,7 +29,7 @@ HWY_INLINE Blocks at_site(const Net& net, int site) {
     return hn::LoadDup128(D(), net.at(site));
 }
 HWY_INLINE Blocks soft_at_site(const Net& net, int site) {
-    return hn::LoadDup128(D(), net.soft.data() + size_t(site) * group_size);
+    return hn::LoadDup128(D(), net.soft_at(site));
 }
 
 /// Where results go.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/surface/consistency.h"
 
+#include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <cstring>
@@ -26,11 +27,12 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
 using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
 
-HWY_ATTR void find_limits(int width, int height, const float* limit, float lowest, Consistency& c) {
+HWY_ATTR void find_limits(int width, int height, const Rect& part, const float* limit, float lowest,
+                          Consistency& c) {
     const ptrdiff_t row = ptrdiff_t(width) * group_size;
     const Lanes4 margin = Lanes4::load(limit);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
+    for (int y = part.y0; y < part.y1; ++y)
+        for (int x = part.x0; x < part.x1; ++x) {
             const ptrdiff_t at = y * row + ptrdiff_t(x) * group_size;
             const float* z = c.source.data() + at;
             Lanes4 low = Lanes4::load(z), high = low;
@@ -51,9 +53,7 @@ template <bool quadratic, bool soft>
 HWY_INLINE void add_plain_cell(const Net& net, int site, bool down, float* sum, ptrdiff_t row) {
     const int stride = net.stride;
     const auto load = [&](int s) HWY_ATTR { return Lanes4::load(net.at(s)); };
-    const auto load_soft = [&](int s) HWY_ATTR {
-        return Lanes4::load(net.soft.data() + size_t(s) * group_size);
-    };
+    const auto load_soft = [&](int s) HWY_ATTR { return Lanes4::load(net.soft_at(s)); };
     const Lanes4 z0 = load(site), z1 = load(site + 2), z2 = load(site + 2 * stride),
                  z3 = load(site + 2 * stride + 2);
     const int top = site + 1, left = site + stride, middle = left + 1, right = left + 2,
@@ -110,9 +110,7 @@ HWY_INLINE void add_other_cell(const Lattice& lattice, const Net& net, int cx, i
             triangle.weights(p, w);
             known = true;
             const auto load = [&](int s) HWY_ATTR { return Lanes4::load(net.at(s)); };
-            const auto load_soft = [&](int s) HWY_ATTR {
-                return Lanes4::load(net.soft.data() + size_t(s) * group_size);
-            };
+            const auto load_soft = [&](int s) HWY_ATTR { return Lanes4::load(net.soft_at(s)); };
             patch.z0 = load(triangle.vertex[0]);
             patch.z1 = load(triangle.vertex[1]);
             patch.z2 = load(triangle.vertex[2]);
@@ -143,41 +141,46 @@ HWY_INLINE void add_other_cell(const Lattice& lattice, const Net& net, int cx, i
 }
 
 template <bool quadratic, bool soft>
-HWY_INLINE void add_cells(const Lattice& lattice, const Net& net, float* sum) {
+HWY_INLINE void add_cells(const Lattice& lattice, const Net& net, int x0, int x1, int y,
+                          float* sum) {
     const ptrdiff_t row = ptrdiff_t(lattice.width()) * group_size;
-    for (int y = 0; y + 1 < lattice.height(); ++y)
-        for (int x = 0; x + 1 < lattice.width(); ++x) {
-            float* corner = sum + y * row + ptrdiff_t(x) * group_size;
-            const int site = lattice.vertex_site(x, y);
-            switch (lattice.divisions(y)[x]) {
-            case Division::down:
-                add_plain_cell<quadratic, soft>(net, site, true, corner, row);
-                break;
-            case Division::up:
-                add_plain_cell<quadratic, soft>(net, site, false, corner, row);
-                break;
-            case Division::other:
-                add_other_cell<quadratic, soft>(lattice, net, x, y, corner, row);
-                break;
-            }
+    for (int x = x0; x < x1; ++x) {
+        float* corner = sum + y * row + ptrdiff_t(x) * group_size;
+        const int site = lattice.vertex_site(x, y);
+        switch (lattice.divisions(y)[x]) {
+        case Division::down:
+            add_plain_cell<quadratic, soft>(net, site, true, corner, row);
+            break;
+        case Division::up:
+            add_plain_cell<quadratic, soft>(net, site, false, corner, row);
+            break;
+        case Division::other:
+            add_other_cell<quadratic, soft>(lattice, net, x, y, corner, row);
+            break;
         }
+    }
 }
 
-HWY_ATTR void add_means(const Lattice& lattice, Surface surface, const Net& net, Consistency& c) {
+/// Cells x0 .. x1 - 1 of row y.
+HWY_ATTR void add_means(const Lattice& lattice, Surface surface, const Net& net, int x0, int x1,
+                        int y, Consistency& c) {
     const bool soft = !net.soft.empty();
     if (surface == Surface::linear && soft)
-        add_cells<false, true>(lattice, net, c.sum.data());
+        add_cells<false, true>(lattice, net, x0, x1, y, c.sum.data());
     else if (surface == Surface::linear)
-        add_cells<false, false>(lattice, net, c.sum.data());
+        add_cells<false, false>(lattice, net, x0, x1, y, c.sum.data());
     else if (soft)
-        add_cells<true, true>(lattice, net, c.sum.data());
+        add_cells<true, true>(lattice, net, x0, x1, y, c.sum.data());
     else
-        add_cells<true, false>(lattice, net, c.sum.data());
+        add_cells<true, false>(lattice, net, x0, x1, y, c.sum.data());
 }
 
-HWY_ATTR void correct(const Lattice& lattice, Net& net, const Consistency& c) {
-    for (int y = 1; y + 1 < lattice.height(); ++y)
-        for (int x = 1; x + 1 < lattice.width(); ++x) {
+HWY_ATTR void move_vertices(const Lattice& lattice, const Rect& part, Net& net,
+                            const Consistency& c) {
+    const int x0 = std::max(part.x0, 1), x1 = std::min(part.x1, lattice.width() - 1);
+    const int y0 = std::max(part.y0, 1), y1 = std::min(part.y1, lattice.height() - 1);
+    for (int y = y0; y < y1; ++y)
+        for (int x = x0; x < x1; ++x) {
             const size_t at = (size_t(y) * size_t(lattice.width()) + size_t(x)) * group_size;
             float* z = net.at(lattice.vertex_site(x, y));
             corrected(Lanes4::load(z), Lanes4::load(&c.source[at]), Lanes4::load(&c.sum[at]),
@@ -195,9 +198,22 @@ namespace ddt {
 
 HWY_EXPORT(find_limits);
 HWY_EXPORT(add_means);
-HWY_EXPORT(correct);
+HWY_EXPORT(move_vertices);
+
+namespace {
+
+Rect whole(const Lattice& lattice) {
+    return {0, 0, lattice.width(), lattice.height()};
+}
+
+} // namespace
 
 void Consistency::begin(const Lattice& lattice, const Net& net, float limit, bool clipped) {
+    begin(lattice, net, limit, clipped, whole(lattice));
+}
+
+void Consistency::begin(const Lattice& lattice, const Net& net, float limit, bool clipped,
+                        const Rect& part) {
     const size_t n = size_t(lattice.width()) * size_t(lattice.height()) * group_size;
     source.resize(n);
     low.resize(n);
@@ -210,17 +226,30 @@ void Consistency::begin(const Lattice& lattice, const Net& net, float limit, boo
     for (int c = 0; c < group_size; ++c)
         limits[c] = net.strict[c] > 0 ? 0.0f : limit;
     HWY_DYNAMIC_DISPATCH(find_limits)
-    (lattice.width(), lattice.height(), limits, clipped ? -FLT_MAX : 0.0f, *this);
+    (lattice.width(), lattice.height(), part, limits, clipped ? -FLT_MAX : 0.0f, *this);
+}
+
+void Consistency::add_row(const Lattice& lattice, Surface surface, const Net& net, const Rect& part,
+                          int y) {
+    if (y < part.y0 - 1 || y >= std::min(part.y1, lattice.height() - 1))
+        return;
+    const int x0 = std::max(part.x0 - 1, 0), x1 = std::min(part.x1, lattice.width() - 1);
+    HWY_DYNAMIC_DISPATCH(add_means)(lattice, surface, net, x0, x1, y, *this);
+}
+
+void Consistency::move(const Lattice& lattice, const Rect& part, Net& net) const {
+    HWY_DYNAMIC_DISPATCH(move_vertices)(lattice, part, net, *this);
 }
 
 void Consistency::measure(const Lattice& lattice, Surface surface, const Net& net) {
-    sum.assign(source.size(), 0.0f);
-    HWY_DYNAMIC_DISPATCH(add_means)(lattice, surface, net, *this);
+    begin_sums();
+    for (int y = 0; y + 1 < lattice.height(); ++y)
+        add_row(lattice, surface, net, whole(lattice), y);
 }
 
 void Consistency::correct(const Lattice& lattice, Surface surface, Net& net) {
     measure(lattice, surface, net);
-    HWY_DYNAMIC_DISPATCH(correct)(lattice, net, *this);
+    move(lattice, whole(lattice), net);
 }
 
 void Consistency::restore(const Lattice& lattice, unsigned lanes, Net& net) const {

@@ -19,14 +19,23 @@ namespace ddt {
 class Consistency {
 public:
     /// Take the net's vertices as the source. limit: SurfaceOptions::limit; 0 in strict lanes.
-    /// clipped: SurfaceOptions::clipped.
+    /// clipped: SurfaceOptions::clipped. part: where vertices will be corrected, in pixels.
+    void begin(const Lattice& lattice, const Net& net, float limit, bool clipped, const Rect& part);
     void begin(const Lattice& lattice, const Net& net, float limit, bool clipped = false);
+
+    /// To be called before the rows of a round are added.
+    void begin_sums() { sum.assign(source.size(), 0.0f); }
+    /// Add to the sums what row y of cells has, as far as the vertices of `part` need it; rows in
+    /// order. The edges that cross the row must have been bent (for Surface::patch) and softened
+    /// (where the net has soft edges), the divisions been found.
+    void add_row(const Lattice& lattice, Surface surface, const Net& net, const Rect& part, int y);
+    /// Then move the vertices of `part`.
+    void move(const Lattice& lattice, const Rect& part, Net& net) const;
 
     /// The first half of correct(): find the surface's means, and leave the vertices as they are.
     void measure(const Lattice& lattice, Surface surface, const Net& net);
 
-    /// One round on the whole lattice, whose edges must all have been bent (for Surface::patch) and
-    /// softened (where the net has soft edges), and whose divisions have been found.
+    /// One round on the whole lattice, whose edges must all be there.
     void correct(const Lattice& lattice, Surface surface, Net& net);
 
     /// Give the lanes whose bit is set their source values back: identifiers are nothing to

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/base/large_pages.h"
-
 namespace ddt {
 
 namespace {
@@ -13,13 +11,57 @@ namespace {
 /// Rows of pixels that are made at a time, at least.
 constexpr int rows_at_once = 8;
 
-/// Floats that the gradients over so many sites take. A last row has no odd row after it, where its
-/// gradients' y would be.
-size_t gradient_count(size_t sites, size_t stride) {
-    return 2 * (sites + stride) + edge_padding;
+/// Rows of pixels by which what is kept of an array goes on at a time, beside those in use: fewer
+/// where there are many groups of channels.
+constexpr int rows_to_go_on(int channels) {
+    return channels > 4 * group_size ? 8 : 24;
 }
 
-void load_vertices(const Lattice& lattice, const Rect& part, int y, const Net& net, float* row) {
+/// Make room in `kept`, `row` floats for each row of pixels from row `first` on, for the rows
+/// before `end`. Of the rows before `made`, which are of use, those before `keep` may go. `more`:
+/// rows to make room for beside; there are no more than `height`.
+void make_room(std::vector<float>& kept, size_t row, int more, int height, int& first, int keep,
+               int made, int end) {
+    if (size_t(end - first) * row + edge_padding <= kept.size())
+        return;
+    const int from = std::clamp(keep, first, std::max(first, made));
+    if (made > from && from > first)
+        std::memmove(kept.data(), kept.data() + size_t(from - first) * row,
+                     size_t(made - from) * row * sizeof(float));
+    first = from;
+    if (size_t(end - first) * row + edge_padding <= kept.size())
+        return;
+    // A vector that grows by itself would take up to twice of it.
+    if (made <= from)
+        std::vector<float>().swap(kept);
+    kept.reserve(size_t(std::min(end - first + more, height)) * row + edge_padding);
+    kept.resize(kept.capacity());
+}
+
+/// Take the memory for so many rows.
+void take_memory(std::vector<float>& kept, size_t row, int rows) {
+    const size_t size = size_t(rows) * row + edge_padding;
+    if (kept.size() >= size)
+        return;
+    std::vector<float>().swap(kept); // nothing in it is of use
+    kept.resize(size);
+}
+
+/// Rows in use, where edges are this long, of vertices and of what belongs to edges. Most tiles
+/// have some edge that is not short.
+int vertex_rows(int longest) {
+    return rows_at_once + 4 * std::max(longest, 5) + 4;
+}
+int edge_rows(int longest) {
+    return rows_at_once + 2 * std::max(longest, 5) + 4;
+}
+
+/// Floats in a row of pixels.
+size_t net_row(const Lattice& lattice) {
+    return 2 * size_t(lattice.stride()) * group_size;
+}
+
+void load_row(const Lattice& lattice, const Rect& part, int y, const Net& net, float* row) {
     const int begin = std::max(part.x0 - 1, 0), end = std::min(part.x1 + 1, lattice.width());
     const float* z = net.at(lattice.vertex_site(begin, y));
     for (int x = begin; x < end; ++x, z += 2 * group_size)
@@ -48,55 +90,143 @@ void NearRows::resize(int width) {
 
 void NearRows::begin(const Lattice& lattice, const Rect& part, int y, const Net& net) {
     if (y > 0)
-        load_vertices(lattice, part, y - 1, net, vertices[(y - 1) % 3].data());
+        load_row(lattice, part, y - 1, net, vertices[(y - 1) % 3].data());
     load_below(lattice, part, y - 1, net);
 }
 
 void NearRows::load_below(const Lattice& lattice, const Rect& part, int y, const Net& net) {
     if (y + 1 >= lattice.height())
         return;
-    load_vertices(lattice, part, y + 1, net, vertices[(y + 1) % 3].data());
+    load_row(lattice, part, y + 1, net, vertices[(y + 1) % 3].data());
     if (y >= 0)
         load_cells(lattice, part, y, cells[y % 2]);
 }
 
-void EdgeMaker::reserve(size_t sites) {
-    reserve_large(m_scratch.gradients, gradient_count(sites, 0));
-}
-
-void EdgeMaker::begin(const Lattice& lattice, const Rect& part, bool bend, const float* gain,
-                      float tau, Net& net) {
+void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
+                      bool few_values, bool few_edges, Net& net) {
     m_lattice = &lattice;
     m_net = &net;
     m_part = part;
-    m_bend = bend;
-    m_gain = gain;
-    m_reciprocal_tau = 1.0f / tau;
+    m_recipe = recipe;
+    m_few_values = few_values;
+    m_few_edges = few_edges;
+    m_go_on = rows_to_go_on(m_values.channels);
+    const auto rows = [&](int used) { return std::min(used + m_go_on, lattice.height()); };
     m_gradient_rows = part.y0;
     m_edge_rows = 2 * part.y0;
-    if (gain) {
-        net.soft.resize(lattice.size() * group_size);
-        m_scratch.weights.resize(2 * size_t(lattice.width()) + edge_padding);
-    }
     m_scratch.edge_rows.resize(lattice.width());
     m_scratch.gradient_rows.resize(lattice.width());
-    if (bend)
-        m_scratch.gradients.resize(gradient_count(lattice.size(), size_t(lattice.stride())));
+    // Above the part, edges that end there look for a gradient.
+    const int top = few_edges ? std::max(part.y0 - lattice.longest() - 1, 0) : 0;
+    m_scratch.first = lattice.vertex_site(0, top);
+    if (recipe.bend && few_edges)
+        take_memory(m_scratch.gradients, net_row(lattice) / 2, rows(edge_rows(lattice.longest())));
+    else if (recipe.bend)
+        m_scratch.gradients.resize(2 * (lattice.size() + size_t(lattice.stride())) + edge_padding);
+    if (few_values) {
+        net.stride = lattice.stride();
+        net.first = lattice.vertex_site(0, top);
+        m_vertex_rows = top;
+        take_memory(net.values, net_row(lattice), rows(vertex_rows(lattice.longest())));
+    }
+    if (recipe.gain) {
+        m_scratch.weights.resize(2 * size_t(lattice.width()) + edge_padding);
+        net.first_soft = few_edges ? lattice.vertex_site(0, part.y0) : 0;
+        if (few_edges)
+            take_memory(net.soft, net_row(lattice), rows(edge_rows(lattice.longest())));
+        else
+            net.soft.resize(lattice.size() * group_size);
+    }
 }
 
-void EdgeMaker::to_row(int y) {
+void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
+                      Net& net) {
+    begin(lattice, part, recipe, false, false, net);
+}
+
+void EdgeMaker::begin_edge_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
+                                Net& net) {
+    begin(lattice, part, recipe, false, true, net);
+}
+
+void EdgeMaker::begin_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
+                           const GroupValues& values, Net& net) {
+    m_values = values;
+    begin(lattice, part, recipe, true, true, net);
+}
+
+/// Have rows of vertices before `end`, where rows before `keep` may go.
+void EdgeMaker::load_vertices(int end, int keep) {
+    const Lattice& lattice = *m_lattice;
+    end = std::min(end, lattice.height());
+    if (end <= m_vertex_rows)
+        return;
+    int first = m_net->first / (2 * lattice.stride());
+    make_room(m_net->values, net_row(lattice), m_go_on, lattice.height(), first, keep,
+              m_vertex_rows, end);
+    m_net->first = lattice.vertex_site(0, first);
+    const int beside = lattice.longest() + 1;
+    set_vertices(lattice, m_values,
+                 {std::max(m_part.x0 - beside, 0), m_vertex_rows,
+                  std::min(m_part.x1 + beside, lattice.width()), end},
+                 *m_net);
+    m_vertex_rows = end;
+}
+
+void EdgeMaker::to_row(int y, int keep) {
+    // What is far above is made in steps, or all of it would have to be kept.
+    for (int next = m_edge_rows / 2 + rows_at_once;
+         m_few_edges && next < std::min({y, keep, m_part.y1 - rows_at_once});
+         next = m_edge_rows / 2 + rows_at_once)
+        go_on(next, next);
+    go_on(y, keep);
+}
+
+void EdgeMaker::go_on(int y, int keep) {
     if (2 * y < m_edge_rows)
         return;
+    const Lattice& lattice = *m_lattice;
+    const int longest = lattice.longest(), edges = m_edge_rows / 2;
     const int last = std::min(y + rows_at_once, m_part.y1 - 1);
-    if (m_bend) {
-        const int end = std::min(last + m_lattice->longest(), m_part.y1);
-        make_gradients(*m_lattice, m_part, m_gradient_rows, end, *m_net, m_scratch);
-        m_gradient_rows = std::max(m_gradient_rows, end);
+    const int gradients = std::min(last + longest, m_part.y1);
+    // What is above the first row in use: a triangle's vertices and edges, and one row more, as
+    // positions on the last row belong to the cells before it.
+    const int top = keep - longest - 1;
+    const auto row_of = [&](int site) { return site / (2 * lattice.stride()); };
+    if (m_few_values)
+        load_vertices(std::max(gradients - 1, last) + longest + 1,
+                      std::min(top, std::min(edges, m_gradient_rows) - longest - 1));
+    if (m_few_edges && m_recipe.gain) {
+        int first = row_of(m_net->first_soft);
+        make_room(m_net->soft, net_row(lattice), m_go_on, lattice.height(), first,
+                  std::min(top, edges), (m_edge_rows + 1) / 2, last + 1);
+        m_net->first_soft = lattice.vertex_site(0, first);
     }
-    if (m_bend || m_gain)
-        make_edges(*m_lattice, m_part, m_edge_rows, 2 * last + 1, m_bend, m_gain, m_reciprocal_tau,
-                   m_scratch, *m_net);
+    if (m_few_edges && m_recipe.bend) {
+        int first = row_of(m_scratch.first);
+        make_room(m_scratch.gradients, net_row(lattice) / 2, m_go_on, lattice.height(), first,
+                  edges - longest - 1, m_gradient_rows,
+                  std::min(last + longest + 1, lattice.height()));
+        m_scratch.first = lattice.vertex_site(0, first);
+    }
+    if (m_recipe.bend)
+        make_gradients(lattice, m_part, m_gradient_rows, gradients, *m_net, m_scratch);
+    m_gradient_rows = std::max(m_gradient_rows, gradients);
+    if (m_recipe.bend || m_recipe.gain)
+        make_edges(lattice, m_part, m_edge_rows, 2 * last + 1, m_recipe.bend, m_recipe.gain,
+                   1.0f / m_recipe.tau, m_scratch, *m_net);
     m_edge_rows = 2 * last + 1;
+}
+
+size_t EdgeMaker::memory(int width, int height, int longest, int channels, const EdgeRecipe& recipe,
+                         bool values) {
+    const auto kept = [&](int used) {
+        return size_t(std::min(used + rows_to_go_on(channels), height));
+    };
+    const size_t row = 4 * size_t(width) * group_size * sizeof(float);
+    const size_t edges = kept(edge_rows(longest)) * row;
+    return (values ? kept(vertex_rows(longest)) * row : 0) + (recipe.gain ? edges : 0) +
+           (recipe.bend ? edges / 2 : 0);
 }
 
 } // namespace ddt

@@ -6,37 +6,65 @@
 
 namespace ddt {
 
+/// What the edges of a net are made from.
+struct EdgeRecipe {
+    /// Make e, for Surface::patch; the lattice's divisions and first edges must then have been
+    /// found.
+    bool bend = false;
+    /// Make q, by Workspace::gain of the finished mesh and tau > 0; null: do not.
+    const float* gain = nullptr;
+    float tau = 0;
+};
+
 /// Makes a net's edges from the top row downwards, so that rows can be used while they are in the
-/// cache.
+/// cache, and need not be kept longer than they are used.
 class EdgeMaker {
 public:
-    /// Take the memory for a lattice of so many sites.
-    void reserve(size_t sites);
-
-    /// Start on the edges of a net whose ends both lie in `part`, a part of the lattice in pixels.
-    /// `bend`: make e, for Surface::patch; the lattice's divisions and first edges must
-    /// then have been found.
-    /// `gain`: make q, by Workspace::gain of the finished mesh and tau > 0; null: do not.
+    /// Start on the edges of a net of the whole lattice whose ends both lie in `part`, a part of
+    /// the lattice in pixels. What `recipe` has no need of stays as it is.
+    void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe, Net& net);
     void begin(const Lattice& lattice, const Rect& part, bool bend, const float* gain, float tau,
-               Net& net);
+               Net& net) {
+        begin(lattice, part, EdgeRecipe{bend, gain, tau}, net);
+    }
+    /// The same where q and the gradients, which begin() keeps for all rows, are kept for some.
+    void begin_edge_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
+                         Net& net);
+    /// The same of a net of some rows, whose vertices are set to `values`, as they are needed, too.
+    /// The values must stay where they are.
+    void begin_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
+                    const GroupValues& values, Net& net);
 
     /// Make the edges with midpoints in row y of pixels or further up, as far as they are not made.
-    void to_row(int y);
-    /// Make all edges.
-    void finish() { to_row(m_part.y1); }
+    /// Of a net of some rows, those that no triangle at or below row `keep` of cells has may go.
+    void to_row(int y, int keep);
+    /// Make all edges, and keep them.
+    void finish() { to_row(m_part.y1, 0); }
 
     /// Once all are made, with bends: the gradients, as EdgeScratch has them.
     const float* gradients() const { return m_scratch.gradients.data(); }
 
+    /// About the bytes that this and a net take, of which some rows are kept and where edges are
+    /// this long; `values`: with the net's vertices and bends.
+    static size_t memory(int width, int height, int longest, int channels, const EdgeRecipe& recipe,
+                         bool values = true);
+
 private:
+    void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe, bool few_values,
+               bool few_edges, Net& net);
+    void go_on(int y, int keep);
+    void load_vertices(int end, int keep);
+
     EdgeScratch m_scratch;
     const Lattice* m_lattice = nullptr;
     Net* m_net = nullptr;
     Rect m_part;
-    bool m_bend = false;
-    const float* m_gain = nullptr;
-    float m_reciprocal_tau = 0;
-    int m_gradient_rows = 0; ///< rows of pixels above this one are done
+    EdgeRecipe m_recipe;
+    GroupValues m_values; ///< of a net of some rows
+    bool m_few_values = false, m_few_edges = false;
+    int m_go_on = 0;         ///< rows by which what is kept goes on at a time
+    int m_vertex_rows = 0;   ///< rows of pixels above this one are set
+    int m_gradient_rows = 0; ///< ... have gradients
     int m_edge_rows = 0;     ///< rows of the doubled lattice above this one are done
 };
 

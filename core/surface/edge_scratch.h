@@ -35,8 +35,14 @@ struct NearRows {
 
 /// Kept from one use to the next.
 struct EdgeScratch {
-    /// The gradients at vertex site s: group_size floats at [2 s], x, and at [2 (s + stride)], y.
+    /// The gradients at vertex site s: group_size floats at gradients_at(s), x, and as many a
+    /// doubled row below, y. Of some rows of the lattice, or of all.
     std::vector<float> gradients;
+    int first = 0; ///< the site that they begin with
+    float* gradients_at(int site) { return gradients.data() + 2 * ptrdiff_t(site - first); }
+    const float* gradients_at(int site) const {
+        return gradients.data() + 2 * ptrdiff_t(site - first);
+    }
     NearRows gradient_rows, edge_rows; ///< edges are made after the gradients at both their ends
     std::vector<float> weights;        ///< of the soft edges of a row of the doubled lattice
 };

@@ -44,12 +44,12 @@ HWY_ATTR void soft_weights(const float* gain, int n, float reciprocal_tau, float
 }
 
 /// e, if `bend`, and q, if `soft`, of the edges with midpoints at m, m + step, ... before end;
-/// weights: of the edge at m.
+/// gradients: as at m; weights: of the edge at m.
 template <bool bend, bool soft>
 HWY_INLINE void make_any(const Lattice& lattice, ptrdiff_t m, ptrdiff_t end, int step,
                          const float* gradients, const float* weights, Net& net) {
     const ptrdiff_t stride = lattice.stride();
-    for (; m < end; m += step, weights += step) {
+    for (; m < end; m += step, weights += step, gradients += 2 * ptrdiff_t(step)) {
         const uint64_t vectors = vectors_of(lattice.edge(int(m)));
         const int vx = int8_t(vectors), vy = int8_t(vectors >> 8);
         const ptrdiff_t to_j = vy * stride + vx;
@@ -62,11 +62,11 @@ HWY_INLINE void make_any(const Lattice& lattice, ptrdiff_t m, ptrdiff_t end, int
             const ptrdiff_t to_d = int8_t(vectors >> 40) * stride + int8_t(vectors >> 32);
             edge_softness(Lanes4(*weights), zi, zj, Lanes4::load(e + to_c * group_size),
                           Lanes4::load(e + to_d * group_size))
-                .store(net.soft.data() + m * group_size);
+                .store(net.soft_at(int(m)));
         }
         if (bend) {
             // Where an end lies outside the part its gradient is not known, and e is never used.
-            const float *gi = gradients + 2 * (m - to_j), *gj = gradients + 2 * (m + to_j);
+            const float *gi = gradients - 2 * to_j, *gj = gradients + 2 * to_j;
             edge_bend(Lanes4::load(gi), Lanes4::load(gi + 2 * stride), Lanes4::load(gj),
                       Lanes4::load(gj + 2 * stride), zi, zj, Lanes4(float(vx)), Lanes4(float(vy)))
                 .store(e);
@@ -97,7 +97,7 @@ struct PlainEdges {
     HWY_INLINE void make(ptrdiff_t m, const float* weights, Net& net) const {
         if (soft)
             store_every_second(edge_softness(spread_every_second(weights), zi, zj, zc, zd),
-                               net.soft.data() + m * group_size);
+                               net.soft_at(int(m)));
         if (bend)
             store_every_second(edge_bend(gix, giy, gjx, gjy, zi, zj, vx, vy), net.at(int(m)));
     }
@@ -176,9 +176,8 @@ HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y, EdgeSc
                     end = lattice.site(2 * part.x1 - 1, y);
     const float* weights = scratch.weights.data();
     const NearRows& rows = scratch.edge_rows;
-    const PlainMaker plain{
-        rows, scratch.gradients.data() + 2 * ptrdiff_t(lattice.vertex_site(0, pixel_y)), 2 * stride,
-        4 * stride, pixel_y};
+    const PlainMaker plain{rows, scratch.gradients_at(lattice.vertex_site(0, pixel_y)), 2 * stride,
+                           4 * stride, pixel_y};
     const uint8_t *above = rows.cell_row(pixel_y + 1).other.data(),
                   *here = rows.cell_row(pixel_y).other.data();
     // Whether cells x0 .. x1 - 1 beside the row are plain.
@@ -201,8 +200,8 @@ HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y, EdgeSc
                 plain.template level<bend>(x).template make<bend, soft>(m, w, net);
             }
         } else {
-            make_any<bend, soft>(lattice, m, std::min(next, end), 2 - odd, scratch.gradients.data(),
-                                 w, net);
+            make_any<bend, soft>(lattice, m, std::min(next, end), 2 - odd,
+                                 scratch.gradients_at(int(m)), w, net);
         }
     }
 }

@@ -117,7 +117,7 @@ HWY_ATTR void make_gradients(const Lattice& lattice, const Rect& part, int y0, i
     for (int y = y0; y < y1; ++y) {
         scratch.gradient_rows.load_below(lattice, part, y, net);
         const auto gradients_at = [&](int x) {
-            return scratch.gradients.data() + 2 * size_t(lattice.vertex_site(x, y));
+            return scratch.gradients_at(lattice.vertex_site(x, y));
         };
         const auto walk_round = [&](int x) HWY_ATTR {
             const int s = lattice.vertex_site(x, y);

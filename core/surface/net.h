@@ -35,20 +35,37 @@ namespace ddt {
 constexpr int group_size = 4;
 
 /// z and e of one group of channels over the doubled lattice: site s has its group_size numbers at
-/// [s * group_size], z at a vertex, e at an edge's midpoint.
+/// at(s), z at a vertex, e at an edge's midpoint. Some rows of the lattice, or all of them.
 struct Net {
     std::vector<float> values;
     std::vector<float> soft; ///< q at an edge's site; empty: no soft edges
+    /// The sites that `values` and `soft` begin with.
+    int first = 0, first_soft = 0;
     /// 1 in the lanes whose values must stay within their triangle's range even with soft edges.
     float strict[group_size] = {};
     int stride = 0; ///< the lattice's
-    const float* at(int site) const { return values.data() + size_t(site) * group_size; }
-    float* at(int site) { return values.data() + size_t(site) * group_size; }
+    const float* at(int site) const { return values.data() + ptrdiff_t(site - first) * group_size; }
+    float* at(int site) { return values.data() + ptrdiff_t(site - first) * group_size; }
+    const float* soft_at(int site) const {
+        return soft.data() + ptrdiff_t(site - first_soft) * group_size;
+    }
+    float* soft_at(int site) { return soft.data() + ptrdiff_t(site - first_soft) * group_size; }
 };
 
-/// Set the vertices of a net to channels first .. first + count (count <= group_size) of `values`:
-/// `channels` interleaved floats for each pixel of the lattice. Unused lanes are 0.
+/// One group's channels in the pixels of a lattice: first .. first + count (count <= group_size) of
+/// `channels` interleaved floats a pixel.
+struct GroupValues {
+    const float* values = nullptr;
+    int channels = 0, first = 0, count = 0;
+};
+
+/// Set the vertices of a net of the whole lattice to a group's values. Unused lanes are 0.
 void set_vertices(const Lattice& lattice, const float* values, int channels, int first, int count,
                   Net& net);
+/// Those of the pixels of `part` alone, whose rows the net must have.
+void set_vertices(const Lattice& lattice, const GroupValues& values, const Rect& part, Net& net);
+/// The other way: put the vertices of a net of the whole lattice into a group's places in `values`.
+void get_vertices(const Lattice& lattice, const Net& net, int channels, int first, int count,
+                  float* values);
 
 } // namespace ddt

@@ -11,40 +11,78 @@ namespace ddt {
 
 namespace {
 
-/// Whether the surface depends on the finished mesh's gains.
-bool wants_gains(const SurfaceOptions& surface) {
-    return surface.soft > 0 || is_fitted(surface);
+/// Whether vertices are corrected before edges are made.
+bool is_corrected(const SurfaceOptions& surface) {
+    return surface.consistency > 0 && !is_fitted(surface);
+}
+
+/// Edges of most tiles are no longer than this.
+constexpr int usual_longest = 10;
+
+/// A recipe that takes the memory of the surface's.
+EdgeRecipe recipe_of(const SurfaceOptions& surface) {
+    static const float some_gain = 0;
+    return {surface.kind != Surface::linear, surface.soft > 0 ? &some_gain : nullptr, surface.soft};
 }
 
 } // namespace
 
-size_t TileMesh::memory(const Job& job, size_t sites) {
-    const size_t lattice = sites * sizeof(Site) + sites / 4 * sizeof(Division);
-    const size_t nets = sites * sizeof(float) * group_size * size_t(group_count(job.channels));
-    const size_t soft = job.surface.soft > 0 ? nets : 0;
+bool wants_gains(const SurfaceOptions& surface) {
+    return surface.soft > 0 || is_fitted(surface);
+}
+
+size_t TileMesh::memory(const Job& job, int width, int height, bool rows) {
+    const size_t pixels = size_t(width) * size_t(height), sites = 4 * pixels;
+    const size_t lattice = sites * sizeof(Site) + pixels * sizeof(Division);
     const size_t gains = wants_gains(job.surface) ? sites * sizeof(float) : 0;
-    const size_t gradients =
-        job.surface.kind == Surface::linear ? 0 : sites * sizeof(float) * group_size / 2;
-    return lattice + nets + soft + gains + gradients;
+    const EdgeRecipe recipe = recipe_of(job.surface);
+    const size_t kept =
+        EdgeMaker::memory(width, height, rows ? usual_longest : height, job.channels, recipe);
+    const size_t whole = is_fitted(job.surface) ? sites * sizeof(float) * group_size : 0;
+    const size_t corrected = is_corrected(job.surface) && job.mesh.meshes > 1
+                                 ? pixels * sizeof(float) * size_t(job.channels)
+                                 : 0;
+    return lattice + gains + (kept + whole) * size_t(group_count(job.channels)) + corrected;
 }
 
 void TileMesh::reserve(size_t sites) {
     m_lattice.reserve(sites);
     m_nets.resize(size_t(group_count(m_job.channels)));
-    for (Net& net : m_nets)
-        reserve_large(net.values, sites * group_size);
-    if (wants_gains(m_job.surface))
-        m_gain.reserve(sites);
-    if (m_job.surface.soft > 0)
+    m_edges.resize(m_nets.size());
+    if (is_fitted(m_job.surface))
         for (Net& net : m_nets)
-            reserve_large(net.soft, sites * group_size);
-    if (m_job.surface.kind != Surface::linear)
-        m_edges.reserve(sites);
+            reserve_large(net.values, sites * group_size);
+}
+
+size_t MeshScratch::memory(const Job& job, int width, int height) {
+    const SurfaceOptions& surface = job.surface;
+    if (surface.consistency == 0)
+        return 0;
+    const size_t pixels = size_t(width) * size_t(height) * sizeof(float) * group_size;
+    const size_t values = is_fitted(surface) ? 0 : 4 * pixels;
+    const size_t planes = is_fitted(surface) ? 5 : 4;
+    return values + planes * pixels +
+           EdgeMaker::memory(width, height, usual_longest, job.channels, recipe_of(surface), false);
+}
+
+void MeshScratch::reserve(const Job& job, size_t sites) {
+    workspace.gain.reserve(sites);
+    if (job.surface.consistency == 0)
+        return;
+    if (!is_fitted(job.surface))
+        reserve_large(net.values, sites * group_size);
+    for (auto* plane : {&consistency.source, &consistency.low, &consistency.high, &consistency.sum})
+        plane->reserve(sites);
+    if (is_fitted(job.surface))
+        fitted.index.reserve(sites);
 }
 
 void TileMesh::triangulate(const float* guide, int width, int height, MeshScratch& scratch,
                            Statistics& statistics) {
     const DenormalsAreZero as_on_gpus;
+    // The memory of the gains that were kept is that of the next.
+    if (wants_gains(m_job.surface) && m_gain.capacity() > scratch.workspace.gain.capacity())
+        m_gain.swap(scratch.workspace.gain);
     start(m_lattice, width, height, guide, m_job.mesh);
     ddt::triangulate(m_lattice, m_job.mesh, scratch.workspace, statistics);
     if (!wants_gains(m_job.surface))
@@ -54,7 +92,7 @@ void TileMesh::triangulate(const float* guide, int width, int height, MeshScratc
     m_gain.swap(scratch.workspace.gain);
 }
 
-void TileMesh::make_surface(const Tile& tile, const float* values, MeshScratch& scratch) {
+void TileMesh::make_surface(const Tile& tile, float* values, bool own, MeshScratch& scratch) {
     const DenormalsAreZero as_on_gpus;
     const SurfaceOptions& surface = m_job.surface;
     m_lattice.find_divisions();
@@ -62,27 +100,44 @@ void TileMesh::make_surface(const Tile& tile, const float* values, MeshScratch& 
         m_lattice.find_first_edges();
 
     const Rect part = sampled_part(tile);
+    float* const corrected = is_corrected(surface) ? place_for_corrected(values, own) : values;
     for (int g = 0; g < int(m_nets.size()); ++g) {
         Net& net = m_nets[size_t(g)];
-        set_vertices(m_lattice, values, m_job.channels, g * group_size,
-                     channels_in_group(m_job.channels, g), net);
-        for (int c = 0; c < group_size; ++c)
-            net.strict[c] = is_strict(m_job, g * group_size + c) ? 1.0f : 0.0f;
-        if (is_fitted(surface))
-            fit(g, part, scratch);
-        else if (surface.consistency > 0)
-            correct(g, scratch);
-    }
-    for (Net& net : m_nets) {
-        if (is_fitted(surface))
-            begin_softness(net, part);
-        else
-            begin_edges(net, part);
-        // Several nets would want as many EdgeMakers.
-        if (!edges_wait())
-            m_edges.finish();
+        EdgeMaker& edges = m_edges[size_t(g)];
+        set_strictness(g, net);
+        if (is_fitted(surface)) {
+            fit(g, values, part, scratch);
+            // The edges are bent already.
+            edges.begin_edge_rows(m_lattice, part, {false, recipe().gain, surface.soft}, net);
+            continue;
+        }
+        if (is_corrected(surface))
+            correct(g, values, part, corrected, scratch);
+        edges.begin_rows(m_lattice, part, recipe(), group_values(corrected, g), net);
     }
     m_search.begin();
+}
+
+GroupValues TileMesh::group_values(const float* values, int group) const {
+    return {values, m_job.channels, group * group_size, channels_in_group(m_job.channels, group)};
+}
+
+EdgeRecipe TileMesh::recipe() const {
+    const SurfaceOptions& surface = m_job.surface;
+    return {surface.kind != Surface::linear, surface.soft > 0 ? m_gain.data() : nullptr,
+            surface.soft};
+}
+
+void TileMesh::set_strictness(int group, Net& net) const {
+    for (int c = 0; c < group_size; ++c)
+        net.strict[c] = is_strict(m_job, group * group_size + c) ? 1.0f : 0.0f;
+}
+
+float* TileMesh::place_for_corrected(float* values, bool own) {
+    if (own)
+        return values;
+    m_corrected.resize(m_lattice.vertices() * size_t(m_job.channels));
+    return m_corrected.data();
 }
 
 Rect TileMesh::sampled_part(const Tile& tile) const {
@@ -93,52 +148,75 @@ Rect TileMesh::sampled_part(const Tile& tile) const {
             std::min(c.y1 + 1 + far - p.y0, m_lattice.height())};
 }
 
-void TileMesh::correct(int group, MeshScratch& scratch) {
-    const SurfaceOptions& surface = m_job.surface;
-    Net& net = m_nets[size_t(group)];
-    scratch.consistency.begin(m_lattice, net, surface.limit, surface.clipped);
-    for (int round = 0; round < surface.consistency; ++round) {
-        begin_edges(net, {0, 0, m_lattice.width(), m_lattice.height()});
-        m_edges.finish();
-        scratch.consistency.correct(m_lattice, surface.kind, net);
-    }
-    scratch.consistency.restore(m_lattice, nearest_mask(m_job, group), net);
+/// A part of the lattice and so many pixels round it.
+Rect TileMesh::grown(const Rect& part, int by) const {
+    return {std::max(part.x0 - by, 0), std::max(part.y0 - by, 0),
+            std::min(part.x1 + by, m_lattice.width()), std::min(part.y1 + by, m_lattice.height())};
 }
 
-void TileMesh::fit(int group, const Rect& part, MeshScratch& scratch) {
+/// Make the edges of a net of the whole lattice and the sums of the means, for the vertices of
+/// `part`: row by row, so that of what edges are made of no more than some rows is there.
+void TileMesh::measure(const Rect& part, Net& net, MeshScratch& scratch) {
+    const Surface kind = m_job.surface.kind;
+    // A triangle that crosses a cell beside a vertex.
+    scratch.edges.begin_edge_rows(m_lattice, grown(part, m_lattice.longest() + 1), recipe(), net);
+    scratch.consistency.begin_sums();
+    for (int y = 0; y + 1 < m_lattice.height(); ++y) {
+        scratch.edges.to_row(y + m_lattice.longest(), y);
+        scratch.consistency.add_row(m_lattice, kind, net, part, y);
+    }
+}
+
+/// Set the group's channels of `corrected` to its vertices after the rounds, as far as the part's
+/// edges need them.
+void TileMesh::correct(int group, const float* values, const Rect& part, float* corrected,
+                       MeshScratch& scratch) {
     const SurfaceOptions& surface = m_job.surface;
+    const GroupValues from = group_values(values, group);
+    Net& net = scratch.net;
+    Consistency& consistency = scratch.consistency;
+    set_vertices(m_lattice, values, from.channels, from.first, from.count, net);
+    set_strictness(group, net);
+    // Gradients see a longest edge round their vertices, as do edges. A round sees twice that
+    // further.
+    const int beside = m_lattice.longest() + 1;
+    const auto moved_by = [&](int round) {
+        return grown(part, beside * (1 + 2 * (surface.consistency - 1 - round)));
+    };
+    consistency.begin(m_lattice, net, surface.limit, surface.clipped, moved_by(0));
+    for (int round = 0; round < surface.consistency; ++round) {
+        measure(moved_by(round), net, scratch);
+        consistency.move(m_lattice, moved_by(round), net);
+    }
+    consistency.restore(m_lattice, nearest_mask(m_job, group), net);
+    get_vertices(m_lattice, net, from.channels, from.first, from.count, corrected);
+}
+
+void TileMesh::fit(int group, const float* values, const Rect& part, MeshScratch& scratch) {
+    const SurfaceOptions& surface = m_job.surface;
+    const GroupValues from = group_values(values, group);
     Consistency& consistency = scratch.consistency;
     Net& net = m_nets[size_t(group)];
-    consistency.begin(m_lattice, net, surface.limit, surface.clipped);
-    begin_edges(net, {0, 0, m_lattice.width(), m_lattice.height()});
-    m_edges.finish();
-    consistency.measure(m_lattice, surface.kind, net);
-    scratch.fitted.move_vertices(m_lattice, consistency, net);
+    // Of apexes too.
+    const Rect moved = grown(part, m_lattice.longest() + 1);
+    set_vertices(m_lattice, values, from.channels, from.first, from.count, net);
+    consistency.begin(m_lattice, net, surface.limit, surface.clipped, moved);
+    measure(moved, net, scratch);
+    scratch.fitted.move_vertices(m_lattice, moved, consistency, net);
     consistency.restore(m_lattice, nearest_mask(m_job, group), net);
     scratch.fitted.bend_edges(m_lattice, part, m_gain.data(), consistency, net);
 }
 
-void TileMesh::begin_edges(Net& net, const Rect& part) {
-    const SurfaceOptions& surface = m_job.surface;
-    m_edges.begin(m_lattice, part, surface.kind != Surface::linear,
-                  surface.soft > 0 ? m_gain.data() : nullptr, surface.soft, net);
-}
-
-/// As begin_edges(), where edges are bent already.
-void TileMesh::begin_softness(Net& net, const Rect& part) {
-    const SurfaceOptions& surface = m_job.surface;
-    m_edges.begin(m_lattice, part, false, surface.soft > 0 ? m_gain.data() : nullptr, surface.soft,
-                  net);
-}
-
-void TileMesh::make_edges_for(int32_t y) {
+void TileMesh::make_edges_for(int32_t y, int32_t keep) {
     const DenormalsAreZero as_on_gpus;
-    m_edges.to_row((y >> position_bits) + m_lattice.longest());
+    for (EdgeMaker& edges : m_edges)
+        edges.to_row((y >> position_bits) + m_lattice.longest(), keep >> position_bits);
 }
 
 void TileMesh::finish_edges() {
     const DenormalsAreZero as_on_gpus;
-    m_edges.finish();
+    for (EdgeMaker& edges : m_edges)
+        edges.finish();
 }
 
 void TileMesh::sample(const Point* points, int n, float* out) {

@@ -15,11 +15,21 @@
 
 namespace ddt {
 
+/// Whether a surface depends on the finished mesh's gains.
+bool wants_gains(const SurfaceOptions& surface);
+
 /// What is needed only while a mesh is made, and kept for the next.
 struct MeshScratch {
     Workspace workspace;
     Consistency consistency;
     Fitted fitted;
+    Net net; ///< of a whole lattice, while its vertices are corrected
+    EdgeMaker edges;
+
+    /// Take the memory that a lattice of so many sites needs.
+    void reserve(const Job& job, size_t sites);
+    /// About the bytes that this takes beside its Workspace.
+    static size_t memory(const Job& job, int width, int height);
 };
 
 /// The memory of one mesh, kept from one tile to the next.
@@ -30,21 +40,27 @@ public:
     /// Take the memory that a lattice of so many sites needs: a vector that grows from tile to tile
     /// would take up to twice of it.
     void reserve(size_t sites);
-    /// About the bytes that this takes.
-    static size_t memory(const Job& job, size_t sites);
+    /// About the bytes that this takes for a lattice of width x height pixels; `rows`: where only
+    /// rows of it are kept (finish_edges() is not called).
+    static size_t memory(const Job& job, int width, int height, bool rows);
 
     /// Make the mesh of a width x height guide. Adds to `statistics`.
     void triangulate(const float* guide, int width, int height, MeshScratch& scratch,
                      Statistics& statistics);
-    /// Lay the surface over it, through `values`, the job's channels for each pixel.
-    void make_surface(const Tile& tile, const float* values, MeshScratch& scratch);
+    /// Lay the surface over it, through `values`, the job's channels for each pixel, which must
+    /// stay there while it is in use. Where vertices are corrected, the corrected ones take the
+    /// values' place, if `own`.
+    void make_surface(const Tile& tile, float* values, bool own, MeshScratch& scratch);
 
     const Lattice& lattice() const { return m_lattice; }
-    /// True if edges are made as they are needed: before what needs them is sampled,
-    /// make_edges_for() its y, in ascending order, or finish_edges(), is to be called.
-    bool edges_wait() const { return m_nets.size() == 1; }
-    void make_edges_for(int32_t y);
+    /// Edges are made as they are needed: before what needs them is sampled, make_edges_for() its
+    /// y, in ascending order, or finish_edges(), is to be called. What is above `keep` may be gone
+    /// then.
+    void make_edges_for(int32_t y, int32_t keep);
     void finish_edges();
+
+    /// To be called before positions are sampled that are not those of the columns before.
+    void begin_panel() { m_search.begin(); }
 
     /// Sample at n points; row_padding floats more may be written.
     void sample(const Point* points, int n, float* out);
@@ -56,16 +72,22 @@ public:
 private:
     /// The part of the lattice whose edges are sampled: triangles of the tile reach into the halo.
     Rect sampled_part(const Tile& tile) const;
-    void correct(int group, MeshScratch& scratch);
-    void fit(int group, const Rect& part, MeshScratch& scratch);
-    void begin_edges(Net& net, const Rect& part);
-    void begin_softness(Net& net, const Rect& part);
+    GroupValues group_values(const float* values, int group) const;
+    EdgeRecipe recipe() const;
+    void set_strictness(int group, Net& net) const;
+    float* place_for_corrected(float* values, bool own);
+    Rect grown(const Rect& part, int by) const;
+    void measure(const Rect& part, Net& net, MeshScratch& scratch);
+    void correct(int group, const float* values, const Rect& part, float* corrected,
+                 MeshScratch& scratch);
+    void fit(int group, const float* values, const Rect& part, MeshScratch& scratch);
 
     const Job& m_job;
     Lattice m_lattice;
     std::vector<float> m_gain; ///< Workspace::gain of the finished mesh, for soft edges
     std::vector<Net> m_nets;   ///< one a group of channels
-    EdgeMaker m_edges;
+    std::vector<EdgeMaker> m_edges;
+    std::vector<float> m_corrected; ///< values, where they are not to be changed in their place
     Search m_search;
     LocatedRow m_row;
     LocatedBlock m_block;

@@ -16,35 +16,40 @@ namespace {
 /// Floats of output that are handed to the sink at once, about: half a megabyte.
 constexpr size_t strip_floats = size_t(1) << 17;
 
-/// Pixels of the largest tile of a window; a lattice has at least 2 x 2.
-size_t largest_tile(const Rect& window) {
-    const auto along = [](int pixels) {
-        return size_t(std::clamp(pixels, 2, tile_size + 1 + 2 * tile_halo));
-    };
-    return along(window.width()) * along(window.height());
+/// Columns of output that are worked on at once: what is kept for each column stays small however
+/// long the rows are.
+int panel_columns(const Job& job) {
+    constexpr size_t most = size_t(1) << 14;
+    return int(std::clamp<size_t>(strip_floats / size_t(job.channels), 1, most));
+}
+
+/// Pixels of the largest tile along an axis of a window; a lattice has at least 2.
+int largest_tile(int pixels) {
+    return std::clamp(pixels, 2, tile_size + 1 + 2 * tile_halo);
 }
 
 } // namespace
 
-size_t TileWorker::memory(const Job& job) {
-    const size_t pixels = largest_tile(job.window), sites = 4 * pixels;
-    const size_t meshes = size_t(job.mesh.meshes) * TileMesh::memory(job, sites);
-    // Gains, work lists.
-    const size_t workspace = sites * (sizeof(float) + 4 * sizeof(int));
-    const size_t consistency = job.surface.consistency > 0 ? sites * sizeof(float) * group_size : 0;
-    const size_t fitted = is_fitted(job.surface) ? pixels * sizeof(float) * group_size : 0;
+size_t TileWorker::memory(const Job& job, bool separable) {
+    const int width = largest_tile(job.window.width()), height = largest_tile(job.window.height());
+    const size_t pixels = size_t(width) * size_t(height), sites = 4 * pixels;
+    const size_t meshes = size_t(job.mesh.meshes) * TileMesh::memory(job, width, height, separable);
+    // Gains, where no mesh keeps them, and work lists, which are longest in noise.
+    const size_t workspace = (wants_gains(job.surface) ? 0 : sites * sizeof(float)) + pixels * 10;
+    const size_t scratch = MeshScratch::memory(job, width, height);
     const size_t guides = job.mesh.meshes > 1 ? 2 : 1;
     const size_t planes = pixels * sizeof(float) * (guides + size_t(job.channels));
-    const size_t contours = ContourRows::memory(tile_size + 1 + 2 * tile_halo);
-    return meshes + workspace + consistency + fitted + planes + contours +
-           2 * strip_floats * sizeof(float);
+    const size_t contours = ContourRows::memory(width);
+    return meshes + workspace + scratch + planes + contours + 2 * strip_floats * sizeof(float);
 }
 
 void TileWorker::reserve() {
-    const size_t pixels = largest_tile(m_job.window), sites = 4 * pixels;
+    const size_t pixels =
+        size_t(largest_tile(m_job.window.width())) * size_t(largest_tile(m_job.window.height()));
+    const size_t sites = 4 * pixels;
     m_values.reserve(pixels * size_t(m_job.channels));
     m_guide.reserve(pixels);
-    m_scratch.workspace.gain.reserve(sites);
+    m_scratch.reserve(m_job, sites);
     m_meshes.reserve(size_t(m_job.mesh.meshes));
     for (int k = 0; k < m_job.mesh.meshes; ++k)
         m_meshes.emplace_back(m_job).reserve(sites);
@@ -65,7 +70,7 @@ Outcome TileWorker::work(const Tile& tile, int first_row) {
     for (size_t k = 0; k < m_meshes.size(); ++k) {
         m_meshes[k].triangulate(guide_of(k), m_width, m_height, m_scratch, m_statistics);
         m_clock.lap(times.triangulate);
-        m_meshes[k].make_surface(tile, m_values.data(), m_scratch);
+        m_meshes[k].make_surface(tile, m_values.data(), m_meshes.size() == 1, m_scratch);
         m_clock.lap(times.surface);
     }
     return write(tile, reach);
@@ -88,13 +93,11 @@ const float* TileWorker::guide_of(size_t mesh) {
     return guide.data();
 }
 
-/// Make the edges that positions up to this y may need.
-void TileWorker::make_edges_for(int32_t y) {
-    if (!m_meshes[0].edges_wait())
-        return;
+/// Make the edges that positions at this y need; positions above `keep` are not asked for again.
+void TileWorker::make_edges_for(int32_t y, int32_t keep) {
     m_clock.lap(m_statistics.times.sample);
     for (TileMesh& mesh : m_meshes)
-        mesh.make_edges_for(y);
+        mesh.make_edges_for(y, keep);
     m_clock.lap(m_statistics.times.surface);
 }
 
@@ -104,28 +107,63 @@ bool TileWorker::follows(const Point& a, const Point& b) {
     return std::abs(b.x - a.x) <= longest && std::abs(b.y - a.y) <= longest;
 }
 
-Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
-    const size_t row = size_t(reach.width()) * size_t(m_job.channels);
-    m_positions.resize(size_t(reach.width()));
-    m_inside.resize(size_t(reach.width()));
-    m_points.resize(size_t(reach.width()));
-    bool grid = m_mapping.separable();
-    if (grid) {
-        m_mapping.row(reach.y0, reach.x0, reach.x1, m_positions.data(), m_inside.data());
-        for (size_t i = 0; i < m_points.size(); ++i)
-            m_points[i] = local(tile, m_positions[i]);
-        for (size_t i = 1; i < m_points.size(); ++i)
-            grid = grid && follows(m_points[i - 1], m_points[i]);
+/// Find where the columns of `rows`, of a separable mapping, lie. False if neighbours are too far
+/// apart to be sampled as a grid.
+bool TileWorker::find_columns(const Tile& tile, const Rect& rows) {
+    m_points.resize(size_t(rows.width()));
+    m_mapping.row(rows.y0, rows.x0, rows.x1, m_positions.data(), m_inside.data());
+    for (size_t i = 0; i < m_points.size(); ++i)
+        m_points[i] = local(tile, m_positions[i]);
+    for (size_t i = 1; i < m_points.size(); ++i)
+        if (!follows(m_points[i - 1], m_points[i]))
+            return false;
+    m_columns.find(m_points.data(), int(m_points.size()), m_width);
+    return true;
+}
+
+/// Call f(panel) for parts of r that are no wider than a panel, from left to right, until it
+/// returns something else than `done`.
+template <class F>
+Outcome TileWorker::each_panel(const Rect& r, F&& f) const {
+    const int columns = panel_columns(m_job);
+    for (int x = r.x0; x < r.x1; x += columns) {
+        const Outcome outcome =
+            f(Rect{x, r.y0, r.x0 + std::min(x - r.x0 + columns, r.width()), r.y1});
+        if (outcome != Outcome::done)
+            return outcome;
     }
+    return Outcome::done;
+}
+
+Outcome TileWorker::write(const Tile& tile, const Rect& reach) {
+    const int width = std::min(reach.width(), panel_columns(m_job));
+    const bool panels = reach.width() > width;
+    m_positions.resize(size_t(width));
+    m_inside.resize(size_t(width));
+    m_points.resize(size_t(width));
+    bool grid = m_mapping.separable();
     if (grid)
-        m_columns.find(m_points.data(), int(m_points.size()), m_width);
-    else if (m_meshes[0].edges_wait())
+        each_panel({reach.x0, reach.y0, reach.x1, reach.y0 + 1}, [&](const Rect& panel) {
+            grid = grid && find_columns(tile, panel);
+            return Outcome::done;
+        });
+    if (!grid)
         for (TileMesh& mesh : m_meshes)
             mesh.finish_edges();
+    const size_t row = size_t(width) * size_t(m_job.channels);
     const int strip = grid ? int(std::max<size_t>(1, strip_floats / row)) : 1;
     for (int y = reach.y0; y < reach.y1; y += strip) {
         const Rect rows{reach.x0, y, reach.x1, std::min(y + strip, reach.y1)};
-        const Outcome outcome = grid ? write_rows(tile, rows) : write_runs(tile, rows);
+        const Outcome outcome = each_panel(rows, [&](const Rect& part) {
+            if (panels)
+                for (TileMesh& mesh : m_meshes)
+                    mesh.begin_panel();
+            if (!grid)
+                return write_runs(tile, part);
+            if (panels)
+                find_columns(tile, part);
+            return write_rows(tile, part, panels);
+        });
         if (outcome != Outcome::done)
             return outcome;
     }
@@ -181,7 +219,7 @@ bool TileWorker::hand_over(const Rect& r) {
     return taken;
 }
 
-Outcome TileWorker::write_rows(const Tile& tile, const Rect& rows) {
+Outcome TileWorker::write_rows(const Tile& tile, const Rect& rows, bool panels) {
     const auto channels = size_t(m_job.channels);
     m_ys.clear();
     for (int y = rows.y0; y < rows.y1; ++y) {
@@ -198,7 +236,8 @@ Outcome TileWorker::write_rows(const Tile& tile, const Rect& rows) {
         m_out.resize(rows.area() * channels + row_padding);
     for (int y = 0; y < rows.height();) {
         float* out = (place ? place : m_out.data()) + size_t(y) * row;
-        make_edges_for(m_ys[size_t(y)]);
+        // Other columns of the same rows may come next.
+        make_edges_for(m_ys[size_t(y)], m_ys[panels ? 0 : size_t(y)]);
         if (blocks) {
             y += sample_block(m_ys.data() + y, rows.height() - y, out, row);
             continue;

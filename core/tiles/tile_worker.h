@@ -23,8 +23,8 @@ public:
 
     const Statistics& statistics() const { return m_statistics; }
 
-    /// About the bytes that a worker takes for a job.
-    static size_t memory(const Job& job);
+    /// About the bytes that a worker takes for a job; `separable`: Mapping::separable().
+    static size_t memory(const Job& job, bool separable);
 
 private:
     /// Take the memory that the largest tile needs: a vector that grows from tile to tile would
@@ -32,9 +32,12 @@ private:
     void reserve();
     bool read(const Tile& tile);
     const float* guide_of(size_t mesh); ///< to be called in ascending order
-    void make_edges_for(int32_t y);
+    void make_edges_for(int32_t y, int32_t keep);
     Outcome write(const Tile& tile, const Rect& reach);
-    Outcome write_rows(const Tile& tile, const Rect& rows);
+    bool find_columns(const Tile& tile, const Rect& rows);
+    template <class F>
+    Outcome each_panel(const Rect& r, F&& f) const;
+    Outcome write_rows(const Tile& tile, const Rect& rows, bool panels);
     static bool follows(const Point& a, const Point& b);
     Outcome write_runs(const Tile& tile, const Rect& row);
     void sample(int n, float* out);

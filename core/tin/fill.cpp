@@ -5,6 +5,8 @@
 
 #include "core/base/guarded.h"
 #include "core/tin/draw.h"
+#include "core/tin/fill.h"
+#include "core/tin/membrane.h"
 
 namespace ddt {
 
@@ -14,14 +16,13 @@ namespace {
 /// those that a hole's edges depend on, and a few that tell them where to go.
 constexpr int margin = 6;
 
-class Holes {
+class Filler {
 public:
-    Holes(float* values, int width, int height, int channels, const Channel* kinds,
-          const float* guide, const uint8_t* missing)
-        : m_values(values), m_width(width), m_height(height), m_channels(size_t(channels)),
-          m_kinds(kinds), m_guide(guide), m_missing(missing) {}
+    Filler(const HoledImage& image, const uint8_t* missing)
+        : m_image(image), m_width(image.width), m_height(image.height),
+          m_channels(size_t(image.channels)), m_missing(missing) {}
 
-    bool fill(const MeshOptions& options, std::string& error) {
+    bool fill(const MeshOptions& options, Device device, std::string& error) {
         const size_t size = size_t(m_width) * size_t(m_height);
         const auto count = size_t(std::count_if(m_missing, m_missing + size, is_set));
         if (count == 0)
@@ -31,11 +32,14 @@ public:
             return false;
         }
         collect();
+        m_surface.assign(m_image.guide, m_image.guide + size);
         std::vector<uint8_t> inside(size, 0);
-        if (spans_plane() && !(delaunay(m_mesh, &error) &&
-                               optimise(m_mesh, m_guides.data(), options, nullptr, &error) &&
-                               interpolate(inside.data(), error)))
+        if (spans_plane() &&
+            !(delaunay(m_mesh, &error) &&
+              optimise(m_mesh, m_guides.data(), options, nullptr, &error, {}, device) &&
+              interpolate(inside.data(), error)))
             return false;
+        smooth(inside);
         spread(inside);
         return true;
     }
@@ -43,7 +47,7 @@ public:
 private:
     static bool is_set(uint8_t byte) { return byte != 0; }
 
-    float* pixel(size_t i) { return m_values + i * m_channels; }
+    float* pixel(size_t i) { return m_image.values + i * m_channels; }
 
     /// How many missing pixels there are near each pixel, by sums along rows, then columns.
     std::vector<uint8_t> near_holes() const {
@@ -75,7 +79,7 @@ private:
                     continue;
                 m_mesh.x.push_back(x);
                 m_mesh.y.push_back(y);
-                m_guides.push_back(m_guide[i]);
+                m_guides.push_back(m_image.guide[i]);
                 m_points.insert(m_points.end(), pixel(i), pixel(i) + m_channels);
             }
     }
@@ -92,7 +96,7 @@ private:
 
     float value(size_t channel, const std::array<int32_t, 3>& triangle,
                 const Covered& covered) const {
-        if (m_kinds && m_kinds[channel] == Channel::nearest) {
+        if (m_image.kinds && m_image.kinds[channel] == Channel::nearest) {
             const double* w = covered.weight;
             const auto k = size_t(std::max_element(w, w + 3) - w);
             return m_points[size_t(triangle[k]) * m_channels + channel];
@@ -107,7 +111,20 @@ private:
                                   return;
                               for (size_t c = 0; c < m_channels; ++c)
                                   pixel(covered.pixel)[c] = value(c, triangle, covered);
+                              m_surface[covered.pixel] =
+                                  value_at(m_guides.data(), 1, 0, triangle, covered);
                           });
+    }
+
+    void smooth(const std::vector<uint8_t>& inside) {
+        std::vector<uint8_t> filled(inside.size()), known(inside.size());
+        for (size_t i = 0; i < inside.size(); ++i) {
+            filled[i] = m_missing[i] && inside[i];
+            known[i] = !m_missing[i] || inside[i];
+            if (filled[i] && m_image.guide_too)
+                m_image.guide[i] = m_surface[i];
+        }
+        smooth_holes(m_image, filled, known, m_surface);
     }
 
     /// Give missing pixels outside all triangles the value of the nearest that has one, counted in
@@ -142,29 +159,37 @@ private:
                     return;
                 known[n] = 1;
                 std::copy_n(pixel(i), m_channels, pixel(n));
+                if (m_image.guide_too)
+                    m_image.guide[n] = m_image.guide[i];
                 queue.push_back(n);
             });
         }
     }
 
-    float* m_values;
+    const HoledImage& m_image;
     int m_width, m_height;
     size_t m_channels;
-    const Channel* m_kinds;
-    const float* m_guide;
     const uint8_t* m_missing;
     PointMesh m_mesh;
-    std::vector<float> m_guides; ///< a point
-    std::vector<float> m_points; ///< the points' values
+    std::vector<float> m_guides;  ///< a point
+    std::vector<float> m_points;  ///< the points' values
+    std::vector<float> m_surface; ///< the guide, filled
 };
 
 } // namespace
+
+bool fill_holes(const HoledImage& image, const uint8_t* missing, const MeshOptions& options,
+                Device device, std::string& error) {
+    return Filler(image, missing).fill(options, device, error);
+}
 
 bool fill_holes(float* values, int width, int height, int channels, const Channel* kinds,
                 const float* guide, const uint8_t* missing, const MeshOptions& options,
                 std::string* error) {
     return succeeds(error, [&](std::string& why) {
-        return Holes(values, width, height, channels, kinds, guide, missing).fill(options, why);
+        const HoledImage image{values, const_cast<float*>(guide), width, height, channels, kinds,
+                               false};
+        return fill_holes(image, missing, options, Device::automatic, why);
     });
 }
 

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/base/guarded.h"
+#include "core/base/verbose.h"
 #include "core/gl/offload.h"
 #include "core/tin/delaunay.h"
 #include "core/tin/step_grid.h"
@@ -79,12 +80,17 @@ void flip(Tin& tin, const MeshOptions& options, const Placement& placement, Work
     statistics.device = Device::cpu;
     if (placement.gpu && tin_on_gpu(options)) {
         const Tin before = tin;
-        if (flip_on_gpu(*placement.gpu, tin, options, workspace, statistics).empty()) {
+        const std::string failure =
+            flip_on_gpu(*placement.gpu, tin, options, workspace, statistics);
+        if (failure.empty()) {
             statistics.pixels += int64_t(tin.vertices.size());
             statistics.device = placement.device;
             return;
         }
-        tin = before; // the CPU does it
+        if (verbose())
+            say("ddt: %s failed, finished on the CPU: %s", describe(placement).c_str(),
+                failure.c_str());
+        tin = before;
     }
     triangulate(tin, options, workspace, statistics);
 }

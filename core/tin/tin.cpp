@@ -60,29 +60,47 @@ bool list_triangles(Tin& tin, const std::vector<std::array<int32_t, 3>>& triangl
     return true;
 }
 
+/// A side by what it is sorted by: its midpoint; then the two sides of an edge are neighbours.
+/// (Different edges of a triangulation with the same midpoint would cross.)
+struct Sorted {
+    uint64_t midpoint;
+    uint32_t number; ///< 3 * triangle + corner
+};
+
+Side side_of(const Tin& tin, uint32_t number) {
+    const int32_t triangle = int32_t(number / 3), k = int32_t(number % 3);
+    const Tin::Triangle& t = tin.triangles[size_t(triangle)];
+    const int32_t p = t.vertex[k], q = t.vertex[(k + 1) % 3];
+    const bool forwards = before(tin.vertices[size_t(p)].at, tin.vertices[size_t(q)].at);
+    return {forwards ? p : q, forwards ? q : p, triangle, k, forwards};
+}
+
 std::vector<Side> list_sides(const Tin& tin) {
-    std::vector<Side> sides;
-    sides.reserve(3 * tin.triangles.size());
-    for (size_t t = 0; t < tin.triangles.size(); ++t)
-        for (int k = 0; k < 3; ++k) {
-            const int32_t p = tin.triangles[t].vertex[k], q = tin.triangles[t].vertex[(k + 1) % 3];
-            const bool forwards = before(tin.vertices[size_t(p)].at, tin.vertices[size_t(q)].at);
-            sides.push_back({forwards ? p : q, forwards ? q : p, int32_t(t), k, forwards});
+    std::vector<Sorted> sorted;
+    sorted.reserve(3 * tin.triangles.size());
+    for (uint32_t t = 0; t < tin.triangles.size(); ++t)
+        for (uint32_t k = 0; k < 3; ++k) {
+            const Tin::Triangle& triangle = tin.triangles[t];
+            const Steps a = tin.vertices[size_t(triangle.vertex[k])].at,
+                        b = tin.vertices[size_t(triangle.vertex[(k + 1) % 3])].at;
+            sorted.push_back(
+                {uint64_t(uint32_t(a.y) + uint32_t(b.y)) << 32 | (uint32_t(a.x) + uint32_t(b.x)),
+                 3 * t + k});
         }
-    // By midpoint; then the two sides of an edge are neighbours. Different edges of a triangulation
-    // with the same midpoint would cross.
-    const auto key = [&](const Side& s) {
-        const Steps a = tin.vertices[size_t(s.first)].at, b = tin.vertices[size_t(s.second)].at;
-        return std::array<uint32_t, 2>{uint32_t(a.y) + uint32_t(b.y),
-                                       uint32_t(a.x) + uint32_t(b.x)};
-    };
-    std::sort(sides.begin(), sides.end(), [&](const Side& s, const Side& t) {
-        const auto ks = key(s), kt = key(t);
-        if (ks != kt)
-            return ks < kt;
-        return std::array<int32_t, 3>{s.first, s.second, !s.forwards} <
-               std::array<int32_t, 3>{t.first, t.second, !t.forwards};
+    std::sort(sorted.begin(), sorted.end(), [](const Sorted& s, const Sorted& t) {
+        return s.midpoint != t.midpoint ? s.midpoint < t.midpoint : s.number < t.number;
     });
+    std::vector<Side> sides;
+    sides.reserve(sorted.size());
+    for (size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
+        for (; end < sorted.size() && sorted[end].midpoint == sorted[begin].midpoint; ++end)
+            sides.push_back(side_of(tin, sorted[end].number));
+        std::sort(sides.begin() + std::ptrdiff_t(begin), sides.end(),
+                  [](const Side& s, const Side& t) {
+                      return std::array<int32_t, 3>{s.first, s.second, !s.forwards} <
+                             std::array<int32_t, 3>{t.first, t.second, !t.forwards};
+                  });
+    }
     return sides;
 }
 

@@ -24,33 +24,35 @@ int find_blocker(const Mesh& mesh, const std::vector<float>& gain, int m) {
     return blocker;
 }
 
-/// Put those of the edges that `each` calls its argument with that can be flipped into w.flippable;
-/// there are at most `count`. Without branches, since half of them can.
-template <class Mesh, class Each>
-void find_flippable(const Mesh& mesh, size_t count, Each&& each, Workspace& w) {
-    w.flippable.resize(count);
-    int* out = w.flippable.data();
-    each([&](int m) {
-        w.gain[size_t(m)] = no_gain;
-        *out = m;
-        out += mesh.flippable(m);
-    });
-    w.flippable.resize(size_t(out - w.flippable.data()));
-}
+/// Edges that are evaluated at a time: lists of all that a round touches would be as long as the
+/// mesh.
+constexpr size_t edges_at_once = 4096;
 
-/// Evaluate the flippable edges; those above min_gain become candidates.
+/// Find the gains of the edges in w.dirty, which is emptied; those above min_gain become
+/// candidates. Returns how many could be flipped.
 template <class Mesh>
-void evaluate(const Mesh& mesh, const Criterion& criterion, float min_gain, Workspace& w,
-              Statistics& statistics) {
-    gains(mesh, criterion, w.flippable.data(), w.flippable.size(), w.gain.data());
-    statistics.evaluations += int64_t(w.flippable.size());
-    w.candidates.resize(w.flippable.size() + 1);
-    int* out = w.candidates.data();
-    for (const int m : w.flippable) {
-        *out = m;
-        out += w.gain[size_t(m)] > min_gain;
+int64_t evaluate(const Mesh& mesh, const Criterion& criterion, float min_gain, Workspace& w) {
+    // One more than there are, since a place is written before it is known to be taken. Without
+    // branches, since half of them can.
+    w.flippable.resize(w.dirty.size() + 1);
+    int* flippable = w.flippable.data();
+    for (const int m : w.dirty) {
+        w.gain[size_t(m)] = no_gain;
+        *flippable = m;
+        flippable += mesh.flippable(m);
+    }
+    const auto count = size_t(flippable - w.flippable.data());
+    gains(mesh, criterion, w.flippable.data(), count, w.gain.data());
+    const size_t before = w.candidates.size();
+    w.candidates.resize(before + count + 1);
+    int* out = w.candidates.data() + before;
+    for (size_t i = 0; i < count; ++i) {
+        *out = w.flippable[i];
+        out += w.gain[size_t(*out)] > min_gain;
     }
     w.candidates.resize(size_t(out - w.candidates.data()));
+    w.dirty.clear();
+    return int64_t(count);
 }
 
 /// A candidate that waits is looked at again when its blocker was evaluated again. Nothing else can
@@ -69,10 +71,19 @@ void wake_blocked(const Mesh& mesh, uint8_t iteration, Workspace& w) {
     w.blocked.resize(kept);
 }
 
-/// Flip the selected edges and collect what must be evaluated again: their 2-regions.
+/// Flip the selected edges and evaluate again what must be: their 2-regions. `touched` receives
+/// how many edges those have. Returns as evaluate() does.
 template <class Mesh>
-void flip_selected(Mesh& mesh, uint8_t next_iteration, Workspace& w) {
+int64_t flip_selected(Mesh& mesh, const Criterion& criterion, float min_gain,
+                      uint8_t next_iteration, Workspace& w, size_t& touched) {
+    int64_t evaluated = 0;
+    touched = 0;
+    w.candidates.clear();
     w.dirty.clear();
+    const auto evaluate_dirty = [&] {
+        touched += w.dirty.size();
+        evaluated += evaluate(mesh, criterion, min_gain, w);
+    };
     const auto touch = [&](int m) {
         if (mesh.stamp(m) != next_iteration) {
             mesh.stamp(m) = next_iteration;
@@ -84,7 +95,25 @@ void flip_selected(Mesh& mesh, uint8_t next_iteration, Workspace& w) {
     for (const int m : w.selected) {
         touch(m);
         mesh.each_of_region(m, touch);
+        if (w.dirty.size() >= edges_at_once)
+            evaluate_dirty();
     }
+    evaluate_dirty();
+    return evaluated;
+}
+
+/// Evaluate all edges.
+template <class Mesh>
+int64_t evaluate_all(const Mesh& mesh, const Criterion& criterion, float min_gain, Workspace& w) {
+    int64_t evaluated = 0;
+    w.candidates.clear();
+    w.dirty.clear();
+    mesh.each_edge([&](int m) {
+        w.dirty.push_back(m);
+        if (w.dirty.size() >= edges_at_once)
+            evaluated += evaluate(mesh, criterion, min_gain, w);
+    });
+    return evaluated + evaluate(mesh, criterion, min_gain, w);
 }
 
 } // namespace one_round_steps
@@ -95,21 +124,14 @@ void one_round(Mesh& mesh, const Criterion& criterion, float min_gain, int max_i
     using namespace one_round_steps;
     w.gain.resize(mesh.size());
     w.blocked.clear();
-    const auto all = [&](auto&& f) { mesh.each_edge(f); };
-    const auto dirty = [&](auto&& f) {
-        for (const int m : w.dirty)
-            f(m);
-    };
-    // One more than there are, since a place is written before it is known to be taken.
-    // Whether w.gain of w.flippable is to be found yet.
-    bool stale = max_iterations < 1 || !start_gains(mesh, criterion, min_gain, w, statistics);
-    if (stale)
-        find_flippable(mesh, mesh.edges() + 1, all, w);
+    // Of edges whose gains are known, and are not counted yet.
+    int64_t evaluated = 0;
+    if (max_iterations < 1 || !start_gains(mesh, criterion, min_gain, w, statistics))
+        evaluated = evaluate_all(mesh, criterion, min_gain, w);
     for (int iteration = 1; iteration <= max_iterations; ++iteration) {
         const auto stamp = uint8_t(iteration);
-        if (stale)
-            evaluate(mesh, criterion, min_gain, w, statistics);
-        stale = false;
+        statistics.evaluations += evaluated;
+        evaluated = 0;
         wake_blocked(mesh, stamp, w);
         if (w.candidates.empty())
             break;
@@ -121,17 +143,14 @@ void one_round(Mesh& mesh, const Criterion& criterion, float min_gain, int max_i
             else
                 w.blocked.push_back({m, blocker});
         }
-        flip_selected(mesh, uint8_t(iteration + 1), w);
-        find_flippable(mesh, w.dirty.size() + 1, dirty, w);
-        stale = true;
+        size_t touched = 0;
+        evaluated = flip_selected(mesh, criterion, min_gain, uint8_t(iteration + 1), w, touched);
         statistics.flips += int64_t(w.selected.size());
         if (statistics.iterations < iteration)
             statistics.iterations = iteration;
-        if (!w.go_on(w.dirty.size(), mesh.size()))
+        if (!w.go_on(touched, mesh.size()))
             break;
     }
-    if (stale)
-        gains(mesh, criterion, w.flippable.data(), w.flippable.size(), w.gain.data());
 }
 
 } // namespace ddt

@@ -200,7 +200,10 @@ GeglRectangle get_required_for_output(GeglOperation* operation, const gchar*,
     Rect window, full;
     if (!find_windows(operation, window, full))
         return *part;
-    return rectangle_of(needed(window, full, rect_of(*part)));
+    Enlargement work; // for what it says of holes
+    std::string error;
+    set_filter(specification(self_of(operation)), "linear", work, error);
+    return rectangle_of(needed(window, full, rect_of(*part), work.holes));
 }
 
 /// All at once: in pieces, halos would be worked on again and again.

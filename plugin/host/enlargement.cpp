@@ -103,6 +103,7 @@ Job job_of(const Enlargement& work) {
     job.surface = work.surface;
     job.threads = work.threads;
     job.device = work.device;
+    job.holes = work.holes;
     job.progress = work.progress;
     job.statistics = work.statistics;
     return job;
@@ -153,13 +154,15 @@ std::vector<std::string> meaning_names() {
     return names;
 }
 
-Rect needed(const Rect& window, const Rect& full, const Rect& box) {
+Rect needed(const Rect& window, const Rect& full, const Rect& box, Holes holes) {
     const Rect part = common(full, box);
     if (window.empty() || part.empty())
         return {};
     if (same_size(window, full))
         return {part.x0 + window.x0 - full.x0, part.y0 + window.y0 - full.y0,
                 part.x1 + window.x0 - full.x0, part.y1 + window.y0 - full.y0};
+    if (holes != Holes::keep)
+        return window;
     const ResizeMapping mapping = mapping_of(window, full, part);
     const Grid grid(window);
     Rect all;

@@ -53,20 +53,21 @@ struct Enlargement {
     SurfaceOptions surface; ///< `clipped` is what the user says: oiiotool's files count as floats
     MeshOptions mesh;
     Device device = Device::automatic;
+    Holes holes = Holes::keep; ///< not keep: from.box holds the whole window
     int threads = 0;
     std::function<bool(float)> progress; ///< see Job::progress
     Statistics* statistics = nullptr;
 };
 
 /// The pixels of `window` that the part `box` of the result depends on: whole tiles and their
-/// halos. Empty if box misses `full`.
-Rect needed(const Rect& window, const Rect& full, const Rect& box);
+/// halos; to fill holes the whole of it. Empty if box misses `full`.
+Rect needed(const Rect& window, const Rect& full, const Rect& box, Holes holes = Holes::keep);
 
 /// `window` enlarged by factors: sizes rounded to whole pixels, at least 1; the corner rounded too.
 Rect scaled(const Rect& window, double x_factor, double y_factor);
 
-/// Do it. A full that has the window's size is a copy; a smaller one is Outcome::bad_job, with one
-/// line in `error` as of any failure. Never throws.
+/// Do it. A full that has the window's size is a copy, holes and all; a smaller one is
+/// Outcome::bad_job, with one line in `error` as of any failure. Never throws.
 Outcome enlarge(const Enlargement& work, std::string& error);
 
 /// The same with a source and a sink of the host's own, whose pixels are associated linear light or

@@ -14,6 +14,7 @@ bool set_filter(std::string_view filter, std::string_view light, Enlargement& wo
     work.surface = options.surface;
     work.mesh = options.mesh;
     work.device = options.device;
+    work.holes = options.holes;
     return true;
 }
 

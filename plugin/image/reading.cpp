@@ -9,8 +9,9 @@
 namespace ddt {
 namespace {
 
-/// The channels the core works on: those wanted, then what the way back from linear light needs.
-std::vector<int> select(const Reading& reading, const OIIO::ROI& roi) {
+/// The channels the core works on: those wanted, then what the way back from linear light needs,
+/// then the rest of the first `all`.
+std::vector<int> select(const Reading& reading, const OIIO::ROI& roi, int all) {
     std::vector<int> selected;
     for (int c = roi.chbegin; c < roi.chend; ++c)
         selected.push_back(c);
@@ -24,6 +25,9 @@ std::vector<int> select(const Reading& reading, const OIIO::ROI& roi) {
         if (colour.alpha >= 0 && !wanted(colour.alpha))
             selected.push_back(colour.alpha);
     }
+    for (int c = 0; c < all; ++c)
+        if (std::find(selected.begin(), selected.end(), c) == selected.end())
+            selected.push_back(c);
     return selected;
 }
 
@@ -69,7 +73,9 @@ bool plan_reading(const OIIO::ImageBuf& src, const Options& options, const OIIO:
     reading.guide = recipe(reading.channels, *light, linear);
     if (!encoded)
         reading.light = *light;
-    reading.selected = select(reading, roi);
+    const bool fill = options.holes != Holes::keep;
+    reading.keep_nan = fill;
+    reading.selected = select(reading, roi, fill ? spec.nchannels : 0);
     return true;
 }
 

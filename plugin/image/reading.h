@@ -20,10 +20,12 @@ struct Reading {
     Light light;               ///< Light() when nothing is to be converted
     GuideRecipe guide;         ///< positions are channels of the image
     std::vector<int> selected; ///< channels of the image that the core gets, in this order
+    bool keep_nan = false;     ///< whatever converting light makes of a NaN, it is one again
 };
 
-/// Decide on it for the channels of `roi` under options.light. False with one line in `error` for a
-/// colour space that does not exist.
+/// Decide on it for the channels of `roi` under options.light; where holes are to be filled, all
+/// channels are handed on: which pixels are missing does not depend on what is wanted. False with
+/// one line in `error` for a colour space that does not exist.
 bool plan_reading(const OIIO::ImageBuf& src, const Options& options, const OIIO::ROI& roi,
                   Reading& reading, std::string& error);
 

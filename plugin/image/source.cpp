@@ -2,6 +2,8 @@
 #include "plugin/image/source.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "plugin/colour/colourpixels.h"
 #include "plugin/image/pixels.h"
@@ -36,7 +38,13 @@ bool ImageSource::read_row(int y, const Rect& r, float* pixels, float* guide) {
         std::fill_n(guide, width, 0.0f);
         return true;
     }
+    std::vector<size_t> nans;
+    for (size_t i = 0; m_reading.keep_nan && i < width * size_t(channels); ++i)
+        if (std::isnan(pixels[i]))
+            nans.push_back(i);
     to_light(m_reading.light, m_reading.channels.colour, pixels, width, channels);
+    for (const size_t i : nans)
+        pixels[i] = std::numeric_limits<float>::quiet_NaN();
     make_guide(m_reading.guide, pixels, width, channels, guide);
     return true;
 }

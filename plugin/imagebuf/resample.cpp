@@ -70,6 +70,7 @@ bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& map
                            dst.spec().format != OIIO::TypeInt8;
     job.threads = thread_count(nthreads);
     job.device = options.device;
+    job.holes = options.holes;
     job.progress = options.progress;
     job.statistics = &statistics;
     const Outcome outcome = enlarge(source, sink, mapping, job, &error);

@@ -10,6 +10,7 @@
 #include "plugin/image/pixels.h"
 #include "plugin/image/windows.h"
 #include "plugin/imagebuf/guarded.h"
+#include "plugin/imagebuf/holes.h"
 #include "plugin/imagebuf/resample.h"
 
 namespace ddt {
@@ -97,14 +98,14 @@ bool check_shrinking(const OIIO::ROI& from, const OIIO::ROI& to, const OIIO::ROI
     return false;
 }
 
-bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options,
+bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& given, const Options& options,
                     OIIO::ROI roi, int nthreads, OIIO::ROI& touched, std::string& error) {
     using namespace OIIO::ImageBufAlgo;
-    if (!prepare(dst, src, roi, IBAprep_NO_SUPPORT_VOLUME | IBAprep_NO_COPY_ROI_FULL, error))
+    if (!prepare(dst, given, roi, IBAprep_NO_SUPPORT_VOLUME | IBAprep_NO_COPY_ROI_FULL, error))
         return false;
     if (roi.width() <= 0)
         return true;
-    const OIIO::ROI from = src.roi_full(), to = dst.roi_full();
+    const OIIO::ROI from = given.roi_full(), to = dst.roi_full();
     if (to.width() < 1 || to.height() < 1) {
         error = OIIO::Strutil::fmt::format(
             "the destination's display window has {} x {} pixels; at least 1 x 1 is needed",
@@ -116,16 +117,24 @@ bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Option
     if ((shrink_x || shrink_y) && !check_shrinking(from, to, roi, error))
         return false;
     touched = roi;
-    if ((shrink_x && !grow_y) || (shrink_y && !grow_x))
-        return resize_by_oiio(dst, src, roi, nthreads, error);
-    if (shrink_x || shrink_y)
-        return enlarge_then_shrink_in_bands(dst, src, roi, shrink_x, options, nthreads, error);
-    if (!grow_x && !grow_y)
+    if ((grow_x || grow_y) && !shrink_x && !shrink_y) {
+        const ResizeMapping mapping(x_axis(given.spec(), dst.spec(), roi),
+                                    y_axis(given.spec(), dst.spec(), roi));
+        return resample(dst, given, mapping, roi, options, nthreads, error);
+    }
+    OIIO::ImageBuf filled;
+    if (!fill_image(given, options, options.holes, filled, error))
+        return false;
+    const OIIO::ImageBuf& src = filled.initialized() ? filled : given;
+    if (grow_x || grow_y) {
+        Options of_filled = options;
+        of_filled.holes = Holes::keep;
+        return enlarge_then_shrink_in_bands(dst, src, roi, shrink_x, of_filled, nthreads, error);
+    }
+    if (!shrink_x && !shrink_y)
         return copy_moved(dst, src, roi, to.xbegin - from.xbegin, to.ybegin - from.ybegin,
                           Beyond::edge, error);
-    const ResizeMapping mapping(x_axis(src.spec(), dst.spec(), roi),
-                                y_axis(src.spec(), dst.spec(), roi));
-    return resample(dst, src, mapping, roi, options, nthreads, error);
+    return resize_by_oiio(dst, src, roi, nthreads, error);
 }
 
 } // namespace

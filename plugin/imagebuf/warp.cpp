@@ -8,6 +8,7 @@
 #include "plugin/image/pixels.h"
 #include "plugin/image/windows.h"
 #include "plugin/imagebuf/guarded.h"
+#include "plugin/imagebuf/holes.h"
 #include "plugin/imagebuf/matrix.h"
 #include "plugin/imagebuf/resample.h"
 #include "plugin/imagebuf/warp.h"
@@ -95,10 +96,16 @@ bool warp_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fPara
 
     int dx = 0, dy = 0;
     const bool black = wrap == OIIO::ImageBuf::WrapDefault || wrap == OIIO::ImageBuf::WrapBlack;
-    if (black && moves_only(to_output, dx, dy))
-        return copy_moved(dst, src, roi, dx, dy, Beyond::black, error);
-    if (!black || shrinks(to_output, rect_of(src.roi())))
-        return warp_by_oiio(dst, src, M, recompute_roi, wrap, edgeclamp, roi, nthreads, error);
+    const bool moved = black && moves_only(to_output, dx, dy);
+    if (moved || !black || shrinks(to_output, rect_of(src.roi()))) {
+        OIIO::ImageBuf filled;
+        if (!fill_image(src, options, options.holes, filled, error))
+            return false;
+        const OIIO::ImageBuf& from = filled.initialized() ? filled : src;
+        if (moved)
+            return copy_moved(dst, from, roi, dx, dy, Beyond::black, error);
+        return warp_by_oiio(dst, from, M, recompute_roi, wrap, edgeclamp, roi, nthreads, error);
+    }
     if (!OIIO::ImageBufAlgo::zero(dst, roi, nthreads)) {
         error = dst.geterror();
         return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "plugin/host/enlargement.h"
+#include "plugin/host/request.h"
 #include "plugin/openfx/actions.h"
 #include "plugin/openfx/source_clip.h"
 #include "plugin/openfx/suites.h"
@@ -38,7 +38,10 @@ int regions_of_interest(Effect effect, Properties in, Properties out) {
     for (int i = 0; i < 4; ++i)
         *sides[i] = get(in, "OfxImageEffectPropRegionOfInterest", 0.0, i);
     const Windows w = source.windows();
-    const Rect pixels = host::needed(w.window, w.full, to_pixels(wanted, source.scale));
+    host::Enlargement work; // for what it says of holes
+    std::string error;
+    host::set_filter(source.settings.filter, "linear", work, error);
+    const Rect pixels = host::needed(w.window, w.full, to_pixels(wanted, source.scale), work.holes);
     if (pixels.empty())
         return reply_default;
     set_rect(out, "OfxImageClipPropRoI_Source", to_canonical(pixels, source.scale));

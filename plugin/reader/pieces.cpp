@@ -53,8 +53,12 @@ Pieces::Pieces(const OIIO::ImageBuf& source, const OIIO::ImageSpec& spec, const 
     // A row of pieces is kept whole: most programs read row by row.
     const int height =
         clamped(0.75 * double(most_kept) / (pixel * double(spec.width)), shortest, width);
-    m_x = cut(x_axis(source.spec(), spec, spec.roi()), width);
-    m_y = cut(y_axis(source.spec(), spec, spec.roi()), height);
+    const ResizeMapping::Axis x = x_axis(source.spec(), spec, spec.roi()),
+                              y = y_axis(source.spec(), spec, spec.roi());
+    // Holes are those of the whole image: one piece, so that they are filled once.
+    const bool whole = options.holes != Holes::keep;
+    m_x = whole ? std::vector<int>{x.out0, x.out1} : cut(x, width);
+    m_y = whole ? std::vector<int>{y.out0, y.out1} : cut(y, height);
 }
 
 Rect Pieces::rect(size_t row, size_t column) const {

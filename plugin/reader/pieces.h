@@ -14,7 +14,7 @@
 namespace ddt {
 
 /// Computes what is asked for, and what lies with it on the same tiles of the source's mesh, and
-/// keeps the latest pieces. Not thread-safe.
+/// keeps the latest pieces; with options.holes the whole at once. Not thread-safe.
 class Pieces {
 public:
     /// `source` and `spec`, which describes the whole result, stay the caller's, and unchanged. At

@@ -2,6 +2,7 @@
 #include "plugin/tool/join.h"
 
 #include <algorithm>
+#include <climits>
 #include <cstring>
 #include <memory>
 
@@ -22,6 +23,7 @@ struct PartFile {
     std::string path;
     PartHeader header;
     Rect window;
+    OIIO::ImageSpec spec;                    ///< without the header
     std::unique_ptr<OIIO::ImageInput> input; ///< open only while its rows are wanted
     std::vector<char> tiles;                 ///< the pixels of a row of tiles
     int y0 = 0, y1 = 0;                      ///< of those rows
@@ -34,18 +36,40 @@ bool cannot_read(const PartFile& part, Failure& failure) {
     return false;
 }
 
-bool read_header(PartFile& part, OIIO::ImageSpec& spec, Failure& failure) {
+bool is_allowed(const Rect& r) {
+    return !r.empty() && std::min(r.x0, r.y0) >= -largest_coordinate &&
+           std::max(r.x1, r.y1) <= largest_coordinate;
+}
+
+bool read_header(PartFile& part, Failure& failure) {
     part.input = OIIO::ImageInput::open(part.path);
     if (!part.input)
         return cannot_read(part, failure);
+    OIIO::ImageSpec& spec = part.spec;
     spec = part.input->spec();
     part.input.reset();
-    if (!part.header.take_from(spec)) {
+    if (spec.depth > 1 || spec.tile_depth > 1 || spec.deep || !part.header.take_from(spec)) {
         failure = {"\"" + part.path + "\" is no part; allowed are files of ddt resize --part"};
         return false;
     }
-    part.window = {spec.x, spec.y, spec.x + spec.width, spec.y + spec.height};
-    return true;
+    const auto end = [](int first, int size) {
+        return int(std::min(int64_t(first) + size, int64_t(INT_MAX)));
+    };
+    part.window = {spec.x, spec.y, end(spec.x, spec.width), end(spec.y, spec.height)};
+    if (is_allowed(part.window) && is_allowed(part.header.whole))
+        return true;
+    failure = {format("\"{}\" has a window whose coordinates are not within +-{}", part.path,
+                      largest_coordinate)};
+    return false;
+}
+
+/// Whether both are of one whole, and have pixels of one kind.
+bool belong_together(const PartFile& a, const PartFile& b) {
+    const Rect &w = a.header.whole, &v = b.header.whole;
+    return a.header.job == b.header.job && a.header.part.count == b.header.part.count &&
+           a.header.type == b.header.type && w.x0 == v.x0 && w.y0 == v.y0 && w.x1 == v.x1 &&
+           w.y1 == v.y1 && a.spec.nchannels == b.spec.nchannels && a.spec.format == b.spec.format &&
+           a.spec.channelformats == b.spec.channelformats;
 }
 
 bool overlap(const Rect& a, const Rect& b) {
@@ -58,7 +82,7 @@ bool check_numbers(const std::vector<PartFile>& parts, Failure& failure) {
     const PartHeader& first = parts.front().header;
     for (size_t i = 1; i < parts.size(); ++i) {
         const PartHeader& other = parts[i].header;
-        if (other.job != first.job || other.part.count != first.part.count) {
+        if (!belong_together(parts[i], parts.front())) {
             failure = {format("\"{}\" and \"{}\" are parts of different jobs: another source, size "
                               "or option",
                               parts[0].path, parts[i].path)};
@@ -175,12 +199,12 @@ OIIO::ImageSpec whole_spec(OIIO::ImageSpec spec, const PartHeader& header, bool 
 bool join(const std::vector<std::string>& paths, const std::string& out,
           const std::function<bool(float)>& progress, Failure& failure) {
     std::vector<PartFile> parts(paths.size());
-    OIIO::ImageSpec spec;
     for (size_t i = 0; i < paths.size(); ++i) {
         parts[i].path = paths[i];
-        if (!read_header(parts[i], spec, failure))
+        if (!read_header(parts[i], failure))
             return false;
     }
+    const OIIO::ImageSpec spec = parts.back().spec;
     std::stable_sort(parts.begin(), parts.end(), [](const PartFile& a, const PartFile& b) {
         return a.header.part.index < b.header.part.index;
     });

@@ -21,12 +21,14 @@ namespace {
 
 using OIIO::Strutil::fmt::format;
 
-constexpr const char* job_key = "ddt:job";
-constexpr const char* part_key = "ddt:part";
-constexpr const char* whole_key = "ddt:whole";
-constexpr const char* type_key = "ddt:type";
-constexpr const char* space_key = "ddt:colorspace";
-constexpr const char* compression_key = "ddt:compression";
+// Not "ddt:": OpenImageIO writes no metadata that begin with the name of another format, which
+// "ddt" is where the plugin's reader is.
+constexpr const char* job_key = "ddt_part:job";
+constexpr const char* part_key = "ddt_part:part";
+constexpr const char* whole_key = "ddt_part:whole";
+constexpr const char* type_key = "ddt_part:type";
+constexpr const char* space_key = "ddt_part:colorspace";
+constexpr const char* compression_key = "ddt_part:compression";
 
 constexpr int cache_megabytes = 192;
 
@@ -85,6 +87,13 @@ OIIO::TypeDesc stored_type(OIIO::TypeDesc type) {
     default:
         return OIIO::TypeUnknown;
     }
+}
+
+/// Whether it is the name of a kind of number.
+bool is_number_type(const std::string& name) {
+    const OIIO::TypeDesc type(name);
+    return stored_type(type) != OIIO::TypeUnknown &&
+           type == OIIO::TypeDesc(OIIO::TypeDesc::BASETYPE(type.basetype));
 }
 
 /// Enlarges a part in strips and hands on whole rows of the file's tiles.
@@ -201,7 +210,7 @@ bool PartHeader::take_from(OIIO::ImageSpec& spec) {
         !parse_part(spec.get_string_attribute(part_key), part) ||
         std::sscanf(window.c_str(), "%d %d %d %d", &whole.x0, &whole.y0, &whole.x1, &whole.y1) !=
             4 ||
-        whole.empty())
+        whole.empty() || !is_number_type(type))
         return false;
     for (const char* key : {job_key, part_key, whole_key, type_key, space_key, compression_key})
         spec.erase_attribute(key);

@@ -56,6 +56,15 @@ void put(const Column& column, size_t point, Bytes& to) {
         to.number(v);
 }
 
+/// A name as PLY has them: one word.
+std::string written_name(const Column& column) {
+    std::string name = column.name.empty() ? "unnamed" : column.name;
+    for (char& c : name)
+        if (c >= 0 && c <= ' ')
+            c = '_';
+    return name;
+}
+
 /// Colours of whole numbers stay such; every other column is float.
 std::string written_type(const Column& column) {
     return column.type == "uchar" || column.type == "ushort" ? column.type : "float";
@@ -92,7 +101,7 @@ bool write_points(const std::string& path, const PointFile& points, Failure& fai
                                 "property double x\nproperty double y\n",
                                 count);
     for (const Column& column : points.columns)
-        header += format("property {} {}\n", written_type(column), column.name);
+        header += format("property {} {}\n", written_type(column), written_name(column));
     header += format("element face {}\nproperty list uchar int vertex_indices\nend_header\n",
                      points.mesh.triangles.size());
     Bytes bytes;

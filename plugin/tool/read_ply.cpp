@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Polygon File Format ("PLY"; Turk 1994) as far as points and polygons go.
+#include <algorithm>
 #include <cstring>
 #include <optional>
 #include <sstream>
@@ -200,7 +201,9 @@ private:
         Body body(m_text, m_at, m_encoding);
         for (const Element& element : m_elements) {
             // Every element takes a byte at least: a count beyond that is not believed.
-            if (element.count > m_text.size() && !element.properties.empty())
+            if (element.properties.empty())
+                continue;
+            if (element.count > m_text.size())
                 return wrong("the file ends before its " + element.name + " elements do");
             if (element.name == "vertex" && !prepare_points(element))
                 return false;
@@ -212,13 +215,19 @@ private:
                                                   element.name, i))
                                    : false;
         }
-        return m_points.mesh.x.empty() ? wrong("there are no points with x and y") : true;
+        return m_points.mesh.x.empty() ? wrong("there are no points") : true;
     }
 
     bool prepare_points(const Element& element) {
         if (element.count > most_points)
             return wrong(
                 format("{} points are too many; allowed are {}", element.count, most_points));
+        const auto count = [&](const char* name) {
+            return std::count_if(element.properties.begin(), element.properties.end(),
+                                 [&](const Property& p) { return p.name == name; });
+        };
+        if (!m_target.empty() || count("x") != 1 || count("y") != 1)
+            return wrong("there must be one element vertex, with one x and one y");
         m_target.assign(element.properties.size(), nullptr);
         m_points.columns.reserve(element.properties.size());
         for (const Property& p : element.properties) {
@@ -296,12 +305,7 @@ private:
 
 bool read_ply(const std::string& text, PointFile& points, std::string& error) {
     points = {};
-    if (!PlyReader(text, points).read(error))
-        return false;
-    if (points.mesh.x.size() == points.mesh.y.size())
-        return true;
-    error = "points have no x or no y";
-    return false;
+    return PlyReader(text, points).read(error);
 }
 
 } // namespace ddt::tool

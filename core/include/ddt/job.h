@@ -78,6 +78,12 @@ struct Job {
     /// read. A device that fails later, also for lack of memory, leaves the rest to the CPU. A
     /// process forked from one that used a GPU has none and uses the CPU, whatever is named.
     Device device = Device::automatic;
+    /// Unless keep, the whole window is read first, and kept. Pixels in which a channel that is not
+    /// Channel::nearest is NaN, and by fill_alpha those whose Channel::alpha is 0, are filled as by
+    /// fill_holes() of ddt/points.h, with `mesh` (but the cost's own min_gain, and look_ahead in
+    /// place of one_round); a pixel that lacks some channels keeps the others. Only with GEOS; a
+    /// failure if all pixels are missing.
+    Holes holes = Holes::keep;
     /// Called from time to time with the share done, 0 to 1, one thread at a time; return false
     /// to cancel. May be empty.
     std::function<bool(float)> progress;
@@ -95,9 +101,9 @@ enum class Outcome {
 };
 
 /// Read the source tile by tile, triangulate, and write every output pixel the mapping gives.
-/// Memory beside what source and sink hold: about 31 MiB a thread with the filter `ddt` and up to 4
-/// channels, 37 with `ddt-sharp`, 14 more for every further 4 channels; never more than 176 MiB for
-/// all threads, or one thread's share, times MeshOptions::meshes. Never throws: what source, sink,
+/// Memory beside what source and sink hold, measured: 10 MiB a thread with the filter `ddt` and up
+/// to 4 channels, 24 with `ddt-sharp`, 4 to 9 for every further 4. Threads work that fit into 192
+/// MiB, or 12 MiB for each asked for, times MeshOptions::meshes. Never throws: what source, sink,
 /// mapping or progress throw is Outcome::out_of_memory or bad_job. They may use oneTBB themselves.
 /// `error`, when not null, receives one line if the outcome is not `done`. ddt/log.h tells the
 /// device, the iterations and where the time went.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The names of filters, costs, schemes, starts and devices, as options, tables and tools spell
-// them. The functions are safe to call from several threads at once.
+// The names of filters, costs, schemes, starts, devices and so on, as options, tables and tools
+// spell them. The functions are safe to call from several threads at once.
 #pragma once
 
 #include <string>
@@ -36,5 +36,10 @@ std::vector<std::string> start_names();
 const char* device_name(Device device);
 bool find_device(std::string_view name, Device& device);
 std::vector<std::string> device_names();
+
+/// "keep", "fill" or "fill-alpha".
+const char* holes_name(Holes holes);
+bool find_holes(std::string_view name, Holes& holes);
+std::vector<std::string> holes_names();
 
 } // namespace ddt

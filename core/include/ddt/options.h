@@ -123,6 +123,13 @@ enum class Device : uint8_t {
     osmesa, ///< OpenGL through libOSMesa, a software renderer: for tests
 };
 
+/// What becomes of pixels that are missing.
+enum class Holes : uint8_t {
+    keep,       ///< nothing: they are pixels as all others
+    fill,       ///< those with a NaN are filled first, see Job::holes
+    fill_alpha, ///< those whose alpha is 0, too
+};
+
 /// All that a specification of a filter can say.
 struct FilterOptions {
     SurfaceOptions surface;
@@ -135,6 +142,7 @@ struct FilterOptions {
     /// What the work is done on; the result is the same everywhere. A device named here that cannot
     /// be had is a failure that says why.
     Device device = Device::automatic;
+    Holes holes = Holes::keep;
 };
 
 } // namespace ddt

@@ -62,7 +62,8 @@ bool draw(const PointMesh& mesh, const float* values, int channels, const PixelG
 
 /// Fill the pixels of an image whose byte in `missing` is not 0: a mesh of those near the holes is
 /// made, its edges are flipped by `options`, and holes are interpolated over its triangles, so that
-/// edges run on across them. What lies outside all triangles, beyond the outermost pixels that are
+/// edges run on across them; more than a pixel within a hole what they give is smoothed where it
+/// has no edges. What lies outside all triangles, beyond the outermost pixels that are
 /// there, gets the value of the nearest. `values`: `channels` floats a pixel; `kinds`: one a
 /// channel, or null if all are Channel::blend; `guide`: a float a pixel, not looked at where one is
 /// missing. Nothing is done if nothing is missing; false if all is, or without GEOS.

@@ -36,14 +36,15 @@ HWY_INLINE T move_vertex(const Consistency& c, size_t at, Tap tap, float* index)
                          table);
 }
 
-HWY_ATTR void move_vertices(const Lattice& lattice, const Consistency& c, float* index, Net& net) {
+HWY_ATTR void move_vertices(const Lattice& lattice, const Rect& part, const Consistency& c,
+                            float* index, Net& net) {
     const int width = lattice.width(), height = lattice.height(), step = blocks_in_vector();
     const ptrdiff_t row = ptrdiff_t(width) * group_size;
     const float* source = c.source.data();
     const auto inside = [&](int x, int y)
                             HWY_ATTR { return Lanes4::load(source + y * row + x * group_size); };
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width;) {
+    for (int y = part.y0; y < part.y1; ++y)
+        for (int x = part.x0; x < part.x1;) {
             const size_t at = size_t(y * row) + size_t(x) * group_size;
             float* z = net.at(lattice.vertex_site(x, y));
             if (y >= 2 && y + 2 < height && x >= 2 && x + step + 2 <= width) {
@@ -147,8 +148,13 @@ HWY_EXPORT(move_vertices);
 HWY_EXPORT(bend_edges);
 
 void Fitted::move_vertices(const Lattice& lattice, const Consistency& consistency, Net& net) {
+    move_vertices(lattice, {0, 0, lattice.width(), lattice.height()}, consistency, net);
+}
+
+void Fitted::move_vertices(const Lattice& lattice, const Rect& part, const Consistency& consistency,
+                           Net& net) {
     index.resize(consistency.source.size());
-    HWY_DYNAMIC_DISPATCH(move_vertices)(lattice, consistency, index.data(), net);
+    HWY_DYNAMIC_DISPATCH(move_vertices)(lattice, part, consistency, index.data(), net);
 }
 
 void Fitted::bend_edges(const Lattice& lattice, const Rect& part, const float* gain,

@@ -43,6 +43,9 @@ public:
     /// Move the vertices of a net that goes through the source and whose edges were all bent, and
     /// softened where they are, after consistency.measure().
     void move_vertices(const Lattice& lattice, const Consistency& consistency, Net& net);
+    /// Only those of `part`, and perhaps some beside them, which are then of no use.
+    void move_vertices(const Lattice& lattice, const Rect& part, const Consistency& consistency,
+                       Net& net);
 
     /// Then make e of the edges whose ends both lie in `part` (in pixels) from the plain one, which
     /// is in its place. gain: Workspace::gain of the finished mesh.

@@ -70,7 +70,7 @@ enum class Missing {
 };
 
 /// Fill the missing pixels: dst becomes a copy of src in which they are interpolated over triangles
-/// of the pixels about them, as fill_holes() of ddt/points.h does it, with options.mesh; edges are
+/// of the pixels about them, as Job::holes of ddt/job.h says, whatever options.holes; edges are
 /// sought under options.light, values are interpolated as they are. A pixel that lacks some
 /// channels keeps the others; channels of identifiers are copied from the nearest vertex. A failure
 /// without GEOS, and if no pixel is there; not if none is missing.

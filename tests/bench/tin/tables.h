@@ -36,7 +36,7 @@ bool print_pictures(const std::vector<Way>& ways, const std::vector<std::string>
                     double share);
 /// Holes: single pixels and blocks, beside OpenImageIO's fillholes_pushpull.
 bool print_fill(const std::vector<Way>& ways, const std::vector<std::string>& files, int crop);
-/// Seconds to triangulate and to flip.
+/// Seconds of one core to triangulate and to flip.
 bool print_time(const std::string& scheme, const std::vector<int>& counts);
 
 } // namespace ddt::bench

@@ -4,10 +4,16 @@
 #include <malloc.h>
 
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <cstdlib>
+#include <mutex>
 #include <new>
 
+#include <tbb/global_control.h>
+
 #include "core/tiles/tile_worker.h"
+#include "ddt/option_table.h"
 #include "tests/core/helpers.h"
 #include "tests/core/job_helpers.h"
 
@@ -74,11 +80,8 @@ private:
     size_t m_channels;
 };
 
-int64_t peak_of(const Job& job) {
+int64_t peak_of(const Job& job, const Mapping& mapping) {
     Noise noise(job.channels);
-    const int factor = 2;
-    const Rect out{0, 0, job.window.width() * factor, job.window.height() * factor};
-    const auto mapping = mapping_of(job.window, out, out);
     const int64_t before = heap_now;
     heap_peak = before;
     EXPECT_EQ(enlarge(noise, noise, mapping, job), Outcome::done);
@@ -87,16 +90,45 @@ int64_t peak_of(const Job& job) {
     return peak;
 }
 
+/// Of enlarging the window to `to`, of which `out` is wanted.
+int64_t peak_of(const Job& job, const Rect& to, const Rect& out) {
+    return peak_of(job, mapping_of(job.window, to, out));
+}
+
+int64_t peak_of(const Job& job) {
+    const Rect out{0, 0, job.window.width() * 2, job.window.height() * 2};
+    return peak_of(job, out, out);
+}
+
+/// What a process takes once, whatever it enlarges.
+void warm_up(int threads) {
+    Job first = plain_job();
+    first.window = {0, 0, 8, 8};
+    first.threads = threads;
+    Noise noise(1);
+    const Rect out{0, 0, 16, 16};
+    EXPECT_EQ(enlarge(noise, noise, mapping_of(first.window, out, out), first), Outcome::done);
+}
+
+Job job_of(const char* filter, const Rect& window, int channels, int threads) {
+    FilterOptions options;
+    std::string error;
+    EXPECT_TRUE(parse_filter(filter, options, error)) << error;
+    Job job;
+    job.window = window;
+    job.channels = channels;
+    job.mesh = options.mesh;
+    job.surface = options.surface;
+    job.threads = threads;
+    job.device = Device::cpu;
+    return job;
+}
+
+constexpr int64_t mib = int64_t(1) << 20;
+constexpr int64_t promised = 256 * mib;
+
 TEST(Memory, AJobTakesWhatIsSaidWhateverThePicturesSize) {
-    {
-        // What a process takes once, whatever it enlarges.
-        Job first = plain_job();
-        first.window = {0, 0, 8, 8};
-        Noise noise(1);
-        EXPECT_EQ(
-            enlarge(noise, noise, mapping_of(first.window, {0, 0, 16, 16}, {0, 0, 16, 16}), first),
-            Outcome::done);
-    }
+    warm_up(1);
     for (const int channels : {1, 3, 9}) {
         Job job = plain_job();
         job.channels = channels;
@@ -106,11 +138,106 @@ TEST(Memory, AJobTakesWhatIsSaidWhateverThePicturesSize) {
         const int64_t small = peak_of(job);
         job.window = {0, 0, 600, 580};
         const int64_t large = peak_of(job);
-        const auto said = int64_t(TileWorker::memory(job));
+        const auto said = int64_t(TileWorker::memory(job, true));
         EXPECT_LE(large, said) << channels;
         EXPECT_GE(large, said / 3) << channels;
         EXPECT_LE(large, small + small / 4) << channels;
     }
+}
+
+TEST(Memory, LongRowsTakeNoMoreThanShortOnes) {
+    warm_up(1);
+    const Rect wide{0, 0, 1 << 24, 1};
+    EXPECT_LE(peak_of(job_of("ddt", {0, 0, 2, 1}, 1, 1), wide, wide), 4 * mib);
+    const Rect tall{0, 0, 1 << 16, 4};
+    EXPECT_LE(peak_of(job_of("ddt-sharp", {0, 0, 40, 3}, 5, 1), tall, tall), 8 * mib);
+}
+
+TEST(Memory, ManyChannelsTakeWhatIsPromised) {
+    warm_up(1);
+    const Rect window{0, 0, 321, 321}, to{0, 0, 642, 642};
+    // All of the tile is worked on for a few of its rows.
+    const Rect out{300, 300, 342, 304};
+    EXPECT_LE(peak_of(job_of("ddt", window, 256, 1), to, out), promised);
+    EXPECT_LE(peak_of(job_of("ddt-sharp", window, 64, 1), to, out), promised);
+    EXPECT_LE(peak_of(job_of("ddt-sharp,clipped=1", window, 64, 1), to, out), promised);
+}
+
+/// Positions far apart or in any order: the whole surface of a tile is made.
+class Turned final : public Mapping {
+public:
+    explicit Turned(const ResizeMapping& other) : m_other(other) {}
+    Rect reach(double x0, double y0, double x1, double y1) const override {
+        return m_other.reach(x0, y0, x1, y1);
+    }
+    void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override {
+        m_other.row(y, x0, x1, positions, inside);
+    }
+
+private:
+    const ResizeMapping& m_other;
+};
+
+TEST(Memory, AWorkerTakesWhatIsSaidOfIt) {
+    warm_up(1);
+    const Rect window{0, 0, 600, 580}, to{0, 0, 1200, 1160};
+    // The tile in the middle, with halos all round.
+    const ResizeMapping resized = mapping_of(window, to, {520, 520, 1020, 560});
+    const Turned turned(resized);
+    for (const char* filter : {"ddt", "ddt-linear", "ddt-sharp", "ddt-sharp,clipped=1"})
+        for (const int channels : {3, 9}) {
+            const Job job = job_of(filter, window, channels, 1);
+            EXPECT_LE(peak_of(job, resized), int64_t(TileWorker::memory(job, true))) << filter;
+            EXPECT_LE(peak_of(job, turned), int64_t(TileWorker::memory(job, false))) << filter;
+        }
+    // As ddt/job.h says.
+    EXPECT_LE(peak_of(job_of("ddt", window, 3, 1), resized), 11 * mib);
+    EXPECT_LE(peak_of(job_of("ddt-sharp", window, 3, 1), resized), 25 * mib);
+}
+
+/// Waits until so many threads read at once, and fails then, or after a minute.
+class Crowd final : public Source, public Sink {
+public:
+    explicit Crowd(int wanted) : m_wanted(wanted) {}
+    bool read(const Rect&, float*, float*) override {
+        std::unique_lock<std::mutex> lock(m_mutex);
+        most = std::max(most, ++m_reading);
+        m_changed.notify_all();
+        m_changed.wait_for(lock, std::chrono::minutes(1), [&] { return most >= m_wanted; });
+        --m_reading;
+        return false;
+    }
+    bool write(const Rect&, float*) override { return true; }
+
+    int most = 0;
+
+private:
+    int m_wanted, m_reading = 0;
+    std::mutex m_mutex;
+    std::condition_variable m_changed;
+};
+
+TEST(Memory, AllThreadsThatAreAskedForWork) {
+    constexpr int threads = 128;
+    const tbb::global_control many(tbb::global_control::max_allowed_parallelism, threads);
+    const Job job = job_of("ddt", {0, 0, 16384, 8192}, 3, threads);
+    const Rect to{0, 0, 32768, 16384};
+    Crowd crowd(threads);
+    warm_up(threads);
+    const int64_t before = heap_now;
+    heap_peak = before;
+    EXPECT_EQ(enlarge(crowd, crowd, mapping_of(job.window, to, to), job), Outcome::source_failed);
+    EXPECT_EQ(crowd.most, threads);
+    EXPECT_LE(heap_peak - before, threads * 12 * mib);
+}
+
+TEST(Memory, SomeThreadsTakeWhatIsPromisedForAll) {
+    constexpr int threads = 16;
+    const tbb::global_control many(tbb::global_control::max_allowed_parallelism, threads);
+    warm_up(threads);
+    const Rect window{0, 0, 1024, 1024}, to{0, 0, 1025, 1025};
+    for (const char* filter : {"ddt", "ddt-sharp"})
+        EXPECT_LE(peak_of(job_of(filter, window, 3, threads), to, to), 200 * mib) << filter;
 }
 
 } // namespace

@@ -2,8 +2,11 @@
 // A host's picture is enlarged to the bits that ddt::resize() makes of the same ImageBuf.
 #include "plugin/host/enlargement.h"
 
+#include <cmath>
+#include <limits>
 #include <map>
 
+#include "ddt/points.h"
 #include "ddt/resize.h"
 #include "plugin/colour/encodings.h"
 #include "tests/plugin/images.h"
@@ -152,6 +155,35 @@ TEST(Enlargement, TheSameSizeIsACopyAndASmallerOneAnError) {
     ImageBuf small = images::make(29, 20, 3, TypeDesc::HALF);
     EXPECT_EQ(enlarge(work_of(from, small, "sRGB"), error), ddt::Outcome::bad_job);
     EXPECT_NE(error.find("29 x 20"), std::string::npos) << error;
+}
+
+TEST(Enlargement, HolesAreFilledAsTheFilterDoes) {
+    if (!ddt::has_delaunay())
+        GTEST_SKIP() << "built without GEOS";
+    for (const std::string light : {"linear", "sRGB"}) {
+        ImageBuf from = picture(60, 40, 3, TypeDesc::FLOAT);
+        const float nan = std::numeric_limits<float>::quiet_NaN();
+        const float hole[] = {nan, nan, nan}, lacks_red[] = {nan, 0.5f, 0.25f};
+        for (int x = 20; x < 31; ++x)
+            for (int y = 9; y < 25; ++y)
+                from.setpixel(x, y, x == 30 ? lacks_red : hole);
+        ddt::Options options;
+        options.holes = ddt::Holes::fill;
+        options.light = light;
+        const ImageBuf wanted = images::enlarged(from, 150, 90, options);
+        ImageBuf to = images::make(150, 90, 3);
+        Enlargement work = work_of(from, to, light);
+        work.holes = options.holes;
+        std::string error;
+        ASSERT_EQ(enlarge(work, error), ddt::Outcome::done) << error;
+        EXPECT_TRUE(bytes(to) == bytes(wanted)) << light;
+        for (int y = 0; y < 90; ++y)
+            for (int x = 0; x < 150; ++x)
+                ASSERT_FALSE(std::isnan(images::value(to, x, y))) << x << " " << y;
+        const ddt::Rect all = needed(work.window, work.full, {0, 0, 4, 4}, work.holes);
+        EXPECT_EQ(all.width(), 60);
+        EXPECT_EQ(all.height(), 40);
+    }
 }
 
 TEST(Enlargement, LightsHaveNames) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pieces.h"
 
+#include "ddt/points.h"
 #include "tests/plugin/images.h"
 
 namespace {
@@ -92,6 +93,22 @@ TEST_F(PiecesTest, FactorsOfAllSizes) {
         for (int x = m_spec.x; x < m_spec.x + m_spec.width; x += 3 * tile)
             read(pieces, x, m_spec.y + m_spec.height - 30);
     }
+}
+
+TEST_F(PiecesTest, HolesAreThoseOfTheWholeImage) {
+    if (!ddt::has_delaunay())
+        GTEST_SKIP() << "built without GEOS";
+    // A channel for alpha, which is 0 in two places on different tiles of the mesh.
+    m_source.specmod().alpha_channel = 2;
+    images::fill(m_source, [](int x, int y, int c) {
+        const bool hole = (x / 8 == 12 && y / 8 == 20) || (x / 8 == 50 && y / 8 == 41);
+        return c < 2 ? float((x * x / 31 + y * y / 17) & 127) / 255.0f : hole ? 0.0f : 1.0f;
+    });
+    m_options.holes = ddt::Holes::fill_alpha;
+    enlarge(1.5, 1.5);
+    ddt::Pieces pieces(m_source, m_spec, m_options);
+    EXPECT_GT(read(pieces, m_spec.x + 320, m_spec.y + 192), 0);
+    EXPECT_EQ(read(pieces, m_spec.x + 640, m_spec.y + 448), 0);
 }
 
 TEST_F(PiecesTest, AFailureStays) {

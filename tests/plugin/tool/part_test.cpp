@@ -5,7 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <OpenImageIO/imageio.h>
+
 #include "core/tiles/grid.h"
+#include "plugin/tool/join.h"
+#include "plugin/tool/part_file.h"
+#include "tests/temporary.h"
 
 namespace ddt::tool {
 namespace {
@@ -75,6 +80,52 @@ TEST(Parts, AreCutWhereNoTileIsWorkedTwice) {
         EXPECT_LT(x.position(r.x1 - 1), int64_t(cells.x1 + (i == 2)) << 16);
     }
     EXPECT_EQ(end, x.out1);
+}
+
+/// Half of a whole of 32 x 32 pixels, black.
+std::string write_half(int index, int channels, const std::string& whole, const std::string& type) {
+    OIIO::ImageSpec spec(32, 16, channels, OIIO::TypeHalf);
+    spec.y = 16 * index;
+    spec.tile_width = spec.tile_height = 16;
+    PartHeader header;
+    header.job = "job";
+    header.part = {index + 1, 2};
+    header.whole = {0, 0, 32, 32};
+    header.type = type;
+    header.write_to(spec);
+    spec.attribute("ddt_part:whole", whole);
+    const std::string path = temporary("half" + std::to_string(index) + ".exr");
+    const auto file = OIIO::ImageOutput::create(path);
+    const std::vector<char> pixels(spec.image_bytes());
+    EXPECT_TRUE(file && file->open(path, spec) &&
+                file->write_image(OIIO::TypeHalf, pixels.data()) && file->close());
+    return path;
+}
+
+TEST(Join, RefusesHeadersThatDoNotFit) {
+    const std::string whole = "0 0 32 32", out = temporary("whole.exr");
+    const std::function<bool(float)> progress = [](float) { return true; };
+    const auto failure_of = [&](const std::string& a, const std::string& b) {
+        Failure failure;
+        EXPECT_FALSE(join({a, b}, out, progress, failure));
+        EXPECT_FALSE(std::filesystem::exists(out));
+        return failure.why;
+    };
+    const auto says = [](const std::string& why, const char* what) {
+        EXPECT_NE(why.find(what), std::string::npos) << why;
+    };
+    says(failure_of(write_half(0, 4, whole, "half"), write_half(1, 3, whole, "half")),
+         "of different jobs");
+    says(failure_of(write_half(0, 3, whole, "half"), write_half(1, 3, "0 0 32 40", "half")),
+         "of different jobs");
+    says(failure_of(write_half(0, 3, whole, "point[7]"), write_half(1, 3, whole, "half")),
+         "is no part");
+    const std::string far = "-2147483648 0 2147483647 32";
+    says(failure_of(write_half(0, 3, far, "half"), write_half(1, 3, far, "half")), "not within");
+    Failure failure;
+    EXPECT_TRUE(join({write_half(0, 3, whole, "half"), write_half(1, 3, whole, "half")}, out,
+                     progress, failure))
+        << failure.why;
 }
 
 } // namespace

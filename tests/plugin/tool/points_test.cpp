@@ -115,7 +115,7 @@ TEST(Ply, RefusesNonsense) {
               "not a line of a PLY header: \"property float x\"");
     EXPECT_EQ(
         error_of("ply\nformat ascii 1.0\nelement vertex 1\nproperty float z\nend_header\n1\n"),
-        "there are no points with x and y");
+        "there must be one element vertex, with one x and one y");
 }
 
 TEST(Ply, WhatIsWrittenReadsTheSame) {

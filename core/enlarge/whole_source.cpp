@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/enlarge/whole_source.h"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+
+#include "core/base/parallel.h"
+#include "core/tin/fill.h"
+
+namespace ddt {
+
+namespace {
+
+constexpr int rows_at_once = 64;
+
+} // namespace
+
+Outcome WholeSource::fill(Source& source, const Job& job, int threads, std::string& error) {
+    m_window = job.window;
+    m_channels = size_t(job.channels);
+    if (m_window.area() > size_t(std::numeric_limits<int>::max())) {
+        error = "ddt: holes are filled in images of up to " +
+                std::to_string(std::numeric_limits<int>::max()) + " pixels";
+        return Outcome::bad_job;
+    }
+    m_values.resize(m_window.area() * m_channels);
+    m_guide.resize(m_window.area());
+    std::atomic<bool> going{true};
+    for_each_index(
+        threads, (m_window.height() + rows_at_once - 1) / rows_at_once, [&](int, int band) {
+            const int y0 = m_window.y0 + band * rows_at_once;
+            const Rect r{m_window.x0, y0, m_window.x1, std::min(y0 + rows_at_once, m_window.y1)};
+            const size_t first = place(r.x0, r.y0);
+            if (going && !source.read(r, &m_values[first * m_channels], &m_guide[first]))
+                going = false;
+        });
+    if (!going)
+        return Outcome::source_failed;
+    const HoledImage image{m_values.data(),
+                           m_guide.data(),
+                           m_window.width(),
+                           m_window.height(),
+                           job.channels,
+                           job.kinds.empty() ? nullptr : job.kinds.data(),
+                           true};
+    return fill_missing(image, job.holes, job.mesh, job.device, error) ? Outcome::done
+                                                                       : Outcome::bad_job;
+}
+
+bool WholeSource::read(const Rect& r, float* values, float* guide) {
+    const auto width = size_t(r.width());
+    for (int y = r.y0; y < r.y1; ++y, values += width * m_channels, guide += width) {
+        const size_t first = place(r.x0, y);
+        std::copy_n(&m_values[first * m_channels], width * m_channels, values);
+        std::copy_n(&m_guide[first], width, guide);
+    }
+    return true;
+}
+
+} // namespace ddt

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Missing pixels of an image: which they are, and filling them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ddt/points.h"
+
+namespace ddt {
+
+/// A whole image in memory. `kinds` may be null: all channels are Channel::blend.
+struct HoledImage {
+    float* values; ///< `channels` interleaved floats a pixel
+    float* guide;  ///< a float a pixel
+    int width, height, channels;
+    const Channel* kinds;
+    bool guide_too; ///< fill the guide as if it were a channel; else it is left as it is
+};
+
+/// A byte a pixel that is not 0 where it is missing: where a channel that is not Channel::nearest
+/// is NaN, and by Holes::fill_alpha where the one that is Channel::alpha is 0. False if none is.
+bool find_missing(const HoledImage& image, Holes holes, std::vector<uint8_t>& missing);
+
+/// fill_holes() of ddt/points.h. May throw.
+bool fill_holes(const HoledImage& image, const uint8_t* missing, const MeshOptions& options,
+                Device device, std::string& error);
+
+/// Find and fill what is missing; a pixel that lacks some channels keeps the others. Edges flip by
+/// the cost's own min_gain, and by Scheme::look_ahead where the scheme is one_round, which is meant
+/// for pictures. False with one line in `error`. May throw.
+bool fill_missing(const HoledImage& image, Holes holes, const MeshOptions& options, Device device,
+                  std::string& error);
+
+} // namespace ddt

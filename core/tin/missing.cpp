@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "core/tin/fill.h"
+
+namespace ddt {
+
+namespace {
+
+bool is_kind(const HoledImage& image, size_t channel, Channel kind) {
+    return (image.kinds ? image.kinds[channel] : Channel::blend) == kind;
+}
+
+/// Whether a pixel's alpha says that there is none.
+bool is_empty(const HoledImage& image, const float* pixel) {
+    for (size_t c = 0; c < size_t(image.channels); ++c)
+        if (is_kind(image, c, Channel::alpha) && pixel[c] == 0.0f)
+            return true;
+    return false;
+}
+
+/// Holes have few triangles, and they are long: worth looking ahead.
+MeshOptions for_holes(MeshOptions options) {
+    if (options.scheme == Scheme::one_round)
+        options.scheme = Scheme::look_ahead;
+    options.min_gain = -1;
+    return options;
+}
+
+} // namespace
+
+bool find_missing(const HoledImage& image, Holes holes, std::vector<uint8_t>& missing) {
+    const auto channels = size_t(image.channels);
+    missing.assign(size_t(image.width) * size_t(image.height), 0);
+    bool any = false;
+    for (size_t i = 0; holes != Holes::keep && i < missing.size(); ++i) {
+        const float* pixel = image.values + i * channels;
+        bool is = holes == Holes::fill_alpha && is_empty(image, pixel);
+        for (size_t c = 0; c < channels; ++c)
+            is |= std::isnan(pixel[c]) && !is_kind(image, c, Channel::nearest);
+        missing[i] = is;
+        any |= is;
+    }
+    return any;
+}
+
+bool fill_missing(const HoledImage& image, Holes holes, const MeshOptions& options, Device device,
+                  std::string& error) {
+    std::vector<uint8_t> missing;
+    if (!find_missing(image, holes, missing))
+        return true;
+    const auto channels = size_t(image.channels);
+    // What a missing pixel has all the same, in the order of the pixels.
+    std::vector<float> had;
+    for (size_t i = 0; i < missing.size(); ++i)
+        if (missing[i])
+            had.insert(had.end(), image.values + i * channels, image.values + (i + 1) * channels);
+    if (!fill_holes(image, missing.data(), for_holes(options), device, error))
+        return false;
+    const float* old = had.data();
+    for (size_t i = 0; i < missing.size(); ++i) {
+        if (!missing[i])
+            continue;
+        if (!(holes == Holes::fill_alpha && is_empty(image, old)))
+            for (size_t c = 0; c < channels; ++c)
+                if (!std::isnan(old[c]))
+                    image.values[i * channels + c] = old[c];
+        old += channels;
+    }
+    return true;
+}
+
+} // namespace ddt

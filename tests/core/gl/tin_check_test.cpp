@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// The programs for meshes of points are checked before they are used; where one is wrong, or fails,
+// the CPU does the work and a line says why.
+#include <set>
+#include <sstream>
+
+#include "core/gl/context/faults.h"
+#include "core/gl/context/gpu.h"
+#include "ddt/names.h"
+#include "tests/core/gl/devices.h"
+#include "tests/core/gl/shaken_grid.h"
+
+namespace ddt::test {
+namespace {
+
+struct Change {
+    const char *constant, *value;
+};
+
+/// A constant of the program, and another value that is not right. (Of tin.glsl's marks the last
+/// ones of their line.)
+Change change_of(const std::string& program) {
+    const auto has = [&](const char* part) { return program.find(part) != program.npos; };
+    if (has("tin_faces.comp"))
+        return {"reciprocal_magic", "2120000000"};
+    if (has("tin_evaluate.comp"))
+        return has("abn") || has("scf") ? Change{"rsqrt_magic", "1597460000"}
+                                        : Change{"reciprocal_magic", "2120000000"};
+    if (has("tin_accept.comp"))
+        return {"winner", "0, accepted = 4, rejected = 5"};
+    return {"accepted", has("tin_flip.comp") ? "9, rejected = 5" : "0, rejected = 5"};
+}
+
+class TinCheck : public OnDevice {
+protected:
+    void SetUp() override {
+        OnDevice::SetUp();
+        setenv("DDT_VERBOSE", "1", 1);
+    }
+    void TearDown() override {
+        gl::change_constant("", "", "");
+        gl::arm(gl::Fault::allocation, 0);
+        gl::forget_devices();
+        unsetenv("DDT_VERBOSE");
+    }
+
+    gl::Gpu& fresh_device() const {
+        gl::forget_devices();
+        std::string why;
+        bool forked = false;
+        gl::Gpu* gpu = gl::open(GetParam(), why, forked);
+        EXPECT_NE(gpu, nullptr) << why;
+        gpu->checks.software_too = true;
+        return *gpu;
+    }
+
+    /// Flip; true if on the device. `lines`: what was said of failures.
+    bool on_device(const MeshOptions& options, std::vector<std::string>& lines) {
+        std::vector<float> guide;
+        PointMesh cpu = shaken_grid(9, 8, 5, guide), device = cpu;
+        EXPECT_TRUE(optimise(cpu, guide.data(), options, nullptr, nullptr, {}, Device::cpu));
+        MeshReport report;
+        testing::internal::CaptureStderr();
+        EXPECT_TRUE(optimise(device, guide.data(), options, &report, nullptr, {}, GetParam()));
+        std::istringstream said(testing::internal::GetCapturedStderr());
+        for (std::string line; std::getline(said, line);)
+            if (line.find("finished on the CPU") != line.npos)
+                lines.push_back(line);
+        EXPECT_EQ(cpu.triangles, device.triangles);
+        return report.statistics.device == GetParam();
+    }
+};
+
+std::set<std::string> programs_of(gl::Gpu& gpu) {
+    const auto names = gpu.programs->names();
+    return {names.begin(), names.end()};
+}
+
+TEST_P(TinCheck, EveryProgramIsCheckedBeforeItIsUsedAndAWrongOneIsNot) {
+    for (const std::string& cost : cost_names()) {
+        MeshOptions options;
+        find_cost(cost, options.cost);
+        options.scheme = Scheme::maxgain;
+        std::vector<std::string> lines;
+        gl::Gpu& right = fresh_device();
+        right.thread.post([&] { EXPECT_EQ(right.checks.differs(right, options), ""); }).get();
+        const std::set<std::string> checked = programs_of(right);
+        EXPECT_TRUE(on_device(options, lines));
+        EXPECT_EQ(programs_of(right), checked) << "a program was used that the check did not";
+        EXPECT_TRUE(lines.empty());
+        EXPECT_EQ(checked.size(), 5u);
+        for (const std::string& program : checked) {
+            const bool by_cost = program.find("tin_faces") == 0 || program.find("tin_eval") == 0;
+            if (!by_cost && cost != cost_names().front())
+                continue; // these do not look at the cost
+            const Change change = change_of(program);
+            gl::change_constant(program, change.constant, change.value);
+            fresh_device();
+            EXPECT_FALSE(on_device(options, lines)) << program << " is wrong and used";
+            ASSERT_EQ(lines.size(), 1u) << program;
+            EXPECT_NE(lines[0].find("does not compute as the CPU does (points " + cost),
+                      std::string::npos)
+                << lines[0];
+            // What is known is not checked again, and heeded again.
+            EXPECT_FALSE(on_device(options, lines)) << program;
+            lines.clear();
+            gl::change_constant("", "", "");
+        }
+    }
+}
+
+TEST_P(TinCheck, AFailureIsToldAndTheCpuDoesTheWork) {
+    fresh_device().checks.software_too = false;
+    gl::arm(gl::Fault::allocation, 1);
+    std::vector<std::string> lines;
+    EXPECT_FALSE(on_device(MeshOptions(), lines));
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_NE(lines[0].find("failed, finished on the CPU: "), std::string::npos) << lines[0];
+    lines.clear();
+    EXPECT_TRUE(on_device(MeshOptions(), lines));
+}
+
+INSTANTIATE_TEST_SUITE_P(Devices, TinCheck, testing::Values(Device::egl, Device::osmesa),
+                         ddt::test::device_name);
+
+} // namespace
+} // namespace ddt::test

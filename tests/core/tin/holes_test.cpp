@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// Job::holes: as fill_holes() and then as any other picture.
+#include <cmath>
+
+#include "core/tin/fill.h"
+#include "core/tin/membrane.h"
+#include "tests/core/helpers.h"
+
+namespace ddt::test {
+namespace {
+
+constexpr int width = 90, height = 70, channels = 3;
+
+class Plain final : public Source {
+public:
+    bool read(const Rect& r, float* v, float* g) override {
+        for (int y = r.y0; y < r.y1; ++y)
+            for (int x = r.x0; x < r.x1; ++x) {
+                const size_t i = size_t(y) * width + size_t(x);
+                v = std::copy_n(&values[i * channels], channels, v);
+                *g++ = guide[i];
+            }
+        return true;
+    }
+    std::vector<float> values, guide;
+};
+
+class Kept final : public Sink {
+public:
+    bool write(const Rect& r, float* v) override {
+        for (int y = r.y0; y < r.y1; ++y)
+            for (int x = r.x0; x < r.x1; ++x, v += channels)
+                std::copy_n(v, channels, &values[(size_t(y) * 2 * width + size_t(x)) * channels]);
+        return true;
+    }
+    std::vector<float> values = std::vector<float>(4 * width * height * channels);
+};
+
+/// Twice as large; true if that was done.
+bool twice(Source& source, Holes holes, Device device, std::vector<float>& result,
+           std::string& error) {
+    const auto axis = [](int n) {
+        ResizeMapping::Axis a;
+        a.from_size = a.window1 = n;
+        a.to_size = a.out1 = 2 * n;
+        return a;
+    };
+    Job job;
+    job.window = {0, 0, width, height};
+    job.channels = channels;
+    job.kinds = {Channel::blend, Channel::nearest, Channel::alpha};
+    job.holes = holes;
+    job.device = device;
+    Kept sink;
+    const bool done = enlarge(source, sink, ResizeMapping(axis(width), axis(height)), job,
+                              &error) == Outcome::done;
+    result = sink.values;
+    return done;
+}
+
+Plain picture() {
+    Random random(7);
+    Plain p;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const float v = (3 * x + 5 * y) % 41 < 17 ? 0.9f : 0.01f * float(random.below(30));
+            p.values.insert(p.values.end(), {v, float(x / 7), 1.0f});
+            p.guide.push_back(v);
+        }
+    return p;
+}
+
+TEST(JobHoles, AreFilledAsFillHolesDoesAndTheMeshSeesThemSo) {
+    if (!has_delaunay())
+        GTEST_SKIP() << "built without GEOS";
+    Plain holed = picture();
+    for (int y = 20; y < 41; ++y)
+        for (int x = 30; x < 49; ++x) {
+            holed.values[size_t(y * width + x) * channels] = std::nanf("");
+            holed.guide[size_t(y * width + x)] = std::nanf("");
+        }
+    holed.values[5 * channels + 2] = 0;             // alpha
+    holed.values[9 * channels + 1] = std::nanf(""); // an identifier is what it is
+    for (const Holes holes : {Holes::fill, Holes::fill_alpha}) {
+        Plain filled = holed;
+        std::string error;
+        ASSERT_TRUE(fill_missing(
+            {filled.values.data(), filled.guide.data(), width, height, channels,
+             std::vector{Channel::blend, Channel::nearest, Channel::alpha}.data(), true},
+            holes, MeshOptions(), Device::cpu, error))
+            << error;
+        for (size_t i = 0; i < filled.guide.size(); ++i) {
+            EXPECT_TRUE(std::isfinite(filled.guide[i]));
+            EXPECT_TRUE(std::isfinite(filled.values[i * channels]));
+        }
+        EXPECT_EQ(filled.values[5 * channels + 2], holes == Holes::fill ? 0.0f : 1.0f);
+        EXPECT_TRUE(std::isnan(filled.values[9 * channels + 1]));
+        filled.values[9 * channels + 1] = holed.values[9 * channels + 1] = 4;
+        std::vector<float> a, b;
+        ASSERT_TRUE(twice(holed, holes, Device::cpu, a, error)) << error;
+        ASSERT_TRUE(twice(filled, Holes::keep, Device::cpu, b, error)) << error;
+        EXPECT_EQ(a, b);
+        holed.values[9 * channels + 1] = std::nanf("");
+    }
+}
+
+/// A step across a hole 24 pixels wide, and noise on its rim.
+TEST(SmoothHoles, TakesStreaksAndLeavesEdgesAndRanges) {
+    constexpr int side = 24;
+    std::vector<float> values, guide;
+    std::vector<uint8_t> filled, known(side * side, 1);
+    Random random(3);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const float step = x < side / 2 ? 0.0f : 1.0f;
+            const bool rim = x == 0 || y == 0 || x == side - 1 || y == side - 1;
+            const float noise = 0.001f * float(random.below(40)) * (step > 0 ? -1.0f : 1.0f);
+            filled.push_back(!rim);
+            guide.push_back(step + noise);
+        }
+    values = guide;
+    HoledImage image{values.data(), guide.data(), side, side, 1, nullptr, false};
+    smooth_holes(image, filled, known, guide);
+    double rough = 0, was = 0;
+    for (int y = 3; y < side - 3; ++y)
+        for (int x = 3; x < side - 3; ++x) {
+            const size_t i = size_t(y * side + x);
+            EXPECT_NEAR(values[i], x < side / 2 ? 0.02 : 0.98, 0.02);
+            EXPECT_TRUE(values[i] >= 0 && values[i] <= 1);
+            rough += std::fabs(values[i] - values[i + side]);
+            was += std::fabs(guide[i] - guide[i + side]);
+        }
+    EXPECT_LT(rough, 0.2 * was);
+    // Beside what was there nothing changes.
+    for (int x = 1; x < side - 1; ++x)
+        EXPECT_EQ(values[size_t(side + x)], guide[size_t(side + x)]);
+    // What is not finite stays, and does not spread.
+    values = guide;
+    values[side * 10 + 5] = INFINITY;
+    smooth_holes(image, filled, known, guide);
+    EXPECT_TRUE(std::isinf(values[side * 10 + 5]));
+    EXPECT_TRUE(std::isfinite(values[side * 10 + 6]));
+}
+
+} // namespace
+} // namespace ddt::test

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// The option holes=, wherever an ImageBuf goes in.
+#include <cmath>
+#include <limits>
+
+#include "ddt/option_table.h"
+#include "ddt/points.h"
+#include <OpenImageIO/Imath.h>
+
+#include "tests/plugin/images.h"
+
+namespace {
+
+using images::bytes;
+using images::enlarged;
+using images::value;
+using images::window;
+using OIIO::ImageBuf;
+
+constexpr int width = 40, height = 30, channels = 4;
+const float nan = std::numeric_limits<float>::quiet_NaN();
+
+/// Black and white with a slanting edge; alpha 1.
+float plain(int x, int y, int c) {
+    return c == 3 ? 1.0f : 2 * y > x + 9 ? 1.0f : 0.0f;
+}
+bool in_hole(int x, int y) {
+    return x >= 15 && x < 23 && y >= 8 && y < 18;
+}
+
+/// The edge with a hole across it, of NaNs or of alpha 0.
+ImageBuf holed(bool by_alpha, OIIO::TypeDesc type = OIIO::TypeFloat) {
+    ImageBuf image = images::make(width, height, channels, type);
+    image.specmod().alpha_channel = 3;
+    image.specmod().attribute("oiio:ColorSpace", "Linear");
+    images::fill(image, [&](int x, int y, int c) {
+        return !in_hole(x, y) ? plain(x, y, c) : by_alpha ? 0.0f : nan;
+    });
+    return image;
+}
+
+ddt::Options options_of(const std::string& spec) {
+    ddt::Options options;
+    std::string error;
+    EXPECT_TRUE(ddt::parse_filter(spec, options, error)) << error;
+    return options;
+}
+
+class HolesOption : public testing::Test {
+    void SetUp() override {
+        if (!ddt::has_delaunay())
+            GTEST_SKIP() << "built without GEOS";
+    }
+};
+
+/// How many of the result's pixels are not what the whole picture gives.
+int count_wrong(const ImageBuf& result) {
+    ImageBuf whole = images::make(width, height, channels);
+    whole.specmod().alpha_channel = 3;
+    images::fill(whole, plain);
+    const ImageBuf right = enlarged(whole, 4 * width, 4 * height, options_of("ddt,light=encoded"));
+    int wrong = 0;
+    for (int y = 0; y < 4 * height; ++y)
+        for (int x = 0; x < 4 * width; ++x)
+            wrong += !(std::fabs(value(result, x, y) - value(right, x, y)) < 0.1f) ||
+                     !(std::fabs(value(result, x, y, 3) - 1.0f) < 1e-3f);
+    return wrong;
+}
+
+// The hole is 32 x 40 of the result's pixels; what is not sure is a strip along the edge.
+TEST_F(HolesOption, EdgesRunOnAcrossWhatIsFilled) {
+    for (const bool by_alpha : {false, true}) {
+        const std::string holes = by_alpha ? "fill-alpha" : "fill";
+        const ImageBuf src = holed(by_alpha);
+        const auto filled = enlarged(src, 4 * width, 4 * height, options_of("ddt,holes=" + holes));
+        const auto kept = enlarged(src, 4 * width, 4 * height, options_of("ddt"));
+        EXPECT_LT(count_wrong(filled), 30) << holes;
+        EXPECT_GT(count_wrong(kept), 1000) << holes;
+    }
+}
+
+TEST_F(HolesOption, TransparentPixelsAreKeptUnlessChosen) {
+    const ImageBuf src = holed(true);
+    const auto a = enlarged(src, 80, 60, options_of("ddt,holes=fill"));
+    const auto b = enlarged(src, 80, 60, options_of("ddt"));
+    EXPECT_EQ(bytes(a), bytes(b));
+    // Integers have no NaN, but alpha.
+    const ImageBuf integers = holed(true, OIIO::TypeUInt8);
+    const auto c = enlarged(integers, 4 * width, 4 * height, options_of("ddt,holes=fill-alpha"));
+    EXPECT_LT(count_wrong(c), 30);
+}
+
+TEST_F(HolesOption, APartIsACropOfTheWholeInPixelsAndChannels) {
+    ImageBuf src = holed(false);
+    const float lacks_blue[] = {0.5f, 0.5f, nan, 1.0f};
+    src.setpixel(31, 20, lacks_blue);
+    const ddt::Options options = options_of("ddt-sharp,holes=fill");
+    const auto whole = enlarged(src, 3 * width, 3 * height, options);
+    ImageBuf dst = images::make(3 * width, 3 * height, channels);
+    OIIO::ROI part = window(40, 100, 20, 70);
+    part.chbegin = 1;
+    part.chend = 2;
+    ASSERT_TRUE(ddt::resize(dst, src, options, part)) << dst.geterror();
+    EXPECT_EQ(bytes(dst, part), bytes(whole, part));
+}
+
+TEST_F(HolesOption, FilledBeforeWhatIsNotEnlargedToo) {
+    const ImageBuf src = holed(false);
+    const ddt::Options options = options_of("ddt,holes=fill");
+    ImageBuf filled;
+    ASSERT_TRUE(ddt::fill(filled, src, options_of("ddt"))) << filled.geterror();
+    EXPECT_EQ(bytes(enlarged(src, width, height, options)), bytes(filled));
+    for (const auto& size : {std::pair{13, 11}, std::pair{60, 11}, std::pair{13, 50}})
+        EXPECT_EQ(bytes(enlarged(src, size.first, size.second, options)),
+                  bytes(enlarged(filled, size.first, size.second, options_of("ddt"))))
+            << size.first;
+}
+
+TEST_F(HolesOption, Warps) {
+    const ImageBuf src = holed(false);
+    for (const float scale : {1.0f, 2.0f, 0.5f}) {
+        const Imath::M33f m(scale, 0, 0, 0, scale, 0, 3, 0, 1);
+        ImageBuf dst;
+        ASSERT_TRUE(ddt::warp(dst, src, m, options_of("ddt,holes=fill"), true)) << dst.geterror();
+        for (int y = dst.ybegin(); y < dst.yend(); ++y)
+            for (int x = dst.xbegin(); x < dst.xend(); ++x)
+                ASSERT_FALSE(std::isnan(value(dst, x, y))) << scale << ": " << x << " " << y;
+    }
+}
+
+TEST_F(HolesOption, SaysWhatCannotBe) {
+    ImageBuf src = images::make(8, 8, 1), dst;
+    images::fill(src, [](int, int, int) { return nan; });
+    EXPECT_FALSE(
+        ddt::resize(dst, src, options_of("ddt,holes=fill"), OIIO::ROI(0, 16, 0, 16, 0, 1)));
+    EXPECT_EQ(dst.geterror(), "ddt: no pixel is there to fill the others from");
+    ddt::Options options;
+    std::string error;
+    EXPECT_FALSE(ddt::parse_filter("ddt,holes=x", options, error));
+    EXPECT_NE(error.find("keep, fill, fill-alpha"), std::string::npos) << error;
+}
+
+} // namespace
