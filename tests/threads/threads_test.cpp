@@ -28,11 +28,12 @@ ImageBuf picture(int n, OIIO::TypeDesc type = OIIO::TypeFloat) {
     OIIO::ImageSpec spec(width, height, 3, type);
     spec.attribute("oiio:ColorSpace", n % 2 ? "sRGB" : "linear");
     ImageBuf image(spec);
-    for (OIIO::ImageBuf::Iterator<float> p(image); !p.done(); ++p)
-        for (int c = 0; c < 3; ++c) {
-            const float x = float(p.x() - 30 - n), y = float(p.y() - 12);
-            p[c] = 0.5f + 0.25f * std::sin(0.3f * (x + y)) +
-                   (x * x + y * y < 120 ? 0.25f : 0.0f) * float(c + 1) / 3;
+    for (int j = 0; j < height; ++j)
+        for (int i = 0; i < width; ++i) {
+            const float x = float(i - 30 - n), y = float(j - 12);
+            const float stripes = 0.5f + 0.25f * std::sin(0.3f * (x + y));
+            const float light = x * x + y * y < 120 ? 0.25f : 0.0f;
+            image.setpixel(i, j, {stripes, stripes + 0.5f * light, stripes + light});
         }
     return image;
 }

