@@ -11,11 +11,11 @@ add_test(NAME sanitize.build
     --build-options -DCMAKE_BUILD_TYPE=Sanitize -DDDT_PLUGIN=${DDT_PLUGIN} -DDDT_WERROR=${DDT_WERROR}
       -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_C_COMPILER=${CMAKE_C_COMPILER})
 set_tests_properties(sanitize.build PROPERTIES LABELS all FIXTURES_SETUP sanitized RUN_SERIAL TRUE)
-# Left out are tests that are large for the sake of numbers, which the plain build compares: their
-# code is that of others.
+# Left out are tests that are large for the sake of numbers, which the plain build compares, or that
+# start the program again and again: their code is that of others.
 string(CONCAT sanitize_large
   "Progress.CancelsAtAnyTime|Progress.RisesToOne|Enlarge.TilesShowNoSeams|Enlarge.AnyNumberOfThreads"
-  "|SameBits.EverySchemeAndCost|CacheTest.AWholeFile|Memory.AJobTakes|Resize.SameBitsForAnyNumber")
+  "|SameBits.EverySchemeAndCost|CacheTest.AWholeFile|Memory[.]|Hardware[.]|Enlarge.ManyChannels|Resize.SameBitsForAnyNumber")
 add_test(NAME sanitize.run
   COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${sanitize_dir} --output-on-failure -j 2
     --exclude-regex ${sanitize_large})
