@@ -82,17 +82,6 @@ void touch(int list, int m) {
         from[list + int(atomicAdd(n_dirty, 1))] = m;
 }
 
-void flip(int m, Edge e) {
-    Side s = first_side(e);
-    for (int k = 0; k < 4; ++k) {
-        int middle = m + offset(middle_of(s));
-        site[middle] = pack(with_apex(edge_at(middle), s, k < 2 ? e.right : e.left));
-        s = next_side(s);
-    }
-    site[m] = pack(turned(e));
-    tell_ends(m, e);
-}
-
 void main() {
     const uint size = gl_WorkGroupSize.x, own = gl_LocalInvocationIndex;
     int tile = int(gl_WorkGroupID.x), list = tile * list_size;

@@ -1,27 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gains of the edges a flip touched; those that gain enough are candidates. DENSE: gains of all
-// edges, and no candidates.
+// edges, and no candidates. DENSE CANDIDATES: with them, as the first iteration of a mesh that others
+// have flipped.
 #include "lists.glsl"
 #include "evaluate.glsl"
 
 #ifdef DENSE
 layout(local_size_x = GAINS_GROUP_X, local_size_y = GAINS_GROUP_Y) in; // a site; z: a tile
+const int own_most = GAINS_GROUP_X * GAINS_GROUP_Y;
+
+int own_tile() {
+    return int(gl_GlobalInvocationID.z);
+}
+// The edge of this invocation, -1 if none.
+int own_edge(int tile) {
+    int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
+    bool there = x < 2 * extent[tile].x - 1 && y < 2 * extent[tile].y - 1 && ((x | y) & 1) != 0;
+    return there ? tile * slot_sites + y * stride + x : -1;
+}
 #else
 layout(local_size_x = LIST_GROUP) in; // an entry of the list; y: a tile
+const int own_most = LIST_GROUP;
+
+int own_tile() {
+    return int(gl_GlobalInvocationID.y);
+}
+int own_edge(int tile) {
+    int i = int(gl_GlobalInvocationID.x);
+    return i < int(counts[counts_of(first_iteration, tile)].dirty) ? from[tile * list_size + i] : -1;
+}
 #endif
 
-#ifdef DENSE
+#if defined(DENSE) && !defined(CANDIDATES)
 
 void main() {
-    int tile = int(gl_GlobalInvocationID.z);
-    int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
-    if (x < 2 * extent[tile].x - 1 && y < 2 * extent[tile].y - 1 && ((x | y) & 1) != 0)
-        evaluate(tile * slot_sites + y * stride + x);
+    int m = own_edge(own_tile());
+    if (m >= 0)
+        evaluate(m);
 }
 
 #else
 
-const int own_most = LIST_GROUP;
 #include "append.glsl"
 
 shared uint evaluated;
@@ -30,10 +49,11 @@ void main() {
     if (gl_LocalInvocationIndex == 0)
         evaluated = 0;
     begin_list();
-    int tile = int(gl_GlobalInvocationID.y), c = counts_of(first_iteration, tile);
-    uint i = gl_GlobalInvocationID.x;
-    if (i < counts[c].dirty) {
-        int m = from[tile * list_size + int(i)];
+    int tile = own_tile(), c = counts_of(first_iteration, tile), m = own_edge(tile);
+    if (m >= 0) {
+#ifdef DENSE
+        site[m].y &= 0xffffu; // stamps of earlier iterations are none of these
+#endif
         if (evaluate(m)) {
             atomicAdd(evaluated, 1);
             if (gain[m] > min_gain)
@@ -41,7 +61,7 @@ void main() {
         }
     }
     barrier();
-    if (gl_LocalInvocationIndex == 0 && i < counts[c].dirty) {
+    if (gl_LocalInvocationIndex == 0 && (m >= 0 || evaluated > 0)) {
         atomicAdd(counts[c].evaluated, evaluated);
         own_base = atomicAdd(counts[c].candidates, own_count);
         // The next step also looks at those that wait.

@@ -30,3 +30,15 @@ void tell_ends(int m, Edge e) {
 uint reach_of(Edge e) {
     return uint(max(abs(e.left.x), abs(e.left.y)));
 }
+
+// Flip the edge e at m where nobody keeps stamps.
+void flip(int m, Edge e) {
+    Side s = first_side(e);
+    for (int k = 0; k < 4; ++k) {
+        int middle = m + offset(middle_of(s));
+        site[middle] = pack(with_apex(edge_at(middle), s, k < 2 ? e.right : e.left));
+        s = next_side(s);
+    }
+    site[m] = pack(turned(e));
+    tell_ends(m, e);
+}

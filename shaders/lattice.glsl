@@ -18,7 +18,8 @@ layout(std140, binding = 0) uniform Batch {
     int slot_sites;
     int slot_width;  // pixels in a row of a slot
     int slot_pixels;
-    ivec4 extent[MAX_TILES]; // xy: a tile's width and height in pixels
+    // A tile's width and height in pixels; where its first pixel is in the image.
+    ivec4 extent[MAX_TILES];
     ivec4 served[MAX_TILES]; // first and last pixels about the positions a tile serves
 };
 

@@ -43,6 +43,13 @@ namespace ddt {
     FLOAT(contour_noise, 4.0f * 64 * 64 * 0.05f * 0.05f)                                           \
     FLOAT(contour_unit, 4.0f / 1000)                                                               \
                                                                                                    \
+    /* Annealing: parts of the edges that are tried one after another; log(2); how far log2(1 + f) \
+     */                                                                                            \
+    /* bows above f, at most a quarter of it. */                                                   \
+    INT(annealing_parts, 8)                                                                        \
+    FLOAT(natural_log_2, 0.69314718f)                                                              \
+    FLOAT(log_bow, 0.34f)                                                                          \
+                                                                                                   \
     /* Square of the gradient below which triangles weigh nearly alike (surface/net.h). */         \
     FLOAT(gradient_epsilon, 0.02f * 0.02f)                                                         \
     /* How much more than by the gradients an edge is bent (surface/net.h). */                     \

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/device_mesh.h"
 
+#include <algorithm>
+
 #include "core/gl/work_layout.h"
 
 namespace ddt::gl {
@@ -26,9 +28,10 @@ DeviceMesh::DeviceMesh(Gpu& gpu, const SlotShape& shape, int tiles)
       m_blocked_even(m_gl, shape.edges() * 8 * size_t(tiles)),
       m_blocked_odd(m_gl, shape.edges() * 8 * size_t(tiles)), m_work(m_gl, work_bytes(tiles)) {}
 
-TileSize size_in_slot(const Tile& tile, int width, int height) {
+TileSize size_in_slot(const Tile& tile, const Rect& window, int width, int height) {
     const Rect &c = tile.cells, &p = tile.pixels;
-    return {width, height, c.x0 - p.x0, c.y0 - p.y0, c.x1 - p.x0, c.y1 - p.y0};
+    return {width,       height,      c.x0 - p.x0,      c.y0 - p.y0,
+            c.x1 - p.x0, c.y1 - p.y0, p.x0 - window.x0, p.y0 - window.y0};
 }
 
 size_t DeviceMesh::bytes(const SlotShape& shape) {
@@ -49,6 +52,8 @@ void DeviceMesh::set_tiles(const std::vector<TileSize>& sizes) {
         const TileSize& size = sizes[i];
         batch.extent[i][0] = size.width;
         batch.extent[i][1] = size.height;
+        batch.extent[i][2] = size.origin_x;
+        batch.extent[i][3] = size.origin_y;
         batch.served[i][0] = size.served_x0;
         batch.served[i][1] = size.served_y0;
         batch.served[i][2] = size.served_x1;
@@ -106,6 +111,22 @@ std::vector<std::vector<IterationCounts>> DeviceMesh::read_counts() {
     for (size_t i = 1; i <= size_t(m_iterations); ++i)
         for (size_t t = 0; t < result.size(); ++t)
             result[t].push_back(counts[i * result.size() + t]);
+    return result;
+}
+
+std::vector<Statistics> DeviceMesh::read_statistics() {
+    std::vector<Statistics> result = m_before;
+    result.resize(static_cast<size_t>(m_tiles));
+    const auto counts = read_counts();
+    for (size_t slot = 0; slot < counts.size(); ++slot)
+        for (size_t i = 0; i < counts[slot].size(); ++i) {
+            const IterationCounts& c = counts[slot][i];
+            result[slot].evaluations += c.evaluated;
+            result[slot].flips += c.selected;
+            result[slot].rounds += c.rounds;
+            if (c.selected > 0)
+                result[slot].iterations = std::max(result[slot].iterations, int(i) + 1);
+        }
     return result;
 }
 

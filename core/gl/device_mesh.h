@@ -28,10 +28,11 @@ struct SlotShape {
 struct TileSize {
     int width = 0, height = 0;
     int served_x0 = 0, served_y0 = 0, served_x1 = 0, served_y1 = 0;
+    int origin_x = 0, origin_y = 0; ///< its first pixel in the image (Workspace::origin_x)
 };
 
-/// The same of a tile whose pixels were read as width x height.
-TileSize size_in_slot(const Tile& tile, int width, int height);
+/// The same of a tile, in a picture of this window, whose pixels were read as width x height.
+TileSize size_in_slot(const Tile& tile, const Rect& window, int width, int height);
 
 /// What an iteration did on one tile: gains computed, those that were enough, edges flipped,
 /// candidates left waiting, flippable edges that a flip had touched, rounds of accepting and
@@ -75,8 +76,11 @@ public:
     void forget_gains() { m_gains_known = false; }
     const Buffer& gains() const { return m_gain; }
 
-    /// Counts of each iteration of the last triangulate(), a slot; waits for the device.
+    /// Counts of each iteration of the last triangulate(), a slot; of annealing those after chance
+    /// had its part. Waits for the device.
     std::vector<std::vector<IterationCounts>> read_counts();
+    /// What the last triangulate() did, a slot, but for the pixels; waits for the device.
+    std::vector<Statistics> read_statistics();
     /// How far edges go at most, a slot; waits for the device.
     std::vector<uint32_t> read_reach();
     /// A slot's mesh, and after find_gains() its gains, a site each; for comparisons.
@@ -95,11 +99,13 @@ private:
     // The steps of triangulate(), in schemes.cpp.
     void set_criterion(const Criterion& by);
     void find_contours();
-    void prepare_lists();
+    void prepare_lists(const std::vector<uint32_t>& reach);
     void bind_lists();
     void start(const MeshOptions& options);
     void one_round();
     void accept_reject(const Rules& rules);
+    void annealing(const MeshOptions& options);
+    void anneal(uint64_t salt, uint64_t seed, float temperature);
     void step(const char* shader, int iteration, Step step, const std::string& defines);
     void use(const char* shader, int first_iteration, int last_iteration,
              const std::string& defines);
@@ -116,6 +122,7 @@ private:
     std::string m_criterion; ///< the macros that choose it
     float m_contour_weight = 0;
     bool m_gains_known = false;
+    std::vector<Statistics> m_before; ///< of annealing's first part, a slot
     Buffer m_batch, m_sites, m_guide, m_contours, m_gain, m_list0, m_list1, m_blocked_even,
         m_blocked_odd, m_work;
     std::unique_ptr<Buffer> m_stamps;                  ///< accept_reject's

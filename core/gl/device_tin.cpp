@@ -7,6 +7,7 @@
 
 #include "core/gl/context/failure.h"
 #include "core/gl/offload.h"
+#include "core/tin/tin_mesh.h"
 #include "ddt/names.h"
 
 namespace ddt {
@@ -31,7 +32,7 @@ size_t bytes_of(const std::vector<T>& records) {
 } // namespace
 
 DeviceTin::DeviceTin(Gpu& gpu, const Tin& tin)
-    : m_gpu(gpu), m_gl(gpu.context->gl), m_triangles(tin.triangles.size()),
+    : m_gpu(gpu), m_gl(gpu.context->gl), m_tin(tin), m_triangles(tin.triangles.size()),
       m_edges(tin.edges.size()), m_pixel(tin.pixel), m_vertex_buffer(m_gl, bytes_of(tin.vertices)),
       m_triangle_buffer(m_gl, bytes_of(tin.triangles)), m_edge_buffer(m_gl, bytes_of(tin.edges)),
       m_face_buffer(m_gl, m_triangles * sizeof(TinFace)),
@@ -43,22 +44,41 @@ DeviceTin::DeviceTin(Gpu& gpu, const Tin& tin)
     m_vertex_buffer.write(0, bytes_of(tin.vertices), tin.vertices.data());
     m_triangle_buffer.write(0, bytes_of(tin.triangles), tin.triangles.data());
     m_edge_buffer.write(0, bytes_of(tin.edges), tin.edges.data());
+    mark_all_dirty();
+    m_gain_buffer.clear();
+}
+
+void DeviceTin::mark_all_dirty() {
     const std::vector<uint32_t> marks(m_edges, dirty);
     m_mark_buffer.write(0, bytes_of(marks), marks.data());
-    m_gain_buffer.clear();
 }
 
 void DeviceTin::triangulate(const MeshOptions& options, const Workspace& workspace,
                             Statistics& statistics) {
-    Rules rules{true, 0, false}; // one_round
-    const bool in_rounds = find_rules(options, rules);
+    const Rules best_first{true, 0, false}; // one_round
+    Rules rules = best_first;
+    find_rules(options, rules);
     m_cost = std::string("COST_") + cost_name(options.cost);
     m_min_gain = min_gain(options);
-    m_by_gain = rules.by_gain;
     if (options.scheme == Scheme::pixel)
         return;
     pass("tin_faces.comp", m_triangles);
-    for (int i = 1; i <= options.max_iterations; ++i) {
+    if (options.scheme == Scheme::annealing) {
+        Workspace silent;
+        flip_by(best_first, options.max_iterations, silent, statistics);
+        anneal(options, workspace, statistics);
+        mark_all_dirty();
+        flip_by(best_first, options.max_iterations, silent, statistics);
+    } else {
+        flip_by(rules, options.max_iterations, workspace, statistics);
+    }
+    finish(m_gl, "tin");
+}
+
+void DeviceTin::flip_by(const Rules& rules, int iterations, const Workspace& workspace,
+                        Statistics& statistics) {
+    m_by_gain = rules.by_gain;
+    for (int i = 1; i <= iterations; ++i) {
         const bool wide = i <= rules.wide_iterations;
         const Counts found = pass("tin_evaluate.comp", m_edges);
         statistics.evaluations += found.evaluated;
@@ -72,23 +92,52 @@ void DeviceTin::triangulate(const MeshOptions& options, const Workspace& workspa
             if (waiting >= before)
                 throw DoesNotEnd("no edge of a round was accepted");
             pass("tin_reject.comp", m_edges, wide);
-            statistics.rounds += in_rounds;
+            statistics.rounds += rules.all_rounds;
         } while (rules.all_rounds && waiting > 0);
         statistics.flips += pass("tin_flip.comp", m_edges).flipped;
         statistics.iterations = std::max(statistics.iterations, i);
         if (!workspace.go_on(found.candidates, m_edges))
             break;
     }
-    finish(m_gl, "tin");
 }
 
-DeviceTin::Counts DeviceTin::pass(const char* shader, size_t invocations, bool wide) {
+void DeviceTin::anneal(const MeshOptions& options, const Workspace& workspace,
+                       Statistics& statistics) {
+    Tin now = m_tin;
+    read(now);
+    const std::vector<uint64_t> places = places_of(now, workspace.origin_x, workspace.origin_y);
+    m_place_buffer = std::make_unique<Buffer>(m_gl, bytes_of(places));
+    m_place_buffer->write(0, bytes_of(places), places.data());
+    m_drawn_buffer = std::make_unique<Buffer>(m_gl, m_edges * sizeof(uint32_t));
+    Chance chance{0, mixed(options.seed), 0, 0};
+    const int iterations = options.max_iterations;
+    for (int i = 0; i < iterations; ++i) {
+        chance.salt = annealing_salt(chance.seed, i);
+        chance.temperature = annealing_temperature(options.cost, i, iterations);
+        pass("tin_anneal_draw.comp", m_edges, false, &chance);
+        for (chance.part = 0; chance.part < uint32_t(annealing_parts); ++chance.part) {
+            statistics.evaluations +=
+                pass("tin_anneal_select.comp", m_edges, false, &chance).evaluated;
+            statistics.flips += pass("tin_flip.comp", m_edges).flipped;
+        }
+        if (!workspace.go_on(size_t(iterations - i), size_t(iterations)))
+            break;
+    }
+}
+
+DeviceTin::Counts DeviceTin::pass(const char* shader, size_t invocations, bool wide,
+                                  const Chance* chance) {
     m_gpu.programs->use(shader, m_cost);
     const Buffer* const buffers[] = {&m_vertex_buffer, &m_triangle_buffer, &m_edge_buffer,
                                      &m_face_buffer,   &m_gain_buffer,     &m_mark_buffer,
                                      &m_count_buffer};
     for (GLuint i = 0; i < std::size(buffers); ++i)
         buffers[i]->bind(i);
+    if (chance) {
+        m_place_buffer->bind(7);
+        m_drawn_buffer->bind(8);
+        set_chance(m_gl, *chance);
+    }
     m_count_buffer.clear();
     m_gl.Uniform1i(0, GLint(invocations));
     m_gl.Uniform1f(1, m_pixel);

@@ -2,7 +2,10 @@
 // Flipping the edges of a Tin on the device.
 #pragma once
 
+#include <memory>
+
 #include "core/gl/buffer.h"
+#include "core/gl/chance.h"
 #include "core/gl/context/failure.h"
 #include "core/gl/context/gpu.h"
 #include "core/tin/face.h"
@@ -20,6 +23,7 @@ struct DoesNotEnd : Failure {
 /// context's thread; throws Failure.
 class DeviceTin {
 public:
+    /// Keeps a reference to `tin`, whose vertices are those of all meshes to come.
     DeviceTin(Gpu& gpu, const Tin& tin);
 
     /// Flip edges by a scheme that DeviceMesh::knows(). Adds to `statistics` as its C++ twin does.
@@ -37,16 +41,23 @@ private:
         uint32_t evaluated = 0, candidates = 0, waiting = 0, flipped = 0;
     };
 
-    Counts pass(const char* shader, size_t invocations, bool wide = false);
+    Counts pass(const char* shader, size_t invocations, bool wide = false,
+                const Chance* chance = nullptr);
+    void flip_by(const Rules& rules, int iterations, const Workspace& workspace,
+                 Statistics& statistics);
+    void anneal(const MeshOptions& options, const Workspace& workspace, Statistics& statistics);
+    void mark_all_dirty();
 
     Gpu& m_gpu;
     const Functions& m_gl;
+    const Tin& m_tin;
     size_t m_triangles, m_edges;
     float m_pixel, m_min_gain = 0;
     bool m_by_gain = true;
     std::string m_cost; ///< the macro that chooses it
     Buffer m_vertex_buffer, m_triangle_buffer, m_edge_buffer, m_face_buffer, m_gain_buffer,
         m_mark_buffer, m_count_buffer;
+    std::unique_ptr<Buffer> m_place_buffer, m_drawn_buffer; ///< annealing's
 };
 
 } // namespace ddt::gl

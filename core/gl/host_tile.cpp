@@ -61,7 +61,7 @@ bool read(Source& source, const Job& job, const SlotShape& shape, HostTile& t) {
     int width = 0, height = 0;
     if (!read_tile(source, t.tile, job, values, guide, width, height))
         return false;
-    t.size = size_in_slot(t.tile, width, height);
+    t.size = size_in_slot(t.tile, job.window, width, height);
     lay_out(values, job, shape, t);
     const auto meshes = size_t(job.mesh.meshes);
     const bool here = !DeviceMesh::knows(job.mesh);

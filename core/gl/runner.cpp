@@ -125,20 +125,13 @@ void Runner::start_batch() {
     finish(gl, "triangulation");
     if (!m_counting || !m_batch[0]->sites.empty())
         return;
-    const auto counts = m_mesh->read_counts();
-    for (size_t slot = 0; slot < counts.size(); ++slot) {
+    const auto done = m_mesh->read_statistics();
+    for (size_t slot = 0; slot < done.size(); ++slot) {
         JobTile& t = *m_batch[slot / size_t(m_meshes)];
         if (slot % size_t(m_meshes) == 0)
             t.statistics = {};
         t.statistics.pixels += int64_t(t.size.width) * t.size.height;
-        for (size_t k = 0; k < counts[slot].size(); ++k) {
-            const IterationCounts& c = counts[slot][k];
-            t.statistics.evaluations += c.evaluated;
-            t.statistics.flips += c.selected;
-            t.statistics.rounds += c.rounds;
-            if (c.selected > 0)
-                t.statistics.iterations = std::max(t.statistics.iterations, int(k) + 1);
-        }
+        t.statistics += done[slot];
     }
 }
 

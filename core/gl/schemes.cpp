@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/constants.h"
+#include "core/gl/chance.h"
 #include "core/gl/device_mesh.h"
 #include "core/gl/work_layout.h"
 #include "ddt/names.h"
@@ -12,6 +14,7 @@ namespace ddt::gl {
 bool DeviceMesh::knows(const MeshOptions& options) {
     switch (options.scheme) {
     case Scheme::one_round:
+    case Scheme::annealing:
     case Scheme::pixel:
         return true;
     case Scheme::basic:
@@ -22,7 +25,6 @@ bool DeviceMesh::knows(const MeshOptions& options) {
         return options.contour == 0; // the paper's know costs alone here
     case Scheme::lawson:
     case Scheme::look_ahead:
-    case Scheme::annealing:
         return false;
     }
     return false;
@@ -33,7 +35,8 @@ void DeviceMesh::triangulate(const MeshOptions& options) {
     m_min_gain = min_gain(options);
     set_criterion(criterion(options));
     bind();
-    prepare_lists();
+    prepare_lists(std::vector<uint32_t>(size_t(m_tiles), 1)); // any edge's reach
+    m_before.clear();
     if (options.contour != 0)
         find_contours();
     start(options);
@@ -42,6 +45,8 @@ void DeviceMesh::triangulate(const MeshOptions& options) {
     Rules rules;
     if (find_rules(options, rules))
         accept_reject(rules);
+    else if (options.scheme == Scheme::annealing)
+        annealing(options);
     else
         one_round();
 }
@@ -62,8 +67,9 @@ void DeviceMesh::find_contours() {
     barrier();
 }
 
-void DeviceMesh::prepare_lists() {
-    std::vector<GLuint> head(counts_offset / sizeof(GLuint), 1); // any edge's reach: 1
+void DeviceMesh::prepare_lists(const std::vector<uint32_t>& reach) {
+    std::vector<GLuint> head(counts_offset / sizeof(GLuint), 1);
+    std::copy(reach.begin(), reach.end(), head.begin() + reach_offset / sizeof(GLuint));
     for (size_t i = 0; i < reach_offset / sizeof(GLuint); i += 3) {
         head[i] = 0;
         head[i + 1] = GLuint(m_tiles);
@@ -135,6 +141,48 @@ void DeviceMesh::accept_reject(const Rules& rules) {
     m_gl.Uniform1i(7, rules.all_rounds);
     m_gl.DispatchCompute(GLuint(m_tiles), 1, 1);
     barrier();
+}
+
+void DeviceMesh::annealing(const MeshOptions& options) {
+    one_round();
+    m_before = read_statistics();
+    prepare_lists(read_reach());
+    const uint64_t seed = mixed(options.seed);
+    for (int i = 0; i < m_iterations; ++i)
+        anneal(annealing_salt(seed, i), seed, annealing_temperature(options.cost, i, m_iterations));
+    std::vector<IterationCounts> chance(static_cast<size_t>(m_tiles));
+    m_work.read(counts_offset, chance.size() * sizeof(IterationCounts), chance.data());
+    for (size_t slot = 0; slot < chance.size(); ++slot) {
+        m_before[slot].evaluations += chance[slot].evaluated;
+        m_before[slot].flips += chance[slot].selected;
+    }
+    bind_lists();
+    use("evaluate.comp", 1, 1, m_criterion + " DENSE CANDIDATES");
+    dispatch_over(2 * m_shape.width - 1, 2 * m_shape.height - 1, gains_group_x, gains_group_y);
+    barrier(true);
+    one_round();
+}
+
+void DeviceMesh::anneal(uint64_t salt, uint64_t seed, float temperature) {
+    // What others need of these two buffers they write first.
+    m_blocked_even.bind(5); // numbers drawn
+    m_blocked_odd.bind(6);  // edges that flip
+    const auto dispatch = [&] {
+        dispatch_over(2 * m_shape.width - 1, 2 * m_shape.height - 1, gains_group_x, gains_group_y);
+        m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    };
+    m_gpu.programs->use("anneal_draw.comp");
+    set_chance(m_gl, {salt, seed, 0, temperature});
+    dispatch();
+    for (uint32_t part = 0; part < uint32_t(annealing_parts); ++part) {
+        m_gpu.programs->use("anneal_select.comp", m_criterion);
+        set_chance(m_gl, {salt, seed, part, temperature});
+        if (m_criterion.find("CONTOURS") != std::string::npos)
+            m_gl.Uniform1f(8, m_contour_weight);
+        dispatch();
+        m_gpu.programs->use("anneal_flip.comp");
+        dispatch();
+    }
 }
 
 void DeviceMesh::find_gains(const Criterion& by) {

@@ -189,10 +189,11 @@ std::string compare(const char* what, const std::vector<T>& cpu, const std::vect
 std::string key_of(const Job& job) {
     Rules rules;
     const MeshOptions& mesh = job.mesh;
-    const char* scheme = !DeviceMesh::knows(mesh)       ? "mesh of the CPU"
-                         : mesh.scheme == Scheme::pixel ? "pixel"
-                         : find_rules(mesh, rules)      ? "accept_reject"
-                                                        : "one_round";
+    const char* scheme = !DeviceMesh::knows(mesh)           ? "mesh of the CPU"
+                         : mesh.scheme == Scheme::pixel     ? "pixel"
+                         : find_rules(mesh, rules)          ? "accept_reject"
+                         : mesh.scheme == Scheme::annealing ? "annealing"
+                                                            : "one_round";
     std::string key = std::string(scheme) + ' ' + cost_name(mesh.cost);
     key += mesh.contour > 0 ? " contour" : "";
     key += job.surface.kind == Surface::linear ? " linear" : " patch";
@@ -215,6 +216,8 @@ Job check_job(const Job& job) {
     check.mesh.scheme = job.mesh.scheme;
     check.mesh.cost = job.mesh.cost;
     check.mesh.contour = job.mesh.contour > 0 ? 0.4f : 0.0f;
+    if (job.mesh.scheme == Scheme::annealing)
+        check.mesh.max_iterations = 6;
     check.mesh.min_gain = -1.0f; // many flips, and late ones
     check.mesh.blur = 0.07f;     // several meshes differ by it
     check.mesh.meshes = std::min(job.mesh.meshes, 2);

@@ -133,12 +133,15 @@ std::string compare(const char* what, const Words& cpu, const Words& gpu) {
 } // namespace
 
 std::string tin_key_of(const MeshOptions& options) {
-    return std::string("points ") + cost_name(options.cost);
+    return std::string(options.scheme == Scheme::annealing ? "annealed " : "") + "points " +
+           cost_name(options.cost);
 }
 
 std::string tin_differs_from_cpu(Gpu& gpu, const MeshOptions& options) {
     const Tin tin = make_tin();
-    for (const Scheme scheme : {Scheme::exproi_n_maxgain, Scheme::basic}) {
+    const bool chance = options.scheme == Scheme::annealing;
+    for (const Scheme scheme :
+         {Scheme::exproi_n_maxgain, chance ? Scheme::annealing : Scheme::basic}) {
         MeshOptions check;
         check.cost = options.cost;
         check.scheme = scheme;

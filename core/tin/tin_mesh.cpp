@@ -25,16 +25,21 @@ void TinMesh::find_face(int32_t triangle) {
 }
 
 uint64_t TinMesh::place(int m, int origin_x, int origin_y) const {
-    if (m_places.empty()) {
-        m_places.reserve(size());
-        for (size_t i = 0; i < size(); ++i) {
-            const auto ends = m_tin.ends(int(i));
-            const Steps a = at(ends[0]), b = at(ends[1]);
-            m_places.push_back(uint64_t(uint32_t(a.y + b.y + 2 * origin_y)) << 32 |
-                               uint32_t(a.x + b.x + 2 * origin_x));
-        }
-    }
+    if (m_places.empty())
+        m_places = places_of(m_tin, origin_x, origin_y);
     return m_places[size_t(m)];
+}
+
+std::vector<uint64_t> places_of(const Tin& tin, int origin_x, int origin_y) {
+    std::vector<uint64_t> places;
+    places.reserve(tin.edges.size());
+    for (size_t i = 0; i < tin.edges.size(); ++i) {
+        const auto ends = tin.ends(int(i));
+        const Steps a = tin.vertices[size_t(ends[0])].at, b = tin.vertices[size_t(ends[1])].at;
+        places.push_back(uint64_t(uint32_t(a.y + b.y + 2 * origin_y)) << 32 |
+                         uint32_t(a.x + b.x + 2 * origin_x));
+    }
+    return places;
 }
 
 void TinMesh::flip(int m) {

@@ -37,7 +37,7 @@ public:
     }
     uint8_t& stamp(int m) { return m_stamps[size_t(m)]; }
     uint8_t stamp(int m) const { return m_stamps[size_t(m)]; }
-    /// The edge's midpoint at the start, in doubled steps, as one number.
+    /// The edge's midpoint when this was called first, as places_of() has it.
     uint64_t place(int m, int origin_x, int origin_y) const;
     std::array<int, 4> sides(int m) const {
         const TinQuad q(m_tin, m);
@@ -110,6 +110,9 @@ private:
     std::vector<uint8_t> m_stamps; ///< an edge
     mutable std::vector<uint64_t> m_places;
 };
+
+/// The edges' midpoints in doubled steps, as one number each.
+std::vector<uint64_t> places_of(const Tin& tin, int origin_x, int origin_y);
 
 template <class CostOfFloat>
 float TinMesh::gain(int m) const {

@@ -4,15 +4,18 @@
 
 #include <cstring>
 
+#include "core/base/constants.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/one_round.h"
 #include "core/triangulate/schemes.h"
 
 namespace ddt {
 
+// GLSL twins: shaders/annealing.glsl and the programs anneal_*.comp, tin_anneal_*.comp.
+
 /// 64 well mixed bits of a number (the finalizer of SplitMix64: Steele, Lea & Flood 2014, "Fast
 /// splittable pseudorandom number generators").
-inline uint64_t mix(uint64_t x) {
+inline uint64_t mixed(uint64_t x) {
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
     return x ^ (x >> 31);
@@ -22,13 +25,23 @@ inline uint64_t mix(uint64_t x) {
 /// uniform in (0, 1]. Only + - * of floats, log(1 + f) as a parabola (within 0.01), so that all
 /// machines agree.
 inline float exponential(uint32_t bits) {
-    constexpr float log2 = 0.69314718f;
     const float uniform = float((bits >> 8) + 1) * (1.0f / 16777216.0f);
     uint32_t word;
     std::memcpy(&word, &uniform, sizeof word);
     const auto exponent = int(word >> 23) - 127;
     const float f = float(word & 0x7fffffu) * (1.0f / 8388608.0f);
-    return log2 * ((0.0f - float(exponent)) - (f + ((0.34f * f) * (1.0f - f))));
+    return natural_log_2 * ((0.0f - float(exponent)) - (f + ((log_bow * f) * (1.0f - f))));
+}
+
+/// What an iteration's random numbers begin with; `seed` is mixed.
+inline uint64_t annealing_salt(uint64_t seed, int iteration) {
+    return mixed(seed + uint64_t(iteration));
+}
+
+/// The temperature of an iteration, from the cost's own down to 0 by a parabola.
+inline float annealing_temperature(Cost cost, int iteration, int iterations) {
+    const float left = float(iterations - iteration) / float(iterations);
+    return (traits(cost).temperature * left) * left;
 }
 
 template <class Mesh>
@@ -36,19 +49,19 @@ class Annealing {
 public:
     Annealing(Mesh& mesh, const Criterion& criterion, uint32_t seed, Workspace& w,
               Statistics& statistics)
-        : m_mesh(mesh), m_criterion(criterion), m_seed(mix(seed)), m_w(w),
+        : m_mesh(mesh), m_criterion(criterion), m_seed(mixed(seed)), m_w(w),
           m_statistics(statistics) {}
 
     /// Try about every second flippable edge once, an eighth of all edges after another.
     void iterate(int iteration, float temperature) {
-        shuffle(mix(m_seed + uint64_t(iteration)));
-        for (uint32_t part = 0; part < parts; ++part) {
+        shuffle(annealing_salt(m_seed, iteration));
+        for (uint32_t part = 0; part < annealing_parts; ++part) {
             select(part);
             gains(m_mesh, m_criterion, m_w.selected.data(), m_w.selected.size(), m_w.gain.data());
             m_statistics.evaluations += int64_t(m_w.selected.size());
             for (const int m : m_w.selected)
                 // Metropolis' u < exp(gain / t), with u = exp(-e).
-                if (m_w.gain[size_t(m)] > 0.0f - temperature * exponential(mix32(m))) {
+                if (m_w.gain[size_t(m)] > 0.0f - temperature * exponential(more_bits(m))) {
                     m_mesh.flip(m);
                     ++m_statistics.flips;
                 }
@@ -56,7 +69,7 @@ public:
     }
 
 private:
-    static constexpr uint32_t parts = 8;
+    static constexpr uint32_t parts = annealing_parts;
 
     /// Draw a number for every edge, and by it put the edge in one of the parts. The edge's place
     /// is taken in the image, not in the lattice, so that tiles that overlap draw the same.
@@ -64,7 +77,7 @@ private:
         for (auto& part : m_part)
             part.clear();
         m_mesh.each_edge([&](int m) {
-            const auto drawn = uint32_t(mix(salt ^ m_mesh.place(m, m_w.origin_x, m_w.origin_y)));
+            const auto drawn = uint32_t(mixed(salt ^ m_mesh.place(m, m_w.origin_x, m_w.origin_y)));
             m_drawn[size_t(m)] = drawn;
             m_part[drawn % parts].push_back(m);
         });
@@ -89,7 +102,7 @@ private:
     }
 
     /// More random bits of an edge that has been drawn.
-    uint32_t mix32(int m) const { return uint32_t(mix(m_seed ^ m_drawn[size_t(m)])); }
+    uint32_t more_bits(int m) const { return uint32_t(mixed(m_seed ^ m_drawn[size_t(m)])); }
 
     Mesh& m_mesh;
     const Criterion m_criterion;
@@ -112,10 +125,8 @@ void annealing(Mesh& mesh, const Criterion& criterion, float min_gain, int itera
     };
     settle();
     Annealing<Mesh> scheme(mesh, criterion, seed, w, statistics);
-    const float hottest = traits(criterion.cost).temperature;
     for (int i = 0; i < iterations; ++i) {
-        const float left = float(iterations - i) / float(iterations);
-        scheme.iterate(i, (hottest * left) * left);
+        scheme.iterate(i, annealing_temperature(criterion.cost, i, iterations));
         if (!w.go_on(size_t(iterations - i), size_t(iterations)))
             return;
     }

@@ -31,6 +31,7 @@ namespace ddt::gl {
     X(UNIFORM2I, Uniform2i)                                                                        \
     X(UNIFORM3I, Uniform3i)                                                                        \
     X(UNIFORM1UI, Uniform1ui)                                                                      \
+    X(UNIFORM2UI, Uniform2ui)                                                                      \
     X(UNIFORM1F, Uniform1f)                                                                        \
     X(UNIFORM4F, Uniform4f)                                                                        \
     X(GENBUFFERS, GenBuffers)                                                                      \

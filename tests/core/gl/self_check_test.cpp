@@ -26,6 +26,10 @@ Change change_of(const std::string& program) {
     const auto has = [&](const char* part) { return program.find(part) != program.npos; };
     if (has("contours.comp"))
         return {"contour_square_bias", "6.5"};
+    if (has("anneal_select.comp"))
+        return {"natural_log_2", "0.5"};
+    if (has("anneal_"))
+        return {"GAINS_GROUP_X", "32"};
     // Gains are found anew for the check: flips must differ.
     if (has("finish.comp")) // the few late ones
         return {"rsqrt_magic", "1000000000"};
@@ -58,16 +62,18 @@ std::vector<Order> orders() {
     order.out_height = 50;
     order.job.surface.soft = 0.2f;
     for (const std::string& name : cost_names())
-        for (const Scheme scheme :
-             {Scheme::one_round, Scheme::maxgain, Scheme::pixel, Scheme::lawson}) {
+        for (const Scheme scheme : {Scheme::one_round, Scheme::maxgain, Scheme::annealing,
+                                    Scheme::pixel, Scheme::lawson}) {
             order.job.mesh.scheme = scheme;
+            order.job.mesh.max_iterations = scheme == Scheme::annealing ? 4 : 64;
             find_cost(name, order.job.mesh.cost);
             all.push_back(order);
         }
     order.job.mesh = plain_mesh();
     order.job.mesh.contour = 0.4f;
-    for (const Scheme scheme : {Scheme::one_round, Scheme::pixel}) {
+    for (const Scheme scheme : {Scheme::one_round, Scheme::annealing, Scheme::pixel}) {
         order.job.mesh.scheme = scheme;
+        order.job.mesh.max_iterations = scheme == Scheme::annealing ? 4 : 64;
         all.push_back(order);
     }
     order.job.mesh = plain_mesh();
@@ -159,9 +165,9 @@ TEST_P(SelfCheck, EveryProgramIsCheckedBeforeItIsUsedAndAWrongOneIsNot) {
             }
         }
     }
-    // 5 programs a cost, 4 with contours, what finds those, select, flip, gradients, 4 that
-    // correct, 16 that sample.
-    EXPECT_GE(proved.size(), 5 * cost_names().size() + 4 + 1 + 3 + 4 + 16);
+    // 7 programs a cost, 6 with contours, what finds those, select, flip, the 2 others of
+    // annealing, gradients, 4 that correct, 16 that sample.
+    EXPECT_GE(proved.size(), 7 * cost_names().size() + 6 + 1 + 2 + 2 + 1 + 4 + 16);
 }
 
 INSTANTIATE_TEST_SUITE_P(Devices, SelfCheck, testing::Values(Device::egl, Device::osmesa),

@@ -20,14 +20,22 @@ namespace {
 struct Variant {
     std::string file, defines;
     /// Choosing and flipping edges compares floats at most.
-    bool integers_only() const { return file == "select.comp" || file == "flip.comp"; }
+    bool integers_only() const {
+        return file == "select.comp" || file == "flip.comp" || file == "anneal_flip.comp" ||
+               file == "anneal_draw.comp";
+    }
 };
 
 std::vector<Variant> variants() {
-    std::vector<Variant> all = {{"select.comp", ""}, {"flip.comp", ""}, {"gradients.comp", ""}};
+    std::vector<Variant> all = {{"select.comp", ""},      {"flip.comp", ""},
+                                {"gradients.comp", ""},   {"contours.comp", ""},
+                                {"anneal_draw.comp", ""}, {"anneal_flip.comp", ""}};
     for (const std::string& cost : cost_names())
-        for (const char* file : {"start.comp", "evaluate.comp", "evaluate.comp DENSE",
-                                 "finish.comp", "accept_reject.comp"}) {
+        for (const char* file :
+             {"start.comp", "evaluate.comp", "evaluate.comp DENSE",
+              "evaluate.comp DENSE CANDIDATES", "finish.comp", "accept_reject.comp",
+              "anneal_select.comp", "anneal_select.comp CONTOURS", "start.comp CONTOURS",
+              "tin_faces.comp", "tin_evaluate.comp", "tin_anneal_select.comp"}) {
             const std::string name = file;
             const size_t space = name.find(' ');
             all.push_back({name.substr(0, space),

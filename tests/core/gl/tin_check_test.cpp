@@ -26,6 +26,10 @@ Change change_of(const std::string& program) {
     if (has("tin_evaluate.comp"))
         return has("abn") || has("scf") ? Change{"rsqrt_magic", "1597460000"}
                                         : Change{"reciprocal_magic", "2120000000"};
+    if (has("tin_anneal_draw.comp"))
+        return {"drawn[m]", "0u"};
+    if (has("tin_anneal_select.comp"))
+        return {"natural_log_2", "0.5"};
     if (has("tin_accept.comp"))
         return {"winner", "0, accepted = 4, rejected = 5"};
     return {"accepted", has("tin_flip.comp") ? "9, rejected = 5" : "0, rejected = 5"};
@@ -77,36 +81,43 @@ std::set<std::string> programs_of(gl::Gpu& gpu) {
 }
 
 TEST_P(TinCheck, EveryProgramIsCheckedBeforeItIsUsedAndAWrongOneIsNot) {
-    for (const std::string& cost : cost_names()) {
-        MeshOptions options;
-        find_cost(cost, options.cost);
-        options.scheme = Scheme::maxgain;
-        std::vector<std::string> lines;
-        gl::Gpu& right = fresh_device();
-        right.thread.post([&] { EXPECT_EQ(right.checks.differs(right, options), ""); }).get();
-        const std::set<std::string> checked = programs_of(right);
-        EXPECT_TRUE(on_device(options, lines));
-        EXPECT_EQ(programs_of(right), checked) << "a program was used that the check did not";
-        EXPECT_TRUE(lines.empty());
-        EXPECT_EQ(checked.size(), 5u);
-        for (const std::string& program : checked) {
-            const bool by_cost = program.find("tin_faces") == 0 || program.find("tin_eval") == 0;
-            if (!by_cost && cost != cost_names().front())
-                continue; // these do not look at the cost
-            const Change change = change_of(program);
-            gl::change_constant(program, change.constant, change.value);
-            fresh_device();
-            EXPECT_FALSE(on_device(options, lines)) << program << " is wrong and used";
-            ASSERT_EQ(lines.size(), 1u) << program;
-            EXPECT_NE(lines[0].find("does not compute as the CPU does (points " + cost),
-                      std::string::npos)
-                << lines[0];
-            // What is known is not checked again, and heeded again.
-            EXPECT_FALSE(on_device(options, lines)) << program;
-            lines.clear();
-            gl::change_constant("", "", "");
+    std::set<std::string> proved; // of those that do not look at the cost: by file
+    for (const Scheme scheme : {Scheme::maxgain, Scheme::annealing})
+        for (const std::string& cost : cost_names()) {
+            MeshOptions options;
+            find_cost(cost, options.cost);
+            options.scheme = scheme;
+            options.max_iterations = scheme == Scheme::annealing ? 4 : 64;
+            const bool annealed = scheme == Scheme::annealing;
+            std::vector<std::string> lines;
+            gl::Gpu& right = fresh_device();
+            right.thread.post([&] { EXPECT_EQ(right.checks.differs(right, options), ""); }).get();
+            const std::set<std::string> checked = programs_of(right);
+            EXPECT_TRUE(on_device(options, lines));
+            EXPECT_EQ(programs_of(right), checked) << "a program was used that the check did not";
+            EXPECT_TRUE(lines.empty());
+            EXPECT_EQ(checked.size(), annealed ? 7u : 5u);
+            for (const std::string& program : checked) {
+                const bool by_cost = program.find("tin_faces") == 0 ||
+                                     program.find("tin_eval") == 0 ||
+                                     program.find("tin_anneal_select") == 0;
+                if (!proved.insert(by_cost ? program : program.substr(0, program.find(' '))).second)
+                    continue;
+                const Change change = change_of(program);
+                gl::change_constant(program, change.constant, change.value);
+                fresh_device();
+                EXPECT_FALSE(on_device(options, lines)) << program << " is wrong and used";
+                ASSERT_EQ(lines.size(), 1u) << program;
+                EXPECT_NE(lines[0].find(std::string("does not compute as the CPU does (") +
+                                        (annealed ? "annealed " : "") + "points " + cost),
+                          std::string::npos)
+                    << lines[0];
+                // What is known is not checked again, and heeded again.
+                EXPECT_FALSE(on_device(options, lines)) << program;
+                lines.clear();
+                gl::change_constant("", "", "");
+            }
         }
-    }
 }
 
 TEST_P(TinCheck, AFailureIsToldAndTheCpuDoesTheWork) {

@@ -14,13 +14,15 @@ TEST_P(TinOnDevice, SameTrianglesAndCountsAsTheCpu) {
     uint64_t seed = 0;
     for (const std::string& cost : cost_names())
         for (const char* scheme : {"one-round", "basic", "exproi", "maxgain", "exproi-maxgain",
-                                   "exproi2-maxgain", "pixel", "lawson"}) {
+                                   "exproi2-maxgain", "annealing", "pixel", "lawson"}) {
             SCOPED_TRACE(cost + " " + scheme);
             MeshOptions options;
             find_cost(cost, options.cost);
             find_scheme(scheme, options);
             options.min_gain = -1;
-            options.max_iterations = ++seed % 3 == 0 ? 4 : 64;
+            options.max_iterations = ++seed % 3 == 0                       ? 4
+                                     : options.scheme == Scheme::annealing ? 7
+                                                                           : 64;
             std::vector<float> guide;
             PointMesh cpu = shaken_grid(23, 19, seed, guide), device = cpu;
             MeshReport on_cpu, on_device;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which edges of a part are outside each other's 2-region and flip. C++ twin: Annealing::select() and
+// iterate() in core/triangulate/annealing.h.
+#include "lattice.glsl"
+#include "counts.glsl"
+#include "annealing.glsl"
+#include "gain.glsl"
+#include "region.glsl"
+
+layout(local_size_x = GAINS_GROUP_X, local_size_y = GAINS_GROUP_Y) in; // a site; z: a tile
+
+layout(std430, binding = 5) readonly buffer Drawn { uint drawn[]; };       // a site
+layout(std430, binding = 6) writeonly buffer Decided { uint decided[]; };  // a site: 1 flips
+
+shared uint evaluated;
+
+bool is_selected(int m, Edge e) {
+    int region[12];
+    region_of(m, e, region);
+    for (int k = 0; k < 12; ++k) {
+        int other = region[k];
+        if (other < 0 || !is_of_part(drawn[other]))
+            continue;
+        bool first = drawn[other] > drawn[m] || (drawn[other] == drawn[m] && other < m);
+        if (first && flippable(edge_at(other)))
+            return false;
+    }
+    return true;
+}
+
+void main() {
+    if (gl_LocalInvocationIndex == 0)
+        evaluated = 0;
+    barrier();
+    int tile = int(gl_GlobalInvocationID.z);
+    int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
+    if (x < 2 * extent[tile].x - 1 && y < 2 * extent[tile].y - 1 && ((x | y) & 1) != 0) {
+        int m = tile * slot_sites + y * stride + x;
+        uint flips = 0;
+        Edge e = edge_at(m);
+        if (is_of_part(drawn[m]) && flippable(e) && is_selected(m, e)) {
+            atomicAdd(evaluated, 1);
+            flips = is_taken(full_gain(m, m, e), drawn[m]) ? 1 : 0;
+        }
+        decided[m] = flips;
+    }
+    barrier();
+    if (gl_LocalInvocationIndex == 0 && evaluated > 0)
+        atomicAdd(counts[tile].evaluated, evaluated);
+}
