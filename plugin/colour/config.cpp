@@ -128,7 +128,7 @@ bool find_space(const std::string& name, NamedBy by, Space& found, std::string& 
             found = {config, space};
             return true;
         }
-    if (const double exponent = exponent_of(name)) {
+    if (const double exponent = exponent_of(name); exponent != 0) {
         found = gamma_space(name, exponent);
         return true;
     }

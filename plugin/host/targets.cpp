@@ -3,6 +3,19 @@
 // module for a foreign program needs no shared libhwy, which that program may not have or may have
 // in another version. They name no more than is sure; the bits do not depend on it.
 #include <hwy/targets.h>
+#if HWY_ARCH_X86
+#include <cpuid.h>
+
+namespace {
+
+// What clang before 15 has no name for.
+bool has_f16c() {
+    unsigned a, b, c, d;
+    return __get_cpuid(1, &a, &b, &c, &d) && (c & bit_F16C) != 0;
+}
+
+} // namespace
+#endif
 
 namespace hwy {
 
@@ -15,8 +28,7 @@ int64_t SupportedTargets() {
     const bool sse4 = ssse3 && __builtin_cpu_supports("sse4.2") &&
                       __builtin_cpu_supports("pclmul") && __builtin_cpu_supports("aes");
     const bool avx2 = sse4 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
-                      __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") &&
-                      __builtin_cpu_supports("f16c");
+                      __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") && has_f16c();
     const bool avx3 = avx2 && __builtin_cpu_supports("avx512f") &&
                       __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
                       __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd");

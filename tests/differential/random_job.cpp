@@ -186,6 +186,9 @@ RandomJob random_job(uint64_t seed, uint64_t number) {
     j.specification = random_specification(random);
     parse_filter(j.specification, options, error);
     j.job.mesh = options.mesh;
+    // Annealing does as many as it may, and software renderers need long for each.
+    if (j.job.mesh.scheme == Scheme::annealing)
+        j.job.mesh.max_iterations = std::min(j.job.mesh.max_iterations, 4);
     j.job.surface = options.surface;
 
     const auto some = [&](int n, int& first, int& end) {
