@@ -2,10 +2,15 @@
 #include "plugin/tool/resize_file.h"
 
 #include <cmath>
+#include <vector>
 
+#include "core/base/parallel.h"
+#include "core/tiles/grid.h"
 #include "plugin/image/windows.h"
 #include "plugin/tool/image_file.h"
+#include "plugin/tool/part.h"
 #include "plugin/tool/picture.h"
+#include "plugin/tool/row_writer.h"
 #include "plugin/tool/size.h"
 
 namespace ddt::tool {
@@ -17,6 +22,32 @@ constexpr float share_of_resizing = 0.8f;
 
 /// What enlarging takes at most beside input and output.
 constexpr int64_t memory_beside = int64_t(256) << 20;
+
+/// Tiles for each thread in a strip that is resized while the one before is written: fewer, and
+/// threads would wait for the last tiles of each.
+constexpr int tiles_a_thread = 8;
+
+/// Where strips of the result end, the last at its end: at rows of tiles, so that none is worked
+/// twice.
+std::vector<int> strip_ends(const OIIO::ImageSpec& from, const OIIO::ImageSpec& to,
+                            const ResizeSettings& settings) {
+    const int last = to.y + to.height;
+    // Holes are filled before anything else, in the whole image; what does not grow has no tiles.
+    if (settings.options.holes != Holes::keep || to.full_width < from.full_width ||
+        to.full_height < from.full_height)
+        return {last};
+    const Grid grid(rect_of(OIIO::get_roi(from)));
+    const int rows = 1 + tiles_a_thread * allowed_threads(settings.threads) / grid.columns();
+    const ResizeMapping::Axis x = x_axis(from, to, OIIO::get_roi(to));
+    const ResizeMapping::Axis y = y_axis(from, to, OIIO::get_roi(to));
+    std::vector<int> ends;
+    for (int row = rows; row < grid.rows(); row += rows) {
+        const Rect strip{0, row - 1, grid.columns(), row};
+        ends.push_back(pixels_of_tiles(strip, grid.columns(), grid.rows(), x, y).y1);
+    }
+    ends.push_back(last);
+    return ends;
+}
 
 } // namespace
 
@@ -72,18 +103,38 @@ bool resize_file(const std::string& in, const std::string& out, const ResizeSett
         failure = {"out of memory", exit_resources};
         return false;
     }
-    Options options = settings.options;
-    options.progress = [&](float share) { return progress(share * share_of_resizing); };
-    if (!resize(result, image, options, result.roi(), settings.threads)) {
-        failure.why = result.geterror();
-        failure.code = code_of_message(failure.why);
+    ImageFile file;
+    if (!file.create(out, failure))
         return false;
+    // As ImageBuf::write() by name: scanlines.
+    spec.tile_width = spec.tile_height = spec.tile_depth = 0;
+    if (!file.open(spec, failure))
+        return false;
+    RowWriter writer(result, file);
+    int begin = spec.y;
+    for (const int end : strip_ends(image.spec(), spec, settings)) {
+        Options options = settings.options;
+        options.progress = [&](float share) {
+            const float rows = float(begin - spec.y) + share * float(end - begin);
+            return !writer.has_failed() && progress(share_of_resizing * rows / float(spec.height));
+        };
+        OIIO::ROI roi = result.roi();
+        roi.ybegin = begin;
+        roi.yend = end;
+        if (!resize(result, image, options, roi, settings.threads) && !writer.has_failed()) {
+            failure.why = result.geterror();
+            failure.code = code_of_message(failure.why);
+            return false;
+        }
+        if (writer.has_failed())
+            break;
+        writer.ready(end);
+        begin = end;
     }
-    image.clear();
     const auto writing = [&](float share) {
         progress(share_of_resizing + share * (1 - share_of_resizing));
     };
-    return write_image(result, out, writing, failure);
+    return writer.finish(writing, failure) && file.commit(failure);
 }
 
 int64_t memory_to_resize(const std::string& in, const ResizeSettings& settings) {

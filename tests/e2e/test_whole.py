@@ -104,6 +104,29 @@ class Whole(Case):
                 self.assertIn(name, text)
                 self.assertEqual([n for n in os.listdir(self.folder) if ".ddt-" in n], [])
 
+    def test_strips(self):
+        """What is large is written while it is made: the same pixels, and whole or not at all."""
+        self.succeed("oiiotool", "--pattern", "noise", "300x2600", "3", "-d", "uint8", "-o", "long.png")
+        for extension in ("png", "tif", "exr"):
+            ours, theirs = f"ours.{extension}", f"theirs.{extension}"
+            kind = "half" if extension == "exr" else "uint8"
+            code, text = self.run_to_end("resize", "long.png", "150%", ours, "--type", kind,
+                                         "--threads", "1")
+            self.assertEqual(code, 0, text)
+            self.succeed("oiiotool", "long.png", "--resize:filter=ddt", "150%", "-d", kind, "-o",
+                         theirs)
+            self.assert_same(ours, theirs)
+            room = os.path.getsize(self.path(ours)) // 3
+
+            def small():
+                resource.setrlimit(resource.RLIMIT_FSIZE, (room, room))
+
+            code, text = self.run_to_end("resize", "long.png", "150%", ours, "--threads", "1",
+                                         "--type", kind, preexec_fn=small)
+            self.assertEqual(code, 3, text)
+            self.assertEqual(len(text.splitlines()), 1, text)
+            self.assert_same(ours, theirs)
+
     def test_no_memory(self):
         def small():
             resource.setrlimit(resource.RLIMIT_AS, (700 << 20, 700 << 20))

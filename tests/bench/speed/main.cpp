@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
     const int all = int(OIIO::Sysutil::hardware_concurrency());
     std::string path, scales = "1.5,2,4,8", threads = all > 1 ? "1,0" : "1", format = "float,8bit",
                       filters = OIIO::Strutil::join(ddt::filter_names(), "+"),
-                      tables = "ratios,stages,threads,growth", memory = "warm,fresh";
+                      tables = "small,ratios,stages,threads,growth", memory = "warm,fresh";
     OIIO::ArgParse args;
     args.intro("speed: ddt against other ways to enlarge\n").usage("speed [IMAGE] [options]");
     args.arg("image").hidden().action([&](OIIO::cspan<const char*> a) { path = a[0]; });
@@ -57,7 +57,8 @@ int main(int argc, char** argv) {
         .help("filters, with options if any (default: all)");
     args.arg("--memory %s:LIST", &memory)
         .help("of the result: warm (written to before), fresh (default: both)");
-    args.arg("--tables %s:LIST", &tables).help("ratios, stages, threads, growth (default: all)");
+    args.arg("--tables %s:LIST", &tables)
+        .help("small, ratios, stages, threads, growth (default: all)");
     args.arg("--no-programs", &no_programs).help("without ImageMagick and libvips");
     if (args.parse(argc, const_cast<const char**>(argv)) < 0 || plan.rounds < 1 ||
         !(megapixels > 0)) {
@@ -74,7 +75,7 @@ int main(int argc, char** argv) {
     }
     const auto wanted = splits(tables, ","), formats = splits(format, ","),
                memories = splits(memory, ",");
-    if (!check_names(wanted, {"ratios", "stages", "threads", "growth"}) ||
+    if (!check_names(wanted, {"small", "ratios", "stages", "threads", "growth"}) ||
         !check_names(formats, {"float", "8bit"}) || !check_names(memories, {"warm", "fresh"}))
         return 2;
     for (const std::string& name : memories)
@@ -93,6 +94,8 @@ int main(int argc, char** argv) {
 
     const speed::Pictures pictures(path);
     bool good = true;
+    if (has(wanted, "small")) // first: it tells of the process's first call
+        good = good && print_small(pictures, plan);
     if (has(wanted, "ratios"))
         good = good && print_ratios(pictures, plan);
     if (has(wanted, "stages"))

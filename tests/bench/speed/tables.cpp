@@ -5,31 +5,11 @@
 #include <cstdio>
 
 #include "growth.h"
+#include "times.h"
 
 namespace speed {
 
 namespace {
-
-using Times = std::vector<double>; // a round each
-
-double median(Times values) {
-    std::sort(values.begin(), values.end());
-    const size_t n = values.size();
-    return n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
-}
-
-/// a / b, round by round, in order.
-Times ratios(const Times& a, const Times& b) {
-    Times result;
-    for (size_t i = 0; i < a.size(); ++i)
-        result.push_back(a[i] / b[i]);
-    std::sort(result.begin(), result.end());
-    return result;
-}
-
-double ratio(const Times& a, const Times& b) {
-    return median(ratios(a, b));
-}
 
 /// The median, and the quartiles about it.
 void print_ratio(const Times& a, const Times& b) {
@@ -39,19 +19,6 @@ void print_ratio(const Times& a, const Times& b) {
     std::snprintf(text, sizeof text, "%.2f %.2f-%.2f", median(sorted), sorted[quarter],
                   sorted[n - 1 - quarter]);
     std::printf(" %15s", text);
-}
-
-/// Times of every way, alternately; false if one failed.
-bool measure(const std::vector<Way>& ways, const Task& task, int rounds,
-             std::vector<Times>& times) {
-    times.assign(ways.size(), {});
-    for (int round = 0; round < rounds; ++round)
-        for (size_t i = 0; i < ways.size(); ++i) {
-            times[i].push_back(ways[i].run(task));
-            if (times[i].back() < 0)
-                return false;
-        }
-    return true;
 }
 
 double output_pixels(const OIIO::ImageBuf& image, double scale) {

@@ -40,4 +40,8 @@ bool print_growth(const Pictures& pictures, const Plan& plan);
 /// One thread's time over that of several.
 bool print_threads(const Pictures& pictures, const Plan& plan);
 
+/// Calls a second on small images and for a small part of a large one, and the first call of the
+/// process, if no other table came before.
+bool print_small(const Pictures& pictures, const Plan& plan);
+
 } // namespace speed

@@ -14,6 +14,8 @@ namespace speed {
 namespace {
 
 OIIO::ROI enlarged(const Task& task) {
+    if (task.part.defined())
+        return task.part;
     return {0, task.width(), 0, task.height(), 0, 1, 0, 3};
 }
 

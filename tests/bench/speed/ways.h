@@ -21,6 +21,9 @@ struct Task {
     /// The result's memory, if it has been written to before; null: it must be had, and its pages
     /// count.
     OIIO::ImageBuf* into;
+    /// Of the result, what is wanted (of OpenImageIO's filters and ours, with `into`); undefined:
+    /// all.
+    OIIO::ROI part = {};
 
     int width() const { return int(std::lround(image.spec().width * scale)); }
     int height() const { return int(std::lround(image.spec().height * scale)); }

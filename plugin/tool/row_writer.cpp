@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/row_writer.h"
+
+#include <algorithm>
+
+#include <OpenImageIO/strutil.h>
+
+namespace ddt::tool {
+
+namespace {
+
+/// Rows that are handed to the writer at once, times those that the format keeps together: what
+/// writers compress in one go must not be cut. (TIFF has 32, or what the image's own file had.)
+constexpr int rows_together = 64;
+
+/// Of formats that want tiles whatever they are asked for (IFF): all rows.
+int step_of(const OIIO::ImageSpec& spec, bool tiles) {
+    return tiles ? spec.height
+                 : rows_together *
+                       std::clamp(spec.get_int_attribute("tiff:RowsPerStrip", 1), 1, 1 << 20);
+}
+
+} // namespace
+
+RowWriter::RowWriter(const OIIO::ImageBuf& image, ImageFile& file)
+    : m_image(image), m_file(file), m_begin(image.ybegin()), m_end(image.yend()),
+      m_tiles(file.output().spec().tile_width > 0), m_step(step_of(image.spec(), m_tiles)),
+      m_ready(m_begin), m_done(m_begin), m_thread([this] { work(); }) {}
+
+RowWriter::~RowWriter() {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_stopped = true;
+    }
+    m_changed.notify_all();
+    if (m_thread.joinable())
+        m_thread.join();
+}
+
+void RowWriter::ready(int end) {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_ready = end;
+    }
+    m_changed.notify_all();
+}
+
+bool RowWriter::has_failed() {
+    const std::lock_guard lock(m_mutex);
+    return m_failed;
+}
+
+/// Where the next rows to write end; m_done if they are not ready.
+int RowWriter::writable() const {
+    const int end = std::min(m_done + m_step, m_end);
+    return end <= m_ready ? end : m_done;
+}
+
+void RowWriter::work() {
+    std::unique_lock lock(m_mutex);
+    while (m_done < m_end) {
+        m_changed.wait(lock, [&] { return m_stopped || writable() > m_done; });
+        if (m_stopped)
+            return;
+        const int end = writable();
+        lock.unlock();
+        bool written = false;
+        Failure failure{"out of memory", exit_resources};
+        try {
+            written = write(m_done, end);
+            if (!written)
+                failure = m_file.failed(); // which only the thread that wrote is told
+        } catch (const std::exception&) {  // it is that
+        }
+        lock.lock();
+        m_failed = !written;
+        m_failure = failure;
+        m_done = end;
+        m_changed.notify_all();
+        if (m_failed)
+            return;
+    }
+}
+
+bool RowWriter::write(int begin, int end) {
+    const OIIO::ImageSpec& spec = m_image.spec();
+    const auto* pixels = static_cast<const char*>(m_image.localpixels());
+    const size_t row = OIIO::ImageSpec(spec.width, 1, spec.nchannels, spec.format).image_bytes();
+    if (m_tiles)
+        return m_file.output().write_image(spec.format, pixels);
+    return m_file.output().write_scanlines(begin, end, 0, spec.format,
+                                           pixels + row * size_t(begin - m_begin));
+}
+
+bool RowWriter::finish(const std::function<void(float)>& progress, Failure& failure) {
+    std::unique_lock lock(m_mutex);
+    while (m_done < m_end && !m_failed) {
+        const int done = m_done;
+        lock.unlock();
+        progress(float(done - m_begin) / float(m_end - m_begin));
+        lock.lock();
+        m_changed.wait(lock, [&] { return m_done > done || m_failed; });
+    }
+    if (m_failed)
+        failure = m_failure;
+    return !m_failed;
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Times of ways, taken alternately, and what is made of them.
+#pragma once
+
+#include <vector>
+
+#include "ways.h"
+
+namespace speed {
+
+using Times = std::vector<double>; ///< seconds, a round each
+
+double median(Times values);
+
+/// a / b, round by round, in order.
+Times ratios(const Times& a, const Times& b);
+
+/// The median of the ratios.
+double ratio(const Times& a, const Times& b);
+
+/// Times of every way, alternately, `calls` calls one after the other counting as one; false if one
+/// failed.
+bool measure(const std::vector<Way>& ways, const Task& task, int rounds, std::vector<Times>& times,
+             int calls = 1);
+
+} // namespace speed
