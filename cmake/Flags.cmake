@@ -27,8 +27,8 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   string(APPEND CMAKE_CXX_FLAGS_SANITIZE
     " -mssse3 '-DHWY_DISABLED_TARGETS=~(HWY_SSSE3|HWY_AVX2)'")
 endif()
-# For folders whose code is mostly OpenImageIO's templates and has few loops: half of the time to
-# compile.
+# For folders whose code is mostly OpenImageIO's templates, or calls of a driver, and has few loops: half
+# of the time to compile.
 set(DDT_SANITIZE_QUICKLY $<$<CONFIG:Sanitize>:-O0>)
 set(CMAKE_EXE_LINKER_FLAGS_SANITIZE "-fsanitize=address,undefined")
 
