@@ -176,7 +176,9 @@ HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y, EdgeSc
                     end = lattice.site(2 * part.x1 - 1, y);
     const float* weights = scratch.weights.data();
     const NearRows& rows = scratch.edge_rows;
-    const PlainMaker plain{rows, scratch.gradients_at(lattice.vertex_site(0, pixel_y)), 2 * stride,
+    // Without bends there are none.
+    const auto gradients_at = [&](int site) { return bend ? scratch.gradients_at(site) : nullptr; };
+    const PlainMaker plain{rows, gradients_at(lattice.vertex_site(0, pixel_y)), 2 * stride,
                            4 * stride, pixel_y};
     const uint8_t *above = rows.cell_row(pixel_y + 1).other.data(),
                   *here = rows.cell_row(pixel_y).other.data();
@@ -200,8 +202,8 @@ HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y, EdgeSc
                 plain.template level<bend>(x).template make<bend, soft>(m, w, net);
             }
         } else {
-            make_any<bend, soft>(lattice, m, std::min(next, end), 2 - odd,
-                                 scratch.gradients_at(int(m)), w, net);
+            make_any<bend, soft>(lattice, m, std::min(next, end), 2 - odd, gradients_at(int(m)), w,
+                                 net);
         }
     }
 }

@@ -9,6 +9,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/strutil.h>
 
+#include "core/base/one_line.h"
 #include "core/base/parse_number.h"
 
 namespace ddt {
@@ -190,8 +191,10 @@ bool is_request_name(const std::string& name) noexcept {
 
 bool parse_request(const std::string& name, Request& request, std::string& error) {
     Request parsed;
-    if (!parse(name, parsed, error))
+    if (!parse(name, parsed, error)) {
+        error = one_line(error); // names may hold breaks
         return false;
+    }
     request = parsed;
     return true;
 }
