@@ -49,7 +49,9 @@ template <bool bend, bool soft>
 HWY_INLINE void make_any(const Lattice& lattice, ptrdiff_t m, ptrdiff_t end, int step,
                          const float* gradients, const float* weights, Net& net) {
     const ptrdiff_t stride = lattice.stride();
-    for (; m < end; m += step, weights += step, gradients += 2 * ptrdiff_t(step)) {
+    // What is not wanted is null, and no offset from it is taken.
+    for (; m < end;
+         m += step, weights += soft ? step : 0, gradients += bend ? 2 * ptrdiff_t(step) : 0) {
         const uint64_t vectors = vectors_of(lattice.edge(int(m)));
         const int vx = int8_t(vectors), vy = int8_t(vectors >> 8);
         const ptrdiff_t to_j = vy * stride + vx;
@@ -193,11 +195,12 @@ HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y, EdgeSc
     for (int x = part.x0; x < part.x1; x += step) {
         // The first of the edges beside column x, and of those after the last of them.
         const ptrdiff_t m = lattice.site(2 * x + 1 - odd, y), next = m + 2 * step;
-        const float* w = weights + (m - first);
+        const float* w = soft ? weights + (m - first) : nullptr;
         if (inner && next <= end && x > 0 && x + step <= last_x && is_plain(x - odd, x + step)) {
             if (odd) {
                 plain.template upright<bend>(x).template make<bend, soft>(m, w, net);
-                plain.template diagonal<bend>(x).template make<bend, soft>(m + 1, w + 1, net);
+                plain.template diagonal<bend>(x).template make<bend, soft>(m + 1, soft ? w + 1 : w,
+                                                                           net);
             } else {
                 plain.template level<bend>(x).template make<bend, soft>(m, w, net);
             }
