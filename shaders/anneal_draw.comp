@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws a number for every edge. C++ twin: Annealing::shuffle() in core/triangulate/annealing.h.
-#include "lattice.glsl"
+#include "lists.glsl"
 #include "annealing.glsl"
 
 layout(local_size_x = GAINS_GROUP_X, local_size_y = GAINS_GROUP_Y) in; // a site; z: a tile
@@ -8,10 +8,9 @@ layout(local_size_x = GAINS_GROUP_X, local_size_y = GAINS_GROUP_Y) in; // a site
 layout(std430, binding = 5) writeonly buffer Drawn { uint drawn[]; }; // a site
 
 void main() {
-    int tile = int(gl_GlobalInvocationID.z);
-    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    int m = edge_of_invocation();
     // Twice the tile's first pixel in the image and the way from there.
-    ivec2 place = 2 * extent[tile].zw + at;
-    if (at.x < 2 * extent[tile].x - 1 && at.y < 2 * extent[tile].y - 1)
-        drawn[tile * slot_sites + at.y * stride + at.x] = draw(uvec2(place));
+    ivec2 place = 2 * extent[gl_WorkGroupID.z].zw + ivec2(gl_GlobalInvocationID.xy);
+    if (m >= 0)
+        drawn[m] = draw(uvec2(place));
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Flips the edges that anneal_select.comp decided to. They are outside each other's 2-regions, so
 // none writes what another reads.
-#include "lattice.glsl"
-#include "counts.glsl"
+#include "lists.glsl"
 #include "flip.glsl"
 
 layout(local_size_x = GAINS_GROUP_X, local_size_y = GAINS_GROUP_Y) in; // a site; z: a tile
@@ -17,11 +16,8 @@ void main() {
         own_reach = 0;
     }
     barrier();
-    int tile = int(gl_GlobalInvocationID.z);
-    int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
-    int m = tile * slot_sites + y * stride + x;
-    bool is_edge = x < 2 * extent[tile].x - 1 && y < 2 * extent[tile].y - 1 && ((x | y) & 1) != 0;
-    if (is_edge && decided[m] == 1) {
+    int m = edge_of_invocation();
+    if (m >= 0 && decided[m] == 1) {
         Edge e = edge_at(m);
         atomicAdd(flips, 1);
         atomicMax(own_reach, reach_of(e));
@@ -29,7 +25,8 @@ void main() {
     }
     barrier();
     if (gl_LocalInvocationIndex == 0 && flips > 0) {
-        atomicAdd(counts[tile].selected, flips);
+        int tile = int(gl_WorkGroupID.z);
+        atomicAdd(counts[counts_of(0, tile)].selected, flips);
         atomicMax(reach[tile], own_reach);
     }
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which edges of a part are outside each other's 2-region and flip. C++ twin: Annealing::select() and
 // iterate() in core/triangulate/annealing.h.
-#include "lattice.glsl"
-#include "counts.glsl"
+#include "lists.glsl"
 #include "annealing.glsl"
 #include "gain.glsl"
 #include "region.glsl"
@@ -19,10 +18,8 @@ bool is_selected(int m, Edge e) {
     region_of(m, e, region);
     for (int k = 0; k < 12; ++k) {
         int other = region[k];
-        if (other < 0 || !is_of_part(drawn[other]))
-            continue;
-        bool first = drawn[other] > drawn[m] || (drawn[other] == drawn[m] && other < m);
-        if (first && flippable(edge_at(other)))
+        if (other >= 0 && is_of_part(drawn[other]) &&
+            comes_first(other, drawn[other], m, drawn[m]) && flippable(edge_at(other)))
             return false;
     }
     return true;
@@ -32,10 +29,8 @@ void main() {
     if (gl_LocalInvocationIndex == 0)
         evaluated = 0;
     barrier();
-    int tile = int(gl_GlobalInvocationID.z);
-    int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
-    if (x < 2 * extent[tile].x - 1 && y < 2 * extent[tile].y - 1 && ((x | y) & 1) != 0) {
-        int m = tile * slot_sites + y * stride + x;
+    int m = edge_of_invocation();
+    if (m >= 0) {
         uint flips = 0;
         Edge e = edge_at(m);
         if (is_of_part(drawn[m]) && flippable(e) && is_selected(m, e)) {
@@ -46,5 +41,5 @@ void main() {
     }
     barrier();
     if (gl_LocalInvocationIndex == 0 && evaluated > 0)
-        atomicAdd(counts[tile].evaluated, evaluated);
+        atomicAdd(counts[counts_of(0, int(gl_WorkGroupID.z))].evaluated, evaluated);
 }

@@ -39,6 +39,10 @@ uint draw(uvec2 place) {
 bool is_of_part(uint drawn) {
     return drawn % uint(annealing_parts) == part;
 }
+// Of two edges of a part: whether the other one, where it can be flipped, is selected rather than m.
+bool comes_first(int other, uint other_drawn, int m, uint m_drawn) {
+    return other_drawn > m_drawn || (other_drawn == m_drawn && other < m);
+}
 // Metropolis' u < exp(gain / t), with u = exp(-e).
 bool is_taken(float gain, uint drawn) {
     precise float least = 0.0 - temperature * exponential(mixed(seed ^ uvec2(drawn, 0u)).x);

@@ -12,11 +12,8 @@ const int own_most = GAINS_GROUP_X * GAINS_GROUP_Y;
 int own_tile() {
     return int(gl_GlobalInvocationID.z);
 }
-// The edge of this invocation, -1 if none.
 int own_edge(int tile) {
-    int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
-    bool there = x < 2 * extent[tile].x - 1 && y < 2 * extent[tile].y - 1 && ((x | y) & 1) != 0;
-    return there ? tile * slot_sites + y * stride + x : -1;
+    return edge_of_invocation();
 }
 #else
 layout(local_size_x = LIST_GROUP) in; // an entry of the list; y: a tile
@@ -34,7 +31,7 @@ int own_edge(int tile) {
 #if defined(DENSE) && !defined(CANDIDATES)
 
 void main() {
-    int m = own_edge(own_tile());
+    int m = edge_of_invocation();
     if (m >= 0)
         evaluate(m);
 }

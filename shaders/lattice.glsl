@@ -136,3 +136,11 @@ ivec2 edges_beyond(int middle, Edge e, Side s) {
                          : ivec2(middle + offset(from_last_end(apex, s.vector)),
                                  middle + offset(from_first_end(apex, s.vector)));
 }
+
+// In dispatches over sites, z a tile: the edge at this invocation's place, -1 if there is none.
+int edge_of_invocation() {
+    ivec3 at = ivec3(gl_GlobalInvocationID);
+    bool there = at.x < 2 * extent[at.z].x - 1 && at.y < 2 * extent[at.z].y - 1 &&
+                 ((at.x | at.y) & 1) != 0;
+    return there ? at.z * slot_sites + at.y * stride + at.x : -1;
+}

@@ -11,10 +11,8 @@ bool is_selected(int m) {
     region_of(m, false, region);
     for (int k = 0; k < region_size; ++k) {
         int other = region[k];
-        if (other < 0 || !is_of_part(drawn[other]))
-            continue;
-        bool first = drawn[other] > drawn[m] || (drawn[other] == drawn[m] && other < m);
-        if (first && flippable(other))
+        if (other >= 0 && is_of_part(drawn[other]) &&
+            comes_first(other, drawn[other], m, drawn[m]) && flippable(other))
             return false;
     }
     return true;

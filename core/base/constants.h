@@ -43,9 +43,9 @@ namespace ddt {
     FLOAT(contour_noise, 4.0f * 64 * 64 * 0.05f * 0.05f)                                           \
     FLOAT(contour_unit, 4.0f / 1000)                                                               \
                                                                                                    \
-    /* Annealing: parts of the edges that are tried one after another; log(2); how far log2(1 + f) \
-     */                                                                                            \
-    /* bows above f, at most a quarter of it. */                                                   \
+    /* Annealing: parts of the edges, which are tried one after another; log(2); four times */     \
+    /* the most that log2(1 + f), taken for a parabola, is above f: its chord */                   \
+    /* between 0 and 1. */                                                                         \
     INT(annealing_parts, 8)                                                                        \
     FLOAT(natural_log_2, 0.69314718f)                                                              \
     FLOAT(log_bow, 0.34f)                                                                          \

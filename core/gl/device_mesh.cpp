@@ -101,6 +101,10 @@ void DeviceMesh::dispatch_over(int width, int height, int group_x, int group_y) 
                          GLuint((height + group_y - 1) / group_y), GLuint(m_tiles));
 }
 
+void DeviceMesh::dispatch_over_sites() {
+    dispatch_over(2 * m_shape.width - 1, 2 * m_shape.height - 1, gains_group_x, gains_group_y);
+}
+
 std::vector<std::vector<IterationCounts>> DeviceMesh::read_counts() {
     std::vector<std::vector<IterationCounts>> result(static_cast<size_t>(m_tiles));
     if (m_iterations == 0)
@@ -108,7 +112,7 @@ std::vector<std::vector<IterationCounts>> DeviceMesh::read_counts() {
     std::vector<IterationCounts> counts(size_t(m_tiles) * size_t(m_iterations + 1));
     m_gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     m_work.read(counts_offset, counts.size() * sizeof(IterationCounts), counts.data());
-    for (size_t i = 1; i <= size_t(m_iterations); ++i)
+    for (size_t i = 0; i <= size_t(m_iterations); ++i)
         for (size_t t = 0; t < result.size(); ++t)
             result[t].push_back(counts[i * result.size() + t]);
     return result;
@@ -125,7 +129,7 @@ std::vector<Statistics> DeviceMesh::read_statistics() {
             result[slot].flips += c.selected;
             result[slot].rounds += c.rounds;
             if (c.selected > 0)
-                result[slot].iterations = std::max(result[slot].iterations, int(i) + 1);
+                result[slot].iterations = std::max(result[slot].iterations, int(i));
         }
     return result;
 }

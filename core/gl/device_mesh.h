@@ -76,8 +76,8 @@ public:
     void forget_gains() { m_gains_known = false; }
     const Buffer& gains() const { return m_gain; }
 
-    /// Counts of each iteration of the last triangulate(), a slot; of annealing those after chance
-    /// had its part. Waits for the device.
+    /// Counts of each iteration of the last triangulate(), a slot, the first in place 1; in place 0
+    /// what annealing left to chance, and behind it what came after. Waits for the device.
     std::vector<std::vector<IterationCounts>> read_counts();
     /// What the last triangulate() did, a slot, but for the pixels; waits for the device.
     std::vector<Statistics> read_statistics();
@@ -109,6 +109,7 @@ private:
     void step(const char* shader, int iteration, Step step, const std::string& defines);
     void use(const char* shader, int first_iteration, int last_iteration,
              const std::string& defines);
+    void dispatch_over_sites();
     void barrier(bool with_arguments = false);
 
     Gpu& m_gpu;
@@ -122,7 +123,7 @@ private:
     std::string m_criterion; ///< the macros that choose it
     float m_contour_weight = 0;
     bool m_gains_known = false;
-    std::vector<Statistics> m_before; ///< of annealing's first part, a slot
+    std::vector<Statistics> m_before; ///< what annealing did before chance, a slot
     Buffer m_batch, m_sites, m_guide, m_contours, m_gain, m_list0, m_list1, m_blocked_even,
         m_blocked_odd, m_work;
     std::unique_ptr<Buffer> m_stamps;                  ///< accept_reject's

@@ -150,15 +150,9 @@ void DeviceMesh::annealing(const MeshOptions& options) {
     const uint64_t seed = mixed(options.seed);
     for (int i = 0; i < m_iterations; ++i)
         anneal(annealing_salt(seed, i), seed, annealing_temperature(options.cost, i, m_iterations));
-    std::vector<IterationCounts> chance(static_cast<size_t>(m_tiles));
-    m_work.read(counts_offset, chance.size() * sizeof(IterationCounts), chance.data());
-    for (size_t slot = 0; slot < chance.size(); ++slot) {
-        m_before[slot].evaluations += chance[slot].evaluated;
-        m_before[slot].flips += chance[slot].selected;
-    }
     bind_lists();
     use("evaluate.comp", 1, 1, m_criterion + " DENSE CANDIDATES");
-    dispatch_over(2 * m_shape.width - 1, 2 * m_shape.height - 1, gains_group_x, gains_group_y);
+    dispatch_over_sites();
     barrier(true);
     one_round();
 }
@@ -168,19 +162,17 @@ void DeviceMesh::anneal(uint64_t salt, uint64_t seed, float temperature) {
     m_blocked_even.bind(5); // numbers drawn
     m_blocked_odd.bind(6);  // edges that flip
     const auto dispatch = [&] {
-        dispatch_over(2 * m_shape.width - 1, 2 * m_shape.height - 1, gains_group_x, gains_group_y);
-        m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+        dispatch_over_sites();
+        barrier();
     };
-    m_gpu.programs->use("anneal_draw.comp");
+    use("anneal_draw.comp", 0, 0, {});
     set_chance(m_gl, {salt, seed, 0, temperature});
     dispatch();
     for (uint32_t part = 0; part < uint32_t(annealing_parts); ++part) {
-        m_gpu.programs->use("anneal_select.comp", m_criterion);
+        use("anneal_select.comp", 0, 0, m_criterion);
         set_chance(m_gl, {salt, seed, part, temperature});
-        if (m_criterion.find("CONTOURS") != std::string::npos)
-            m_gl.Uniform1f(8, m_contour_weight);
         dispatch();
-        m_gpu.programs->use("anneal_flip.comp");
+        use("anneal_flip.comp", 0, 0, {});
         dispatch();
     }
 }
@@ -194,7 +186,7 @@ void DeviceMesh::find_gains(const Criterion& by) {
         find_contours();
     bind_lists();
     use("evaluate.comp", 0, 0, m_criterion + " DENSE");
-    dispatch_over(2 * m_shape.width - 1, 2 * m_shape.height - 1, gains_group_x, gains_group_y);
+    dispatch_over_sites();
     barrier();
     m_gains_known = true;
 }

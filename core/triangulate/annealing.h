@@ -55,7 +55,7 @@ public:
     /// Try about every second flippable edge once, an eighth of all edges after another.
     void iterate(int iteration, float temperature) {
         shuffle(annealing_salt(m_seed, iteration));
-        for (uint32_t part = 0; part < annealing_parts; ++part) {
+        for (uint32_t part = 0; part < parts; ++part) {
             select(part);
             gains(m_mesh, m_criterion, m_w.selected.data(), m_w.selected.size(), m_w.gain.data());
             m_statistics.evaluations += int64_t(m_w.selected.size());

@@ -66,6 +66,11 @@ bool ImageFile::open(const OIIO::ImageSpec& spec, Failure& failure) {
     return false;
 }
 
+bool ImageFile::begin(const std::string& path, OIIO::ImageSpec spec, Failure& failure) {
+    spec.tile_width = spec.tile_height = spec.tile_depth = 0;
+    return create(path, failure) && open(spec, failure);
+}
+
 Failure ImageFile::failed() const {
     std::string why(OIIO::Strutil::strip(m_output->geterror()));
     why = OIIO::Strutil::replace(why.substr(0, why.find('\n')), temporary(), m_path, true);
@@ -92,12 +97,7 @@ bool ImageFile::commit(Failure& failure) {
 bool write_image(const OIIO::ImageBuf& image, const std::string& path,
                  const std::function<void(float)>& progress, Failure& failure) {
     ImageFile file;
-    if (!file.create(path, failure))
-        return false;
-    // As ImageBuf::write() by name: scanlines.
-    OIIO::ImageSpec spec = image.spec();
-    spec.tile_width = spec.tile_height = spec.tile_depth = 0;
-    if (!file.open(spec, failure))
+    if (!file.begin(path, image.spec(), failure))
         return false;
     const auto callback = [](void* data, float share) {
         (*static_cast<const std::function<void(float)>*>(data))(share);

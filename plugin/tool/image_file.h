@@ -25,6 +25,8 @@ public:
     OIIO::ImageOutput& output() { return *m_output; }
     const std::string& temporary() const { return m_whole.temporary(); }
     bool open(const OIIO::ImageSpec& spec, Failure& failure);
+    /// create() and open() for scanlines, as ImageBuf::write() by name does.
+    bool begin(const std::string& path, OIIO::ImageSpec spec, Failure& failure);
     /// Close the writer, check, and give the file its name.
     bool commit(Failure& failure);
     /// What the writer said, as a failure.

@@ -104,11 +104,7 @@ bool resize_file(const std::string& in, const std::string& out, const ResizeSett
         return false;
     }
     ImageFile file;
-    if (!file.create(out, failure))
-        return false;
-    // As ImageBuf::write() by name: scanlines.
-    spec.tile_width = spec.tile_height = spec.tile_depth = 0;
-    if (!file.open(spec, failure))
+    if (!file.begin(out, spec, failure))
         return false;
     RowWriter writer(result, file);
     int begin = spec.y;

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include <OpenImageIO/strutil.h>
-
 namespace ddt::tool {
 
 namespace {
@@ -23,9 +21,11 @@ int step_of(const OIIO::ImageSpec& spec, bool tiles) {
 } // namespace
 
 RowWriter::RowWriter(const OIIO::ImageBuf& image, ImageFile& file)
-    : m_image(image), m_file(file), m_begin(image.ybegin()), m_end(image.yend()),
-      m_tiles(file.output().spec().tile_width > 0), m_step(step_of(image.spec(), m_tiles)),
-      m_ready(m_begin), m_done(m_begin), m_thread([this] { work(); }) {}
+    : m_pixels(static_cast<const char*>(image.localpixels())), m_format(image.spec().format),
+      m_row(image.spec().scanline_bytes()), m_file(file), m_begin(image.ybegin()),
+      m_end(image.yend()), m_tiles(file.output().spec().tile_width > 0),
+      m_step(step_of(image.spec(), m_tiles)), m_ready(m_begin), m_done(m_begin),
+      m_thread([this] { work(); }) {}
 
 RowWriter::~RowWriter() {
     {
@@ -33,8 +33,7 @@ RowWriter::~RowWriter() {
         m_stopped = true;
     }
     m_changed.notify_all();
-    if (m_thread.joinable())
-        m_thread.join();
+    m_thread.join();
 }
 
 void RowWriter::ready(int end) {
@@ -73,9 +72,11 @@ void RowWriter::work() {
         } catch (const std::exception&) {  // it is that
         }
         lock.lock();
-        m_failed = !written;
-        m_failure = failure;
         m_done = end;
+        if (!written) {
+            m_failed = true;
+            m_failure = failure;
+        }
         m_changed.notify_all();
         if (m_failed)
             return;
@@ -83,13 +84,10 @@ void RowWriter::work() {
 }
 
 bool RowWriter::write(int begin, int end) {
-    const OIIO::ImageSpec& spec = m_image.spec();
-    const auto* pixels = static_cast<const char*>(m_image.localpixels());
-    const size_t row = OIIO::ImageSpec(spec.width, 1, spec.nchannels, spec.format).image_bytes();
     if (m_tiles)
-        return m_file.output().write_image(spec.format, pixels);
-    return m_file.output().write_scanlines(begin, end, 0, spec.format,
-                                           pixels + row * size_t(begin - m_begin));
+        return m_file.output().write_image(m_format, m_pixels);
+    return m_file.output().write_scanlines(begin, end, 0, m_format,
+                                           m_pixels + m_row * size_t(begin - m_begin));
 }
 
 bool RowWriter::finish(const std::function<void(float)>& progress, Failure& failure) {

@@ -16,8 +16,8 @@ namespace ddt::tool {
 /// Writes scanlines on a thread of its own, in order. Of one thread's use otherwise.
 class RowWriter {
 public:
-    /// Rows of `image`, whose pixels are in local memory, into `file`, which was opened with its
-    /// spec. Both must outlive this.
+    /// Rows of `image`, whose pixels are in local memory and stay there, into `file`, which was
+    /// opened with its spec. Both must outlive this.
     RowWriter(const OIIO::ImageBuf& image, ImageFile& file);
     /// Writes no more rows.
     ~RowWriter();
@@ -37,7 +37,10 @@ private:
     int writable() const;
     bool write(int begin, int end);
 
-    const OIIO::ImageBuf& m_image;
+    // What is needed of the image, whose spec is the other thread's.
+    const char* const m_pixels;
+    const OIIO::TypeDesc m_format;
+    const size_t m_row; ///< bytes
     ImageFile& m_file;
     const int m_begin, m_end;
     const bool m_tiles;

@@ -145,11 +145,11 @@ private:
         for (size_t t = 0; t < counts.size(); ++t) {
             const BenchTile& tile = m_tiles[t];
             add_tile(tile.size, double(tile.reach.area()), int(reach[t]), m_job.surface, m.work);
-            for (size_t i = 0; i < counts[t].size(); ++i) {
+            for (size_t i = 1; i < counts[t].size(); ++i) {
                 const gl::IterationCounts& c = counts[t][i];
-                if (i >= m.work.iterations.size())
+                if (i > m.work.iterations.size())
                     m.work.iterations.emplace_back();
-                gl::IterationCounts& sum = m.work.iterations[i];
+                gl::IterationCounts& sum = m.work.iterations[i - 1];
                 sum.evaluated += c.evaluated;
                 sum.candidates += c.candidates;
                 sum.selected += c.selected;

@@ -87,8 +87,8 @@ TEST_P(TinCheck, EveryProgramIsCheckedBeforeItIsUsedAndAWrongOneIsNot) {
             MeshOptions options;
             find_cost(cost, options.cost);
             options.scheme = scheme;
-            options.max_iterations = scheme == Scheme::annealing ? 4 : 64;
             const bool annealed = scheme == Scheme::annealing;
+            options.max_iterations = annealed ? 4 : 64;
             std::vector<std::string> lines;
             gl::Gpu& right = fresh_device();
             right.thread.post([&] { EXPECT_EQ(right.checks.differs(right, options), ""); }).get();
