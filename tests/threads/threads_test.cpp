@@ -91,7 +91,9 @@ const Act acts[] = {
         std::string error;
         Options options;
         EXPECT_FALSE(parse_filter("ddt,cost=none", options, error));
-        ImageBuf unread("does not exist"), result;
+        // Each another name: OpenImageIO's cache writes a broken file's message into a record that
+        // all who ask for the file share, and does so without a lock.
+        ImageBuf unread("does not exist " + std::to_string(n)), result;
         EXPECT_FALSE(resize(result, unread, options));
         return Bits{float(error.size()), float(n)};
     },
