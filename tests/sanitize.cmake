@@ -17,7 +17,8 @@ set_tests_properties(sanitize.build PROPERTIES LABELS all FIXTURES_SETUP sanitiz
 string(CONCAT sanitize_large
   "Progress.CancelsAtAnyTime|Progress.RisesToOne|Enlarge.TilesShowNoSeams|Enlarge.AnyNumberOfThreads"
   "|SameBits.EverySchemeAndCost|CacheTest.AWholeFile|Memory[.]|Hardware[.]|Enlarge.ManyChannels|Resize.SameBitsForAnyNumber|colour_fork"
-  "|/SelfCheck[.].*osmesa|/TinCheck[.].*osmesa")
+  "|/SelfCheck[.].*osmesa|/TinCheck[.].*osmesa|Process.AutomaticNeverPicks|CacheTest.AnErrorPending"
+  "|Shaders.TheReferenceCompiler")
 add_test(NAME sanitize.run
   COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${sanitize_dir} --output-on-failure -j 2
     --exclude-regex ${sanitize_large})
