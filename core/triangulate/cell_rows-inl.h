@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows of a starting lattice's cells, several of them in the lanes: what start_gains.cpp keeps of a
+// cell while it goes down the rows. Included in a namespace that has D, Floats and most_lanes.
+
+/// A row of numbers, with room for whole vectors past its end and for one number before it.
+class Row {
+public:
+    void resize(int n) { m_numbers.resize(size_t(n) + 2 * most_lanes + 1); }
+    float* at(int x) { return m_numbers.data() + x + 1; }
+    const float* at(int x) const { return m_numbers.data() + x + 1; }
+    HWY_INLINE Floats load(int x) const { return Floats::load(at(x)); }
+    HWY_INLINE void store(int x, Floats v) { v.store(at(x)); }
+
+private:
+    std::vector<float> m_numbers;
+};
+
+/// A row of what a cost needs to know of triangles.
+template <class Face>
+class FaceRow {
+public:
+    static constexpr int parts = sizeof(Face) / sizeof(Floats);
+    void resize(int n) {
+        for (Row& row : m_parts)
+            row.resize(n);
+    }
+    HWY_INLINE Face load(int x) const {
+        Floats part[parts];
+        for (int k = 0; k < parts; ++k)
+            part[k] = m_parts[k].load(x);
+        Face face;
+        std::memcpy(static_cast<void*>(&face), part, sizeof face);
+        return face;
+    }
+    HWY_INLINE void store(int x, const Face& face) {
+        Floats part[parts];
+        std::memcpy(static_cast<void*>(part), &face, sizeof face);
+        for (int k = 0; k < parts; ++k)
+            m_parts[k].store(x, part[k]);
+    }
+
+private:
+    Row m_parts[parts];
+};
+
+/// Where the flag is more than 0 `yes`, else `no`.
+template <class T>
+HWY_INLINE T either(Floats flag, const T& yes, const T& no) {
+    constexpr int parts = sizeof(T) / sizeof(Floats);
+    Floats a[parts], b[parts];
+    std::memcpy(static_cast<void*>(a), &yes, sizeof yes);
+    std::memcpy(static_cast<void*>(b), &no, sizeof no);
+    for (int k = 0; k < parts; ++k)
+        a[k] = if_less(Floats(0.0f), flag, a[k], b[k]);
+    T result;
+    std::memcpy(static_cast<void*>(&result), a, sizeof result);
+    return result;
+}
+
+/// A row of cells. "Down" is the diagonal from upper left to lower right.
+template <class Face>
+struct DividedCells {
+    Row guide;                              ///< at the vertices on top
+    Row down;                               ///< 1 where the diagonal is down, else 0
+    FaceRow<Face> top, bottom;              ///< the triangles at the cell's horizontal sides,
+    FaceRow<Face> left, right;              ///< the same two by its vertical sides
+    FaceRow<Face> other_top, other_bottom;  ///< those that the other diagonal would make
+    Row top_cost, left_cost, diagonal_cost; ///< of the edges as they stand
+    Row xx, yy, xy;                         ///< the integers of the contour words
+
+    void resize(int n) {
+        for (Row* row : {&guide, &down, &top_cost, &left_cost, &diagonal_cost, &xx, &yy, &xy})
+            row->resize(n);
+        for (FaceRow<Face>* row : {&top, &bottom, &left, &right, &other_top, &other_bottom})
+            row->resize(n);
+    }
+};
