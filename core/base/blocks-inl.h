@@ -18,6 +18,11 @@ HWY_INLINE Blocks spread(const float* p) {
     return hn::TableLookupLanes(hn::LoadU(d, p), hn::IndicesFromVec(d, block));
 }
 
+/// Every block filled with the group_size numbers at p.
+HWY_INLINE Blocks in_every_block(const float* p) {
+    return Blocks(hn::LoadDup128(D(), p));
+}
+
 /// Block k to p + 2 k group_size.
 HWY_INLINE void store_every_second(Blocks v, float* p) {
     HWY_ALIGN float blocks[4 * group_size];

@@ -50,7 +50,7 @@ HWY_ATTR void find_limits(int width, int height, const Rect& part, const float* 
 
 /// The means of a plain cell's quadrants, added to its corners' sums.
 template <bool quadratic, bool soft>
-HWY_INLINE void add_plain_cell(const Net& net, int site, bool down, float* sum, ptrdiff_t row) {
+HWY_INLINE void add_plain_cell(const Net& net, int site, bool down, float* upper, float* lower) {
     const int stride = net.stride;
     const auto load = [&](int s) HWY_ATTR { return Lanes4::load(net.at(s)); };
     const auto load_soft = [&](int s) HWY_ATTR { return Lanes4::load(net.soft_at(s)); };
@@ -82,16 +82,16 @@ HWY_INLINE void add_plain_cell(const Net& net, int site, bool down, float* sum, 
             c.qvx = q[vx], c.qvy = q[vy], c.qxd = q[xd], c.qyd = q[yd], c.q_diagonal = q[m];
         return c;
     };
-    add(sum, cell(z0, z1, z2, z3, t, l, r, b), down);
-    add(sum + group_size, cell(z1, z0, z3, z2, t, r, l, b), !down);
-    add(sum + row, cell(z2, z3, z0, z1, b, l, r, t), !down);
-    add(sum + row + group_size, cell(z3, z2, z1, z0, b, r, l, t), down);
+    add(upper, cell(z0, z1, z2, z3, t, l, r, b), down);
+    add(upper + group_size, cell(z1, z0, z3, z2, t, r, l, b), !down);
+    add(lower, cell(z2, z3, z0, z1, b, l, r, t), !down);
+    add(lower + group_size, cell(z3, z2, z1, z0, b, r, l, t), down);
 }
 
 /// The same where other edges cross the cell: by locating the positions.
 template <bool quadratic, bool soft>
-HWY_INLINE void add_other_cell(const Lattice& lattice, const Net& net, int cx, int cy, float* sum,
-                               ptrdiff_t row) {
+HWY_INLINE void add_other_cell(const Lattice& lattice, const Net& net, int cx, int cy, float* upper,
+                               float* lower) {
     const Lanes4 strict = Lanes4::load(net.strict);
     Triangle triangle;
     Patch<Lanes4> patch;
@@ -135,44 +135,43 @@ HWY_INLINE void add_other_cell(const Lattice& lattice, const Net& net, int cx, i
         mean[corner] = mean[corner] + (f - z);
     }
     for (int corner = 0; corner < 4; ++corner) {
-        float* to = sum + (corner >> 1) * row + (corner & 1) * group_size;
+        float* to = (corner >> 1 ? lower : upper) + (corner & 1) * group_size;
         (Lanes4::load(to) + mean[corner] * Lanes4(0.25f)).store(to);
     }
 }
 
 template <bool quadratic, bool soft>
 HWY_INLINE void add_cells(const Lattice& lattice, const Net& net, int x0, int x1, int y,
-                          float* sum) {
-    const ptrdiff_t row = ptrdiff_t(lattice.width()) * group_size;
+                          float* upper, float* lower) {
     for (int x = x0; x < x1; ++x) {
-        float* corner = sum + y * row + ptrdiff_t(x) * group_size;
+        float *above = upper + ptrdiff_t(x) * group_size,
+              *below = lower + ptrdiff_t(x) * group_size;
         const int site = lattice.vertex_site(x, y);
         switch (lattice.divisions(y)[x]) {
         case Division::down:
-            add_plain_cell<quadratic, soft>(net, site, true, corner, row);
+            add_plain_cell<quadratic, soft>(net, site, true, above, below);
             break;
         case Division::up:
-            add_plain_cell<quadratic, soft>(net, site, false, corner, row);
+            add_plain_cell<quadratic, soft>(net, site, false, above, below);
             break;
         case Division::other:
-            add_other_cell<quadratic, soft>(lattice, net, x, y, corner, row);
+            add_other_cell<quadratic, soft>(lattice, net, x, y, above, below);
             break;
         }
     }
 }
 
-/// Cells x0 .. x1 - 1 of row y.
 HWY_ATTR void add_means(const Lattice& lattice, Surface surface, const Net& net, int x0, int x1,
-                        int y, Consistency& c) {
+                        int y, float* upper, float* lower) {
     const bool soft = !net.soft.empty();
     if (surface == Surface::linear && soft)
-        add_cells<false, true>(lattice, net, x0, x1, y, c.sum.data());
+        add_cells<false, true>(lattice, net, x0, x1, y, upper, lower);
     else if (surface == Surface::linear)
-        add_cells<false, false>(lattice, net, x0, x1, y, c.sum.data());
+        add_cells<false, false>(lattice, net, x0, x1, y, upper, lower);
     else if (soft)
-        add_cells<true, true>(lattice, net, x0, x1, y, c.sum.data());
+        add_cells<true, true>(lattice, net, x0, x1, y, upper, lower);
     else
-        add_cells<true, false>(lattice, net, x0, x1, y, c.sum.data());
+        add_cells<true, false>(lattice, net, x0, x1, y, upper, lower);
 }
 
 HWY_ATTR void move_vertices(const Lattice& lattice, const Rect& part, Net& net,
@@ -208,6 +207,17 @@ Rect whole(const Lattice& lattice) {
 
 } // namespace
 
+void add_means(const Lattice& lattice, Surface surface, const Net& net, const Rect& part, int y,
+               float* upper, float* lower) {
+    const int x0 = std::max(part.x0 - 1, 0), x1 = std::min(part.x1, lattice.width() - 1);
+    HWY_DYNAMIC_DISPATCH(add_means)(lattice, surface, net, x0, x1, y, upper, lower);
+}
+
+void limits_of(const Net& net, float limit, float* limits) {
+    for (int c = 0; c < group_size; ++c)
+        limits[c] = net.strict[c] > 0 ? 0.0f : limit;
+}
+
 void Consistency::begin(const Lattice& lattice, const Net& net, float limit, bool clipped) {
     begin(lattice, net, limit, clipped, whole(lattice));
 }
@@ -223,18 +233,18 @@ void Consistency::begin(const Lattice& lattice, const Net& net, float limit, boo
         for (int x = 0; x < lattice.width(); ++x, to += group_size)
             std::memcpy(to, net.at(lattice.vertex_site(x, y)), group_size * sizeof(float));
     float limits[group_size];
-    for (int c = 0; c < group_size; ++c)
-        limits[c] = net.strict[c] > 0 ? 0.0f : limit;
+    limits_of(net, limit, limits);
     HWY_DYNAMIC_DISPATCH(find_limits)
-    (lattice.width(), lattice.height(), part, limits, clipped ? -FLT_MAX : 0.0f, *this);
+    (lattice.width(), lattice.height(), part, limits, lowest_of(clipped), *this);
 }
 
 void Consistency::add_row(const Lattice& lattice, Surface surface, const Net& net, const Rect& part,
                           int y) {
     if (y < part.y0 - 1 || y >= std::min(part.y1, lattice.height() - 1))
         return;
-    const int x0 = std::max(part.x0 - 1, 0), x1 = std::min(part.x1, lattice.width() - 1);
-    HWY_DYNAMIC_DISPATCH(add_means)(lattice, surface, net, x0, x1, y, *this);
+    const ptrdiff_t row = ptrdiff_t(lattice.width()) * group_size;
+    float* upper = sum.data() + y * row;
+    add_means(lattice, surface, net, part, y, upper, upper + row);
 }
 
 void Consistency::move(const Lattice& lattice, const Rect& part, Net& net) const {

@@ -7,6 +7,7 @@
 // the range of the 3x3 source pixels, widened (SurfaceOptions::limit).
 #pragma once
 
+#include <cfloat>
 #include <vector>
 
 #include "core/lattice/locate.h"
@@ -14,6 +15,20 @@
 #include "ddt/core.h"
 
 namespace ddt {
+
+/// Add what the cells of row y have, as far as the vertices of `part` need it, to the sums of
+/// quadrants' means of the vertices above and below them, group_size floats each. The edges that
+/// cross the row must have been bent (for Surface::patch) and softened (where the net has soft
+/// edges), the divisions been found.
+void add_means(const Lattice& lattice, Surface surface, const Net& net, const Rect& part, int y,
+               float* upper, float* lower);
+
+/// SurfaceOptions::limit in a net's lanes: 0 in strict ones.
+void limits_of(const Net& net, float limit, float* limits);
+/// The `lowest` of widen() (consistency-inl.h), by SurfaceOptions::clipped.
+inline float lowest_of(bool clipped) {
+    return clipped ? -FLT_MAX : 0.0f;
+}
 
 /// One group's source values and limits, kept from one tile to the next.
 class Consistency {
@@ -25,9 +40,7 @@ public:
 
     /// To be called before the rows of a round are added.
     void begin_sums() { sum.assign(source.size(), 0.0f); }
-    /// Add to the sums what row y of cells has, as far as the vertices of `part` need it; rows in
-    /// order. The edges that cross the row must have been bent (for Surface::patch) and softened
-    /// (where the net has soft edges), the divisions been found.
+    /// Add to the sums what row y of cells has, by add_means(); rows in order.
     void add_row(const Lattice& lattice, Surface surface, const Net& net, const Rect& part, int y);
     /// Then move the vertices of `part`.
     void move(const Lattice& lattice, const Rect& part, Net& net) const;

@@ -4,62 +4,11 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/surface/kept_rows.h"
+
 namespace ddt {
 
 namespace {
-
-/// Rows of pixels that are made at a time, at least.
-constexpr int rows_at_once = 8;
-
-/// Rows of pixels by which what is kept of an array goes on at a time, beside those in use: fewer
-/// where there are many groups of channels.
-constexpr int rows_to_go_on(int channels) {
-    return channels > 4 * group_size ? 8 : 24;
-}
-
-/// Make room in `kept`, `row` floats for each row of pixels from row `first` on, for the rows
-/// before `end`. Of the rows before `made`, which are of use, those before `keep` may go. `more`:
-/// rows to make room for beside; there are no more than `height`.
-void make_room(std::vector<float>& kept, size_t row, int more, int height, int& first, int keep,
-               int made, int end) {
-    if (size_t(end - first) * row + edge_padding <= kept.size())
-        return;
-    const int from = std::clamp(keep, first, std::max(first, made));
-    if (made > from && from > first)
-        std::memmove(kept.data(), kept.data() + size_t(from - first) * row,
-                     size_t(made - from) * row * sizeof(float));
-    first = from;
-    if (size_t(end - first) * row + edge_padding <= kept.size())
-        return;
-    // A vector that grows by itself would take up to twice of it.
-    if (made <= from)
-        std::vector<float>().swap(kept);
-    kept.reserve(size_t(std::min(end - first + more, height)) * row + edge_padding);
-    kept.resize(kept.capacity());
-}
-
-/// Take the memory for so many rows.
-void take_memory(std::vector<float>& kept, size_t row, int rows) {
-    const size_t size = size_t(rows) * row + edge_padding;
-    if (kept.size() >= size)
-        return;
-    std::vector<float>().swap(kept); // nothing in it is of use
-    kept.resize(size);
-}
-
-/// Rows in use, where edges are this long, of vertices and of what belongs to edges. Most tiles
-/// have some edge that is not short.
-int vertex_rows(int longest) {
-    return rows_at_once + 4 * std::max(longest, 5) + 4;
-}
-int edge_rows(int longest) {
-    return rows_at_once + 2 * std::max(longest, 5) + 4;
-}
-
-/// Floats in a row of pixels.
-size_t net_row(const Lattice& lattice) {
-    return 2 * size_t(lattice.stride()) * group_size;
-}
 
 void load_row(const Lattice& lattice, const Rect& part, int y, const Net& net, float* row) {
     const int begin = std::max(part.x0 - 1, 0), end = std::min(part.x1 + 1, lattice.width());

@@ -2,9 +2,17 @@
 // What belongs to the edges of a control net: their bends e and softness q (see net.h).
 #pragma once
 
+#include <algorithm>
+
 #include "core/surface/edge_scratch.h"
 
 namespace ddt {
+
+/// A part of a lattice, in pixels, and so many pixels round it.
+inline Rect grown(const Lattice& lattice, const Rect& part, int by) {
+    return {std::max(part.x0 - by, 0), std::max(part.y0 - by, 0),
+            std::min(part.x1 + by, lattice.width()), std::min(part.y1 + by, lattice.height())};
+}
 
 /// What the edges of a net are made from.
 struct EdgeRecipe {
@@ -40,6 +48,9 @@ public:
     void to_row(int y, int keep);
     /// Make all edges, and keep them.
     void finish() { to_row(m_part.y1, 0); }
+
+    /// Edges with midpoints above this row of pixels are made.
+    int rows() const { return m_edge_rows / 2; }
 
     /// Once all are made, with bends: the gradients, as EdgeScratch has them.
     const float* gradients() const { return m_scratch.gradients.data(); }

@@ -14,16 +14,27 @@ void set_vertices(const Lattice& lattice, const float* values, int channels, int
                  {0, 0, lattice.width(), lattice.height()}, net);
 }
 
+namespace {
+
+/// n pixels, `step` floats apart in `to`.
+void copy_pixels(const GroupValues& values, size_t first, size_t n, float* to, int step) {
+    const auto channels = size_t(values.channels);
+    const float* from = values.values + first * channels + size_t(values.first);
+    for (size_t i = 0; i < n; ++i, from += channels, to += step)
+        for (int c = 0; c < group_size; ++c)
+            to[c] = c < values.count ? from[c] : 0.0f;
+}
+
+} // namespace
+
+void copy_group(const GroupValues& values, size_t pixels, float* to) {
+    copy_pixels(values, 0, pixels, to, group_size);
+}
+
 void set_vertices(const Lattice& lattice, const GroupValues& values, const Rect& part, Net& net) {
-    const auto width = size_t(lattice.width()), channels = size_t(values.channels);
-    for (int y = part.y0; y < part.y1; ++y) {
-        float* z = net.at(lattice.vertex_site(part.x0, y));
-        const float* from =
-            values.values + (size_t(y) * width + size_t(part.x0)) * channels + values.first;
-        for (int x = part.x0; x < part.x1; ++x, from += channels, z += 2 * group_size)
-            for (int c = 0; c < group_size; ++c)
-                z[c] = c < values.count ? from[c] : 0.0f;
-    }
+    for (int y = part.y0; y < part.y1; ++y)
+        copy_pixels(values, size_t(y) * size_t(lattice.width()) + size_t(part.x0),
+                    size_t(part.width()), net.at(lattice.vertex_site(part.x0, y)), 2 * group_size);
 }
 
 void get_vertices(const Lattice& lattice, const Net& net, int channels, int first, int count,

@@ -5,6 +5,7 @@
 
 #include "core/base/arith.h"
 #include "core/base/large_pages.h"
+#include "core/surface/kept_rows.h"
 #include "core/tiles/tile_io.h"
 
 namespace ddt {
@@ -15,9 +16,6 @@ namespace {
 bool is_corrected(const SurfaceOptions& surface) {
     return surface.consistency > 0 && !is_fitted(surface);
 }
-
-/// Edges of most tiles are no longer than this.
-constexpr int usual_longest = 10;
 
 /// A recipe that takes the memory of the surface's.
 EdgeRecipe recipe_of(const SurfaceOptions& surface) {
@@ -37,44 +35,41 @@ size_t TileMesh::memory(const Job& job, int width, int height, bool rows) {
     const size_t gains = wants_gains(job.surface) ? sites * sizeof(float) : 0;
     const EdgeRecipe recipe = recipe_of(job.surface);
     const size_t kept =
-        EdgeMaker::memory(width, height, rows ? usual_longest : height, job.channels, recipe);
-    const size_t whole = is_fitted(job.surface) ? sites * sizeof(float) * group_size : 0;
+        is_fitted(job.surface)
+            ? FittedMaker::memory(width, height, !rows, job.channels, job.surface.soft > 0)
+            : EdgeMaker::memory(width, height, rows ? usual_longest : height, job.channels, recipe);
     const size_t corrected = is_corrected(job.surface) && job.mesh.meshes > 1
                                  ? pixels * sizeof(float) * size_t(job.channels)
                                  : 0;
-    return lattice + gains + (kept + whole) * size_t(group_count(job.channels)) + corrected;
+    return lattice + gains + kept * size_t(group_count(job.channels)) + corrected;
 }
 
 void TileMesh::reserve(size_t sites) {
     m_lattice.reserve(sites);
     m_nets.resize(size_t(group_count(m_job.channels)));
-    m_edges.resize(m_nets.size());
     if (is_fitted(m_job.surface))
-        for (Net& net : m_nets)
-            reserve_large(net.values, sites * group_size);
+        m_fitted.resize(m_nets.size());
+    else
+        m_edges.resize(m_nets.size());
 }
 
 size_t MeshScratch::memory(const Job& job, int width, int height) {
     const SurfaceOptions& surface = job.surface;
-    if (surface.consistency == 0)
+    if (!is_corrected(surface))
         return 0;
     const size_t pixels = size_t(width) * size_t(height) * sizeof(float) * group_size;
-    const size_t values = is_fitted(surface) ? 0 : 4 * pixels;
-    const size_t planes = is_fitted(surface) ? 5 : 4;
-    return values + planes * pixels +
+    const size_t values = 4 * pixels, planes = 4 * pixels;
+    return values + planes +
            EdgeMaker::memory(width, height, usual_longest, job.channels, recipe_of(surface), false);
 }
 
 void MeshScratch::reserve(const Job& job, size_t sites) {
     workspace.gain.reserve(sites);
-    if (job.surface.consistency == 0)
+    if (!is_corrected(job.surface))
         return;
-    if (!is_fitted(job.surface))
-        reserve_large(net.values, sites * group_size);
+    reserve_large(net.values, sites * group_size);
     for (auto* plane : {&consistency.source, &consistency.low, &consistency.high, &consistency.sum})
         plane->reserve(sites);
-    if (is_fitted(job.surface))
-        fitted.index.reserve(sites);
 }
 
 void TileMesh::triangulate(const float* guide, int width, int height, MeshScratch& scratch,
@@ -103,17 +98,14 @@ void TileMesh::make_surface(const Tile& tile, float* values, bool own, MeshScrat
     float* const corrected = is_corrected(surface) ? place_for_corrected(values, own) : values;
     for (int g = 0; g < int(m_nets.size()); ++g) {
         Net& net = m_nets[size_t(g)];
-        EdgeMaker& edges = m_edges[size_t(g)];
         set_strictness(g, net);
         if (is_fitted(surface)) {
-            fit(g, values, part, scratch);
-            // The edges are bent already.
-            edges.begin_edge_rows(m_lattice, part, {false, recipe().gain, surface.soft}, net);
+            begin_fitted(g, values, part);
             continue;
         }
         if (is_corrected(surface))
             correct(g, values, part, corrected, scratch);
-        edges.begin_rows(m_lattice, part, recipe(), group_values(corrected, g), net);
+        m_edges[size_t(g)].begin_rows(m_lattice, part, recipe(), group_values(corrected, g), net);
     }
     m_search.begin();
 }
@@ -148,18 +140,13 @@ Rect TileMesh::sampled_part(const Tile& tile) const {
             std::min(c.y1 + 1 + far - p.y0, m_lattice.height())};
 }
 
-/// A part of the lattice and so many pixels round it.
-Rect TileMesh::grown(const Rect& part, int by) const {
-    return {std::max(part.x0 - by, 0), std::max(part.y0 - by, 0),
-            std::min(part.x1 + by, m_lattice.width()), std::min(part.y1 + by, m_lattice.height())};
-}
-
 /// Make the edges of a net of the whole lattice and the sums of the means, for the vertices of
 /// `part`: row by row, so that of what edges are made of no more than some rows is there.
 void TileMesh::measure(const Rect& part, Net& net, MeshScratch& scratch) {
     const Surface kind = m_job.surface.kind;
     // A triangle that crosses a cell beside a vertex.
-    scratch.edges.begin_edge_rows(m_lattice, grown(part, m_lattice.longest() + 1), recipe(), net);
+    scratch.edges.begin_edge_rows(m_lattice, grown(m_lattice, part, m_lattice.longest() + 1),
+                                  recipe(), net);
     scratch.consistency.begin_sums();
     for (int y = 0; y + 1 < m_lattice.height(); ++y) {
         scratch.edges.to_row(y + m_lattice.longest(), y);
@@ -181,7 +168,7 @@ void TileMesh::correct(int group, const float* values, const Rect& part, float* 
     // further.
     const int beside = m_lattice.longest() + 1;
     const auto moved_by = [&](int round) {
-        return grown(part, beside * (1 + 2 * (surface.consistency - 1 - round)));
+        return grown(m_lattice, part, beside * (1 + 2 * (surface.consistency - 1 - round)));
     };
     consistency.begin(m_lattice, net, surface.limit, surface.clipped, moved_by(0));
     for (int round = 0; round < surface.consistency; ++round) {
@@ -192,31 +179,29 @@ void TileMesh::correct(int group, const float* values, const Rect& part, float* 
     get_vertices(m_lattice, net, from.channels, from.first, from.count, corrected);
 }
 
-void TileMesh::fit(int group, const float* values, const Rect& part, MeshScratch& scratch) {
+void TileMesh::begin_fitted(int group, const float* values, const Rect& part) {
     const SurfaceOptions& surface = m_job.surface;
-    const GroupValues from = group_values(values, group);
-    Consistency& consistency = scratch.consistency;
-    Net& net = m_nets[size_t(group)];
-    // Of apexes too.
-    const Rect moved = grown(part, m_lattice.longest() + 1);
-    set_vertices(m_lattice, values, from.channels, from.first, from.count, net);
-    consistency.begin(m_lattice, net, surface.limit, surface.clipped, moved);
-    measure(moved, net, scratch);
-    scratch.fitted.move_vertices(m_lattice, moved, consistency, net);
-    consistency.restore(m_lattice, nearest_mask(m_job, group), net);
-    scratch.fitted.bend_edges(m_lattice, part, m_gain.data(), consistency, net);
+    const FittedRecipe recipe{m_gain.data(), surface.soft, surface.limit, surface.clipped,
+                              nearest_mask(m_job, group)};
+    m_fitted[size_t(group)].begin(m_lattice, part, recipe, group_values(values, group),
+                                  m_nets[size_t(group)]);
 }
 
 void TileMesh::make_edges_for(int32_t y, int32_t keep) {
     const DenormalsAreZero as_on_gpus;
+    const int to = (y >> position_bits) + m_lattice.longest(), from = keep >> position_bits;
     for (EdgeMaker& edges : m_edges)
-        edges.to_row((y >> position_bits) + m_lattice.longest(), keep >> position_bits);
+        edges.to_row(to, from);
+    for (FittedMaker& fitted : m_fitted)
+        fitted.to_row(to, from);
 }
 
 void TileMesh::finish_edges() {
     const DenormalsAreZero as_on_gpus;
     for (EdgeMaker& edges : m_edges)
         edges.finish();
+    for (FittedMaker& fitted : m_fitted)
+        fitted.finish();
 }
 
 void TileMesh::sample(const Point* points, int n, float* out) {

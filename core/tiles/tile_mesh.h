@@ -7,7 +7,7 @@
 #include "core/sample/evaluate.h"
 #include "core/surface/consistency.h"
 #include "core/surface/edge_maker.h"
-#include "core/surface/fitted/fitted.h"
+#include "core/surface/fitted/fitted_maker.h"
 #include "core/surface/net.h"
 #include "core/tiles/grid.h"
 #include "core/triangulate/triangulate.h"
@@ -22,7 +22,6 @@ bool wants_gains(const SurfaceOptions& surface);
 struct MeshScratch {
     Workspace workspace;
     Consistency consistency;
-    Fitted fitted;
     Net net; ///< of a whole lattice, while its vertices are corrected
     EdgeMaker edges;
 
@@ -76,18 +75,18 @@ private:
     EdgeRecipe recipe() const;
     void set_strictness(int group, Net& net) const;
     float* place_for_corrected(float* values, bool own);
-    Rect grown(const Rect& part, int by) const;
     void measure(const Rect& part, Net& net, MeshScratch& scratch);
     void correct(int group, const float* values, const Rect& part, float* corrected,
                  MeshScratch& scratch);
-    void fit(int group, const float* values, const Rect& part, MeshScratch& scratch);
+    void begin_fitted(int group, const float* values, const Rect& part);
 
     const Job& m_job;
     Lattice m_lattice;
     std::vector<float> m_gain; ///< Workspace::gain of the finished mesh, for soft edges
     std::vector<Net> m_nets;   ///< one a group of channels
     std::vector<EdgeMaker> m_edges;
-    std::vector<float> m_corrected; ///< values, where they are not to be changed in their place
+    std::vector<FittedMaker> m_fitted; ///< in their place
+    std::vector<float> m_corrected;    ///< values, where they are not to be changed in their place
     Search m_search;
     LocatedRow m_row;
     LocatedBlock m_block;

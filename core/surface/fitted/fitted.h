@@ -25,7 +25,7 @@
 // Vertices on the rim stay. What is not finite keeps the plain value.
 #pragma once
 
-#include <vector>
+#include <cstddef>
 
 #include "core/surface/consistency.h"
 #include "core/surface/fitted/weights.h"
@@ -37,23 +37,40 @@ inline bool is_fitted(const SurfaceOptions& options) {
     return options.fitted && options.consistency > 0 && options.kind == Surface::patch;
 }
 
-/// One group's fitted net; memory is kept from one to the next.
-class Fitted {
-public:
-    /// Move the vertices of a net that goes through the source and whose edges were all bent, and
-    /// softened where they are, after consistency.measure().
-    void move_vertices(const Lattice& lattice, const Consistency& consistency, Net& net);
-    /// Only those of `part`, and perhaps some beside them, which are then of no use.
-    void move_vertices(const Lattice& lattice, const Rect& part, const Consistency& consistency,
-                       Net& net);
-
-    /// Then make e of the edges whose ends both lie in `part` (in pixels) from the plain one, which
-    /// is in its place. gain: Workspace::gain of the finished mesh.
-    void bend_edges(const Lattice& lattice, const Rect& part, const float* gain,
-                    const Consistency& consistency, Net& net) const;
-
-    // For the SIMD twins.
-    std::vector<float> index; ///< group_size floats a pixel
+/// One group's source: group_size floats for every pixel of the lattice.
+struct FittedSource {
+    const Lattice& lattice;
+    const float* pixels;
+    const float* at(int x, int y) const {
+        return pixels + (ptrdiff_t(y) * lattice.width() + x) * group_size;
+    }
 };
+
+/// By how much a fitted vertex may leave the range of its pixels: as limits_of(), lowest_of().
+struct FittedLimits {
+    float limit[group_size];
+    float lowest;
+};
+
+/// Put where the vertices in columns x0 .. x1 - 1 of row y of pixels go into the net, those on the
+/// rim excepted, and their index into `index`; sum: of add_means(). Both rows begin with column 0.
+void move_fitted(const FittedSource& source, int x0, int x1, int y, const FittedLimits& limits,
+                 const float* sum, float* index, Net& net);
+
+/// The rows of indices of the vertices round an edge: row y at rows[y % count].
+struct IndexRows {
+    const float* rows;
+    int count;
+    size_t row; ///< floats
+    const float* at(int x, int y) const {
+        return rows + size_t(y % count) * row + ptrdiff_t(x) * group_size;
+    }
+};
+
+/// Put e of the edges with midpoints in row y of the doubled lattice whose ends both lie in columns
+/// x0 .. x1 - 1 of pixels into the net, made from `plain`'s. gain: Workspace::gain of the finished
+/// mesh.
+void bend_fitted(const FittedSource& source, int x0, int x1, int y, const float* gain,
+                 const IndexRows& index, const Net& plain, Net& net);
 
 } // namespace ddt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/surface/fitted/fitted.h"
+#include "core/surface/fitted/fitted_maker.h"
 
 #include <cmath>
 #include <functional>
@@ -91,18 +91,13 @@ Result fitted(const Scene& scene, const std::vector<float>& values, Setting sett
     const DenormalsAreZero zero;
     const Lattice& l = scene.lattice;
     Net net;
-    EdgeMaker edges;
     Workspace workspace;
-    Consistency consistency;
-    Fitted fitted;
-    set_vertices(l, values.data(), 1, 0, 1, net);
+    FittedMaker maker;
     std::fill_n(net.strict, group_size, setting.strict ? 1.0f : 0.0f);
     find_gains(l, {Cost::abn}, workspace);
-    consistency.begin(l, net, 0.25f, setting.clipped);
-    make_edges(l, scene.all(), true, nullptr, 0, edges, net);
-    consistency.measure(l, Surface::patch, net);
-    fitted.move_vertices(l, consistency, net);
-    fitted.bend_edges(l, scene.all(), workspace.gain.data(), consistency, net);
+    maker.begin(l, scene.all(), {workspace.gain.data(), 0, 0.25f, setting.clipped},
+                {values.data(), 1, 0, 1}, net);
+    maker.finish();
     Result r;
     for (int y = 0; y < l.height(); ++y)
         for (int x = 0; x < l.width(); ++x)

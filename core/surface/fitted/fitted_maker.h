@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// A net of fitted vertices and bends, made row by row from the plain one's.
+#pragma once
+
+#include <vector>
+
+#include "core/surface/edge_maker.h"
+#include "core/surface/fitted/fitted.h"
+
+namespace ddt {
+
+/// What a fitted net is made from.
+struct FittedRecipe {
+    /// Workspace::gain of the finished mesh.
+    const float* gain = nullptr;
+    /// EdgeRecipe::tau, or 0: no soft edges.
+    float tau = 0;
+    /// SurfaceOptions::limit and clipped.
+    float limit = 0;
+    bool clipped = false;
+    /// Lanes whose bit is set keep their source values: identifiers are nothing to correct.
+    unsigned kept_lanes = 0;
+};
+
+/// Makes one group's net from the top row downwards, as EdgeMaker does: the plain edges through the
+/// source, the means of their surface, where the vertices go, bends and softness follow one another
+/// at the distance of a longest edge, so that of each no more than some rows are there.
+class FittedMaker {
+public:
+    /// Start on a net of some rows, whose `strict` is set: the vertices of `part`, a part of the
+    /// lattice in pixels, and the edges whose ends both lie in it. The lattice's divisions and
+    /// first edges must have been found; the values must stay where they are.
+    void begin(const Lattice& lattice, const Rect& part, const FittedRecipe& recipe,
+               const GroupValues& values, Net& net);
+
+    /// As EdgeMaker's: the edges with midpoints in row y of pixels or further up.
+    void to_row(int y, int keep);
+    /// Make all, and keep the net.
+    void finish() { to_row(m_part.y1, 0); }
+
+    /// About the bytes that this and the net take where edges are of the usual length; `all_rows`:
+    /// of a net that is kept whole.
+    static size_t memory(int width, int height, bool all_rows, int channels, bool soft);
+
+private:
+    EdgeRecipe plain_recipe() const;
+    void go_on(int y, int keep);
+    void make_row();
+    void measure_row(int y);
+    float* sums(int y) { return m_sums.data() + size_t(y % 2) * row_size(); }
+    size_t row_size() const { return size_t(m_lattice->width()) * group_size; }
+
+    const Lattice* m_lattice = nullptr;
+    Net* m_net = nullptr;
+    Rect m_part;
+    Rect m_moved; ///< the vertices that the part's edges and their apexes are
+    FittedRecipe m_recipe;
+    FittedLimits m_limits;
+    GroupValues m_values;
+    std::vector<float> m_source; ///< of all pixels
+    Net m_plain_net;
+    EdgeMaker m_plain, m_soft;
+    std::vector<float> m_sums;  ///< of quadrants' means: row y at [y % 2]
+    std::vector<float> m_index; ///< row y at [y % m_index_rows]
+    int m_index_rows = 1;
+    int m_cell_rows = 0;   ///< rows of cells above this one are in the sums
+    int m_vertex_rows = 0; ///< rows of pixels above this one have their vertices
+    int m_edge_rows = 0;   ///< rows of the doubled lattice above this one are bent
+};
+
+} // namespace ddt
