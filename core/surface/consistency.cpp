@@ -27,25 +27,24 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
 using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
 
-HWY_ATTR void find_limits(int width, int height, const Rect& part, const float* limit, float lowest,
-                          Consistency& c) {
+HWY_ATTR void limits_in_row(int width, int height, const float* source, int x0, int x1, int y,
+                            const float* limit, float lowest, float* low_row, float* high_row) {
     const ptrdiff_t row = ptrdiff_t(width) * group_size;
     const Lanes4 margin = Lanes4::load(limit);
-    for (int y = part.y0; y < part.y1; ++y)
-        for (int x = part.x0; x < part.x1; ++x) {
-            const ptrdiff_t at = y * row + ptrdiff_t(x) * group_size;
-            const float* z = c.source.data() + at;
-            Lanes4 low = Lanes4::load(z), high = low;
-            for (int dy = y > 0 ? -1 : 0; dy <= (y + 1 < height ? 1 : 0); ++dy)
-                for (int dx = x > 0 ? -1 : 0; dx <= (x + 1 < width ? 1 : 0); ++dx) {
-                    const Lanes4 n = Lanes4::load(z + dy * row + dx * group_size);
-                    low = if_less(n, low, n, low);
-                    high = if_less(high, n, n, high);
-                }
-            widen(margin, Lanes4(lowest), low, high);
-            low.store(c.low.data() + at);
-            high.store(c.high.data() + at);
-        }
+    for (int x = x0; x < x1; ++x) {
+        const ptrdiff_t in_row = ptrdiff_t(x) * group_size;
+        const float* z = source + y * row + in_row;
+        Lanes4 low = Lanes4::load(z), high = low;
+        for (int dy = y > 0 ? -1 : 0; dy <= (y + 1 < height ? 1 : 0); ++dy)
+            for (int dx = x > 0 ? -1 : 0; dx <= (x + 1 < width ? 1 : 0); ++dx) {
+                const Lanes4 n = Lanes4::load(z + dy * row + dx * group_size);
+                low = if_less(n, low, n, low);
+                high = if_less(high, n, n, high);
+            }
+        widen(margin, Lanes4(lowest), low, high);
+        low.store(low_row + in_row);
+        high.store(high_row + in_row);
+    }
 }
 
 /// The means of a plain cell's quadrants, added to its corners' sums.
@@ -174,18 +173,14 @@ HWY_ATTR void add_means(const Lattice& lattice, Surface surface, const Net& net,
         add_cells<true, false>(lattice, net, x0, x1, y, upper, lower);
 }
 
-HWY_ATTR void move_vertices(const Lattice& lattice, const Rect& part, Net& net,
-                            const Consistency& c) {
-    const int x0 = std::max(part.x0, 1), x1 = std::min(part.x1, lattice.width() - 1);
-    const int y0 = std::max(part.y0, 1), y1 = std::min(part.y1, lattice.height() - 1);
-    for (int y = y0; y < y1; ++y)
-        for (int x = x0; x < x1; ++x) {
-            const size_t at = (size_t(y) * size_t(lattice.width()) + size_t(x)) * group_size;
-            float* z = net.at(lattice.vertex_site(x, y));
-            corrected(Lanes4::load(z), Lanes4::load(&c.source[at]), Lanes4::load(&c.sum[at]),
-                      Lanes4::load(&c.low[at]), Lanes4::load(&c.high[at]))
-                .store(z);
-        }
+HWY_ATTR void move_in_row(const float* z, int x0, int x1, const float* source, const float* sum,
+                          const float* low, const float* high, float* moved, int step) {
+    for (int x = x0; x < x1; ++x, z += 2 * group_size, moved += step) {
+        const ptrdiff_t at = ptrdiff_t(x) * group_size;
+        corrected(Lanes4::load(z), Lanes4::load(source + at), Lanes4::load(sum + at),
+                  Lanes4::load(low + at), Lanes4::load(high + at))
+            .store(moved);
+    }
 }
 
 } // namespace HWY_NAMESPACE
@@ -195,17 +190,9 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ddt {
 
-HWY_EXPORT(find_limits);
+HWY_EXPORT(limits_in_row);
 HWY_EXPORT(add_means);
-HWY_EXPORT(move_vertices);
-
-namespace {
-
-Rect whole(const Lattice& lattice) {
-    return {0, 0, lattice.width(), lattice.height()};
-}
-
-} // namespace
+HWY_EXPORT(move_in_row);
 
 void add_means(const Lattice& lattice, Surface surface, const Net& net, const Rect& part, int y,
                float* upper, float* lower) {
@@ -218,59 +205,55 @@ void limits_of(const Net& net, float limit, float* limits) {
         limits[c] = net.strict[c] > 0 ? 0.0f : limit;
 }
 
-void Consistency::begin(const Lattice& lattice, const Net& net, float limit, bool clipped) {
-    begin(lattice, net, limit, clipped, whole(lattice));
+void find_limits(const Lattice& lattice, const float* source, int x0, int x1, int y,
+                 const float* limits, float lowest, LimitRow& row) {
+    const size_t floats = size_t(lattice.width()) * group_size;
+    row.low.resize(floats);
+    row.high.resize(floats);
+    HWY_DYNAMIC_DISPATCH(limits_in_row)
+    (lattice.width(), lattice.height(), source, x0, x1, y, limits, lowest, row.low.data(),
+     row.high.data());
 }
 
-void Consistency::begin(const Lattice& lattice, const Net& net, float limit, bool clipped,
-                        const Rect& part) {
-    const size_t n = size_t(lattice.width()) * size_t(lattice.height()) * group_size;
-    source.resize(n);
-    low.resize(n);
-    high.resize(n);
+void move_row(const Lattice& lattice, const Net& net, int x0, int x1, int y, const float* source,
+              const float* sum, const LimitRow& limits, float* moved, int step) {
+    HWY_DYNAMIC_DISPATCH(move_in_row)
+    (net.at(lattice.vertex_site(x0, y)), x0, x1, source, sum, limits.low.data(), limits.high.data(),
+     moved, step);
+}
+
+void Consistency::begin(const Lattice& lattice, const Net& net, float limit, bool clipped) {
+    source.resize(lattice.vertices() * group_size);
     float* to = source.data();
     for (int y = 0; y < lattice.height(); ++y)
         for (int x = 0; x < lattice.width(); ++x, to += group_size)
             std::memcpy(to, net.at(lattice.vertex_site(x, y)), group_size * sizeof(float));
-    float limits[group_size];
-    limits_of(net, limit, limits);
-    HWY_DYNAMIC_DISPATCH(find_limits)
-    (lattice.width(), lattice.height(), part, limits, lowest_of(clipped), *this);
+    limits_of(net, limit, m_limits);
+    m_lowest = lowest_of(clipped);
 }
 
-void Consistency::add_row(const Lattice& lattice, Surface surface, const Net& net, const Rect& part,
-                          int y) {
-    if (y < part.y0 - 1 || y >= std::min(part.y1, lattice.height() - 1))
-        return;
-    const ptrdiff_t row = ptrdiff_t(lattice.width()) * group_size;
-    float* upper = sum.data() + y * row;
-    add_means(lattice, surface, net, part, y, upper, upper + row);
-}
-
-void Consistency::move(const Lattice& lattice, const Rect& part, Net& net) const {
-    HWY_DYNAMIC_DISPATCH(move_vertices)(lattice, part, net, *this);
+const LimitRow& Consistency::limits(const Lattice& lattice, int y) {
+    find_limits(lattice, source.data(), 0, lattice.width(), y, m_limits, m_lowest, m_row);
+    return m_row;
 }
 
 void Consistency::measure(const Lattice& lattice, Surface surface, const Net& net) {
-    begin_sums();
-    for (int y = 0; y + 1 < lattice.height(); ++y)
-        add_row(lattice, surface, net, whole(lattice), y);
+    const size_t row = size_t(lattice.width()) * group_size;
+    sum.assign(source.size(), 0.0f);
+    for (int y = 0; y + 1 < lattice.height(); ++y) {
+        float* upper = sum.data() + size_t(y) * row;
+        add_means(lattice, surface, net, {0, 0, lattice.width(), lattice.height()}, y, upper,
+                  upper + row);
+    }
 }
 
 void Consistency::correct(const Lattice& lattice, Surface surface, Net& net) {
+    const size_t row = size_t(lattice.width()) * group_size;
     measure(lattice, surface, net);
-    move(lattice, whole(lattice), net);
-}
-
-void Consistency::restore(const Lattice& lattice, unsigned lanes, Net& net) const {
-    if (lanes == 0)
-        return;
-    const float* from = source.data();
-    for (int y = 0; y < lattice.height(); ++y)
-        for (int x = 0; x < lattice.width(); ++x, from += group_size)
-            for (int c = 0; c < group_size; ++c)
-                if (lanes >> c & 1u)
-                    std::memcpy(net.at(lattice.vertex_site(x, y)) + c, from + c, sizeof(float));
+    for (int y = 1; y + 1 < lattice.height(); ++y)
+        move_row(lattice, net, 1, lattice.width() - 1, y, source.data() + size_t(y) * row,
+                 sum.data() + size_t(y) * row, limits(lattice, y),
+                 net.at(lattice.vertex_site(1, y)), 2 * group_size);
 }
 
 } // namespace ddt

@@ -30,34 +30,45 @@ inline float lowest_of(bool clipped) {
     return clipped ? -FLT_MAX : 0.0f;
 }
 
-/// One group's source values and limits, kept from one tile to the next.
+/// What the vertices of a row may become, group_size floats a pixel from column 0 on.
+struct LimitRow {
+    std::vector<float> low, high;
+};
+
+/// Find those of columns x0 .. x1 - 1 of row y. source: group_size floats for every pixel.
+void find_limits(const Lattice& lattice, const float* source, int x0, int x1, int y,
+                 const float* limits, float lowest, LimitRow& row);
+
+/// Put where the vertices of a net in columns x0 .. x1 - 1 of row y go, none of which is on the
+/// rim, into `moved`, `step` floats apart; it may be the net's own. source, sum: rows.
+void move_row(const Lattice& lattice, const Net& net, int x0, int x1, int y, const float* source,
+              const float* sum, const LimitRow& limits, float* moved, int step);
+
+/// One group's source values, and rounds on a whole lattice, whose edges must all be there: for
+/// what looks at the stages. Jobs are worked on by CorrectedRows.
 class Consistency {
 public:
     /// Take the net's vertices as the source. limit: SurfaceOptions::limit; 0 in strict lanes.
-    /// clipped: SurfaceOptions::clipped. part: where vertices will be corrected, in pixels.
-    void begin(const Lattice& lattice, const Net& net, float limit, bool clipped, const Rect& part);
+    /// clipped: SurfaceOptions::clipped.
     void begin(const Lattice& lattice, const Net& net, float limit, bool clipped = false);
-
-    /// To be called before the rows of a round are added.
-    void begin_sums() { sum.assign(source.size(), 0.0f); }
-    /// Add to the sums what row y of cells has, by add_means(); rows in order.
-    void add_row(const Lattice& lattice, Surface surface, const Net& net, const Rect& part, int y);
-    /// Then move the vertices of `part`.
-    void move(const Lattice& lattice, const Rect& part, Net& net) const;
 
     /// The first half of correct(): find the surface's means, and leave the vertices as they are.
     void measure(const Lattice& lattice, Surface surface, const Net& net);
 
-    /// One round on the whole lattice, whose edges must all be there.
+    /// One round.
     void correct(const Lattice& lattice, Surface surface, Net& net);
 
-    /// Give the lanes whose bit is set their source values back: identifiers are nothing to
-    /// correct.
-    void restore(const Lattice& lattice, unsigned lanes, Net& net) const;
+    /// The row's limits.
+    const LimitRow& limits(const Lattice& lattice, int y);
 
-    // For the SIMD twins: group_size floats a pixel.
-    std::vector<float> source, low, high;
+    // group_size floats a pixel.
+    std::vector<float> source;
     std::vector<float> sum; ///< of the quadrants' means
+
+private:
+    float m_limits[group_size] = {};
+    float m_lowest = 0;
+    LimitRow m_row;
 };
 
 } // namespace ddt

@@ -131,20 +131,33 @@ void EdgeMaker::to_row(int y, int keep) {
     go_on(y, keep);
 }
 
+/// The last row of pixels whose edges are made when those of row y are.
+int EdgeMaker::last_row(int y) const {
+    return std::min(y + rows_at_once, m_part.y1 - 1);
+}
+
+/// Rows before this have gradients then.
+int EdgeMaker::gradients_end(int last) const {
+    return std::min(last + m_lattice->longest(), m_part.y1);
+}
+
+int EdgeMaker::values_end(int y) const {
+    const int last = last_row(y), end = std::max(gradients_end(last) - 1, last);
+    return std::min(end + m_lattice->longest() + 1, m_lattice->height());
+}
+
 void EdgeMaker::go_on(int y, int keep) {
     if (2 * y < m_edge_rows)
         return;
     const Lattice& lattice = *m_lattice;
     const int longest = lattice.longest(), edges = m_edge_rows / 2;
-    const int last = std::min(y + rows_at_once, m_part.y1 - 1);
-    const int gradients = std::min(last + longest, m_part.y1);
+    const int last = last_row(y), gradients = gradients_end(last);
     // What is above the first row in use: a triangle's vertices and edges, and one row more, as
     // positions on the last row belong to the cells before it.
     const int top = keep - longest - 1;
     const auto row_of = [&](int site) { return site / (2 * lattice.stride()); };
     if (m_few_values)
-        load_vertices(std::max(gradients - 1, last) + longest + 1,
-                      std::min(top, std::min(edges, m_gradient_rows) - longest - 1));
+        load_vertices(values_end(y), std::min(top, std::min(edges, m_gradient_rows) - longest - 1));
     if (m_few_edges && m_recipe.gain) {
         int first = row_of(m_net->first_soft);
         make_room(m_net->soft, net_row(lattice), m_go_on, lattice.height(), first,

@@ -49,6 +49,8 @@ public:
     /// Make all edges, and keep them.
     void finish() { to_row(m_part.y1, 0); }
 
+    /// Rows of values before this are read by to_row(y).
+    int values_end(int y) const;
     /// Edges with midpoints above this row of pixels are made.
     int rows() const { return m_edge_rows / 2; }
 
@@ -64,6 +66,8 @@ private:
     void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe, bool few_values,
                bool few_edges, Net& net);
     void go_on(int y, int keep);
+    int last_row(int y) const;
+    int gradients_end(int last) const;
     void load_vertices(int end, int keep);
 
     EdgeScratch m_scratch;

@@ -38,10 +38,14 @@ size_t TileMesh::memory(const Job& job, int width, int height, bool rows) {
         is_fitted(job.surface)
             ? FittedMaker::memory(width, height, !rows, job.channels, job.surface.soft > 0)
             : EdgeMaker::memory(width, height, rows ? usual_longest : height, job.channels, recipe);
-    const size_t corrected = is_corrected(job.surface) && job.mesh.meshes > 1
-                                 ? pixels * sizeof(float) * size_t(job.channels)
-                                 : 0;
-    return lattice + gains + kept * size_t(group_count(job.channels)) + corrected;
+    size_t corrected = 0, rounds = 0;
+    if (is_corrected(job.surface)) {
+        if (job.mesh.meshes > 1)
+            corrected = pixels * sizeof(float) * size_t(job.channels);
+        rounds = CorrectedRows::memory(width, height, job.channels,
+                                       {job.surface.kind, recipe, job.surface.consistency});
+    }
+    return lattice + gains + (kept + rounds) * size_t(group_count(job.channels)) + corrected;
 }
 
 void TileMesh::reserve(size_t sites) {
@@ -51,43 +55,26 @@ void TileMesh::reserve(size_t sites) {
         m_fitted.resize(m_nets.size());
     else
         m_edges.resize(m_nets.size());
+    if (is_corrected(m_job.surface))
+        m_rounds.resize(m_nets.size());
 }
 
-size_t MeshScratch::memory(const Job& job, int width, int height) {
-    const SurfaceOptions& surface = job.surface;
-    if (!is_corrected(surface))
-        return 0;
-    const size_t pixels = size_t(width) * size_t(height) * sizeof(float) * group_size;
-    const size_t values = 4 * pixels, planes = 4 * pixels;
-    return values + planes +
-           EdgeMaker::memory(width, height, usual_longest, job.channels, recipe_of(surface), false);
-}
-
-void MeshScratch::reserve(const Job& job, size_t sites) {
-    workspace.gain.reserve(sites);
-    if (!is_corrected(job.surface))
-        return;
-    reserve_large(net.values, sites * group_size);
-    for (auto* plane : {&consistency.source, &consistency.low, &consistency.high, &consistency.sum})
-        plane->reserve(sites);
-}
-
-void TileMesh::triangulate(const float* guide, int width, int height, MeshScratch& scratch,
+void TileMesh::triangulate(const float* guide, int width, int height, Workspace& workspace,
                            Statistics& statistics) {
     const DenormalsAreZero as_on_gpus;
     // The memory of the gains that were kept is that of the next.
-    if (wants_gains(m_job.surface) && m_gain.capacity() > scratch.workspace.gain.capacity())
-        m_gain.swap(scratch.workspace.gain);
+    if (wants_gains(m_job.surface) && m_gain.capacity() > workspace.gain.capacity())
+        m_gain.swap(workspace.gain);
     start(m_lattice, width, height, guide, m_job.mesh);
-    ddt::triangulate(m_lattice, m_job.mesh, scratch.workspace, statistics);
+    ddt::triangulate(m_lattice, m_job.mesh, workspace, statistics);
     if (!wants_gains(m_job.surface))
         return;
     if (m_job.mesh.scheme != Scheme::one_round)
-        find_gains(m_lattice, criterion(m_job.mesh), scratch.workspace);
-    m_gain.swap(scratch.workspace.gain);
+        find_gains(m_lattice, criterion(m_job.mesh), workspace);
+    m_gain.swap(workspace.gain);
 }
 
-void TileMesh::make_surface(const Tile& tile, float* values, bool own, MeshScratch& scratch) {
+void TileMesh::make_surface(const Tile& tile, float* values, bool own) {
     const DenormalsAreZero as_on_gpus;
     const SurfaceOptions& surface = m_job.surface;
     m_lattice.find_divisions();
@@ -104,7 +91,7 @@ void TileMesh::make_surface(const Tile& tile, float* values, bool own, MeshScrat
             continue;
         }
         if (is_corrected(surface))
-            correct(g, values, part, corrected, scratch);
+            begin_corrected(g, corrected, part);
         m_edges[size_t(g)].begin_rows(m_lattice, part, recipe(), group_values(corrected, g), net);
     }
     m_search.begin();
@@ -128,7 +115,7 @@ void TileMesh::set_strictness(int group, Net& net) const {
 float* TileMesh::place_for_corrected(float* values, bool own) {
     if (own)
         return values;
-    m_corrected.resize(m_lattice.vertices() * size_t(m_job.channels));
+    m_corrected.assign(values, values + m_lattice.vertices() * size_t(m_job.channels));
     return m_corrected.data();
 }
 
@@ -140,43 +127,12 @@ Rect TileMesh::sampled_part(const Tile& tile) const {
             std::min(c.y1 + 1 + far - p.y0, m_lattice.height())};
 }
 
-/// Make the edges of a net of the whole lattice and the sums of the means, for the vertices of
-/// `part`: row by row, so that of what edges are made of no more than some rows is there.
-void TileMesh::measure(const Rect& part, Net& net, MeshScratch& scratch) {
-    const Surface kind = m_job.surface.kind;
-    // A triangle that crosses a cell beside a vertex.
-    scratch.edges.begin_edge_rows(m_lattice, grown(m_lattice, part, m_lattice.longest() + 1),
-                                  recipe(), net);
-    scratch.consistency.begin_sums();
-    for (int y = 0; y + 1 < m_lattice.height(); ++y) {
-        scratch.edges.to_row(y + m_lattice.longest(), y);
-        scratch.consistency.add_row(m_lattice, kind, net, part, y);
-    }
-}
-
-/// Set the group's channels of `corrected` to its vertices after the rounds, as far as the part's
-/// edges need them.
-void TileMesh::correct(int group, const float* values, const Rect& part, float* corrected,
-                       MeshScratch& scratch) {
+void TileMesh::begin_corrected(int group, float* values, const Rect& part) {
     const SurfaceOptions& surface = m_job.surface;
-    const GroupValues from = group_values(values, group);
-    Net& net = scratch.net;
-    Consistency& consistency = scratch.consistency;
-    set_vertices(m_lattice, values, from.channels, from.first, from.count, net);
-    set_strictness(group, net);
-    // Gradients see a longest edge round their vertices, as do edges. A round sees twice that
-    // further.
-    const int beside = m_lattice.longest() + 1;
-    const auto moved_by = [&](int round) {
-        return grown(m_lattice, part, beside * (1 + 2 * (surface.consistency - 1 - round)));
-    };
-    consistency.begin(m_lattice, net, surface.limit, surface.clipped, moved_by(0));
-    for (int round = 0; round < surface.consistency; ++round) {
-        measure(moved_by(round), net, scratch);
-        consistency.move(m_lattice, moved_by(round), net);
-    }
-    consistency.restore(m_lattice, nearest_mask(m_job, group), net);
-    get_vertices(m_lattice, net, from.channels, from.first, from.count, corrected);
+    const CorrectionRecipe correction{surface.kind,  recipe(),        surface.consistency,
+                                      surface.limit, surface.clipped, nearest_mask(m_job, group)};
+    m_rounds[size_t(group)].begin(m_lattice, part, correction, group_values(values, group), values,
+                                  m_nets[size_t(group)].strict);
 }
 
 void TileMesh::begin_fitted(int group, const float* values, const Rect& part) {
@@ -190,14 +146,19 @@ void TileMesh::begin_fitted(int group, const float* values, const Rect& part) {
 void TileMesh::make_edges_for(int32_t y, int32_t keep) {
     const DenormalsAreZero as_on_gpus;
     const int to = (y >> position_bits) + m_lattice.longest(), from = keep >> position_bits;
-    for (EdgeMaker& edges : m_edges)
-        edges.to_row(to, from);
+    for (size_t g = 0; g < m_edges.size(); ++g) {
+        if (!m_rounds.empty())
+            m_rounds[g].to_row(m_edges[g].values_end(to));
+        m_edges[g].to_row(to, from);
+    }
     for (FittedMaker& fitted : m_fitted)
         fitted.to_row(to, from);
 }
 
 void TileMesh::finish_edges() {
     const DenormalsAreZero as_on_gpus;
+    for (CorrectedRows& rounds : m_rounds)
+        rounds.to_row(m_lattice.height());
     for (EdgeMaker& edges : m_edges)
         edges.finish();
     for (FittedMaker& fitted : m_fitted)

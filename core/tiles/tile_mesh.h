@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/sample/evaluate.h"
-#include "core/surface/consistency.h"
+#include "core/surface/corrected_rows.h"
 #include "core/surface/edge_maker.h"
 #include "core/surface/fitted/fitted_maker.h"
 #include "core/surface/net.h"
@@ -17,19 +17,6 @@ namespace ddt {
 
 /// Whether a surface depends on the finished mesh's gains.
 bool wants_gains(const SurfaceOptions& surface);
-
-/// What is needed only while a mesh is made, and kept for the next.
-struct MeshScratch {
-    Workspace workspace;
-    Consistency consistency;
-    Net net; ///< of a whole lattice, while its vertices are corrected
-    EdgeMaker edges;
-
-    /// Take the memory that a lattice of so many sites needs.
-    void reserve(const Job& job, size_t sites);
-    /// About the bytes that this takes beside its Workspace.
-    static size_t memory(const Job& job, int width, int height);
-};
 
 /// The memory of one mesh, kept from one tile to the next.
 class TileMesh {
@@ -44,12 +31,12 @@ public:
     static size_t memory(const Job& job, int width, int height, bool rows);
 
     /// Make the mesh of a width x height guide. Adds to `statistics`.
-    void triangulate(const float* guide, int width, int height, MeshScratch& scratch,
+    void triangulate(const float* guide, int width, int height, Workspace& workspace,
                      Statistics& statistics);
     /// Lay the surface over it, through `values`, the job's channels for each pixel, which must
     /// stay there while it is in use. Where vertices are corrected, the corrected ones take the
     /// values' place, if `own`.
-    void make_surface(const Tile& tile, float* values, bool own, MeshScratch& scratch);
+    void make_surface(const Tile& tile, float* values, bool own);
 
     const Lattice& lattice() const { return m_lattice; }
     /// Edges are made as they are needed: before what needs them is sampled, make_edges_for() its
@@ -75,9 +62,7 @@ private:
     EdgeRecipe recipe() const;
     void set_strictness(int group, Net& net) const;
     float* place_for_corrected(float* values, bool own);
-    void measure(const Rect& part, Net& net, MeshScratch& scratch);
-    void correct(int group, const float* values, const Rect& part, float* corrected,
-                 MeshScratch& scratch);
+    void begin_corrected(int group, float* values, const Rect& part);
     void begin_fitted(int group, const float* values, const Rect& part);
 
     const Job& m_job;
@@ -85,8 +70,9 @@ private:
     std::vector<float> m_gain; ///< Workspace::gain of the finished mesh, for soft edges
     std::vector<Net> m_nets;   ///< one a group of channels
     std::vector<EdgeMaker> m_edges;
-    std::vector<FittedMaker> m_fitted; ///< in their place
-    std::vector<float> m_corrected;    ///< values, where they are not to be changed in their place
+    std::vector<FittedMaker> m_fitted;   ///< in their place
+    std::vector<CorrectedRows> m_rounds; ///< before them, where there are any
+    std::vector<float> m_corrected; ///< values, where they are not to be changed in their place
     Search m_search;
     LocatedRow m_row;
     LocatedBlock m_block;

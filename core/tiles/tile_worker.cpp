@@ -36,11 +36,10 @@ size_t TileWorker::memory(const Job& job, bool separable) {
     const size_t meshes = size_t(job.mesh.meshes) * TileMesh::memory(job, width, height, separable);
     // Gains, where no mesh keeps them, and work lists, which are longest in noise.
     const size_t workspace = (wants_gains(job.surface) ? 0 : sites * sizeof(float)) + pixels * 10;
-    const size_t scratch = MeshScratch::memory(job, width, height);
     const size_t guides = job.mesh.meshes > 1 ? 2 : 1;
     const size_t planes = pixels * sizeof(float) * (guides + size_t(job.channels));
     const size_t contours = ContourRows::memory(width);
-    return meshes + workspace + scratch + planes + contours + 2 * strip_floats * sizeof(float);
+    return meshes + workspace + planes + contours + 2 * strip_floats * sizeof(float);
 }
 
 void TileWorker::reserve() {
@@ -49,7 +48,7 @@ void TileWorker::reserve() {
     const size_t sites = 4 * pixels;
     m_values.reserve(pixels * size_t(m_job.channels));
     m_guide.reserve(pixels);
-    m_scratch.reserve(m_job, sites);
+    m_workspace.gain.reserve(sites);
     m_meshes.reserve(size_t(m_job.mesh.meshes));
     for (int k = 0; k < m_job.mesh.meshes; ++k)
         m_meshes.emplace_back(m_job).reserve(sites);
@@ -68,17 +67,17 @@ Outcome TileWorker::work(const Tile& tile, int first_row) {
         return Outcome::source_failed;
     m_clock.lap(times.read);
     for (size_t k = 0; k < m_meshes.size(); ++k) {
-        m_meshes[k].triangulate(guide_of(k), m_width, m_height, m_scratch, m_statistics);
+        m_meshes[k].triangulate(guide_of(k), m_width, m_height, m_workspace, m_statistics);
         m_clock.lap(times.triangulate);
-        m_meshes[k].make_surface(tile, m_values.data(), m_meshes.size() == 1, m_scratch);
+        m_meshes[k].make_surface(tile, m_values.data(), m_meshes.size() == 1);
         m_clock.lap(times.surface);
     }
     return write(tile, reach);
 }
 
 bool TileWorker::read(const Tile& tile) {
-    m_scratch.workspace.origin_x = tile.pixels.x0 - m_job.window.x0;
-    m_scratch.workspace.origin_y = tile.pixels.y0 - m_job.window.y0;
+    m_workspace.origin_x = tile.pixels.x0 - m_job.window.x0;
+    m_workspace.origin_y = tile.pixels.y0 - m_job.window.y0;
     return read_tile(m_source, tile, m_job, m_values, m_guide, m_width, m_height);
 }
 

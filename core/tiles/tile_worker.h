@@ -56,7 +56,7 @@ private:
     std::vector<float> m_values, m_guide, m_blurred;
     int m_width = 0, m_height = 0; ///< of the lattice
     std::vector<TileMesh> m_meshes;
-    MeshScratch m_scratch;
+    Workspace m_workspace;
     std::vector<Position> m_positions;
     std::vector<uint8_t> m_inside;
     std::vector<Point> m_points;

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <iterator>
 
 #include <unistd.h>
@@ -29,7 +30,21 @@ void remove_listed() {
             unlink(slot.path);
 }
 
+const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU};
+
+std::atomic<int> waited_for{0};
+std::atomic<bool> ending{false};
+
+void sleep_a_moment() {
+    const timespec millisecond{0, 1000000};
+    nanosleep(&millisecond, nullptr);
+}
+
 void end(int signal) {
+    ending = true;
+    // Not for ever: a file system may hang.
+    for (int i = 0; waited_for > 0 && i < 2000; ++i)
+        sleep_a_moment();
     remove_listed();
     // The handler was for once: this one ends the program, and the parent sees by what.
     raise(signal);
@@ -41,7 +56,7 @@ void remove_unfinished_on_signals() {
     struct sigaction action {};
     action.sa_handler = end;
     action.sa_flags = SA_RESETHAND | SA_NODEFER;
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU}) {
+    for (const int signal : signals) {
         struct sigaction before {};
         sigaction(signal, nullptr, &before);
         if (before.sa_handler != SIG_IGN) // as under nohup
@@ -50,6 +65,26 @@ void remove_unfinished_on_signals() {
     std::atexit(remove_listed);
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
+}
+
+SignalsWait::SignalsWait() {
+    // This thread would wait for itself; another's handler waits for the number to be 0.
+    sigset_t these;
+    sigemptyset(&these);
+    for (const int signal : signals)
+        sigaddset(&these, signal);
+    pthread_sigmask(SIG_BLOCK, &these, &m_before);
+    ++waited_for;
+    if (!ending)
+        return;
+    --waited_for;
+    for (;;) // too late to make anything
+        sleep_a_moment();
+}
+
+SignalsWait::~SignalsWait() {
+    --waited_for;
+    pthread_sigmask(SIG_SETMASK, &m_before, nullptr);
 }
 
 int list_unfinished(const std::string& path) {

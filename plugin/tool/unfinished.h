@@ -2,6 +2,7 @@
 // Files that go when a signal ends the program.
 #pragma once
 
+#include <csignal>
 #include <string>
 
 namespace ddt::tool {
@@ -10,6 +11,19 @@ namespace ddt::tool {
 /// the program as they would have. SIGXFSZ and SIGPIPE are ignored: writing fails instead, which
 /// is told. A library that ends the program by exit() leaves none either. Once, at the start.
 void remove_unfinished_on_signals();
+
+/// While one of these is there, a signal waits: between the making of a file and its listing nobody
+/// would remove it. For a moment only. Thread-safe.
+class SignalsWait {
+public:
+    SignalsWait();
+    ~SignalsWait();
+    SignalsWait(const SignalsWait&) = delete;
+    SignalsWait& operator=(const SignalsWait&) = delete;
+
+private:
+    sigset_t m_before;
+};
 
 /// List a file; a number for unlist(), or -1 if the list is full (64 at once). Thread-safe.
 int list_unfinished(const std::string& path);

@@ -116,8 +116,10 @@ bool WholeFile::open(const std::string& path, Failure& failure) {
     if (m_direct) {
         m_temporary = m_path;
         m_file = std::fopen(m_path.c_str(), "wb");
-    } else if (open_temporary()) {
-        m_listed = list_unfinished(m_temporary);
+    } else {
+        const SignalsWait until_listed;
+        if (open_temporary())
+            m_listed = list_unfinished(m_temporary);
     }
     return m_file || refuse(errno, failure);
 }

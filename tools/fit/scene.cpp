@@ -100,7 +100,7 @@ void locate_samples(Scene& scene) {
 }
 
 /// Features of channel c, from the net whose edges were bent and the sums of a round's means.
-void find_features(Scene& scene, const Net& net, const Consistency& consistency, int c) {
+void find_features(Scene& scene, const Net& net, Consistency& consistency, int c) {
     const Lattice& lattice = scene.lattice;
     const int width = lattice.width(), height = lattice.height();
     const auto at = [](int site) { return size_t(site) * group_size; };
@@ -114,8 +114,10 @@ void find_features(Scene& scene, const Net& net, const Consistency& consistency,
     features.vertices.resize(lattice.size());
     features.edges.resize(lattice.size());
     std::vector<float> index(lattice.size());
-    for (int y = 0; y < height; ++y)
+    for (int y = 0; y < height; ++y) {
+        const ddt::LimitRow& limits = consistency.limits(lattice, y);
         for (int x = 0; x < width; ++x) {
+            const size_t in_row = size_t(x) * group_size + size_t(c);
             const size_t pixel = (size_t(y) * size_t(width) + size_t(x)) * group_size + size_t(c);
             const int site = lattice.vertex_site(x, y);
             ddt::scalar::VertexFeatures<float> found;
@@ -123,13 +125,14 @@ void find_features(Scene& scene, const Net& net, const Consistency& consistency,
                        [&](int i, int j) { return tap(x + i, y + j); });
             Features::Vertex& v = features.vertices[size_t(site)];
             v.z = inside(x, y);
-            v.low = consistency.low[pixel];
-            v.high = consistency.high[pixel];
+            v.low = limits.low[in_row];
+            v.high = limits.high[in_row];
             v.moves = x > 0 && y > 0 && x + 1 < width && y + 1 < height;
             std::copy(std::begin(found.f), std::end(found.f), v.f);
             index[size_t(site)] = found.index;
             ddt::scalar::find_shares(found.index, fitted_table(), v.share);
         }
+    }
     lattice.each_edge([&](int m) {
         const ddt::Edge& e = lattice.edge(m);
         Features::Edge& to = features.edges[size_t(m)];

@@ -8,10 +8,6 @@
 
 namespace ddt {
 
-EdgeRecipe FittedMaker::plain_recipe() const {
-    return {true, m_recipe.tau > 0 ? m_recipe.gain : nullptr, m_recipe.tau};
-}
-
 void FittedMaker::begin(const Lattice& lattice, const Rect& part, const FittedRecipe& recipe,
                         const GroupValues& values, Net& net) {
     m_lattice = &lattice;
@@ -27,9 +23,8 @@ void FittedMaker::begin(const Lattice& lattice, const Rect& part, const FittedRe
     copy_group(values, size_t(width) * size_t(height), m_source.data());
     // Gradients see a longest edge round their vertices, as do edges.
     m_moved = grown(lattice, part, longest + 1);
-    std::copy_n(net.strict, group_size, m_plain_net.strict);
-    EdgeRecipe edges = plain_recipe();
-    m_plain.begin_rows(lattice, grown(lattice, m_moved, longest + 1), edges, values, m_plain_net);
+    EdgeRecipe edges{true, recipe.tau > 0 ? recipe.gain : nullptr, recipe.tau};
+    m_plain.begin(lattice, m_moved, Surface::patch, edges, values, net.strict);
     // They are bent here.
     edges.bend = false;
     m_soft.begin_edge_rows(lattice, part, edges, net);
@@ -38,8 +33,6 @@ void FittedMaker::begin(const Lattice& lattice, const Rect& part, const FittedRe
     net.first = lattice.vertex_site(0, m_moved.y0);
     take_memory(net.values, net_row(lattice),
                 std::min(vertex_rows(longest) + rows_to_go_on(values.channels), height));
-    m_cell_rows = std::max(m_moved.y0 - 1, 0);
-    m_sums.assign(2 * row_size(), 0.0f);
     m_index_rows = 2 * longest + 2;
     take_memory(m_index, row_size(), m_index_rows);
     m_vertex_rows = m_moved.y0;
@@ -76,11 +69,10 @@ void FittedMaker::go_on(int y, int keep) {
 void FittedMaker::make_row() {
     const Lattice& lattice = *m_lattice;
     const int y = m_vertex_rows, longest = lattice.longest();
-    while (m_cell_rows < std::min(y + 1, lattice.height() - 1))
-        measure_row(m_cell_rows++);
+    const float* sums = m_plain.row(y, m_edge_rows / 2);
     const FittedSource source{lattice, m_source.data()};
     set_vertices(lattice, m_values, {m_moved.x0, y, m_moved.x1, y + 1}, *m_net);
-    move_fitted(source, m_moved.x0, m_moved.x1, y, m_limits, sums(y),
+    move_fitted(source, m_moved.x0, m_moved.x1, y, m_limits, sums,
                 m_index.data() + size_t(y % m_index_rows) * row_size(), *m_net);
     for (int x = m_moved.x0; x < m_moved.x1 && m_recipe.kept_lanes; ++x)
         for (int c = 0; c < group_size; ++c)
@@ -94,25 +86,18 @@ void FittedMaker::make_row() {
         m_vertex_rows == m_moved.y1 ? last : std::min(2 * (m_vertex_rows - longest), last);
     const IndexRows index{m_index.data(), m_index_rows, row_size()};
     for (; m_edge_rows < end; ++m_edge_rows)
-        bend_fitted(source, m_part.x0, m_part.x1, m_edge_rows, m_recipe.gain, index, m_plain_net,
+        bend_fitted(source, m_part.x0, m_part.x1, m_edge_rows, m_recipe.gain, index, m_plain.net(),
                     *m_net);
-}
-
-/// Add what row y of cells has to the sums.
-void FittedMaker::measure_row(int y) {
-    m_plain.to_row(y + m_lattice->longest(), std::min(y, m_edge_rows / 2));
-    std::fill_n(sums(y + 1), row_size(), 0.0f);
-    add_means(*m_lattice, Surface::patch, m_plain_net, m_moved, y, sums(y), sums(y + 1));
 }
 
 size_t FittedMaker::memory(int width, int height, bool all_rows, int channels, bool soft) {
     static const float some_gain = 0;
     const float* gain = soft ? &some_gain : nullptr;
     const size_t row = size_t(width) * group_size * sizeof(float);
-    return EdgeMaker::memory(width, height, usual_longest, channels, {true, gain, 1}) +
+    return MeanRows::memory(width, height, usual_longest, channels, {true, gain, 1}) +
            EdgeMaker::memory(width, height, all_rows ? height : usual_longest, channels,
                              {false, gain, 1}) +
-           row * (size_t(height) + 2 + 2 * usual_longest + 2);
+           row * (size_t(height) + 2 * usual_longest + 2);
 }
 
 } // namespace ddt

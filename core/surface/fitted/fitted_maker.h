@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "core/surface/edge_maker.h"
 #include "core/surface/fitted/fitted.h"
+#include "core/surface/mean_rows.h"
 
 namespace ddt {
 
@@ -43,11 +43,8 @@ public:
     static size_t memory(int width, int height, bool all_rows, int channels, bool soft);
 
 private:
-    EdgeRecipe plain_recipe() const;
     void go_on(int y, int keep);
     void make_row();
-    void measure_row(int y);
-    float* sums(int y) { return m_sums.data() + size_t(y % 2) * row_size(); }
     size_t row_size() const { return size_t(m_lattice->width()) * group_size; }
 
     const Lattice* m_lattice = nullptr;
@@ -58,12 +55,10 @@ private:
     FittedLimits m_limits;
     GroupValues m_values;
     std::vector<float> m_source; ///< of all pixels
-    Net m_plain_net;
-    EdgeMaker m_plain, m_soft;
-    std::vector<float> m_sums;  ///< of quadrants' means: row y at [y % 2]
+    MeanRows m_plain;            ///< of the plain surface
+    EdgeMaker m_soft;
     std::vector<float> m_index; ///< row y at [y % m_index_rows]
     int m_index_rows = 1;
-    int m_cell_rows = 0;   ///< rows of cells above this one are in the sums
     int m_vertex_rows = 0; ///< rows of pixels above this one have their vertices
     int m_edge_rows = 0;   ///< rows of the doubled lattice above this one are bent
 };

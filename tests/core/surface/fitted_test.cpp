@@ -128,18 +128,21 @@ Result slow(const Scene& scene, const std::vector<float>& values, Setting settin
     };
     Result r;
     std::vector<float> index;
-    for (int y = 0; y < h; ++y)
+    for (int y = 0; y < h; ++y) {
+        const LimitRow& limits = consistency.limits(l, y);
         for (int x = 0; x < w; ++x) {
             const size_t at = size_t(y * w + x) * group_size;
             scalar::VertexFeatures<float> v;
             v.find(0.0f - consistency.sum[at] * 0.25f, table,
                    [&](int i, int j) { return tap(x + i, y + j); });
-            const float moved = scalar::fitted_vertex(inside(x, y), consistency.low[at],
-                                                      consistency.high[at], v, table);
+            const float moved =
+                scalar::fitted_vertex(inside(x, y), limits.low[size_t(x) * group_size],
+                                      limits.high[size_t(x) * group_size], v, table);
             const bool rim = x == 0 || y == 0 || x + 1 == w || y + 1 == h;
             r.z.push_back(rim ? inside(x, y) : moved);
             index.push_back(v.index);
         }
+    }
     l.each_edge([&](int m) {
         const Edge& e = l.edge(m);
         const EdgeView ends = view(l, m);

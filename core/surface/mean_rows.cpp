@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/surface/mean_rows.h"
+
+#include <algorithm>
+
+namespace ddt {
+
+void MeanRows::begin(const Lattice& lattice, const Rect& wanted, Surface surface,
+                     const EdgeRecipe& recipe, const GroupValues& values, const float* strict) {
+    m_lattice = &lattice;
+    m_wanted = wanted;
+    m_surface = surface;
+    std::copy_n(strict, group_size, m_net.strict);
+    // A triangle that crosses a cell beside a vertex.
+    m_edges.begin_rows(lattice, grown(lattice, wanted, lattice.longest() + 1), recipe, values,
+                       m_net);
+    m_sums.assign(2 * size_t(lattice.width()) * group_size, 0.0f);
+    m_cell_rows = std::max(wanted.y0 - 1, 0);
+}
+
+const float* MeanRows::row(int y, int keep) {
+    for (; m_cell_rows < std::min(y + 1, m_lattice->height() - 1); ++m_cell_rows) {
+        const int cells = m_cell_rows;
+        m_edges.to_row(cells + m_lattice->longest(), std::min(cells, keep));
+        std::fill_n(sums(cells + 1), m_sums.size() / 2, 0.0f);
+        add_means(*m_lattice, m_surface, m_net, m_wanted, cells, sums(cells), sums(cells + 1));
+    }
+    return sums(y);
+}
+
+size_t MeanRows::memory(int width, int height, int longest, int channels,
+                        const EdgeRecipe& recipe) {
+    return EdgeMaker::memory(width, height, longest, channels, recipe) +
+           2 * size_t(width) * group_size * sizeof(float);
+}
+
+} // namespace ddt

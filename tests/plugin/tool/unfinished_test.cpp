@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/unfinished.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "tests/temporary.h"
+
+namespace ddt::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The signal that ends a child process which does this.
+template <class F>
+int ended_by(F&& f) {
+    const pid_t child = fork();
+    if (child == 0) {
+        alarm(30);
+        remove_unfinished_on_signals();
+        f();
+        _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+}
+
+TEST(Unfinished, ASignalBetweenTheMakingOfAFileAndItsListingWaits) {
+    const std::string path = temporary("unfinished");
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP})
+        EXPECT_EQ(ended_by([&] {
+                      const SignalsWait until_listed;
+                      kill(getpid(), signal);
+                      std::ofstream(path) << "half of it";
+                      list_unfinished(path);
+                  }),
+                  signal);
+    EXPECT_FALSE(fs::exists(path));
+}
+
+TEST(Unfinished, SoItDoesWhereAnotherThreadTakesIt) {
+    const std::string path = temporary("unfinished in a thread");
+    EXPECT_EQ(ended_by([&] {
+                  std::thread maker([&] {
+                      const SignalsWait until_listed;
+                      kill(getpid(), SIGTERM); // for the first thread
+                      usleep(20000);
+                      std::ofstream(path) << "half of it";
+                      list_unfinished(path);
+                  });
+                  maker.join();
+                  pause();
+              }),
+              SIGTERM);
+    EXPECT_FALSE(fs::exists(path));
+}
+
+TEST(Unfinished, WhatIsNoLongerListedStays) {
+    const std::string path = temporary("finished");
+    EXPECT_EQ(ended_by([&] {
+                  std::ofstream(path) << "all of it";
+                  unlist_unfinished(list_unfinished(path));
+                  raise(SIGTERM);
+              }),
+              SIGTERM);
+    EXPECT_TRUE(fs::exists(path));
+}
+
+} // namespace
+} // namespace ddt::tool
