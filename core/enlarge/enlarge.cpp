@@ -22,7 +22,7 @@ namespace {
 /// Workers together take no more than the first, or, where so many threads are asked for that it is
 /// more, than the second for each of them; times the meshes. One there is in any case.
 constexpr size_t memory_limit = size_t(192) << 20;
-constexpr size_t memory_per_thread = size_t(12) << 20;
+constexpr size_t memory_per_thread = size_t(20) << 20;
 
 /// Largest number of pixels of a window, so that its tiles can be counted.
 constexpr double largest_area = double(int64_t(1) << 45);

@@ -45,7 +45,7 @@ size_t TileMesh::memory(const Job& job, int width, int height, bool rows) {
         rounds = CorrectedRows::memory(width, height, job.channels,
                                        {job.surface.kind, recipe, job.surface.consistency});
     }
-    return lattice + gains + (kept + rounds) * size_t(group_count(job.channels)) + corrected;
+    return lattice + gains + kept * size_t(group_count(job.channels)) + rounds + corrected;
 }
 
 void TileMesh::reserve(size_t sites) {
@@ -55,8 +55,6 @@ void TileMesh::reserve(size_t sites) {
         m_fitted.resize(m_nets.size());
     else
         m_edges.resize(m_nets.size());
-    if (is_corrected(m_job.surface))
-        m_rounds.resize(m_nets.size());
 }
 
 void TileMesh::triangulate(const float* guide, int width, int height, Workspace& workspace,
@@ -131,8 +129,11 @@ void TileMesh::begin_corrected(int group, float* values, const Rect& part) {
     const SurfaceOptions& surface = m_job.surface;
     const CorrectionRecipe correction{surface.kind,  recipe(),        surface.consistency,
                                       surface.limit, surface.clipped, nearest_mask(m_job, group)};
-    m_rounds[size_t(group)].begin(m_lattice, part, correction, group_values(values, group), values,
-                                  m_nets[size_t(group)].strict);
+    m_rounds.begin(m_lattice, part, correction, group_values(values, group), values,
+                   m_nets[size_t(group)].strict);
+    // Of many channels one group after the other, in the same memory; else as rows are needed.
+    if (m_nets.size() > 1)
+        m_rounds.to_row(m_lattice.height());
 }
 
 void TileMesh::begin_fitted(int group, const float* values, const Rect& part) {
@@ -146,10 +147,10 @@ void TileMesh::begin_fitted(int group, const float* values, const Rect& part) {
 void TileMesh::make_edges_for(int32_t y, int32_t keep) {
     const DenormalsAreZero as_on_gpus;
     const int to = (y >> position_bits) + m_lattice.longest(), from = keep >> position_bits;
-    for (size_t g = 0; g < m_edges.size(); ++g) {
-        if (!m_rounds.empty())
-            m_rounds[g].to_row(m_edges[g].values_end(to));
-        m_edges[g].to_row(to, from);
+    for (EdgeMaker& edges : m_edges) {
+        if (is_corrected(m_job.surface))
+            m_rounds.to_row(edges.values_end(to));
+        edges.to_row(to, from);
     }
     for (FittedMaker& fitted : m_fitted)
         fitted.to_row(to, from);
@@ -157,8 +158,8 @@ void TileMesh::make_edges_for(int32_t y, int32_t keep) {
 
 void TileMesh::finish_edges() {
     const DenormalsAreZero as_on_gpus;
-    for (CorrectedRows& rounds : m_rounds)
-        rounds.to_row(m_lattice.height());
+    if (is_corrected(m_job.surface))
+        m_rounds.to_row(m_lattice.height());
     for (EdgeMaker& edges : m_edges)
         edges.finish();
     for (FittedMaker& fitted : m_fitted)

@@ -70,9 +70,9 @@ private:
     std::vector<float> m_gain; ///< Workspace::gain of the finished mesh, for soft edges
     std::vector<Net> m_nets;   ///< one a group of channels
     std::vector<EdgeMaker> m_edges;
-    std::vector<FittedMaker> m_fitted;   ///< in their place
-    std::vector<CorrectedRows> m_rounds; ///< before them, where there are any
-    std::vector<float> m_corrected; ///< values, where they are not to be changed in their place
+    std::vector<FittedMaker> m_fitted; ///< in their place
+    CorrectedRows m_rounds;            ///< before them, where there are any
+    std::vector<float> m_corrected;    ///< values, where they are not to be changed in their place
     Search m_search;
     LocatedRow m_row;
     LocatedBlock m_block;

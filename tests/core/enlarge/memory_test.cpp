@@ -193,7 +193,8 @@ TEST(Memory, AWorkerTakesWhatIsSaidOfIt) {
         }
     // As ddt/job.h says.
     EXPECT_LE(peak_of(job_of("ddt", window, 3, 1), resized), 11 * mib);
-    EXPECT_LE(peak_of(job_of("ddt-sharp", window, 3, 1), resized), 25 * mib);
+    EXPECT_LE(peak_of(job_of("ddt-sharp", window, 3, 1), resized), 17 * mib);
+    EXPECT_LE(peak_of(job_of("ddt-sharp,clipped=1", window, 3, 1), resized), 14 * mib);
 }
 
 /// Waits until so many threads read at once, and fails then, or after a minute.
@@ -221,15 +222,18 @@ private:
 TEST(Memory, AllThreadsThatAreAskedForWork) {
     constexpr int threads = 128;
     const tbb::global_control many(tbb::global_control::max_allowed_parallelism, threads);
-    const Job job = job_of("ddt", {0, 0, 16384, 8192}, 3, threads);
     const Rect to{0, 0, 32768, 16384};
-    Crowd crowd(threads);
-    warm_up(threads);
-    const int64_t before = heap_now;
-    heap_peak = before;
-    EXPECT_EQ(enlarge(crowd, crowd, mapping_of(job.window, to, to), job), Outcome::source_failed);
-    EXPECT_EQ(crowd.most, threads);
-    EXPECT_LE(heap_peak - before, threads * 12 * mib);
+    for (const char* filter : {"ddt", "ddt-linear", "ddt-sharp", "ddt-sharp,clipped=1"}) {
+        const Job job = job_of(filter, {0, 0, 16384, 8192}, 3, threads);
+        Crowd crowd(threads);
+        warm_up(threads);
+        const int64_t before = heap_now;
+        heap_peak = before;
+        EXPECT_EQ(enlarge(crowd, crowd, mapping_of(job.window, to, to), job),
+                  Outcome::source_failed);
+        EXPECT_EQ(crowd.most, threads) << filter;
+        EXPECT_LE(heap_peak - before, threads * 20 * mib) << filter;
+    }
 }
 
 TEST(Memory, SomeThreadsTakeWhatIsPromisedForAll) {
@@ -237,8 +241,8 @@ TEST(Memory, SomeThreadsTakeWhatIsPromisedForAll) {
     const tbb::global_control many(tbb::global_control::max_allowed_parallelism, threads);
     warm_up(threads);
     const Rect window{0, 0, 1024, 1024}, to{0, 0, 1025, 1025};
-    for (const char* filter : {"ddt", "ddt-sharp"})
-        EXPECT_LE(peak_of(job_of(filter, window, 3, threads), to, to), 200 * mib) << filter;
+    EXPECT_LE(peak_of(job_of("ddt", window, 3, threads), to, to), threads * 11 * mib);
+    EXPECT_LE(peak_of(job_of("ddt-sharp", window, 3, threads), to, to), threads * 17 * mib);
 }
 
 } // namespace
