@@ -19,10 +19,11 @@ namespace ddt {
 
 namespace {
 
-/// Workers together take no more than the first, or, where so many threads are asked for that it is
-/// more, than the second for each of them; times the meshes. One there is in any case.
-constexpr size_t memory_limit = size_t(192) << 20;
-constexpr size_t memory_per_thread = size_t(20) << 20;
+/// Workers together take no more than the first, and the second for every thread that is asked for
+/// beyond a few; times the meshes. One there is in any case.
+constexpr size_t memory_limit = size_t(208) << 20;
+constexpr size_t memory_per_thread = size_t(22) << 20;
+constexpr size_t few_threads = 16;
 
 /// Largest number of pixels of a window, so that its tiles can be counted.
 constexpr double largest_area = double(int64_t(1) << 45);
@@ -72,8 +73,8 @@ int thread_count(const Job& job) {
 /// Threads that work on tiles at the same time.
 int worker_count(const Job& job, const Mapping& mapping) {
     const auto wanted = size_t(thread_count(job));
-    const size_t limit =
-        std::max(memory_limit, wanted * memory_per_thread) * size_t(job.mesh.meshes);
+    const size_t beyond = wanted - std::min(wanted, few_threads);
+    const size_t limit = (memory_limit + beyond * memory_per_thread) * size_t(job.mesh.meshes);
     const size_t fitting = limit / TileWorker::memory(job, mapping.separable());
     return int(std::clamp<size_t>(fitting, 1, wanted));
 }
