@@ -79,6 +79,11 @@ TEST(JobHoles, AreFilledAsFillHolesDoesAndTheMeshSeesThemSo) {
             holed.values[size_t(y * width + x) * channels] = std::nanf("");
             holed.guide[size_t(y * width + x)] = std::nanf("");
         }
+    for (int y = 50; y < 61; ++y)
+        for (int x = 30; x < 46; ++x) {
+            holed.values[size_t(y * width + x) * channels + 1] = -1;
+            holed.values[size_t(y * width + x) * channels + 2] = 0;
+        }
     holed.values[5 * channels + 2] = 0;             // alpha
     holed.values[9 * channels + 1] = std::nanf(""); // an identifier is what it is
     for (const Holes holes : {Holes::fill, Holes::fill_alpha}) {
@@ -93,6 +98,13 @@ TEST(JobHoles, AreFilledAsFillHolesDoesAndTheMeshSeesThemSo) {
             EXPECT_TRUE(std::isfinite(filled.guide[i]));
             EXPECT_TRUE(std::isfinite(filled.values[i * channels]));
         }
+        // Identifiers are those of the hole's rim, none between two and no other channel's number.
+        for (int y = 50; y < 61; ++y)
+            for (int x = 30; x < 46 && holes == Holes::fill_alpha; ++x) {
+                const float id = filled.values[size_t(y * width + x) * channels + 1];
+                EXPECT_EQ(id, std::floor(id));
+                EXPECT_TRUE(id >= 29 / 7 && id <= 46 / 7) << x << ' ' << y << ": " << id;
+            }
         EXPECT_EQ(filled.values[5 * channels + 2], holes == Holes::fill ? 0.0f : 1.0f);
         EXPECT_TRUE(std::isnan(filled.values[9 * channels + 1]));
         filled.values[9 * channels + 1] = holed.values[9 * channels + 1] = 4;
