@@ -6,7 +6,11 @@
 
 namespace ddt {
 
-/// `text` with a blank in place of its line breaks and the blanks round them, and none at the ends.
+/// The longest line: beside a path of the longest there is no room for another echo.
+constexpr size_t longest_line = 4000;
+
+/// `text` with a blank in place of its line breaks and the blanks round them, and none at the ends;
+/// of what is too long for a line, the two ends.
 inline std::string one_line(const std::string& text) {
     constexpr const char* blanks = " \t\r\n\v\f";
     std::string line;
@@ -17,7 +21,18 @@ inline std::string one_line(const std::string& text) {
         line += (line.empty() ? "" : " ") + text.substr(at, end - at);
         at = next;
     }
-    return line;
+    if (line.size() <= longest_line)
+        return line;
+    // Not within a character of UTF-8.
+    const auto within = [&](size_t at) {
+        return (static_cast<unsigned char>(line[at]) & 0xC0) == 0x80;
+    };
+    size_t head = longest_line / 2 - 5, tail = line.size() - longest_line / 2;
+    while (head > 0 && within(head))
+        --head;
+    while (tail < line.size() && within(tail))
+        ++tail;
+    return line.substr(0, head) + " ... " + line.substr(tail);
 }
 
 } // namespace ddt

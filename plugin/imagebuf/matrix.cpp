@@ -10,14 +10,24 @@ namespace {
 
 constexpr double units = 65536; // positions' units in a pixel
 
+/// The map's derivative at (x, y), where its w is not 0.
+struct Derivative {
+    double a, b; ///< of x along x and y
+    double c, d; ///< of y
+
+    Derivative(const Projective& m, const Projective::Point& p) {
+        const double px = p.x / p.w, py = p.y / p.w;
+        a = (m.m[0] - px * m.m[2]) / p.w, b = (m.m[3] - px * m.m[5]) / p.w;
+        c = (m.m[1] - py * m.m[2]) / p.w, d = (m.m[4] - py * m.m[5]) / p.w;
+    }
+};
+
 /// The smaller singular value of the map's derivative at (x, y).
 double least_scale(const Projective& m, double x, double y) {
     const auto p = m(x, y);
     if (p.w == 0)
         return std::numeric_limits<double>::infinity();
-    const double px = p.x / p.w, py = p.y / p.w;
-    const double a = (m.m[0] - px * m.m[2]) / p.w, b = (m.m[3] - px * m.m[5]) / p.w;
-    const double c = (m.m[1] - py * m.m[2]) / p.w, d = (m.m[4] - py * m.m[5]) / p.w;
+    const auto [a, b, c, d] = Derivative(m, p);
     // Both singular values are s and t of s + t = |(a+d, b-c)|, s - t = |(a-d, b+c)|, halved.
     const double sum = std::hypot(a + d, b - c), difference = std::hypot(a - d, b + c);
     return 0.5 * std::fabs(sum - difference);
@@ -58,6 +68,25 @@ bool shrinks(const Projective& m, const Rect& window) {
             return true;
     }
     return false;
+}
+
+double filtered_pixels(const Projective& to_source, const Rect& output, double width) {
+    const auto along = [&](double u, double v) {
+        return width * std::max({1.0, std::fabs(u), std::fabs(v)}) + 1;
+    };
+    const auto of_pixel = [&](int x, int y) {
+        const auto p = to_source(x + 0.5, y + 0.5);
+        const Derivative of(to_source, p);
+        const double pixels = along(of.a, of.b) * along(of.c, of.d);
+        return p.w != 0 && pixels >= 0 ? pixels : std::numeric_limits<double>::infinity();
+    };
+    if (to_source.affine())
+        return of_pixel(output.x0, output.y0) * output.width() * output.height();
+    double sum = 0;
+    for (int y = output.y0; y < output.y1; ++y)
+        for (int x = output.x0; x < output.x1; ++x)
+            sum += of_pixel(x, y);
+    return sum;
 }
 
 bool moves_only(const Projective& m, int& dx, int& dy) {

@@ -31,6 +31,11 @@ constexpr double shrink_tolerance = 1e-3;
 /// shrink_tolerance. Pixel coordinates, centres at half integers.
 bool shrinks(const Projective& m, const Rect& window);
 
+/// About the source pixels that a filter `width` pixels wide goes through for the pixels of
+/// `output`: for each those of the upright rectangle that its image and the width span, in the
+/// picture or not. Infinity where there is no end of them.
+double filtered_pixels(const Projective& to_source, const Rect& output, double width);
+
 /// If `m` moves pixels by whole numbers and does nothing else, true, and by what.
 bool moves_only(const Projective& m, int& dx, int& dy);
 

@@ -73,6 +73,19 @@ bool warp_by_oiio(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fPara
     return ok;
 }
 
+/// OpenImageIO's filter goes through all that a pixel sees, beyond the picture too: near a horizon
+/// that has no end. What is less than this for a whole picture takes minutes.
+bool has_an_end(const Projective& to_source, const OIIO::ROI& roi, std::string& error) {
+    constexpr double filter_width = 6; // of lanczos3
+    const double allowed = std::ldexp(1.0, 36) + std::ldexp(double(roi.npixels()), 12);
+    if (filtered_pixels(to_source, rect_of(roi), filter_width) <= allowed)
+        return true;
+    error =
+        "the matrix makes the picture so small that filtering it would not end; shrink it less, "
+        "or warp a part of it without its horizon";
+    return false;
+}
+
 bool warp_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fParam M,
                   const Options& options, bool recompute_roi, OIIO::ImageBuf::WrapMode wrap,
                   bool edgeclamp, OIIO::ROI roi, int nthreads, OIIO::ROI& touched,
@@ -104,6 +117,8 @@ bool warp_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fPara
         const OIIO::ImageBuf& from = filled.initialized() ? filled : src;
         if (moved)
             return copy_moved(dst, from, roi, dx, dy, Beyond::black, error);
+        if (!has_an_end(to_source, roi, error))
+            return false;
         return warp_by_oiio(dst, from, M, recompute_roi, wrap, edgeclamp, roi, nthreads, error);
     }
     if (!OIIO::ImageBufAlgo::zero(dst, roi, nthreads)) {

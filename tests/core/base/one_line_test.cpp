@@ -18,6 +18,25 @@ TEST(OneLine, BreaksAndTheBlanksRoundThemBecomeOneBlank) {
     EXPECT_EQ(one_line(" \n "), "");
 }
 
+TEST(OneLine, OfWhatIsTooLongTheTwoEndsStay) {
+    const std::string name(5000, 'x'), line = one_line("cannot open " + name + ": no such file");
+    EXPECT_LE(line.size(), ddt::longest_line);
+    EXPECT_EQ(line.compare(0, 14, "cannot open xx"), 0);
+    EXPECT_NE(line.find("xx ... xx"), std::string::npos);
+    EXPECT_EQ(line.substr(line.size() - 16), "xx: no such file");
+    // Characters of two bytes are not cut.
+    std::string letters = "a";
+    for (int i = 0; i < 3000; ++i)
+        letters += "\u00e9";
+    for (const char* before : {"", "b"}) {
+        const std::string cut = one_line(before + letters);
+        const size_t dots = cut.find(" ... ");
+        ASSERT_NE(dots, std::string::npos);
+        EXPECT_EQ(dots % 2, before[0] ? 0u : 1u);
+        EXPECT_EQ((cut.size() - dots - 5) % 2, 0u);
+    }
+}
+
 TEST(OneLine, IsWhatAGuardedCallTells) {
     std::string error;
     ddt::guarded_call(&error, [] { throw std::runtime_error("one\ntwo\n"); });

@@ -188,6 +188,31 @@ TEST(Warp, HorizonWithinThePicture) {
     EXPECT_EQ(dst.spec().width, 100);
 }
 
+TEST(Warp, CountsWhatAFilterGoesThrough) {
+    const ddt::Rect output{0, 0, 10, 20};
+    const auto count = [&](std::array<double, 9> m) {
+        return ddt::filtered_pixels(ddt::Projective{m}, output, 6);
+    };
+    EXPECT_EQ(count({1, 0, 0, 0, 1, 0, 5, 5, 1}), 200 * 7 * 7);
+    EXPECT_EQ(count({2, 0, 0, 0, 4, 0, 0, 0, 1}), 200 * 13 * 25);
+    EXPECT_EQ(count({0, 2, 0, -4, 0, 0, 0, 0, 1}), 200 * 25 * 13);
+    EXPECT_EQ(count({0.1, 0, 0, 0, 0.1, 0, 0, 0, 1}), 200 * 7 * 7);
+    EXPECT_EQ(count({1, 0, 1e-12, 0, 1, 0, 0, 0, 1}), 200 * 7 * 7);
+    EXPECT_TRUE(std::isinf(count({1, 0, -1 / 4.5, 0, 1, 0, 0, 0, 1}))); // w is 0 at x = 4.5
+}
+
+// OpenImageIO would filter them, for days.
+TEST(Warp, ShrinkingWithoutEndIsRefused) {
+    const auto src = picture();
+    for (const Matrix& M :
+         {Matrix(1e-6f, 0, 0, 0, 1e-6f, 0, 0, 0, 1), Matrix(1, 0, 1 / 4.5f, 0, 1, 0, 0, 0, 1)}) {
+        ImageBuf dst;
+        EXPECT_FALSE(ddt::warp(dst, src, M, {}, false, ImageBuf::WrapDefault, window(0, 9, 0, 9)));
+        EXPECT_NE(dst.geterror().find("would not end"), std::string::npos);
+        EXPECT_FALSE(dst.initialized());
+    }
+}
+
 TEST(Warp, ReachHoldsEveryPixelItShows) {
     const ddt::Rect source{0, 0, 64, 64}, output{-100, -100, 300, 300};
     for (const auto& m : {std::array<double, 9>{2, 0.5, 0, -0.5, 2, 0, 5, 5, 1},
