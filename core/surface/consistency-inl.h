@@ -72,3 +72,17 @@ DDT_INLINE void widen(T limit, T lowest, T& low, T& high) {
     high = if_less_equal(raised, T(largest_float), raised, high);
     low = if_less_equal(zero - T(largest_float), sunk, sunk, low);
 }
+
+/// What a vertex may become: the range of the pixels `near` it, counted from it, widened. tap: a
+/// function of a pixel's place.
+template <class T, class Tap>
+DDT_INLINE void find_limits(const Rect& near, T limit, T lowest, Tap tap, T& low, T& high) {
+    low = high = tap(0, 0);
+    for (int y = near.y0; y < near.y1; ++y)
+        for (int x = near.x0; x < near.x1; ++x) {
+            const T n = tap(x, y);
+            low = if_less(n, low, n, low);
+            high = if_less(high, n, n, high);
+        }
+    widen(limit, lowest, low, high);
+}

@@ -30,18 +30,16 @@ using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
 HWY_ATTR void limits_in_row(int width, int height, const float* source, int x0, int x1, int y,
                             const float* limit, float lowest, float* low_row, float* high_row) {
     const ptrdiff_t row = ptrdiff_t(width) * group_size;
-    const Lanes4 margin = Lanes4::load(limit);
+    const Lanes4 margin = Lanes4::load(limit), least = Lanes4(lowest);
     for (int x = x0; x < x1; ++x) {
         const ptrdiff_t in_row = ptrdiff_t(x) * group_size;
         const float* z = source + y * row + in_row;
-        Lanes4 low = Lanes4::load(z), high = low;
-        for (int dy = y > 0 ? -1 : 0; dy <= (y + 1 < height ? 1 : 0); ++dy)
-            for (int dx = x > 0 ? -1 : 0; dx <= (x + 1 < width ? 1 : 0); ++dx) {
-                const Lanes4 n = Lanes4::load(z + dy * row + dx * group_size);
-                low = if_less(n, low, n, low);
-                high = if_less(high, n, n, high);
-            }
-        widen(margin, Lanes4(lowest), low, high);
+        const auto tap = [&](int i, int j)
+                             HWY_ATTR { return Lanes4::load(z + j * row + i * group_size); };
+        const Rect near{x > 0 ? -1 : 0, y > 0 ? -1 : 0, x + 1 < width ? 2 : 1,
+                        y + 1 < height ? 2 : 1};
+        Lanes4 low, high;
+        find_limits(near, margin, least, tap, low, high);
         low.store(low_row + in_row);
         high.store(high_row + in_row);
     }
@@ -200,19 +198,20 @@ void add_means(const Lattice& lattice, Surface surface, const Net& net, const Re
     HWY_DYNAMIC_DISPATCH(add_means)(lattice, surface, net, x0, x1, y, upper, lower);
 }
 
-void limits_of(const Net& net, float limit, float* limits) {
+LaneLimits::LaneLimits(const float* strict, float share, bool clipped)
+    : lowest(clipped ? -FLT_MAX : 0.0f) {
     for (int c = 0; c < group_size; ++c)
-        limits[c] = net.strict[c] > 0 ? 0.0f : limit;
+        limit[c] = strict[c] > 0 ? 0.0f : share;
 }
 
 void find_limits(const Lattice& lattice, const float* source, int x0, int x1, int y,
-                 const float* limits, float lowest, LimitRow& row) {
+                 const LaneLimits& limits, LimitRow& row) {
     const size_t floats = size_t(lattice.width()) * group_size;
     row.low.resize(floats);
     row.high.resize(floats);
     HWY_DYNAMIC_DISPATCH(limits_in_row)
-    (lattice.width(), lattice.height(), source, x0, x1, y, limits, lowest, row.low.data(),
-     row.high.data());
+    (lattice.width(), lattice.height(), source, x0, x1, y, limits.limit, limits.lowest,
+     row.low.data(), row.high.data());
 }
 
 void move_row(const Lattice& lattice, const Net& net, int x0, int x1, int y, const float* source,
@@ -228,12 +227,11 @@ void Consistency::begin(const Lattice& lattice, const Net& net, float limit, boo
     for (int y = 0; y < lattice.height(); ++y)
         for (int x = 0; x < lattice.width(); ++x, to += group_size)
             std::memcpy(to, net.at(lattice.vertex_site(x, y)), group_size * sizeof(float));
-    limits_of(net, limit, m_limits);
-    m_lowest = lowest_of(clipped);
+    m_limits = {net.strict, limit, clipped};
 }
 
 const LimitRow& Consistency::limits(const Lattice& lattice, int y) {
-    find_limits(lattice, source.data(), 0, lattice.width(), y, m_limits, m_lowest, m_row);
+    find_limits(lattice, source.data(), 0, lattice.width(), y, m_limits, m_row);
     return m_row;
 }
 

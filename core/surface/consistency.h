@@ -7,7 +7,6 @@
 // the range of the 3x3 source pixels, widened (SurfaceOptions::limit).
 #pragma once
 
-#include <cfloat>
 #include <vector>
 
 #include "core/lattice/locate.h"
@@ -23,12 +22,14 @@ namespace ddt {
 void add_means(const Lattice& lattice, Surface surface, const Net& net, const Rect& part, int y,
                float* upper, float* lower);
 
-/// SurfaceOptions::limit in a net's lanes: 0 in strict ones.
-void limits_of(const Net& net, float limit, float* limits);
-/// The `lowest` of widen() (consistency-inl.h), by SurfaceOptions::clipped.
-inline float lowest_of(bool clipped) {
-    return clipped ? -FLT_MAX : 0.0f;
-}
+/// What find_limits() of consistency-inl.h is told: SurfaceOptions::limit in a net's lanes, 0 in
+/// strict ones (Net::strict), and its `lowest`, by SurfaceOptions::clipped.
+struct LaneLimits {
+    LaneLimits() = default;
+    LaneLimits(const float* strict, float share, bool clipped);
+    float limit[group_size] = {};
+    float lowest = 0;
+};
 
 /// What the vertices of a row may become, group_size floats a pixel from column 0 on.
 struct LimitRow {
@@ -37,7 +38,7 @@ struct LimitRow {
 
 /// Find those of columns x0 .. x1 - 1 of row y. source: group_size floats for every pixel.
 void find_limits(const Lattice& lattice, const float* source, int x0, int x1, int y,
-                 const float* limits, float lowest, LimitRow& row);
+                 const LaneLimits& limits, LimitRow& row);
 
 /// Put where the vertices of a net in columns x0 .. x1 - 1 of row y go, none of which is on the
 /// rim, into `moved`, `step` floats apart; it may be the net's own. source, sum: rows.
@@ -66,8 +67,7 @@ public:
     std::vector<float> sum; ///< of the quadrants' means
 
 private:
-    float m_limits[group_size] = {};
-    float m_lowest = 0;
+    LaneLimits m_limits;
     LimitRow m_row;
 };
 

@@ -13,8 +13,7 @@ void CorrectedRows::begin(const Lattice& lattice, const Rect& part, const Correc
     m_recipe = recipe;
     m_group = group;
     m_values = values;
-    for (int c = 0; c < group_size; ++c)
-        m_limits[c] = strict[c] > 0 ? 0.0f : recipe.limit;
+    m_limits = {strict, recipe.limit, recipe.clipped};
     const size_t row = size_t(lattice.width()) * group_size;
     take_memory(m_source, row, lattice.height());
     copy_group(group, lattice.vertices(), m_source.data());
@@ -50,8 +49,7 @@ void CorrectedRows::make_row(Round& round) {
     if (y == 0 || y + 1 == lattice.height() || x0 >= x1)
         return;
     const float* source = m_source.data() + size_t(y) * size_t(lattice.width()) * group_size;
-    find_limits(lattice, m_source.data(), x0, x1, y, m_limits, lowest_of(m_recipe.clipped),
-                m_limit_row);
+    find_limits(lattice, m_source.data(), x0, x1, y, m_limits, m_limit_row);
     move_row(lattice, round.means.net(), x0, x1, y, source, sum, m_limit_row, m_moved.data(),
              group_size);
     const float* from = m_moved.data();
@@ -65,8 +63,7 @@ void CorrectedRows::make_row(Round& round) {
 size_t CorrectedRows::memory(int width, int height, int channels, const CorrectionRecipe& recipe) {
     const size_t row = size_t(width) * group_size * sizeof(float);
     return row * (size_t(height) + 3) +
-           size_t(recipe.rounds) *
-               MeanRows::memory(width, height, usual_longest, channels, recipe.edges);
+           size_t(recipe.rounds) * MeanRows::memory(width, height, channels, recipe.edges);
 }
 
 } // namespace ddt

@@ -49,7 +49,7 @@ private:
     CorrectionRecipe m_recipe;
     GroupValues m_group;
     float* m_values = nullptr;
-    float m_limits[group_size] = {};
+    LaneLimits m_limits;
     std::vector<float> m_source; ///< of all pixels
     LimitRow m_limit_row;
     std::vector<float> m_moved; ///< a row of vertices

@@ -180,14 +180,14 @@ void EdgeMaker::go_on(int y, int keep) {
     m_edge_rows = 2 * last + 1;
 }
 
-size_t EdgeMaker::memory(int width, int height, int longest, int channels, const EdgeRecipe& recipe,
-                         bool values) {
+size_t EdgeMaker::memory(int width, int height, int longest, int channels,
+                         const EdgeRecipe& recipe) {
     const auto kept = [&](int used) {
         return size_t(std::min(used + rows_to_go_on(channels), height));
     };
     const size_t row = 4 * size_t(width) * group_size * sizeof(float);
     const size_t edges = kept(edge_rows(longest)) * row;
-    return (values ? kept(vertex_rows(longest)) * row : 0) + (recipe.gain ? edges : 0) +
+    return kept(vertex_rows(longest)) * row + (recipe.gain ? edges : 0) +
            (recipe.bend ? edges / 2 : 0);
 }
 

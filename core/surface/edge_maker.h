@@ -58,9 +58,9 @@ public:
     const float* gradients() const { return m_scratch.gradients.data(); }
 
     /// About the bytes that this and a net take, of which some rows are kept and where edges are
-    /// this long; `values`: with the net's vertices and bends.
-    static size_t memory(int width, int height, int longest, int channels, const EdgeRecipe& recipe,
-                         bool values = true);
+    /// this long.
+    static size_t memory(int width, int height, int longest, int channels,
+                         const EdgeRecipe& recipe);
 
 private:
     void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe, bool few_values,

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/surface/kept_rows.h"
+
 namespace ddt {
 
 void MeanRows::begin(const Lattice& lattice, const Rect& wanted, Surface surface,
@@ -28,9 +30,8 @@ const float* MeanRows::row(int y, int keep) {
     return sums(y);
 }
 
-size_t MeanRows::memory(int width, int height, int longest, int channels,
-                        const EdgeRecipe& recipe) {
-    return EdgeMaker::memory(width, height, longest, channels, recipe) +
+size_t MeanRows::memory(int width, int height, int channels, const EdgeRecipe& recipe) {
+    return EdgeMaker::memory(width, height, usual_longest, channels, recipe) +
            2 * size_t(width) * group_size * sizeof(float);
 }
 

@@ -27,9 +27,8 @@ public:
 
     const Net& net() const { return m_net; }
 
-    /// About the bytes that this takes where edges are this long.
-    static size_t memory(int width, int height, int longest, int channels,
-                         const EdgeRecipe& recipe);
+    /// About the bytes that this takes where edges are of the usual length.
+    static size_t memory(int width, int height, int channels, const EdgeRecipe& recipe);
 
 private:
     float* sums(int y) { return m_sums.data() + size_t(y % 2) * (m_sums.size() / 2); }

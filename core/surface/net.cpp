@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/surface/net.h"
 
-#include <cstring>
-
 namespace ddt {
 
 void set_vertices(const Lattice& lattice, const float* values, int channels, int first, int count,
@@ -35,15 +33,6 @@ void set_vertices(const Lattice& lattice, const GroupValues& values, const Rect&
     for (int y = part.y0; y < part.y1; ++y)
         copy_pixels(values, size_t(y) * size_t(lattice.width()) + size_t(part.x0),
                     size_t(part.width()), net.at(lattice.vertex_site(part.x0, y)), 2 * group_size);
-}
-
-void get_vertices(const Lattice& lattice, const Net& net, int channels, int first, int count,
-                  float* values) {
-    for (int y = 0; y < lattice.height(); ++y) {
-        const float* z = net.at(lattice.vertex_site(0, y));
-        for (int x = 0; x < lattice.width(); ++x, values += channels, z += 2 * group_size)
-            std::memcpy(values + first, z, size_t(count) * sizeof(float));
-    }
 }
 
 } // namespace ddt

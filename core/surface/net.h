@@ -66,8 +66,5 @@ void set_vertices(const Lattice& lattice, const float* values, int channels, int
 void set_vertices(const Lattice& lattice, const GroupValues& values, const Rect& part, Net& net);
 /// Copy a group's values of so many pixels, group_size floats each. Unused lanes are 0.
 void copy_group(const GroupValues& values, size_t pixels, float* to);
-/// The other way: put the vertices of a net of the whole lattice into a group's places in `values`.
-void get_vertices(const Lattice& lattice, const Net& net, int channels, int first, int count,
-                  float* values);
 
 } // namespace ddt

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/base/arith.h"
-#include "core/base/large_pages.h"
 #include "core/surface/kept_rows.h"
 #include "core/tiles/tile_io.h"
 

@@ -26,19 +26,6 @@ using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
 
 #include "core/base/blocks-inl.h"
 
-/// The range of the 3x3 pixels round a vertex, widened.
-template <class T, class Tap>
-HWY_INLINE void find_limits(T margin, T lowest, Tap tap, T& low, T& high) {
-    low = high = tap(0, 0);
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) {
-            const T n = tap(x, y);
-            low = if_less(n, low, n, low);
-            high = if_less(high, n, n, high);
-        }
-    widen(margin, lowest, low, high);
-}
-
 /// One vertex, or as many next to one another as T has blocks: where it goes, and its index.
 template <class T, class Tap>
 HWY_INLINE T move_vertex(T margin, T lowest, T sum, Tap tap, float* index) {
@@ -47,12 +34,12 @@ HWY_INLINE T move_vertex(T margin, T lowest, T sum, Tap tap, float* index) {
     v.find(T(0.0f) - sum * T(0.25f), table, tap);
     v.index.store(index);
     T low, high;
-    find_limits(margin, lowest, tap, low, high);
+    find_limits({-1, -1, 2, 2}, margin, lowest, tap, low, high);
     return fitted_vertex(tap(0, 0), low, high, v, table);
 }
 
-HWY_ATTR void move_row(const FittedSource& source, int x0, int x1, int y,
-                       const FittedLimits& limits, const float* sum, float* index, Net& net) {
+HWY_ATTR void move_row(const FittedSource& source, int x0, int x1, int y, const LaneLimits& limits,
+                       const float* sum, float* index, Net& net) {
     const Lattice& lattice = source.lattice;
     const int width = lattice.width(), height = lattice.height(), step = blocks_in_vector();
     const ptrdiff_t row = ptrdiff_t(width) * group_size;
@@ -161,7 +148,7 @@ namespace ddt {
 HWY_EXPORT(move_row);
 HWY_EXPORT(bend_row);
 
-void move_fitted(const FittedSource& source, int x0, int x1, int y, const FittedLimits& limits,
+void move_fitted(const FittedSource& source, int x0, int x1, int y, const LaneLimits& limits,
                  const float* sum, float* index, Net& net) {
     HWY_DYNAMIC_DISPATCH(move_row)(source, x0, x1, y, limits, sum, index, net);
 }

@@ -46,15 +46,9 @@ struct FittedSource {
     }
 };
 
-/// By how much a fitted vertex may leave the range of its pixels: as limits_of(), lowest_of().
-struct FittedLimits {
-    float limit[group_size];
-    float lowest;
-};
-
 /// Put where the vertices in columns x0 .. x1 - 1 of row y of pixels go into the net, those on the
 /// rim excepted, and their index into `index`; sum: of add_means(). Both rows begin with column 0.
-void move_fitted(const FittedSource& source, int x0, int x1, int y, const FittedLimits& limits,
+void move_fitted(const FittedSource& source, int x0, int x1, int y, const LaneLimits& limits,
                  const float* sum, float* index, Net& net);
 
 /// The rows of indices of the vertices round an edge: row y at rows[y % count].

@@ -15,8 +15,7 @@ void FittedMaker::begin(const Lattice& lattice, const Rect& part, const FittedRe
     m_part = part;
     m_recipe = recipe;
     m_values = values;
-    limits_of(net, recipe.limit, m_limits.limit);
-    m_limits.lowest = lowest_of(recipe.clipped);
+    m_limits = {net.strict, recipe.limit, recipe.clipped};
 
     const int width = lattice.width(), height = lattice.height(), longest = lattice.longest();
     take_memory(m_source, row_size(), height);
@@ -94,7 +93,7 @@ size_t FittedMaker::memory(int width, int height, bool all_rows, int channels, b
     static const float some_gain = 0;
     const float* gain = soft ? &some_gain : nullptr;
     const size_t row = size_t(width) * group_size * sizeof(float);
-    return MeanRows::memory(width, height, usual_longest, channels, {true, gain, 1}) +
+    return MeanRows::memory(width, height, channels, {true, gain, 1}) +
            EdgeMaker::memory(width, height, all_rows ? height : usual_longest, channels,
                              {false, gain, 1}) +
            row * (size_t(height) + 2 * usual_longest + 2);

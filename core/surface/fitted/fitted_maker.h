@@ -52,7 +52,7 @@ private:
     Rect m_part;
     Rect m_moved; ///< the vertices that the part's edges and their apexes are
     FittedRecipe m_recipe;
-    FittedLimits m_limits;
+    LaneLimits m_limits;
     GroupValues m_values;
     std::vector<float> m_source; ///< of all pixels
     MeanRows m_plain;            ///< of the plain surface
