@@ -20,7 +20,9 @@ set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1 -fsanitize=address,undefined -fno-sanitize
 # quarter of the time to compile.
 string(APPEND CMAKE_CXX_FLAGS_SANITIZE " -fno-sanitize=null,object-size,alignment")
 # GCC 12 takes the standard library's own members for uninitialised under the sanitizers.
-string(APPEND CMAKE_CXX_FLAGS_SANITIZE " -Wno-maybe-uninitialized")
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  string(APPEND CMAKE_CXX_FLAGS_SANITIZE " -Wno-maybe-uninitialized")
+endif()
 # Of the instruction sets one narrow and one wide: compiling each takes a while when every step is
 # checked, and Highway's emulation for machines without SSSE3 takes minutes.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")

@@ -1,7 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 # The unit tests once more, compiled with the address and undefined-behaviour sanitizers in
-# build/sanitize.
+# build/sanitize; by clang where there is one, for then the fuzzers are libFuzzer's and run too.
 set(sanitize_dir ${CMAKE_BINARY_DIR}/sanitize)
+find_program(DDT_CLANG clang)
+find_program(DDT_CLANGXX clang++)
+set(sanitize_compilers -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
+  -DCMAKE_C_COMPILER=${CMAKE_C_COMPILER})
+if(DDT_CLANG AND DDT_CLANGXX)
+  set(sanitize_compilers -DCMAKE_CXX_COMPILER=${DDT_CLANGXX} -DCMAKE_C_COMPILER=${DDT_CLANG})
+endif()
 add_test(NAME sanitize.build
   COMMAND ${CMAKE_CTEST_COMMAND}
     --build-and-test ${CMAKE_SOURCE_DIR} ${sanitize_dir}
@@ -9,7 +16,7 @@ add_test(NAME sanitize.build
     --build-noclean
     --build-target unit_tests
     --build-options -DCMAKE_BUILD_TYPE=Sanitize -DDDT_PLUGIN=${DDT_PLUGIN} -DDDT_WERROR=${DDT_WERROR}
-      -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_C_COMPILER=${CMAKE_C_COMPILER})
+      ${sanitize_compilers})
 set_tests_properties(sanitize.build PROPERTIES LABELS all FIXTURES_SETUP sanitized RUN_SERIAL TRUE)
 # Left out are tests that are large for the sake of numbers, which the plain build compares, or that
 # start the program again and again: their code is that of others. colour_fork too: a child of a
@@ -23,3 +30,9 @@ add_test(NAME sanitize.run
   COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${sanitize_dir} --output-on-failure -j 2
     --exclude-regex ${sanitize_large})
 set_tests_properties(sanitize.run PROPERTIES LABELS all FIXTURES_REQUIRED sanitized RUN_SERIAL TRUE)
+if(DDT_PLUGIN AND DDT_CLANG AND DDT_CLANGXX)
+  # The same numbers every time: what is new is for longer runs to find (tests/fuzz/run).
+  add_test(NAME fuzz.run
+    COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/run --seconds 20 --seed 1 --built ${sanitize_dir})
+  set_tests_properties(fuzz.run PROPERTIES LABELS all FIXTURES_REQUIRED sanitized RUN_SERIAL TRUE)
+endif()

@@ -15,9 +15,6 @@ std::vector<Criterion> criteria() {
     return all;
 }
 
-/// Those whose gains are small numbers: rounding is bounded.
-constexpr Cost costs[] = {Cost::abn, Cost::scf};
-
 float scalar_gain(const Lattice& lattice, const Criterion& by, int m) {
     return dispatch(by.cost,
                     [&](auto c) { return scalar::gain<decltype(c)>(lattice, m, by.contour); });
