@@ -4,6 +4,7 @@
 #include "net.glsl"
 #include "served.glsl"
 #include "fitted.glsl"
+#include "fitted_bend.glsl"
 
 layout(local_size_x = 64, local_size_y = 2) in; // z: a tile
 

@@ -7,6 +7,7 @@
 #include "consistency.glsl"
 #ifdef FITTED
 #include "fitted.glsl"
+#include "fitted_vertex.glsl"
 #endif
 
 layout(local_size_x = SURFACE_GROUP_X, local_size_y = SURFACE_GROUP_Y) in; // z: a tile
@@ -114,7 +115,7 @@ vec4 mean_of(int tile, ivec2 cell, ivec2 v) {
     return v_to_d ? through(c) : across(c);
 }
 
-// The sum of the quadrants' means of a vertex that is not on the rim, and the range it may go in.
+// The sum of the quadrants' means of a vertex that is not on the rim, and the range of its pixels.
 void measure(int tile, ivec2 p, out vec4 sum_, out vec4 low, out vec4 high) {
     precise vec4 sum = vec4(0.0);
     for (int i = 0; i < 4; ++i)
@@ -127,7 +128,6 @@ void measure(int tile, ivec2 p, out vec4 sum_, out vec4 low, out vec4 high) {
         low = if_less(n, low, n, low);
         high = if_less(high, n, n, high);
     }
-    widen(limit, lowest, low, high);
 }
 
 void main() {
@@ -145,7 +145,7 @@ void main() {
     if (inner)
         measure(tile, p, sum, low, high);
     precise vec4 move = vec4(0.0) - sum * 0.25;
-    vec4 moved = fitted_vertex(p, size, move, low, high, index);
+    vec4 moved = fitted_vertex(p, size, move, limit, lowest, low, high, index);
     if (inner)
         z = moved;
     index_at[first_site + offset(2 * p)] = index;
@@ -154,6 +154,7 @@ void main() {
         precise vec4 sum;
         vec4 low, high;
         measure(tile, p, sum, low, high);
+        widen(limit, lowest, low, high);
         z = corrected(z, source_at(p), sum, low, high);
     }
 #endif

@@ -225,6 +225,7 @@ Job check_job(const Job& job) {
     check.surface.consistency = std::min(job.surface.consistency, 2);
     check.surface.soft = job.surface.soft > 0 ? 0.3f : 0.0f;
     check.surface.fitted = job.surface.fitted;
+    check.surface.clipped = job.surface.fitted; // they do more where values are cut off
     return check;
 }
 

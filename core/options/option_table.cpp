@@ -191,8 +191,9 @@ std::vector<Option> make_table() {
         choice("start", mesh, &MeshOptions::start, start_name, find_start, start_values(),
                "The diagonal that each cell of four pixels starts with."),
         toggle("clipped", surface, &SurfaceOptions::clipped,
-               "1: values below 0 will be cut off afterwards, as in a PNG. `ddt-sharp` may then "
-               "make some, and dark strokes get sharper. Integer buffers in memory count as 1."),
+               "1: what leaves 0 to 1 will be cut off afterwards, as in a PNG. `ddt-sharp` may "
+               "then make such values, and outlines get sharper. Integer buffers in memory count "
+               "as 1."),
         number(
             "consistency", surface, &SurfaceOptions::consistency, 0, most_consistency,
             "Rounds that correct the surface so that its mean over each source pixel comes back.")
@@ -201,7 +202,7 @@ std::vector<Option> make_table() {
                "1: vertices and bends by weights that were fitted to pictures stand in place of "
                "the rounds of `consistency`, where there are any. Unless given, 1 in `ddt-sharp` "
                "with `clipped=1`, the cost `abn` and 2 rounds: the pictures they were fitted to "
-               "had no highlights brighter than white.")
+               "had no highlights brighter than white, which is 1.")
             .in("ddt-sharp", "1")
             .where(is_clipped_abn_two_rounds, "0"),
         number("limit", surface, &SurfaceOptions::limit, 0.0f, largest_real,

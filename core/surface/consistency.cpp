@@ -200,8 +200,10 @@ void add_means(const Lattice& lattice, Surface surface, const Net& net, const Re
 
 LaneLimits::LaneLimits(const float* strict, float share, bool clipped)
     : lowest(clipped ? -FLT_MAX : 0.0f) {
-    for (int c = 0; c < group_size; ++c)
+    for (int c = 0; c < group_size; ++c) {
         limit[c] = strict[c] > 0 ? 0.0f : share;
+        cut[c] = clipped && !(strict[c] > 0) ? 1.0f : 0.0f;
+    }
 }
 
 void find_limits(const Lattice& lattice, const float* source, int x0, int x1, int y,

@@ -28,6 +28,7 @@ struct LaneLimits {
     LaneLimits() = default;
     LaneLimits(const float* strict, float share, bool clipped);
     float limit[group_size] = {};
+    float cut[group_size] = {}; ///< 1 in lanes that will be cut off to 0 .. 1, else 0
     float lowest = 0;
 };
 

@@ -6,8 +6,16 @@ namespace bench {
 
 namespace {
 
-Row row_of(const std::string& name, const std::string& specification, Light light,
-           OIIO::TypeDesc type) {
+const std::string to_integers = " to integers";
+
+Row row_of(const std::string& name, Light light) {
+    std::string specification = name;
+    OIIO::TypeDesc type = OIIO::TypeFloat;
+    if (name.size() > to_integers.size() &&
+        name.compare(name.size() - to_integers.size(), std::string::npos, to_integers) == 0) {
+        specification.resize(name.size() - to_integers.size());
+        type = OIIO::TypeUInt16;
+    }
     ddt::Options options;
     std::string error;
     if (!ddt::parse_filter(specification, options, error))
@@ -31,7 +39,7 @@ Row row_of(const std::string& name, const std::string& specification, Light ligh
 } // namespace
 
 Row ddt_row(const std::string& specification, Light light) {
-    return row_of(specification, specification, light, OIIO::TypeFloat);
+    return row_of(specification, light);
 }
 
 std::vector<Row> ddt_rows(Light light) {
@@ -39,7 +47,7 @@ std::vector<Row> ddt_rows(Light light) {
     for (const std::string& name : ddt::filter_names())
         rows.push_back(ddt_row(name, light));
     if (light != Light::scene) // which integers cannot hold
-        rows.push_back(row_of("ddt-sharp to integers", "ddt-sharp", light, OIIO::TypeUInt16));
+        rows.push_back(row_of("ddt-sharp" + to_integers, light));
     return rows;
 }
 

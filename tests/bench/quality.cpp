@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
     args.arg("--reduce %s:HOW", &reduce_name).help("box (default) or cubic");
     args.arg("--only %s:NAME", &only).help("only the rows whose name contains NAME");
     args.arg("--also %s:SPEC")
-        .help("one more row, such as ddt,cost=scf (repeatable)")
+        .help("one more row, such as ddt,cost=scf or \"ddt to integers\" (repeatable)")
         .action([&](OIIO::cspan<const char*> a) { more.push_back(a[1]); });
     if (args.parse(argc, const_cast<const char**>(argv)) < 0 || folders.size() != 1) {
         std::fprintf(stderr, "%s\n", args.geterror().c_str());

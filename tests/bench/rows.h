@@ -32,7 +32,8 @@ std::vector<Row> imagemagick_rows();
 /// `light` is what the values are in.
 std::vector<Row> ddt_rows(Light light);
 
-/// A filter specification such as "ddt,cost=scf".
+/// A filter specification such as "ddt,cost=scf", or "ddt-sharp,clipped=1 to integers" for a result
+/// of 16 bits.
 Row ddt_row(const std::string& specification, Light light);
 
 /// All of the above that can show the light (ImageMagick clips), then a row for each specification.

@@ -5,8 +5,10 @@
 //
 // PHOTOGRAPHS and DRAWINGS are folders of pictures of 8 bits. Each is reduced by 2 and by 4 in
 // encoded and in linear light, and the surface's weights are those with which the enlarged pictures
-// come closest to the originals: exact least squares on the finished pictures, but that the clamps
-// are left out. The same folders and options give the same numbers. What is done goes to stderr.
+// come closest to the originals: exact least squares on the finished pictures, but that the limits
+// are left out. What is cut off at black and white is found in passes: each leaves out the pixels
+// that the one before had put there rightly. The same folders and options give the same numbers.
+// What is done goes to stderr.
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -34,14 +36,15 @@ struct Figures {
     int pictures = 0;
 };
 
-bool add(const Set& set, unsigned every, fit::NormalEquations& sum) {
+bool add(const Set& set, unsigned every, const ddt::FittedWeights* so_far,
+         fit::NormalEquations& sum) {
     const std::vector<std::string> files = bench::image_files(set.folder);
     std::vector<fit::NormalEquations> parts(files.size());
     std::vector<std::string> errors(files.size());
     tbb::parallel_for(size_t(0), files.size(), [&](size_t i) {
         fit::Scene scene;
         if (fit::make_scene(files[i], set.scale, set.light, scene, errors[i]))
-            parts[i].add(scene, set.weight, every, uint32_t(i + 1));
+            parts[i].add(scene, set.weight, every, uint32_t(i + 1), so_far);
     });
     for (size_t i = 0; i < files.size(); ++i) {
         if (!errors[i].empty())
@@ -90,11 +93,12 @@ void print(const float (&nodes)[m][n], const char* after) {
 
 /// The file weights.inc.
 void print(const ddt::FittedWeights& w, const std::vector<std::string>& folders, int every,
-           double ridge, double drawings) {
+           double ridge, double drawings, int passes) {
     std::printf("// SPDX-License-Identifier: Apache-2.0\n"
                 "// FittedWeights (weights.h), as this printed them (tools/fit):\n"
-                "//     fit_weights PHOTOGRAPHS DRAWINGS --every %d --ridge %g --drawings %g\n",
-                every, ridge, drawings);
+                "//     fit_weights PHOTOGRAPHS DRAWINGS --every %d --ridge %g --drawings %g "
+                "--passes %d\n",
+                every, ridge, drawings, passes);
     const char* const kinds[] = {"Photographs", "Drawings"};
     for (size_t f = 0; f < 2; ++f) {
         std::printf("// %s:\n", kinds[f]);
@@ -103,6 +107,8 @@ void print(const ddt::FittedWeights& w, const std::vector<std::string>& folders,
     }
     std::printf("{\n// Vertices, a row a node of the index.\n");
     print(w.vertex, "},");
+    std::printf("// What they count beside that at black or white.\n");
+    print(w.bound, "},");
     std::printf("// Edges: what their features that do not vanish count.\n");
     print(w.shared, "},\n{");
     for (int length = 0; length < ddt::fitted_lengths; ++length) {
@@ -125,7 +131,7 @@ void print(const ddt::FittedWeights& w, const std::vector<std::string>& folders,
 } // namespace
 
 int main(int argc, char** argv) {
-    int every = 24;
+    int every = 24, passes = 4;
     float ridge = 1e-5f, drawings = 0.3f;
     bool reported = false;
     std::vector<std::string> folders;
@@ -136,8 +142,10 @@ int main(int argc, char** argv) {
     args.arg("--every %d:N", &every).help("use one in N pixels (default: 24)");
     args.arg("--ridge %f:R", &ridge).help("add this share to the diagonal (default: 1e-5)");
     args.arg("--drawings %f:W", &drawings).help("what a drawing weighs (default: 0.3)");
+    args.arg("--passes %d:N", &passes).help("solve so often (default: 4)");
     args.arg("--report", &reported).help("then measure every picture");
-    if (args.parse(argc, const_cast<const char**>(argv)) < 0 || folders.size() != 2 || every < 1) {
+    if (args.parse(argc, const_cast<const char**>(argv)) < 0 || folders.size() != 2 || every < 1 ||
+        passes < 1) {
         args.print_help();
         return 2;
     }
@@ -150,12 +158,17 @@ int main(int argc, char** argv) {
             sets.push_back({is_linear ? "drawings, linear" : "drawings, encoded", folders[1], scale,
                             light, double(drawings)});
         }
-    fit::NormalEquations equations;
-    for (const Set& set : sets)
-        if (!add(set, unsigned(every), equations))
-            return 1;
-    const ddt::FittedWeights w = equations.solve(double(ridge));
-    print(w, folders, every, double(ridge), double(drawings));
+    ddt::FittedWeights w;
+    for (int pass = 0; pass < passes; ++pass) {
+        fit::NormalEquations equations;
+        for (const Set& set : sets)
+            if (!add(set, unsigned(every), pass > 0 ? &w : nullptr, equations))
+                return 1;
+        if (pass == 0)
+            equations.solve_plain(double(ridge), w);
+        equations.solve_bound(double(ridge), w);
+    }
+    print(w, folders, every, double(ridge), double(drawings), passes);
     for (const Set& set : sets)
         if (reported)
             report(set, w);

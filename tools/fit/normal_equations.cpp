@@ -12,6 +12,7 @@ using namespace ddt;
 
 namespace {
 
+constexpr int first_bound = int(offsetof(FittedWeights, bound) / sizeof(float));
 constexpr int first_shared = int(offsetof(FittedWeights, shared) / sizeof(float));
 constexpr int first_null = int(offsetof(FittedWeights, null) / sizeof(float));
 
@@ -86,9 +87,12 @@ double fill(const Scene& scene, const Features& features, const Sample& s, Row& 
     for (int i = 0; i < parts.vertex_count; ++i) {
         const Features::Vertex& v = features.vertices[size_t(parts.vertices[i].site)];
         value += double(parts.vertices[i].count) * double(v.z);
-        for (int k = 0; k < fitted_nodes && v.moves; ++k)
-            row.add(k * fitted_vertex_features, v.f, fitted_vertex_features,
-                    parts.vertices[i].count * v.share[k]);
+        for (int k = 0; k < fitted_nodes && v.moves; ++k) {
+            const float count = parts.vertices[i].count * v.share[k];
+            row.add(k * fitted_vertex_features, v.f, fitted_vertex_features, count);
+            row.add(first_bound + k * fitted_vertex_features, v.f, fitted_vertex_features,
+                    count * v.bound);
+        }
     }
     for (const auto& edge : parts.edges) {
         const Features::Edge& e = features.edges[size_t(edge.site)];
@@ -101,6 +105,14 @@ double fill(const Scene& scene, const Features& features, const Sample& s, Row& 
         }
     }
     return value;
+}
+
+/// Whether what the weights make of a row is cut off to the display value.
+bool is_cut_off(const Row& row, double value, double display, const FittedWeights& weights) {
+    const float* w = &weights.vertex[0][0];
+    for (int i = 0; i < row.count; ++i)
+        value += row.value[row.used[i]] * double(w[row.used[i]]);
+    return (display <= 0.5 && value <= 0) || (display >= 254.5 && value >= 1);
 }
 
 /// How much faster the display value grows than the light at v, 0 to 1 each.
@@ -120,7 +132,8 @@ void NormalEquations::add(const NormalEquations& other) {
         right[i] += other.right[i];
 }
 
-void NormalEquations::add(const Scene& scene, double weight, unsigned every, uint32_t seed) {
+void NormalEquations::add(const Scene& scene, double weight, unsigned every, uint32_t seed,
+                          const FittedWeights* so_far) {
     NormalEquations sum;
     Row row;
     double error = 0;
@@ -140,6 +153,10 @@ void NormalEquations::add(const Scene& scene, double weight, unsigned every, uin
                 const double wanted = (bench::decode(display, scene.light) - value) * steep;
                 error += wanted * wanted;
                 ++count;
+                if (so_far && is_cut_off(row, value, display, *so_far)) {
+                    row.clear();
+                    continue;
+                }
                 std::sort(row.used, row.used + row.count);
                 for (int i = 0; i < row.count; ++i) {
                     const int p = row.used[i];
@@ -162,15 +179,25 @@ void NormalEquations::add(const Scene& scene, double weight, unsigned every, uin
     add(sum);
 }
 
-FittedWeights NormalEquations::solve(double ridge) const {
-    // Cholesky's factors of the lower half, then both triangles.
-    constexpr size_t n = unknowns;
-    std::vector<double> a = matrix, x = right;
+void NormalEquations::solve(const std::vector<int>& wanted, double ridge, float* weights) const {
+    const size_t n = wanted.size();
+    const auto at = [&](int i, int j) {
+        return matrix[size_t(std::max(i, j)) * unknowns + size_t(std::min(i, j))];
+    };
+    std::vector<double> a(n * n), x(n);
     double trace = 0;
-    for (size_t i = 0; i < n; ++i)
+    for (size_t i = 0; i < n; ++i) {
+        x[i] = right[size_t(wanted[i])];
+        for (int j = 0; j < unknowns; ++j)
+            if (!std::binary_search(wanted.begin(), wanted.end(), j))
+                x[i] -= at(wanted[i], j) * double(weights[j]);
+        for (size_t j = 0; j <= i; ++j)
+            a[i * n + j] = at(wanted[i], wanted[j]);
         trace += a[i * n + i];
+    }
     for (size_t i = 0; i < n; ++i)
         a[i * n + i] += ridge * a[i * n + i] + 1e-12 * trace;
+    // Cholesky's factors of the lower half, then both triangles.
     for (size_t j = 0; j < n; ++j) {
         for (size_t i = j; i < n; ++i)
             for (size_t k = 0; k < j; ++k)
@@ -188,12 +215,24 @@ FittedWeights NormalEquations::solve(double ridge) const {
         for (size_t k = i + 1; k < n; ++k)
             x[i] -= a[k * n + i] * x[k];
         x[i] /= a[i * n + i];
+        weights[wanted[i]] = float(x[i]);
     }
-    FittedWeights weights;
-    float* to = &weights.vertex[0][0];
-    for (size_t i = 0; i < n; ++i)
-        to[i] = float(x[i]);
-    return weights;
+}
+
+void NormalEquations::solve_plain(double ridge, FittedWeights& weights) const {
+    weights = {};
+    std::vector<int> wanted;
+    for (int i = 0; i < unknowns; ++i)
+        if (i < first_bound || i >= first_shared)
+            wanted.push_back(i);
+    solve(wanted, ridge, &weights.vertex[0][0]);
+}
+
+void NormalEquations::solve_bound(double ridge, FittedWeights& weights) const {
+    std::vector<int> wanted;
+    for (int i = first_bound; i < first_shared; ++i)
+        wanted.push_back(i);
+    solve(wanted, ridge, &weights.vertex[0][0]);
 }
 
 metrics::Image enlarge(const Scene& scene, const FittedWeights& weights) {
@@ -213,8 +252,11 @@ metrics::Image enlarge(const Scene& scene, const FittedWeights& weights) {
                 const auto site = size_t(scene.lattice.vertex_site(x, y));
                 const Features::Vertex& v = features.vertices[site];
                 float z = v.z;
-                for (int k = 0; k < fitted_nodes && v.moves; ++k)
-                    z += v.share[k] * dot(k * fitted_vertex_features, v.f, fitted_vertex_features);
+                for (int k = 0; k < fitted_nodes && v.moves; ++k) {
+                    const int n = fitted_vertex_features, first = k * n;
+                    z += v.share[k] *
+                         (dot(first, v.f, n) + v.bound * dot(first_bound + first, v.f, n));
+                }
                 net[site] = std::clamp(z, v.low, v.high);
             }
         scene.lattice.each_edge([&](int m) {

@@ -18,10 +18,19 @@ struct NormalEquations {
 
     void add(const NormalEquations& other);
     /// Add one in `every` of the scene's pixels in all channels, chosen at random by `seed`. Each
-    /// scene counts `weight`, whatever its size, in units of its own mean square error.
-    void add(const Scene& scene, double weight, unsigned every, uint32_t seed);
-    /// The weights; `ridge` is a share of the diagonal that is added to it.
-    ddt::FittedWeights solve(double ridge) const;
+    /// scene counts `weight`, whatever its size, in units of its own mean square error. Black and
+    /// white pixels which the weights so far, if there are any, put past black or white are right
+    /// as they are, once cut off: they are left out.
+    void add(const Scene& scene, double weight, unsigned every, uint32_t seed,
+             const ddt::FittedWeights* so_far);
+    /// Find all weights but FittedWeights::bound. `ridge` is a share of the diagonal that is added
+    /// to it.
+    void solve_plain(double ridge, ddt::FittedWeights& weights) const;
+    /// Find FittedWeights::bound, the others being as they are.
+    void solve_bound(double ridge, ddt::FittedWeights& weights) const;
+
+private:
+    void solve(const std::vector<int>& wanted, double ridge, float* weights) const;
 };
 
 /// The picture that the weights make, its clamps included: display values, not rounded.

@@ -100,7 +100,8 @@ void locate_samples(Scene& scene) {
 }
 
 /// Features of channel c, from the net whose edges were bent and the sums of a round's means.
-void find_features(Scene& scene, const Net& net, Consistency& consistency, int c) {
+void find_features(Scene& scene, const SurfaceOptions& options, const Net& net,
+                   const Consistency& consistency, int c) {
     const Lattice& lattice = scene.lattice;
     const int width = lattice.width(), height = lattice.height();
     const auto at = [](int site) { return size_t(site) * group_size; };
@@ -114,19 +115,20 @@ void find_features(Scene& scene, const Net& net, Consistency& consistency, int c
     features.vertices.resize(lattice.size());
     features.edges.resize(lattice.size());
     std::vector<float> index(lattice.size());
+    const LaneLimits limits(net.strict, options.limit, options.clipped);
     for (int y = 0; y < height; ++y) {
-        const ddt::LimitRow& limits = consistency.limits(lattice, y);
         for (int x = 0; x < width; ++x) {
-            const size_t in_row = size_t(x) * group_size + size_t(c);
             const size_t pixel = (size_t(y) * size_t(width) + size_t(x)) * group_size + size_t(c);
             const int site = lattice.vertex_site(x, y);
             ddt::scalar::VertexFeatures<float> found;
-            found.find(-0.25f * consistency.sum[pixel], fitted_table(),
-                       [&](int i, int j) { return tap(x + i, y + j); });
+            const auto near = [&](int i, int j) { return tap(x + i, y + j); };
+            found.find(-0.25f * consistency.sum[pixel], limits.cut[c], fitted_table(), near);
             Features::Vertex& v = features.vertices[size_t(site)];
             v.z = inside(x, y);
-            v.low = limits.low[in_row];
-            v.high = limits.high[in_row];
+            v.bound = found.bound;
+            const float limit =
+                ddt::scalar::fitted_limit(limits.limit[c], found.bound, fitted_table());
+            ddt::scalar::find_limits({-1, -1, 2, 2}, limit, limits.lowest, near, v.low, v.high);
             v.moves = x > 0 && y > 0 && x + 1 < width && y + 1 < height;
             std::copy(std::begin(found.f), std::end(found.f), v.f);
             index[size_t(site)] = found.index;
@@ -182,10 +184,9 @@ bool make_scene(const std::string& file, int scale, bench::Light light, Scene& s
     edges.begin(lattice, {0, 0, lattice.width(), lattice.height()}, true, workspace.gain.data(),
                 options.surface.soft, net);
     edges.finish();
-    Net moved = net;
-    consistency.correct(lattice, Surface::patch, moved);
+    consistency.measure(lattice, Surface::patch, net);
     for (int c = 0; c < colours; ++c)
-        find_features(scene, net, consistency, c);
+        find_features(scene, options.surface, net, consistency, c);
     return true;
 }
 

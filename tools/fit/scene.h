@@ -22,6 +22,7 @@ struct Features {
     struct Vertex {
         float z, low, high; ///< the pixel, and the limits that it may be moved within
         float f[ddt::fitted_vertex_features], share[ddt::fitted_nodes];
+        float bound; ///< VertexFeatures::bound
         bool moves;
     };
     struct Edge {

@@ -65,13 +65,14 @@ struct SurfaceOptions {
     /// `consistency` the surface still keeps to its triangle's range, with it to that of the
     /// vertices near. The default is meant for the cost abn.
     float soft = 0.4f;
-    /// The output will be cut off at 0, as integers are: vertices may then get negative within the
-    /// limit, and what is left above 0 is sharper for it.
+    /// The output will be cut off to 0 .. 1, as integers are: vertices may then get negative within
+    /// the limit, and what is left above 0 is sharper for it. `fitted` ones at 0 or 1 (their group
+    /// reaches it and they stand on that side of it) may leave their range by five times the limit.
     bool clipped = false;
     /// Vertices and bends by weights that were fitted to pictures stand in place of the rounds of
     /// consistency, however many; without any, and in Surface::linear, there are none. The limit
-    /// holds. Bends may be up to twice the range of the four pixels round the edge. The pictures
-    /// had no highlights; with some, the rounds are better (docs/quality.md).
+    /// holds, see `clipped`. Bends may be up to twice the range of the four pixels round the edge.
+    /// The pictures had no highlights; with some, the rounds are better (docs/quality.md).
     bool fitted = false;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What fitted bends and vertices are made of (see fitted.h). Included inside a namespace, once for
 // scalars and once for each SIMD target: T is a float or a vector of floats, a lane a channel. GLSL
-// twin: shaders/fitted.glsl. Pixels come through `tap`, a function of a vertex of the lattice or
+// twins: shaders/fitted*.glsl. Pixels come through `tap`, a function of a vertex of the lattice or
 // beyond its rim. Sums are written so that an edge seen from its other end has the same bits.
 
 template <class T>
@@ -42,15 +42,23 @@ DDT_INLINE ptrdiff_t half_of(ptrdiff_t v) {
     return v / 2;
 }
 
-/// What a vertex is moved by, and the index that its weights depend on.
+/// 1 at a distance of 0 from where values are cut off, and less with it.
+template <class T>
+DDT_INLINE T at_bound(T distance) {
+    return upper(T(0.0f), lower(T(1.0f), T(1.0f) - distance));
+}
+
+/// What a vertex is moved by, and what its weights depend on: the index, and how far it stands at
+/// black or white, 0 to 1.
 template <class T>
 struct VertexFeatures {
     T f[fitted_vertex_features];
-    T index;
+    T index, bound;
 
-    /// `step`: what a round of consistency would move it by (consistency-inl.h).
+    /// `step`: what a round of consistency would move it by (consistency-inl.h). cut:
+    /// LaneLimits::cut.
     template <class Tap>
-    DDT_INLINE void find(T step, const FittedTable& table, Tap tap) {
+    DDT_INLINE void find(T step, T cut, const FittedTable& table, Tap tap) {
         const T z = tap(0, 0), quarter = T(0.25f);
         T sum[5];
         sum[0] = (tap(-1, 0) + tap(1, 0)) + (tap(0, -1) + tap(0, 1));
@@ -79,7 +87,13 @@ struct VertexFeatures {
             near = near + row;
         }
         const T r = rsqrt<3>((high - low) * T(25.0f) + T(table.index_epsilon));
-        index = near * (r * r);
+        const T reciprocal = r * r;
+        index = near * reciprocal;
+        // Of the darkest and the brightest pixel about that one counts which z is nearer to.
+        const T dark = at_bound(low * T(table.black_scale));
+        const T bright = at_bound((T(1.0f) - high) * T(table.white_scale));
+        const T both = (high - z) * dark + (z - low) * bright;
+        bound = if_less(T(0.0f), cut, both * (T(25.0f) * reciprocal), T(0.0f));
     }
 };
 
@@ -156,6 +170,19 @@ DDT_INLINE void find_shares(T index, const FittedTable& table, T share[fitted_no
     }
 }
 
+/// What these weights make of a vertex' features.
+template <class T>
+DDT_INLINE T weighted(const float* w, const VertexFeatures<T>& v) {
+    return ((T(w[0]) * v.f[0] + T(w[1]) * v.f[1]) + (T(w[2]) * v.f[2] + T(w[3]) * v.f[3])) +
+           (T(w[4]) * v.f[4] + T(w[5]) * v.f[5]);
+}
+
+/// The share of its range that a vertex may leave it by, where others may by `limit`.
+template <class T>
+DDT_INLINE T fitted_limit(T limit, T bound, const FittedTable& table) {
+    return limit + limit * (bound * T(table.bound_limit));
+}
+
 /// Where a vertex goes from z.
 template <class T>
 DDT_INLINE T fitted_vertex(T z, T low, T high, const VertexFeatures<T>& v,
@@ -165,10 +192,7 @@ DDT_INLINE T fitted_vertex(T z, T low, T high, const VertexFeatures<T>& v,
     find_shares(v.index, table, share);
     T step = zero;
     for (int k = 0; k < fitted_nodes; ++k) {
-        const float* w = table.vertex[k];
-        const T sum =
-            ((T(w[0]) * v.f[0] + T(w[1]) * v.f[1]) + (T(w[2]) * v.f[2] + T(w[3]) * v.f[3])) +
-            (T(w[4]) * v.f[4] + T(w[5]) * v.f[5]);
+        const T sum = weighted(table.vertex[k], v) + v.bound * weighted(table.bound[k], v);
         step = k == 0 ? sum : step + share[k] * sum;
     }
     return finite_or(clamped(z + finite_or(step, zero), low, high), z);

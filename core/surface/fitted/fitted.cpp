@@ -28,13 +28,13 @@ using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
 
 /// One vertex, or as many next to one another as T has blocks: where it goes, and its index.
 template <class T, class Tap>
-HWY_INLINE T move_vertex(T margin, T lowest, T sum, Tap tap, float* index) {
+HWY_INLINE T move_vertex(T limit, T cut, T lowest, T sum, Tap tap, float* index) {
     const FittedTable& table = fitted_table();
     VertexFeatures<T> v;
-    v.find(T(0.0f) - sum * T(0.25f), table, tap);
+    v.find(T(0.0f) - sum * T(0.25f), cut, table, tap);
     v.index.store(index);
     T low, high;
-    find_limits({-1, -1, 2, 2}, margin, lowest, tap, low, high);
+    find_limits({-1, -1, 2, 2}, fitted_limit(limit, v.bound, table), lowest, tap, low, high);
     return fitted_vertex(tap(0, 0), low, high, v, table);
 }
 
@@ -44,15 +44,15 @@ HWY_ATTR void move_row(const FittedSource& source, int x0, int x1, int y, const 
     const int width = lattice.width(), height = lattice.height(), step = blocks_in_vector();
     const ptrdiff_t row = ptrdiff_t(width) * group_size;
     const auto inside = [&](int i, int j) HWY_ATTR { return Lanes4::load(source.at(i, j)); };
-    const Lanes4 margin = Lanes4::load(limits.limit);
-    const Blocks margins = in_every_block(limits.limit);
+    const Lanes4 limit = Lanes4::load(limits.limit), cut = Lanes4::load(limits.cut);
+    const Blocks all_limits = in_every_block(limits.limit), all_cut = in_every_block(limits.cut);
     for (int x = x0; x < x1;) {
         const ptrdiff_t at = ptrdiff_t(x) * group_size;
         float* z = net.at(lattice.vertex_site(x, y));
         if (y >= 2 && y + 2 < height && x >= 2 && x + step + 2 <= width) {
             const float* here = source.at(x, y);
             const Blocks moved = move_vertex<Blocks>(
-                margins, Blocks(limits.lowest), Blocks::load(sum + at),
+                all_limits, all_cut, Blocks(limits.lowest), Blocks::load(sum + at),
                 [&](int i, int j)
                     HWY_ATTR { return Blocks::load(here + j * row + i * group_size); },
                 index + at);
@@ -61,7 +61,7 @@ HWY_ATTR void move_row(const FittedSource& source, int x0, int x1, int y, const 
             continue;
         }
         const Lanes4 moved = move_vertex<Lanes4>(
-            margin, Lanes4(limits.lowest), Lanes4::load(sum + at),
+            limit, cut, Lanes4(limits.lowest), Lanes4::load(sum + at),
             [&](int i, int j)
                 HWY_ATTR { return odd_mirror_tap<Lanes4>(x + i, y + j, width, height, inside); },
             index + at);

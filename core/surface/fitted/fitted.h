@@ -6,7 +6,7 @@
 // the midpoint in doubled coordinates. In such slanted coordinates one small filter serves all
 // directions, long along the contour that the edge follows. From the source s:
 //
-//     z = clamp(s + sum_n t_n sum_f W_nf f, limits of a consistency round)
+//     z = clamp(s + sum_n t_n sum_f (W_nf + u U_nf) f, limits of a consistency round, wider by u)
 //     e = clamp(sum_n t_n (sum_f S_nf f + sum_g N_kng g), -2 r, 2 r),   r the range of s over a, b,
 //         c and d
 //
@@ -21,6 +21,11 @@
 // units of high - low; an edge has the mean of its ends'. N differs by the edge's length and by
 // whether, and how nearly, a flip of it would pay (class k). The weights, and how they were made,
 // are in weights.inc.
+//
+// u, from 0 to 1, says that what is put past the range will not be seen, because the result is cut
+// off to 0 .. 1 (SurfaceOptions::clipped): the vertex is one of the darker of its 5x5 pixels, and
+// the darkest is black, or one of the brighter, and the brightest is white. There outlines get
+// steeper than a patch of their own height could be.
 //
 // Vertices on the rim stay. What is not finite keeps the plain value.
 #pragma once

@@ -7,6 +7,7 @@
 
 #include "core/base/arith.h"
 #include "core/base/constants.h"
+#include "core/surface/consistency.h"
 #include "core/surface/fitted/weights.h"
 
 namespace ddt::scalar {
@@ -18,6 +19,7 @@ inline float if_less_equal(float a, float b, float yes, float no) {
     return a <= b ? yes : no;
 }
 
+#include "core/surface/consistency-inl.h"
 #include "core/surface/fitted/features-inl.h"
 
 } // namespace ddt::scalar

@@ -16,9 +16,13 @@ FittedTable table_of(const FittedWeights& weights) {
     t.index_epsilon = fitted_index_epsilon;
     t.gain_scale = 1.0f / fitted_gain_scale;
     t.bend_limit = fitted_bend_limit;
+    t.black_scale = fitted_black_scale;
+    t.white_scale = fitted_white_scale;
+    t.bound_limit = fitted_bound_limit;
     for (int k = 0; k < fitted_nodes; ++k) {
         t.node[k] = fitted_node[k];
         std::copy_n(weights.vertex[k], fitted_vertex_features, t.vertex[k]);
+        std::copy_n(weights.bound[k], fitted_vertex_features, t.bound[k]);
     }
     std::memcpy(t.shared, weights.shared, sizeof t.shared);
     std::memcpy(t.null, weights.null, sizeof t.null);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The GPU's results against the CPU's, bit for bit.
+#include <cstring>
+
 #include "ddt/names.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
@@ -64,6 +66,33 @@ TEST_P(SameBits, ClippedVertices) {
         order.job.surface.clipped = true;
         EXPECT_GT(negative(), 100u);
         expect_same(GetParam(), p, order, "clipped");
+    }
+}
+
+// Fitted ones leave their range by more than the limit where that is black and white.
+TEST_P(SameBits, FittedVerticesAtBlackAndWhite) {
+    for (const bool whole_groups : {false, true}) {
+        Picture p = make_picture(Content::drawing, 61, 43, whole_groups ? 4 : 3, 7);
+        for (float& v : p.values)
+            v = v > 0.5f ? 1.0f : 0.0f;
+        Order order;
+        order.job.surface.consistency = 2;
+        order.job.surface.fitted = true;
+        order.out_width = 150;
+        order.out_height = 101;
+        const auto far_beyond = [&] {
+            size_t n = 0;
+            for (const uint32_t bits : enlarge_on(Device::cpu, p, order).bits) {
+                float v;
+                std::memcpy(&v, &bits, sizeof v);
+                n += v < -0.3f || v > 1.3f;
+            }
+            return n;
+        };
+        EXPECT_EQ(far_beyond(), 0u);
+        order.job.surface.clipped = true;
+        EXPECT_GT(far_beyond(), 100u);
+        expect_same(GetParam(), p, order, "fitted, clipped");
     }
 }
 

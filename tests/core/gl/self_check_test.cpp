@@ -170,6 +170,14 @@ TEST_P(SelfCheck, EveryProgramIsCheckedBeforeItIsUsedAndAWrongOneIsNot) {
     EXPECT_GE(proved.size(), 7 * cost_names().size() + 6 + 1 + 2 + 2 + 1 + 4 + 16);
 }
 
+TEST_P(SelfCheck, SoftwareIsNotCheckedUnlessAskedTo) {
+    gl::Gpu& device = fresh_device();
+    device.checks.software_too = false;
+    device.thread.post([&] { EXPECT_EQ(device.checks.differs(device, Job()), ""); }).get();
+    EXPECT_EQ(programs_of(device), std::set<std::string>());
+    EXPECT_EQ(device.checks.milliseconds(), 0.0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Devices, SelfCheck, testing::Values(Device::egl, Device::osmesa),
                          device_name);
 

@@ -128,16 +128,18 @@ Result slow(const Scene& scene, const std::vector<float>& values, Setting settin
     };
     Result r;
     std::vector<float> index;
+    const LaneLimits limits(net.strict, 0.25f, setting.clipped);
     for (int y = 0; y < h; ++y) {
-        const LimitRow& limits = consistency.limits(l, y);
         for (int x = 0; x < w; ++x) {
             const size_t at = size_t(y * w + x) * group_size;
+            const auto near = [&](int i, int j) { return tap(x + i, y + j); };
             scalar::VertexFeatures<float> v;
-            v.find(0.0f - consistency.sum[at] * 0.25f, table,
-                   [&](int i, int j) { return tap(x + i, y + j); });
-            const float moved =
-                scalar::fitted_vertex(inside(x, y), limits.low[size_t(x) * group_size],
-                                      limits.high[size_t(x) * group_size], v, table);
+            v.find(0.0f - consistency.sum[at] * 0.25f, limits.cut[0], table, near);
+            float low, high;
+            scalar::find_limits({-1, -1, 2, 2},
+                                scalar::fitted_limit(limits.limit[0], v.bound, table),
+                                limits.lowest, near, low, high);
+            const float moved = scalar::fitted_vertex(inside(x, y), low, high, v, table);
             const bool rim = x == 0 || y == 0 || x + 1 == w || y + 1 == h;
             r.z.push_back(rim ? inside(x, y) : moved);
             index.push_back(v.index);

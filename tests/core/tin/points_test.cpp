@@ -230,6 +230,17 @@ TEST(Draw, APlaneStaysAPlaneAndEveryPixelHasOneTriangle) {
     EXPECT_EQ(pixels, again);
 }
 
+TEST(Draw, ATriangleWithoutAreaShowsNothing) {
+    // The first and the last lie on a row of pixels, one a line and one a point.
+    const PointMesh mesh{{0, 4, 0, 2}, {0, 0, 4, 0}, {{0, 3, 1}, {0, 1, 2}, {3, 3, 3}, {1, 3, 0}}};
+    const std::vector<float> values = {1, 1, 1, 1};
+    const PixelGrid grid{0, 0, 1, 1, 6, 2};
+    std::vector<float> pixels(12, -7.0f);
+    std::vector<uint8_t> inside(12);
+    ASSERT_TRUE(draw(mesh, values.data(), 1, grid, pixels.data(), inside.data()));
+    EXPECT_EQ(pixels, (std::vector<float>{1, 1, 1, 1, 1, -7, 1, 1, 1, 1, -7, -7}));
+}
+
 /// An image of 0 and 1 with a slanting edge, and a hole across it: how much is wrong after filling.
 double error_of_filling(const MeshOptions& options) {
     constexpr int width = 40, height = 30;
