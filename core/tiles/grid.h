@@ -3,8 +3,8 @@
 //
 // The grid is anchored at the window's origin and never changes with threads, the part of the
 // output wanted or the device, so the result is a function of the image alone. Each tile is
-// triangulated with a halo; 32 pixels is more than a difference at its border was ever seen to
-// travel (24).
+// triangulated with a halo; 32 pixels is as far as a difference at its border was ever seen to
+// travel (tests/bench/halo.cpp; docs/quality.md).
 #pragma once
 
 #include "ddt/core.h"

@@ -67,6 +67,11 @@ class Commands(Case):
         self.assertRegex(done, r"plugin +(\d+) of \1 ImageBufAlgo functions redirected in \d+ places")
         self.assertNotIn("missed", done)
 
+    def test_info_says_why_a_device_is_not_used(self):
+        done = self.succeed(os.path.join(BUILD, "bin", "ddt"), "info",
+                            **{"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent"})
+        self.assertRegex(done, r"(?m)^egl +not used: (?!egl)\S")
+
     def test_plugin_path_by_attribute(self):
         self.succeed("oiiotool", "photo.png", "--resize:filter=ddt", "300%", "-o", "a.png")
         self.succeed("oiiotool", "--oiioattrib", "plugin_searchpath", PLUGINS, "photo.png",
