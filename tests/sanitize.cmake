@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-# The unit tests once more, compiled with the address and undefined-behaviour sanitizers in
-# build/sanitize; by clang where there is one, for then the fuzzers are libFuzzer's and run too.
-set(sanitize_dir ${CMAKE_BINARY_DIR}/sanitize)
+# The unit tests once more, compiled with the address and undefined-behaviour sanitizers; by clang
+# where there is one, for then the fuzzers are libFuzzer's and run too. A folder has one compiler.
 find_program(DDT_CLANG clang)
 find_program(DDT_CLANGXX clang++)
+set(sanitize_dir ${CMAKE_BINARY_DIR}/sanitize)
 set(sanitize_compilers -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
   -DCMAKE_C_COMPILER=${CMAKE_C_COMPILER})
 if(DDT_CLANG AND DDT_CLANGXX)
+  set(sanitize_dir ${CMAKE_BINARY_DIR}/sanitize_clang)
   set(sanitize_compilers -DCMAKE_CXX_COMPILER=${DDT_CLANGXX} -DCMAKE_C_COMPILER=${DDT_CLANG})
 endif()
 add_test(NAME sanitize.build
