@@ -82,14 +82,15 @@ TEST(Parts, AreCutWhereNoTileIsWorkedTwice) {
     EXPECT_EQ(end, x.out1);
 }
 
-/// Half of a whole of 32 x 32 pixels, black.
-std::string write_half(int index, int channels, const std::string& whole, const std::string& type) {
+/// Half of a whole of 32 x 32 pixels, black; called the one of that number from 0, of `count`.
+std::string write_half(int index, int channels, const std::string& whole, const std::string& type,
+                       int count = 2) {
     OIIO::ImageSpec spec(32, 16, channels, OIIO::TypeHalf);
-    spec.y = 16 * index;
+    spec.y = 16 * (index % 2);
     spec.tile_width = spec.tile_height = 16;
     PartHeader header;
     header.job = "job";
-    header.part = {index + 1, 2};
+    header.part = {index + 1, count};
     header.whole = {0, 0, 32, 32};
     header.type = type;
     header.write_to(spec);
@@ -126,6 +127,24 @@ TEST(Join, RefusesHeadersThatDoNotFit) {
     EXPECT_TRUE(join({write_half(0, 3, whole, "half"), write_half(1, 3, whole, "half")}, out,
                      progress, failure))
         << failure.why;
+}
+
+TEST(Join, NamesThePartsThatAreMissing) {
+    const auto part = [](int index, int count) {
+        return write_half(index, 3, "0 0 32 32", "half", count);
+    };
+    const auto missing = [](const std::vector<std::string>& paths) {
+        const std::string out = temporary("some.exr");
+        Failure failure;
+        EXPECT_FALSE(join(
+            paths, out, [](float) { return true; }, failure));
+        EXPECT_FALSE(std::filesystem::exists(out));
+        return failure.why;
+    };
+    EXPECT_EQ(missing({part(0, 2)}), "of 2 parts there are missing: 2");
+    EXPECT_EQ(missing({part(1, 2)}), "of 2 parts there are missing: 1");
+    EXPECT_EQ(missing({part(3, 4), part(0, 4)}), "of 4 parts there are missing: 2, 3");
+    EXPECT_EQ(missing({part(2, 20)}), "of 20 parts there are missing: 1, 2, 4, 5, 6, 7, 8, 9, ...");
 }
 
 } // namespace
