@@ -7,10 +7,10 @@
 #include <vector>
 
 #include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagecache.h>
 #include <OpenImageIO/strutil.h>
 
 #include "core/tiles/grid.h"
+#include "plugin/image/lazy_file.h"
 #include "plugin/image/windows.h"
 #include "plugin/tool/fingerprint.h"
 #include "plugin/tool/image_file.h"
@@ -35,40 +35,15 @@ constexpr int cache_megabytes = 192;
 /// Tiles of a whole as wide as this are less high, so that a row of them stays small for joining.
 constexpr int64_t largest_row = int64_t(64) << 20;
 
-/// A cache of this file alone, small, that reads no more than it must.
-class LazyImage {
-public:
-    LazyImage() : m_cache(OIIO::ImageCache::create(false)) {
-        m_cache->attribute("max_memory_MB", cache_megabytes);
-        m_cache->attribute("autotile", tile_size);
-        m_cache->attribute("autoscanline", 1);
-    }
-#if OIIO_VERSION_MAJOR < 3
-    ~LazyImage() {
-        m_image.clear();
-        OIIO::ImageCache::destroy(m_cache, true);
-    }
-#endif
-    LazyImage(const LazyImage&) = delete;
-    LazyImage& operator=(const LazyImage&) = delete;
-
-    bool open(const std::string& path, Failure& failure) {
-        m_image.reset(path, 0, 0, m_cache);
-        if (m_image.init_spec(path, 0, 0))
-            return true;
-        failure.why = m_image.has_error() ? m_image.geterror() : "cannot read \"" + path + "\"";
-        if (failure.why.find(path) == std::string::npos)
-            failure.why = "\"" + path + "\": " + failure.why;
-        return false;
-    }
-    const OIIO::ImageBuf& image() const {
-        return m_image;
-    }
-
-private:
-    decltype(OIIO::ImageCache::create()) m_cache;
-    OIIO::ImageBuf m_image;
-};
+/// Whether there is an image in the file.
+bool is_readable(OIIO::ImageBuf& image, const std::string& path, Failure& failure) {
+    if (image.init_spec(path, 0, 0))
+        return true;
+    failure.why = image.has_error() ? image.geterror() : "cannot read \"" + path + "\"";
+    if (failure.why.find(path) == std::string::npos)
+        failure.why = "\"" + path + "\": " + failure.why;
+    return false;
+}
 
 /// The type in which a part keeps numbers of `type` so that they come back; unknown if there is
 /// none.
@@ -219,10 +194,10 @@ bool PartHeader::take_from(OIIO::ImageSpec& spec) {
 
 bool resize_part(const std::string& in, const std::string& out, const ResizeSettings& settings,
                  Part part, const std::function<bool(float)>& progress, Failure& failure) {
-    LazyImage lazy;
-    if (!lazy.open(in, failure))
+    LazyFile file_in(in, 0, {cache_megabytes, true});
+    if (!is_readable(file_in.image(), in, failure))
         return false;
-    const OIIO::ImageBuf& image = lazy.image();
+    const OIIO::ImageBuf& image = file_in.image();
     // The cache's pixels may be of another type than the file's.
     OIIO::ImageSpec from = image.spec(), whole;
     from.set_format(image.nativespec().format);

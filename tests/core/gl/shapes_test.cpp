@@ -130,15 +130,16 @@ TEST_P(Shapes, TurnedPictures) {
 }
 
 TEST_P(Shapes, RandomJobs) {
-    std::mt19937 random(20261);
+    std::mt19937 random(20262);
     const auto below = [&](int n) { return int(random() % unsigned(n)); };
     const std::vector<MeshOptions> meshes = every_scheme_and_cost();
     int of_several_tiles = 0;
     for (int i = 0; i < 60; ++i) {
         // Now and then more than a tile.
         const int width = below(6) ? 1 + below(90) : tile_size + 1 + below(90);
-        const Picture p = make_picture(Content(below(int(Content::count))), width, 1 + below(70),
-                                       1 + below(6), unsigned(random()));
+        const auto content = Content(below(int(Content::count)));
+        const int height = 1 + below(70), channels = 1 + below(6);
+        const Picture p = make_picture(content, width, height, channels, unsigned(random()));
         of_several_tiles += width > tile_size;
         Order order;
         MeshOptions& mesh = order.job.mesh;
@@ -163,7 +164,8 @@ TEST_P(Shapes, RandomJobs) {
             order.job.kinds.push_back(Channel(below(3)));
         order.out_width = p.width + below(200);
         order.out_height = p.height + below(200);
-        const Turn turn(p, 0.1 * below(60), 1.0 + 0.1 * below(20));
+        const double angle = 0.1 * below(60);
+        const Turn turn(p, angle, 1.0 + 0.1 * below(20));
         if (below(4) == 0) {
             order.mapping = &turn;
             order.out_width = order.out_height = turn.size();

@@ -12,7 +12,19 @@ namespace {
 
 constexpr int side = 2048, tile = 64;
 
-/// A tiled file, and a cache that nobody else uses.
+using Cache = decltype(OIIO::ImageCache::create(false)); // 3.x hands out a shared pointer
+
+/// A cache that nobody else uses. One for all tests, since worker threads outlive them: see
+/// plugin/image/lazy_file.cpp.
+Cache empty_cache() {
+    static auto* cache = new Cache(OIIO::ImageCache::create(false));
+    (*cache)->invalidate_all(true);
+    (*cache)->reset_stats();
+    (*cache)->attribute("max_memory_MB", 1024.0f);
+    return *cache;
+}
+
+/// A tiled file, and such a cache.
 class CacheTest : public testing::Test {
 protected:
     CacheTest() : m_path(ddt::temporary("cache_test.tif")) {
@@ -22,14 +34,9 @@ protected:
         image.set_write_tiles(tile, tile);
         EXPECT_TRUE(image.write(m_path)) << image.geterror();
         m_pixels = image;
-        m_cache = OIIO::ImageCache::create(false);
+        m_cache = empty_cache();
     }
-    ~CacheTest() override {
-#if OIIO_VERSION < OIIO_MAKE_VERSION(3, 0, 0)
-        OIIO::ImageCache::destroy(m_cache);
-#endif
-        std::remove(m_path.c_str());
-    }
+    ~CacheTest() override { std::remove(m_path.c_str()); }
     int64_t statistic(const char* name) const {
         long long value = -1;
         EXPECT_TRUE(m_cache->getattribute(name, OIIO::TypeDesc::INT64, &value)) << name;
@@ -37,8 +44,8 @@ protected:
     }
 
     std::string m_path;
-    OIIO::ImageBuf m_pixels;                           ///< the same in memory
-    decltype(OIIO::ImageCache::create(false)) m_cache; ///< 3.x hands out a shared pointer
+    OIIO::ImageBuf m_pixels; ///< the same in memory
+    Cache m_cache;
 };
 
 TEST_F(CacheTest, AFileIsReadTileByTile) {

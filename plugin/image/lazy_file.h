@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// A file as an image of which only what is asked for is read.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagecache.h>
+
+namespace ddt {
+
+/// Behind an image cache that no other file uses for as long as this one is open: programs limit
+/// and empty the one they share.
+class LazyFile {
+public:
+    /// What the cache keeps, at most, and in which pieces it reads a file that has no tiles:
+    /// squares of the mesh's grid, or whole rows of them.
+    struct Pieces {
+        int megabytes = 128;
+        bool whole_rows = false;
+    };
+
+    /// `hints` are handed to the file's reader. What cannot be read is found when it is.
+    LazyFile(const std::string& path, int subimage, const Pieces& pieces,
+             const OIIO::ImageSpec* hints = nullptr);
+    ~LazyFile();
+    LazyFile(const LazyFile&) = delete;
+    LazyFile& operator=(const LazyFile&) = delete;
+
+    OIIO::ImageBuf& image() { return *m_image; }
+    const OIIO::ImageBuf& image() const { return *m_image; }
+
+private:
+    using Cache = decltype(OIIO::ImageCache::create(false)); // 3.x hands out a shared pointer
+
+    std::string m_path;
+    Cache m_cache; // older than the image, which uses it until its end
+    std::unique_ptr<OIIO::ImageBuf> m_image;
+};
+
+} // namespace ddt
