@@ -94,8 +94,13 @@ bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& map
 bool resize_by_oiio(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::ROI& roi,
                     int nthreads, std::string& error) {
     const auto resized = [&](OIIO::ImageBuf& out, const OIIO::ROI& part) {
+#if OIIO_VERSION >= OIIO_MAKE_VERSION(3, 0, 0)
+        if (OIIO::ImageBufAlgo::resize(out, src, {}, part, nthreads))
+            return true;
+#else
         if (OIIO::ImageBufAlgo::resize(out, src, "", 0.0f, part, nthreads))
             return true;
+#endif
         error = out.has_error() ? out.geterror() : "OpenImageIO's resize failed";
         return false;
     };

@@ -191,7 +191,7 @@ int main(int argc, char** argv) {
     args.arg("--also %s:SPEC")
         .help("one more row, such as ddt,soft=0.5 (repeatable)")
         .action([&](OIIO::cspan<const char*> a) { more.push_back(a[1]); });
-    if (args.parse(argc, const_cast<const char**>(argv)) < 0 || folders.size() != 1) {
+    if (args.parse_args(argc, const_cast<const char**>(argv)) < 0 || folders.size() != 1) {
         std::fprintf(stderr, "%s\n", args.geterror().c_str());
         args.print_help();
         return 2;

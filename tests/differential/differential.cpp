@@ -95,7 +95,7 @@ int main(int argc, const char** argv) {
     args.arg("--seed %d:N", &seed).help("another seed, other jobs (1)");
     args.arg("--first %d:N", &first).help("the number of the first (0)");
     args.arg("--devices %s:NAMES", &devices).help("beside the CPU (egl,osmesa); \"\" for none");
-    if (args.parse(argc, argv) < 0)
+    if (args.parse_args(argc, argv) < 0)
         return 2;
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
     std::vector<Device> there;

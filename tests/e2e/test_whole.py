@@ -15,8 +15,14 @@ DDT = os.path.join(BUILD, "bin", "ddt")
 KILLS = 50
 
 
+def heed_signals():
+    """A shell's background jobs ignore SIGINT, and so would theirs."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 class Whole(Case):
     def ddt(self, *arguments, **how):
+        how.setdefault("preexec_fn", heed_signals)
         return subprocess.Popen([DDT, *arguments], cwd=self.folder, env=environment(False),
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **how)
 

@@ -144,8 +144,8 @@ int main(int argc, char** argv) {
     args.arg("--drawings %f:W", &drawings).help("what a drawing weighs (default: 0.3)");
     args.arg("--passes %d:N", &passes).help("solve so often (default: 4)");
     args.arg("--report", &reported).help("then measure every picture");
-    if (args.parse(argc, const_cast<const char**>(argv)) < 0 || folders.size() != 2 || every < 1 ||
-        passes < 1) {
+    if (args.parse_args(argc, const_cast<const char**>(argv)) < 0 || folders.size() != 2 ||
+        every < 1 || passes < 1) {
         args.print_help();
         return 2;
     }

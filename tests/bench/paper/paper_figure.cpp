@@ -182,7 +182,7 @@ int main(int argc, char** argv) {
     args.arg("--x %d:X", &square.x).help("left edge of the square");
     args.arg("--y %d:Y", &square.y).help("upper edge of the square");
     args.arg("--size %d:N", &square.size).help("pixels a side (default: 20)");
-    if (args.parse(argc, const_cast<const char**>(argv)) < 0 || operands.size() != 2 ||
+    if (args.parse_args(argc, const_cast<const char**>(argv)) < 0 || operands.size() != 2 ||
         square.size < factor) {
         std::fprintf(stderr, "%s\n", args.geterror().c_str());
         args.print_help();

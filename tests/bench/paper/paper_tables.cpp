@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
     args.arg("--reduce %s:HOW", &reduce).help("bilinear (default) or triangle, a smoother filter");
     args.arg("--megapixels %f:N", &megapixels).help("how far figure 13 goes (default: 16)");
     args.arg("--csv %s:FOLDER", &csv).help("write the tables there too, as CSV");
-    const bool parsed = args.parse(argc, const_cast<const char**>(argv)) >= 0;
+    const bool parsed = args.parse_args(argc, const_cast<const char**>(argv)) >= 0;
     const bool allowed = (only == 0 || only == 1 || only == 3 || only == 13) &&
                          (factor == 0 || factor == 2 || factor == 4) && megapixels >= 0.125f &&
                          (reduce == "bilinear" || reduce == "triangle");

@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
     args.arg("--tables %s:LIST", &tables)
         .help("small, ratios, stages, threads, growth (default: all)");
     args.arg("--no-programs", &no_programs).help("without ImageMagick and libvips");
-    if (args.parse(argc, const_cast<const char**>(argv)) < 0 || plan.rounds < 1 ||
+    if (args.parse_args(argc, const_cast<const char**>(argv)) < 0 || plan.rounds < 1 ||
         !(megapixels > 0)) {
         std::fprintf(stderr, "%s\n", args.geterror().c_str());
         args.print_help();

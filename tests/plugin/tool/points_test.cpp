@@ -197,6 +197,8 @@ TEST_F(OnPoints, ScatterSaysWhatIsWrong) {
          {Case{{in, out, "--channels", "height"}, exit_usage, "there are z, weight"},
           Case{{in, out, "--size", "12"}, exit_usage, "WxH"},
           Case{{in, out, "--window", "1,1,0,0"}, exit_usage, "two corners"},
+          Case{{in, out, "--window", "0,0,0,1"}, exit_usage, "two corners"},
+          Case{{in, out, "--window", "0,0,1,0"}, exit_usage, "two corners"},
           Case{{in, out, "--filter", "ddt,cost=x"}, exit_usage, "abn, scf"},
           Case{{temporary("none.csv"), out}, exit_failed, "none.csv"},
           Case{{write_file("line.csv", "x,y,z\n0,0,1\n1,1,2\n2,2,3\n"), out},

@@ -24,6 +24,7 @@ int ended_by(F&& f) {
     const pid_t child = fork();
     if (child == 0) {
         alarm(30);
+        std::signal(SIGINT, SIG_DFL); // a shell's background jobs ignore it
         remove_unfinished_on_signals();
         f();
         _exit(0);
