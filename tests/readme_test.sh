@@ -3,9 +3,9 @@
 # Runs what README.md tells its readers to run: every block marked `sh` and `python`, in a folder
 # that looks like the project's own, with a photo.png and a render.exr in it.
 #
-#   readme_test.sh SOURCE_DIR BUILD_DIR
+#   readme_test.sh SOURCE_DIR BUILD_DIR [PYTHON]
 set -euo pipefail
-source_dir=$1 build_dir=$2
+source_dir=$1 build_dir=$2 python=${3:-/usr/bin/python3}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
@@ -39,7 +39,7 @@ run() {
 unset OIIO_LIBRARY_PATH OPENIMAGEIO_PLUGIN_PATH OCIO
 for block in "$scratch"/sh-*; do run "$block" bash -euo pipefail; done
 export OIIO_LIBRARY_PATH=$PWD/build/plugins
-for block in "$scratch"/python-*; do run "$block" /usr/bin/python3; done
+for block in "$scratch"/python-*; do run "$block" "$python"; done
 
 # Commands that say nothing may have done nothing.
 sizes=$(iinfo large.png uhd.exr square.png)

@@ -9,16 +9,20 @@ namespace ddt {
 /// The longest line: beside a path of the longest there is no room for another echo.
 constexpr size_t longest_line = 4000;
 
-/// `text` with a blank in place of its line breaks and the blanks round them, and none at the ends;
-/// of what is too long for a line, the two ends.
+/// `text` with a blank in place of its line breaks and the blanks round them, and none at the ends; a
+/// line that repeats the one before is left out (OpenImageIO 3.1 says some things twice); of what is
+/// too long for a line, the two ends.
 inline std::string one_line(const std::string& text) {
     constexpr const char* blanks = " \t\r\n\v\f";
-    std::string line;
+    std::string line, before;
     for (size_t at = text.find_first_not_of(blanks); at != std::string::npos;) {
         size_t end = text.find_first_of("\r\n\v\f", at);
         const size_t next = text.find_first_not_of(blanks, end);
         end = text.find_last_not_of(blanks, end == std::string::npos ? end : end - 1) + 1;
-        line += (line.empty() ? "" : " ") + text.substr(at, end - at);
+        const std::string part = text.substr(at, end - at);
+        if (part != before)
+            line += (line.empty() ? "" : " ") + part;
+        before = part;
         at = next;
     }
     if (line.size() <= longest_line)

@@ -21,7 +21,7 @@ namespace {
 constexpr int margin = 4;
 
 /// Bytes that the image between enlarging and shrinking may have, about.
-constexpr int64_t band_bytes = int64_t(48) << 20;
+constexpr int64_t band_bytes = int64_t(32) << 20;
 
 /// Enlarge along the axis that grows into an image that still has the source's size along the
 /// other, and leave that to OpenImageIO.

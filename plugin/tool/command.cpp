@@ -7,6 +7,7 @@
 #include <OpenImageIO/argparse.h>
 #include <OpenImageIO/strutil.h>
 
+#include "core/base/one_line.h"
 #include "core/base/parse_number.h"
 
 namespace ddt::tool {
@@ -109,7 +110,7 @@ ExitCode parse_and_run(Command& command, const std::vector<std::string>& args) {
 
 ExitCode fail(const std::string& message, ExitCode code) {
     const bool named = message.compare(0, 5, "ddt: ") == 0;
-    std::fprintf(stderr, "%s%s\n", named ? "" : "ddt: ", message.c_str());
+    std::fprintf(stderr, "%s%s\n", named ? "" : "ddt: ", one_line(message).c_str());
     return code;
 }
 

@@ -14,6 +14,7 @@ TEST(OneLine, BreaksAndTheBlanksRoundThemBecomeOneBlank) {
     EXPECT_EQ(one_line("  one \r\n\n\ttwo \n three\n"), "one two three");
     EXPECT_EQ(one_line("a file  with blanks.png"), "a file  with blanks.png");
     EXPECT_EQ(one_line("a"), "a");
+    EXPECT_EQ(one_line("twice\ntwice\n once"), "twice once");
     EXPECT_EQ(one_line(""), "");
     EXPECT_EQ(one_line(" \n "), "");
 }
