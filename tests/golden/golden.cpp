@@ -82,8 +82,8 @@ std::string result_of(const OIIO::ImageBuf& image, const std::string& filter, do
     return hash_of(result);
 }
 
-/// OpenImageIO 3 associates the colour of 8-bit pictures with their alpha otherwise than 2 did: this one
-/// is another picture there.
+/// OpenImageIO 3 associates the colour of 8-bit pictures with their alpha otherwise than 2 did:
+/// this one is another picture there.
 bool is_read_otherwise(const std::string& name) {
     return name == "alpha.png" && OIIO::openimageio_version() >= 30000;
 }
