@@ -9,9 +9,9 @@ namespace ddt {
 /// The longest line: beside a path of the longest there is no room for another echo.
 constexpr size_t longest_line = 4000;
 
-/// `text` with a blank in place of its line breaks and the blanks round them, and none at the ends; a
-/// line that repeats the one before is left out (OpenImageIO 3.1 says some things twice); of what is
-/// too long for a line, the two ends.
+/// `text` with a blank in place of its line breaks and the blanks round them, and none at the ends;
+/// a line that repeats the one before is left out (OpenImageIO 3.1 says some things twice); of what
+/// is too long for a line, the two ends.
 inline std::string one_line(const std::string& text) {
     constexpr const char* blanks = " \t\r\n\v\f";
     std::string line, before;

@@ -49,15 +49,6 @@ ResizeMapping::Axis axis(int from0, int from_size, int to0, int to_size, int win
     return a;
 }
 
-bool take_memory(OIIO::ImageBuf& image, const OIIO::ImageSpec& spec, std::string& error) {
-    image.reset(spec, OIIO::InitializePixels::No);
-    if (image.localpixels())
-        return true;
-    image.clear();
-    error = "out of memory";
-    return false;
-}
-
 /// What IBAprep does with a roi and a dst that is not initialised, less making pixels black of
 /// which all will be written: that would take a tenth of the filter's time.
 bool allocate(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int flags,
@@ -171,6 +162,16 @@ bool check_size(const OIIO::ROI& roi, int channels, OIIO::TypeDesc type, std::st
     return true;
 }
 
+bool take_memory(OIIO::ImageBuf& image, const OIIO::ImageSpec& spec, std::string& error) {
+    image.reset(spec, OIIO::InitializePixels::No);
+    if (image.localpixels())
+        return true;
+    image.geterror(); // 3.x prints what nobody asked for
+    image.clear();
+    error = "out of memory";
+    return false;
+}
+
 bool make_image(OIIO::ImageBuf& image, const OIIO::ImageSpec& spec, std::string& error) {
     return take_memory(image, spec, error) && OIIO::ImageBufAlgo::zero(image);
 }
@@ -189,7 +190,7 @@ bool prepare(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int
     if (!dst.initialized() && roi.defined()) {
         if (!allocate(dst, src, roi, flags, error))
             return false;
-    } else if (!OIIO::ImageBufAlgo::IBAprep(roi, &dst, &src, flags) || !dst.initialized()) {
+    } else if (!OIIO::ImageBufAlgo::IBAprep(roi, &dst, &src, flags) || !dst.localpixels()) {
         error = dst.has_error() ? dst.geterror() : "out of memory";
         return false;
     }

@@ -19,8 +19,11 @@ bool check_source(const OIIO::ImageBuf& src, std::string& error);
 /// "limits:imagesize_MB" or than the machine has memory.
 bool check_size(const OIIO::ROI& roi, int channels, OIIO::TypeDesc format, std::string& error);
 
-/// Make `image` one of black pixels as `spec` says. False with one line in `error` when there is no
-/// memory: OpenImageIO 3 fills it without looking.
+/// Make `image` one as `spec` says, its pixels not yet written. False with one line in `error` when
+/// there is no memory, where OpenImageIO 3 calls an image initialised that has no pixels.
+bool take_memory(OIIO::ImageBuf& image, const OIIO::ImageSpec& spec, std::string& error);
+
+/// The same with black pixels.
 bool make_image(OIIO::ImageBuf& image, const OIIO::ImageSpec& spec, std::string& error);
 
 /// Make `dst` ready to be written and `roi` what is to be written of it, as ImageBufAlgo does (the

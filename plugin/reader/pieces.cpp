@@ -108,9 +108,8 @@ bool Pieces::compute(size_t row, size_t first, size_t last, int threads, OIIO::I
     const OIIO::ROI roi(m_x[first], m_x[last], m_y[row], m_y[row + 1], 0, 1, 0, m_spec.nchannels);
     OIIO::ImageSpec spec = m_spec;
     OIIO::set_roi(spec, roi);
-    band.reset(spec, OIIO::InitializePixels::No);
-    if (!band.localpixels())
-        error = "ddt: out of memory";
+    if (!take_memory(band, spec, error))
+        error = "ddt: " + error;
     else if (!resize(band, m_source, m_options, roi, threads))
         error = band.geterror();
     return error.empty();

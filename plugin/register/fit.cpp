@@ -29,10 +29,10 @@ bool make(ImageBuf& dst, const ImageBuf& src, const ROI& window) {
     ImageSpec spec = src.spec();
     spec.set_roi(window);
     spec.set_roi_full(window);
-    dst.reset(spec);
-    if (!dst.initialized())
-        dst.errorfmt("ddt: out of memory");
-    return dst.initialized();
+    if (make_image(dst, spec, error))
+        return true;
+    dst.errorfmt("ddt: {}", error);
+    return false;
 }
 
 ROI window_of(const ROI& roi, int channels) {

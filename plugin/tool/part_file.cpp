@@ -90,11 +90,8 @@ public:
         if (!check_size(OIIO::get_roi(spec), spec.nchannels, spec.format, error))
             return false;
         OIIO::ImageBuf strip;
-        strip.reset(spec, OIIO::InitializePixels::No);
-        if (!strip.initialized()) {
-            error = "out of memory";
+        if (!take_memory(strip, spec, error))
             return false;
-        }
         const size_t row = spec.scanline_bytes();
         if (m_made > m_done)
             std::memcpy(strip.localpixels(), m_left.data(), row * size_t(m_made - m_done));

@@ -98,9 +98,8 @@ bool resize_file(const std::string& in, const std::string& out, const ResizeSett
         return false;
     }
     OIIO::ImageBuf result;
-    result.reset(spec, OIIO::InitializePixels::No);
-    if (!result.initialized()) {
-        failure = {"out of memory", exit_resources};
+    if (!take_memory(result, spec, failure.why)) {
+        failure.code = exit_resources;
         return false;
     }
     ImageFile file;
@@ -122,8 +121,10 @@ bool resize_file(const std::string& in, const std::string& out, const ResizeSett
             failure.code = code_of_message(failure.why);
             return false;
         }
-        if (writer.has_failed())
+        if (writer.has_failed()) {
+            result.geterror(); // that it was cancelled: 3.x prints what nobody asked for
             break;
+        }
         writer.ready(end);
         begin = end;
     }

@@ -84,6 +84,11 @@ class Case(unittest.TestCase):
         if out:
             self.assertFalse(os.path.exists(self.path(out)), f"{out} was written")
 
+    def is_symbolic(self):
+        """Whether OpenImageIO's own calls cannot be redirected, as `ddt info` says then."""
+        return "maketx cannot use these filters" in self.succeed(
+            os.path.join(BUILD, "bin", "ddt"), "info")
+
     def load(self, name, subimage=0):
         """The image in a file. In this process: starting a program for it takes long."""
         # Names are written again and again.

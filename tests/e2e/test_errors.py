@@ -49,6 +49,9 @@ class Errors(Case):
                        says=("ddt", "deep"), out="out.exr")
 
     def test_absurd_size(self):
+        if self.attempt("oiiotool", "photo.png", "--resize", "1000000x1000000", "-o", "out.png",
+                        plugin=False).returncode < 0:
+            self.skipTest("oiiotool itself aborts before it calls a filter (3.1)")
         self.fail_with("oiiotool", "photo.png", "--resize:filter=ddt", "1000000x1000000", "-o",
                        "out.png", says=("1000000 x 1000000", "allowed"), out="out.png")
 

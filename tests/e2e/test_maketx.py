@@ -11,6 +11,19 @@ from support import Case
 
 
 class MakeTx(Case):
+    def setUp(self):
+        super().setUp()
+        if self.is_symbolic() and "refused" not in self.id():
+            self.skipTest("OpenImageIO is linked with -Bsymbolic-functions")
+
+    def test_refused_where_calls_cannot_be_redirected(self):
+        if not self.is_symbolic():
+            self.skipTest("they can")
+        self.fail_with("oiiotool", "photo.tif", "-otex:filter=ddt", "out.tx", says=('"ddt"',),
+                       out="out.tx")
+        self.fail_with("maketx", "--filter", "ddt", "photo.tif", "-o", "out.tx", says=('"ddt"',),
+                       out="out.tx")
+
     def test_filter_enlarges_to_a_power_of_two(self):
         self.succeed("maketx", "--filter", "ddt", "--resize", "--nomipmap", "photo.tif", "-o",
                      "out.tx")

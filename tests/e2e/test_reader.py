@@ -25,7 +25,7 @@ class Reader(Case):
                 filter = ("ddt-linear" if "linear" in options else "ddt")
                 filter += ",scheme=pixel" if "pixel" in options else ""
                 extension = image[-4:]
-                self.succeed("iconvert", f"{image}.ddt?scale=4{options}", "reader" + extension)
+                self.succeed("iconvert", "--scanline", f"{image}.ddt?scale=4{options}", "reader" + extension)
                 self.succeed("oiiotool", "--native", image, f"--resize:filter={filter}", "400%",
                              "-o", "resize" + extension)
                 self.assert_same("reader" + extension, "resize" + extension)
@@ -43,12 +43,12 @@ class Reader(Case):
                             ("scene.exr", oiio.HALF), ("window.exr", oiio.FLOAT)):
             source = oiio.ImageInput.open(self.path(image) + ".ddt?scale=2")
             self.assertEqual(source.spec().format, oiio.TypeDesc(type))
-        self.assertIn('oiio:ColorSpace: "sRGB"',
-                      self.succeed("iinfo", "-v", "photo.png.ddt?scale=2"))
+        space = re.search("oiio:ColorSpace: .*", self.succeed("iinfo", "-v", "photo.png"))
+        self.assertIn(space[0], self.succeed("iinfo", "-v", "photo.png.ddt?scale=2"))
 
     def test_oiiotool_reads_it(self):
         self.succeed("oiiotool", "photo.png.ddt?scale=3&light=encoded", "-o", "out.png")
-        self.succeed("iconvert", "photo.png.ddt?scale=3&light=encoded", "same.png")
+        self.succeed("iconvert", "--scanline", "photo.png.ddt?scale=3&light=encoded", "same.png")
         self.assert_same("out.png", "same.png")
 
     def test_image_cache_with_small_tiles(self):
@@ -156,7 +156,7 @@ print(0 if pixels is None else len(pixels))
         self.assertLessEqual(sum(taken), 4 * 321 * 321)
 
     def test_errors_at_reading(self):
-        self.fail_with("iconvert", "photo.png.ddt?scale=2&light=nosuchspace", "out.png",
+        self.fail_with("iconvert", "--scanline", "photo.png.ddt?scale=2&light=nosuchspace", "out.png",
                        says=("nosuchspace",))
 
     def test_a_hidden_file_without_a_name(self):

@@ -12,7 +12,7 @@ import unittest
 from support import BUILD, Case, environment
 
 DDT = os.path.join(BUILD, "bin", "ddt")
-KILLS = 50
+KILLS = int(os.environ.get("DDT_KILLS", 10))  # more by ./check --all
 
 
 def heed_signals():
@@ -98,6 +98,9 @@ class Whole(Case):
         self.succeed("oiiotool", "photo.png", "--noise", "-o", "noise.png")
         for name in ("out.png", "out.jpg", "out.tif", "out.exr", "out.bmp", "out.sgi", "out.dpx",
                      "out.hdr", "out.tga", "out.ppm", "out.ply", "out.svg"):
+            if name[-3:] not in ("ply", "svg") and self.attempt(
+                    "oiiotool", "photo.png", "-o", "try." + name[-3:]).returncode:
+                continue  # this OpenImageIO does not write it
             with self.subTest(name=name):
                 with open(self.path(name), "w", encoding="ascii") as file:
                     file.write("before")
@@ -135,7 +138,7 @@ class Whole(Case):
 
     def test_no_memory(self):
         def small():
-            resource.setrlimit(resource.RLIMIT_AS, (700 << 20, 700 << 20))
+            resource.setrlimit(resource.RLIMIT_AS, (600 << 20, 600 << 20))
 
         code, text = self.run_to_end("resize", "photo.png", "16000x12800", "out.tif",
                                      "--threads", "1", preexec_fn=small)

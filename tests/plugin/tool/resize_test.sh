@@ -11,8 +11,10 @@ trap 'rm -rf "$scratch"' EXIT
 
 windows() { iinfo -v "$1" | grep -E '^ +(full/display|pixel data)'; }
 
-for image in window.exr scene.png; do
-    for size in 50% 333% 33.3%x120% 1.7 0x77 100x0 64x48+10-20 130x99+10-20; do
+compare() {
+    local image=$1 size
+    shift
+    for size in "$@"; do
         ours=$scratch/ours.exr theirs=$scratch/theirs.exr
         "$bin/ddt" resize "$testimages/$image" "$size" "$ours" --type half
         oiiotool "$testimages/$image" --resize:filter=ddt "$size" -d half -o "$theirs"
@@ -20,4 +22,6 @@ for image in window.exr scene.png; do
             { echo "FAILED: windows of $image at $size"; exit 1; }
         idiff -q "$ours" "$theirs" || { echo "FAILED: pixels of $image at $size"; exit 1; }
     done
-done
+}
+compare window.exr 50% 333% 33.3%x120% 1.7 0x77 100x0 64x48+10-20 130x99+10-20
+compare scene.png 333% 64x48+10-20
