@@ -12,7 +12,7 @@ import unittest
 from support import BUILD, Case, environment
 
 DDT = os.path.join(BUILD, "bin", "ddt")
-KILLS = int(os.environ.get("DDT_KILLS", 10))  # more by ./check --all
+KILLS = 50
 
 
 def heed_signals():
