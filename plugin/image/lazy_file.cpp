@@ -14,30 +14,28 @@ namespace {
 /// forgets when the thread ends. A later cache at that address would be taken for the one that was,
 /// by every worker that outlives it. Destroying one would also wait for a lock of the process,
 /// under which a reader may be closed, by the destruction of a host's cache.
-template <typename Cache>
 class IdleCaches {
 public:
-    Cache take() {
+    CacheHandle take() {
         const std::lock_guard<std::mutex> lock(m_mutex);
         if (m_caches.empty())
             return OIIO::ImageCache::create(false);
-        Cache cache = m_caches.back();
+        CacheHandle cache = m_caches.back();
         m_caches.pop_back();
         return cache;
     }
-    void give_back(const Cache& cache) {
+    void give_back(const CacheHandle& cache) {
         const std::lock_guard<std::mutex> lock(m_mutex);
         m_caches.push_back(cache);
     }
 
 private:
     std::mutex m_mutex;
-    std::vector<Cache> m_caches;
+    std::vector<CacheHandle> m_caches;
 };
 
-template <typename Cache>
-IdleCaches<Cache>& idle_caches() {
-    static auto* caches = new IdleCaches<Cache>; // files are closed until a process's last moment
+IdleCaches& idle_caches() {
+    static auto* caches = new IdleCaches; // files are closed until a process's last moment
     return *caches;
 }
 
@@ -45,7 +43,7 @@ IdleCaches<Cache>& idle_caches() {
 
 LazyFile::LazyFile(const std::string& path, int subimage, const Pieces& pieces,
                    const OIIO::ImageSpec* hints)
-    : m_path(path), m_cache(idle_caches<Cache>().take()) {
+    : m_path(path), m_cache(idle_caches().take()) {
     m_cache->attribute("max_memory_MB", pieces.megabytes);
     m_cache->attribute("autotile", tile_size);
     m_cache->attribute("autoscanline", int(pieces.whole_rows));
@@ -55,7 +53,7 @@ LazyFile::LazyFile(const std::string& path, int subimage, const Pieces& pieces,
 LazyFile::~LazyFile() {
     m_image.reset();
     m_cache->invalidate(OIIO::ustring(m_path), true); // closed, and its tiles gone
-    idle_caches<Cache>().give_back(m_cache);
+    idle_caches().give_back(m_cache);
 }
 
 } // namespace ddt

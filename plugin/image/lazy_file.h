@@ -10,6 +10,9 @@
 
 namespace ddt {
 
+/// An image cache as it is handed out: a pointer, from 3.x on a shared one.
+using CacheHandle = decltype(OIIO::ImageCache::create(false));
+
 /// Behind an image cache that no other file uses for as long as this one is open: programs limit
 /// and empty the one they share.
 class LazyFile {
@@ -32,10 +35,8 @@ public:
     const OIIO::ImageBuf& image() const { return *m_image; }
 
 private:
-    using Cache = decltype(OIIO::ImageCache::create(false)); // 3.x hands out a shared pointer
-
     std::string m_path;
-    Cache m_cache; // older than the image, which uses it until its end
+    CacheHandle m_cache; // older than the image, which uses it until its end
     std::unique_ptr<OIIO::ImageBuf> m_image;
 };
 

@@ -95,12 +95,13 @@ bool resize_by_oiio(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::
                     int nthreads, std::string& error) {
     const auto resized = [&](OIIO::ImageBuf& out, const OIIO::ROI& part) {
 #if OIIO_VERSION >= OIIO_MAKE_VERSION(3, 0, 0)
-        if (OIIO::ImageBufAlgo::resize(out, src, OIIO::ParamValueSpan(), part, nthreads))
-            return true;
+        const bool ok =
+            OIIO::ImageBufAlgo::resize(out, src, OIIO::ParamValueSpan(), part, nthreads);
 #else
-        if (OIIO::ImageBufAlgo::resize(out, src, "", 0.0f, part, nthreads))
-            return true;
+        const bool ok = OIIO::ImageBufAlgo::resize(out, src, "", 0.0f, part, nthreads);
 #endif
+        if (ok)
+            return true;
         error = out.has_error() ? out.geterror() : "OpenImageIO's resize failed";
         return false;
     };

@@ -3,6 +3,8 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/image/windows.h"
+
 namespace ddt {
 namespace {
 
@@ -22,9 +24,8 @@ bool SourceImage::open(const std::string& path, OIIO::ImageInput& input, int sub
         return true;
     }
     spec.channelformats.clear();
-    m_pixels.reset(spec, OIIO::InitializePixels::No);
-    if (!m_pixels.localpixels()) {
-        error = "ddt: out of memory";
+    if (!take_memory(m_pixels, spec, error)) {
+        error = "ddt: " + error;
         return false;
     }
     if (input.read_image(subimage, 0, 0, spec.nchannels, spec.format, m_pixels.localpixels()))

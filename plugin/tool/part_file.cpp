@@ -14,6 +14,7 @@
 #include "plugin/image/windows.h"
 #include "plugin/tool/fingerprint.h"
 #include "plugin/tool/image_file.h"
+#include "plugin/tool/picture.h"
 
 namespace ddt::tool {
 
@@ -34,16 +35,6 @@ constexpr int cache_megabytes = 192;
 
 /// Tiles of a whole as wide as this are less high, so that a row of them stays small for joining.
 constexpr int64_t largest_row = int64_t(64) << 20;
-
-/// Whether there is an image in the file.
-bool is_readable(OIIO::ImageBuf& image, const std::string& path, Failure& failure) {
-    if (image.init_spec(path, 0, 0))
-        return true;
-    failure.why = image.has_error() ? image.geterror() : "cannot read \"" + path + "\"";
-    if (failure.why.find(path) == std::string::npos)
-        failure.why = "\"" + path + "\": " + failure.why;
-    return false;
-}
 
 /// The type in which a part keeps numbers of `type` so that they come back; unknown if there is
 /// none.
@@ -192,8 +183,10 @@ bool PartHeader::take_from(OIIO::ImageSpec& spec) {
 bool resize_part(const std::string& in, const std::string& out, const ResizeSettings& settings,
                  Part part, const std::function<bool(float)>& progress, Failure& failure) {
     LazyFile file_in(in, 0, {cache_megabytes, true});
-    if (!is_readable(file_in.image(), in, failure))
+    if (!file_in.image().init_spec(in, 0, 0)) {
+        failure.why = why_unreadable(file_in.image(), in);
         return false;
+    }
     const OIIO::ImageBuf& image = file_in.image();
     // The cache's pixels may be of another type than the file's.
     OIIO::ImageSpec from = image.spec(), whole;

@@ -40,13 +40,16 @@ private:
 
 } // namespace
 
+std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path) {
+    const std::string why = image.has_error() ? image.geterror() : "cannot read \"" + path + "\"";
+    return why.find(path) == std::string::npos ? "\"" + path + "\": " + why : why;
+}
+
 bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error) {
     image.reset(path);
     if (image.read(0, 0, true))
         return true;
-    error = image.has_error() ? image.geterror() : "cannot read \"" + path + "\"";
-    if (error.find(path) == std::string::npos)
-        error = "\"" + path + "\": " + error;
+    error = why_unreadable(image, path);
     return false;
 }
 

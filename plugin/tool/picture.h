@@ -25,6 +25,9 @@ struct Picture {
     std::vector<float> guide;
 };
 
+/// One line that says why the image of a file cannot be read.
+std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path);
+
 /// Read the first image of a file, its pixels included. False with one line in `error`.
 bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error);
 

@@ -23,7 +23,7 @@ namespace {
 
 using namespace ddt;
 
-constexpr int colours = 3, cut_size = 160, cut_step = 61;
+constexpr int cut_size = 160, cut_step = 61;
 
 struct Guide {
     int width = 0, height = 0;
@@ -36,24 +36,6 @@ struct Guide {
         return part;
     }
 };
-
-Guide guide_of(const metrics::Image& image, bench::Light light) {
-    std::vector<float> pixels;
-    for (size_t i = 0; i < image.channels[0].values.size(); ++i)
-        for (const metrics::Plane& plane : image.channels)
-            pixels.push_back(float(bench::decode(plane.values[i], light)));
-    GuideRecipe recipe;
-    constexpr float luminance[colours] = {0.2126f, 0.7152f, 0.0722f};
-    for (int c = 0; c < colours; ++c) {
-        recipe.channel[c] = c;
-        recipe.weight[c] = luminance[c];
-    }
-    recipe.linear = light != bench::Light::encoded;
-    Guide guide{image.width(), image.height(), {}};
-    guide.values.resize(image.channels[0].values.size());
-    make_guide(recipe, pixels.data(), guide.values.size(), colours, guide.values.data());
-    return guide;
-}
 
 /// Every step of making a mesh that looks at neighbours.
 void make_mesh(std::vector<float> guide, int width, int height, const MeshOptions& options,
@@ -113,7 +95,8 @@ int main(int argc, char** argv) {
                     std::fprintf(stderr, "%s is left out: %s\n", file.c_str(), error.c_str());
                     continue;
                 }
-                const Guide guide = guide_of(image, light);
+                const Guide guide{image.width(), image.height(),
+                                  bench::guide_of(bench::pixels_of(image, light), light)};
                 Lattice whole, part;
                 make_mesh(guide.values, guide.width, guide.height, options.mesh, whole);
                 for (int y = 0; y + cut_size <= guide.height; y += cut_step)

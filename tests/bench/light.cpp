@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+
+#include "ddt/guide.h"
 
 namespace bench {
 
@@ -62,16 +65,32 @@ double encode(double value, Light light) {
     return 0;
 }
 
+std::vector<float> pixels_of(const metrics::Image& image, Light light) {
+    std::vector<float> pixels;
+    pixels.reserve(image.channels[0].values.size() * std::size(image.channels));
+    for (size_t i = 0; i < image.channels[0].values.size(); ++i)
+        for (const metrics::Plane& plane : image.channels)
+            pixels.push_back(float(decode(plane.values[i], light)));
+    return pixels;
+}
+
+std::vector<float> guide_of(const std::vector<float>& pixels, Light light) {
+    ddt::GuideRecipe recipe;
+    for (int c = 0; c < 3; ++c) {
+        recipe.channel[c] = c;
+        recipe.weight[c] = ddt::luminance_weights[c];
+    }
+    recipe.linear = light != Light::encoded;
+    std::vector<float> guide(pixels.size() / 3);
+    ddt::make_guide(recipe, pixels.data(), guide.size(), 3, guide.data());
+    return guide;
+}
+
 OIIO::ImageBuf to_light(const metrics::Image& image, Light light) {
     OIIO::ImageSpec spec(image.width(), image.height(), 3, OIIO::TypeDesc::FLOAT);
     spec.attribute("oiio:ColorSpace", light == Light::encoded ? "sRGB" : "Linear");
-    std::vector<float> values;
-    values.reserve(spec.image_pixels() * 3);
-    for (size_t i = 0; i < spec.image_pixels(); ++i)
-        for (const metrics::Plane& plane : image.channels)
-            values.push_back(float(decode(plane.values[i], light)));
     OIIO::ImageBuf buffer(spec);
-    buffer.set_pixels(buffer.roi(), OIIO::TypeDesc::FLOAT, values.data());
+    buffer.set_pixels(buffer.roi(), OIIO::TypeDesc::FLOAT, pixels_of(image, light).data());
     return buffer;
 }
 

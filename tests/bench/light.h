@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <OpenImageIO/imagebuf.h>
 
@@ -31,6 +32,12 @@ double encode_log(double scene);
 /// One display value in a light, and back.
 double decode(double display, Light light);
 double encode(double value, Light light);
+
+/// Red, green and blue of every pixel in a light, row by row.
+std::vector<float> pixels_of(const metrics::Image& image, Light light);
+
+/// The guide that the filters make of such pixels, before it is blurred.
+std::vector<float> guide_of(const std::vector<float>& pixels, Light light);
 
 /// Three float channels, 1 is white, "oiio:ColorSpace" set.
 OIIO::ImageBuf to_light(const metrics::Image& image, Light light);

@@ -29,26 +29,9 @@ FilterOptions filter_options() {
     return options;
 }
 
-/// Reduced pixels, RGB interleaved, in their light.
-std::vector<float> pixels_of(const metrics::Image& image, bench::Light light) {
-    std::vector<float> pixels;
-    for (size_t i = 0; i < image.channels[0].values.size(); ++i)
-        for (const metrics::Plane& plane : image.channels)
-            pixels.push_back(float(bench::decode(plane.values[i], light)));
-    return pixels;
-}
-
 void make_mesh(const std::vector<float>& pixels, int width, int height, bench::Light light,
                const FilterOptions& options, Workspace& workspace, Lattice& lattice) {
-    GuideRecipe recipe;
-    constexpr float luminance[colours] = {0.2126f, 0.7152f, 0.0722f};
-    for (int c = 0; c < colours; ++c) {
-        recipe.channel[c] = c;
-        recipe.weight[c] = luminance[c];
-    }
-    recipe.linear = light != bench::Light::encoded;
-    std::vector<float> guide(size_t(width) * size_t(height));
-    make_guide(recipe, pixels.data(), guide.size(), colours, guide.data());
+    std::vector<float> guide = bench::guide_of(pixels, light);
     blur_guide(guide, width, height, blur_share(options.mesh, 0));
     Statistics statistics;
     start(lattice, width, height, guide.data(), options.mesh);
@@ -169,7 +152,7 @@ bool make_scene(const std::string& file, int scale, bench::Light light, Scene& s
     if (!bench::read_original(file, scale, light, scene.original, error))
         return false;
     const metrics::Image small = bench::reduced(scene.original, scale, light, bench::Reduce::box);
-    const std::vector<float> pixels = pixels_of(small, light);
+    const std::vector<float> pixels = bench::pixels_of(small, light);
     Workspace workspace;
     Lattice& lattice = scene.lattice;
     make_mesh(pixels, small.width(), small.height(), light, options, workspace, lattice);

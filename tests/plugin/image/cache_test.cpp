@@ -3,8 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include <OpenImageIO/imagecache.h>
-
+#include "plugin/image/lazy_file.h"
 #include "tests/plugin/images.h"
 #include "tests/temporary.h"
 
@@ -12,12 +11,10 @@ namespace {
 
 constexpr int side = 2048, tile = 64;
 
-using Cache = decltype(OIIO::ImageCache::create(false)); // 3.x hands out a shared pointer
-
 /// A cache that nobody else uses. One for all tests, since worker threads outlive them: see
 /// plugin/image/lazy_file.cpp.
-Cache empty_cache() {
-    static auto* cache = new Cache(OIIO::ImageCache::create(false));
+ddt::CacheHandle empty_cache() {
+    static auto* cache = new ddt::CacheHandle(OIIO::ImageCache::create(false));
     (*cache)->invalidate_all(true);
     (*cache)->reset_stats();
     (*cache)->attribute("max_memory_MB", 1024.0f);
@@ -45,7 +42,7 @@ protected:
 
     std::string m_path;
     OIIO::ImageBuf m_pixels; ///< the same in memory
-    Cache m_cache;
+    ddt::CacheHandle m_cache;
 };
 
 TEST_F(CacheTest, AFileIsReadTileByTile) {
