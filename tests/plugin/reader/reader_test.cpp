@@ -3,7 +3,9 @@
 #include "tests/temporary.h"
 
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
+#include <regex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -74,6 +76,31 @@ TEST_F(Reader, ReadsSingleTilesInAnyOrder) {
             const bool inside = y < 36 && i < 44 * 3;
             ASSERT_EQ(all[size_t(y * side * 3 + i)], inside ? whole[size_t(y * 44 * 3 + i)] : 0.0f);
         }
+}
+
+/// Of a picture of 4 x 4 tiles of the mesh, those on which the tiles that are read lie.
+TEST_F(Reader, TilesTakeTheirPartOfTheMesh) {
+    const std::string large = ddt::temporary("reader_test_large.tif");
+    ASSERT_TRUE(
+        ImageBufAlgo::resize(ImageBuf(path()), "", 0.0f, ROI(0, 1024, 0, 1024)).write(large));
+    auto input = ImageInput::open(large + ".ddt?scale=4");
+    ASSERT_TRUE(input) << OIIO::geterror();
+    setenv("DDT_VERBOSE", "1", 1);
+    setenv("DDT_DEVICE", "cpu", 1);
+    std::vector<uint8_t> pixels(64 * 64 * 3);
+    testing::internal::CaptureStderr();
+    EXPECT_TRUE(
+        input->read_tiles(0, 0, 2176, 2240, 2176, 2240, 0, 1, 0, 3, TypeUInt8, pixels.data()))
+        << input->geterror();
+    const std::string told = testing::internal::GetCapturedStderr();
+    unsetenv("DDT_DEVICE");
+    unsetenv("DDT_VERBOSE");
+    int64_t taken = 0;
+    const std::regex line("; (\\d+) pixels, \\d+ flips");
+    for (std::sregex_iterator found(told.begin(), told.end(), line), end; found != end; ++found)
+        taken += std::stoll((*found)[1]);
+    EXPECT_GT(taken, 0) << told;
+    EXPECT_LE(taken, 4 * 321 * 321) << told;
 }
 
 TEST_F(Reader, HasTheSubimagesOfItsSource) {
