@@ -85,51 +85,79 @@ HWY_INLINE void add_plain_cell(const Net& net, int site, bool down, float* upper
     add(lower + group_size, cell(z3, z2, z1, z0, b, r, l, t), down);
 }
 
+/// A triangle that crosses a cell, and the surface over it.
+struct Crossing {
+    Triangle triangle;
+    Patch<Lanes4> patch;
+    bool tame;
+};
+
+template <bool quadratic, bool soft>
+HWY_INLINE void find_crossing(const Lattice& lattice, const Net& net, Point p, Lanes4 strict,
+                              Crossing& found) {
+    found.triangle = locate(lattice, p);
+    const Triangle& t = found.triangle;
+    Patch<Lanes4>& patch = found.patch;
+    const auto load = [&](int s) HWY_ATTR { return Lanes4::load(net.at(s)); };
+    const auto load_soft = [&](int s) HWY_ATTR { return Lanes4::load(net.soft_at(s)); };
+    patch.z0 = load(t.vertex[0]);
+    patch.z1 = load(t.vertex[1]);
+    patch.z2 = load(t.vertex[2]);
+    if (quadratic) {
+        patch.e01 = load(t.edge[0]);
+        patch.e12 = load(t.edge[1]);
+        patch.e20 = load(t.edge[2]);
+    }
+    if (soft) {
+        patch.q01 = load_soft(t.edge[0]);
+        patch.q12 = load_soft(t.edge[1]);
+        patch.q20 = load_soft(t.edge[2]);
+    }
+    found.tame = patch.is_tame();
+    if (found.tame)
+        patch.template find_range<soft, true>(strict, false);
+    else
+        patch.template find_range<soft, false>(strict, false);
+}
+
 /// The same where other edges cross the cell: by locating the positions.
 template <bool quadratic, bool soft>
 HWY_INLINE void add_other_cell(const Lattice& lattice, const Net& net, int cx, int cy, float* upper,
                                float* lower) {
+    constexpr float unit = 1.0f / float(position_one);
+    constexpr int positions = 16;
     const Lanes4 strict = Lanes4::load(net.strict);
-    Triangle triangle;
-    Patch<Lanes4> patch;
-    bool known = false;
-    // Row by row through all 16 positions, so that most lie in the triangle of the one before.
-    Lanes4 mean[4] = {Lanes4(0.0f), Lanes4(0.0f), Lanes4(0.0f), Lanes4(0.0f)};
-    for (int i = 0; i < 16; ++i) {
+    Crossing crossings[positions];
+    int count = 0, last = 0;
+    Lanes4 mean[4] = {Lanes4(0.0f), Lanes4(0.0f), Lanes4(0.0f), Lanes4(0.0f)}, z[4];
+    for (int corner = 0; corner < 4; ++corner)
+        z[corner] =
+            Lanes4::load(net.at(lattice.vertex_site(cx + (corner & 1), cy + (corner >> 1))));
+    // Row by row, so that most lie in the triangle of the one before.
+    for (int i = 0; i < positions; ++i) {
         const int py = i / 4, px = py % 2 ? 3 - i % 4 : i % 4;
         const Point p{cx * position_one + (2 * px + 1) * (position_one / 8),
                       cy * position_one + (2 * py + 1) * (position_one / 8)};
-        int32_t w[3] = {};
-        if (known)
-            triangle.weights(p, w);
-        if (!known || !triangle.holds(w)) {
-            triangle = locate(lattice, p);
-            triangle.weights(p, w);
-            known = true;
-            const auto load = [&](int s) HWY_ATTR { return Lanes4::load(net.at(s)); };
-            const auto load_soft = [&](int s) HWY_ATTR { return Lanes4::load(net.soft_at(s)); };
-            patch.z0 = load(triangle.vertex[0]);
-            patch.z1 = load(triangle.vertex[1]);
-            patch.z2 = load(triangle.vertex[2]);
-            if (quadratic) {
-                patch.e01 = load(triangle.edge[0]);
-                patch.e12 = load(triangle.edge[1]);
-                patch.e20 = load(triangle.edge[2]);
+        int32_t w[3];
+        const auto holds = [&](int k) {
+            crossings[k].triangle.weights(p, w);
+            return crossings[k].triangle.holds(w);
+        };
+        if (count == 0 || !holds(last)) {
+            for (last = 0; last < count && !holds(last);)
+                ++last;
+            if (last == count) {
+                find_crossing<quadratic, soft>(lattice, net, p, strict, crossings[count++]);
+                crossings[last].triangle.weights(p, w);
             }
-            if (soft) {
-                patch.q01 = load_soft(triangle.edge[0]);
-                patch.q12 = load_soft(triangle.edge[1]);
-                patch.q20 = load_soft(triangle.edge[2]);
-            }
-            patch.template find_range<soft, false>(strict, false);
         }
-        constexpr float unit = 1.0f / float(position_one);
+        const Crossing& here = crossings[last];
+        const Lanes4 b0 = Lanes4(float(w[0]) * unit), b1 = Lanes4(float(w[1]) * unit),
+                     b2 = Lanes4(float(w[2]) * unit);
+        const Lanes4 f = here.tame ? here.patch.template at<quadratic, soft, true>(b0, b1, b2)
+                                   : here.patch.template at<quadratic, soft, false>(b0, b1, b2);
         const int corner = px / 2 + 2 * (py / 2);
-        const Lanes4 z =
-            Lanes4::load(net.at(lattice.vertex_site(cx + (corner & 1), cy + (corner >> 1))));
-        const Lanes4 f = patch.template at<quadratic, soft, false>(
-            Lanes4(float(w[0]) * unit), Lanes4(float(w[1]) * unit), Lanes4(float(w[2]) * unit));
-        mean[corner] = mean[corner] + (f - z);
+        mean[corner] = mean[corner] + (f - z[corner]);
     }
     for (int corner = 0; corner < 4; ++corner) {
         float* to = (corner >> 1 ? lower : upper) + (corner & 1) * group_size;
