@@ -2,6 +2,7 @@
 // Warps by any matrix of any picture: a result, or one line.
 #include <cmath>
 
+#include <OpenImageIO/Imath.h>
 #include <OpenImageIO/imagebufalgo.h>
 
 #include "ddt/resize.h"
@@ -20,20 +21,16 @@ namespace {
 /// refused. An undefined `roi` stands for the picture's image.
 bool takes_long(const float (&matrix)[3][3], const OIIO::ImageBuf& src, OIIO::ROI roi) {
     Projective to_output, to_source;
-    for (int i = 0; i < 9; ++i)
+    // OpenImageIO inverts in float32.
+    const Imath::M33f inverse = Imath::M33f(matrix).inverse();
+    for (int i = 0; i < 9; ++i) {
         to_output.m[size_t(i)] = double(matrix[i / 3][i % 3]);
+        to_source.m[size_t(i)] = double(inverse[i / 3][i % 3]);
+    }
     const Rect window = rect_of(src.roi());
-    if (!to_output.invert(to_source) || !shrinks(to_output, window))
+    Projective exact;
+    if (!to_output.invert(exact) || !shrinks(to_output, window))
         return false;
-    // OpenImageIO inverts in float32: what is nearly flat may see anything.
-    double size = 1;
-    for (const auto& row : matrix)
-        size *= std::hypot(double(row[0]), double(row[1]), double(row[2]));
-    const auto& m = to_output.m;
-    const double det = m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
-                       m[2] * (m[3] * m[7] - m[4] * m[6]);
-    if (!(std::fabs(det) > 1e-3 * size))
-        return true;
     const bool image_of = !roi.defined(); // no larger than this, if its corners are within
     if (image_of) {
         roi = OIIO::ROI(-130, 130, -130, 130);

@@ -205,7 +205,10 @@ TEST(Warp, CountsWhatAFilterGoesThrough) {
 TEST(Warp, ShrinkingWithoutEndIsRefused) {
     const auto src = picture();
     for (const Matrix& M :
-         {Matrix(1e-6f, 0, 0, 0, 1e-6f, 0, 0, 0, 1), Matrix(1, 0, 1 / 4.5f, 0, 1, 0, 0, 0, 1)}) {
+         {Matrix(1e-6f, 0, 0, 0, 1e-6f, 0, 0, 0, 1), Matrix(1, 0, 1 / 4.5f, 0, 1, 0, 0, 0, 1),
+          // Nearly singular: 2^25 pixels by its inverse, 2^58 by that in float32.
+          Matrix(-2.23260498f, -78.7316895f, 0.0274667889f, -1166.50916f, -41136.3555f, 14.3510618f,
+                 0.00255160267f, -0.052307345f, 0.000229947676f)}) {
         ImageBuf dst;
         EXPECT_FALSE(ddt::warp(dst, src, M, {}, false, ImageBuf::WrapDefault, window(0, 9, 0, 9)));
         EXPECT_NE(dst.geterror().find("would not end"), std::string::npos);
