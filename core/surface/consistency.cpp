@@ -27,21 +27,47 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
 using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
 
+#include "core/base/blocks-inl.h"
+
+/// Those of a vector of pixels, or one, from `source` on: a row `row` floats long. near: what is
+/// there beside them.
+template <class T>
+HWY_INLINE void limits_at(const Rect& near, ptrdiff_t row, const float* source, T margin, T lowest,
+                          float* low_row, float* high_row) {
+    const auto tap = [&](int i, int j)
+                         HWY_ATTR { return T::load(source + j * row + i * group_size); };
+    T low, high;
+    find_limits(near, margin, lowest, tap, low, high);
+    low.store(low_row);
+    high.store(high_row);
+}
+
 HWY_ATTR void limits_in_row(int width, int height, const float* source, int x0, int x1, int y,
                             const float* limit, float lowest, float* low_row, float* high_row) {
     const ptrdiff_t row = ptrdiff_t(width) * group_size;
-    const Lanes4 margin = Lanes4::load(limit), least = Lanes4(lowest);
-    for (int x = x0; x < x1; ++x) {
-        const ptrdiff_t in_row = ptrdiff_t(x) * group_size;
-        const float* z = source + y * row + in_row;
-        const auto tap = [&](int i, int j)
-                             HWY_ATTR { return Lanes4::load(z + j * row + i * group_size); };
-        const Rect near{x > 0 ? -1 : 0, y > 0 ? -1 : 0, x + 1 < width ? 2 : 1,
-                        y + 1 < height ? 2 : 1};
-        Lanes4 low, high;
-        find_limits(near, margin, least, tap, low, high);
-        low.store(low_row + in_row);
-        high.store(high_row + in_row);
+    const int above = y > 0 ? -1 : 0, below = y + 1 < height ? 2 : 1;
+    const auto one = [&](int x) HWY_ATTR {
+        const Rect near{x > 0 ? -1 : 0, above, x + 1 < width ? 2 : 1, below};
+        const ptrdiff_t at = ptrdiff_t(x) * group_size;
+        limits_at(near, row, source + y * row + at, Lanes4::load(limit), Lanes4(lowest),
+                  low_row + at, high_row + at);
+    };
+    const int begin = std::max(x0, 1), end = std::min(x1, width - 1), step = blocks_in_vector();
+    if (end - begin < step) {
+        for (int x = x0; x < x1; ++x)
+            one(x);
+        return;
+    }
+    if (x0 < begin)
+        one(x0);
+    if (x1 > end)
+        one(end);
+    const Blocks margin = in_every_block(limit), least(lowest);
+    for (int next = begin; next < end; next += step) {
+        // The last vector may repeat some.
+        const ptrdiff_t at = ptrdiff_t(std::min(next, end - step)) * group_size;
+        limits_at({-1, above, 2, below}, row, source + y * row + at, margin, least, low_row + at,
+                  high_row + at);
     }
 }
 
