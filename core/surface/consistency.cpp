@@ -111,21 +111,43 @@ HWY_INLINE void add_plain_cell(const Net& net, int site, bool down, float* upper
     add(lower + group_size, cell(z3, z2, z1, z0, b, r, l, t), down);
 }
 
-/// A triangle that crosses a cell, and the surface over it.
-struct Crossing {
-    Triangle triangle;
-    Patch<Lanes4> patch;
-    bool tame;
+constexpr int quadrant_side = 4, quadrant_positions = quadrant_side * quadrant_side;
+
+/// The barycentric weights of a cell's 16 positions, row by row, in a triangle that crosses it.
+struct CellWeights {
+    float b0[quadrant_positions], b1[quadrant_positions], b2[quadrant_positions];
+    unsigned inside; ///< bit i: position i belongs to the triangle
+
+    HWY_INLINE CellWeights(const Triangle& t, int cx, int cy) : inside(0) {
+        constexpr float unit = 1.0f / float(position_one);
+        const Point first = quadrant_position(cx, cy, 0);
+        int32_t w[3];
+        t.weights(first, w);
+        // All at once: a branch a position, none of which can be foretold, takes longer.
+        for (int i = 0; i < quadrant_positions; ++i) {
+            constexpr int32_t step = position_one / quadrant_side;
+            const int32_t x = (i % quadrant_side) * step, y = (i / quadrant_side) * step;
+            const int32_t w0 = w[0] + t.e12.x * y - t.e12.y * x,
+                          w1 = w[1] + t.e20.x * y - t.e20.y * x, w2 = position_one - w0 - w1;
+            const int32_t outside = (w0 + t.bias[0]) | (w1 + t.bias[1]) | (w2 + t.bias[2]);
+            inside |= (~unsigned(outside) >> 31) << i;
+            b0[i] = float(w0) * unit;
+            b1[i] = float(w1) * unit;
+            b2[i] = float(w2) * unit;
+        }
+    }
+
+    static HWY_INLINE Point quadrant_position(int cx, int cy, int i) {
+        return {cx * position_one + (2 * (i % quadrant_side) + 1) * (position_one / 8),
+                cy * position_one + (2 * (i / quadrant_side) + 1) * (position_one / 8)};
+    }
 };
 
 template <bool quadratic, bool soft>
-HWY_INLINE void find_crossing(const Lattice& lattice, const Net& net, Point p, Lanes4 strict,
-                              Crossing& found) {
-    found.triangle = locate(lattice, p);
-    const Triangle& t = found.triangle;
-    Patch<Lanes4>& patch = found.patch;
+HWY_INLINE Patch<Lanes4> load_patch(const Net& net, const Triangle& t) {
     const auto load = [&](int s) HWY_ATTR { return Lanes4::load(net.at(s)); };
     const auto load_soft = [&](int s) HWY_ATTR { return Lanes4::load(net.soft_at(s)); };
+    Patch<Lanes4> patch;
     patch.z0 = load(t.vertex[0]);
     patch.z1 = load(t.vertex[1]);
     patch.z2 = load(t.vertex[2]);
@@ -139,55 +161,50 @@ HWY_INLINE void find_crossing(const Lattice& lattice, const Net& net, Point p, L
         patch.q12 = load_soft(t.edge[1]);
         patch.q20 = load_soft(t.edge[2]);
     }
-    found.tame = patch.is_tame();
-    if (found.tame)
-        patch.template find_range<soft, true>(strict, false);
-    else
-        patch.template find_range<soft, false>(strict, false);
+    return patch;
+}
+
+/// The surface over a triangle at those of a cell's positions whose bits are set.
+template <bool quadratic, bool soft, bool tame>
+HWY_INLINE void evaluate_positions(Patch<Lanes4>& patch, Lanes4 strict, const CellWeights& weights,
+                                   unsigned wanted, Lanes4* f) {
+    patch.template find_range<soft, tame>(strict, false);
+    for (int i = 0; wanted; ++i, wanted >>= 1)
+        if (wanted & 1)
+            f[i] = patch.template at<quadratic, soft, tame>(
+                Lanes4(weights.b0[i]), Lanes4(weights.b1[i]), Lanes4(weights.b2[i]));
 }
 
 /// The same where other edges cross the cell: by locating the positions.
 template <bool quadratic, bool soft>
 HWY_INLINE void add_other_cell(const Lattice& lattice, const Net& net, int cx, int cy, float* upper,
                                float* lower) {
-    constexpr float unit = 1.0f / float(position_one);
-    constexpr int positions = 16;
     const Lanes4 strict = Lanes4::load(net.strict);
-    Crossing crossings[positions];
-    int count = 0, last = 0;
-    Lanes4 mean[4] = {Lanes4(0.0f), Lanes4(0.0f), Lanes4(0.0f), Lanes4(0.0f)}, z[4];
-    for (int corner = 0; corner < 4; ++corner)
-        z[corner] =
-            Lanes4::load(net.at(lattice.vertex_site(cx + (corner & 1), cy + (corner >> 1))));
-    // Row by row, so that most lie in the triangle of the one before.
-    for (int i = 0; i < positions; ++i) {
-        const int py = i / 4, px = py % 2 ? 3 - i % 4 : i % 4;
-        const Point p{cx * position_one + (2 * px + 1) * (position_one / 8),
-                      cy * position_one + (2 * py + 1) * (position_one / 8)};
-        int32_t w[3];
-        const auto holds = [&](int k) {
-            crossings[k].triangle.weights(p, w);
-            return crossings[k].triangle.holds(w);
-        };
-        if (count == 0 || !holds(last)) {
-            for (last = 0; last < count && !holds(last);)
-                ++last;
-            if (last == count) {
-                find_crossing<quadratic, soft>(lattice, net, p, strict, crossings[count++]);
-                crossings[last].triangle.weights(p, w);
-            }
-        }
-        const Crossing& here = crossings[last];
-        const Lanes4 b0 = Lanes4(float(w[0]) * unit), b1 = Lanes4(float(w[1]) * unit),
-                     b2 = Lanes4(float(w[2]) * unit);
-        const Lanes4 f = here.tame ? here.patch.template at<quadratic, soft, true>(b0, b1, b2)
-                                   : here.patch.template at<quadratic, soft, false>(b0, b1, b2);
-        const int corner = px / 2 + 2 * (py / 2);
-        mean[corner] = mean[corner] + (f - z[corner]);
+    Lanes4 f[quadrant_positions];
+    unsigned known = 0;
+    for (int i = 0; i < quadrant_positions; ++i) {
+        if (known >> i & 1)
+            continue;
+        const Triangle triangle = locate(lattice, CellWeights::quadrant_position(cx, cy, i));
+        const CellWeights weights(triangle, cx, cy);
+        const unsigned found = weights.inside | 1u << i;
+        Patch<Lanes4> patch = load_patch<quadratic, soft>(net, triangle);
+        if (patch.is_tame())
+            evaluate_positions<quadratic, soft, true>(patch, strict, weights, found, f);
+        else
+            evaluate_positions<quadratic, soft, false>(patch, strict, weights, found, f);
+        known |= found;
     }
     for (int corner = 0; corner < 4; ++corner) {
-        float* to = (corner >> 1 ? lower : upper) + (corner & 1) * group_size;
-        (Lanes4::load(to) + mean[corner] * Lanes4(0.25f)).store(to);
+        const int right = corner & 1, below = corner >> 1;
+        const Lanes4 z = Lanes4::load(net.at(lattice.vertex_site(cx + right, cy + below)));
+        const int i = 2 * right + 2 * below * quadrant_side;
+        // In the order back and forth through all positions.
+        Lanes4 mean(0.0f);
+        for (const int at : {i, i + 1, i + quadrant_side + 1, i + quadrant_side})
+            mean = mean + (f[at] - z);
+        float* to = (below ? lower : upper) + right * group_size;
+        (Lanes4::load(to) + mean * Lanes4(0.25f)).store(to);
     }
 }
 
