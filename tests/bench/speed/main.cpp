@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
     const int all = int(OIIO::Sysutil::hardware_concurrency());
     std::string path, scales = "1.5,2,4,8", threads = all > 1 ? "1,0" : "1", format = "float,8bit",
                       filters = OIIO::Strutil::join(ddt::filter_names(), "+"),
-                      tables = "small,ratios,stages,threads,growth", memory = "warm,fresh";
+                      tables = "small,ratios,stages,threads,cores,growth", memory = "warm,fresh";
     OIIO::ArgParse args;
     args.intro("speed: ddt against other ways to enlarge\n").usage("speed [IMAGE] [options]");
     args.arg("image").hidden().action([&](OIIO::cspan<const char*> a) { path = a[0]; });
@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
     args.arg("--memory %s:LIST", &memory)
         .help("of the result: warm (written to before), fresh (default: both)");
     args.arg("--tables %s:LIST", &tables)
-        .help("small, ratios, stages, threads, growth (default: all)");
+        .help("small, ratios, stages, threads, cores, growth (default: all)");
     args.arg("--no-programs", &no_programs).help("without ImageMagick and libvips");
     if (args.parse_args(argc, const_cast<const char**>(argv)) < 0 || plan.rounds < 1 ||
         !(megapixels > 0)) {
@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
     }
     const auto wanted = splits(tables, ","), formats = splits(format, ","),
                memories = splits(memory, ",");
-    if (!check_names(wanted, {"small", "ratios", "stages", "threads", "growth"}) ||
+    if (!check_names(wanted, {"small", "ratios", "stages", "threads", "cores", "growth"}) ||
         !check_names(formats, {"float", "8bit"}) || !check_names(memories, {"warm", "fresh"}))
         return 2;
     for (const std::string& name : memories)
@@ -102,6 +102,8 @@ int main(int argc, char** argv) {
         good = good && print_stages(pictures, plan);
     if (has(wanted, "threads"))
         good = good && print_threads(pictures, plan);
+    if (has(wanted, "cores"))
+        good = good && print_cores(pictures, plan);
     if (has(wanted, "growth"))
         good = good && print_growth(pictures, plan);
     return good ? 0 : 1;

@@ -40,6 +40,10 @@ bool print_growth(const Pictures& pictures, const Plan& plan);
 /// One thread's time over that of several.
 bool print_threads(const Pictures& pictures, const Plan& plan);
 
+/// What more cores than there are would make of it: how often the time of one thread that of so
+/// many is, when each tile takes what it took on one.
+bool print_cores(const Pictures& pictures, const Plan& plan);
+
 /// Calls a second on small images and for a small part of a large one, and the first call of the
 /// process, if no other table came before.
 bool print_small(const Pictures& pictures, const Plan& plan);
