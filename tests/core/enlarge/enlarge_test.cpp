@@ -401,12 +401,12 @@ TEST(Enlarge, NothingWantedIsNothingDone) {
 }
 
 TEST(Enlarge, ManyChannelsWorkOnFewerTilesAtOnce) {
-    // 128 channels take some 100 MB a tile; only one may be in flight.
+    // 160 channels take 124 MiB a tile; of 208 only one may be in flight.
     const ManyThreads allowed;
-    TestSource source({0, 0, 400, 280}, 128, 14, Kind::flat);
+    TestSource source({0, 0, 400, 280}, 160, 14, Kind::flat);
     const Rect to{0, 0, 400, 280};
     const auto mapping = mapping_of(source.window(), to, to);
-    const auto values = run(source, job_of(source, 128, 7), mapping, to);
+    const auto values = run(source, job_of(source, 160, 7), mapping, to);
     EXPECT_EQ(source.reads.size(), 4u);
     EXPECT_EQ(source.most_running, 1);
     EXPECT_EQ(differing(values, source.values()), 0u);
