@@ -10,14 +10,18 @@ namespace ddt {
 
 namespace one_round_steps {
 
+/// Whether the candidate at `other`, in the 2-region of the one at m, goes before it.
+inline bool goes_before(const std::vector<float>& gain, int other, int m) {
+    const float g = gain[size_t(other)], own = gain[size_t(m)];
+    return g > own || (g == own && other < m);
+}
+
 /// The first better candidate found in the 2-region of the edge at m, or -1 if m is the best.
 template <class Mesh>
 int find_blocker(const Mesh& mesh, const std::vector<float>& gain, int m) {
-    const float own = gain[size_t(m)];
     int blocker = -1;
     mesh.any_of_region(m, [&](int other) {
-        const float g = gain[size_t(other)];
-        const bool better = g > own || (g == own && other < m);
+        const bool better = goes_before(gain, other, m);
         blocker = better ? other : -1;
         return better;
     });
@@ -55,15 +59,16 @@ int64_t evaluate(const Mesh& mesh, const Criterion& criterion, float min_gain, W
     return int64_t(count);
 }
 
-/// A candidate that waits is looked at again when its blocker was evaluated again. Nothing else can
-/// free it: a flip in its region would have made the candidate itself dirty.
+/// A candidate that waits is looked at again when its blocker was evaluated again and no longer goes
+/// before it. Nothing else can free it: a flip in its region would have made the candidate itself
+/// dirty.
 template <class Mesh>
 void wake_blocked(const Mesh& mesh, uint8_t iteration, Workspace& w) {
     size_t kept = 0;
     for (const auto& b : w.blocked) {
         if (mesh.stamp(b.site) == iteration)
             continue; // evaluated, so among the candidates if it still is one
-        if (mesh.stamp(b.blocker) == iteration)
+        if (mesh.stamp(b.blocker) == iteration && !goes_before(w.gain, b.blocker, b.site))
             w.candidates.push_back(b.site);
         else
             w.blocked[kept++] = b;
