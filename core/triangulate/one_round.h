@@ -59,9 +59,9 @@ int64_t evaluate(const Mesh& mesh, const Criterion& criterion, float min_gain, W
     return int64_t(count);
 }
 
-/// A candidate that waits is looked at again when its blocker was evaluated again and no longer goes
-/// before it. Nothing else can free it: a flip in its region would have made the candidate itself
-/// dirty.
+/// A candidate that waits is looked at again when its blocker was evaluated again and no longer
+/// goes before it. Nothing else can free it: a flip in its region would have made the candidate
+/// itself dirty.
 template <class Mesh>
 void wake_blocked(const Mesh& mesh, uint8_t iteration, Workspace& w) {
     size_t kept = 0;
