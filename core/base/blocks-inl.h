@@ -10,6 +10,21 @@ HWY_INLINE int blocks_in_vector() {
     return int(hn::Lanes(D())) / group_size;
 }
 
+/// Go through x0 .. x1 - 1: several(x) for vectors of begin .. end - 1, which lie within, of which
+/// the last may repeat some, and one(x) for the rest; for all where those would not fill a vector.
+template <class One, class Several>
+HWY_INLINE void each_vector(int x0, int x1, int begin, int end, One one, Several several) {
+    const int step = blocks_in_vector();
+    if (end - begin < step)
+        begin = end = x1;
+    for (int x = x0; x < begin; ++x)
+        one(x);
+    for (int x = end; x < x1; ++x)
+        one(x);
+    for (int x = begin; x < end; x += step)
+        several(std::min(x, end - step));
+}
+
 /// Block k filled with p[k].
 HWY_INLINE Blocks spread(const float* p) {
     const D d;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sample/evaluate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -93,19 +94,9 @@ template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_triangle(const Net& net, const Strictness& strict, const LocatedRow& row,
                                   const Span& span, const Output& out) {
     Patch<Blocks> patch;
-    patch.z0 = at_site(net, span.vertex[0]);
-    patch.z1 = at_site(net, span.vertex[1]);
-    patch.z2 = at_site(net, span.vertex[2]);
-    if (quadratic) {
-        patch.e01 = at_site(net, span.edge[0]);
-        patch.e12 = at_site(net, span.edge[1]);
-        patch.e20 = at_site(net, span.edge[2]);
-    }
-    if (soft) {
-        patch.q01 = soft_at_site(net, span.edge[0]);
-        patch.q12 = soft_at_site(net, span.edge[1]);
-        patch.q20 = soft_at_site(net, span.edge[2]);
-    }
+    patch.template load<quadratic, soft>(
+        span.vertex, span.edge, [&](int s) HWY_ATTR { return at_site(net, s); },
+        [&](int s) HWY_ATTR { return soft_at_site(net, s); });
     if (patch.is_tame())
         evaluate_patch<quadratic, soft, true>(patch, strict, row, span, out);
     else

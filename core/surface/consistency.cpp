@@ -52,23 +52,13 @@ HWY_ATTR void limits_in_row(int width, int height, const float* source, int x0, 
         limits_at(near, row, source + y * row + at, Lanes4::load(limit), Lanes4(lowest),
                   low_row + at, high_row + at);
     };
-    const int begin = std::max(x0, 1), end = std::min(x1, width - 1), step = blocks_in_vector();
-    if (end - begin < step) {
-        for (int x = x0; x < x1; ++x)
-            one(x);
-        return;
-    }
-    if (x0 < begin)
-        one(x0);
-    if (x1 > end)
-        one(end);
     const Blocks margin = in_every_block(limit), least(lowest);
-    for (int next = begin; next < end; next += step) {
-        // The last vector may repeat some.
-        const ptrdiff_t at = ptrdiff_t(std::min(next, end - step)) * group_size;
+    const auto several = [&](int x) HWY_ATTR {
+        const ptrdiff_t at = ptrdiff_t(x) * group_size;
         limits_at({-1, above, 2, below}, row, source + y * row + at, margin, least, low_row + at,
                   high_row + at);
-    }
+    };
+    each_vector(x0, x1, std::max(x0, 1), std::min(x1, width - 1), one, several);
 }
 
 /// The means of a plain cell's quadrants, added to its corners' sums.
@@ -143,27 +133,6 @@ struct CellWeights {
     }
 };
 
-template <bool quadratic, bool soft>
-HWY_INLINE Patch<Lanes4> load_patch(const Net& net, const Triangle& t) {
-    const auto load = [&](int s) HWY_ATTR { return Lanes4::load(net.at(s)); };
-    const auto load_soft = [&](int s) HWY_ATTR { return Lanes4::load(net.soft_at(s)); };
-    Patch<Lanes4> patch;
-    patch.z0 = load(t.vertex[0]);
-    patch.z1 = load(t.vertex[1]);
-    patch.z2 = load(t.vertex[2]);
-    if (quadratic) {
-        patch.e01 = load(t.edge[0]);
-        patch.e12 = load(t.edge[1]);
-        patch.e20 = load(t.edge[2]);
-    }
-    if (soft) {
-        patch.q01 = load_soft(t.edge[0]);
-        patch.q12 = load_soft(t.edge[1]);
-        patch.q20 = load_soft(t.edge[2]);
-    }
-    return patch;
-}
-
 /// The surface over a triangle at those of a cell's positions whose bits are set.
 template <bool quadratic, bool soft, bool tame>
 HWY_INLINE void evaluate_positions(Patch<Lanes4>& patch, Lanes4 strict, const CellWeights& weights,
@@ -188,7 +157,10 @@ HWY_INLINE void add_other_cell(const Lattice& lattice, const Net& net, int cx, i
         const Triangle triangle = locate(lattice, CellWeights::quadrant_position(cx, cy, i));
         const CellWeights weights(triangle, cx, cy);
         const unsigned found = weights.inside | 1u << i;
-        Patch<Lanes4> patch = load_patch<quadratic, soft>(net, triangle);
+        Patch<Lanes4> patch;
+        patch.template load<quadratic, soft>(
+            triangle.vertex, triangle.edge, [&](int s) HWY_ATTR { return Lanes4::load(net.at(s)); },
+            [&](int s) HWY_ATTR { return Lanes4::load(net.soft_at(s)); });
         if (patch.is_tame())
             evaluate_positions<quadratic, soft, true>(patch, strict, weights, found, f);
         else

@@ -126,20 +126,10 @@ HWY_ATTR void make_gradients(const Lattice& lattice, const Rect& part, int y0, i
             gx.store(gradients_at(x));
             gy.store(gradients_at(x) + 2 * ptrdiff_t(stride));
         };
-        if (y == 0 || y == last_y || end - begin < step) {
-            for (int x = part.x0; x < part.x1; ++x)
-                walk_round(x);
-            continue;
-        }
-        if (part.x0 < begin)
-            walk_round(part.x0);
-        if (part.x1 > end)
-            walk_round(end);
         const uint8_t *above = scratch.gradient_rows.cell_row(y + 1).other.data(),
                       *below = scratch.gradient_rows.cell_row(y).other.data();
         const auto crossed = [&](int cell) { return above[cell] | below[cell]; };
-        for (int next = begin; next < end; next += step) {
-            const int x = std::min(next, end - step); // the last vector may repeat some
+        const auto plain_and_crossed = [&](int x) HWY_ATTR {
             plain_gradients(scratch, x, y, gradients_at(x), 2 * ptrdiff_t(stride));
             int any = 0;
             for (int k = x - 1; k < x + step; ++k)
@@ -147,7 +137,9 @@ HWY_ATTR void make_gradients(const Lattice& lattice, const Rect& part, int y0, i
             for (int k = x; any && k < x + step; ++k)
                 if (crossed(k - 1) | crossed(k))
                     walk_round(k);
-        }
+        };
+        const bool rim = y == 0 || y == last_y;
+        each_vector(part.x0, part.x1, begin, rim ? begin : end, walk_round, plain_and_crossed);
     }
 }
 

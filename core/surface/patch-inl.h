@@ -10,6 +10,17 @@ struct Patch {
     T q01, q12, q20; ///< their softness
     T low, high;     ///< range that the surface is clamped to
 
+    /// Those of a triangle, its vertices and its edges 01, 12, 20 told by their sites; at, soft_at:
+    /// what the net has at a site.
+    template <bool quadratic, bool soft, class At, class SoftAt>
+    DDT_INLINE void load(const int vertex[3], const int edge[3], At at, SoftAt soft_at) {
+        z0 = at(vertex[0]), z1 = at(vertex[1]), z2 = at(vertex[2]);
+        if (quadratic)
+            e01 = at(edge[0]), e12 = at(edge[1]), e20 = at(edge[2]);
+        if (soft)
+            q01 = soft_at(edge[0]), q12 = soft_at(edge[1]), q20 = soft_at(edge[2]);
+    }
+
     /// The range of the three values. With soft edges, where `strict` is 0, none, but that a
     /// surface over values that are not negative stays above half the smallest: so does every blend
     /// of planes over such values. What bends add would, beside a light a thousand times as bright,

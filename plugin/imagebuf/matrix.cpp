@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include <OpenImageIO/Imath.h>
+
 namespace ddt {
 namespace {
 
@@ -52,6 +54,17 @@ bool Projective::invert(Projective& inverse) const {
                  c2 * s, (a[1] * a[6] - a[0] * a[7]) * s, (a[0] * a[4] - a[1] * a[3]) * s};
     return std::all_of(inverse.m.begin(), inverse.m.end(),
                        [](double v) { return std::isfinite(v); });
+}
+
+Projective Projective::float_inverse() const {
+    Imath::M33f matrix;
+    for (int i = 0; i < 9; ++i)
+        matrix[i / 3][i % 3] = float(m[size_t(i)]);
+    matrix.invert();
+    Projective inverse;
+    for (int i = 0; i < 9; ++i)
+        inverse.m[size_t(i)] = double(matrix[i / 3][i % 3]);
+    return inverse;
 }
 
 bool shrinks(const Projective& m, const Rect& window) {

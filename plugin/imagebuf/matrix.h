@@ -22,6 +22,9 @@ struct Projective {
     bool affine() const { return m[2] == 0 && m[5] == 0 && m[8] == 1; }
     /// False if the matrix has no inverse, or is not finite.
     bool invert(Projective& inverse) const;
+    /// The inverse that OpenImageIO goes by: Imath's, in float32. Of a nearly singular matrix it is
+    /// another map, and the identity where there is none.
+    Projective float_inverse() const;
 };
 
 /// A scale below 1 by no more than this is not a smaller one: matrices arrive in float32.

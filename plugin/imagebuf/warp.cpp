@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include <OpenImageIO/Imath.h>
 #include <OpenImageIO/imagebufalgo_util.h>
 #include <OpenImageIO/strutil.h>
 
@@ -77,11 +76,9 @@ bool warp_by_oiio(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fPara
 /// OpenImageIO's filter goes through all that a pixel sees, beyond the picture too: near a horizon
 /// that has no end. What is less than this for a whole picture takes minutes. It inverts the matrix
 /// in float32, and where that is nearly singular sees another picture than the inverse's.
-bool has_an_end(OIIO::M33fParam M, const OIIO::ROI& roi, std::string& error) {
+bool has_an_end(const Projective& to_output, const OIIO::ROI& roi, std::string& error) {
     constexpr double filter_width = 6; // of lanczos3
-    const float* m = M.data();
-    const Imath::M33f to_output(m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8]);
-    const Projective to_source = matrix_of(to_output.inverse());
+    const Projective to_source = to_output.float_inverse();
     const double allowed = std::ldexp(1.0, 36) + std::ldexp(double(roi.npixels()), 12);
     if (filtered_pixels(to_source, rect_of(roi), filter_width) <= allowed)
         return true;
@@ -122,7 +119,7 @@ bool warp_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fPara
         const OIIO::ImageBuf& from = filled.initialized() ? filled : src;
         if (moved)
             return copy_moved(dst, from, roi, dx, dy, Beyond::black, error);
-        if (!has_an_end(M, roi, error))
+        if (!has_an_end(to_output, roi, error))
             return false;
         return warp_by_oiio(dst, from, M, recompute_roi, wrap, edgeclamp, roi, nthreads, error);
     }

@@ -2,7 +2,6 @@
 // Warps by any matrix of any picture: a result, or one line.
 #include <cmath>
 
-#include <OpenImageIO/Imath.h>
 #include <OpenImageIO/imagebufalgo.h>
 
 #include "ddt/resize.h"
@@ -20,17 +19,13 @@ namespace {
 /// picture shrinks, goes through all that a position sees, up to the number from which on it is
 /// refused. An undefined `roi` stands for the picture's image.
 bool takes_long(const float (&matrix)[3][3], const OIIO::ImageBuf& src, OIIO::ROI roi) {
-    Projective to_output, to_source;
-    // OpenImageIO inverts in float32.
-    const Imath::M33f inverse = Imath::M33f(matrix).inverse();
-    for (int i = 0; i < 9; ++i) {
+    Projective to_output, exact;
+    for (int i = 0; i < 9; ++i)
         to_output.m[size_t(i)] = double(matrix[i / 3][i % 3]);
-        to_source.m[size_t(i)] = double(inverse[i / 3][i % 3]);
-    }
     const Rect window = rect_of(src.roi());
-    Projective exact;
     if (!to_output.invert(exact) || !shrinks(to_output, window))
         return false;
+    const Projective to_source = to_output.float_inverse();
     const bool image_of = !roi.defined(); // no larger than this, if its corners are within
     if (image_of) {
         roi = OIIO::ROI(-130, 130, -130, 130);

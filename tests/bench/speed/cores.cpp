@@ -5,9 +5,9 @@
 #include <chrono>
 #include <cstdio>
 #include <functional>
+#include <numeric>
 #include <queue>
 
-#include "ddt/resize.h"
 #include "tables.h"
 #include "times.h"
 
@@ -19,38 +19,22 @@ using Clock = std::chrono::steady_clock;
 
 struct TileTimes {
     Times tiles;     ///< seconds, in the order of the tiles
-    double rest = 0; ///< before the first and after the last
+    double rest = 0; ///< after the last
 };
 
 /// On one thread. False on failure, after a line on stderr.
-bool time_tiles(const std::string& filter, const OIIO::ImageBuf& image, OIIO::ImageBuf& into,
-                TileTimes& times) {
-    ddt::Options options;
-    std::string error;
-    if (!ddt::parse_filter(filter, options, error)) {
-        std::fprintf(stderr, "%s\n", error.c_str());
-        return false;
-    }
-    options.device = ddt::Device::cpu;
-    Clock::time_point last;
-    const auto since_last = [&] {
-        const auto now = Clock::now();
-        const std::chrono::duration<double> passed = now - last;
-        last = now;
-        return passed.count();
-    };
+bool time_tiles(const std::string& filter, const Task& task, TileTimes& times) {
     times = {};
-    options.progress = [&](float) {
-        times.tiles.push_back(since_last());
+    auto last = Clock::now();
+    const Way way = ddt_way(filter + ",device=cpu", nullptr, [&](float) {
+        const auto now = Clock::now();
+        times.tiles.push_back(std::chrono::duration<double>(now - last).count());
+        last = now;
         return true;
-    };
-    last = Clock::now();
-    if (!ddt::resize(into, image, options, into.roi(), 1)) {
-        std::fprintf(stderr, "%s: %s\n", filter.c_str(), into.geterror().c_str());
-        return false;
-    }
-    times.rest = since_last();
-    return true;
+    });
+    const double all = way.run(task);
+    times.rest = all - std::accumulate(times.tiles.begin(), times.tiles.end(), 0.0);
+    return all >= 0;
 }
 
 /// When the last of so many threads is done.
@@ -85,11 +69,9 @@ bool print_cores(const Pictures& pictures, const Plan& plan) {
         OIIO::ImageBuf into = warm_image({image, scale, 1, nullptr});
         for (const std::string& filter : plan.filters) {
             TileTimes times;
-            if (!time_tiles(filter, image, into, times))
+            if (!time_tiles(filter, {image, scale, 1, &into}, times))
                 return false;
-            double sum = times.rest;
-            for (const double time : times.tiles)
-                sum += time;
+            const double sum = std::accumulate(times.tiles.begin(), times.tiles.end(), times.rest);
             const auto [least, most] = std::minmax_element(times.tiles.begin(), times.tiles.end());
             std::printf("%-14s %3gx %5zu %9.1f %7.1f %7.1f %10.2f", filter.c_str(), scale,
                         times.tiles.size(), *least * 1e3, median(times.tiles) * 1e3, *most * 1e3,

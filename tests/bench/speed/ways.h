@@ -41,8 +41,9 @@ struct Way {
 };
 
 /// A filter of this project, by its specification; `statistics`, when not null, is filled in by
-/// each run.
-Way ddt_way(const std::string& filter, ddt::Statistics* statistics = nullptr);
+/// each run, `progress` called during it (ddt/resize.h).
+Way ddt_way(const std::string& filter, ddt::Statistics* statistics = nullptr,
+            const std::function<bool(float)>& progress = {});
 
 /// OpenImageIO's filters, those that people use to enlarge.
 std::vector<Way> oiio_ways();
