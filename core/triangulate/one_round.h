@@ -2,6 +2,10 @@
 // The definition of one_round() of core/triangulate/schemes.h.
 #pragma once
 
+#include <algorithm>
+#include <iterator>
+
+#include "core/triangulate/blockers.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/schemes.h"
 #include "core/triangulate/start_gains.h"
@@ -9,24 +13,6 @@
 namespace ddt {
 
 namespace one_round_steps {
-
-/// Whether the candidate at `other`, in the 2-region of the one at m, goes before it.
-inline bool goes_before(const std::vector<float>& gain, int other, int m) {
-    const float g = gain[size_t(other)], own = gain[size_t(m)];
-    return g > own || (g == own && other < m);
-}
-
-/// The first better candidate found in the 2-region of the edge at m, or -1 if m is the best.
-template <class Mesh>
-int find_blocker(const Mesh& mesh, const std::vector<float>& gain, int m) {
-    int blocker = -1;
-    mesh.any_of_region(m, [&](int other) {
-        const bool better = goes_before(gain, other, m);
-        blocker = better ? other : -1;
-        return better;
-    });
-    return blocker;
-}
 
 /// Edges that are evaluated at a time: lists of all that a round touches would be as long as the
 /// mesh.
@@ -74,6 +60,23 @@ void wake_blocked(const Mesh& mesh, uint8_t iteration, Workspace& w) {
             w.blocked[kept++] = b;
     }
     w.blocked.resize(kept);
+}
+
+/// Divide the candidates into those that are the best of their regions, w.selected, and others.
+template <class Mesh>
+void select(const Mesh& mesh, Workspace& w) {
+    int blockers[256];
+    w.selected.clear();
+    for (size_t i = 0; i < w.candidates.size(); i += std::size(blockers)) {
+        const int* sites = w.candidates.data() + i;
+        const size_t n = std::min(w.candidates.size() - i, std::size(blockers));
+        find_blockers(mesh, w.gain, sites, n, blockers);
+        for (size_t k = 0; k < n; ++k)
+            if (blockers[k] < 0)
+                w.selected.push_back(sites[k]);
+            else
+                w.blocked.push_back({sites[k], blockers[k]});
+    }
 }
 
 /// Flip the selected edges and evaluate again what must be: their 2-regions. `touched` receives
@@ -140,14 +143,7 @@ void one_round(Mesh& mesh, const Criterion& criterion, float min_gain, int max_i
         wake_blocked(mesh, stamp, w);
         if (w.candidates.empty())
             break;
-        w.selected.clear();
-        for (const int m : w.candidates) {
-            const int blocker = find_blocker(mesh, w.gain, m);
-            if (blocker < 0)
-                w.selected.push_back(m);
-            else
-                w.blocked.push_back({m, blocker});
-        }
+        select(mesh, w);
         size_t touched = 0;
         evaluated = flip_selected(mesh, criterion, min_gain, uint8_t(iteration + 1), w, touched);
         statistics.flips += int64_t(w.selected.size());

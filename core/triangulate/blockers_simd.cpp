@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// SIMD twin of find_blockers() of any mesh: several edges of a lattice at once.
+#include "core/triangulate/blockers.h"
+
+#include "core/guide/contour.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/triangulate/blockers_simd.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ddt {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::ScalableTag<float>;
+using DI = hn::RebindToSigned<D>;
+
+#include "core/base/lanes-inl.h"
+#include "core/lattice/site_lanes-inl.h"
+
+/// The best of the edges looked at, a lane.
+struct Best {
+    const float* all_gains;
+    VI site;
+    hn::Vec<D> gain;
+
+    HWY_INLINE Best(const float* gains, Ints m)
+        : all_gains(gains), site(m.i), gain(hn::GatherIndex(D(), gains, m.i)) {}
+
+    /// Twin of goes_before().
+    HWY_INLINE void look_at(Ints other) {
+        const D d;
+        const auto g = hn::GatherIndex(d, all_gains, other.i);
+        const auto first = hn::RebindMask(d, hn::Lt(other.i, site));
+        const auto better = hn::Or(hn::Gt(g, gain), hn::And(hn::Eq(g, gain), first));
+        gain = hn::IfThenElse(better, g, gain);
+        site = hn::IfThenElse(hn::RebindMask(DI(), better), other.i, site);
+    }
+};
+
+/// Of each edge its best blocker, or the edge itself. Twin of Lattice::any_of_region().
+HWY_INLINE VI best_of_region(const SiteLanes& mesh, const float* gains, Ints m) {
+    const EdgeLanes e = mesh.edge(m);
+    const QuadOf<VecLanes> q(e.v, e.left);
+    Best best(gains, m);
+    for (int k = 0; k < 4; ++k) {
+        const Ints middle = m + mesh.offset(q.middle[k]);
+        best.look_at(middle);
+        const VecLanes apex = apex_beyond(mesh.edge(middle), q.inner[k]);
+        // Where there is no apex the side is looked at again.
+        best.look_at(mesh.beyond(middle, apex, from_last_end(apex, q.side[k])));
+        best.look_at(mesh.beyond(middle, apex, from_first_end(apex, q.side[k])));
+    }
+    return best.site;
+}
+
+HWY_ATTR void find_blockers(const Lattice& lattice, const float* gain, const int* sites, size_t n,
+                            int* blockers) {
+    const DI di;
+    const size_t lanes = hn::Lanes(di);
+    const SiteLanes mesh(lattice);
+    const auto find = [&](const int32_t* from, int32_t* to) HWY_ATTR {
+        const VI m = hn::LoadU(di, from), best = best_of_region(mesh, gain, {m});
+        hn::StoreU(hn::IfThenElse(hn::Eq(best, m), hn::Set(di, -1), best), di, to);
+    };
+    for (size_t i = 0; i + lanes <= n; i += lanes)
+        find(sites + i, blockers + i);
+    const size_t left = n % lanes;
+    if (left == 0)
+        return;
+    // Lanes that are left over repeat an edge.
+    int32_t from[HWY_MAX_BYTES / sizeof(int32_t)], to[HWY_MAX_BYTES / sizeof(int32_t)];
+    for (size_t k = 0; k < lanes; ++k)
+        from[k] = sites[n - left + (k < left ? k : 0)];
+    find(from, to);
+    for (size_t k = 0; k < left; ++k)
+        blockers[n - left + k] = to[k];
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace ddt
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ddt {
+
+HWY_EXPORT(find_blockers);
+
+void find_blockers(const Lattice& lattice, const std::vector<float>& gain, const int* sites,
+                   size_t n, int* blockers) {
+    HWY_DYNAMIC_DISPATCH(find_blockers)(lattice, gain.data(), sites, n, blockers);
+}
+
+} // namespace ddt
+#endif
