@@ -52,7 +52,16 @@ struct SiteLanes {
           stride(hn::Set(DI(), lattice.stride())) {}
 
     HWY_INLINE EdgeLanes edge(Ints m) const {
-        const VI first = word(m, 0), second = word(m, 1);
+        // Both words at once, since a gather takes as long as it has lanes.
+        const hn::Repartition<int64_t, DI> d64;
+        const hn::Half<DI> half;
+        const auto* sites = reinterpret_cast<const int64_t*>(words);
+        const auto lower = hn::BitCast(
+            DI(), hn::GatherIndex(d64, sites, hn::PromoteTo(d64, hn::LowerHalf(half, m.i))));
+        const auto upper = hn::BitCast(
+            DI(), hn::GatherIndex(d64, sites, hn::PromoteTo(d64, hn::UpperHalf(half, m.i))));
+        const VI first = hn::ConcatEven(DI(), upper, lower),
+                 second = hn::ConcatOdd(DI(), upper, lower);
         return {{byte<0>(first), byte<1>(first)},
                 {byte<2>(first), byte<3>(first)},
                 {byte<0>(second), byte<1>(second)}};

@@ -31,7 +31,7 @@ void find_blockers(const Mesh& mesh, const std::vector<float>& gain, const int* 
     }
 }
 
-/// The same by the widest vectors this machine has.
+/// The same by the widest vectors this machine has: the best of those that go before it.
 void find_blockers(const Lattice& lattice, const std::vector<float>& gain, const int* sites,
                    size_t n, int* blockers);
 

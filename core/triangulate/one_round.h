@@ -14,34 +14,56 @@ namespace ddt {
 
 namespace one_round_steps {
 
-/// Edges that are evaluated at a time: lists of all that a round touches would be as long as the
-/// mesh.
-constexpr size_t edges_at_once = 4096;
+/// Edges that are evaluated at a time, about: lists of all that a round touches would be as long as
+/// the mesh, and a few are still in the caches.
+constexpr size_t edges_at_once = 1024;
+/// An edge and its 2-region.
+constexpr size_t most_touched = 13;
 
-/// Find the gains of the edges in w.dirty, which is emptied; those above min_gain become
+/// A list of edges to evaluate.
+class Dirty {
+public:
+    size_t size() const { return m_size; }
+    bool full() const { return m_size >= edges_at_once; }
+    void clear() { m_size = 0; }
+    /// Add m if `add`, to a list that was not full before the region that m is of. Without a
+    /// branch: whether an edge was met before is anyone's guess.
+    void add(int m, bool add = true) {
+        m_edges[m_size] = m;
+        m_size += add;
+    }
+    const int* begin() const { return m_edges; }
+    const int* end() const { return m_edges + m_size; }
+
+private:
+    size_t m_size = 0;
+    int m_edges[edges_at_once + most_touched];
+};
+
+/// Find the gains of the edges in `dirty`, which is emptied; those above min_gain become
 /// candidates. Returns how many could be flipped.
 template <class Mesh>
-int64_t evaluate(const Mesh& mesh, const Criterion& criterion, float min_gain, Workspace& w) {
-    // One more than there are, since a place is written before it is known to be taken. Without
-    // branches, since half of them can.
-    w.flippable.resize(w.dirty.size() + 1);
-    int* flippable = w.flippable.data();
-    for (const int m : w.dirty) {
+int64_t evaluate(const Mesh& mesh, const Criterion& criterion, float min_gain, Dirty& dirty,
+                 Workspace& w) {
+    int flippable[edges_at_once + most_touched];
+    size_t count = 0;
+    // Without branches, since half of them can.
+    for (const int m : dirty) {
         w.gain[size_t(m)] = no_gain;
-        *flippable = m;
-        flippable += mesh.flippable(m);
+        flippable[count] = m;
+        count += mesh.flippable(m);
     }
-    const auto count = size_t(flippable - w.flippable.data());
-    gains(mesh, criterion, w.flippable.data(), count, w.gain.data());
+    gains(mesh, criterion, flippable, count, w.gain.data());
+    // One more than there are, since a place is written before it is known to be taken.
     const size_t before = w.candidates.size();
     w.candidates.resize(before + count + 1);
     int* out = w.candidates.data() + before;
     for (size_t i = 0; i < count; ++i) {
-        *out = w.flippable[i];
+        *out = flippable[i];
         out += w.gain[size_t(*out)] > min_gain;
     }
     w.candidates.resize(size_t(out - w.candidates.data()));
-    w.dirty.clear();
+    dirty.clear();
     return int64_t(count);
 }
 
@@ -87,23 +109,22 @@ int64_t flip_selected(Mesh& mesh, const Criterion& criterion, float min_gain,
     int64_t evaluated = 0;
     touched = 0;
     w.candidates.clear();
-    w.dirty.clear();
+    Dirty dirty;
     const auto evaluate_dirty = [&] {
-        touched += w.dirty.size();
-        evaluated += evaluate(mesh, criterion, min_gain, w);
+        touched += dirty.size();
+        evaluated += evaluate(mesh, criterion, min_gain, dirty, w);
     };
     const auto touch = [&](int m) {
-        if (mesh.stamp(m) != next_iteration) {
-            mesh.stamp(m) = next_iteration;
-            w.dirty.push_back(m);
-        }
+        uint8_t& stamp = mesh.stamp(m);
+        dirty.add(m, stamp != next_iteration);
+        stamp = next_iteration;
     };
     for (const int m : w.selected)
         mesh.flip(m);
     for (const int m : w.selected) {
         touch(m);
         mesh.each_of_region(m, touch);
-        if (w.dirty.size() >= edges_at_once)
+        if (dirty.full())
             evaluate_dirty();
     }
     evaluate_dirty();
@@ -115,13 +136,13 @@ template <class Mesh>
 int64_t evaluate_all(const Mesh& mesh, const Criterion& criterion, float min_gain, Workspace& w) {
     int64_t evaluated = 0;
     w.candidates.clear();
-    w.dirty.clear();
+    Dirty dirty;
     mesh.each_edge([&](int m) {
-        w.dirty.push_back(m);
-        if (w.dirty.size() >= edges_at_once)
-            evaluated += evaluate(mesh, criterion, min_gain, w);
+        dirty.add(m);
+        if (dirty.full())
+            evaluated += evaluate(mesh, criterion, min_gain, dirty, w);
     });
-    return evaluated + evaluate(mesh, criterion, min_gain, w);
+    return evaluated + evaluate(mesh, criterion, min_gain, dirty, w);
 }
 
 } // namespace one_round_steps

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/triangulate/gain.h"
 
-#include "tests/core/helpers.h"
+#include "tests/core/triangulate/each_mesh.h"
 #include "tests/core/triangulate/slow_mesh.h"
 
 namespace ddt::test {
@@ -18,31 +18,6 @@ std::vector<Criterion> criteria() {
 float scalar_gain(const Lattice& lattice, const Criterion& by, int m) {
     return dispatch(by.cost,
                     [&](auto c) { return scalar::gain<decltype(c)>(lattice, m, by.contour); });
-}
-
-/// Call f(lattice) for meshes of several kinds, sizes and amounts of random flipping, among them
-/// ones with edges as long as they get.
-template <class F>
-void each_mesh(F&& f) {
-    uint64_t seed = 7;
-    for (const Pixel size : {Pixel{2, 2}, Pixel{2, 7}, Pixel{9, 3}, Pixel{14, 11}})
-        for (const Kind kind : all_kinds)
-            for (const int flips : {0, 20, 400}) {
-                Random random(++seed);
-                Lattice lattice;
-                const auto guide = make_guide(kind, size.x, size.y, seed);
-                lattice.start(size.x, size.y, guide.data(), true, true);
-                flip_at_random(lattice, flips, random);
-                SCOPED_TRACE(::testing::Message() << size.x << " x " << size.y << ", kind "
-                                                  << int(kind) << ", " << flips << " flips");
-                f(lattice);
-            }
-    Lattice lattice;
-    const auto guide = make_guide(Kind::noise, 150, 2, seed);
-    lattice.start(150, 2, guide.data(), true, true);
-    flip_to_longest(lattice);
-    SCOPED_TRACE("longest edges");
-    f(lattice);
 }
 
 TEST(Gain, IsWhatTheTotalCostFallsBy) {
