@@ -36,7 +36,10 @@ struct Search {
     /// A triangle met in the row before, tried before one is searched for; `end` is where it ended.
     struct Hint {
         Triangle triangle;
-        int end;
+        int end = 0;
+        explicit Hint(const Triangle& met) : triangle(met) {}
+        // Made in its place: a copy would wait for what was just stored.
+        Hint(const Lattice& lattice, Point p) : triangle(locate(lattice, p)) {}
     };
     std::vector<Hint> hints, previous_hints;
 

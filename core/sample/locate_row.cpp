@@ -65,7 +65,10 @@ public:
         int i = begin;
         const Point p = m_points[i];
         const Triangle* known = find_hint(m_search, m_hint, i, p);
-        m_search.hints.push_back({known ? *known : locate(m_lattice, p), 0});
+        if (known)
+            m_search.hints.emplace_back(*known);
+        else
+            m_search.hints.emplace_back(m_lattice, p);
         const Triangle& t = m_search.hints.back().triangle;
         int32_t w[3];
         t.weights(p, w);
@@ -80,11 +83,12 @@ public:
             t.weights(m_points[i], w);
         } while (t.holds(w));
         m_search.hints.back().end = i;
-        m_row.spans.push_back({Span::triangle,
-                               begin,
-                               i,
-                               {t.vertex[0], t.vertex[1], t.vertex[2]},
-                               {t.edge[0], t.edge[1], t.edge[2]}});
+        Span& span = m_row.spans.emplace_back();
+        span.kind = Span::triangle;
+        span.begin = begin;
+        span.end = i;
+        for (int k = 0; k < 3; ++k)
+            span.vertex[k] = t.vertex[k], span.edge[k] = t.edge[k];
         return i;
     }
 
