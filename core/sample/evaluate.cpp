@@ -106,55 +106,63 @@ HWY_INLINE void evaluate_triangle(const Net& net, const Strictness& strict, cons
 /// The plain cell whose first corner is at site s.
 template <bool quadratic, bool soft>
 HWY_INLINE PlainCell<Blocks> load_cell(const Net& net, int s) {
-    const int stride = net.stride;
+    const ptrdiff_t site = group_size, row = ptrdiff_t(net.stride) * group_size;
     PlainCell<Blocks> cell;
-    cell.z0 = at_site(net, s);
-    cell.z1 = at_site(net, s + 2);
-    cell.z2 = at_site(net, s + 2 * stride);
-    cell.z3 = at_site(net, s + 2 * stride + 2);
+    const auto at = [](const float* p) HWY_ATTR { return in_every_block(p); };
+    const float* p = net.at(s);
+    cell.z0 = at(p);
+    cell.z1 = at(p + 2 * site);
+    cell.z2 = at(p + 2 * row);
+    cell.z3 = at(p + 2 * row + 2 * site);
     if (quadratic) {
-        cell.e01 = at_site(net, s + 1);
-        cell.e02 = at_site(net, s + stride);
-        cell.diagonal = at_site(net, s + stride + 1);
-        cell.e13 = at_site(net, s + stride + 2);
-        cell.e23 = at_site(net, s + 2 * stride + 1);
+        cell.e01 = at(p + site);
+        cell.e02 = at(p + row);
+        cell.diagonal = at(p + row + site);
+        cell.e13 = at(p + row + 2 * site);
+        cell.e23 = at(p + 2 * row + site);
     }
     if (soft) {
-        cell.q01 = soft_at_site(net, s + 1);
-        cell.q02 = soft_at_site(net, s + stride);
-        cell.soft_diagonal = soft_at_site(net, s + stride + 1);
-        cell.q13 = soft_at_site(net, s + stride + 2);
-        cell.q23 = soft_at_site(net, s + 2 * stride + 1);
+        const float* q = net.soft_at(s);
+        cell.q01 = at(q + site);
+        cell.q02 = at(q + row);
+        cell.soft_diagonal = at(q + row + site);
+        cell.q13 = at(q + row + 2 * site);
+        cell.q23 = at(q + 2 * row + site);
     }
     return cell;
 }
 
 /// Call each(evaluator) with what evaluates the divided cell at x, y.
-template <bool quadratic, bool soft, bool tame, class Each>
-HWY_INLINE void with_divided(PlainCell<Blocks>& cell, const Strictness& strict, Span::Kind kind,
-                             Each&& each) {
+template <bool quadratic, bool soft, bool down, bool tame, class Each>
+HWY_INLINE void with_divided(PlainCell<Blocks>& cell, const Strictness& strict, Each&& each) {
     cell.template find_ranges<soft, tame>(strict.lanes, strict.all);
-    if (kind == Span::cell_down)
-        each([&](Blocks x, Blocks y)
-                 HWY_ATTR { return cell.template at_down<quadratic, soft, tame>(x, y); });
-    else
-        each([&](Blocks x, Blocks y)
-                 HWY_ATTR { return cell.template at_up<quadratic, soft, tame>(x, y); });
+    each([&](Blocks x, Blocks y) HWY_ATTR {
+        return down ? cell.template at_down<quadratic, soft, tame>(x, y)
+                    : cell.template at_up<quadratic, soft, tame>(x, y);
+    });
 }
 
-/// Call each(evaluator) with what evaluates the plain cell at x, y.
-template <bool quadratic, bool soft, class Each>
-HWY_INLINE void with_cell(const Net& net, const Strictness& strict, Span::Kind kind, int site,
-                          Each&& each) {
+/// Call each(evaluator) with what evaluates the plain cell, divided by one of its diagonals, at x,
+/// y.
+template <bool quadratic, bool soft, bool down, class Each>
+HWY_INLINE void with_cell(const Net& net, const Strictness& strict, int site, Each&& each) {
     PlainCell<Blocks> cell = load_cell<quadratic, soft>(net, site);
-    if (kind == Span::cell_down)
+    if (down)
         cell.template divide_down<soft>();
     else
         cell.template divide_up<soft>();
     if (cell.is_tame())
-        with_divided<quadratic, soft, true>(cell, strict, kind, each);
+        with_divided<quadratic, soft, down, true>(cell, strict, each);
     else
-        with_divided<quadratic, soft, false>(cell, strict, kind, each);
+        with_divided<quadratic, soft, down, false>(cell, strict, each);
+}
+template <bool quadratic, bool soft, class Each>
+HWY_INLINE void with_cell(const Net& net, const Strictness& strict, Span::Kind kind, int site,
+                          Each&& each) {
+    if (kind == Span::cell_down)
+        with_cell<quadratic, soft, true>(net, strict, site, each);
+    else
+        with_cell<quadratic, soft, false>(net, strict, site, each);
 }
 
 template <bool quadratic, bool soft>
