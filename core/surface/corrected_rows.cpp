@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/lattice/neighbours.h"
 #include "core/surface/kept_rows.h"
 
 namespace ddt {
@@ -19,14 +20,14 @@ void CorrectedRows::begin(const Lattice& lattice, const Rect& part, const Correc
     copy_group(group, lattice.vertices(), m_source.data());
     m_moved.resize(row);
     m_rounds.resize(size_t(recipe.rounds));
-    // Gradients see a longest edge round their vertices, as do edges. A round sees twice that
-    // further.
-    const int beside = lattice.longest() + 1;
-    for (int k = 0; k < recipe.rounds; ++k) {
+    // Gradients and softness are made from what is round the ends of edges.
+    Rect edges = part;
+    for (int k = recipe.rounds - 1; k >= 0; --k) {
         Round& round = m_rounds[size_t(k)];
-        round.moved = grown(lattice, part, beside * (1 + 2 * (recipe.rounds - 1 - k)));
+        round.moved = with_neighbours(lattice, edges);
         round.rows = round.moved.y0;
         round.means.begin(lattice, round.moved, recipe.surface, recipe.edges, group, strict);
+        edges = round.means.part();
     }
 }
 

@@ -2,17 +2,9 @@
 // What belongs to the edges of a control net: their bends e and softness q (see net.h).
 #pragma once
 
-#include <algorithm>
-
 #include "core/surface/edge_scratch.h"
 
 namespace ddt {
-
-/// A part of a lattice, in pixels, and so many pixels round it.
-inline Rect grown(const Lattice& lattice, const Rect& part, int by) {
-    return {std::max(part.x0 - by, 0), std::max(part.y0 - by, 0),
-            std::min(part.x1 + by, lattice.width()), std::min(part.y1 + by, lattice.height())};
-}
 
 /// What the edges of a net are made from.
 struct EdgeRecipe {

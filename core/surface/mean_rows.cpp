@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/lattice/neighbours.h"
 #include "core/surface/kept_rows.h"
 
 namespace ddt {
@@ -13,9 +14,9 @@ void MeanRows::begin(const Lattice& lattice, const Rect& wanted, Surface surface
     m_wanted = wanted;
     m_surface = surface;
     std::copy_n(strict, group_size, m_net.strict);
-    // A triangle that crosses a cell beside a vertex.
-    m_edges.begin_rows(lattice, grown(lattice, wanted, lattice.longest() + 1), recipe, values,
-                       m_net);
+    // The triangles that meet the cells round the vertices.
+    m_part = with_neighbours(lattice, grown(lattice, wanted, 1));
+    m_edges.begin_rows(lattice, m_part, recipe, values, m_net);
     m_sums.assign(2 * size_t(lattice.width()) * group_size, 0.0f);
     m_cell_rows = std::max(wanted.y0 - 1, 0);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/arith.h"
+#include "core/lattice/neighbours.h"
 #include "core/surface/kept_rows.h"
 #include "core/tiles/tile_io.h"
 
@@ -118,10 +119,8 @@ float* TileMesh::place_for_corrected(float* values, bool own) {
 
 Rect TileMesh::sampled_part(const Tile& tile) const {
     const Rect &c = tile.cells, &p = tile.pixels;
-    const int far = m_lattice.longest();
-    return {std::max(c.x0 - far - p.x0, 0), std::max(c.y0 - far - p.y0, 0),
-            std::min(c.x1 + 1 + far - p.x0, m_lattice.width()),
-            std::min(c.y1 + 1 + far - p.y0, m_lattice.height())};
+    const Rect sampled{c.x0 - p.x0, c.y0 - p.y0, c.x1 + 1 - p.x0, c.y1 + 1 - p.y0};
+    return with_neighbours(m_lattice, grown(m_lattice, sampled, 0));
 }
 
 void TileMesh::begin_corrected(int group, float* values, const Rect& part) {

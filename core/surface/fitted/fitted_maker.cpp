@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/lattice/neighbours.h"
+
 #include "core/surface/kept_rows.h"
 
 namespace ddt {
@@ -20,8 +22,8 @@ void FittedMaker::begin(const Lattice& lattice, const Rect& part, const FittedRe
     const int width = lattice.width(), height = lattice.height(), longest = lattice.longest();
     take_memory(m_source, row_size(), height);
     copy_group(values, size_t(width) * size_t(height), m_source.data());
-    // Gradients see a longest edge round their vertices, as do edges.
-    m_moved = grown(lattice, part, longest + 1);
+    // Softness is made from what is round the ends of edges.
+    m_moved = with_neighbours(lattice, part);
     EdgeRecipe edges{true, recipe.tau > 0 ? recipe.gain : nullptr, recipe.tau};
     m_plain.begin(lattice, m_moved, Surface::patch, edges, values, net.strict);
     // They are bent here.
