@@ -2,6 +2,7 @@
 #include "plugin/tool/commands.h"
 #include "plugin/tool/join.h"
 #include "plugin/tool/progress.h"
+#include "plugin/tool/threads.h"
 
 namespace ddt::tool {
 
@@ -20,6 +21,7 @@ public:
     }
 
     ExitCode run(const std::vector<std::string>& values) override {
+        share_threads(0);
         Progress progress("joining", progress_mode(m_progress));
         Failure failure;
         if (join({values.begin(), values.end() - 1}, values.back(), std::ref(progress), failure))

@@ -7,6 +7,7 @@
 #include "plugin/tool/progress.h"
 #include "plugin/tool/resize_file.h"
 #include "plugin/tool/sequence.h"
+#include "plugin/tool/threads.h"
 
 namespace ddt::tool {
 
@@ -34,8 +35,7 @@ public:
                         m_settings.options, m_filter_error),
             choice_flag("--type", {"uint8", "uint16", "half", "float"},
                         "pixel type of the result (default: the image's)", m_settings.type),
-            whole_flag("--threads", "N", "threads to use (default: all cores)", 0, 4096,
-                       m_settings.threads),
+            whole_flag("--threads", "N", "threads to use (default: all cores)", 0, 4096, m_threads),
             text_flag("--frames", "LIST", "frames of a sequence: 1-100, 1-100x2, -5--1, 1,4,9",
                       m_frames),
             text_flag("--views", "LIST", "views of a sequence: left,right", m_views),
@@ -65,6 +65,7 @@ public:
         if (OIIO::ImageSpec some(1024, 1024, 1), result; !plan_result(some, m_settings, result))
             return fail(refused_size(m_settings.size));
 
+        m_settings.threads = share_threads(m_threads);
         m_run.run = [this](const FrameTask& task, const std::function<bool(float)>& progress,
                            Failure& why) {
             return m_part.count > 0
@@ -88,6 +89,7 @@ public:
 
 private:
     ResizeSettings m_settings;
+    int m_threads = 0; ///< 0: all
     FrameRun m_run;
     Part m_part{0, 0}; ///< no part
     std::string m_filter_error, m_frames, m_views, m_progress = "auto";

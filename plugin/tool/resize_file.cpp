@@ -4,7 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "core/base/parallel.h"
 #include "core/tiles/grid.h"
 #include "plugin/image/windows.h"
 #include "plugin/tool/image_file.h"
@@ -37,7 +36,7 @@ std::vector<int> strip_ends(const OIIO::ImageSpec& from, const OIIO::ImageSpec& 
         to.full_height < from.full_height)
         return {last};
     const Grid grid(rect_of(OIIO::get_roi(from)));
-    const int rows = 1 + tiles_a_thread * allowed_threads(settings.threads) / grid.columns();
+    const int rows = 1 + tiles_a_thread * settings.threads / grid.columns();
     const ResizeMapping::Axis x = x_axis(from, to, OIIO::get_roi(to));
     const ResizeMapping::Axis y = y_axis(from, to, OIIO::get_roi(to));
     std::vector<int> ends;

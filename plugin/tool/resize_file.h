@@ -16,7 +16,7 @@ struct ResizeSettings {
     std::string size; ///< see size.h
     Options options;
     std::string type; ///< of the result's pixels; empty: the image's
-    int threads = 0;  ///< 0: all
+    int threads = 1;  ///< at least 1
 };
 
 /// What an image of spec `from` becomes: the windows that oiiotool makes. The size is the display
