@@ -105,7 +105,8 @@ constexpr int quadrant_side = 4, quadrant_positions = quadrant_side * quadrant_s
 
 /// The barycentric weights of a cell's 16 positions, row by row, in a triangle that crosses it.
 struct CellWeights {
-    float b0[quadrant_positions], b1[quadrant_positions], b2[quadrant_positions];
+    static constexpr int padding = 4 * group_size; // a vector is read from each position on
+    float b0[quadrant_positions], b1[quadrant_positions], b2[quadrant_positions + padding];
     unsigned inside; ///< bit i: position i belongs to the triangle
 
     HWY_INLINE CellWeights(const Triangle& t, int cx, int cy) : inside(0) {
@@ -133,23 +134,39 @@ struct CellWeights {
     }
 };
 
-/// The surface over a triangle at those of a cell's positions whose bits are set.
+/// The blocks whose bits are set.
+HWY_INLINE hn::Mask<D> blocks_of(unsigned bits) {
+    const hn::RebindToSigned<D> di;
+    const auto block = hn::ShiftRight<2>(hn::Iota(di, 0));
+    const auto bit = hn::Shl(hn::Set(di, 1), block);
+    return hn::RebindMask(D(), hn::TestBit(hn::Set(di, int32_t(bits)), bit));
+}
+
+/// The surface over a triangle at those of a cell's positions whose bits are set, group_size lanes
+/// of f each.
 template <bool quadratic, bool soft, bool tame>
-HWY_INLINE void evaluate_positions(Patch<Lanes4>& patch, Lanes4 strict, const CellWeights& weights,
-                                   unsigned wanted, Lanes4* f) {
+HWY_INLINE void evaluate_positions(Patch<Blocks>& patch, Blocks strict, const CellWeights& weights,
+                                   unsigned wanted, float* f) {
     patch.template find_range<soft, tame>(strict, false);
-    for (int i = 0; wanted; ++i, wanted >>= 1)
-        if (wanted & 1)
-            f[i] = patch.template at<quadratic, soft, tame>(
-                Lanes4(weights.b0[i]), Lanes4(weights.b1[i]), Lanes4(weights.b2[i]));
+    const int step = blocks_in_vector();
+    for (int i = 0; i < quadrant_positions; i += step) {
+        const unsigned bits = wanted >> i & ((1u << step) - 1);
+        if (bits)
+            hn::BlendedStore(patch
+                                 .template at<quadratic, soft, tame>(spread(weights.b0 + i),
+                                                                     spread(weights.b1 + i),
+                                                                     spread(weights.b2 + i))
+                                 .v,
+                             blocks_of(bits), D(), f + i * group_size);
+    }
 }
 
 /// The same where other edges cross the cell: by locating the positions.
 template <bool quadratic, bool soft>
 HWY_INLINE void add_other_cell(const Lattice& lattice, const Net& net, int cx, int cy, float* upper,
                                float* lower) {
-    const Lanes4 strict = Lanes4::load(net.strict);
-    Lanes4 f[quadrant_positions];
+    const Blocks strict = in_every_block(net.strict);
+    HWY_ALIGN float f[quadrant_positions * group_size];
     unsigned known = 0;
     for (int i = 0; i < quadrant_positions; ++i) {
         if (known >> i & 1)
@@ -157,10 +174,11 @@ HWY_INLINE void add_other_cell(const Lattice& lattice, const Net& net, int cx, i
         const Triangle triangle = locate(lattice, CellWeights::quadrant_position(cx, cy, i));
         const CellWeights weights(triangle, cx, cy);
         const unsigned found = weights.inside | 1u << i;
-        Patch<Lanes4> patch;
+        Patch<Blocks> patch;
         patch.template load<quadratic, soft>(
-            triangle.vertex, triangle.edge, [&](int s) HWY_ATTR { return Lanes4::load(net.at(s)); },
-            [&](int s) HWY_ATTR { return Lanes4::load(net.soft_at(s)); });
+            triangle.vertex, triangle.edge,
+            [&](int s) HWY_ATTR { return in_every_block(net.at(s)); },
+            [&](int s) HWY_ATTR { return in_every_block(net.soft_at(s)); });
         if (patch.is_tame())
             evaluate_positions<quadratic, soft, true>(patch, strict, weights, found, f);
         else
@@ -174,7 +192,7 @@ HWY_INLINE void add_other_cell(const Lattice& lattice, const Net& net, int cx, i
         // In the order back and forth through all positions.
         Lanes4 mean(0.0f);
         for (const int at : {i, i + 1, i + quadrant_side + 1, i + quadrant_side})
-            mean = mean + (f[at] - z);
+            mean = mean + (Lanes4::load(f + at * group_size) - z);
         float* to = (below ? lower : upper) + right * group_size;
         (Lanes4::load(to) + mean * Lanes4(0.25f)).store(to);
     }
