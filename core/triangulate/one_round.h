@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/triangulate/blockers.h"
 #include "core/triangulate/gain.h"
+#include "core/triangulate/regions.h"
 #include "core/triangulate/schemes.h"
 #include "core/triangulate/start_gains.h"
 
@@ -17,8 +17,8 @@ namespace one_round_steps {
 /// Edges that are evaluated at a time, about: lists of all that a round touches would be as long as
 /// the mesh, and a few are still in the caches.
 constexpr size_t edges_at_once = 1024;
-/// An edge and its 2-region.
-constexpr size_t most_touched = 13;
+/// What is touched between two looks at how many there are.
+constexpr size_t touched_at_once = size_t(regions_at_once) * most_in_region;
 
 /// A list of edges to evaluate.
 class Dirty {
@@ -26,7 +26,7 @@ public:
     size_t size() const { return m_size; }
     bool full() const { return m_size >= edges_at_once; }
     void clear() { m_size = 0; }
-    /// Add m if `add`, to a list that was not full before the region that m is of. Without a
+    /// Add m if `add`, to a list that was not full before the regions that m is of. Without a
     /// branch: whether an edge was met before is anyone's guess.
     void add(int m, bool add = true) {
         m_edges[m_size] = m;
@@ -37,7 +37,7 @@ public:
 
 private:
     size_t m_size = 0;
-    int m_edges[edges_at_once + most_touched];
+    int m_edges[edges_at_once + touched_at_once];
 };
 
 /// Find the gains of the edges in `dirty`, which is emptied; those above min_gain become
@@ -45,7 +45,7 @@ private:
 template <class Mesh>
 int64_t evaluate(const Mesh& mesh, const Criterion& criterion, float min_gain, Dirty& dirty,
                  Workspace& w) {
-    int flippable[edges_at_once + most_touched];
+    int flippable[edges_at_once + touched_at_once];
     size_t count = 0;
     // Without branches, since half of them can.
     for (const int m : dirty) {
@@ -121,9 +121,12 @@ int64_t flip_selected(Mesh& mesh, const Criterion& criterion, float min_gain,
     };
     for (const int m : w.selected)
         mesh.flip(m);
-    for (const int m : w.selected) {
-        touch(m);
-        mesh.each_of_region(m, touch);
+    int regions[touched_at_once];
+    for (size_t i = 0; i < w.selected.size();) {
+        const size_t n = find_regions(mesh, w.selected.data() + i, w.selected.size() - i, regions);
+        for (size_t k = 0; k < n * most_in_region; ++k)
+            touch(regions[k]);
+        i += n;
         if (dirty.full())
             evaluate_dirty();
     }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// SIMD twin of find_blockers() of any mesh: several edges of a lattice at once.
-#include "core/triangulate/blockers.h"
+// SIMD twins of what regions.h does of any mesh: several edges of a lattice at once.
+#include "core/triangulate/regions.h"
+
+#include <algorithm>
 
 #include "core/guide/contour.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/triangulate/blockers_simd.cpp"
+#define HWY_TARGET_INCLUDE "core/triangulate/regions_simd.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -14,7 +16,7 @@ namespace ddt {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using D = hn::ScalableTag<float>;
+using D = hn::CappedTag<float, regions_at_once>;
 using DI = hn::RebindToSigned<D>;
 
 #include "core/base/lanes-inl.h"
@@ -40,20 +42,44 @@ struct Best {
     }
 };
 
-/// Of each edge its best blocker, or the edge itself. Twin of Lattice::any_of_region().
-HWY_INLINE VI best_of_region(const SiteLanes& mesh, const float* gains, Ints m) {
+/// Call f(sites) for each edge of the 2-regions of the edges at m, a lane; where there is none f is
+/// called with another of them once more. Twin of Lattice::any_of_region().
+template <class F>
+HWY_INLINE void each_of_region(const SiteLanes& mesh, Ints m, F&& f) {
     const EdgeLanes e = mesh.edge(m);
     const QuadOf<VecLanes> q(e.v, e.left);
-    Best best(gains, m);
     for (int k = 0; k < 4; ++k) {
         const Ints middle = m + mesh.offset(q.middle[k]);
-        best.look_at(middle);
+        f(middle);
         const VecLanes apex = apex_beyond(mesh.edge(middle), q.inner[k]);
-        // Where there is no apex the side is looked at again.
-        best.look_at(mesh.beyond(middle, apex, from_last_end(apex, q.side[k])));
-        best.look_at(mesh.beyond(middle, apex, from_first_end(apex, q.side[k])));
+        f(mesh.beyond(middle, apex, from_last_end(apex, q.side[k])));
+        f(mesh.beyond(middle, apex, from_first_end(apex, q.side[k])));
     }
+}
+
+/// Of each edge its best blocker, or the edge itself.
+HWY_INLINE VI best_of_region(const SiteLanes& mesh, const float* gains, Ints m) {
+    Best best(gains, m);
+    each_of_region(mesh, m, [&](Ints other) HWY_ATTR { best.look_at(other); });
     return best.site;
+}
+
+HWY_ATTR size_t find_regions(const Lattice& lattice, const int* sites, size_t n, int* regions) {
+    const DI di;
+    const size_t lanes = hn::Lanes(di), used = std::min(n, lanes);
+    // Lanes that are left over repeat an edge.
+    HWY_ALIGN int32_t from[regions_at_once], found[most_in_region][regions_at_once];
+    for (size_t k = 0; k < lanes; ++k)
+        from[k] = sites[k < used ? k : 0];
+    const Ints m{hn::Load(di, from)};
+    hn::Store(m.i, di, found[0]);
+    int i = 0;
+    each_of_region(SiteLanes(lattice), m,
+                   [&](Ints other) HWY_ATTR { hn::Store(other.i, di, found[++i]); });
+    for (size_t k = 0; k < used; ++k)
+        for (int j = 0; j < most_in_region; ++j)
+            *regions++ = found[j][k];
+    return used;
 }
 
 HWY_ATTR void find_blockers(const Lattice& lattice, const float* gain, const int* sites, size_t n,
@@ -71,7 +97,7 @@ HWY_ATTR void find_blockers(const Lattice& lattice, const float* gain, const int
     if (left == 0)
         return;
     // Lanes that are left over repeat an edge.
-    int32_t from[HWY_MAX_BYTES / sizeof(int32_t)], to[HWY_MAX_BYTES / sizeof(int32_t)];
+    int32_t from[regions_at_once], to[regions_at_once];
     for (size_t k = 0; k < lanes; ++k)
         from[k] = sites[n - left + (k < left ? k : 0)];
     find(from, to);
@@ -87,10 +113,15 @@ HWY_AFTER_NAMESPACE();
 namespace ddt {
 
 HWY_EXPORT(find_blockers);
+HWY_EXPORT(find_regions);
 
 void find_blockers(const Lattice& lattice, const std::vector<float>& gain, const int* sites,
                    size_t n, int* blockers) {
     HWY_DYNAMIC_DISPATCH(find_blockers)(lattice, gain.data(), sites, n, blockers);
+}
+
+size_t find_regions(const Lattice& lattice, const int* sites, size_t n, int* regions) {
+    return HWY_DYNAMIC_DISPATCH(find_regions)(lattice, sites, n, regions);
 }
 
 } // namespace ddt

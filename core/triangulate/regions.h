@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which candidates wait for which: of those whose flips would get in each other's way, the one that
-// gains most goes first.
+// The 2-regions of many edges (Lattice::any_of_region): which candidates wait for which, and what
+// flips touch. A lattice's by the widest vectors this machine has, an edge a lane.
 #pragma once
 
 #include <vector>
@@ -8,6 +8,11 @@
 #include "core/lattice/lattice.h"
 
 namespace ddt {
+
+/// Edges in a 2-region, the edge itself among them, at most.
+constexpr int most_in_region = 13;
+/// Regions that find_regions() finds in a call, at most.
+constexpr int regions_at_once = 16;
 
 /// Whether the candidate at `other`, in the 2-region of the one at m, goes before it.
 inline bool goes_before(const std::vector<float>& gain, int other, int m) {
@@ -30,9 +35,20 @@ void find_blockers(const Mesh& mesh, const std::vector<float>& gain, const int* 
         });
     }
 }
-
-/// The same by the widest vectors this machine has: the best of those that go before it.
+/// The best of those that go before it.
 void find_blockers(const Lattice& lattice, const std::vector<float>& gain, const int* sites,
                    size_t n, int* blockers);
+
+/// The edges of the 2-regions of the first of the flippable edges sites[0..n), n > 0, one region
+/// after the other, most_in_region sites each: where there are fewer, some twice. Returns how many
+/// regions these are.
+template <class Mesh>
+size_t find_regions(const Mesh& mesh, const int* sites, size_t /*n*/, int* regions) {
+    for (int i = 0; i < most_in_region; ++i)
+        regions[i] = sites[0];
+    mesh.each_of_region(sites[0], [&](int other) { *++regions = other; });
+    return 1;
+}
+size_t find_regions(const Lattice& lattice, const int* sites, size_t n, int* regions);
 
 } // namespace ddt

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/triangulate/blockers.h"
+#include "core/triangulate/regions.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 
 #include "core/triangulate/triangulate.h"
 #include "tests/core/triangulate/each_mesh.h"
@@ -24,7 +26,7 @@ int best_of(const Lattice& lattice, const std::vector<float>& gain, int m) {
     return best;
 }
 
-TEST(Blockers, AreFoundForAllButTheBestOfTheirRegion) {
+TEST(Regions, BlockAllCandidatesButTheBest) {
     size_t blocked = 0, free = 0, ties = 0;
     each_mesh([&](Lattice& lattice) {
         Workspace w;
@@ -53,6 +55,35 @@ TEST(Blockers, AreFoundForAllButTheBestOfTheirRegion) {
     EXPECT_GT(blocked, 1000u);
     EXPECT_GT(free, 1000u);
     EXPECT_GT(ties, 100u);
+}
+
+TEST(Regions, AreThoseThatTheLatticeTells) {
+    size_t regions_found = 0, fewer = 0;
+    each_mesh([&](Lattice& lattice) {
+        const std::vector<int> sites = flippable_edges(lattice);
+        on_each_target([&] {
+            for (size_t i = 0; i < sites.size();) {
+                int found[regions_at_once * most_in_region + 1];
+                found[std::size(found) - 1] = -7;
+                const size_t n = find_regions(lattice, &sites[i], sites.size() - i, found);
+                ASSERT_GE(n, 1u);
+                ASSERT_LE(n, sites.size() - i);
+                ASSERT_EQ(found[std::size(found) - 1], -7);
+                for (size_t k = 0; k < n; ++k) {
+                    const int* begin = found + k * most_in_region;
+                    const std::set<int> region(begin, begin + most_in_region);
+                    std::vector<int> all = region_of(lattice, sites[i + k]);
+                    all.push_back(sites[i + k]);
+                    ASSERT_EQ(region, std::set<int>(all.begin(), all.end())) << sites[i + k];
+                    fewer += region.size() < size_t(most_in_region);
+                }
+                regions_found += n;
+                i += n;
+            }
+        });
+    });
+    EXPECT_GT(regions_found, 1000u);
+    EXPECT_GT(fewer, 100u);
 }
 
 } // namespace
