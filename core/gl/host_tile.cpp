@@ -44,7 +44,7 @@ void triangulate_here(const std::vector<float>& guide, const Job& job, const Slo
         std::memcpy(sites + size_t(y) * size_t(shape.stride()),
                     lattice.sites() + lattice.site(0, y), row * sizeof(Site));
     // A vertex' second word: the key of one of its edges (edge_key in shaders/lattice.glsl).
-    lattice.find_first_edges();
+    lattice.find_first_edges(lattice.all());
     for (int y = 0; y < t.size.height; ++y)
         for (int x = 0; x < t.size.width; ++x) {
             const Vertex& vertex = lattice.vertex(lattice.vertex_site(x, y));

@@ -99,13 +99,14 @@ void Lattice::start(int width, int height, const float* guide, bool flat, bool c
     }
 }
 
-void Lattice::find_divisions() {
+void Lattice::find_divisions(const Rect& part) {
     const int columns = m_width - 1;
     m_divisions.resize(size_t(columns) * size_t(m_height - 1));
-    Division* to = m_divisions.data();
-    for (int y = 0; y + 1 < m_height; ++y, to += columns) {
+    const int x0 = std::max(part.x0 - 1, 0), x1 = std::min(part.x1, columns);
+    for (int y = std::max(part.y0 - 1, 0); y < std::min(part.y1, m_height - 1); ++y) {
         const Site* centre = m_sites.data() + site(1, 2 * y + 1);
-        for (int x = 0; x < columns; ++x)
+        Division* to = m_divisions.data() + size_t(y) * size_t(columns);
+        for (int x = x0; x < x1; ++x)
             to[x] = ddt::division(centre[2 * x].edge);
     }
 }
@@ -135,11 +136,16 @@ void Lattice::flip_back(int m) {
     std::swap(e.left, e.right);
 }
 
-void Lattice::find_first_edges() {
+void Lattice::find_first_edges(const Rect& part) {
+    // No midpoint is further from its edge's ends, in doubled coordinates.
+    const int x0 = std::max(2 * part.x0 - m_longest, 0), y0 = std::max(2 * part.y0 - m_longest, 0);
+    const int x1 = std::min(2 * (part.x1 - 1) + m_longest, 2 * (m_width - 1)),
+              y1 = std::min(2 * (part.y1 - 1) + m_longest, 2 * (m_height - 1));
     // Backwards: the smallest address is written last.
-    for (int y = 2 * m_height - 2; y >= 0; --y) {
-        const int odd = y & 1;
-        for (int x = 2 * m_width - 2 - (1 - odd), step = 2 - odd; x >= 0; x -= step) {
+    for (int y = y1; y >= y0; --y) {
+        const int odd = y & 1, step = 2 - odd;
+        // On even rows every other site is a vertex.
+        for (int x = odd ? x1 : (x1 - 1) | 1; x >= x0; x -= step) {
             const int m = site(x, y);
             const Vec v = edge(m).v;
             const int to_b = offset(v);

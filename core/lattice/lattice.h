@@ -25,6 +25,7 @@
 
 #include "core/base/arith.h"
 #include "core/base/large_pages.h"
+#include "ddt/mapping.h"
 
 namespace ddt {
 
@@ -241,15 +242,17 @@ public:
         });
     }
 
-    /// Find how all cells are divided; after the last flip.
-    void find_divisions();
+    Rect all() const { return {0, 0, m_width, m_height}; }
+
+    /// Find how the cells round the vertices of `part` are divided; after the last flip.
+    void find_divisions(const Rect& part);
     /// What it found of the cells with upper corners (0, y), (1, y), ...
     const Division* divisions(int y) const {
         return m_divisions.data() + size_t(y) * size_t(m_width - 1);
     }
 
-    /// Fill Vertex::first of all vertices; after the last flip.
-    void find_first_edges();
+    /// Fill Vertex::first of the vertices of `part`; after the last flip.
+    void find_first_edges(const Rect& part);
 
 private:
     int m_width = 0, m_height = 0, m_stride = 0;

@@ -75,11 +75,13 @@ void TileMesh::triangulate(const float* guide, int width, int height, Workspace&
 void TileMesh::make_surface(const Tile& tile, float* values, bool own) {
     const DenormalsAreZero as_on_gpus;
     const SurfaceOptions& surface = m_job.surface;
-    m_lattice.find_divisions();
-    if (surface.kind != Surface::linear)
-        m_lattice.find_first_edges();
-
     const Rect part = sampled_part(tile);
+    // Rounds see further than the part.
+    const Rect seen = is_corrected(surface) || is_fitted(surface) ? m_lattice.all() : part;
+    m_lattice.find_divisions(seen);
+    if (surface.kind != Surface::linear)
+        m_lattice.find_first_edges(seen);
+
     float* const corrected = is_corrected(surface) ? place_for_corrected(values, own) : values;
     for (int g = 0; g < int(m_nets.size()); ++g) {
         Net& net = m_nets[size_t(g)];

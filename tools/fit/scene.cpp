@@ -36,8 +36,8 @@ void make_mesh(const std::vector<float>& pixels, int width, int height, bench::L
     Statistics statistics;
     start(lattice, width, height, guide.data(), options.mesh);
     triangulate(lattice, options.mesh, workspace, statistics);
-    lattice.find_divisions();
-    lattice.find_first_edges();
+    lattice.find_divisions(lattice.all());
+    lattice.find_first_edges(lattice.all());
 }
 
 void find_kinds(Scene& scene, const std::vector<float>& gain, float tau) {

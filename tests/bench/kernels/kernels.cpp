@@ -48,8 +48,8 @@ struct Tile {
         start.start(side, side, guide.data(), true);
         mesh = start;
         triangulate(mesh, {}, workspace, statistics);
-        mesh.find_divisions();
-        mesh.find_first_edges();
+        mesh.find_divisions(mesh.all());
+        mesh.find_first_edges(mesh.all());
         set_vertices(mesh, values.data(), channels, 0, channels, net);
         edges.begin(mesh, {0, 0, side, side}, true, nullptr, 0, net);
         edges.finish();
@@ -133,7 +133,7 @@ BENCHMARK(one_round_whole);
 void find_first_edges(benchmark::State& state) {
     Lattice lattice = tile().mesh;
     for (auto _ : state)
-        lattice.find_first_edges();
+        lattice.find_first_edges(lattice.all());
     count(state, side * side);
 }
 BENCHMARK(find_first_edges);

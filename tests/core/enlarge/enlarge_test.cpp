@@ -173,8 +173,8 @@ std::vector<float> untiled(const TestSource& source, const Job& job, const Resiz
     lattice.start(w.width(), w.height(), source.guide().data(), true);
     const DenormalsAreZero zero;
     triangulate(lattice, job.mesh, workspace, statistics);
-    lattice.find_divisions();
-    lattice.find_first_edges();
+    lattice.find_divisions(lattice.all());
+    lattice.find_first_edges(lattice.all());
     set_vertices(lattice, source.values().data(), 1, 0, 1, net);
     if (job.surface.soft > 0)
         find_gains(lattice, job.mesh.cost, workspace);

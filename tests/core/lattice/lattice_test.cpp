@@ -231,13 +231,37 @@ TEST(Lattice, FirstEdgeIsTheIncidentOneWithTheSmallestAddress) {
                 s = std::min(s, m);
             }
         });
-        lattice.find_first_edges();
-        lattice.find_first_edges(); // what an earlier call found must not matter
+        lattice.find_first_edges(lattice.all());
+        lattice.find_first_edges(lattice.all()); // what an earlier call found must not matter
+        const auto check = [&](const Rect& part) {
+            for (int y = part.y0; y < part.y1; ++y)
+                for (int x = part.x0; x < part.x1; ++x) {
+                    const int s = lattice.vertex_site(x, y);
+                    ASSERT_EQ(s + lattice.offset(lattice.vertex(s).first), smallest[size_t(s)]);
+                }
+        };
+        check(lattice.all());
         for (int y = 0; y < lattice.height(); ++y)
-            for (int x = 0; x < lattice.width(); ++x) {
-                const int s = lattice.vertex_site(x, y);
-                ASSERT_EQ(s + lattice.offset(lattice.vertex(s).first), smallest[size_t(s)]);
-            }
+            for (int x = 0; x < lattice.width(); ++x)
+                lattice.vertex(lattice.vertex_site(x, y)).first = {99, 99};
+        const Rect part{lattice.width() / 3, lattice.height() / 4, lattice.width() / 2 + 1,
+                        lattice.height() - 1};
+        lattice.find_first_edges(part);
+        check(part);
+    });
+}
+
+TEST(Lattice, DivisionsOfAPartAreThoseOfTheWhole) {
+    each_start([](Lattice& lattice, Random& random) {
+        flip_at_random(lattice, 200, random);
+        const Rect part{lattice.width() / 3, lattice.height() / 4, lattice.width() / 2 + 1,
+                        lattice.height()};
+        Lattice again = lattice;
+        lattice.find_divisions(lattice.all());
+        again.find_divisions(part);
+        for (int y = std::max(part.y0 - 1, 0); y < std::min(part.y1, lattice.height() - 1); ++y)
+            for (int x = std::max(part.x0 - 1, 0); x < std::min(part.x1, lattice.width() - 1); ++x)
+                ASSERT_EQ(again.divisions(y)[x], lattice.divisions(y)[x]);
     });
 }
 

@@ -167,8 +167,8 @@ struct Scene {
     }
     void finish() {
         faces = faces_of(lattice);
-        lattice.find_divisions();
-        lattice.find_first_edges();
+        lattice.find_divisions(lattice.all());
+        lattice.find_first_edges(lattice.all());
     }
     Rect all() const { return {0, 0, lattice.width(), lattice.height()}; }
     size_t pixels() const { return size_t(lattice.width()) * size_t(lattice.height()); }

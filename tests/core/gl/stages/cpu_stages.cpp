@@ -41,8 +41,8 @@ SurfaceStage cpu_surface(const std::vector<float>& guide, const std::vector<floa
     Lattice lattice;
     Workspace w;
     make_mesh(guide, width, height, job.mesh, lattice, w);
-    lattice.find_divisions();
-    lattice.find_first_edges();
+    lattice.find_divisions(lattice.all());
+    lattice.find_first_edges(lattice.all());
     Net net;
     set_vertices(lattice, values.data(), job.channels, 0, channels_in_group(job.channels, 0), net);
     for (int c = 0; c < group_size; ++c)
