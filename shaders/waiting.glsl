@@ -23,7 +23,8 @@ int wake(ivec2 b, int iteration) {
     return stamp_at(b.y) / 4 == uint(iteration) ? 1 : 0;
 }
 
-// A better candidate in the 2-region of the candidate at m, or -1 if m is the best.
+// A better candidate in the 2-region of the candidate at m, or -1 if m is the best. C++ twin:
+// find_blockers() of any mesh in core/triangulate/regions.h.
 int find_blocker(int m) {
     float own = gain[m];
     Edge e = edge_at(m);

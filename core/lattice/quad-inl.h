@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a namespace, once for scalars (lattice.h) and once for each SIMD target
-// (triangulate/gain_simd.cpp): V is a vector of the lattice, or a lane's each, with +, - and
+// (lattice/site_lanes-inl.h): V is a vector of the lattice, or a lane's each, with +, - and
 // half(). GLSL twin: Side in shaders/lattice.glsl.
 
 /// The parallelogram round a flippable edge ab, whose midpoint m is the middle of its other

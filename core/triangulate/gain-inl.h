@@ -103,7 +103,8 @@ DDT_INLINE typename Neighbourhood<T>::Outer look_beyond(const Mesh& mesh, typena
 }
 
 /// Gather what the gain of the flippable edges at m depends on: a site and T = float, or as many as
-/// T has lanes. Mesh: a lattice seen so, OneSite in gain.h or SiteLanes in gain_simd.cpp.
+/// T has lanes. Mesh: a lattice seen so, OneSite in gain.h or SiteLanes in
+/// core/lattice/site_lanes-inl.h.
 template <class T, class Mesh>
 DDT_INLINE Neighbourhood<T> neighbourhood(const Mesh& mesh, typename Mesh::Sites m) {
     const auto e = mesh.edge(m);
