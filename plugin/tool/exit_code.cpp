@@ -29,7 +29,7 @@ ExitCode code_of_message(const std::string& message) {
     // check_size in plugin/image/windows.h), devices that this one has not; of libtiff: a full
     // disk.
     for (const char* said :
-         {"out of memory", "this machine's memory", "\"device=", "(Write error at "})
+         {"out of memory", "this machine's memory", "\"device=", "Write error at "})
         if (message.find(said) != std::string::npos)
             return exit_resources;
     return exit_failed;

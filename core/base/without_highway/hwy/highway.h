@@ -68,6 +68,11 @@ template <class D>
 using RebindToSigned = Rebind<int32_t, D>;
 template <class D>
 using RebindToUnsigned = Rebind<uint32_t, D>;
+/// As many bytes, of another type; half as many numbers.
+template <class T, class D>
+using Repartition = Tag<T, D::lanes * sizeof(typename D::T) / sizeof(T)>;
+template <class D>
+using Half = Tag<typename D::T, D::lanes / 2>;
 
 template <class D>
 using Vec = typename D::V;
@@ -104,6 +109,10 @@ HWY_INLINE void StoreU(Vec<D> v, D, typename D::T* p) {
 template <class D>
 HWY_INLINE void Store(Vec<D> v, D d, typename D::T* p) {
     StoreU(v, d, p);
+}
+template <class D>
+HWY_INLINE void BlendedStore(Vec<D> v, Mask<D> mask, D d, typename D::T* p) {
+    StoreU(mask ? v : LoadU(d, p), d, p);
 }
 template <class D>
 HWY_INLINE void StoreInterleaved2(Vec<D> a, Vec<D> b, D, typename D::T* p) {
@@ -191,6 +200,10 @@ HWY_INLINE V ShiftRight(V a) {
     return a >> bits;
 }
 template <class V>
+HWY_INLINE V Shl(V a, V bits) {
+    return a << bits;
+}
+template <class V>
 HWY_INLINE V ShiftRightSame(V a, int bits) {
     return a >> bits;
 }
@@ -213,6 +226,10 @@ HWY_INLINE auto Gt(V a, V b) {
 template <class V>
 HWY_INLINE auto Eq(V a, V b) {
     return a == b;
+}
+template <class V>
+HWY_INLINE auto TestBit(V a, V bit) {
+    return (a & bit) != 0;
 }
 template <class M, class V>
 HWY_INLINE V IfThenElse(M mask, V yes, V no) {
@@ -263,6 +280,10 @@ template <class D, class M>
 HWY_INLINE Mask<D> RebindMask(D, M mask) {
     return mask;
 }
+template <class D, class V>
+HWY_INLINE Vec<D> PromoteTo(D, V v) {
+    return __builtin_convertvector(v, Vec<D>);
+}
 /// Signed numbers of 32 bits to the nearest ones of D, which has bytes.
 template <class D, class V>
 HWY_INLINE Vec<D> DemoteTo(D, V v) {
@@ -278,6 +299,35 @@ HWY_INLINE Vec<D> DemoteTo(D, V v) {
 template <class V>
 HWY_INLINE auto GetLane(V v) {
     return v[0];
+}
+template <class H, class V>
+HWY_INLINE Vec<H> LowerHalf(H, V v) {
+    Vec<H> half{};
+    for (size_t i = 0; i < H::lanes; ++i)
+        half[i] = v[i];
+    return half;
+}
+template <class H, class V>
+HWY_INLINE Vec<H> UpperHalf(H, V v) {
+    Vec<H> half{};
+    for (size_t i = 0; i < H::lanes; ++i)
+        half[i] = v[H::lanes + i];
+    return half;
+}
+/// The even, or odd, lanes of `lower`, then those of `upper`.
+template <class D>
+HWY_INLINE Vec<D> ConcatEven(D, Vec<D> upper, Vec<D> lower) {
+    Vec<D> v{};
+    for (size_t i = 0; i < D::lanes; ++i)
+        v[i] = 2 * i < D::lanes ? lower[2 * i] : upper[2 * i - D::lanes];
+    return v;
+}
+template <class D>
+HWY_INLINE Vec<D> ConcatOdd(D, Vec<D> upper, Vec<D> lower) {
+    Vec<D> v{};
+    for (size_t i = 0; i < D::lanes; ++i)
+        v[i] = 2 * i < D::lanes ? lower[2 * i + 1] : upper[2 * i + 1 - D::lanes];
+    return v;
 }
 template <class D, class I>
 HWY_INLINE I IndicesFromVec(D, I index) {
