@@ -19,6 +19,10 @@ int usual_threads();
 /// print a warning about; at least 1.
 int allowed_threads(int wanted);
 
+/// Let allowed_threads() allow this many from now on, where oneTBB's limit is lower, as on fewer
+/// cores: for programs of our own, whose user asked for them. Libraries leave the limit alone.
+void allow_threads(int number);
+
 /// Call `body(slot, index)` for every index from 0 to `count` - 1, on up to `threads` threads, the
 /// caller among them; return when all is done. Two calls at the same time have different slots,
 /// which are from 0 to `threads` - 1; with `threads` 1 the calls come in ascending order. An

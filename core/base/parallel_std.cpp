@@ -28,6 +28,8 @@ int allowed_threads(int wanted) {
     return std::max(wanted, 1);
 }
 
+void allow_threads(int) {}
+
 void for_each_index(int threads, int count, const std::function<void(int, int)>& body) {
     std::atomic<int> next{0};
     std::mutex mutex;

@@ -39,6 +39,16 @@ int allowed_threads(int wanted) {
     return int(std::clamp<size_t>(size_t(std::max(wanted, 1)), 1, most));
 }
 
+void allow_threads(int number) {
+    if (allowed_threads(number) >= number)
+        return;
+    // Of several limits the lowest counts. Not deleted at the program's end, when oneTBB may have
+    // gone.
+    static tbb::global_control* limit = nullptr;
+    delete limit;
+    limit = new tbb::global_control(tbb::global_control::max_allowed_parallelism, size_t(number));
+}
+
 void for_each_index(int threads, int count, const std::function<void(int, int)>& body) {
     if (threads <= 1 || count <= 1) {
         for (int i = 0; i < count; ++i)

@@ -8,6 +8,7 @@
 namespace ddt::tool {
 
 int share_threads(int wanted) {
+    allow_threads(wanted);
     int threads = wanted;
     if (wanted <= 0)
         OIIO::getattribute("threads", threads);
