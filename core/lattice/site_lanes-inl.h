@@ -37,6 +37,19 @@ struct EdgeLanes {
     VecLanes v, left, right;
 };
 
+/// A vector of n sites or, where there are fewer, n > 0, as many: lanes that are left over repeat
+/// the first.
+HWY_INLINE Ints load_sites(const int* sites, size_t n) {
+    const DI di;
+    const size_t lanes = hn::Lanes(di);
+    if (n >= lanes)
+        return {hn::LoadU(di, sites)};
+    HWY_ALIGN int32_t all[HWY_MAX_BYTES / sizeof(int32_t)];
+    for (size_t k = 0; k < lanes; ++k)
+        all[k] = sites[k < n ? k : 0];
+    return {hn::Load(di, all)};
+}
+
 #include "core/lattice/quad-inl.h"
 
 /// A lattice as neighbourhood() (core/triangulate/gain-inl.h) sees it, a site a lane. A site is two

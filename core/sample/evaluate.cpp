@@ -27,10 +27,10 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
 /// The group's numbers at a site, in every block.
 HWY_INLINE Blocks at_site(const Net& net, int site) {
-    return hn::LoadDup128(D(), net.at(site));
+    return in_every_block(net.at(site));
 }
 HWY_INLINE Blocks soft_at_site(const Net& net, int site) {
-    return hn::LoadDup128(D(), net.soft_at(site));
+    return in_every_block(net.soft_at(site));
 }
 
 /// Where results go.
@@ -75,7 +75,7 @@ struct Strictness {
     Blocks lanes;
     bool all;
     explicit HWY_INLINE Strictness(const Net& net)
-        : lanes(hn::LoadDup128(D(), net.strict)),
+        : lanes(in_every_block(net.strict)),
           all(net.strict[0] > 0 && net.strict[1] > 0 && net.strict[2] > 0 && net.strict[3] > 0) {}
 };
 
@@ -108,26 +108,25 @@ template <bool quadratic, bool soft>
 HWY_INLINE PlainCell<Blocks> load_cell(const Net& net, int s) {
     const ptrdiff_t site = group_size, row = ptrdiff_t(net.stride) * group_size;
     PlainCell<Blocks> cell;
-    const auto at = [](const float* p) HWY_ATTR { return in_every_block(p); };
     const float* p = net.at(s);
-    cell.z0 = at(p);
-    cell.z1 = at(p + 2 * site);
-    cell.z2 = at(p + 2 * row);
-    cell.z3 = at(p + 2 * row + 2 * site);
+    cell.z0 = in_every_block(p);
+    cell.z1 = in_every_block(p + 2 * site);
+    cell.z2 = in_every_block(p + 2 * row);
+    cell.z3 = in_every_block(p + 2 * row + 2 * site);
     if (quadratic) {
-        cell.e01 = at(p + site);
-        cell.e02 = at(p + row);
-        cell.diagonal = at(p + row + site);
-        cell.e13 = at(p + row + 2 * site);
-        cell.e23 = at(p + 2 * row + site);
+        cell.e01 = in_every_block(p + site);
+        cell.e02 = in_every_block(p + row);
+        cell.diagonal = in_every_block(p + row + site);
+        cell.e13 = in_every_block(p + row + 2 * site);
+        cell.e23 = in_every_block(p + 2 * row + site);
     }
     if (soft) {
         const float* q = net.soft_at(s);
-        cell.q01 = at(q + site);
-        cell.q02 = at(q + row);
-        cell.soft_diagonal = at(q + row + site);
-        cell.q13 = at(q + row + 2 * site);
-        cell.q23 = at(q + 2 * row + site);
+        cell.q01 = in_every_block(q + site);
+        cell.q02 = in_every_block(q + row);
+        cell.soft_diagonal = in_every_block(q + row + site);
+        cell.q13 = in_every_block(q + row + 2 * site);
+        cell.q23 = in_every_block(q + 2 * row + site);
     }
     return cell;
 }

@@ -303,8 +303,7 @@ void Consistency::measure(const Lattice& lattice, Surface surface, const Net& ne
     sum.assign(source.size(), 0.0f);
     for (int y = 0; y + 1 < lattice.height(); ++y) {
         float* upper = sum.data() + size_t(y) * row;
-        add_means(lattice, surface, net, {0, 0, lattice.width(), lattice.height()}, y, upper,
-                  upper + row);
+        add_means(lattice, surface, net, lattice.all(), y, upper, upper + row);
     }
 }
 

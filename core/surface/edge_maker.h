@@ -43,6 +43,8 @@ public:
 
     /// Rows of values before this are read by to_row(y).
     int values_end(int y) const;
+    /// The part of the lattice that edges are made for.
+    const Rect& part() const { return m_part; }
     /// Edges with midpoints above this row of pixels are made.
     int rows() const { return m_edge_rows / 2; }
 

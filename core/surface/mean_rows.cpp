@@ -15,8 +15,8 @@ void MeanRows::begin(const Lattice& lattice, const Rect& wanted, Surface surface
     m_surface = surface;
     std::copy_n(strict, group_size, m_net.strict);
     // The triangles that meet the cells round the vertices.
-    m_part = with_neighbours(lattice, grown(lattice, wanted, 1));
-    m_edges.begin_rows(lattice, m_part, recipe, values, m_net);
+    m_edges.begin_rows(lattice, with_neighbours(lattice, grown(lattice, wanted, 1)), recipe, values,
+                       m_net);
     m_sums.assign(2 * size_t(lattice.width()) * group_size, 0.0f);
     m_cell_rows = std::max(wanted.y0 - 1, 0);
 }

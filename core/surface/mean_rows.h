@@ -27,7 +27,7 @@ public:
 
     const Net& net() const { return m_net; }
     /// The part of the lattice whose edges are made.
-    const Rect& part() const { return m_part; }
+    const Rect& part() const { return m_edges.part(); }
 
     /// About the bytes that this takes where edges are of the usual length.
     static size_t memory(int width, int height, int channels, const EdgeRecipe& recipe);
@@ -36,7 +36,7 @@ private:
     float* sums(int y) { return m_sums.data() + size_t(y % 2) * (m_sums.size() / 2); }
 
     const Lattice* m_lattice = nullptr;
-    Rect m_wanted, m_part;
+    Rect m_wanted;
     Surface m_surface = Surface::patch;
     Net m_net;
     EdgeMaker m_edges;

@@ -24,29 +24,24 @@ using DI = hn::RebindToSigned<D>;
 
 /// Gains of the edges at `m`, one a lane; `contour` times contour_unit of the contours', if any.
 template <class Cost_>
-HWY_INLINE hn::Vec<D> gains_of(const Lattice& lattice, float contour, VI m) {
+HWY_INLINE hn::Vec<D> gains_of(const Lattice& lattice, float contour, Ints m) {
     const SiteLanes mesh(lattice);
     if (contour == 0)
-        return flip_gain<Cost_>(neighbourhood<Floats>(mesh, {m})).v;
-    return gain_with_contours<Cost_, Floats>(mesh, {m}, contour).v;
+        return flip_gain<Cost_>(neighbourhood<Floats>(mesh, m)).v;
+    return gain_with_contours<Cost_, Floats>(mesh, m, contour).v;
 }
 
 template <class Cost_>
 HWY_INLINE void each_block(const Lattice& lattice, float contour, const int* sites, size_t count,
                            float* out) {
     const D d;
-    const DI di;
     const size_t lanes = hn::Lanes(d);
-    HWY_ALIGN int32_t site[HWY_MAX_BYTES / sizeof(int32_t)];
     HWY_ALIGN float gain[HWY_MAX_BYTES / sizeof(float)];
     for (size_t i = 0; i < count; i += lanes) {
-        // The last block repeats its first edge to fill the lanes.
         const size_t used = count - i < lanes ? count - i : lanes;
-        for (size_t k = 0; k < lanes; ++k)
-            site[k] = sites[i + (k < used ? k : 0)];
-        hn::Store(gains_of<Cost_>(lattice, contour, hn::Load(di, site)), d, gain);
+        hn::Store(gains_of<Cost_>(lattice, contour, load_sites(sites + i, used)), d, gain);
         for (size_t k = 0; k < used; ++k)
-            out[site[k]] = gain[k];
+            out[sites[i + k]] = gain[k];
     }
 }
 

@@ -67,11 +67,8 @@ HWY_INLINE VI best_of_region(const SiteLanes& mesh, const float* gains, Ints m) 
 HWY_ATTR size_t find_regions(const Lattice& lattice, const int* sites, size_t n, int* regions) {
     const DI di;
     const size_t lanes = hn::Lanes(di), used = std::min(n, lanes);
-    // Lanes that are left over repeat an edge.
-    HWY_ALIGN int32_t from[regions_at_once], found[most_in_region][regions_at_once];
-    for (size_t k = 0; k < lanes; ++k)
-        from[k] = sites[k < used ? k : 0];
-    const Ints m{hn::Load(di, from)};
+    HWY_ALIGN int32_t found[most_in_region][regions_at_once];
+    const Ints m = load_sites(sites, n);
     hn::Store(m.i, di, found[0]);
     int i = 0;
     each_of_region(SiteLanes(lattice), m,
@@ -87,22 +84,13 @@ HWY_ATTR void find_blockers(const Lattice& lattice, const float* gain, const int
     const DI di;
     const size_t lanes = hn::Lanes(di);
     const SiteLanes mesh(lattice);
-    const auto find = [&](const int32_t* from, int32_t* to) HWY_ATTR {
-        const VI m = hn::LoadU(di, from), best = best_of_region(mesh, gain, {m});
-        hn::StoreU(hn::IfThenElse(hn::Eq(best, m), hn::Set(di, -1), best), di, to);
-    };
-    for (size_t i = 0; i + lanes <= n; i += lanes)
-        find(sites + i, blockers + i);
-    const size_t left = n % lanes;
-    if (left == 0)
-        return;
-    // Lanes that are left over repeat an edge.
-    int32_t from[regions_at_once], to[regions_at_once];
-    for (size_t k = 0; k < lanes; ++k)
-        from[k] = sites[n - left + (k < left ? k : 0)];
-    find(from, to);
-    for (size_t k = 0; k < left; ++k)
-        blockers[n - left + k] = to[k];
+    HWY_ALIGN int32_t found[regions_at_once];
+    for (size_t i = 0; i < n; i += lanes) {
+        const Ints m = load_sites(sites + i, n - i);
+        const VI best = best_of_region(mesh, gain, m);
+        hn::Store(hn::IfThenElse(hn::Eq(best, m.i), hn::Set(di, -1), best), di, found);
+        std::copy_n(found, std::min(lanes, n - i), blockers + i);
+    }
 }
 
 } // namespace HWY_NAMESPACE

@@ -170,7 +170,7 @@ struct Scene {
         lattice.find_divisions(lattice.all());
         lattice.find_first_edges(lattice.all());
     }
-    Rect all() const { return {0, 0, lattice.width(), lattice.height()}; }
+    Rect all() const { return lattice.all(); }
     size_t pixels() const { return size_t(lattice.width()) * size_t(lattice.height()); }
 };
 
