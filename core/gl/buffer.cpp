@@ -41,6 +41,13 @@ void Buffer::write(size_t offset, size_t bytes, const void* data) const {
     m_gl.BufferSubData(GL_COPY_WRITE_BUFFER, GLintptr(offset), GLsizeiptr(bytes), data);
 }
 
+void Buffer::copy_from(GLuint other, size_t from, size_t to, size_t bytes) const {
+    m_gl.BindBuffer(GL_COPY_READ_BUFFER, other);
+    m_gl.BindBuffer(GL_COPY_WRITE_BUFFER, m_name);
+    m_gl.CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, GLintptr(from), GLintptr(to),
+                           GLsizeiptr(bytes));
+}
+
 void Buffer::read(size_t offset, size_t bytes, void* data) const {
     m_gl.BindBuffer(GL_COPY_READ_BUFFER, m_name);
     m_gl.GetBufferSubData(GL_COPY_READ_BUFFER, GLintptr(offset), GLsizeiptr(bytes), data);
@@ -66,16 +73,28 @@ void check(const Functions& gl, const char* where) {
     throw Failure(message);
 }
 
-void finish(const Functions& gl, const char* where) {
+Fence::Fence(const Functions& gl)
+    : m_gl(gl), m_sync(gl.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0)) {
+    gl.Flush();
+}
+
+Fence::~Fence() {
+    if (m_sync)
+        m_gl.DeleteSync(m_sync);
+}
+
+void Fence::wait(const char* where) {
     constexpr GLuint64 half_a_minute = 30'000'000'000u;
-    const GLsync fence = gl.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     const GLenum state =
-        fence ? gl.ClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, half_a_minute) : GL_NO_ERROR;
-    if (fence)
-        gl.DeleteSync(fence);
-    check(gl, where);
+        m_sync ? m_gl.ClientWaitSync(m_sync, GL_SYNC_FLUSH_COMMANDS_BIT, half_a_minute)
+               : GL_NO_ERROR;
+    check(m_gl, where);
     if (state == GL_TIMEOUT_EXPIRED)
         throw ContextLost(std::string(where) + ": the device does not answer");
+}
+
+void finish(const Functions& gl, const char* where) {
+    Fence(gl).wait(where);
 }
 
 } // namespace ddt::gl

@@ -23,6 +23,8 @@ public:
     void bind(GLuint storage_binding) const;
     void bind_uniform(GLuint binding) const;
     void write(size_t offset, size_t bytes, const void* data) const;
+    /// Have the device copy `bytes` of the buffer of that name.
+    void copy_from(GLuint other, size_t from, size_t to, size_t bytes) const;
     /// Waits for the device to be done with the buffer.
     void read(size_t offset, size_t bytes, void* data) const;
     void clear() const;
@@ -36,8 +38,25 @@ private:
 /// Throw ContextLost, OutOfMemory or Failure if GL has recorded an error; `where` names the step.
 void check(const Functions& gl, const char* where);
 
-/// Wait until the device has done all that was asked of it, then check(). A device that does not
-/// get there within half a minute counts as lost.
+/// A point in what is asked of the device: all that was asked before it was made, which the device
+/// begins with at once.
+class Fence {
+public:
+    explicit Fence(const Functions& gl);
+    ~Fence();
+    Fence(const Fence&) = delete;
+    Fence& operator=(const Fence&) = delete;
+
+    /// Wait until the device is there, then check(). One that does not get there within half a
+    /// minute counts as lost.
+    void wait(const char* where);
+
+private:
+    const Functions& m_gl;
+    GLsync m_sync;
+};
+
+/// Wait until the device has done all that was asked of it.
 void finish(const Functions& gl, const char* where);
 
 } // namespace ddt::gl

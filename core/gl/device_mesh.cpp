@@ -62,17 +62,19 @@ void DeviceMesh::set_tiles(const std::vector<TileSize>& sizes) {
     m_batch.write(0, sizeof batch, &batch);
 }
 
-void DeviceMesh::write_guide(int slot, const float* guide) {
-    const size_t bytes = m_shape.pixels() * 4;
-    m_guide.write(size_t(slot) * bytes, bytes, guide);
+size_t DeviceMesh::write_guide(int slot, const HostBuffer& from, size_t at) {
+    const size_t bytes = m_shape.pixels() * sizeof(float);
+    from.upload(at, bytes, m_guide, size_t(slot) * bytes);
+    return bytes;
 }
 
-void DeviceMesh::write_sites(int slot, const void* sites) {
+size_t DeviceMesh::write_sites(int slot, const void* sites) {
     const size_t bytes = m_shape.sites() * 8;
     m_sites.write(size_t(slot) * bytes, bytes, sites);
     const GLuint reach = GLuint(m_shape.width + m_shape.height); // unknown: everywhere
     m_work.write(reach_offset + sizeof reach * size_t(slot), sizeof reach, &reach);
     m_gains_known = false;
+    return bytes;
 }
 
 void DeviceMesh::read_sites(int slot, void* sites) {

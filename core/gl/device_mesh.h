@@ -8,6 +8,7 @@
 
 #include "core/gl/buffer.h"
 #include "core/gl/context/gpu.h"
+#include "core/gl/host_buffer.h"
 #include "core/tiles/grid.h"
 #include "core/triangulate/schemes.h"
 #include "ddt/core.h"
@@ -58,10 +59,12 @@ public:
 
     /// Which tiles are in the slots.
     void set_tiles(const std::vector<TileSize>& sizes);
-    /// The guide of a slot: shape.pixels() floats in rows of shape.width.
-    void write_guide(int slot, const float* guide);
+    /// The guide of a slot: shape.pixels() floats in rows of shape.width, from `at` on in `from`.
+    /// Returns the bytes.
+    size_t write_guide(int slot, const HostBuffer& from, size_t at);
     /// A slot's mesh as it is: shape.sites() records as Site has them, in rows of shape.stride().
-    void write_sites(int slot, const void* sites);
+    /// Returns the bytes.
+    size_t write_sites(int slot, const void* sites);
 
     /// Whether triangulate() knows the scheme; of others the finished mesh must be written.
     static bool knows(const MeshOptions& options);

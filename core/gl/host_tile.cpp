@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/host_tile.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "core/base/arith.h"
@@ -11,23 +12,6 @@
 namespace ddt::gl {
 
 namespace {
-
-/// The channels in groups, a group's pixels in rows of the slot.
-void lay_out(const std::vector<float>& values, const Job& job, const SlotShape& shape,
-             HostTile& t) {
-    const int groups = group_count(job.channels);
-    const size_t pixels = shape.pixels();
-    t.values.assign(pixels * size_t(groups) * group_size, 0.0f);
-    const float* in = values.data();
-    for (int y = 0; y < t.size.height; ++y)
-        for (int x = 0; x < t.size.width; ++x, in += job.channels) {
-            float* out =
-                t.values.data() + (size_t(y) * size_t(shape.width) + size_t(x)) * group_size;
-            for (int g = 0; g < groups; ++g, out += pixels * group_size)
-                std::memcpy(out, in + g * group_size,
-                            size_t(channels_in_group(job.channels, g)) * sizeof(float));
-        }
-}
 
 /// Make the mesh of the guide here, and its sites as shaders want them.
 void triangulate_here(const std::vector<float>& guide, const Job& job, const SlotShape& shape,
@@ -54,54 +38,101 @@ void triangulate_here(const std::vector<float>& guide, const Job& job, const Slo
         }
 }
 
+size_t guide_bytes(const Job& job, const SlotShape& shape) {
+    return with_guides(job) ? size_t(job.mesh.meshes) * shape.pixels() * sizeof(float) : 0;
+}
+
+/// Read a tile's numbers to `to`, and its guide.
+bool read_numbers(Source& source, const Tile& tile, const Job& job, const Numbers& numbers,
+                  std::byte* to, std::vector<float>& guide, int& width, int& height) {
+    if (numbers.coded()) {
+        width = tile.pixels.width();
+        height = tile.pixels.height();
+        guide.resize(tile.pixels.area());
+        if (!source.read_codes(tile.pixels, to, guide.data()))
+            return false;
+        zero_small(guide.data(), guide.size(), least_guide);
+        return true;
+    }
+    std::vector<float> values;
+    if (!read_tile(source, tile, job, values, guide, width, height))
+        return false;
+    std::memcpy(to, values.data(), values.size() * sizeof(float));
+    return true;
+}
+
 } // namespace
 
-bool read(Source& source, const Job& job, const SlotShape& shape, HostTile& t) {
-    std::vector<float> values, guide;
+Numbers numbers_of(Source& source, const Job& job) {
+    Numbers numbers;
+    const auto& kinds = job.kinds;
+    // Pixels that are repeated, and identifiers, whose bits are not to change, travel as floats.
+    if (std::min(job.window.width(), job.window.height()) < 2 ||
+        std::find(kinds.begin(), kinds.end(), Channel::nearest) != kinds.end())
+        return numbers;
+    numbers.table = source.codes();
+    zero_small(numbers.table.data(), numbers.table.size(), least_value);
+    numbers.bytes = numbers.coded() ? (numbers.table.size() == 256 ? 1 : 2) : sizeof(float);
+    return numbers;
+}
+
+bool with_guides(const Job& job) {
+    // Soft edges' gains are found on the device in any case, and contours by the guide.
+    return DeviceMesh::knows(job.mesh) || job.mesh.contour != 0;
+}
+
+size_t host_bytes(const Job& job, const SlotShape& shape, const Numbers& numbers) {
+    return guide_bytes(job, shape) + numbers.tile_bytes(shape, job.channels);
+}
+
+bool read(Source& source, const Job& job, const SlotShape& shape, const Numbers& numbers,
+          HostTile& t) {
+    if (!t.memory)
+        t.memory = std::make_unique<HostBuffer>(host_bytes(job, shape, numbers));
+    std::vector<float> guide;
     int width = 0, height = 0;
-    if (!read_tile(source, t.tile, job, values, guide, width, height))
+    if (!read_numbers(source, t.tile, job, numbers, t.memory->data() + guide_bytes(job, shape),
+                      guide, width, height))
         return false;
     t.size = size_in_slot(t.tile, job.window, width, height);
-    lay_out(values, job, shape, t);
     const auto meshes = size_t(job.mesh.meshes);
     const bool here = !DeviceMesh::knows(job.mesh);
     if (here)
         t.sites.resize(meshes * shape.sites());
-    // Soft edges' gains are found on the device in any case, and contours by the guide.
-    const bool with_guides = !here || job.mesh.contour != 0;
-    if (with_guides)
-        t.guides.resize(meshes * shape.pixels());
     for (size_t k = 0; k < meshes; ++k) {
         std::vector<float> blurred = guide;
         if (const float share = blur_share(job.mesh, int(k)); share > 0)
             blur_guide(blurred, width, height, share);
         if (here)
             triangulate_here(blurred, job, shape, t, t.sites.data() + k * shape.sites());
-        for (int y = 0; with_guides && y < height; ++y)
-            std::memcpy(t.guides.data() + k * shape.pixels() + size_t(y) * size_t(shape.width),
+        std::byte* const row = t.memory->data() + k * shape.pixels() * sizeof(float);
+        for (int y = 0; with_guides(job) && y < height; ++y)
+            std::memcpy(row + size_t(y) * size_t(shape.width) * sizeof(float),
                         blurred.data() + size_t(y) * size_t(width), size_t(width) * sizeof(float));
     }
     return true;
 }
 
-void upload(const HostTile& t, const Job& job, int first_slot, DeviceMesh& mesh,
-            Surfaces& surfaces) {
-    const SlotShape& shape = mesh.shape();
-    for (int k = 0; k < job.mesh.meshes; ++k) {
-        if (!t.guides.empty())
-            mesh.write_guide(first_slot + k, t.guides.data() + size_t(k) * shape.pixels());
-        if (!t.sites.empty())
-            mesh.write_sites(first_slot + k, t.sites.data() + size_t(k) * shape.sites());
-    }
-    upload_values(t, job, first_slot, surfaces);
+size_t upload(const HostTile& t, const Job& job, int first_slot, DeviceMesh& mesh,
+              Surfaces& surfaces) {
+    size_t bytes = upload_guides(t, job, first_slot, mesh);
+    for (int k = 0; !t.sites.empty() && k < job.mesh.meshes; ++k)
+        bytes +=
+            mesh.write_sites(first_slot + k, t.sites.data() + size_t(k) * mesh.shape().sites());
+    return bytes + upload_numbers(t, job, first_slot, mesh.shape(), surfaces);
 }
 
-void upload_values(const HostTile& t, const Job& job, int first_slot, Surfaces& surfaces) {
-    const int groups = group_count(job.channels);
-    const size_t floats = t.values.size() / size_t(groups);
-    for (int k = 0; k < job.mesh.meshes; ++k)
-        for (int g = 0; g < groups; ++g)
-            surfaces.write_values(first_slot + k, g, t.values.data() + size_t(g) * floats);
+size_t upload_guides(const HostTile& t, const Job& job, int first_slot, DeviceMesh& mesh) {
+    size_t bytes = 0;
+    for (int k = 0; with_guides(job) && k < job.mesh.meshes; ++k)
+        bytes += mesh.write_guide(first_slot + k, *t.memory, bytes);
+    return bytes;
+}
+
+size_t upload_numbers(const HostTile& t, const Job& job, int first_slot, const SlotShape& shape,
+                      Surfaces& surfaces) {
+    return surfaces.write_numbers(first_slot / job.mesh.meshes, t.size, *t.memory,
+                                  guide_bytes(job, shape));
 }
 
 std::vector<GroupKinds> kinds_of(const Job& job) {

@@ -2,34 +2,49 @@
 // A tile on its way to the device.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/gl/device_mesh.h"
+#include "core/gl/host_buffer.h"
 #include "core/gl/surfaces.h"
 #include "core/tiles/grid.h"
 #include "ddt/core.h"
 
 namespace ddt::gl {
 
+/// What a job's numbers travel as: the source's codes where it has some, else floats.
+Numbers numbers_of(Source& source, const Job& job);
+
 /// A tile in the layout of slots, one a mesh.
 struct HostTile {
     Tile tile;
     TileSize size;
-    std::vector<float> guides;   ///< a mesh after the other
-    std::vector<float> values;   ///< a group after the other
+    /// What is uploaded: first the guides where with_guides(), a mesh after the other; then the
+    /// numbers of the tile's pixels, rows without gaps.
+    std::unique_ptr<HostBuffer> memory;
     std::vector<uint64_t> sites; ///< the finished meshes, of a scheme the device does not know
     Statistics statistics;       ///< of making those
 };
 
-/// Read t.tile. False if the source fails.
-bool read(Source& source, const Job& job, const SlotShape& shape, HostTile& t);
+/// Bytes of HostTile::memory.
+size_t host_bytes(const Job& job, const SlotShape& shape, const Numbers& numbers);
 
-/// Write what was read to the slots from first_slot on. On the context's thread.
-void upload(const HostTile& t, const Job& job, int first_slot, DeviceMesh& mesh,
-            Surfaces& surfaces);
+/// Read t.tile into t.memory, which is made, of plain memory, if it is not there. False if the
+/// source fails.
+bool read(Source& source, const Job& job, const SlotShape& shape, const Numbers& numbers,
+          HostTile& t);
 
-/// Its values alone.
-void upload_values(const HostTile& t, const Job& job, int first_slot, Surfaces& surfaces);
+/// Whether guides are wanted on the device.
+bool with_guides(const Job& job);
+/// Have what was read copied to the slots from first_slot on; Surfaces::unpack() has then to be
+/// called. Returns the bytes. On the context's thread; t.memory must stay until a Fence has passed.
+size_t upload(const HostTile& t, const Job& job, int first_slot, DeviceMesh& mesh,
+              Surfaces& surfaces);
+/// The guides alone, and the numbers.
+size_t upload_guides(const HostTile& t, const Job& job, int first_slot, DeviceMesh& mesh);
+size_t upload_numbers(const HostTile& t, const Job& job, int first_slot, const SlotShape& shape,
+                      Surfaces& surfaces);
 
 /// What the job's groups of channels are.
 std::vector<GroupKinds> kinds_of(const Job& job);

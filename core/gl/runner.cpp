@@ -20,40 +20,49 @@ constexpr size_t strip_bytes = size_t(16) << 20;
 /// Rows that are handed to the sink at once.
 constexpr int rows_a_write = 64;
 
+/// Whether no channel is copied bit for bit.
+bool blends_alone(const Job& job) {
+    return std::find(job.kinds.begin(), job.kinds.end(), Channel::nearest) == job.kinds.end();
+}
+
 } // namespace
 
 Runner::Runner(Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                const Grid& grid, int threads, Run& run)
     : m_gpu(gpu), m_source(source), m_sink(sink), m_mapping(mapping), m_job(job), m_grid(grid),
       m_run(run), m_threads(threads), m_shape(shape_for(job.window)), m_meshes(job.mesh.meshes),
+      m_numbers(numbers_of(source, job)), m_halfs(sink.takes_halfs() && blends_alone(job)),
       m_in_flight(affordable_tiles(gpu, m_shape, group_count(job.channels), job.surface,
                                    grid.count(), m_meshes)),
       m_counting(job.statistics || verbose()) {}
 
 Runner::~Runner() {
-    drop_meshes();
-}
-
-void Runner::drop_meshes() {
     m_gpu.thread.call([this] {
-        m_surfaces.reset();
-        m_mesh.reset();
+        drop_meshes();
+        m_ready.clear();
+        m_batch.clear();
+        m_memory.clear();
         m_stages.reset();
     });
 }
 
 void Runner::work() {
+    m_gpu.thread.post([this] { take_memory(); }).get();
     read_ahead();
     while (m_run.going() && !m_ready.empty()) {
+        for (auto& tile : m_batch)
+            m_memory.push_back(std::move(tile->memory));
         m_batch.clear();
         while (!m_ready.empty() && m_batch.size() < m_in_flight) {
             m_batch.push_back(std::move(m_ready.front()));
             m_ready.pop_front();
         }
+        auto begun = m_gpu.thread.post([this] { begin_batch(); });
+        write_strips(0);
+        read_ahead();
         try {
-            auto started = m_gpu.thread.post([this] { start_batch(); });
-            read_ahead();
-            started.get();
+            begun.get();
+            m_gpu.thread.post([this] { finish_batch(); }).get();
             sample_batch();
         } catch (const OutOfMemory&) {
             if (m_in_flight == 1)
@@ -61,12 +70,28 @@ void Runner::work() {
             retry_with_fewer();
         }
     }
+    write_strips(0);
     if (m_stages && m_stages->on())
         m_gpu.thread.post([this] { report(); }).wait();
 }
 
+/// Memory for the tiles of two batches: one is on its way to the device while the next is read.
+void Runner::take_memory() {
+    const size_t bytes = host_bytes(m_job, m_shape, m_numbers);
+    for (size_t i = 0; i < std::min(2 * m_in_flight, size_t(m_grid.count())); ++i)
+        m_memory.push_back(std::make_unique<HostBuffer>(m_gpu.context->gl, bytes));
+}
+
+/// On the context's thread.
+void Runner::drop_meshes() {
+    m_surfaces.reset();
+    m_mesh.reset();
+    m_under_way.clear();
+    m_strips.clear();
+}
+
 void Runner::retry_with_fewer() {
-    drop_meshes();
+    m_gpu.thread.call([this] { drop_meshes(); });
     m_in_flight = (m_in_flight + 1) / 2;
     while (!m_batch.empty()) {
         m_ready.push_front(std::move(m_batch.back()));
@@ -75,26 +100,32 @@ void Runner::retry_with_fewer() {
 }
 
 void Runner::read_ahead() {
-    std::vector<std::unique_ptr<JobTile>> tiles;
+    std::vector<std::shared_ptr<JobTile>> tiles;
     while (m_next_tile < m_grid.count() && m_ready.size() + tiles.size() < m_in_flight) {
-        auto t = std::make_unique<JobTile>();
+        auto t = std::make_shared<JobTile>();
         t->index = m_next_tile++;
         t->tile = m_grid.tile(t->index);
         t->reach = reach_of(t->tile, m_job.window, m_mapping);
-        if (t->reach.empty())
+        if (t->reach.empty()) {
             m_run.tile_done(t->index);
-        else
-            tiles.push_back(std::move(t));
+            continue;
+        }
+        if (!m_memory.empty()) {
+            t->memory = std::move(m_memory.back());
+            m_memory.pop_back();
+        }
+        tiles.push_back(std::move(t));
     }
     for_each_index(m_threads, int(tiles.size()), [&](int, int i) {
-        if (m_run.going() && !read(m_source, m_job, m_shape, *tiles[size_t(i)]))
+        if (m_run.going() && !read(m_source, m_job, m_shape, m_numbers, *tiles[size_t(i)]))
             m_run.end(Outcome::source_failed);
     });
     for (auto& t : tiles)
         m_ready.push_back(std::move(t));
 }
 
-void Runner::start_batch() {
+/// Ask the device for all it takes to sample the batch.
+void Runner::begin_batch() {
     const Functions& gl = m_gpu.context->gl;
     if (!m_stages)
         m_stages = std::make_unique<Stages>(gl, verbose());
@@ -103,6 +134,7 @@ void Runner::start_batch() {
         m_mesh = std::make_unique<DeviceMesh>(m_gpu, m_shape, slots);
         m_surfaces =
             std::make_unique<Surfaces>(m_gpu, m_shape, slots, kinds_of(m_job), m_job.surface);
+        m_surfaces->expect(m_numbers, m_job.channels, m_meshes);
     }
     std::vector<TileSize> sizes;
     for (const auto& t : m_batch)
@@ -111,7 +143,8 @@ void Runner::start_batch() {
     m_stages->begin(Stage::upload);
     m_mesh->set_tiles(sizes);
     for (size_t i = 0; i < m_batch.size(); ++i)
-        upload(*m_batch[i], m_job, int(i) * m_meshes, *m_mesh, *m_surfaces);
+        m_uploaded += upload(*m_batch[i], m_job, int(i) * m_meshes, *m_mesh, *m_surfaces);
+    m_surfaces->unpack(*m_mesh);
     m_stages->end();
 
     if (m_batch[0]->sites.empty()) {
@@ -122,7 +155,13 @@ void Runner::start_batch() {
     m_stages->begin(Stage::surface);
     m_surfaces->make(*m_mesh, criterion(m_job.mesh));
     m_stages->end();
-    finish(gl, "triangulation");
+    gl.Flush();
+}
+
+/// Wait for it: what fails is told of here, and the batch's memory is free.
+void Runner::finish_batch() {
+    ++m_waits;
+    finish(m_gpu.context->gl, "triangulation");
     if (!m_counting || !m_batch[0]->sites.empty())
         return;
     const auto done = m_mesh->read_statistics();
@@ -136,65 +175,103 @@ void Runner::start_batch() {
 }
 
 void Runner::sample_batch() {
-    Strip* unwritten = nullptr;
-    int turn = 0;
     for (size_t i = 0; i < m_batch.size() && m_run.going(); ++i) {
         const JobTile& t = *m_batch[i];
         const size_t row_bytes = size_t(t.reach.width()) * size_t(m_job.channels) * sizeof(float);
         const int height = int(std::max<size_t>(1, strip_bytes / row_bytes));
         for (int y = std::max(t.reach.y0, m_run.next_row(t.index)); y < t.reach.y1 && m_run.going();
              y += height) {
-            Strip& strip = m_strips[turn];
-            turn = 1 - turn;
-            strip.batch_index = int(i);
-            strip.rows = {t.reach.x0, y, t.reach.x1, std::min(y + height, t.reach.y1)};
-            strip.last = strip.rows.y1 == t.reach.y1;
-            plan_strip(m_mapping, t.tile, int(i) * m_meshes, strip);
-            strip.plan.meshes = m_meshes;
-            sample(strip, unwritten);
-            unwritten = &strip;
+            const auto strip = idle_strip();
+            strip->tile = m_batch[i];
+            strip->rows = {t.reach.x0, y, t.reach.x1, std::min(y + height, t.reach.y1)};
+            strip->last = strip->rows.y1 == t.reach.y1;
+            plan_strip(m_mapping, t.tile, int(i) * m_meshes, *strip);
+            strip->plan.meshes = m_meshes;
+            if (!has_room(*strip))
+                m_gpu.thread.post([&] { make_room(*strip); }).get();
+            strip->sampled = m_gpu.thread.post([this, &s = *strip] { sample(s); });
+            m_under_way.push_back(strip);
         }
     }
-    if (unwritten && m_run.going())
-        write(*unwritten);
 }
 
-void Runner::sample(Strip& strip, Strip* write_meanwhile) {
-    const size_t floats = size_t(strip.plan.count) * size_t(m_job.channels);
-    strip.results.resize(floats);
-    auto sampled = m_gpu.thread.post([&, floats] {
-        if (floats == 0)
-            return;
+/// One that is not under way, once enough of those that are have been written.
+std::shared_ptr<Runner::JobStrip> Runner::idle_strip() {
+    write_strips(strips_under_way - 1);
+    for (const auto& strip : m_strips)
+        if (std::find(m_under_way.begin(), m_under_way.end(), strip) == m_under_way.end())
+            return strip;
+    return m_strips.emplace_back(std::make_shared<JobStrip>());
+}
+
+bool Runner::has_room(const JobStrip& strip) const {
+    const size_t numbers = result_count(strip);
+    return strip.results && strip.results->bytes() >= numbers * number_bytes() &&
+           strip.memory.has_room(strip.positions.size(), numbers, m_halfs);
+}
+
+void Runner::make_room(JobStrip& strip) {
+    const size_t numbers = result_count(strip);
+    m_surfaces->make_room(strip.positions.size(), numbers, m_halfs, strip.memory);
+    strip.results.reset();
+    strip.results = std::make_unique<HostBuffer>(
+        m_gpu.context->gl, strip.memory.results->bytes() / sizeof(float) * number_bytes());
+}
+
+/// Ask the device for the strip's results.
+void Runner::sample(JobStrip& strip) {
+    const Functions& gl = m_gpu.context->gl;
+    if (strip.plan.count > 0) {
         m_stages->begin(Stage::sample);
-        m_surfaces->write_positions(strip.positions);
-        m_surfaces->sample(*m_mesh, strip.plan, m_job.channels);
+        m_surfaces->write_positions(strip.positions, strip.memory);
+        m_surfaces->sample(*m_mesh, strip.plan, m_job.channels, strip.memory);
         m_stages->end();
         m_stages->begin(Stage::download);
-        m_surfaces->read_result(floats * sizeof(float), strip.results.data());
+        m_downloaded += m_surfaces->download(size_t(strip.plan.count) * size_t(m_job.channels),
+                                             m_halfs, strip.memory, *strip.results);
         m_stages->end();
-        check(m_gpu.context->gl, "sampling");
-    });
-    if (write_meanwhile)
-        write(*write_meanwhile);
-    sampled.get();
+        check(gl, "sampling");
+    }
+    strip.copied.emplace(gl);
 }
 
-void Runner::write(Strip& strip) {
-    const auto channels = size_t(m_job.channels);
-    float* values = strip.results.data();
-    std::vector<std::pair<Rect, float*>> parts;
+/// Write what is under way, the oldest first, until no more than `left` strips are.
+void Runner::write_strips(size_t left) {
+    for (; m_under_way.size() > left; m_under_way.pop_front()) {
+        JobStrip& strip = *m_under_way.front();
+        strip.sampled.get();
+        m_gpu.thread
+            .post([&] {
+                ++m_waits;
+                strip.copied->wait("sampling");
+                strip.copied.reset();
+            })
+            .get();
+        if (m_run.going())
+            write(strip);
+    }
+}
+
+void Runner::write(JobStrip& strip) {
+    std::byte* numbers = strip.results ? strip.results->data() : nullptr;
+    std::vector<std::pair<Rect, std::byte*>> parts;
     for (const Rect& run : strip.runs)
         for (int y = run.y0; y < run.y1; y += rows_a_write) {
             const Rect part{run.x0, y, run.x1, std::min(y + rows_a_write, run.y1)};
-            parts.emplace_back(part, values);
-            values += part.area() * channels;
+            parts.emplace_back(part, numbers);
+            numbers += part.area() * size_t(m_job.channels) * number_bytes();
         }
     for_each_index(m_threads, int(parts.size()), [&](int, int i) {
-        const auto& [part, floats] = parts[size_t(i)];
-        if (m_run.going() && !m_sink.write(part, floats))
+        const auto& [part, first] = parts[size_t(i)];
+        if (!m_run.going())
+            return;
+        const bool taken = m_halfs
+                               ? m_sink.write_halfs(part, reinterpret_cast<const uint16_t*>(first))
+                               : m_sink.write(part, reinterpret_cast<float*>(first));
+        if (!taken)
             m_run.end(Outcome::sink_failed);
     });
-    const JobTile& t = *m_batch[size_t(strip.batch_index)];
+    const JobTile& t = *strip.tile;
     m_run.wrote_rows_before(strip.rows.y1, t.index);
     if (!strip.last || !m_run.going())
         return;
@@ -204,6 +281,8 @@ void Runner::write(Strip& strip) {
 
 void Runner::report() {
     const auto ms = [&](Stage stage) { return m_stages->milliseconds(stage); };
+    say("ddt: %.1f MB to the device, %.1f MB from it, %d waits for it", double(m_uploaded) * 1e-6,
+        double(m_downloaded) * 1e-6, m_waits);
     say("ddt: upload %.2f ms, triangulate %.2f ms, surface %.2f ms, sample %.2f ms, "
         "download %.2f ms; opened in %.0f ms, %d shaders compiled in %.0f ms, checked in "
         "%.0f ms",

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <deque>
+#include <future>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,8 @@
 namespace ddt::gl {
 
 /// Reads tiles ahead, gives them to the device several at a time, and writes what comes back, strip
-/// by strip, while the device makes the next. Everything that touches GL is posted to its thread.
+/// by strip, while the device makes the next ones. Everything that touches GL is posted to its
+/// thread, where nothing waits for the device but for what is then written.
 class Runner {
 public:
     Runner(Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping, const Job& job,
@@ -37,15 +40,36 @@ private:
         int index = 0;
         Rect reach;
     };
+    /// A strip on its way through the device.
+    struct JobStrip : Strip {
+        std::shared_ptr<JobTile> tile;
+        bool last = false;   ///< of its tile
+        SampleMemory memory; ///< on the device
+        std::unique_ptr<HostBuffer> results;
+        std::future<void> sampled;   ///< all is asked of the device
+        std::optional<Fence> copied; ///< passed when the results are there
+    };
+    static constexpr size_t strips_under_way = 3; ///< sampled, copied, written
 
     void read_ahead();
-    void start_batch(); ///< on the context's thread
+    void begin_batch(); ///< on the context's thread, as is finish_batch()
+    void finish_batch();
     void sample_batch();
-    void sample(Strip& strip, Strip* write_meanwhile);
-    void write(Strip& strip);
+    std::shared_ptr<JobStrip> idle_strip();
+    bool has_room(const JobStrip& strip) const;
+    void make_room(JobStrip& strip);
+    void sample(JobStrip& strip);
+    void write_strips(size_t left);
+    void write(JobStrip& strip);
     void retry_with_fewer();
+    void take_memory();
     void drop_meshes();
     void report();
+    size_t result_count(const Strip& strip) const {
+        return size_t(strip.plan.count) * size_t(m_job.channels);
+    }
+    /// Bytes that a number of the results takes on its way.
+    size_t number_bytes() const { return m_halfs ? sizeof(uint16_t) : sizeof(float); }
 
     Gpu& m_gpu;
     Source& m_source;
@@ -57,19 +81,25 @@ private:
     int m_threads;
     SlotShape m_shape;
     int m_meshes; ///< a tile; they take neighbouring slots
+    Numbers m_numbers;
+    bool m_halfs; ///< results travel as 16-bit floats
     Statistics m_statistics;
 
     int m_next_tile = 0;
-    std::deque<std::unique_ptr<JobTile>> m_ready;  ///< read, not begun
-    std::vector<std::unique_ptr<JobTile>> m_batch; ///< on the device
-    size_t m_in_flight;                            ///< tiles a batch may have
-    Strip m_strips[2];                             ///< one sampled while the other is written
-    bool m_counting;                               ///< statistics are wanted
+    std::deque<std::shared_ptr<JobTile>> m_ready;      ///< read, not begun
+    std::vector<std::shared_ptr<JobTile>> m_batch;     ///< on the device
+    std::vector<std::unique_ptr<HostBuffer>> m_memory; ///< for tiles that are to be read
+    size_t m_in_flight;                                ///< tiles a batch may have
+    std::vector<std::shared_ptr<JobStrip>> m_strips;   ///< no more than strips_under_way
+    std::deque<std::shared_ptr<JobStrip>> m_under_way; ///< those, in the order of the results
+    bool m_counting;                                   ///< statistics are wanted
 
     // On the context's thread only.
     std::unique_ptr<DeviceMesh> m_mesh;
     std::unique_ptr<Surfaces> m_surfaces;
     std::unique_ptr<Stages> m_stages;
+    size_t m_uploaded = 0, m_downloaded = 0; ///< bytes
+    int m_waits = 0;                         ///< for the device
 };
 
 } // namespace ddt::gl

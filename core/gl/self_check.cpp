@@ -4,6 +4,7 @@
 #include <chrono>
 #include <climits>
 #include <cstring>
+#include <memory>
 
 #include "core/base/arith.h"
 #include "core/gl/budget.h"
@@ -140,17 +141,22 @@ Outcomes on_cpu(const Job& job, const Tile& tile) {
 }
 
 Outcomes on_gpu(Gpu& gpu, const Job& job, const Tile& tile) {
+    const Functions& gl = gpu.context->gl;
     CheckSource source(job.channels);
     const SlotShape shape = shape_for(job.window);
     const int meshes = job.mesh.meshes;
     HostTile t;
     t.tile = tile;
-    read(source, job, shape, t);
+    const Numbers numbers = numbers_of(source, job);
+    t.memory = std::make_unique<HostBuffer>(gl, host_bytes(job, shape, numbers));
+    read(source, job, shape, numbers, t);
     DeviceMesh mesh(gpu, shape, meshes);
     mesh.finish_after(2); // so that each of one_round's programs flips edges
     Surfaces surfaces(gpu, shape, meshes, kinds_of(job), job.surface);
+    surfaces.expect(numbers, job.channels, meshes);
     mesh.set_tiles(std::vector<TileSize>(size_t(meshes), t.size));
     upload(t, job, 0, mesh, surfaces);
+    surfaces.unpack(mesh);
     if (t.sites.empty())
         mesh.triangulate(job.mesh);
     surfaces.make(mesh, criterion(job.mesh));
@@ -160,17 +166,22 @@ Outcomes on_gpu(Gpu& gpu, const Job& job, const Tile& tile) {
     strip.rows = {0, 0, width * scale, height * scale};
     plan_strip(check_mapping(), tile, 0, strip);
     strip.plan.meshes = meshes;
-    surfaces.write_positions(strip.positions);
-    surfaces.sample(mesh, strip.plan, job.channels);
+    const size_t count = size_t(strip.plan.count) * size_t(job.channels);
+    SampleMemory memory;
+    HostBuffer results(gl, count * sizeof(float));
+    surfaces.make_room(strip.positions.size(), count, false, memory);
+    surfaces.write_positions(strip.positions, memory);
+    surfaces.sample(mesh, strip.plan, job.channels, memory);
+    surfaces.download(count, false, memory, results);
     Outcomes o;
-    o.result.resize(size_t(strip.plan.count) * size_t(job.channels));
-    surfaces.read_result(o.result.size() * sizeof(uint32_t), o.result.data());
     std::vector<Site> sites(shape.sites());
     std::vector<float> gains(shape.sites());
     mesh.read_sites(0, sites.data());
     mesh.read_gains(0, gains.data());
     take_mesh(sites.data(), gains.data(), shape.stride(), o);
-    finish(gpu.context->gl, "self-check");
+    finish(gl, "self-check");
+    o.result.resize(count);
+    std::memcpy(o.result.data(), results.data(), count * sizeof(float));
     return o;
 }
 

@@ -10,16 +10,13 @@
 
 namespace ddt::gl {
 
-/// The positions of a strip, where its results belong, and the results.
+/// The positions of a strip, and where its results belong.
 struct Strip {
-    int batch_index = 0; ///< of the tile in its batch
-    Rect rows;           ///< output pixels, all columns of the tile's reach
-    bool last = false;   ///< of its tile
+    Rect rows; ///< output pixels, all columns of the tile's reach
     SamplePlan plan;
     std::vector<int32_t> positions;
     /// Output pixels in the order of the results; one rectangle if the mapping is separable.
     std::vector<Rect> runs;
-    std::vector<float> results;
 };
 
 /// Fill in plan, positions and runs for the rows that are set. `slot`: where the tile is.

@@ -40,7 +40,7 @@ float lane(unsigned mask, int i) {
 
 Surfaces::Surfaces(Gpu& gpu, const SlotShape& shape, int tiles,
                    const std::vector<GroupKinds>& groups, const SurfaceOptions& options)
-    : m_gpu(gpu), m_gl(gpu.context->gl), m_shape(shape), m_options(options) {
+    : m_gpu(gpu), m_gl(gpu.context->gl), m_shape(shape), m_slots(tiles), m_options(options) {
     const auto n = size_t(tiles);
     for (const GroupKinds& kinds : groups) {
         Group g;
@@ -69,9 +69,52 @@ size_t Surfaces::largest_bytes(const SlotShape& shape, const SurfaceOptions& opt
         {value_bytes(shape), gradient_bytes(shape, options), bend_bytes(shape, options)});
 }
 
-void Surfaces::write_values(int slot, int group, const float* values) {
-    const size_t bytes = value_bytes(m_shape);
-    m_groups[size_t(group)].source->write(size_t(slot) * bytes, bytes, values);
+size_t Numbers::tile_bytes(const SlotShape& shape, int channels) const {
+    constexpr size_t word = sizeof(GLuint);
+    return (shape.pixels() * size_t(channels) * size_t(bytes) + word - 1) / word * word;
+}
+
+void Surfaces::expect(const Numbers& numbers, int channels, int meshes) {
+    m_expected = numbers;
+    m_channels = channels;
+    m_meshes = meshes;
+    m_numbers = std::make_unique<Buffer>(m_gl, size_t(m_slots / meshes) *
+                                                   numbers.tile_bytes(m_shape, channels));
+    if (!numbers.coded())
+        return;
+    const size_t bytes = numbers.table.size() * sizeof(float);
+    m_codes = std::make_unique<Buffer>(m_gl, bytes);
+    m_codes->write(0, bytes, numbers.table.data());
+}
+
+size_t Surfaces::write_numbers(int tile, const TileSize& size, const HostBuffer& from, size_t at) {
+    const size_t bytes =
+        size_t(size.width) * size_t(size.height) * size_t(m_channels) * size_t(m_expected.bytes);
+    from.upload(at, bytes, *m_numbers, size_t(tile) * m_expected.tile_bytes(m_shape, m_channels));
+    return bytes;
+}
+
+void Surfaces::unpack(DeviceMesh& mesh) {
+    m_gpu.programs->use("unpack.comp", m_expected.bytes == 1   ? "CODES_8"
+                                       : m_expected.bytes == 2 ? "CODES_16"
+                                                               : "");
+    mesh.bind();
+    m_numbers->bind(4);
+    if (m_codes)
+        m_codes->bind(5);
+    m_gl.Uniform2i(9, m_meshes, GLint(m_expected.tile_bytes(m_shape, m_channels) / sizeof(GLuint)));
+    for (size_t g = 0; g < m_groups.size(); ++g) {
+        m_groups[g].source->bind(1);
+        bind_channels(int(g));
+        mesh.dispatch_over(m_shape.width, m_shape.height, surface_group_x, surface_group_y);
+    }
+    m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+/// The uniform of which channels of a pixel are a group's.
+void Surfaces::bind_channels(int group) const {
+    const int first = group * group_size;
+    m_gl.Uniform3i(6, m_channels, first, std::min(group_size, m_channels - first));
 }
 
 std::string Surfaces::defines() const {
@@ -167,22 +210,34 @@ void Surfaces::reserve(std::unique_ptr<Buffer>& buffer, size_t bytes) {
     buffer = std::make_unique<Buffer>(m_gl, bytes);
 }
 
-void Surfaces::write_positions(const std::vector<int32_t>& positions) {
-    reserve(m_positions, positions.size() * sizeof(int32_t));
-    m_positions->write(0, positions.size() * sizeof(int32_t), positions.data());
+bool SampleMemory::has_room(size_t coordinates, size_t numbers, bool as_halfs) const {
+    const auto holds = [](const std::unique_ptr<Buffer>& buffer, size_t bytes) {
+        return buffer && buffer->bytes() >= bytes;
+    };
+    return holds(positions, coordinates * sizeof(int32_t)) &&
+           holds(results, numbers * sizeof(float)) &&
+           (!as_halfs || holds(halfs, (numbers + 1) / 2 * sizeof(GLuint)));
 }
 
-void Surfaces::reserve_results(size_t positions, int channels) {
-    reserve(m_result, positions * size_t(channels) * sizeof(float));
+void Surfaces::make_room(size_t coordinates, size_t numbers, bool as_halfs, SampleMemory& memory) {
+    reserve(memory.positions, coordinates * sizeof(int32_t));
+    reserve(memory.results, numbers * sizeof(float));
+    if (as_halfs)
+        reserve(memory.halfs, (numbers + 1) / 2 * sizeof(GLuint));
 }
 
-void Surfaces::sample(DeviceMesh& mesh, const SamplePlan& plan, int channels) {
-    reserve_results(size_t(plan.first_result) + size_t(plan.count), channels);
+void Surfaces::write_positions(const std::vector<int32_t>& positions, SampleMemory& memory) {
+    memory.positions->write(0, positions.size() * sizeof(int32_t), positions.data());
+}
+
+void Surfaces::sample(DeviceMesh& mesh, const SamplePlan& plan, int channels,
+                      SampleMemory& memory) {
     for (int i = 0; i < plan.meshes; ++i)
-        sample_mesh(mesh, plan, channels, i);
+        sample_mesh(mesh, plan, channels, i, memory);
 }
 
-void Surfaces::sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int channels, int index) {
+void Surfaces::sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int channels, int index,
+                           const SampleMemory& memory) {
     const char* layout = channels % group_size == 0 ? " WHOLE_GROUPS" : "";
     m_gpu.programs->use("sample.comp", defines() + layout + (fitted() ? " STORED_BENDS" : "") +
                                            (index > 0 ? " MEAN" : ""));
@@ -198,20 +253,31 @@ void Surfaces::sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int channel
     for (size_t g = 0; g < m_groups.size(); ++g) {
         const Group& group = m_groups[g];
         bind_net(mesh, group, edges_of(group));
-        m_positions->bind(4);
-        m_result->bind(5);
+        memory.positions->bind(4);
+        memory.results->bind(5);
         group.source->bind(6);
-        const int first = int(g) * group_size;
-        m_gl.Uniform3i(6, channels, first, std::min(group_size, channels - first));
+        bind_channels(int(g));
         m_gl.Uniform1ui(7, group.kinds.nearest);
         m_gl.DispatchCompute(groups(plan.columns, sample_group_x),
                              groups(plan.rows, sample_group_y), 1);
     }
 }
 
-void Surfaces::read_result(size_t bytes, void* out) {
-    m_gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    m_result->read(0, bytes, out);
+size_t Surfaces::download(size_t count, bool halfs, SampleMemory& memory, HostBuffer& to) {
+    const Buffer* from = memory.results.get();
+    const size_t bytes = count * (halfs ? sizeof(uint16_t) : sizeof(float));
+    if (halfs) {
+        constexpr size_t most_groups = 4096; // which go on where there is more
+        m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+        m_gpu.programs->use("pack_halfs.comp");
+        m_gl.Uniform1i(0, GLint(count));
+        memory.results->bind(5);
+        memory.halfs->bind(6);
+        m_gl.DispatchCompute(GLuint(std::min((count + 1) / 2 / list_group + 1, most_groups)), 1, 1);
+        from = memory.halfs.get();
+    }
+    to.download(m_gl, *from, bytes);
+    return bytes;
 }
 
 } // namespace ddt::gl

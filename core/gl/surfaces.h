@@ -7,12 +7,22 @@
 #include <vector>
 
 #include "core/gl/device_mesh.h"
+#include "core/gl/host_buffer.h"
 
 namespace ddt::gl {
 
 /// A job's channels, in groups of group_size.
 struct GroupKinds {
     unsigned nearest = 0, strict = 0; ///< a bit a lane: Channel::nearest, is_strict()
+};
+
+/// What a job's numbers travel to the device as.
+struct Numbers {
+    int bytes = sizeof(float); ///< each takes
+    std::vector<float> table;  ///< what codes of 1 or 2 bytes stand for; empty: they are floats
+    bool coded() const { return !table.empty(); }
+    /// Room for a tile's, in whole words.
+    size_t tile_bytes(const SlotShape& shape, int channels) const;
 };
 
 /// Positions to read one tile's surface at.
@@ -29,6 +39,14 @@ struct SamplePlan {
     int first_result = 0;         ///< where in the results they begin
 };
 
+/// Where positions are read from and results go: what is under way needs one of its own. To be
+/// destroyed on the context's thread.
+struct SampleMemory {
+    std::unique_ptr<Buffer> positions, results, halfs;
+    /// Whether there is room for so many coordinates and positions' results.
+    bool has_room(size_t coordinates, size_t numbers, bool as_halfs) const;
+};
+
 /// Values and gradients of all tiles of a DeviceMesh. To be used on the context's thread; throws
 /// Failure.
 class Surfaces {
@@ -40,8 +58,12 @@ public:
     static size_t bytes(const SlotShape& shape, size_t groups, const SurfaceOptions& options);
     static size_t largest_bytes(const SlotShape& shape, const SurfaceOptions& options);
 
-    /// A slot's values of one group: shape.pixels() x group_size floats in rows of shape.width.
-    void write_values(int slot, int group, const float* values);
+    /// What the numbers of the slots' tiles are, each of which takes `meshes` slots.
+    void expect(const Numbers& numbers, int channels, int meshes);
+    /// Have a tile's numbers, from `at` on in `from`, copied to the device; returns the bytes.
+    size_t write_numbers(int tile, const TileSize& size, const HostBuffer& from, size_t at);
+    /// Make the values of all slots from what was written.
+    void unpack(DeviceMesh& mesh);
     /// After the mesh is finished; `cost` is what it was made with.
     void make(DeviceMesh& mesh, const Criterion& by);
 
@@ -52,15 +74,17 @@ public:
     std::string defines() const;
     void bind_net(const DeviceMesh& mesh, int group);
 
-    /// The positions that plans refer to.
-    void write_positions(const std::vector<int32_t>& positions);
-    /// Room for the results of plans that are sampled before anything is read back.
-    void reserve_results(size_t positions, int channels);
-    /// Dispatch the reading of the surface: `channels` floats a position. Results of earlier plans
-    /// stay if there was room.
-    void sample(DeviceMesh& mesh, const SamplePlan& plan, int channels);
-    /// Copy results from the first on; waits for the device.
-    void read_result(size_t bytes, void* out);
+    /// Make room for so many coordinates of positions and numbers of results, of plans that are
+    /// sampled before anything is downloaded. Throws OutOfMemory.
+    void make_room(size_t coordinates, size_t numbers, bool as_halfs, SampleMemory& memory);
+    /// The positions that plans refer to, for which there must be room.
+    void write_positions(const std::vector<int32_t>& positions, SampleMemory& memory);
+    /// Dispatch the reading of the surface, for whose results there must be room: `channels` floats
+    /// a position.
+    void sample(DeviceMesh& mesh, const SamplePlan& plan, int channels, SampleMemory& memory);
+    /// Have so many results, from the first on, copied to `to`: there when a Fence has passed.
+    /// `halfs`: as 16-bit floats. Returns the bytes.
+    size_t download(size_t count, bool halfs, SampleMemory& memory, HostBuffer& to);
 
 private:
     struct Group {
@@ -85,16 +109,21 @@ private:
     void correct(DeviceMesh& mesh, Group& group, int round, Margin margin,
                  const std::string& more = "");
     void fit(DeviceMesh& mesh, Group& group);
+    void bind_channels(int group) const;
     void reserve(std::unique_ptr<Buffer>& buffer, size_t bytes);
-    void sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int channels, int index);
+    void sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int channels, int index,
+                     const SampleMemory& memory);
 
     Gpu& m_gpu;
     const Functions& m_gl;
     SlotShape m_shape;
+    int m_slots;
     SurfaceOptions m_options;
     std::vector<Group> m_groups;
-    std::unique_ptr<Buffer> m_positions, m_result;
-    std::unique_ptr<Buffer> m_table; ///< FittedTable, if the surface is fitted
+    Numbers m_expected;
+    int m_channels = 0, m_meshes = 1;
+    std::unique_ptr<Buffer> m_numbers, m_codes; ///< as they travel; what codes stand for
+    std::unique_ptr<Buffer> m_table;            ///< FittedTable, if the surface is fitted
 };
 
 } // namespace ddt::gl

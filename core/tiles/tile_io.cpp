@@ -32,12 +32,6 @@ uint32_t bits_of(float v) {
     return bits;
 }
 
-void zero_small(float* values, size_t n, float least) {
-    const uint32_t limit = bits_of(least);
-    for (size_t i = 0; i < n; ++i)
-        values[i] = (bits_of(values[i]) & 0x7fffffffu) < limit ? 0.0f : values[i];
-}
-
 void zero_small_blended(std::vector<float>& values, const std::vector<Channel>& kinds) {
     for (size_t i = 0; i < values.size();)
         for (size_t c = 0; c < kinds.size(); ++c, ++i)
@@ -46,6 +40,12 @@ void zero_small_blended(std::vector<float>& values, const std::vector<Channel>& 
 }
 
 } // namespace
+
+void zero_small(float* values, size_t n, float least) {
+    const uint32_t limit = bits_of(least);
+    for (size_t i = 0; i < n; ++i)
+        values[i] = (bits_of(values[i]) & 0x7fffffffu) < limit ? 0.0f : values[i];
+}
 
 Rect reach_of(const Tile& tile, const Rect& window, const Mapping& mapping) {
     constexpr double beyond = std::numeric_limits<double>::infinity();

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <limits>
 
+#include "core/base/half.h"
 #include "plugin/colour/codes.h"
-#include "plugin/host/half.h"
 
 namespace ddt::host {
 namespace {

@@ -39,6 +39,8 @@ bool describe_current(const void* library, Lookup lookup, Context& context, std:
         why = context.renderer + " lacks " + missing;
         return false;
     }
+    if (major == 4 && minor < 4)
+        gl.BufferStorage = nullptr; // lookups find names of what a driver does not have
     context.software = is_software(context.renderer);
     return true;
 }

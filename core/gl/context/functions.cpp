@@ -14,6 +14,7 @@ std::string load_functions(const void* library, Lookup lookup, Functions& gl) {
         if (!gl.GetGraphicsResetStatus)
             gl.GetGraphicsResetStatus =
                 reinterpret_cast<PFNGLGETGRAPHICSRESETSTATUSPROC>(lookup(library, name));
+    gl.BufferStorage = reinterpret_cast<PFNGLBUFFERSTORAGEPROC>(lookup(library, "glBufferStorage"));
     return {};
 }
 

@@ -42,10 +42,12 @@ namespace ddt::gl {
     X(BUFFERSUBDATA, BufferSubData)                                                                \
     X(GETBUFFERSUBDATA, GetBufferSubData)                                                          \
     X(COPYBUFFERSUBDATA, CopyBufferSubData)                                                        \
+    X(MAPBUFFERRANGE, MapBufferRange)                                                              \
     X(CLEARBUFFERDATA, ClearBufferData)                                                            \
     X(DISPATCHCOMPUTE, DispatchCompute)                                                            \
     X(DISPATCHCOMPUTEINDIRECT, DispatchComputeIndirect)                                            \
     X(MEMORYBARRIER, MemoryBarrier)                                                                \
+    X(FLUSH, Flush)                                                                                \
     X(FENCESYNC, FenceSync)                                                                        \
     X(CLIENTWAITSYNC, ClientWaitSync)                                                              \
     X(DELETESYNC, DeleteSync)                                                                      \
@@ -60,6 +62,8 @@ struct Functions {
 #undef DDT_DECLARE
     /// OpenGL 4.5 or KHR_robustness; null where there is neither.
     PFNGLGETGRAPHICSRESETSTATUSPROC GetGraphicsResetStatus = nullptr;
+    /// OpenGL 4.4; null before.
+    PFNGLBUFFERSTORAGEPROC BufferStorage = nullptr;
 };
 
 /// Finds a GL function by its full name; null if there is none.

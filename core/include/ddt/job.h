@@ -28,6 +28,13 @@ public:
     /// edges are sought in, about 0 to 1 from black to white; see core/guide for the usual one.
     /// Return false to end the work (an error the source itself keeps).
     virtual bool read(const Rect& r, float* values, float* guide) = 0;
+
+    /// Where every number is one of 256 or 65536 codes, the floats that they stand for, in order;
+    /// else nothing. Asked once, before anything is read, for devices to which numbers travel far:
+    /// they are then read by read_codes().
+    virtual std::vector<float> codes() { return {}; }
+    /// As read(), with the codes of the values: bytes, or 16-bit numbers where there are 65536.
+    virtual bool read_codes(const Rect& /*r*/, void* /*codes*/, float* /*guide*/) { return false; }
 };
 
 /// Where results go. Called from several threads at once, never twice for the same pixel.
@@ -40,6 +47,12 @@ public:
     /// Memory of the sink's own where the pixels of `r` may be put instead of being handed to
     /// write(), as they are: `row` receives the floats from one row to the next. Null: none.
     virtual float* place(const Rect& /*r*/, size_t& /*row*/) { return nullptr; }
+
+    /// Whether results may be handed to write_halfs() as well, by devices from which numbers travel
+    /// far: no more of them is kept.
+    virtual bool takes_halfs() const { return false; }
+    /// As write(), of 16-bit floats (IEEE 754 binary16): the nearest, of two the even one.
+    virtual bool write_halfs(const Rect& /*r*/, const uint16_t* /*values*/) { return false; }
 };
 
 /// Nanoseconds that the threads spent, added up, in each stage of a job on the CPU.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
 
 #include "core/gl/budget.h"
 #include "core/gl/host_tile.h"
@@ -31,11 +32,14 @@ public:
           m_mapping(axis(picture.width()), axis(picture.height())),
           m_in_flight(gl::affordable_tiles(gpu, m_shape, 1, job.surface, m_grid.count())),
           m_mesh(gpu, m_shape, int(m_in_flight)),
-          m_surfaces(gpu, m_shape, int(m_in_flight), gl::kinds_of(job), job.surface) {}
+          m_surfaces(gpu, m_shape, int(m_in_flight), gl::kinds_of(job), job.surface) {
+        m_surfaces.expect(m_numbers, channels, job.mesh.meshes);
+    }
 
     /// One run over the whole picture.
     void run(gl::Stages& stages, Measured& m, bool keep) {
         m.batches = 0;
+        m.uploaded = m.downloaded = 0;
         m.work = {};
         const auto uses = m_gpu.programs->uses();
         if (keep)
@@ -64,7 +68,9 @@ private:
             BenchTile t;
             t.tile = m_grid.tile(i);
             t.reach = reach_of(t.tile, m_job.window, m_mapping);
-            gl::read(m_picture, m_job, m_shape, t);
+            t.memory = std::make_unique<gl::HostBuffer>(m_gpu.context->gl,
+                                                        gl::host_bytes(m_job, m_shape, m_numbers));
+            gl::read(m_picture, m_job, m_shape, m_numbers, t);
             m_tiles.push_back(std::move(t));
         }
     }
@@ -76,7 +82,8 @@ private:
         stages.begin(Stage::upload);
         m_mesh.set_tiles(sizes);
         for (size_t i = 0; i < m_tiles.size(); ++i)
-            gl::upload(m_tiles[i], m_job, int(i), m_mesh, m_surfaces);
+            m.uploaded += gl::upload(m_tiles[i], m_job, int(i), m_mesh, m_surfaces);
+        m_surfaces.unpack(m_mesh);
         stages.end();
         gl::finish(m_gpu.context->gl, "upload");
         stages.begin(Stage::triangulate);
@@ -96,17 +103,21 @@ private:
         std::vector<int32_t> positions;
         int results = 0;
         const auto flush = [&] {
-            m_surfaces.reserve_results(size_t(results), channels);
-            m_surfaces.write_positions(positions);
+            const size_t numbers = size_t(results) * channels;
+            m_surfaces.make_room(positions.size(), numbers, false, m_memory);
+            m_surfaces.write_positions(positions, m_memory);
+            if (!m_download || m_download->bytes() < numbers * sizeof(float))
+                m_download =
+                    std::make_unique<gl::HostBuffer>(m_gpu.context->gl, numbers * sizeof(float));
             gl::finish(m_gpu.context->gl, "positions");
             stages.begin(Stage::sample);
             for (const gl::Strip& s : strips)
-                m_surfaces.sample(m_mesh, s.plan, channels);
+                m_surfaces.sample(m_mesh, s.plan, channels, m_memory);
             stages.end();
-            m_download.resize(size_t(results) * channels * sizeof(float));
             stages.begin(Stage::download);
-            m_surfaces.read_result(m_download.size(), m_download.data());
+            m.downloaded += m_surfaces.download(numbers, false, m_memory, *m_download);
             stages.end();
+            gl::finish(m_gpu.context->gl, "sampling");
             if (keep)
                 for (const gl::Strip& s : strips)
                     put(s, m);
@@ -133,7 +144,7 @@ private:
     void put(const gl::Strip& s, Measured& m) const {
         const size_t pixel = channels * sizeof(float), row = size_t(2 * m_picture.width()) * pixel;
         auto* to = reinterpret_cast<char*>(m.result.data());
-        const char* from = m_download.data() + size_t(s.plan.first_result) * pixel;
+        const std::byte* from = m_download->data() + size_t(s.plan.first_result) * pixel;
         for (int y = s.rows.y0; y < s.rows.y1; ++y, from += size_t(s.rows.width()) * pixel)
             std::memcpy(to + size_t(y) * row + size_t(s.rows.x0) * pixel, from,
                         size_t(s.rows.width()) * pixel);
@@ -166,12 +177,14 @@ private:
     Job m_job;
     Grid m_grid;
     gl::SlotShape m_shape;
+    gl::Numbers m_numbers;
     ResizeMapping m_mapping;
     size_t m_in_flight;
     gl::DeviceMesh m_mesh;
     gl::Surfaces m_surfaces;
     std::vector<BenchTile> m_tiles;
-    std::vector<char> m_download;
+    gl::SampleMemory m_memory;
+    std::unique_ptr<gl::HostBuffer> m_download;
 };
 
 } // namespace

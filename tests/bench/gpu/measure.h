@@ -18,6 +18,7 @@ struct Measured {
     double milliseconds[int(gl::Stage::count)] = {}; ///< of the fastest run, by kernels
     std::map<std::string, int> dispatches;           ///< by kernel
     int batches = 0;
+    size_t uploaded = 0, downloaded = 0; ///< bytes
     Workload work;
     std::vector<uint32_t> result; ///< where asked for: the bits of the output
 };

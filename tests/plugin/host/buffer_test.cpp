@@ -11,11 +11,12 @@
 
 #include <OpenImageIO/imageio.h>
 
-#include "plugin/host/half.h"
+#include "core/base/half.h"
 
 namespace {
 
 using namespace ddt::host;
+using ddt::float_of_half, ddt::half_of_float;
 using OIIO::TypeDesc;
 
 Buffer row_of(Sample sample, void* data, int width) {

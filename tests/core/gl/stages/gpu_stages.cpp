@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/core/gl/stages/gpu_stages.h"
 
+#include <cstring>
+
 #include "core/gl/budget.h"
 #include "core/gl/strip.h"
 #include "core/surface/net.h"
@@ -41,7 +43,8 @@ void main() {
 GpuStages::GpuStages(gl::Gpu& gpu, Source& source, const Job& job)
     : m_gpu(gpu), m_job(job), m_shape(gl::shape_for(job.window)), m_mesh(gpu, m_shape, 1) {
     m_tile.tile = Grid(job.window).tile(0);
-    gl::read(source, m_job, m_shape, m_tile);
+    m_numbers = gl::numbers_of(source, m_job);
+    gl::read(source, m_job, m_shape, m_numbers, m_tile);
     m_mesh.set_tiles({m_tile.size});
 }
 
@@ -52,7 +55,7 @@ MeshStage GpuStages::mesh(const MeshOptions& options, int iterations, bool gains
     stage.sites.resize(m_shape.sites());
     stage.gains.resize(m_shape.sites());
     stage.stride = m_shape.stride();
-    m_mesh.write_guide(0, m_tile.guides.data());
+    gl::upload_guides(m_tile, m_job, 0, m_mesh);
     m_mesh.triangulate(some);
     gl::finish(m_gpu.context->gl, "triangulation");
     m_mesh.read_sites(0, stage.sites.data());
@@ -65,8 +68,7 @@ MeshStage GpuStages::mesh(const MeshOptions& options, int iterations, bool gains
 }
 
 void GpuStages::finish_mesh() {
-    if (!m_tile.guides.empty())
-        m_mesh.write_guide(0, m_tile.guides.data());
+    gl::upload_guides(m_tile, m_job, 0, m_mesh);
     if (m_tile.sites.empty())
         m_mesh.triangulate(m_job.mesh);
     else
@@ -81,7 +83,9 @@ SurfaceStage GpuStages::surface(int rounds) {
     const auto kinds = gl::kinds_of(m_job);
     gl::Surfaces surfaces(m_gpu, m_shape, 1, kinds, options);
     finish_mesh();
-    gl::upload_values(m_tile, m_job, 0, surfaces);
+    surfaces.expect(m_numbers, m_job.channels, 1);
+    gl::upload_numbers(m_tile, m_job, 0, m_shape, surfaces);
+    surfaces.unpack(m_mesh);
     surfaces.make(m_mesh, criterion(m_job.mesh));
     m_mesh.find_gains(criterion(m_job.mesh));
 
@@ -121,7 +125,9 @@ SurfaceStage GpuStages::surface(int rounds) {
 std::vector<float> GpuStages::result(int out_width, int out_height) {
     gl::Surfaces surfaces(m_gpu, m_shape, 1, gl::kinds_of(m_job), m_job.surface);
     finish_mesh();
-    gl::upload_values(m_tile, m_job, 0, surfaces);
+    surfaces.expect(m_numbers, m_job.channels, 1);
+    gl::upload_numbers(m_tile, m_job, 0, m_shape, surfaces);
+    surfaces.unpack(m_mesh);
     surfaces.make(m_mesh, criterion(m_job.mesh));
     const auto axis = [](int from, int to) {
         ResizeMapping::Axis a;
@@ -134,11 +140,15 @@ std::vector<float> GpuStages::result(int out_width, int out_height) {
     gl::Strip strip;
     strip.rows = {0, 0, out_width, out_height};
     gl::plan_strip(mapping, m_tile.tile, 0, strip);
-    surfaces.write_positions(strip.positions);
-    surfaces.sample(m_mesh, strip.plan, m_job.channels);
     std::vector<float> result(size_t(strip.plan.count) * size_t(m_job.channels));
-    surfaces.read_result(result.size() * sizeof(float), result.data());
+    gl::SampleMemory memory;
+    gl::HostBuffer results(result.size() * sizeof(float));
+    surfaces.make_room(strip.positions.size(), result.size(), false, memory);
+    surfaces.write_positions(strip.positions, memory);
+    surfaces.sample(m_mesh, strip.plan, m_job.channels, memory);
+    surfaces.download(result.size(), false, memory, results);
     gl::finish(m_gpu.context->gl, "sampling");
+    std::memcpy(result.data(), results.data(), results.bytes());
     return result;
 }
 

@@ -26,6 +26,7 @@ private:
     gl::Gpu& m_gpu;
     Job m_job;
     gl::SlotShape m_shape;
+    gl::Numbers m_numbers;
     gl::HostTile m_tile;
     gl::DeviceMesh m_mesh;
 };

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace ddt::host {
+namespace ddt {
 
 inline float float_of_half(uint16_t h) {
     const uint32_t sign = uint32_t(h & 0x8000u) << 16, size = h & 0x7fffu;
@@ -27,7 +27,7 @@ inline float float_of_half(uint16_t h) {
     return f;
 }
 
-/// The nearest; of two the even one.
+/// The nearest; of two the even one. GLSL twin: shaders/half.glsl.
 inline uint16_t half_of_float(float f) {
     uint32_t bits;
     std::memcpy(&bits, &f, sizeof f);
@@ -51,4 +51,4 @@ inline uint16_t half_of_float(float f) {
     return uint16_t(sign | (whole + uint32_t(rest > middle || (rest == middle && (whole & 1u)))));
 }
 
-} // namespace ddt::host
+} // namespace ddt

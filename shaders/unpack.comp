@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// A tile's numbers, as they travelled, become the values of its vertices, one invocation a pixel:
+// floats, or by CODES_8 or CODES_16 codes of so many bits and a table of what they stand for. C++
+// twin: read_numbers in core/gl/host_tile.cpp.
+#include "lattice.glsl"
+
+layout(local_size_x = SURFACE_GROUP_X, local_size_y = SURFACE_GROUP_Y) in; // z: a slot
+
+layout(std430, binding = 1) writeonly buffer Values { uvec4 value[]; }; // a pixel
+layout(std430, binding = 4) readonly buffer Numbers { uint numbers[]; }; // a tile after the other
+layout(std430, binding = 5) readonly buffer Codes { uint floats[]; };
+
+layout(location = 6) uniform ivec3 channels; // in a pixel; first and count of this group
+layout(location = 9) uniform ivec2 layout_;  // slots a tile takes; words its numbers have room in
+
+uint number_at(int word, int i) {
+#if defined(CODES_8)
+    return floats[numbers[word + i / 4] >> 8 * (i % 4) & 0xffu];
+#elif defined(CODES_16)
+    return floats[numbers[word + i / 2] >> 16 * (i % 2) & 0xffffu];
+#else
+    return numbers[word + i];
+#endif
+}
+
+void main() {
+    int slot = int(gl_GlobalInvocationID.z);
+    ivec2 p = ivec2(gl_GlobalInvocationID.xy), size = extent[slot].xy;
+    if (p.x >= size.x || p.y >= size.y)
+        return;
+    int word = slot / layout_.x * layout_.y;
+    int first = (p.y * size.x + p.x) * channels.x + channels.y;
+    uvec4 bits = uvec4(0u);
+    for (int c = 0; c < channels.z; ++c)
+        bits[c] = number_at(word, first + c);
+    value[slot * slot_pixels + p.y * slot_width + p.x] = bits;
+}
