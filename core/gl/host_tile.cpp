@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/host_tile.h"
 
-#include <algorithm>
 #include <cstring>
 
 #include "core/base/arith.h"
@@ -63,26 +62,13 @@ bool read_numbers(Source& source, const Tile& tile, const Job& job, const Number
 
 } // namespace
 
-Numbers numbers_of(Source& source, const Job& job) {
-    Numbers numbers;
-    const auto& kinds = job.kinds;
-    // Pixels that are repeated, and identifiers, whose bits are not to change, travel as floats.
-    if (std::min(job.window.width(), job.window.height()) < 2 ||
-        std::find(kinds.begin(), kinds.end(), Channel::nearest) != kinds.end())
-        return numbers;
-    numbers.table = source.codes();
-    zero_small(numbers.table.data(), numbers.table.size(), least_value);
-    numbers.bytes = numbers.coded() ? (numbers.table.size() == 256 ? 1 : 2) : sizeof(float);
-    return numbers;
-}
-
 bool with_guides(const Job& job) {
     // Soft edges' gains are found on the device in any case, and contours by the guide.
     return DeviceMesh::knows(job.mesh) || job.mesh.contour != 0;
 }
 
 size_t host_bytes(const Job& job, const SlotShape& shape, const Numbers& numbers) {
-    return guide_bytes(job, shape) + numbers.tile_bytes(shape, job.channels);
+    return guide_bytes(job, shape) + numbers.room(shape.pixels() * size_t(job.channels));
 }
 
 bool read(Source& source, const Job& job, const SlotShape& shape, const Numbers& numbers,

@@ -13,9 +13,6 @@
 
 namespace ddt::gl {
 
-/// What a job's numbers travel as: the source's codes where it has some, else floats.
-Numbers numbers_of(Source& source, const Job& job);
-
 /// A tile in the layout of slots, one a mesh.
 struct HostTile {
     Tile tile;

@@ -20,18 +20,13 @@ constexpr size_t strip_bytes = size_t(16) << 20;
 /// Rows that are handed to the sink at once.
 constexpr int rows_a_write = 64;
 
-/// Whether no channel is copied bit for bit.
-bool blends_alone(const Job& job) {
-    return std::find(job.kinds.begin(), job.kinds.end(), Channel::nearest) == job.kinds.end();
-}
-
 } // namespace
 
 Runner::Runner(Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping, const Job& job,
-               const Grid& grid, int threads, Run& run)
+               const Grid& grid, Travel travel, int threads, Run& run)
     : m_gpu(gpu), m_source(source), m_sink(sink), m_mapping(mapping), m_job(job), m_grid(grid),
       m_run(run), m_threads(threads), m_shape(shape_for(job.window)), m_meshes(job.mesh.meshes),
-      m_numbers(numbers_of(source, job)), m_halfs(sink.takes_halfs() && blends_alone(job)),
+      m_travel(std::move(travel)),
       m_in_flight(affordable_tiles(gpu, m_shape, group_count(job.channels), job.surface,
                                    grid.count(), m_meshes)),
       m_counting(job.statistics || verbose()) {}
@@ -77,7 +72,7 @@ void Runner::work() {
 
 /// Memory for the tiles of two batches: one is on its way to the device while the next is read.
 void Runner::take_memory() {
-    const size_t bytes = host_bytes(m_job, m_shape, m_numbers);
+    const size_t bytes = host_bytes(m_job, m_shape, m_travel.there);
     for (size_t i = 0; i < std::min(2 * m_in_flight, size_t(m_grid.count())); ++i)
         m_memory.push_back(std::make_unique<HostBuffer>(m_gpu.context->gl, bytes));
 }
@@ -117,7 +112,7 @@ void Runner::read_ahead() {
         tiles.push_back(std::move(t));
     }
     for_each_index(m_threads, int(tiles.size()), [&](int, int i) {
-        if (m_run.going() && !read(m_source, m_job, m_shape, m_numbers, *tiles[size_t(i)]))
+        if (m_run.going() && !read(m_source, m_job, m_shape, m_travel.there, *tiles[size_t(i)]))
             m_run.end(Outcome::source_failed);
     });
     for (auto& t : tiles)
@@ -134,7 +129,7 @@ void Runner::begin_batch() {
         m_mesh = std::make_unique<DeviceMesh>(m_gpu, m_shape, slots);
         m_surfaces =
             std::make_unique<Surfaces>(m_gpu, m_shape, slots, kinds_of(m_job), m_job.surface);
-        m_surfaces->expect(m_numbers, m_job.channels, m_meshes);
+        m_surfaces->expect(m_travel.there, m_job.channels, m_meshes);
     }
     std::vector<TileSize> sizes;
     for (const auto& t : m_batch)
@@ -206,16 +201,16 @@ std::shared_ptr<Runner::JobStrip> Runner::idle_strip() {
 
 bool Runner::has_room(const JobStrip& strip) const {
     const size_t numbers = result_count(strip);
-    return strip.results && strip.results->bytes() >= numbers * number_bytes() &&
-           strip.memory.has_room(strip.positions.size(), numbers, m_halfs);
+    return strip.results && strip.results->bytes() >= numbers * m_travel.bytes_back() &&
+           strip.memory.has_room(strip.positions.size(), numbers, m_travel.halfs_back);
 }
 
 void Runner::make_room(JobStrip& strip) {
     const size_t numbers = result_count(strip);
-    m_surfaces->make_room(strip.positions.size(), numbers, m_halfs, strip.memory);
+    m_surfaces->make_room(strip.positions.size(), numbers, m_travel.halfs_back, strip.memory);
     strip.results.reset();
     strip.results = std::make_unique<HostBuffer>(
-        m_gpu.context->gl, strip.memory.results->bytes() / sizeof(float) * number_bytes());
+        m_gpu.context->gl, strip.memory.results->bytes() / sizeof(float) * m_travel.bytes_back());
 }
 
 /// Ask the device for the strip's results.
@@ -228,7 +223,7 @@ void Runner::sample(JobStrip& strip) {
         m_stages->end();
         m_stages->begin(Stage::download);
         m_downloaded += m_surfaces->download(size_t(strip.plan.count) * size_t(m_job.channels),
-                                             m_halfs, strip.memory, *strip.results);
+                                             m_travel.halfs_back, strip.memory, *strip.results);
         m_stages->end();
         check(gl, "sampling");
     }
@@ -259,13 +254,13 @@ void Runner::write(JobStrip& strip) {
         for (int y = run.y0; y < run.y1; y += rows_a_write) {
             const Rect part{run.x0, y, run.x1, std::min(y + rows_a_write, run.y1)};
             parts.emplace_back(part, numbers);
-            numbers += part.area() * size_t(m_job.channels) * number_bytes();
+            numbers += part.area() * size_t(m_job.channels) * m_travel.bytes_back();
         }
     for_each_index(m_threads, int(parts.size()), [&](int, int i) {
         const auto& [part, first] = parts[size_t(i)];
         if (!m_run.going())
             return;
-        const bool taken = m_halfs
+        const bool taken = m_travel.halfs_back
                                ? m_sink.write_halfs(part, reinterpret_cast<const uint16_t*>(first))
                                : m_sink.write(part, reinterpret_cast<float*>(first));
         if (!taken)
@@ -300,10 +295,11 @@ std::string work_on_gpu(gl::Gpu& gpu, Source& source, Sink& sink, const Mapping&
                         Statistics& statistics) {
     std::string failure;
     try {
-        failure = gpu.thread.post([&] { return gpu.checks.differs(gpu, job); }).get();
+        gl::Travel travel = gl::travel_of(source, sink, job);
+        failure = gpu.thread.post([&] { return gpu.checks.differs(gpu, job, travel); }).get();
         if (!failure.empty())
             return failure;
-        gl::Runner runner(gpu, source, sink, mapping, job, grid, threads, run);
+        gl::Runner runner(gpu, source, sink, mapping, job, grid, std::move(travel), threads, run);
         try {
             runner.work();
         } catch (...) {

@@ -25,7 +25,7 @@ namespace ddt::gl {
 class Runner {
 public:
     Runner(Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping, const Job& job,
-           const Grid& grid, int threads, Run& run);
+           const Grid& grid, Travel travel, int threads, Run& run);
     /// Waits for what was posted.
     ~Runner();
 
@@ -68,8 +68,6 @@ private:
     size_t result_count(const Strip& strip) const {
         return size_t(strip.plan.count) * size_t(m_job.channels);
     }
-    /// Bytes that a number of the results takes on its way.
-    size_t number_bytes() const { return m_halfs ? sizeof(uint16_t) : sizeof(float); }
 
     Gpu& m_gpu;
     Source& m_source;
@@ -81,8 +79,7 @@ private:
     int m_threads;
     SlotShape m_shape;
     int m_meshes; ///< a tile; they take neighbouring slots
-    Numbers m_numbers;
-    bool m_halfs; ///< results travel as 16-bit floats
+    Travel m_travel;
     Statistics m_statistics;
 
     int m_next_tile = 0;

@@ -147,7 +147,7 @@ Outcomes on_gpu(Gpu& gpu, const Job& job, const Tile& tile) {
     const int meshes = job.mesh.meshes;
     HostTile t;
     t.tile = tile;
-    const Numbers numbers = numbers_of(source, job);
+    const Numbers numbers;
     t.memory = std::make_unique<HostBuffer>(gl, host_bytes(job, shape, numbers));
     read(source, job, shape, numbers, t);
     DeviceMesh mesh(gpu, shape, meshes);
@@ -270,7 +270,11 @@ const std::string& SelfChecks::differs(Gpu& gpu, const std::string& key,
     return m_differences[key] = std::move(difference);
 }
 
-const std::string& SelfChecks::differs(Gpu& gpu, const Job& job) {
+const std::string& SelfChecks::differs(Gpu& gpu, const Job& job, const Travel& travel) {
+    const std::string& there =
+        differs(gpu, travel_key_of(travel), [&] { return travel_differs(gpu, travel); });
+    if (!there.empty())
+        return there;
     return differs(gpu, key_of(job), [&] { return differs_from_cpu(gpu, job); });
 }
 

@@ -6,11 +6,10 @@
 #include <map>
 #include <string>
 
+#include "core/gl/travel.h"
 #include "ddt/core.h"
 
 namespace ddt::gl {
-
-struct Gpu;
 
 /// The job that is checked in place of `job`: one that uses the same programs, each of their
 /// branches, on a small picture.
@@ -25,8 +24,8 @@ std::string differs_from_cpu(Gpu& gpu, const Job& job);
 /// What came of the checks of a device, by the programs that were checked.
 class SelfChecks {
 public:
-    /// differs_from_cpu(), the first time that its programs are wanted.
-    const std::string& differs(Gpu& gpu, const Job& job);
+    /// differs_from_cpu(), the first time that its programs are wanted, and travel_differs().
+    const std::string& differs(Gpu& gpu, const Job& job, const Travel& travel = {});
     /// tin_differs_from_cpu() of core/gl/tin_check.h alike.
     const std::string& differs(Gpu& gpu, const MeshOptions& of_points);
     double milliseconds() const { return m_milliseconds; }

@@ -69,17 +69,15 @@ size_t Surfaces::largest_bytes(const SlotShape& shape, const SurfaceOptions& opt
         {value_bytes(shape), gradient_bytes(shape, options), bend_bytes(shape, options)});
 }
 
-size_t Numbers::tile_bytes(const SlotShape& shape, int channels) const {
-    constexpr size_t word = sizeof(GLuint);
-    return (shape.pixels() * size_t(channels) * size_t(bytes) + word - 1) / word * word;
+size_t Surfaces::tile_bytes() const {
+    return m_expected.room(m_shape.pixels() * size_t(m_channels));
 }
 
 void Surfaces::expect(const Numbers& numbers, int channels, int meshes) {
     m_expected = numbers;
     m_channels = channels;
     m_meshes = meshes;
-    m_numbers = std::make_unique<Buffer>(m_gl, size_t(m_slots / meshes) *
-                                                   numbers.tile_bytes(m_shape, channels));
+    m_numbers = std::make_unique<Buffer>(m_gl, size_t(m_slots / meshes) * tile_bytes());
     if (!numbers.coded())
         return;
     const size_t bytes = numbers.table.size() * sizeof(float);
@@ -90,7 +88,7 @@ void Surfaces::expect(const Numbers& numbers, int channels, int meshes) {
 size_t Surfaces::write_numbers(int tile, const TileSize& size, const HostBuffer& from, size_t at) {
     const size_t bytes =
         size_t(size.width) * size_t(size.height) * size_t(m_channels) * size_t(m_expected.bytes);
-    from.upload(at, bytes, *m_numbers, size_t(tile) * m_expected.tile_bytes(m_shape, m_channels));
+    from.upload(at, bytes, *m_numbers, size_t(tile) * tile_bytes());
     return bytes;
 }
 
@@ -102,9 +100,10 @@ void Surfaces::unpack(DeviceMesh& mesh) {
     m_numbers->bind(4);
     if (m_codes)
         m_codes->bind(5);
-    m_gl.Uniform2i(9, m_meshes, GLint(m_expected.tile_bytes(m_shape, m_channels) / sizeof(GLuint)));
+    m_gl.Uniform2i(9, m_meshes, GLint(tile_bytes() / sizeof(GLuint)));
     for (size_t g = 0; g < m_groups.size(); ++g) {
-        m_groups[g].source->bind(1);
+        m_groups[g].values = m_groups[g].source.get();
+        m_groups[g].values->bind(1);
         bind_channels(int(g));
         mesh.dispatch_over(m_shape.width, m_shape.height, surface_group_x, surface_group_y);
     }

@@ -8,21 +8,13 @@
 
 #include "core/gl/device_mesh.h"
 #include "core/gl/host_buffer.h"
+#include "core/gl/travel.h"
 
 namespace ddt::gl {
 
 /// A job's channels, in groups of group_size.
 struct GroupKinds {
     unsigned nearest = 0, strict = 0; ///< a bit a lane: Channel::nearest, is_strict()
-};
-
-/// What a job's numbers travel to the device as.
-struct Numbers {
-    int bytes = sizeof(float); ///< each takes
-    std::vector<float> table;  ///< what codes of 1 or 2 bytes stand for; empty: they are floats
-    bool coded() const { return !table.empty(); }
-    /// Room for a tile's, in whole words.
-    size_t tile_bytes(const SlotShape& shape, int channels) const;
 };
 
 /// Positions to read one tile's surface at.
@@ -110,6 +102,7 @@ private:
                  const std::string& more = "");
     void fit(DeviceMesh& mesh, Group& group);
     void bind_channels(int group) const;
+    size_t tile_bytes() const; ///< of its numbers
     void reserve(std::unique_ptr<Buffer>& buffer, size_t bytes);
     void sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int channels, int index,
                      const SampleMemory& memory);

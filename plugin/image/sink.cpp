@@ -19,6 +19,12 @@ bool ImageSink::write(const Rect& r, float* values) {
     return true;
 }
 
+/// Whether numbers are stored without a conversion but to the image's type.
+bool ImageSink::as_they_are() const {
+    const Writing& w = m_writing;
+    return w.bits == OIIO::TypeUnknown && !(w.light.converts() && w.colour.count > 0);
+}
+
 /// Floats that stay as they are.
 float* ImageSink::place(const Rect& r, size_t& row) {
     const Writing& w = m_writing;
@@ -26,11 +32,21 @@ float* ImageSink::place(const Rect& r, size_t& row) {
     const bool whole = w.chend - w.chbegin == w.channels &&
                        m_image.pixel_stride() == size * w.channels &&
                        m_image.scanline_stride() % size == 0;
-    if (m_image.spec().format != OIIO::TypeFloat || w.bits != OIIO::TypeUnknown || !whole ||
-        (w.light.converts() && w.colour.count > 0))
+    if (m_image.spec().format != OIIO::TypeFloat || !whole || !as_they_are())
         return nullptr;
     row = size_t(m_image.scanline_stride() / size);
     return static_cast<float*>(m_image.pixeladdr(r.x0, r.y0, 0, w.chbegin));
+}
+
+bool ImageSink::takes_halfs() const {
+    const Writing& w = m_writing;
+    return m_image.spec().format == OIIO::TypeHalf && w.chend - w.chbegin == w.channels &&
+           as_they_are();
+}
+
+bool ImageSink::write_halfs(const Rect& r, const uint16_t* values) {
+    write_pixels(m_image, r, m_writing.chbegin, m_writing.chend, OIIO::TypeHalf, values);
+    return true;
 }
 
 /// The usual case at once: colour alone, alike in all channels, in 8 bits without gaps.

@@ -26,8 +26,12 @@ public:
     ImageSink(OIIO::ImageBuf& image, const Writing& writing) : m_image(image), m_writing(writing) {}
     bool write(const Rect& r, float* values) override;
     float* place(const Rect& r, size_t& row) override;
+    /// Into images of halfs, of numbers that stay as they are.
+    bool takes_halfs() const override;
+    bool write_halfs(const Rect& r, const uint16_t* values) override;
 
 private:
+    bool as_they_are() const;
     bool write_codes(const Rect& r, const float* values);
 
     OIIO::ImageBuf& m_image;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "plugin/colour/colourpixels.h"
 #include "plugin/image/pixels.h"
@@ -22,30 +23,75 @@ std::string ImageSource::error() const {
     return m_error;
 }
 
+bool ImageSource::fail(const std::string& error) {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    if (m_error.empty())
+        m_error = error;
+    return false;
+}
+
+/// The image's numbers to linear light.
+void ImageSource::convert(float* pixels, size_t count, int channels) const {
+    std::vector<size_t> nans;
+    for (size_t i = 0; m_reading.keep_nan && i < count * size_t(channels); ++i)
+        if (std::isnan(pixels[i]))
+            nans.push_back(i);
+    to_light(m_reading.light, m_reading.channels.colour, pixels, count, channels);
+    for (const size_t i : nans)
+        pixels[i] = std::numeric_limits<float>::quiet_NaN();
+}
+
 bool ImageSource::read_row(int y, const Rect& r, float* pixels, float* guide) {
     const int channels = m_image.nchannels();
     const size_t width = size_t(r.width());
     // IDs in integers go through the core as the bits they are.
     const OIIO::TypeDesc type = m_reading.channels.raw ? m_image.spec().format : OIIO::TypeFloat;
     std::string error;
-    if (!read_pixels(m_image, {r.x0, y, r.x1, y + 1}, 0, channels, type, pixels, error)) {
-        const std::lock_guard<std::mutex> lock(m_mutex);
-        if (m_error.empty())
-            m_error = error;
-        return false;
-    }
+    if (!read_pixels(m_image, {r.x0, y, r.x1, y + 1}, 0, channels, type, pixels, error))
+        return fail(error);
     if (m_reading.channels.raw) {
         std::fill_n(guide, width, 0.0f);
         return true;
     }
-    std::vector<size_t> nans;
-    for (size_t i = 0; m_reading.keep_nan && i < width * size_t(channels); ++i)
-        if (std::isnan(pixels[i]))
-            nans.push_back(i);
-    to_light(m_reading.light, m_reading.channels.colour, pixels, width, channels);
-    for (const size_t i : nans)
-        pixels[i] = std::numeric_limits<float>::quiet_NaN();
+    convert(pixels, width, channels);
     make_guide(m_reading.guide, pixels, width, channels, guide);
+    return true;
+}
+
+std::vector<float> ImageSource::codes() {
+    const OIIO::TypeDesc type = m_image.spec().format;
+    const Light& light = m_reading.light;
+    const ColourLayout& colour = m_reading.channels.colour;
+    const bool bytes = type == OIIO::TypeUInt8, by_itself = !light.converts() || colour.count == 0;
+    if (!m_all || m_reading.channels.raw || !(bytes || type == OIIO::TypeHalf) ||
+        !(by_itself || all_alike(light, colour, m_image.nchannels())))
+        return {};
+    // What is made of every code there is, as read_row() would, in pixels of one channel.
+    std::vector<uint16_t> all(bytes ? 256 : 65536);
+    std::iota(all.begin(), all.end(), uint16_t(0));
+    const std::vector<uint8_t> small(all.begin(), all.begin() + 256);
+    std::vector<float> floats(all.size());
+    OIIO::convert_pixel_values(type, bytes ? static_cast<const void*>(small.data()) : all.data(),
+                               OIIO::TypeFloat, floats.data(), int(floats.size()));
+    if (!by_itself)
+        light.to_light_alike(floats.data(), floats.size());
+    return floats;
+}
+
+bool ImageSource::read_codes(const Rect& r, void* codes, float* guide) {
+    const int channels = m_image.nchannels();
+    const OIIO::TypeDesc type = m_image.spec().format;
+    std::string error;
+    if (!read_pixels(m_image, r, 0, channels, type, codes, error))
+        return fail(error);
+    const size_t width = size_t(r.width()), row = width * size_t(channels);
+    std::vector<float> pixels(row);
+    const char* from = static_cast<const char*>(codes);
+    for (int y = r.y0; y < r.y1; ++y, from += row * type.size(), guide += width) {
+        OIIO::convert_pixel_values(type, from, OIIO::TypeFloat, pixels.data(), int(row));
+        convert(pixels.data(), width, channels);
+        make_guide(m_reading.guide, pixels.data(), width, channels, guide);
+    }
     return true;
 }
 

@@ -17,11 +17,16 @@ class ImageSource final : public Source {
 public:
     ImageSource(const OIIO::ImageBuf& image, const Reading& reading);
     bool read(const Rect& r, float* values, float* guide) override;
+    /// Of images of 8 bits and of halfs, all channels of which are wanted and convert alike.
+    std::vector<float> codes() override;
+    bool read_codes(const Rect& r, void* codes, float* guide) override;
     /// Why the first read() that failed did so.
     std::string error() const;
 
 private:
     bool read_row(int y, const Rect& r, float* pixels, float* guide);
+    bool fail(const std::string& error);
+    void convert(float* pixels, size_t count, int channels) const;
 
     const OIIO::ImageBuf& m_image;
     const Reading& m_reading;

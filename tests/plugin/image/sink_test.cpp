@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/image/sink.h"
 
+#include <cstring>
+
 #include <gtest/gtest.h>
 
 namespace ddt::test {
@@ -35,6 +37,31 @@ TEST(ImageSink, PlacesInFloatsWithoutGapsOnly) {
     some = all_of(3);
     some.bits = OIIO::TypeUInt32;
     EXPECT_EQ(ImageSink(floats, some).place(part, row), nullptr);
+}
+
+TEST(ImageSink, TakesHalfsIntoHalfsThatStayAsTheyAre) {
+    Writing all = all_of(3);
+    all.chbegin = 1;
+    all.chend = 4;
+    OIIO::ImageBuf halfs = image_of(OIIO::TypeHalf, 5), floats = image_of(OIIO::TypeFloat, 5);
+    ImageSink sink(halfs, all);
+    EXPECT_TRUE(sink.takes_halfs());
+    EXPECT_FALSE(ImageSink(floats, all).takes_halfs());
+    all.channels = 4; // one that is only needed on the way back from linear light
+    EXPECT_FALSE(sink.takes_halfs());
+    all.channels = 3;
+    all.bits = OIIO::TypeUInt32;
+    EXPECT_FALSE(sink.takes_halfs());
+    all.bits = OIIO::TypeUnknown;
+
+    const uint16_t values[6] = {0x3c00, 0x3800, 0x3400, 0xbc00, 0x7c00, 0x0001};
+    ASSERT_TRUE(sink.write_halfs({2, 1, 4, 2}, values));
+    for (int x = 2; x < 4; ++x)
+        EXPECT_EQ(std::memcmp(halfs.pixeladdr(x, 1, 0, 1), values + 3 * (x - 2), 6), 0) << x;
+    for (const int c : {0, 4})
+        EXPECT_EQ(halfs.getchannel(2, 1, 0, c), 0.0f);
+    EXPECT_EQ(halfs.getchannel(1, 1, 0, 1), 0.0f);
+    EXPECT_EQ(halfs.getchannel(4, 1, 0, 1), 0.0f);
 }
 
 TEST(ImageSink, WritesNumbersOfAnyType) {

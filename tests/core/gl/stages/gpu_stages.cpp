@@ -43,7 +43,6 @@ void main() {
 GpuStages::GpuStages(gl::Gpu& gpu, Source& source, const Job& job)
     : m_gpu(gpu), m_job(job), m_shape(gl::shape_for(job.window)), m_mesh(gpu, m_shape, 1) {
     m_tile.tile = Grid(job.window).tile(0);
-    m_numbers = gl::numbers_of(source, m_job);
     gl::read(source, m_job, m_shape, m_numbers, m_tile);
     m_mesh.set_tiles({m_tile.size});
 }

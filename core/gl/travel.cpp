@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/gl/travel.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/base/half.h"
+#include "core/gl/context/gpu.h"
+#include "core/gl/surfaces.h"
+#include "core/tiles/tile_io.h"
+
+namespace ddt::gl {
+
+namespace {
+
+uint32_t bits_of(float v) {
+    uint32_t bits;
+    std::memcpy(&bits, &v, sizeof bits);
+    return bits;
+}
+
+/// Floats of every size: those that 16 bits hold, and their neighbours on both sides of what lies
+/// halfway to the next.
+std::vector<float> checked_floats() {
+    std::vector<float> floats;
+    for (uint32_t high = 0; high < 65536; high += 7)
+        for (const uint32_t low : {0u, 0x0fffu, 0x1000u, 0x1001u, 0x8000u, 0xf000u}) {
+            const uint32_t bits = high << 16 | low;
+            float v;
+            std::memcpy(&v, &bits, sizeof v);
+            floats.push_back(v);
+        }
+    return floats;
+}
+
+std::string unpacking_differs(Gpu& gpu, const Numbers& numbers) {
+    const Functions& gl = gpu.context->gl;
+    constexpr int width = 61, height = 43, channels = group_size + 1;
+    const SlotShape shape{64, 44};
+    const size_t count = size_t(width) * height * channels;
+    HostBuffer memory(gl, count * size_t(numbers.bytes));
+    std::vector<uint32_t> wanted(count);
+    for (size_t i = 0; i < count; ++i) {
+        const uint32_t code = uint32_t(i) * 0x9e3779b9u >> 8; // of any size
+        const uint32_t bits =
+            numbers.coded() ? bits_of(numbers.table[code % numbers.table.size()]) : code << 7;
+        wanted[i] = bits;
+        const uint32_t sent = numbers.coded() ? code : bits; // its first bytes
+        std::memcpy(memory.data() + i * size_t(numbers.bytes), &sent, size_t(numbers.bytes));
+    }
+    DeviceMesh mesh(gpu, shape, 1);
+    Surfaces surfaces(gpu, shape, 1, std::vector<GroupKinds>(2), SurfaceOptions());
+    const TileSize size{width, height};
+    surfaces.expect(numbers, channels, 1);
+    mesh.set_tiles({size});
+    surfaces.write_numbers(0, size, memory, 0);
+    surfaces.unpack(mesh);
+    finish(gl, "unpacking");
+    size_t differing = 0;
+    for (int g = 0; g < 2; ++g) {
+        std::vector<uint32_t> found(shape.pixels() * group_size);
+        surfaces.vertices(g).read(0, found.size() * sizeof(uint32_t), found.data());
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                for (int c = g * group_size; c < std::min(channels, (g + 1) * group_size); ++c)
+                    differing +=
+                        found[size_t(y * shape.width + x) * group_size + size_t(c % group_size)] !=
+                        wanted[size_t(y * width + x) * channels + size_t(c)];
+    }
+    return differing == 0 ? "" : std::to_string(differing) + " numbers differ as they are unpacked";
+}
+
+std::string packing_differs(Gpu& gpu) {
+    const Functions& gl = gpu.context->gl;
+    const std::vector<float> floats = checked_floats();
+    const size_t bytes = floats.size() * sizeof(float);
+    SampleMemory memory;
+    memory.results = std::make_unique<Buffer>(gl, bytes);
+    memory.results->write(0, bytes, floats.data());
+    memory.halfs = std::make_unique<Buffer>(gl, bytes / 2 + sizeof(uint32_t));
+    HostBuffer halfs(gl, bytes / 2);
+    Surfaces surfaces(gpu, {2, 2}, 1, {}, SurfaceOptions());
+    surfaces.download(floats.size(), true, memory, halfs);
+    finish(gl, "packing");
+    size_t differing = 0;
+    for (size_t i = 0; i < floats.size(); ++i) {
+        uint16_t half;
+        std::memcpy(&half, halfs.data() + i * sizeof half, sizeof half);
+        differing += half != half_of_float(floats[i]);
+    }
+    return differing == 0 ? "" : std::to_string(differing) + " 16-bit floats differ";
+}
+
+} // namespace
+
+size_t Numbers::room(size_t count) const {
+    constexpr size_t word = sizeof(uint32_t);
+    return (count * size_t(bytes) + word - 1) / word * word;
+}
+
+Travel travel_of(Source& source, const Sink& sink, const Job& job) {
+    Travel travel;
+    // Identifiers are bits that are not to change.
+    const auto& kinds = job.kinds;
+    if (std::find(kinds.begin(), kinds.end(), Channel::nearest) != kinds.end())
+        return travel;
+    travel.halfs_back = sink.takes_halfs();
+    // Rows and columns that are alone are repeated as floats.
+    if (std::min(job.window.width(), job.window.height()) < 2)
+        return travel;
+    Numbers& numbers = travel.there;
+    numbers.table = source.codes();
+    zero_small(numbers.table.data(), numbers.table.size(), least_value);
+    if (numbers.coded())
+        numbers.bytes = numbers.table.size() == 256 ? 1 : 2;
+    return travel;
+}
+
+std::string travel_differs(Gpu& gpu, const Travel& travel) {
+    std::string what = unpacking_differs(gpu, travel.there);
+    if (what.empty() && travel.halfs_back)
+        what = packing_differs(gpu);
+    return what.empty() ? what
+                        : gpu.context->renderer + " does not compute as the CPU does: " + what;
+}
+
+std::string travel_key_of(const Travel& travel) {
+    return std::to_string(travel.there.bytes) + (travel.halfs_back ? " bytes, halfs" : " bytes");
+}
+
+} // namespace ddt::gl

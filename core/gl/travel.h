@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// What numbers are on their way to the device and back.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "ddt/core.h"
+
+namespace ddt::gl {
+
+struct Gpu;
+
+/// Numbers of the source: floats, or the codes that it has for them.
+struct Numbers {
+    int bytes = sizeof(float); ///< each takes
+    std::vector<float> table;  ///< what codes of 1 or 2 bytes stand for; empty: they are floats
+    bool coded() const { return !table.empty(); }
+    /// Of so many numbers, in whole words.
+    size_t room(size_t count) const;
+};
+
+/// A job's numbers, both ways.
+struct Travel {
+    Numbers there;
+    bool halfs_back = false; ///< results are 16-bit floats, else floats
+    size_t bytes_back() const { return halfs_back ? sizeof(uint16_t) : sizeof(float); }
+};
+
+/// The fewest bytes that the job's source and sink allow.
+Travel travel_of(Source& source, const Sink& sink, const Job& job);
+
+/// Have such numbers unpacked and packed on the device, and compare with what they are. Empty if
+/// they are the same, else what differs. On the context's thread; throws Failure.
+std::string travel_differs(Gpu& gpu, const Travel& travel);
+
+/// Two of one key use the same programs.
+std::string travel_key_of(const Travel& travel);
+
+} // namespace ddt::gl

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sources whose numbers are codes, and sinks of 16-bit floats: fewer bytes, the same bits.
+#include "core/gl/travel.h"
+
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <mutex>
+
+#include "core/base/half.h"
+#include "core/gl/context/faults.h"
+#include "core/gl/context/gpu.h"
+#include "core/tiles/grid.h"
+#include "ddt/log.h"
+#include "tests/core/gl/devices.h"
+
+namespace ddt::test {
+namespace {
+
+/// Codes of 8 or 16 bits, of all floats that they may stand for: those that 16 bits hold, with what
+/// is not finite and what is almost nothing.
+class CodeSource final : public Source {
+public:
+    CodeSource(int bits, int width, int channels)
+        : m_bits(bits), m_width(width), m_channels(channels) {
+        for (int i = 0; i < 1 << bits; ++i)
+            m_table.push_back(bits == 16 ? float_of_half(uint16_t(i)) : std::ldexp(1.0f, i - 180));
+    }
+    bool read(const Rect& r, float* values, float* guide) override {
+        ++reads;
+        each(r, guide, [&](uint32_t code) { *values++ = m_table[code]; });
+        return true;
+    }
+    std::vector<float> codes() override { return m_table; }
+    bool read_codes(const Rect& r, void* codes, float* guide) override {
+        auto* to = static_cast<char*>(codes);
+        each(r, guide, [&](uint32_t code) {
+            std::memcpy(to, &code, size_t(m_bits / 8));
+            to += m_bits / 8;
+        });
+        return true;
+    }
+
+    std::atomic<int> reads{0}; ///< of floats
+
+private:
+    template <class F>
+    void each(const Rect& r, float* guide, F&& put) const {
+        for (int y = r.y0; y < r.y1; ++y)
+            for (int x = r.x0; x < r.x1; ++x) {
+                *guide++ = float((x / 7 + y / 5) % 3) * 0.25f;
+                for (int c = 0; c < m_channels; ++c)
+                    put((uint32_t((y * m_width + x) * m_channels + c) * 0x9e3779b9u >> 7) &
+                        uint32_t(m_table.size() - 1));
+            }
+    }
+    int m_bits, m_width, m_channels;
+    std::vector<float> m_table;
+};
+
+class HalfSink final : public Sink {
+public:
+    HalfSink(int width, int height, int channels)
+        : m_width(size_t(width)), m_channels(size_t(channels)),
+          halfs(m_width * size_t(height) * m_channels, 0xdead) {}
+    bool write(const Rect& r, float* values) override {
+        each(r, [&](uint16_t& half) { half = half_of_float(*values++); });
+        return true;
+    }
+    bool takes_halfs() const override { return true; }
+    bool write_halfs(const Rect& r, const uint16_t* values) override {
+        ++writes;
+        each(r, [&](uint16_t& half) { half = *values++; });
+        return true;
+    }
+
+    std::atomic<int> writes{0}; ///< of halfs
+
+private:
+    template <class F>
+    void each(const Rect& r, F&& put) {
+        for (int y = r.y0; y < r.y1; ++y)
+            for (size_t i = size_t(r.x0) * m_channels; i < size_t(r.x1) * m_channels; ++i)
+                put(halfs[size_t(y) * m_width * m_channels + i]);
+    }
+    size_t m_width, m_channels;
+
+public:
+    std::vector<uint16_t> halfs;
+};
+
+/// What a job said that it had moved.
+struct Moved {
+    double there = 0, back = 0; ///< megabytes
+    int waits = 0;
+};
+
+class Travel : public OnDevice {
+protected:
+    void TearDown() override {
+        set_log({});
+        gl::change_constant("", "", "");
+        gl::forget_devices();
+    }
+
+    static ResizeMapping mapping(int width, int height) {
+        const auto axis = [](int n) {
+            ResizeMapping::Axis a;
+            a.from_size = a.window1 = n;
+            a.to_size = a.out1 = 2 * n;
+            return a;
+        };
+        return {axis(width), axis(height)};
+    }
+
+    /// Enlarge twofold; the device that did it.
+    Device enlarged(Device device, Source& source, Sink& sink, Job job, Moved& moved) const {
+        std::mutex mutex;
+        set_log([&](const char* line) {
+            const std::lock_guard<std::mutex> lock(mutex);
+            std::sscanf(line, "ddt: %lf MB to the device, %lf MB from it, %d", &moved.there,
+                        &moved.back, &moved.waits);
+        });
+        Statistics statistics;
+        job.device = device;
+        job.statistics = &statistics;
+        std::string error;
+        EXPECT_EQ(
+            enlarge(source, sink, mapping(job.window.width(), job.window.height()), job, &error),
+            Outcome::done)
+            << error;
+        set_log({});
+        return statistics.device;
+    }
+
+    /// The same bits as the CPU's, by codes and halfs if so.
+    void expect_same(int bits, const Job& job, bool small) const {
+        const int width = job.window.width(), height = job.window.height();
+        CodeSource source(bits, width, job.channels), here(bits, width, job.channels);
+        HalfSink sink(2 * width, 2 * height, job.channels),
+            cpu(2 * width, 2 * height, job.channels);
+        Moved moved;
+        enlarged(Device::cpu, here, cpu, job, moved);
+        EXPECT_EQ(enlarged(GetParam(), source, sink, job, moved), GetParam());
+        EXPECT_EQ(sink.halfs, cpu.halfs) << bits << " bits, " << job.channels << " channels";
+        EXPECT_EQ(source.reads == 0, small);
+        EXPECT_EQ(sink.writes > 0, small);
+    }
+};
+
+Job job_of(int width, int height, int channels) {
+    Job job = plain_job();
+    job.window = {0, 0, width, height};
+    job.channels = channels;
+    return job;
+}
+
+TEST_P(Travel, CodesThereAndHalfsBackAreTheCpusBits) {
+    for (const int bits : {8, 16})
+        for (const int channels : {1, 2, 3, 4, 5, 9})
+            expect_same(bits, job_of(71, 53, channels), true);
+}
+
+TEST_P(Travel, OfSeveralMeshesToo) {
+    Job job = job_of(71, 53, 3);
+    job.mesh.meshes = 3;
+    job.mesh.blur = 0.1f;
+    expect_same(16, job, true);
+    job.mesh.scheme = Scheme::lawson; // whose mesh is the CPU's
+    expect_same(8, job, true);
+}
+
+TEST_P(Travel, IdentifiersAndSinglePixelsTravelAsFloats) {
+    Job job = job_of(71, 53, 4);
+    job.kinds = {Channel::blend, Channel::nearest, Channel::blend, Channel::alpha};
+    expect_same(8, job, false);
+    CodeSource source(8, 1, 2);
+    HalfSink sink(2, 80, 2);
+    const Job thin = job_of(1, 40, 2);
+    const auto travel = gl::travel_of(source, sink, thin);
+    EXPECT_FALSE(travel.there.coded());
+    EXPECT_TRUE(travel.halfs_back);
+}
+
+// Without pinned memory, as before OpenGL 4.4.
+TEST_P(Travel, WithoutPinnedMemoryToo) {
+    std::string why;
+    bool forked = false;
+    gl::forget_devices();
+    gl::Gpu* gpu = gl::open(GetParam(), why, forked);
+    ASSERT_NE(gpu, nullptr) << why;
+    EXPECT_NE(gpu->context->gl.BufferStorage, nullptr) << "Mesa has it";
+    gpu->context->gl.BufferStorage = nullptr;
+    expect_same(16, job_of(300, 270, 3), true);
+}
+
+TEST_P(Travel, BytesAreThoseOfTheNumbers) {
+    const int width = 600, height = 500, channels = 3;
+    // Of tiles with their halos: numbers, and a guide in rows of the largest tile.
+    const Grid grid({0, 0, width, height});
+    double pixels = 0;
+    for (int i = 0; i < grid.count(); ++i)
+        pixels += double(grid.tile(i).pixels.area());
+    const double guides = grid.count() * 321.0 * 321.0 * 4,
+                 results = 4.0 * width * height * channels;
+    const Job job = job_of(width, height, channels);
+    for (const int bits : {8, 16}) {
+        CodeSource source(bits, width, channels);
+        HalfSink sink(2 * width, 2 * height, channels);
+        Moved moved;
+        enlarged(GetParam(), source, sink, job, moved);
+        EXPECT_NEAR(moved.there, (pixels * channels * bits / 8 + guides) * 1e-6, 0.06);
+        EXPECT_NEAR(moved.back, results * 2 * 1e-6, 0.06);
+        // One for a batch, one for each tile's strip.
+        EXPECT_EQ(moved.waits, 1 + grid.count());
+    }
+    const Picture picture{width, height, channels,
+                          std::vector<float>(size_t(width) * height * channels),
+                          std::vector<float>(size_t(width) * height)};
+    PictureSource source(picture);
+    BitsSink sink(2 * width, 2 * height, channels);
+    Moved moved;
+    enlarged(GetParam(), source, sink, job, moved);
+    EXPECT_NEAR(moved.there, (pixels * channels * 4 + guides) * 1e-6, 0.06);
+    EXPECT_NEAR(moved.back, results * 4 * 1e-6, 0.06);
+}
+
+TEST_P(Travel, AWrongProgramIsNotUsed) {
+    const struct {
+        const char *program, *name, *value;
+    } changes[] = {{"unpack.comp CODES_8", "SURFACE_GROUP_X", "16"},
+                   {"unpack.comp CODES_16", "SURFACE_GROUP_Y", "2"},
+                   {"unpack.comp", "word", "0; ++slot"},
+                   {"pack_halfs.comp", "middle", "0u"},
+                   {"pack_halfs.comp", "odd", "0u"}};
+    for (const auto& change : changes) {
+        gl::change_constant(change.program, change.name, change.value);
+        gl::forget_devices();
+        std::string why;
+        bool forked = false;
+        gl::Gpu* gpu = gl::open(GetParam(), why, forked);
+        ASSERT_NE(gpu, nullptr) << why;
+        gpu->checks.software_too = true;
+        const gl::Travel all[] = {{},
+                                  {{1, std::vector<float>(256, 0.5f)}, false},
+                                  {{2, std::vector<float>(65536, 0.25f)}, true}};
+        int wrong = 0;
+        for (gl::Travel travel : all) {
+            for (size_t i = 0; i < travel.there.table.size(); ++i)
+                travel.there.table[i] = float(i);
+            gpu->thread.post([&] { wrong += !gl::travel_differs(*gpu, travel).empty(); }).get();
+        }
+        EXPECT_EQ(wrong, 1) << change.program << ' ' << change.name;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Devices, Travel, testing::Values(Device::egl, Device::osmesa),
+                         device_name);
+
+} // namespace
+} // namespace ddt::test
