@@ -202,12 +202,12 @@ std::shared_ptr<Runner::JobStrip> Runner::idle_strip() {
 bool Runner::has_room(const JobStrip& strip) const {
     const size_t numbers = result_count(strip);
     return strip.results && strip.results->bytes() >= numbers * m_travel.bytes_back() &&
-           strip.memory.has_room(strip.positions.size(), numbers, m_travel.halfs_back);
+           strip.memory.has_room(strip.positions.size(), numbers, m_travel);
 }
 
 void Runner::make_room(JobStrip& strip) {
     const size_t numbers = result_count(strip);
-    m_surfaces->make_room(strip.positions.size(), numbers, m_travel.halfs_back, strip.memory);
+    m_surfaces->make_room(strip.positions.size(), numbers, m_travel, strip.memory);
     strip.results.reset();
     strip.results = std::make_unique<HostBuffer>(
         m_gpu.context->gl, strip.memory.results->bytes() / sizeof(float) * m_travel.bytes_back());
@@ -223,7 +223,7 @@ void Runner::sample(JobStrip& strip) {
         m_stages->end();
         m_stages->begin(Stage::download);
         m_downloaded += m_surfaces->download(size_t(strip.plan.count) * size_t(m_job.channels),
-                                             m_travel.halfs_back, strip.memory, *strip.results);
+                                             m_travel, strip.memory, *strip.results);
         m_stages->end();
         check(gl, "sampling");
     }
@@ -260,9 +260,8 @@ void Runner::write(JobStrip& strip) {
         const auto& [part, first] = parts[size_t(i)];
         if (!m_run.going())
             return;
-        const bool taken = m_travel.halfs_back
-                               ? m_sink.write_halfs(part, reinterpret_cast<const uint16_t*>(first))
-                               : m_sink.write(part, reinterpret_cast<float*>(first));
+        const bool taken = m_travel.packed() ? m_sink.write_packed(part, first)
+                                             : m_sink.write(part, reinterpret_cast<float*>(first));
         if (!taken)
             m_run.end(Outcome::sink_failed);
     });

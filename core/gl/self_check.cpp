@@ -169,10 +169,10 @@ Outcomes on_gpu(Gpu& gpu, const Job& job, const Tile& tile) {
     const size_t count = size_t(strip.plan.count) * size_t(job.channels);
     SampleMemory memory;
     HostBuffer results(gl, count * sizeof(float));
-    surfaces.make_room(strip.positions.size(), count, false, memory);
+    surfaces.make_room(strip.positions.size(), count, Travel(), memory);
     surfaces.write_positions(strip.positions, memory);
     surfaces.sample(mesh, strip.plan, job.channels, memory);
-    surfaces.download(count, false, memory, results);
+    surfaces.download(count, Travel(), memory, results);
     Outcomes o;
     std::vector<Site> sites(shape.sites());
     std::vector<float> gains(shape.sites());

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cstring>
 
 #include "core/gl/context/failure.h"
 #include "core/surface/fitted/fitted.h"
@@ -30,6 +31,12 @@ size_t bend_bytes(const SlotShape& shape, const SurfaceOptions& options) {
 /// Groups of invocations that go over n things.
 GLuint groups(int n, int size) {
     return GLuint((n + size - 1) / size);
+}
+
+uint32_t bits_of(float v) {
+    uint32_t bits;
+    std::memcpy(&bits, &v, sizeof bits);
+    return bits;
 }
 
 float lane(unsigned mask, int i) {
@@ -209,20 +216,29 @@ void Surfaces::reserve(std::unique_ptr<Buffer>& buffer, size_t bytes) {
     buffer = std::make_unique<Buffer>(m_gl, bytes);
 }
 
-bool SampleMemory::has_room(size_t coordinates, size_t numbers, bool as_halfs) const {
-    const auto holds = [](const std::unique_ptr<Buffer>& buffer, size_t bytes) {
-        return buffer && buffer->bytes() >= bytes;
-    };
-    return holds(positions, coordinates * sizeof(int32_t)) &&
-           holds(results, numbers * sizeof(float)) &&
-           (!as_halfs || holds(halfs, (numbers + 1) / 2 * sizeof(GLuint)));
+namespace {
+
+/// Room for results as they travel, in whole words.
+size_t packed_bytes(size_t numbers, const Travel& travel) {
+    return travel.packed() ? (numbers * travel.bytes_back() + 3) / 4 * 4 : 0;
 }
 
-void Surfaces::make_room(size_t coordinates, size_t numbers, bool as_halfs, SampleMemory& memory) {
+} // namespace
+
+bool SampleMemory::has_room(size_t coordinates, size_t numbers, const Travel& travel) const {
+    const auto holds = [](const std::unique_ptr<Buffer>& buffer, size_t bytes) {
+        return bytes == 0 || (buffer && buffer->bytes() >= bytes);
+    };
+    return holds(positions, coordinates * sizeof(int32_t)) &&
+           holds(results, numbers * sizeof(float)) && holds(packed, packed_bytes(numbers, travel));
+}
+
+void Surfaces::make_room(size_t coordinates, size_t numbers, const Travel& travel,
+                         SampleMemory& memory) {
     reserve(memory.positions, coordinates * sizeof(int32_t));
     reserve(memory.results, numbers * sizeof(float));
-    if (as_halfs)
-        reserve(memory.halfs, (numbers + 1) / 2 * sizeof(GLuint));
+    if (travel.packed())
+        reserve(memory.packed, packed_bytes(numbers, travel));
 }
 
 void Surfaces::write_positions(const std::vector<int32_t>& positions, SampleMemory& memory) {
@@ -262,21 +278,37 @@ void Surfaces::sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int channel
     }
 }
 
-size_t Surfaces::download(size_t count, bool halfs, SampleMemory& memory, HostBuffer& to) {
-    const Buffer* from = memory.results.get();
-    const size_t bytes = count * (halfs ? sizeof(uint16_t) : sizeof(float));
-    if (halfs) {
-        constexpr size_t most_groups = 4096; // which go on where there is more
-        m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-        m_gpu.programs->use("pack_halfs.comp");
-        m_gl.Uniform1i(0, GLint(count));
-        memory.results->bind(5);
-        memory.halfs->bind(6);
-        m_gl.DispatchCompute(GLuint(std::min((count + 1) / 2 / list_group + 1, most_groups)), 1, 1);
-        from = memory.halfs.get();
-    }
-    to.download(m_gl, *from, bytes);
+size_t Surfaces::download(size_t count, const Travel& travel, SampleMemory& memory,
+                          HostBuffer& to) {
+    if (travel.packed())
+        pack(count, travel, memory);
+    const size_t bytes = count * travel.bytes_back();
+    to.download(m_gl, travel.packed() ? *memory.packed : *memory.results, bytes);
     return bytes;
+}
+
+void Surfaces::pack(size_t count, const Travel& travel, SampleMemory& memory) {
+    constexpr size_t most_groups = 4096; // which go on where there is more
+    m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    if (travel.back == Travel::Back::codes) {
+        const CodeTable& table = *travel.codes_back;
+        if (!m_code_table) {
+            const size_t bytes = table.entries.size() * sizeof(uint32_t);
+            m_code_table = std::make_unique<Buffer>(m_gl, bytes);
+            m_code_table->write(0, bytes, table.entries.data());
+        }
+        m_gpu.programs->use("pack.comp", "CODES");
+        m_code_table->bind(4);
+        m_gl.Uniform4ui(1, GLuint(table.shift), table.first, bits_of(table.lowest),
+                        bits_of(table.top));
+    } else {
+        m_gpu.programs->use("pack.comp", "HALFS");
+    }
+    m_gl.Uniform1i(0, GLint(count));
+    memory.results->bind(5);
+    memory.packed->bind(6);
+    const size_t words = packed_bytes(count, travel) / sizeof(uint32_t);
+    m_gl.DispatchCompute(GLuint(std::clamp<size_t>(words / list_group, 1, most_groups)), 1, 1);
 }
 
 } // namespace ddt::gl

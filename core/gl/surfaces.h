@@ -34,9 +34,9 @@ struct SamplePlan {
 /// Where positions are read from and results go: what is under way needs one of its own. To be
 /// destroyed on the context's thread.
 struct SampleMemory {
-    std::unique_ptr<Buffer> positions, results, halfs;
+    std::unique_ptr<Buffer> positions, results, packed;
     /// Whether there is room for so many coordinates and positions' results.
-    bool has_room(size_t coordinates, size_t numbers, bool as_halfs) const;
+    bool has_room(size_t coordinates, size_t numbers, const Travel& travel) const;
 };
 
 /// Values and gradients of all tiles of a DeviceMesh. To be used on the context's thread; throws
@@ -68,15 +68,15 @@ public:
 
     /// Make room for so many coordinates of positions and numbers of results, of plans that are
     /// sampled before anything is downloaded. Throws OutOfMemory.
-    void make_room(size_t coordinates, size_t numbers, bool as_halfs, SampleMemory& memory);
+    void make_room(size_t coordinates, size_t numbers, const Travel& travel, SampleMemory& memory);
     /// The positions that plans refer to, for which there must be room.
     void write_positions(const std::vector<int32_t>& positions, SampleMemory& memory);
     /// Dispatch the reading of the surface, for whose results there must be room: `channels` floats
     /// a position.
     void sample(DeviceMesh& mesh, const SamplePlan& plan, int channels, SampleMemory& memory);
-    /// Have so many results, from the first on, copied to `to`: there when a Fence has passed.
-    /// `halfs`: as 16-bit floats. Returns the bytes.
-    size_t download(size_t count, bool halfs, SampleMemory& memory, HostBuffer& to);
+    /// Have so many results, from the first on, copied to `to` as they travel: there when a Fence
+    /// has passed. Returns the bytes.
+    size_t download(size_t count, const Travel& travel, SampleMemory& memory, HostBuffer& to);
 
 private:
     struct Group {
@@ -101,6 +101,7 @@ private:
     void correct(DeviceMesh& mesh, Group& group, int round, Margin margin,
                  const std::string& more = "");
     void fit(DeviceMesh& mesh, Group& group);
+    void pack(size_t count, const Travel& travel, SampleMemory& memory);
     void bind_channels(int group) const;
     size_t tile_bytes() const; ///< of its numbers
     void reserve(std::unique_ptr<Buffer>& buffer, size_t bytes);
@@ -116,6 +117,7 @@ private:
     Numbers m_expected;
     int m_channels = 0, m_meshes = 1;
     std::unique_ptr<Buffer> m_numbers, m_codes; ///< as they travel; what codes stand for
+    std::unique_ptr<Buffer> m_code_table;       ///< CodeTable::entries
     std::unique_ptr<Buffer> m_table;            ///< FittedTable, if the surface is fitted
 };
 

@@ -70,25 +70,28 @@ std::string unpacking_differs(Gpu& gpu, const Numbers& numbers) {
     return differing == 0 ? "" : std::to_string(differing) + " numbers differ as they are unpacked";
 }
 
-std::string packing_differs(Gpu& gpu) {
+std::string packing_differs(Gpu& gpu, const Travel& travel) {
     const Functions& gl = gpu.context->gl;
     const std::vector<float> floats = checked_floats();
-    const size_t bytes = floats.size() * sizeof(float);
+    const size_t count = floats.size(), bytes = count * travel.bytes_back();
     SampleMemory memory;
-    memory.results = std::make_unique<Buffer>(gl, bytes);
-    memory.results->write(0, bytes, floats.data());
-    memory.halfs = std::make_unique<Buffer>(gl, bytes / 2 + sizeof(uint32_t));
-    HostBuffer halfs(gl, bytes / 2);
+    HostBuffer packed(gl, bytes);
     Surfaces surfaces(gpu, {2, 2}, 1, {}, SurfaceOptions());
-    surfaces.download(floats.size(), true, memory, halfs);
+    surfaces.make_room(1, count, travel, memory);
+    memory.results->write(0, count * sizeof(float), floats.data());
+    surfaces.download(count, travel, memory, packed);
     finish(gl, "packing");
-    size_t differing = 0;
-    for (size_t i = 0; i < floats.size(); ++i) {
-        uint16_t half;
-        std::memcpy(&half, halfs.data() + i * sizeof half, sizeof half);
-        differing += half != half_of_float(floats[i]);
+    std::vector<uint8_t> wanted(bytes);
+    if (travel.back == Travel::Back::codes)
+        travel.codes_back->encode(floats.data(), wanted.data(), count);
+    for (size_t i = 0; travel.back == Travel::Back::halfs && i < count; ++i) {
+        const uint16_t half = half_of_float(floats[i]);
+        std::memcpy(&wanted[i * sizeof half], &half, sizeof half);
     }
-    return differing == 0 ? "" : std::to_string(differing) + " 16-bit floats differ";
+    size_t differing = 0;
+    for (size_t i = 0; i < bytes; ++i)
+        differing += wanted[i] != uint8_t(packed.data()[i]);
+    return differing == 0 ? "" : std::to_string(differing) + " bytes differ as they are packed";
 }
 
 } // namespace
@@ -104,7 +107,10 @@ Travel travel_of(Source& source, const Sink& sink, const Job& job) {
     const auto& kinds = job.kinds;
     if (std::find(kinds.begin(), kinds.end(), Channel::nearest) != kinds.end())
         return travel;
-    travel.halfs_back = sink.takes_halfs();
+    travel.codes_back = sink.takes_codes();
+    travel.back = travel.codes_back    ? Travel::Back::codes
+                  : sink.takes_halfs() ? Travel::Back::halfs
+                                       : Travel::Back::floats;
     // Rows and columns that are alone are repeated as floats.
     if (std::min(job.window.width(), job.window.height()) < 2)
         return travel;
@@ -118,14 +124,15 @@ Travel travel_of(Source& source, const Sink& sink, const Job& job) {
 
 std::string travel_differs(Gpu& gpu, const Travel& travel) {
     std::string what = unpacking_differs(gpu, travel.there);
-    if (what.empty() && travel.halfs_back)
-        what = packing_differs(gpu);
+    if (what.empty() && travel.packed())
+        what = packing_differs(gpu, travel);
     return what.empty() ? what
                         : gpu.context->renderer + " does not compute as the CPU does: " + what;
 }
 
 std::string travel_key_of(const Travel& travel) {
-    return std::to_string(travel.there.bytes) + (travel.halfs_back ? " bytes, halfs" : " bytes");
+    return std::to_string(travel.there.bytes) + " bytes there, " +
+           std::to_string(travel.bytes_back()) + " back";
 }
 
 } // namespace ddt::gl

@@ -24,8 +24,11 @@ struct Numbers {
 /// A job's numbers, both ways.
 struct Travel {
     Numbers there;
-    bool halfs_back = false; ///< results are 16-bit floats, else floats
-    size_t bytes_back() const { return halfs_back ? sizeof(uint16_t) : sizeof(float); }
+    /// Results: floats, 16-bit floats, or codes of this table.
+    enum class Back { floats, halfs, codes } back = Back::floats;
+    const CodeTable* codes_back = nullptr;
+    size_t bytes_back() const { return back == Back::floats ? 4 : back == Back::halfs ? 2 : 1; }
+    bool packed() const { return back != Back::floats; }
 };
 
 /// The fewest bytes that the job's source and sink allow.

@@ -1,35 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// From linear light straight to 8-bit codes.
+// The 8-bit codes of linear light.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
+#include "ddt/code_table.h"
 #include "plugin/colour/curve.h"
 
 namespace ddt {
 
-/// The codes code_of<uint8_t>(curve(x)) of a curve that rises from 0 to 1.
-///
-/// A float's bits, taken as an integer, order floats as the numbers do. The range between the first
-/// and the last code is cut into equal pieces of such integers, so small that no piece holds more
-/// than one border between codes; a piece's entry is the code at its beginning and where in it the
-/// border lies. So the codes are exact, for one look-up each in some ten kilobytes.
-class CodeTable {
-public:
-    /// False if the curve is not such a one; the table is then not to be used.
-    bool fill(const Curve& curve);
-
-    /// Codes of n numbers, by the widest vectors this machine has. NaN and what is not above 0 give
-    /// 0.
-    void encode(const float* x, uint8_t* codes, size_t n) const;
-
-    // For the SIMD twins. An entry: the code in the highest 8 bits, below it the border.
-    std::vector<uint32_t> entries;
-    int shift = 0;             ///< bits of a float that tell where in its piece it is
-    uint32_t first = 0;        ///< bits of the first entry's first float, shifted
-    float lowest = 0, top = 0; ///< numbers are clamped to these: codes 0 and 255
-};
+/// Fill the table of the codes code_of<uint8_t>(curve(x)). False if the curve is none that rises
+/// from 0 to 1; the table is then not to be used.
+bool fill_codes(const Curve& curve, CodeTable& table);
 
 } // namespace ddt

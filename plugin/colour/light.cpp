@@ -69,7 +69,7 @@ bool Light::curves(Exact to_light, Exact from_light, const std::array<float, 3>&
     light.m_to_curves = to_curves;
     light.m_from_curves = from_curves;
     auto codes = std::make_shared<CodeTable>();
-    if (light.alike() && codes->fill(from_curves->channel[0]))
+    if (light.alike() && fill_codes(from_curves->channel[0], *codes))
         light.m_codes = codes;
     const Triple black = run(light.m_to_light, {0, 0, 0}), white = run(light.m_to_light, {1, 1, 1});
     light.m_keeps_unit = true;

@@ -44,23 +44,29 @@ bool ImageSink::takes_halfs() const {
            as_they_are();
 }
 
-bool ImageSink::write_halfs(const Rect& r, const uint16_t* values) {
-    write_pixels(m_image, r, m_writing.chbegin, m_writing.chend, OIIO::TypeHalf, values);
+const CodeTable* ImageSink::takes_codes() const {
+    const Writing& w = m_writing;
+    return w.bits == OIIO::TypeUnknown && all_alike(w.light, w.colour, w.channels) &&
+                   w.chend - w.chbegin == w.channels && m_image.spec().format == OIIO::TypeUInt8
+               ? w.light.codes()
+               : nullptr;
+}
+
+bool ImageSink::write_packed(const Rect& r, const void* numbers) {
+    const Writing& w = m_writing;
+    write_pixels(m_image, r, w.chbegin, w.chend, m_image.spec().format, numbers);
     return true;
 }
 
-/// The usual case at once: colour alone, alike in all channels, in 8 bits without gaps.
+/// The usual case at once.
 bool ImageSink::write_codes(const Rect& r, const float* values) {
-    const Writing& w = m_writing;
-    const int channels = w.channels;
-    const CodeTable* codes = w.light.codes();
-    if (!codes || w.bits != OIIO::TypeUnknown || !all_alike(w.light, w.colour, channels) ||
-        w.chend - w.chbegin != channels || m_image.spec().format != OIIO::TypeUInt8 ||
-        m_image.pixel_stride() != channels)
+    const CodeTable* codes = takes_codes();
+    if (!codes || m_image.pixel_stride() != m_writing.channels)
         return false;
-    const size_t row = size_t(r.width()) * size_t(channels);
+    const size_t row = size_t(r.width()) * size_t(m_writing.channels);
     for (int y = r.y0; y < r.y1; ++y, values += row)
-        codes->encode(values, static_cast<uint8_t*>(m_image.pixeladdr(r.x0, y, 0, w.chbegin)), row);
+        codes->encode(values,
+                      static_cast<uint8_t*>(m_image.pixeladdr(r.x0, y, 0, m_writing.chbegin)), row);
     return true;
 }
 

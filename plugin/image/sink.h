@@ -28,7 +28,9 @@ public:
     float* place(const Rect& r, size_t& row) override;
     /// Into images of halfs, of numbers that stay as they are.
     bool takes_halfs() const override;
-    bool write_halfs(const Rect& r, const uint16_t* values) override;
+    /// Into images of 8 bits, of colour alone, alike in all channels.
+    const CodeTable* takes_codes() const override;
+    bool write_packed(const Rect& r, const void* numbers) override;
 
 private:
     bool as_they_are() const;

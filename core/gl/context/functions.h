@@ -32,6 +32,7 @@ namespace ddt::gl {
     X(UNIFORM3I, Uniform3i)                                                                        \
     X(UNIFORM1UI, Uniform1ui)                                                                      \
     X(UNIFORM2UI, Uniform2ui)                                                                      \
+    X(UNIFORM4UI, Uniform4ui)                                                                      \
     X(UNIFORM1F, Uniform1f)                                                                        \
     X(UNIFORM4F, Uniform4f)                                                                        \
     X(GENBUFFERS, GenBuffers)                                                                      \

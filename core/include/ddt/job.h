@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ddt/code_table.h"
 #include "ddt/mapping.h"
 #include "ddt/options.h"
 
@@ -48,11 +49,14 @@ public:
     /// write(), as they are: `row` receives the floats from one row to the next. Null: none.
     virtual float* place(const Rect& /*r*/, size_t& /*row*/) { return nullptr; }
 
-    /// Whether results may be handed to write_halfs() as well, by devices from which numbers travel
-    /// far: no more of them is kept.
+    /// Results that travel far, from devices, may be made smaller before; these tell what the sink
+    /// takes: floats alone, unless one of the two says otherwise. Asked once.
+    /// 16-bit floats (IEEE 754 binary16): the nearest, of two the even one.
     virtual bool takes_halfs() const { return false; }
-    /// As write(), of 16-bit floats (IEEE 754 binary16): the nearest, of two the even one.
-    virtual bool write_halfs(const Rect& /*r*/, const uint16_t* /*values*/) { return false; }
+    /// Bytes: the codes that this table, which must stay, gives. Null: none.
+    virtual const CodeTable* takes_codes() const { return nullptr; }
+    /// As write(), of what was asked for.
+    virtual bool write_packed(const Rect& /*r*/, const void* /*numbers*/) { return false; }
 };
 
 /// Nanoseconds that the threads spent, added up, in each stage of a job on the CPU.

@@ -104,7 +104,7 @@ private:
         int results = 0;
         const auto flush = [&] {
             const size_t numbers = size_t(results) * channels;
-            m_surfaces.make_room(positions.size(), numbers, false, m_memory);
+            m_surfaces.make_room(positions.size(), numbers, gl::Travel(), m_memory);
             m_surfaces.write_positions(positions, m_memory);
             if (!m_download || m_download->bytes() < numbers * sizeof(float))
                 m_download =
@@ -115,7 +115,7 @@ private:
                 m_surfaces.sample(m_mesh, s.plan, channels, m_memory);
             stages.end();
             stages.begin(Stage::download);
-            m.downloaded += m_surfaces.download(numbers, false, m_memory, *m_download);
+            m.downloaded += m_surfaces.download(numbers, gl::Travel(), m_memory, *m_download);
             stages.end();
             gl::finish(m_gpu.context->gl, "sampling");
             if (keep)

@@ -13,6 +13,7 @@
 #include "core/tiles/grid.h"
 #include "ddt/log.h"
 #include "tests/core/gl/devices.h"
+#include "tests/core/helpers.h"
 
 namespace ddt::test {
 namespace {
@@ -58,35 +59,66 @@ private:
     std::vector<float> m_table;
 };
 
-class HalfSink final : public Sink {
+/// A table of the codes of 255 x, rounded.
+CodeTable rounding_table() {
+    CodeTable table;
+    table.shift = 14;
+    const auto border = [](int code) { return test::bits_of(float((code - 0.5) / 255)); };
+    const auto pieces_at = [&](uint32_t bits) { return bits >> table.shift; };
+    table.first = pieces_at(border(1));
+    table.lowest = test::float_of(table.first << table.shift);
+    table.top = test::float_of(border(255));
+    int code = 0;
+    for (uint32_t piece = table.first; piece <= pieces_at(border(255)); ++piece) {
+        const bool has_border = code < 255 && pieces_at(border(code + 1)) == piece;
+        const uint32_t within = border(code + 1) & ((1u << table.shift) - 1);
+        table.entries.push_back(uint32_t(code) << 24 | (has_border ? within : 0xffffffu));
+        code += has_border;
+    }
+    return table;
+}
+
+/// Takes results packed as halfs or by a table; keeps their bytes.
+class PackedSink final : public Sink {
 public:
-    HalfSink(int width, int height, int channels)
-        : m_width(size_t(width)), m_channels(size_t(channels)),
-          halfs(m_width * size_t(height) * m_channels, 0xdead) {}
+    PackedSink(const CodeTable* table, int width, int height, int channels)
+        : m_table(table), m_row(size_t(width) * size_t(channels)), m_channels(size_t(channels)),
+          bytes(m_row * size_t(height) * size(), 0xdd) {}
     bool write(const Rect& r, float* values) override {
-        each(r, [&](uint16_t& half) { half = half_of_float(*values++); });
+        const size_t n = r.area() * m_channels;
+        std::vector<uint8_t> packed(n * size());
+        if (m_table)
+            m_table->encode(values, packed.data(), n);
+        for (size_t i = 0; !m_table && i < n; ++i) {
+            const uint16_t half = half_of_float(values[i]);
+            std::memcpy(&packed[2 * i], &half, 2);
+        }
+        put(r, packed.data());
         return true;
     }
-    bool takes_halfs() const override { return true; }
-    bool write_halfs(const Rect& r, const uint16_t* values) override {
+    bool takes_halfs() const override { return !m_table; }
+    const CodeTable* takes_codes() const override { return m_table; }
+    bool write_packed(const Rect& r, const void* numbers) override {
         ++writes;
-        each(r, [&](uint16_t& half) { half = *values++; });
+        put(r, static_cast<const uint8_t*>(numbers));
         return true;
     }
 
-    std::atomic<int> writes{0}; ///< of halfs
+    std::atomic<int> writes{0}; ///< of what was packed before
 
 private:
-    template <class F>
-    void each(const Rect& r, F&& put) {
-        for (int y = r.y0; y < r.y1; ++y)
-            for (size_t i = size_t(r.x0) * m_channels; i < size_t(r.x1) * m_channels; ++i)
-                put(halfs[size_t(y) * m_width * m_channels + i]);
+    size_t size() const { return m_table ? 1 : 2; }
+    void put(const Rect& r, const uint8_t* packed) {
+        const size_t n = size_t(r.width()) * m_channels * size();
+        for (int y = r.y0; y < r.y1; ++y, packed += n)
+            std::memcpy(&bytes[(size_t(y) * m_row + size_t(r.x0) * m_channels) * size()], packed,
+                        n);
     }
-    size_t m_width, m_channels;
+    const CodeTable* m_table;
+    size_t m_row, m_channels;
 
 public:
-    std::vector<uint16_t> halfs;
+    std::vector<uint8_t> bytes;
 };
 
 /// What a job said that it had moved.
@@ -137,14 +169,17 @@ protected:
     void expect_same(int bits, const Job& job, bool small) const {
         const int width = job.window.width(), height = job.window.height();
         CodeSource source(bits, width, job.channels), here(bits, width, job.channels);
-        HalfSink sink(2 * width, 2 * height, job.channels),
-            cpu(2 * width, 2 * height, job.channels);
-        Moved moved;
-        enlarged(Device::cpu, here, cpu, job, moved);
-        EXPECT_EQ(enlarged(GetParam(), source, sink, job, moved), GetParam());
-        EXPECT_EQ(sink.halfs, cpu.halfs) << bits << " bits, " << job.channels << " channels";
-        EXPECT_EQ(source.reads == 0, small);
-        EXPECT_EQ(sink.writes > 0, small);
+        const CodeTable table = rounding_table();
+        for (const CodeTable* codes : {static_cast<const CodeTable*>(nullptr), &table}) {
+            PackedSink sink(codes, 2 * width, 2 * height, job.channels),
+                cpu(codes, 2 * width, 2 * height, job.channels);
+            Moved moved;
+            enlarged(Device::cpu, here, cpu, job, moved);
+            EXPECT_EQ(enlarged(GetParam(), source, sink, job, moved), GetParam());
+            EXPECT_EQ(sink.bytes, cpu.bytes) << bits << " bits, " << job.channels << " channels";
+            EXPECT_EQ(source.reads == 0, small);
+            EXPECT_EQ(sink.writes > 0, small);
+        }
     }
 };
 
@@ -175,11 +210,11 @@ TEST_P(Travel, IdentifiersAndSinglePixelsTravelAsFloats) {
     job.kinds = {Channel::blend, Channel::nearest, Channel::blend, Channel::alpha};
     expect_same(8, job, false);
     CodeSource source(8, 1, 2);
-    HalfSink sink(2, 80, 2);
+    PackedSink sink(nullptr, 2, 80, 2);
     const Job thin = job_of(1, 40, 2);
     const auto travel = gl::travel_of(source, sink, thin);
     EXPECT_FALSE(travel.there.coded());
-    EXPECT_TRUE(travel.halfs_back);
+    EXPECT_EQ(travel.back, gl::Travel::Back::halfs);
 }
 
 // Without pinned memory, as before OpenGL 4.4.
@@ -206,11 +241,12 @@ TEST_P(Travel, BytesAreThoseOfTheNumbers) {
     const Job job = job_of(width, height, channels);
     for (const int bits : {8, 16}) {
         CodeSource source(bits, width, channels);
-        HalfSink sink(2 * width, 2 * height, channels);
+        const CodeTable table = rounding_table();
+        PackedSink sink(bits == 8 ? &table : nullptr, 2 * width, 2 * height, channels);
         Moved moved;
         enlarged(GetParam(), source, sink, job, moved);
         EXPECT_NEAR(moved.there, (pixels * channels * bits / 8 + guides) * 1e-6, 0.06);
-        EXPECT_NEAR(moved.back, results * 2 * 1e-6, 0.06);
+        EXPECT_NEAR(moved.back, results * bits / 8 * 1e-6, 0.06);
         // One for a batch, one for each tile's strip.
         EXPECT_EQ(moved.waits, 1 + grid.count());
     }
@@ -231,8 +267,18 @@ TEST_P(Travel, AWrongProgramIsNotUsed) {
     } changes[] = {{"unpack.comp CODES_8", "SURFACE_GROUP_X", "16"},
                    {"unpack.comp CODES_16", "SURFACE_GROUP_Y", "2"},
                    {"unpack.comp", "word", "0; ++slot"},
-                   {"pack_halfs.comp", "middle", "0u"},
-                   {"pack_halfs.comp", "odd", "0u"}};
+                   {"pack.comp HALFS", "middle", "0u"},
+                   {"pack.comp HALFS", "odd", "0u"},
+                   {"pack.comp CODES", "is_nan", "false"},
+                   {"pack.comp CODES", "within", "0u"}};
+    const CodeTable table = rounding_table();
+    using Back = gl::Travel::Back;
+    gl::Travel all[] = {{},
+                        {{1, std::vector<float>(256)}, Back::codes, &table},
+                        {{2, std::vector<float>(65536)}, Back::halfs, nullptr}};
+    for (gl::Travel& travel : all)
+        for (size_t i = 0; i < travel.there.table.size(); ++i)
+            travel.there.table[i] = float(i);
     for (const auto& change : changes) {
         gl::change_constant(change.program, change.name, change.value);
         gl::forget_devices();
@@ -241,15 +287,15 @@ TEST_P(Travel, AWrongProgramIsNotUsed) {
         gl::Gpu* gpu = gl::open(GetParam(), why, forked);
         ASSERT_NE(gpu, nullptr) << why;
         gpu->checks.software_too = true;
-        const gl::Travel all[] = {{},
-                                  {{1, std::vector<float>(256, 0.5f)}, false},
-                                  {{2, std::vector<float>(65536, 0.25f)}, true}};
         int wrong = 0;
-        for (gl::Travel travel : all) {
-            for (size_t i = 0; i < travel.there.table.size(); ++i)
-                travel.there.table[i] = float(i);
-            gpu->thread.post([&] { wrong += !gl::travel_differs(*gpu, travel).empty(); }).get();
-        }
+        for (const gl::Travel& travel : all)
+            gpu->thread
+                .post([&] {
+                    const bool differs = !gl::travel_differs(*gpu, travel).empty();
+                    wrong += differs;
+                    EXPECT_TRUE(!differs || !gpu->checks.differs(*gpu, Job(), travel).empty());
+                })
+                .get();
         EXPECT_EQ(wrong, 1) << change.program << ' ' << change.name;
     }
 }

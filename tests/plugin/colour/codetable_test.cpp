@@ -135,7 +135,8 @@ TEST(CodeTable, RefusesCurvesItCannotHold) {
             values.push_back(f(x));
         ddt::Curve curve;
         curve.fill(values.data());
-        return ddt::CodeTable().fill(curve);
+        ddt::CodeTable codes;
+        return ddt::fill_codes(curve, codes);
     };
     EXPECT_TRUE(table([](float x) { return x; }));
     EXPECT_FALSE(table([](float x) { return 1 - x; }));

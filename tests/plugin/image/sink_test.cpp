@@ -55,7 +55,7 @@ TEST(ImageSink, TakesHalfsIntoHalfsThatStayAsTheyAre) {
     all.bits = OIIO::TypeUnknown;
 
     const uint16_t values[6] = {0x3c00, 0x3800, 0x3400, 0xbc00, 0x7c00, 0x0001};
-    ASSERT_TRUE(sink.write_halfs({2, 1, 4, 2}, values));
+    ASSERT_TRUE(sink.write_packed({2, 1, 4, 2}, values));
     for (int x = 2; x < 4; ++x)
         EXPECT_EQ(std::memcmp(halfs.pixeladdr(x, 1, 0, 1), values + 3 * (x - 2), 6), 0) << x;
     for (const int c : {0, 4})

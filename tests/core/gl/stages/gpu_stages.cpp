@@ -142,10 +142,10 @@ std::vector<float> GpuStages::result(int out_width, int out_height) {
     std::vector<float> result(size_t(strip.plan.count) * size_t(m_job.channels));
     gl::SampleMemory memory;
     gl::HostBuffer results(result.size() * sizeof(float));
-    surfaces.make_room(strip.positions.size(), result.size(), false, memory);
+    surfaces.make_room(strip.positions.size(), result.size(), gl::Travel(), memory);
     surfaces.write_positions(strip.positions, memory);
     surfaces.sample(m_mesh, strip.plan, m_job.channels, memory);
-    surfaces.download(result.size(), false, memory, results);
+    surfaces.download(result.size(), gl::Travel(), memory, results);
     gl::finish(m_gpu.context->gl, "sampling");
     std::memcpy(result.data(), results.data(), results.bytes());
     return result;

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// 8-bit codes of floats by a table. C++ twin: core/base/code_table.cpp; see ddt/code_table.h.
+
+layout(std430, binding = 4) readonly buffer CodeTable { uint entries[]; };
+
+layout(location = 1) uniform uvec4 code_table; // shift, first; lowest and top as their bits
+
+// The code of the float of these bits. By its bits alone: what devices make of NaN is their own.
+uint code_of(uint bits) {
+    int shift = int(code_table.x);
+    bool is_nan = (bits & 0x7fffffffu) > 0x7f800000u;
+    int v = is_nan ? 0 : int(bits); // negative where the number is
+    uint within_table = uint(clamp(v, int(code_table.z), int(code_table.w)));
+    uint entry = entries[(within_table >> shift) - code_table.y];
+    uint within = within_table & ((1u << shift) - 1u);
+    return (entry >> 24) + uint(within >= (entry & 0xffffffu));
+}
