@@ -7,6 +7,7 @@
 
 #include <hwy/highway.h>
 
+#include "core/base/half.h"
 #include "ddt/names.h"
 
 namespace ddt::test {
@@ -30,21 +31,36 @@ private:
     const RandomJob& m_job;
 };
 
+float rounded_to_half(float v) {
+    return float_of_half(half_of_float(v));
+}
+
 /// The output pixels of a part; those that nothing is written to keep a mark.
 class PictureSink final : public Sink {
 public:
-    PictureSink(const Rect& part, int channels, bool places)
+    PictureSink(const Rect& part, int channels, const Way& way)
         : values(part.area() * size_t(channels), Done::mark), m_part(part), m_channels(channels),
-          m_places(places) {}
+          m_way(way) {}
     bool write(const Rect& r, float* from) override {
         const size_t row = size_t(r.width()) * size_t(m_channels);
-        for (int y = r.y0; y < r.y1; ++y, from += row)
+        for (int y = r.y0; y < r.y1; ++y, from += row) {
             std::memcpy(at(r.x0, y), from, row * sizeof(float));
+            if (m_way.halfs)
+                std::transform(from, from + row, at(r.x0, y), rounded_to_half);
+        }
+        return true;
+    }
+    bool takes_halfs() const override { return m_way.halfs; }
+    bool write_packed(const Rect& r, const void* numbers) override {
+        const auto* from = static_cast<const uint16_t*>(numbers);
+        const size_t row = size_t(r.width()) * size_t(m_channels);
+        for (int y = r.y0; y < r.y1; ++y, from += row)
+            std::transform(from, from + row, at(r.x0, y), float_of_half);
         return true;
     }
     float* place(const Rect& r, size_t& row) override {
         row = size_t(m_part.width()) * size_t(m_channels);
-        return m_places ? at(r.x0, r.y0) : nullptr;
+        return m_way.places ? at(r.x0, r.y0) : nullptr;
     }
 
     std::vector<float> values;
@@ -56,7 +72,7 @@ private:
     }
     Rect m_part;
     int m_channels;
-    bool m_places;
+    const Way& m_way;
 };
 
 /// The instruction sets that were compiled and this machine has, the narrowest first.
@@ -83,6 +99,8 @@ std::vector<Way> other_ways(const std::vector<Device>& devices) {
     for (const Device device : devices) {
         ways.push_back({device_name(device), 0, 2, device});
         ways.push_back({std::string(device_name(device)) + ", a part", 0, 2, device, true});
+        ways.push_back(
+            {std::string(device_name(device)) + ", halfs", 0, 2, device, false, false, true});
     }
     return ways;
 }
@@ -93,7 +111,7 @@ Done run(const RandomJob& job, const Way& way) {
     const Rect& out = way.part ? job.part : job.out;
     const std::unique_ptr<Mapping> mapping = mapping_of_part(job, out);
     PictureSource source(job);
-    PictureSink sink(out, job.job.channels, way.places);
+    PictureSink sink(out, job.job.channels, way);
     Job j = job.job;
     j.threads = way.threads;
     j.device = way.device;
@@ -111,8 +129,11 @@ size_t differing(const RandomJob& job, const Done& reference, const Way& way, co
         const float* expected = &reference.values[(size_t(y) * size_t(job.out.x1) + size_t(r.x0)) *
                                                   size_t(job.job.channels)];
         const float* got = &done.values[size_t(y - r.y0) * row];
-        for (size_t i = 0; i < row; ++i)
-            count += std::memcmp(expected + i, got + i, sizeof(float)) != 0;
+        for (size_t i = 0; i < row; ++i) {
+            const float wanted =
+                way.halfs && expected[i] != Done::mark ? rounded_to_half(expected[i]) : expected[i];
+            count += std::memcmp(&wanted, got + i, sizeof(float)) != 0;
+        }
     }
     return count;
 }

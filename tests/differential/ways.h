@@ -18,6 +18,7 @@ struct Way {
     Device device = Device::cpu;
     bool part = false;   ///< RandomJob::part instead of the whole
     bool places = false; ///< results go straight into the sink's memory
+    bool halfs = false;  ///< the sink takes 16-bit floats
 };
 
 /// What came of it. Pixels that the mapping shows nothing at keep `mark`.
@@ -37,7 +38,8 @@ std::vector<Way> other_ways(const std::vector<Device>& devices);
 
 Done run(const RandomJob& job, const Way& way);
 
-/// How many floats of a way's result are not those of the reference's, bit for bit.
+/// How many floats of a way's result are not those of the reference's, bit for bit; of halfs, not
+/// the nearest halfs to those.
 size_t differing(const RandomJob& job, const Done& reference, const Way& way, const Done& done);
 
 /// What a result must never do, whatever the job: null where it keeps to that. What is finite stays
