@@ -5,6 +5,7 @@
 #include <new>
 #include <thread>
 
+#include "core/base/parallel.h"
 #include "plugin/host/request.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/hand_over.h"
@@ -61,6 +62,7 @@ public:
         std::string error;
         if (!host::set_filter(m_filter, "sRGB", work, error))
             return fail(error, exit_usage);
+        allow_threads(m_threads);
         std::signal(SIGPIPE, SIG_IGN); // a failure of the write instead
         Verdict verdict;
         HandOver<Frame> read, made;
