@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 
 namespace ddt {
 namespace {
@@ -60,6 +62,23 @@ void convert(const Light& light, const ColourLayout& layout, float* pixels, size
 
 bool all_alike(const Light& light, const ColourLayout& layout, int stride) {
     return layout.alpha < 0 && layout.count == stride && light.alike();
+}
+
+std::vector<float>
+light_of_codes(const Light& light, const ColourLayout& layout, int stride, int bits,
+               const std::function<void(const void* numbers, int n, float* values)>& floats) {
+    const bool as_they_are = !light.converts() || layout.count == 0;
+    if (!as_they_are && !all_alike(light, layout, stride))
+        return {};
+    std::vector<uint16_t> numbers(size_t(1) << bits);
+    std::iota(numbers.begin(), numbers.end(), uint16_t(0));
+    const std::vector<uint8_t> bytes(numbers.begin(), numbers.begin() + 256);
+    std::vector<float> values(numbers.size());
+    floats(bits == 8 ? static_cast<const void*>(bytes.data()) : numbers.data(), int(values.size()),
+           values.data());
+    if (!as_they_are)
+        light.to_light_alike(values.data(), values.size());
+    return values;
 }
 
 void to_light(const Light& light, const ColourLayout& layout, float* pixels, size_t count,

@@ -2,6 +2,9 @@
 // Colour conversion of interleaved pixels, round their alpha.
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include "plugin/colour/layout.h"
 #include "plugin/colour/light.h"
 
@@ -9,6 +12,13 @@ namespace ddt {
 
 /// True if the pixels are nothing but numbers that all convert alike, each by itself.
 bool all_alike(const Light& light, const ColourLayout& layout, int stride);
+
+/// Where every number converts by itself, all alike or not at all: the linear light of the numbers
+/// 0 to 255 of 8 bits, or 0 to 65535 of 16, of which `floats(numbers, n, values)` makes floats;
+/// else nothing.
+std::vector<float>
+light_of_codes(const Light& light, const ColourLayout& layout, int stride, int bits,
+               const std::function<void(const void* numbers, int n, float* values)>& floats);
 
 /// Convert the colour of `count` pixels of `stride` floats each, in place, to linear light.
 ///

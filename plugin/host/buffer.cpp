@@ -125,4 +125,35 @@ void store(const Buffer& b, int x, int y, size_t count, int channels, const floa
                   [&](auto kind) { store_as<decltype(kind)>(b, p, count, channels, values); });
 }
 
+namespace {
+
+/// Call copy(in the buffer, in the row) for every number.
+template <class Number, class Copy>
+void each_number(const Buffer& b, int x, int y, size_t count, int channels, Number* numbers,
+                 Copy&& copy) {
+    char* p = b.at(x, y);
+    const size_t size = size_of(b.sample);
+    for (size_t i = 0; i < count; ++i, p += b.pixel)
+        for (int c = 0; c < channels; ++c, numbers += size)
+            copy(p + c * b.channel, numbers, size);
+}
+
+} // namespace
+
+void load_numbers(const Buffer& b, int x, int y, size_t count, int channels, void* numbers) {
+    each_number(b, x, y, count, channels, static_cast<char*>(numbers),
+                [](const char* p, char* number, size_t size) { std::memcpy(number, p, size); });
+}
+
+void store_numbers(const Buffer& b, int x, int y, size_t count, int channels, const void* numbers) {
+    each_number(b, x, y, count, channels, static_cast<const char*>(numbers),
+                [](char* p, const char* number, size_t size) { std::memcpy(p, number, size); });
+}
+
+void to_floats(Sample sample, const void* numbers, size_t n, float* values) {
+    const auto size = ptrdiff_t(size_of(sample));
+    const Buffer row{const_cast<void*>(numbers), 0, size, size, {0, 0, int(n), 1}, sample};
+    load(row, 0, 0, n, 1, values);
+}
+
 } // namespace ddt::host

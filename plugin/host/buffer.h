@@ -55,4 +55,11 @@ void load(const Buffer& buffer, int x, int y, size_t count, int channels, float*
 /// The way back: integers get the nearest number, and 0 for NaN.
 void store(const Buffer& buffer, int x, int y, size_t count, int channels, const float* values);
 
+/// The numbers as they are, of size_of(buffer.sample) bytes.
+void load_numbers(const Buffer& buffer, int x, int y, size_t count, int channels, void* numbers);
+void store_numbers(const Buffer& buffer, int x, int y, size_t count, int channels,
+                   const void* numbers);
+/// Floats of n numbers of a kind, as load() makes them.
+void to_floats(Sample sample, const void* numbers, size_t n, float* values);
+
 } // namespace ddt::host

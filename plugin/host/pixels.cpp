@@ -71,6 +71,37 @@ bool BufferSource::read(const Rect& r, float* values, float* guide) {
     return true;
 }
 
+std::vector<float> BufferSource::codes() {
+    const Layout& layout = m_work.layout;
+    const Sample sample = m_work.from.sample;
+    const Rect &box = m_work.from.box, &window = m_work.window;
+    const bool whole =
+        box.x0 <= window.x0 && box.y0 <= window.y0 && box.x1 >= window.x1 && box.y1 >= window.y1;
+    if (!(sample == Sample::uint8 || sample == Sample::half) || layout.is_ids() || !whole ||
+        must_associate(layout))
+        return {};
+    return light_of_codes(*m_work.meaning.light, layout.colour, layout.channels,
+                          sample == Sample::uint8 ? 8 : 16,
+                          [&](const void* numbers, int n, float* values) {
+                              to_floats(sample, numbers, size_t(n), values);
+                          });
+}
+
+bool BufferSource::read_codes(const Rect& r, void* codes, float* guide) {
+    const int channels = m_work.layout.channels;
+    const auto width = size_t(r.width());
+    const size_t row = width * size_t(channels);
+    std::vector<float> values(row);
+    char* to = static_cast<char*>(codes);
+    for (int y = r.y0; y < r.y1; ++y, to += row * size_of(m_work.from.sample), guide += width) {
+        load_numbers(m_work.from, r.x0, y, width, channels, to);
+        to_floats(m_work.from.sample, to, row, values.data());
+        to_work(m_work, values.data(), width);
+        make_guide(m_guide, values.data(), width, channels, guide);
+    }
+    return true;
+}
+
 bool BufferSink::write(const Rect& r, float* values) {
     const Layout& layout = m_work.layout;
     if (write_codes(r, values))
@@ -83,34 +114,60 @@ bool BufferSink::write(const Rect& r, float* values) {
     return true;
 }
 
+/// Whether numbers are stored without a conversion but to the memory's kind.
+bool BufferSink::as_they_are() const {
+    const Layout& layout = m_work.layout;
+    return !must_associate(layout) &&
+           !(m_work.meaning.light->converts() && layout.colour.count > 0);
+}
+
 /// Floats that stay as they are.
 float* BufferSink::place(const Rect& r, size_t& row) {
     const Buffer& to = m_work.to;
-    const Layout& layout = m_work.layout;
     constexpr ptrdiff_t size = sizeof(float);
-    const bool as_they_are = to.sample == Sample::id32 ||
-                             (to.sample == Sample::float32 && !must_associate(layout) &&
-                              !(m_work.meaning.light->converts() && layout.colour.count > 0));
+    const bool as_floats =
+        to.sample == Sample::id32 || (to.sample == Sample::float32 && as_they_are());
     char* p = to.at(r.x0, r.y0);
-    if (!as_they_are || to.channel != size || to.pixel != size * layout.channels || to.row < 0 ||
-        to.row % size != 0 || reinterpret_cast<uintptr_t>(p) % alignof(float) != 0)
+    if (!as_floats || to.channel != size || to.pixel != size * m_work.layout.channels ||
+        to.row < 0 || to.row % size != 0 || reinterpret_cast<uintptr_t>(p) % alignof(float) != 0)
         return nullptr;
     row = size_t(to.row / size);
     return reinterpret_cast<float*>(p);
 }
 
-/// The usual case at once: colour alone, alike in all channels, in 8 bits without gaps.
-bool BufferSink::write_codes(const Rect& r, const float* values) const {
-    const Buffer& to = m_work.to;
+bool BufferSink::takes_halfs() const {
+    return m_work.to.sample == Sample::half && !m_work.layout.is_ids() && as_they_are();
+}
+
+const CodeTable* BufferSink::takes_codes() const {
     const Layout& layout = m_work.layout;
     const Light& light = *m_work.meaning.light;
-    if (!light.codes() || to.sample != Sample::uint8 || to.channel != 1 ||
-        to.pixel != layout.channels || layout.is_ids() ||
-        !all_alike(light, layout.colour, layout.channels))
+    return m_work.to.sample == Sample::uint8 && !layout.is_ids() &&
+                   all_alike(light, layout.colour, layout.channels)
+               ? light.codes()
+               : nullptr;
+}
+
+bool BufferSink::write_packed(const Rect& r, const void* numbers) {
+    const auto* from = static_cast<const char*>(numbers);
+    const int channels = m_work.layout.channels;
+    const auto width = size_t(r.width());
+    const size_t row = width * size_t(channels) * size_of(m_work.to.sample);
+    for (int y = r.y0; y < r.y1; ++y, from += row)
+        store_numbers(m_work.to, r.x0, y, width, channels, from);
+    return true;
+}
+
+/// The usual case at once.
+bool BufferSink::write_codes(const Rect& r, const float* values) const {
+    const Buffer& to = m_work.to;
+    const int channels = m_work.layout.channels;
+    const CodeTable* codes = takes_codes();
+    if (!codes || to.channel != 1 || to.pixel != channels)
         return false;
-    const size_t row = size_t(r.width()) * size_t(layout.channels);
+    const size_t row = size_t(r.width()) * size_t(channels);
     for (int y = r.y0; y < r.y1; ++y, values += row)
-        light.codes()->encode(values, reinterpret_cast<uint8_t*>(to.at(r.x0, y)), row);
+        codes->encode(values, reinterpret_cast<uint8_t*>(to.at(r.x0, y)), row);
     return true;
 }
 

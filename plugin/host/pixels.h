@@ -14,6 +14,9 @@ class BufferSource final : public Source {
 public:
     explicit BufferSource(const Enlargement& work);
     bool read(const Rect& r, float* values, float* guide) override;
+    /// Of 8 bits and of halfs, all channels of which convert alike.
+    std::vector<float> codes() override;
+    bool read_codes(const Rect& r, void* codes, float* guide) override;
 
 private:
     void read_row(int y, const Rect& r, float* values) const;
@@ -27,8 +30,14 @@ public:
     explicit BufferSink(const Enlargement& work) : m_work(work) {}
     bool write(const Rect& r, float* values) override;
     float* place(const Rect& r, size_t& row) override;
+    /// Into halfs, of numbers that stay as they are.
+    bool takes_halfs() const override;
+    /// Into 8 bits, of colour alone, alike in all channels.
+    const CodeTable* takes_codes() const override;
+    bool write_packed(const Rect& r, const void* numbers) override;
 
 private:
+    bool as_they_are() const;
     bool write_codes(const Rect& r, const float* values) const;
 
     const Enlargement& m_work;

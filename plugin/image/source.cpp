@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "plugin/colour/colourpixels.h"
 #include "plugin/image/pixels.h"
@@ -60,22 +59,13 @@ bool ImageSource::read_row(int y, const Rect& r, float* pixels, float* guide) {
 
 std::vector<float> ImageSource::codes() {
     const OIIO::TypeDesc type = m_image.spec().format;
-    const Light& light = m_reading.light;
-    const ColourLayout& colour = m_reading.channels.colour;
-    const bool bytes = type == OIIO::TypeUInt8, by_itself = !light.converts() || colour.count == 0;
-    if (!m_all || m_reading.channels.raw || !(bytes || type == OIIO::TypeHalf) ||
-        !(by_itself || all_alike(light, colour, m_image.nchannels())))
+    const bool bytes = type == OIIO::TypeUInt8;
+    if (!m_all || m_reading.channels.raw || !(bytes || type == OIIO::TypeHalf))
         return {};
-    // What is made of every code there is, as read_row() would, in pixels of one channel.
-    std::vector<uint16_t> all(bytes ? 256 : 65536);
-    std::iota(all.begin(), all.end(), uint16_t(0));
-    const std::vector<uint8_t> small(all.begin(), all.begin() + 256);
-    std::vector<float> floats(all.size());
-    OIIO::convert_pixel_values(type, bytes ? static_cast<const void*>(small.data()) : all.data(),
-                               OIIO::TypeFloat, floats.data(), int(floats.size()));
-    if (!by_itself)
-        light.to_light_alike(floats.data(), floats.size());
-    return floats;
+    return light_of_codes(m_reading.light, m_reading.channels.colour, m_image.nchannels(),
+                          bytes ? 8 : 16, [&](const void* numbers, int n, float* values) {
+                              OIIO::convert_pixel_values(type, numbers, OIIO::TypeFloat, values, n);
+                          });
 }
 
 bool ImageSource::read_codes(const Rect& r, void* codes, float* guide) {

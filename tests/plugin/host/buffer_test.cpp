@@ -2,6 +2,7 @@
 // A host's numbers become floats and come back as OpenImageIO converts them.
 #include "plugin/host/buffer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -84,6 +85,20 @@ TEST(Buffer, EveryHalfComesBack) {
     }
     EXPECT_EQ(half_of_float(1e6f), 0x7c00);
     EXPECT_EQ(half_of_float(-1e-9f), 0x8000);
+}
+
+TEST(Buffer, NumbersAsTheyAreSkipTheGaps) {
+    std::vector<uint16_t> memory(4 * 6 * 5, 0xeeee), numbers(3 * 2), back(3 * 2);
+    for (size_t i = 0; i < numbers.size(); ++i)
+        numbers[i] = uint16_t(0x7c01 + i); // that are no number
+    // Rows upwards, four numbers a pixel, channels backwards from the third.
+    const Buffer buffer{&memory[90], -60, 8, -2, {0, 0, 6, 4}, Sample::half};
+    Buffer third = buffer;
+    third.data = static_cast<char*>(buffer.data) + 4;
+    store_numbers(third, 1, 1, 3, 2, numbers.data());
+    load_numbers(third, 1, 1, 3, 2, back.data());
+    EXPECT_EQ(back, numbers);
+    EXPECT_EQ(size_t(std::count(memory.begin(), memory.end(), 0xeeee)), memory.size() - 6);
 }
 
 TEST(Buffer, RowsUpwardsAndGapsBetweenNumbers) {

@@ -90,10 +90,18 @@ TEST(Enlargement, TheBitsOfTheFilter) {
             for (const char* light : {"linear", "sRGB", "encoded"}) {
                 ImageBuf from = picture(70, 50, channels, type);
                 const ImageBuf wanted = by_filter(from, light, 161, 101);
-                ImageBuf to = images::make(161, 101, channels, type);
-                std::string error;
-                ASSERT_EQ(enlarge(work_of(from, to, light), error), ddt::Outcome::done) << error;
-                EXPECT_TRUE(bytes(to) == bytes(wanted)) << type << " " << channels << " " << light;
+                for (const ddt::Device device : {ddt::Device::cpu, ddt::Device::egl}) {
+                    ImageBuf to = images::make(161, 101, channels, type);
+                    Enlargement work = work_of(from, to, light);
+                    work.device = device;
+                    std::string error;
+                    const ddt::Outcome outcome = enlarge(work, error);
+                    if (device != ddt::Device::cpu && outcome == ddt::Outcome::device_unavailable)
+                        continue;
+                    ASSERT_EQ(outcome, ddt::Outcome::done) << error;
+                    EXPECT_TRUE(bytes(to) == bytes(wanted))
+                        << type << " " << channels << " " << light << " " << int(device);
+                }
             }
 }
 
