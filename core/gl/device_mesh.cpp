@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/gl/travel.h"
 #include "core/gl/work_layout.h"
 
 namespace ddt::gl {
@@ -20,6 +21,7 @@ struct Batch {
 DeviceMesh::DeviceMesh(Gpu& gpu, const SlotShape& shape, int tiles)
     : m_gpu(gpu), m_gl(gpu.context->gl), m_shape(shape), m_capacity(tiles),
       m_batch(m_gl, sizeof(Batch)), m_sites(m_gl, shape.sites() * 8 * size_t(tiles)),
+      m_encoded(m_gl, guide_room(shape.pixels()) * size_t(tiles)),
       m_guide(m_gl, shape.pixels() * 4 * size_t(tiles)),
       m_contours(m_gl, shape.sites() * 2 * size_t(tiles)),
       m_gain(m_gl, shape.sites() * 4 * size_t(tiles)),
@@ -35,7 +37,7 @@ TileSize size_in_slot(const Tile& tile, const Rect& window, int width, int heigh
 }
 
 size_t DeviceMesh::bytes(const SlotShape& shape) {
-    return shape.sites() * 14 + shape.pixels() * 4 + shape.edges() * 24;
+    return shape.sites() * 14 + shape.pixels() * 8 + shape.edges() * 24;
 }
 
 size_t DeviceMesh::largest_bytes(const SlotShape& shape) {
@@ -62,10 +64,24 @@ void DeviceMesh::set_tiles(const std::vector<TileSize>& sizes) {
     m_batch.write(0, sizeof batch, &batch);
 }
 
-size_t DeviceMesh::write_guide(int slot, const HostBuffer& from, size_t at) {
-    const size_t bytes = m_shape.pixels() * sizeof(float);
-    from.upload(at, bytes, m_guide, size_t(slot) * bytes);
+size_t DeviceMesh::write_guide(int slot, const HostBuffer& from, size_t at, size_t bytes) {
+    from.upload(at, bytes, m_encoded, size_t(slot) * guide_room(m_shape.pixels()));
     return bytes;
+}
+
+void DeviceMesh::unpack_guides() {
+    m_gpu.programs->use("unpack_guide.comp");
+    bind();
+    m_encoded.bind(4);
+    m_guide.bind(5);
+    dispatch_over(m_shape.width, m_shape.height, surface_group_x, surface_group_y);
+    barrier();
+}
+
+void DeviceMesh::read_guide(int slot, float* guide) {
+    const size_t bytes = m_shape.pixels() * sizeof(float);
+    m_gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    m_guide.read(size_t(slot) * bytes, bytes, guide);
 }
 
 size_t DeviceMesh::write_sites(int slot, const void* sites) {

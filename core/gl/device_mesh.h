@@ -59,9 +59,11 @@ public:
 
     /// Which tiles are in the slots.
     void set_tiles(const std::vector<TileSize>& sizes);
-    /// The guide of a slot: shape.pixels() floats in rows of shape.width, from `at` on in `from`.
-    /// Returns the bytes.
-    size_t write_guide(int slot, const HostBuffer& from, size_t at);
+    /// The guide of a slot's tile as encode_guide() made it, from `at` on in `from`, once
+    /// set_tiles() has told the tile's size; returns the bytes. When all are written they are to be
+    /// unpacked.
+    size_t write_guide(int slot, const HostBuffer& from, size_t at, size_t bytes);
+    void unpack_guides();
     /// A slot's mesh as it is: shape.sites() records as Site has them, in rows of shape.stride().
     /// Returns the bytes.
     size_t write_sites(int slot, const void* sites);
@@ -88,6 +90,7 @@ public:
     std::vector<uint32_t> read_reach();
     /// A slot's mesh, and after find_gains() its gains, a site each; for comparisons.
     void read_sites(int slot, void* sites);
+    void read_guide(int slot, float* guide);
     void read_gains(int slot, float* gains);
 
     /// Bind what lattice.glsl needs.
@@ -127,8 +130,8 @@ private:
     float m_contour_weight = 0;
     bool m_gains_known = false;
     std::vector<Statistics> m_before; ///< what annealing did before chance, a slot
-    Buffer m_batch, m_sites, m_guide, m_contours, m_gain, m_list0, m_list1, m_blocked_even,
-        m_blocked_odd, m_work;
+    Buffer m_batch, m_sites, m_encoded, m_guide, m_contours, m_gain, m_list0, m_list1,
+        m_blocked_even, m_blocked_odd, m_work;
     std::unique_ptr<Buffer> m_stamps;                  ///< accept_reject's
     const Buffer *m_from = &m_list0, *m_to = &m_list1; ///< in turn
 };

@@ -37,8 +37,8 @@ void triangulate_here(const std::vector<float>& guide, const Job& job, const Slo
         }
 }
 
-size_t guide_bytes(const Job& job, const SlotShape& shape) {
-    return with_guides(job) ? size_t(job.mesh.meshes) * shape.pixels() * sizeof(float) : 0;
+size_t guides_room(const Job& job, const SlotShape& shape) {
+    return with_guides(job) ? size_t(job.mesh.meshes) * guide_room(shape.pixels()) : 0;
 }
 
 /// Read a tile's numbers to `to`, and its guide.
@@ -68,7 +68,7 @@ bool with_guides(const Job& job) {
 }
 
 size_t host_bytes(const Job& job, const SlotShape& shape, const Numbers& numbers) {
-    return guide_bytes(job, shape) + numbers.room(shape.pixels() * size_t(job.channels));
+    return guides_room(job, shape) + numbers.room(shape.pixels() * size_t(job.channels));
 }
 
 bool read(Source& source, const Job& job, const SlotShape& shape, const Numbers& numbers,
@@ -77,7 +77,7 @@ bool read(Source& source, const Job& job, const SlotShape& shape, const Numbers&
         t.memory = std::make_unique<HostBuffer>(host_bytes(job, shape, numbers));
     std::vector<float> guide;
     int width = 0, height = 0;
-    if (!read_numbers(source, t.tile, job, numbers, t.memory->data() + guide_bytes(job, shape),
+    if (!read_numbers(source, t.tile, job, numbers, t.memory->data() + guides_room(job, shape),
                       guide, width, height))
         return false;
     t.size = size_in_slot(t.tile, job.window, width, height);
@@ -85,16 +85,16 @@ bool read(Source& source, const Job& job, const SlotShape& shape, const Numbers&
     const bool here = !DeviceMesh::knows(job.mesh);
     if (here)
         t.sites.resize(meshes * shape.sites());
+    t.guide_bytes.resize(meshes);
     for (size_t k = 0; k < meshes; ++k) {
         std::vector<float> blurred = guide;
         if (const float share = blur_share(job.mesh, int(k)); share > 0)
             blur_guide(blurred, width, height, share);
         if (here)
             triangulate_here(blurred, job, shape, t, t.sites.data() + k * shape.sites());
-        std::byte* const row = t.memory->data() + k * shape.pixels() * sizeof(float);
-        for (int y = 0; with_guides(job) && y < height; ++y)
-            std::memcpy(row + size_t(y) * size_t(shape.width) * sizeof(float),
-                        blurred.data() + size_t(y) * size_t(width), size_t(width) * sizeof(float));
+        if (with_guides(job))
+            t.guide_bytes[k] =
+                encode_guide(blurred, t.memory->data() + k * guide_room(shape.pixels()));
     }
     return true;
 }
@@ -110,15 +110,16 @@ size_t upload(const HostTile& t, const Job& job, int first_slot, DeviceMesh& mes
 
 size_t upload_guides(const HostTile& t, const Job& job, int first_slot, DeviceMesh& mesh) {
     size_t bytes = 0;
-    for (int k = 0; with_guides(job) && k < job.mesh.meshes; ++k)
-        bytes += mesh.write_guide(first_slot + k, *t.memory, bytes);
+    for (size_t k = 0; with_guides(job) && k < t.guide_bytes.size(); ++k)
+        bytes += mesh.write_guide(first_slot + int(k), *t.memory,
+                                  k * guide_room(mesh.shape().pixels()), t.guide_bytes[k]);
     return bytes;
 }
 
 size_t upload_numbers(const HostTile& t, const Job& job, int first_slot, const SlotShape& shape,
                       Surfaces& surfaces) {
     return surfaces.write_numbers(first_slot / job.mesh.meshes, t.size, *t.memory,
-                                  guide_bytes(job, shape));
+                                  guides_room(job, shape));
 }
 
 std::vector<GroupKinds> kinds_of(const Job& job) {

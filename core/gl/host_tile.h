@@ -17,9 +17,10 @@ namespace ddt::gl {
 struct HostTile {
     Tile tile;
     TileSize size;
-    /// What is uploaded: first the guides where with_guides(), a mesh after the other; then the
-    /// numbers of the tile's pixels, rows without gaps.
+    /// What is uploaded: first the guides where with_guides(), as they travel, a mesh after the
+    /// other; then the numbers of the tile's pixels, rows without gaps.
     std::unique_ptr<HostBuffer> memory;
+    std::vector<size_t> guide_bytes;
     std::vector<uint64_t> sites; ///< the finished meshes, of a scheme the device does not know
     Statistics statistics;       ///< of making those
 };
@@ -34,8 +35,9 @@ bool read(Source& source, const Job& job, const SlotShape& shape, const Numbers&
 
 /// Whether guides are wanted on the device.
 bool with_guides(const Job& job);
-/// Have what was read copied to the slots from first_slot on; Surfaces::unpack() has then to be
-/// called. Returns the bytes. On the context's thread; t.memory must stay until a Fence has passed.
+/// Have what was read copied to the slots from first_slot on; DeviceMesh::unpack_guides() and
+/// Surfaces::unpack() are then to be called. Returns the bytes. On the context's thread; t.memory
+/// must stay until a Fence has passed.
 size_t upload(const HostTile& t, const Job& job, int first_slot, DeviceMesh& mesh,
               Surfaces& surfaces);
 /// The guides alone, and the numbers.

@@ -139,6 +139,8 @@ void Runner::begin_batch() {
     m_mesh->set_tiles(sizes);
     for (size_t i = 0; i < m_batch.size(); ++i)
         m_uploaded += upload(*m_batch[i], m_job, int(i) * m_meshes, *m_mesh, *m_surfaces);
+    if (with_guides(m_job))
+        m_mesh->unpack_guides();
     m_surfaces->unpack(*m_mesh);
     m_stages->end();
 

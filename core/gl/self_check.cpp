@@ -156,6 +156,8 @@ Outcomes on_gpu(Gpu& gpu, const Job& job, const Tile& tile) {
     surfaces.expect(numbers, job.channels, meshes);
     mesh.set_tiles(std::vector<TileSize>(size_t(meshes), t.size));
     upload(t, job, 0, mesh, surfaces);
+    if (with_guides(job))
+        mesh.unpack_guides();
     surfaces.unpack(mesh);
     if (t.sites.empty())
         mesh.triangulate(job.mesh);

@@ -70,6 +70,38 @@ std::string unpacking_differs(Gpu& gpu, const Numbers& numbers) {
     return differing == 0 ? "" : std::to_string(differing) + " numbers differ as they are unpacked";
 }
 
+std::string guides_differ(Gpu& gpu) {
+    const Functions& gl = gpu.context->gl;
+    const SlotShape shape{64, 44};
+    const TileSize size{61, 43};
+    const size_t count = 61 * 43;
+    std::vector<float> guides[2];
+    for (size_t i = 0; i < count; ++i) {
+        guides[0].push_back(float(uint16_t(i * 6553)) * guide_unit);
+        guides[1].push_back(float(i) * 0.37f - 100.0f);
+    }
+    DeviceMesh mesh(gpu, shape, 2);
+    HostBuffer memory(gl, 2 * guide_room(count));
+    mesh.set_tiles({size, size});
+    for (int k = 0; k < 2; ++k) {
+        const size_t at = size_t(k) * guide_room(count);
+        const size_t bytes = encode_guide(guides[k], memory.data() + at);
+        mesh.write_guide(k, memory, at, bytes);
+    }
+    mesh.unpack_guides();
+    size_t differing = 0;
+    for (int k = 0; k < 2; ++k) {
+        std::vector<float> found(shape.pixels());
+        mesh.read_guide(k, found.data());
+        for (int y = 0; y < size.height; ++y)
+            differing += size_t(std::memcmp(&found[size_t(y * shape.width)],
+                                            &guides[k][size_t(y * size.width)],
+                                            size_t(size.width) * sizeof(float)) != 0);
+    }
+    finish(gl, "guides");
+    return differing == 0 ? "" : std::to_string(differing) + " rows of guides differ";
+}
+
 std::string packing_differs(Gpu& gpu, const Travel& travel) {
     const Functions& gl = gpu.context->gl;
     const std::vector<float> floats = checked_floats();
@@ -95,6 +127,25 @@ std::string packing_differs(Gpu& gpu, const Travel& travel) {
 }
 
 } // namespace
+
+size_t encode_guide(const std::vector<float>& guide, std::byte* to) {
+    std::vector<uint16_t> steps;
+    steps.reserve(guide.size());
+    for (const float v : guide) {
+        constexpr float least = 1.0f / guide_unit;
+        const float scaled = v * least;
+        const auto step = uint16_t(scaled >= 0.0f && scaled < 65536.0f ? scaled : 0.0f);
+        if (bits_of(float(step) * guide_unit) != bits_of(v))
+            break;
+        steps.push_back(step);
+    }
+    const uint32_t are_steps = steps.size() == guide.size();
+    std::memcpy(to, &are_steps, sizeof are_steps);
+    const size_t bytes = guide.size() * (are_steps ? sizeof(uint16_t) : sizeof(float));
+    std::memcpy(to + sizeof are_steps,
+                are_steps ? static_cast<const void*>(steps.data()) : guide.data(), bytes);
+    return sizeof are_steps + bytes;
+}
 
 size_t Numbers::room(size_t count) const {
     constexpr size_t word = sizeof(uint32_t);
@@ -123,7 +174,9 @@ Travel travel_of(Source& source, const Sink& sink, const Job& job) {
 }
 
 std::string travel_differs(Gpu& gpu, const Travel& travel) {
-    std::string what = unpacking_differs(gpu, travel.there);
+    std::string what = guides_differ(gpu);
+    if (what.empty())
+        what = unpacking_differs(gpu, travel.there);
     if (what.empty() && travel.packed())
         what = packing_differs(gpu, travel);
     return what.empty() ? what

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,16 @@
 namespace ddt::gl {
 
 struct Gpu;
+
+/// A guide on its way to the device: a word that tells whether 16-bit steps of guide_unit follow,
+/// which do for the usual guide between 0 and 16, or floats; then these, rows without gaps. Decoded
+/// by shaders/unpack_guide.comp.
+constexpr float guide_unit = 0x1p-12f;
+/// Room for so many, and what encode_guide() makes of the guide: the bytes of `to` that it takes.
+constexpr size_t guide_room(size_t pixels) {
+    return sizeof(uint32_t) + pixels * sizeof(float);
+}
+size_t encode_guide(const std::vector<float>& guide, std::byte* to);
 
 /// Numbers of the source: floats, or the codes that it has for them.
 struct Numbers {

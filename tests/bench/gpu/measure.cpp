@@ -83,6 +83,8 @@ private:
         m_mesh.set_tiles(sizes);
         for (size_t i = 0; i < m_tiles.size(); ++i)
             m.uploaded += gl::upload(m_tiles[i], m_job, int(i), m_mesh, m_surfaces);
+        if (gl::with_guides(m_job))
+            m_mesh.unpack_guides();
         m_surfaces.unpack(m_mesh);
         stages.end();
         gl::finish(m_gpu.context->gl, "upload");

@@ -230,14 +230,13 @@ TEST_P(Travel, WithoutPinnedMemoryToo) {
 }
 
 TEST_P(Travel, BytesAreThoseOfTheNumbers) {
-    const int width = 600, height = 500, channels = 3;
-    // Of tiles with their halos: numbers, and a guide in rows of the largest tile.
+    const int width = 600, height = 500, channels = 3; // the guides are a few steps
+    // Of tiles with their halos: numbers, and a guide of two bytes.
     const Grid grid({0, 0, width, height});
     double pixels = 0;
     for (int i = 0; i < grid.count(); ++i)
         pixels += double(grid.tile(i).pixels.area());
-    const double guides = grid.count() * 321.0 * 321.0 * 4,
-                 results = 4.0 * width * height * channels;
+    const double guides = pixels * 2, results = 4.0 * width * height * channels;
     const Job job = job_of(width, height, channels);
     for (const int bits : {8, 16}) {
         CodeSource source(bits, width, channels);
@@ -267,6 +266,7 @@ TEST_P(Travel, AWrongProgramIsNotUsed) {
     } changes[] = {{"unpack.comp CODES_8", "SURFACE_GROUP_X", "16"},
                    {"unpack.comp CODES_16", "SURFACE_GROUP_Y", "2"},
                    {"unpack.comp", "word", "0; ++slot"},
+                   {"unpack_guide.comp", "steps", "7u"},
                    {"pack.comp HALFS", "middle", "0u"},
                    {"pack.comp HALFS", "odd", "0u"},
                    {"pack.comp CODES", "is_nan", "false"},
@@ -296,7 +296,8 @@ TEST_P(Travel, AWrongProgramIsNotUsed) {
                     EXPECT_TRUE(!differs || !gpu->checks.differs(*gpu, Job(), travel).empty());
                 })
                 .get();
-        EXPECT_EQ(wrong, 1) << change.program << ' ' << change.name;
+        EXPECT_EQ(wrong, std::string(change.program) == "unpack_guide.comp" ? 3 : 1)
+            << change.program << ' ' << change.name;
     }
 }
 

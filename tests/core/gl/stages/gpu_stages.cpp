@@ -54,7 +54,7 @@ MeshStage GpuStages::mesh(const MeshOptions& options, int iterations, bool gains
     stage.sites.resize(m_shape.sites());
     stage.gains.resize(m_shape.sites());
     stage.stride = m_shape.stride();
-    gl::upload_guides(m_tile, m_job, 0, m_mesh);
+    write_guide();
     m_mesh.triangulate(some);
     gl::finish(m_gpu.context->gl, "triangulation");
     m_mesh.read_sites(0, stage.sites.data());
@@ -66,8 +66,14 @@ MeshStage GpuStages::mesh(const MeshOptions& options, int iterations, bool gains
     return stage;
 }
 
-void GpuStages::finish_mesh() {
+void GpuStages::write_guide() {
     gl::upload_guides(m_tile, m_job, 0, m_mesh);
+    if (gl::with_guides(m_job))
+        m_mesh.unpack_guides();
+}
+
+void GpuStages::finish_mesh() {
+    write_guide();
     if (m_tile.sites.empty())
         m_mesh.triangulate(m_job.mesh);
     else

@@ -21,6 +21,7 @@ public:
     std::vector<float> result(int out_width, int out_height);
 
 private:
+    void write_guide();
     void finish_mesh();
 
     gl::Gpu& m_gpu;
