@@ -3,11 +3,15 @@
 // and a triangle that is read there goes no further than its edges. After lattice.glsl.
 #include "counts.glsl"
 
-// Edges' lengths and pixels: how far about what the tile serves results are needed.
-layout(location = 9) uniform ivec2 margin;
+// Edges' lengths: how far about what the tile serves results are needed.
+layout(location = 9) uniform int margin;
 
-bool is_needed(int tile, ivec2 p) {
-    int far = margin.x * int(reach[tile]) + margin.y;
+// Whether p is no further off than that many edges go.
+bool is_within(int tile, ivec2 p, int edges) {
+    int far = edges * int(reach[tile]);
     return all(greaterThanEqual(p, served[tile].xy - far)) &&
            all(lessThanEqual(p, served[tile].zw + far));
+}
+bool is_needed(int tile, ivec2 p) {
+    return is_within(tile, p, margin);
 }

@@ -33,17 +33,17 @@ void add_tile(const gl::TileSize& tile, double positions, int reach, const Surfa
     work.out += positions;
     // The margins of Surfaces::make and fit.
     if (is_fitted(surface)) {
-        work.gradients += needed(tile, 3 * reach + 2);
-        work.corrections += needed(tile, 2 * reach + 1);
-        work.bends += needed(tile, reach + 1);
+        work.gradients += needed(tile, 3 * reach);
+        work.corrections += needed(tile, 2 * reach);
+        work.bends += needed(tile, reach);
         return;
     }
     if (surface.kind != Surface::linear)
         work.gradients += needed(tile, reach);
     for (int later = 0; later < surface.consistency; ++later) {
-        const double corrected = needed(tile, (2 + 2 * later) * reach + later);
+        const double corrected = needed(tile, (2 + 2 * later) * reach);
         if (surface.kind != Surface::linear)
-            work.gradients += needed(tile, (3 + 2 * later) * reach + 1 + later);
+            work.gradients += needed(tile, (3 + 2 * later) * reach);
         work.corrections += corrected;
         if (later + 1 < surface.consistency)
             work.later_corrections += corrected;
@@ -94,12 +94,13 @@ void add_surface(const Workload& w, const SurfaceOptions& surface,
     const double net = sites + values + soft;
     if (w.gradients > 0)
         bytes["gradients.comp"] = w.gradients * (sites + values + two_gradients);
+    // Indices are made where vertices are corrected.
+    if (fitted)
+        bytes["gradients.comp"] += w.corrections * index;
     // Only later rounds read the source beside values that are no longer the same.
     if (w.corrections > 0)
         bytes["correct.comp"] = w.corrections * (net + gradients + values + (fitted ? index : 0)) +
-                                w.later_corrections * values;
-    if (w.bends > 0)
-        bytes["bends.comp"] = w.bends * (sites + values + gains + gradients + index + bends);
+                                w.later_corrections * values + w.bends * (bends + gains - soft);
     bytes["sample.comp"] = w.served * (net + (fitted ? bends : gradients)) + w.out * values;
 }
 
