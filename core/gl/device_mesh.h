@@ -41,6 +41,12 @@ struct IterationCounts {
     uint32_t evaluated = 0, candidates = 0, selected = 0, blocked = 0, dirty = 0, rounds = 0;
 };
 
+/// How far edges go at most that have an end beyond a side of what a tile serves: x of those to the
+/// left and right, y of those above and below. The layout of shaders/counts.glsl.
+struct Reach {
+    uint32_t left = 1, upper = 1, right = 1, lower = 1; ///< of the starting mesh
+};
+
 enum class Step;
 
 /// Iterations of one_round done by dispatches over all tiles; the rest by one group a tile
@@ -81,8 +87,8 @@ public:
     std::vector<std::vector<IterationCounts>> read_counts();
     /// What the last triangulate() did, a slot, but for the pixels; waits for the device.
     std::vector<Statistics> read_statistics();
-    /// How far edges go at most, a slot; waits for the device.
-    std::vector<uint32_t> read_reach();
+    /// How far edges go, a slot; waits for the device.
+    std::vector<Reach> read_reach();
     /// A slot's mesh, and after find_gains() its gains, a site each; for comparisons.
     void read_sites(int slot, void* sites);
     void read_gains(int slot, float* gains);
@@ -99,7 +105,7 @@ private:
     // The steps of triangulate(), in schemes.cpp.
     void set_criterion(const Criterion& by);
     void find_contours();
-    void prepare_lists(const std::vector<uint32_t>& reach);
+    void prepare_lists(const std::vector<Reach>& reach);
     void bind_lists();
     void start(const MeshOptions& options);
     void one_round();

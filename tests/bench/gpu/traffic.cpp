@@ -16,34 +16,36 @@ constexpr double guide = 4, contour_word = 4, sites = 32, gains = 16, values = 1
 // Bytes of an entry: of a list of edges, of the list of those that wait.
 constexpr double entry = 4, waiting_entry = 8;
 
-/// Pixels of a tile not more than `far` off those it serves.
-double needed(const gl::TileSize& t, int far) {
-    const int x0 = std::max(t.served_x0 - far, 0), y0 = std::max(t.served_y0 - far, 0),
-              x1 = std::min(t.served_x1 + far, t.width - 1),
-              y1 = std::min(t.served_y1 + far, t.height - 1);
+/// Pixels of a tile not more than so many edges off those it serves.
+double needed(const gl::TileSize& t, const gl::Reach& reach, int edges) {
+    const auto far = [&](uint32_t side) { return edges * int(side); };
+    const int x0 = std::max(t.served_x0 - far(reach.left), 0),
+              y0 = std::max(t.served_y0 - far(reach.upper), 0),
+              x1 = std::min(t.served_x1 + far(reach.right), t.width - 1),
+              y1 = std::min(t.served_y1 + far(reach.lower), t.height - 1);
     return double(x1 - x0 + 1) * double(y1 - y0 + 1);
 }
 
 } // namespace
 
-void add_tile(const gl::TileSize& tile, double positions, int reach, const SurfaceOptions& surface,
-              Workload& work) {
+void add_tile(const gl::TileSize& tile, double positions, const gl::Reach& reach,
+              const SurfaceOptions& surface, Workload& work) {
     work.pixels += double(tile.width) * tile.height;
-    work.served += needed(tile, 0);
+    work.served += needed(tile, reach, 0);
     work.out += positions;
     // The margins of Surfaces::make and fit.
     if (is_fitted(surface)) {
-        work.gradients += needed(tile, 3 * reach);
-        work.corrections += needed(tile, 2 * reach);
-        work.bends += needed(tile, reach);
+        work.gradients += needed(tile, reach, 3);
+        work.corrections += needed(tile, reach, 2);
+        work.bends += needed(tile, reach, 1);
         return;
     }
     if (surface.kind != Surface::linear)
-        work.gradients += needed(tile, reach);
+        work.gradients += needed(tile, reach, 1);
     for (int later = 0; later < surface.consistency; ++later) {
-        const double corrected = needed(tile, (2 + 2 * later) * reach);
+        const double corrected = needed(tile, reach, 2 + 2 * later);
         if (surface.kind != Surface::linear)
-            work.gradients += needed(tile, (3 + 2 * later) * reach);
+            work.gradients += needed(tile, reach, 3 + 2 * later);
         work.corrections += corrected;
         if (later + 1 < surface.consistency)
             work.later_corrections += corrected;

@@ -23,8 +23,8 @@ struct Workload {
 };
 
 /// Add what the tile with its pixels, positions and reach needs, iterations aside.
-void add_tile(const gl::TileSize& tile, double positions, int reach, const SurfaceOptions& surface,
-              Workload& work);
+void add_tile(const gl::TileSize& tile, double positions, const gl::Reach& reach,
+              const SurfaceOptions& surface, Workload& work);
 
 /// Bytes by kernel. A dispatch reads and writes each number once, however many invocations want it:
 /// neighbours want it at about the same time, and it is in a cache then. Four channels are
