@@ -145,6 +145,7 @@ void print_lists(const Measured& m, const std::map<std::string, double>& traffic
         else if (times > 0)
             std::printf("  %-16s       ?  %10d\n", kernel.c_str(), times);
     }
+    std::printf("  passes of finish.comp over lists, most for a tile: %d\n", m.work.passes);
     std::printf("  iteration  evaluated  candidates  flipped  waiting  touched\n");
     for (size_t i = 0; i < m.work.iterations.size(); ++i) {
         const gl::IterationCounts& c = m.work.iterations[i];

@@ -145,6 +145,7 @@ private:
         for (size_t t = 0; t < counts.size(); ++t) {
             const BenchTile& tile = m_tiles[t];
             add_tile(tile.size, double(tile.reach.area()), reach[t], m_job.surface, m.work);
+            m.work.passes = std::max(m.work.passes, finish_passes(counts[t]));
             for (size_t i = 1; i < counts[t].size(); ++i) {
                 const gl::IterationCounts& c = counts[t][i];
                 if (i > m.work.iterations.size())

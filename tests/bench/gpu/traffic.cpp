@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/gl/programs.h"
 #include "core/surface/fitted/fitted.h"
 
 namespace ddt::bench {
@@ -50,6 +51,17 @@ void add_tile(const gl::TileSize& tile, double positions, const gl::Reach& reach
         if (later + 1 < surface.consistency)
             work.later_corrections += corrected;
     }
+}
+
+int finish_passes(const std::vector<gl::IterationCounts>& tile) {
+    const auto passes = [](uint32_t entries) {
+        return int((entries + gl::finish_group - 1) / gl::finish_group);
+    };
+    int sum = 0;
+    for (size_t i = gl::dispatched_iterations + 1; i < tile.size(); ++i)
+        sum += passes(tile[i].dirty) + passes(tile[i].candidates + tile[i - 1].blocked) +
+               passes(tile[i].selected);
+    return sum;
 }
 
 namespace {

@@ -20,7 +20,13 @@ struct Workload {
     /// that read the source beside corrected values; pixels whose edges' fitted bends were made.
     double gradients = 0, corrections = 0, later_corrections = 0, bends = 0;
     std::vector<gl::IterationCounts> iterations;
+    /// Times that the group of finish.comp goes over its lists for the tile with most of them: each
+    /// waits for what it reads, as a dispatch does.
+    int passes = 0;
 };
+
+/// Such passes of one tile, whose iterations from the first on these are, in place 1.
+int finish_passes(const std::vector<gl::IterationCounts>& tile);
 
 /// Add what the tile with its pixels, positions and reach needs, iterations aside.
 void add_tile(const gl::TileSize& tile, double positions, const gl::Reach& reach,
