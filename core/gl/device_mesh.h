@@ -50,8 +50,9 @@ struct Reach {
 enum class Step;
 
 /// Iterations of one_round done by dispatches over all tiles; the rest by one group a tile
-/// (finish.comp). By then a tile has at most a few thousand edges to look at, soon a few hundred.
-constexpr int dispatched_iterations = 8;
+/// (finish.comp). By then a tile has at most a few thousand edges to look at, soon a few hundred: a
+/// group goes over them about as often as three dispatches an iteration would wait (docs/gpu.md).
+constexpr int dispatched_iterations = 16;
 
 /// Meshes of up to `tiles` tiles. To be used on the context's thread; throws Failure.
 class DeviceMesh {
