@@ -8,6 +8,7 @@
 #include "evaluate.glsl"
 #include "region.glsl"
 #include "flip.glsl"
+#include "reach.glsl"
 
 layout(local_size_x = FINISH_GROUP) in; // x: a tile
 
@@ -21,7 +22,7 @@ layout(location = 7) uniform bool all_rounds;
 layout(std430, binding = 2) ACCESS buffer Stamps { uint stamp[]; }; // a site
 const uint idle = 0, is_dirty = 1, untreated = 2, accepted = 3, rejected = 4;
 
-shared uint evaluated, n_dirty, n_candidates, n_selected, n_waiting, own_reach;
+shared uint evaluated, n_dirty, n_candidates, n_selected, n_waiting;
 
 void synchronize() {
     memoryBarrierBuffer();
@@ -88,8 +89,8 @@ void main() {
     if (own == 0) {
         n_dirty = 0;
         n_candidates = 0;
-        own_reach = 0;
     }
+    begin_reach();
     synchronize();
     for (int iteration = first_iteration; iteration <= last_iteration; ++iteration) {
         // Candidates: those that stay, and the dirty that gain. Kept in the blocked lists, in turn.
@@ -170,7 +171,7 @@ void main() {
         synchronize();
         for (uint i = own; i < n_selected; i += size) {
             int m = to[list + int(i)];
-            atomicMax(own_reach, reach_of(edge_at(m)));
+            add_reach(tile, m, edge_at(m));
             flip(m, edge_at(m));
             int region[12];
             region_of(m, edge_at(m), region);
@@ -180,6 +181,5 @@ void main() {
         }
         synchronize();
     }
-    if (own == 0)
-        atomicMax(reach[tile], own_reach);
+    keep_reach(tile);
 }

@@ -3,30 +3,28 @@
 // none writes what another reads.
 #include "lists.glsl"
 #include "flip.glsl"
+#include "reach.glsl"
 
 layout(local_size_x = GAINS_GROUP_X, local_size_y = GAINS_GROUP_Y) in; // a site; z: a tile
 
 layout(std430, binding = 6) readonly buffer Decided { uint decided[]; };
 
-shared uint flips, own_reach;
+shared uint flips;
 
 void main() {
-    if (gl_LocalInvocationIndex == 0) {
+    if (gl_LocalInvocationIndex == 0)
         flips = 0;
-        own_reach = 0;
-    }
+    begin_reach();
     barrier();
-    int m = edge_of_invocation();
+    int m = edge_of_invocation(), tile = int(gl_WorkGroupID.z);
     if (m >= 0 && decided[m] == 1) {
         Edge e = edge_at(m);
         atomicAdd(flips, 1);
-        atomicMax(own_reach, reach_of(e));
+        add_reach(tile, m, e);
         flip(m, e);
     }
     barrier();
-    if (gl_LocalInvocationIndex == 0 && flips > 0) {
-        int tile = int(gl_WorkGroupID.z);
+    if (gl_LocalInvocationIndex == 0 && flips > 0)
         atomicAdd(counts[counts_of(0, tile)].selected, flips);
-        atomicMax(reach[tile], own_reach);
-    }
+    keep_reach(tile);
 }

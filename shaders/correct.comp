@@ -7,7 +7,9 @@
 #include "consistency.glsl"
 #ifdef FITTED
 #include "fitted.glsl"
+#include "fitted_index.glsl"
 #include "fitted_vertex.glsl"
+#include "fitted_bend.glsl"
 #endif
 
 layout(local_size_x = SURFACE_GROUP_X, local_size_y = SURFACE_GROUP_Y) in; // z: a tile
@@ -15,9 +17,10 @@ layout(local_size_x = SURFACE_GROUP_X, local_size_y = SURFACE_GROUP_Y) in; // z:
 layout(std430, binding = 4) readonly buffer Source { uvec4 source[]; };
 layout(std430, binding = 5) writeonly buffer Corrected { uvec4 corrected_value[]; };
 
-// FITTED: vertices go where their features' weights say; the indices are for bends.comp.
+// FITTED: vertices go where their features' weights say, and within an edge less edges are bent so
+// (C++ twins: core/surface/fitted/fitted.cpp).
 #ifdef FITTED
-layout(std430, binding = 6) writeonly buffer Bends { vec4 index_at[]; }; // a site
+layout(std430, binding = 6) buffer Bends { vec4 bends[]; }; // a site; at vertices their indices
 #endif
 
 layout(location = 2) uniform vec4 limit;
@@ -130,6 +133,22 @@ void measure(int tile, ivec2 p, out vec4 sum_, out vec4 low, out vec4 high) {
     }
 }
 
+#ifdef FITTED
+// Bend the edges to the right of the pixel p, below it and in its cell: sites 1, 2 and 3 of its four.
+void bend_edges(ivec2 p, ivec2 size) {
+    for (int k = p.x + 1 < size.x ? 1 : 2; k < 4; ++k) {
+        ivec2 m = 2 * p + ivec2(k & 1, k >> 1);
+        if (m.x > 2 * size.x - 2 || m.y > 2 * size.y - 2)
+            continue;
+        int s = first_site + offset(m);
+        Edge e = edge_at(s);
+        precise vec4 both = bends[s - offset(e.v)] + bends[s + offset(e.v)];
+        precise vec4 index = both * 0.5;
+        bends[s] = fitted_bend(e, m, gain[s], index, size);
+    }
+}
+#endif
+
 void main() {
     int tile = int(gl_GlobalInvocationID.z);
     ivec2 p = ivec2(gl_GlobalInvocationID.xy), size = extent[tile].xy;
@@ -138,25 +157,22 @@ void main() {
     first_site = tile * slot_sites;
     first_pixel = tile * slot_pixels;
     vec4 z = value_at(p);
-#ifdef FITTED
-    precise vec4 sum = vec4(0.0);
-    vec4 low = z, high = z, index;
-    bool inner = p.x > 0 && p.y > 0 && p.x + 1 < size.x && p.y + 1 < size.y;
-    if (inner)
-        measure(tile, p, sum, low, high);
-    precise vec4 move = vec4(0.0) - sum * 0.25;
-    vec4 moved = fitted_vertex(p, size, move, limit, lowest, low, high, index);
-    if (inner)
-        z = moved;
-    index_at[first_site + offset(2 * p)] = index;
-#else
     if (p.x > 0 && p.y > 0 && p.x + 1 < size.x && p.y + 1 < size.y) {
         precise vec4 sum;
         vec4 low, high;
         measure(tile, p, sum, low, high);
+#ifdef FITTED
+        precise vec4 move = vec4(0.0) - sum * 0.25;
+        z = fitted_vertex(surroundings(p, size), bends[first_site + offset(2 * p)], move, limit,
+                          lowest, low, high);
+#else
         widen(limit, lowest, low, high);
         z = corrected(z, source_at(p), sum, low, high);
+#endif
     }
+#ifdef FITTED
+    if (is_within(tile, p, margin - 1))
+        bend_edges(p, size);
 #endif
     corrected_value[pixel_of(p)] = floatBitsToUint(z);
 }

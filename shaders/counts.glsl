@@ -7,7 +7,7 @@ struct Counts {
 layout(std430, binding = 7) ACCESS buffer Work {
     // Groups of indirect dispatches, (x, tiles, 1) each: three an iteration.
     uint arguments[9 * (MAX_ITERATIONS + 2)];
-    // How far, in a coordinate, any edge of a tile goes at most.
-    uint reach[MAX_TILES];
+    // Four a tile: how far edges beyond its left, upper, right and lower side go (reach.glsl).
+    uint reach[4 * MAX_TILES];
     Counts counts[]; // iteration * tiles + tile; `dirty` is what the iteration evaluates
 };

@@ -8,7 +8,7 @@
 
 layout(local_size_x = FINISH_GROUP) in; // x: a tile
 
-shared uint evaluated, n_dirty, n_candidates, n_selected, n_blocked, own_reach;
+shared uint evaluated, n_dirty, n_candidates, n_selected, n_blocked;
 
 // Which of the two lists the iteration's dirty edges are in; its candidates are in the other one,
 // the selected in this one again, then what is dirty next in the other.
@@ -28,6 +28,7 @@ void add_dirty(int m, int list) {
     put_listed(!second, list + int(atomicAdd(n_dirty, 1)), m);
 }
 #include "touch.glsl"
+#include "reach.glsl"
 
 void synchronize() {
     memoryBarrierBuffer();
@@ -40,8 +41,7 @@ void main() {
     int tile = int(gl_WorkGroupID.x), list = tile * list_size;
     uint waiting = counts[counts_of(first_iteration - 1, tile)].blocked;
     uint dirty = counts[counts_of(first_iteration, tile)].dirty;
-    if (own == 0)
-        own_reach = 0;
+    begin_reach();
     for (int iteration = first_iteration; dirty > 0; ++iteration) {
         synchronize();
         if (own == 0) {
@@ -84,7 +84,7 @@ void main() {
         for (uint i = own; i < n_selected; i += size) {
             int m = listed(second, list + int(i));
             Edge e = edge_at(m);
-            atomicMax(own_reach, reach_of(e));
+            add_reach(tile, m, e);
             flip_and_touch(m, e, iteration + 1, list);
         }
         synchronize();
@@ -95,6 +95,5 @@ void main() {
         dirty = n_dirty;
         second = !second;
     }
-    if (own == 0)
-        atomicMax(reach[tile], own_reach);
+    keep_reach(tile);
 }

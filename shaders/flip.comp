@@ -12,19 +12,17 @@ void add_dirty(int m, int where) {
     collect(m);
 }
 #include "touch.glsl"
-
-shared uint own_reach;
+#include "reach.glsl"
 
 void main() {
-    if (gl_LocalInvocationIndex == 0)
-        own_reach = 0;
+    begin_reach();
     begin_list();
     int tile = int(gl_GlobalInvocationID.y);
     uint i = gl_GlobalInvocationID.x;
     if (i < counts[counts_of(first_iteration, tile)].selected) {
         int m = from[tile * list_size + int(i)];
         Edge e = edge_at(m);
-        atomicMax(own_reach, reach_of(e));
+        add_reach(tile, m, e);
         flip_and_touch(m, e, first_iteration + 1, 0);
     }
     barrier();
@@ -32,8 +30,8 @@ void main() {
         own_base = atomicAdd(counts[counts_of(first_iteration + 1, tile)].dirty, own_count);
         atomicMax(arguments[arguments_of(first_iteration + 1, 0)],
                   groups_for(own_base + own_count));
-        atomicMax(reach[tile], own_reach);
     }
+    keep_reach(tile);
     barrier();
     append_list(tile);
 }

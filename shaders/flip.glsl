@@ -26,11 +26,6 @@ void tell_ends(int m, Edge e) {
     site[m - offset(e.left)].y = edge_key(e.left);
 }
 
-// How far the edge that the flip of e makes goes.
-uint reach_of(Edge e) {
-    return uint(max(abs(e.left.x), abs(e.left.y)));
-}
-
 // Flip the edge e at m where nobody keeps stamps.
 void flip(int m, Edge e) {
     Side s = first_side(e);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gradients at the vertices, one invocation a pixel. C++ twin: make_gradients in
-// core/surface/net.cpp.
+// core/surface/net.cpp. FITTED: their indices too, which correct.comp wants within an edge less.
 #include "lattice.glsl"
 #include "served.glsl"
 #include "surface.glsl"
@@ -13,6 +13,18 @@ layout(std430, binding = 2) writeonly buffer Gradients { vec4 gradient[]; }; // 
 vec4 value_at(int pixel) {
     return uintBitsToFloat(value[pixel]);
 }
+
+#ifdef FITTED
+layout(std430, binding = 5) writeonly buffer Bends { vec4 index_at[]; }; // a site
+
+int first_pixel;
+
+vec4 value_at(ivec2 p) {
+    return value_at(first_pixel + p.y * slot_width + p.x);
+}
+#include "fitted.glsl"
+#include "fitted_index.glsl"
+#endif
 
 // The apex on one side of the edge with midpoint r relative to the vertex at s, seen from there.
 ivec2 apex(int s, ivec2 r, bool left) {
@@ -83,4 +95,9 @@ void main() {
     result(mean, gx, gy);
     gradient[2 * pixel] = gx;
     gradient[2 * pixel + 1] = gy;
+#ifdef FITTED
+    first_pixel = tile * slot_pixels;
+    if (is_within(tile, ivec2(x, y), margin - 1))
+        index_at[s] = index_of(surroundings(ivec2(x, y), extent[tile].xy));
+#endif
 }

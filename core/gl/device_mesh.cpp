@@ -87,7 +87,8 @@ void DeviceMesh::read_guide(int slot, float* guide) {
 size_t DeviceMesh::write_sites(int slot, const void* sites) {
     const size_t bytes = m_shape.sites() * 8;
     m_sites.write(size_t(slot) * bytes, bytes, sites);
-    const GLuint reach = GLuint(m_shape.width + m_shape.height); // unknown: everywhere
+    const GLuint far = GLuint(m_shape.width + m_shape.height); // unknown: everywhere
+    const Reach reach{far, far, far, far};
     m_work.write(reach_offset + sizeof reach * size_t(slot), sizeof reach, &reach);
     m_gains_known = false;
     return bytes;
@@ -152,10 +153,10 @@ std::vector<Statistics> DeviceMesh::read_statistics() {
     return result;
 }
 
-std::vector<uint32_t> DeviceMesh::read_reach() {
-    std::vector<uint32_t> reach(static_cast<size_t>(m_tiles));
+std::vector<Reach> DeviceMesh::read_reach() {
+    std::vector<Reach> reach(static_cast<size_t>(m_tiles));
     m_gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    m_work.read(reach_offset, reach.size() * sizeof(uint32_t), reach.data());
+    m_work.read(reach_offset, reach.size() * sizeof(Reach), reach.data());
     return reach;
 }
 

@@ -42,11 +42,18 @@ struct IterationCounts {
     uint32_t evaluated = 0, candidates = 0, selected = 0, blocked = 0, dirty = 0, rounds = 0;
 };
 
+/// How far edges go at most that have an end beyond a side of what a tile serves: x of those to the
+/// left and right, y of those above and below. The layout of shaders/counts.glsl.
+struct Reach {
+    uint32_t left = 1, upper = 1, right = 1, lower = 1; ///< of the starting mesh
+};
+
 enum class Step;
 
 /// Iterations of one_round done by dispatches over all tiles; the rest by one group a tile
-/// (finish.comp). By then a tile has at most a few thousand edges to look at, soon a few hundred.
-constexpr int dispatched_iterations = 8;
+/// (finish.comp). By then a tile has at most a few thousand edges to look at, soon a few hundred: a
+/// group goes over them about as often as three dispatches an iteration would wait (docs/gpu.md).
+constexpr int dispatched_iterations = 16;
 
 /// Meshes of up to `tiles` tiles. To be used on the context's thread; throws Failure.
 class DeviceMesh {
@@ -86,8 +93,8 @@ public:
     std::vector<std::vector<IterationCounts>> read_counts();
     /// What the last triangulate() did, a slot, but for the pixels; waits for the device.
     std::vector<Statistics> read_statistics();
-    /// How far edges go at most, a slot; waits for the device.
-    std::vector<uint32_t> read_reach();
+    /// How far edges go, a slot; waits for the device.
+    std::vector<Reach> read_reach();
     /// A slot's mesh, and after find_gains() its gains, a site each; for comparisons.
     void read_sites(int slot, void* sites);
     void read_guide(int slot, float* guide);
@@ -105,7 +112,7 @@ private:
     // The steps of triangulate(), in schemes.cpp.
     void set_criterion(const Criterion& by);
     void find_contours();
-    void prepare_lists(const std::vector<uint32_t>& reach);
+    void prepare_lists(const std::vector<Reach>& reach);
     void bind_lists();
     void start(const MeshOptions& options);
     void one_round();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangulation as dispatches. C++ twins: core/triangulate.
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 #include "core/base/constants.h"
@@ -35,7 +36,7 @@ void DeviceMesh::triangulate(const MeshOptions& options) {
     m_min_gain = min_gain(options);
     set_criterion(criterion(options));
     bind();
-    prepare_lists(std::vector<uint32_t>(size_t(m_tiles), 1)); // any edge's reach
+    prepare_lists(std::vector<Reach>(size_t(m_tiles)));
     m_before.clear();
     if (options.contour != 0)
         find_contours();
@@ -67,9 +68,9 @@ void DeviceMesh::find_contours() {
     barrier();
 }
 
-void DeviceMesh::prepare_lists(const std::vector<uint32_t>& reach) {
+void DeviceMesh::prepare_lists(const std::vector<Reach>& reach) {
     std::vector<GLuint> head(counts_offset / sizeof(GLuint), 1);
-    std::copy(reach.begin(), reach.end(), head.begin() + reach_offset / sizeof(GLuint));
+    std::memcpy(&head[reach_offset / sizeof(GLuint)], reach.data(), reach.size() * sizeof(Reach));
     for (size_t i = 0; i < reach_offset / sizeof(GLuint); i += 3) {
         head[i] = 0;
         head[i + 1] = GLuint(m_tiles);

@@ -139,23 +139,24 @@ void Surfaces::make(DeviceMesh& mesh, const Criterion& by) {
         }
         for (int round = 0; round < m_options.consistency; ++round) {
             // Values are read as far off as the surface and the apexes beyond its triangles go;
-            // each later round reads about as far again round those, and a pixel further.
+            // each later round reads as far again round those.
             const int later = m_options.consistency - 1 - round;
-            find_gradients(mesh, group, {3 + 2 * later, 1 + later});
-            correct(mesh, group, round, {2 + 2 * later, later});
+            find_gradients(mesh, group, 3 + 2 * later);
+            correct(mesh, group, round, 2 + 2 * later);
         }
-        find_gradients(mesh, group, {1, 0});
+        find_gradients(mesh, group, 1);
     }
 }
 
-void Surfaces::find_gradients(DeviceMesh& mesh, const Group& group, Margin margin) {
+void Surfaces::find_gradients(DeviceMesh& mesh, const Group& group, int margin,
+                              const std::string& defines) {
     if (m_options.kind == Surface::linear)
         return;
-    m_gpu.programs->use("gradients.comp");
+    m_gpu.programs->use("gradients.comp", defines);
     mesh.bind();
     group.values->bind(1);
     group.gradients->bind(2);
-    m_gl.Uniform2i(9, margin.edges, margin.pixels);
+    m_gl.Uniform1i(9, margin);
     mesh.dispatch_over(m_shape.width, m_shape.height, surface_group_x, surface_group_y);
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
@@ -176,22 +177,15 @@ void Surfaces::bind_net(const DeviceMesh& mesh, const Group& group, const Buffer
 }
 
 void Surfaces::fit(DeviceMesh& mesh, Group& group) {
-    // What correct() reads is as far about as in a last round; indices are wanted at the ends of
-    // edges, bends of edges of triangles that are read.
-    find_gradients(mesh, group, {3, 2});
+    // As in a last round; bends are wanted of edges of triangles that are read.
     m_table->bind_uniform(1);
-    group.bends->bind(6);
-    correct(mesh, group, 0, {2, 1}, " FITTED");
-    m_gpu.programs->use("bends.comp", defines());
-    bind_net(mesh, group, *group.gradients);
-    group.source->bind(1);
     group.bends->bind(5);
-    m_gl.Uniform2i(9, 1, 1);
-    mesh.dispatch_over(2 * m_shape.width - 1, 2 * m_shape.height - 1, 64, 2);
-    m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    find_gradients(mesh, group, 3, "FITTED");
+    group.bends->bind(6);
+    correct(mesh, group, 0, 2, " FITTED");
 }
 
-void Surfaces::correct(DeviceMesh& mesh, Group& group, int round, Margin margin,
+void Surfaces::correct(DeviceMesh& mesh, Group& group, int round, int margin,
                        const std::string& more) {
     const Buffer* to = group.corrected[round & 1].get();
     m_gpu.programs->use("correct.comp", defines() + more);
@@ -201,7 +195,7 @@ void Surfaces::correct(DeviceMesh& mesh, Group& group, int round, Margin margin,
     const auto limit = [&](int i) { return lane(~group.kinds.strict, i) * m_options.limit; };
     m_gl.Uniform4f(2, limit(0), limit(1), limit(2), limit(3));
     m_gl.Uniform1f(3, m_options.clipped ? -FLT_MAX : 0.0f);
-    m_gl.Uniform2i(9, margin.edges, margin.pixels);
+    m_gl.Uniform1i(9, margin);
     mesh.dispatch_over(m_shape.width, m_shape.height, surface_group_x, surface_group_y);
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     group.values = to;

@@ -92,13 +92,10 @@ private:
         return fitted() ? *group.bends : *group.gradients;
     }
     void bind_net(const DeviceMesh& mesh, const Group& group, const Buffer& edges);
-    /// How far about the positions that tiles serve something is made: so many times the longest
-    /// edge, and so many pixels.
-    struct Margin {
-        int edges, pixels;
-    };
-    void find_gradients(DeviceMesh& mesh, const Group& group, Margin margin);
-    void correct(DeviceMesh& mesh, Group& group, int round, Margin margin,
+    /// margin: how far about the positions that tiles serve something is made, in edges' lengths.
+    void find_gradients(DeviceMesh& mesh, const Group& group, int margin,
+                        const std::string& defines = "");
+    void correct(DeviceMesh& mesh, Group& group, int round, int margin,
                  const std::string& more = "");
     void fit(DeviceMesh& mesh, Group& group);
     void pack(size_t count, const Travel& travel, SampleMemory& memory);

@@ -3,12 +3,12 @@
 // to a bare machine with a driver (see CMakeLists.txt beside it).
 //
 //   gpu_bench [--device egl|osmesa] [--cases N] [--runs N] [--size WxH]
-//             [--filter ddt|ddt-linear|ddt-sharp] [--lists] [--picture FILE.ppm]
+//             [--filter FILTER] [--lists] [--picture FILE.ppm]
 //
 // --cases: only the first N of 1080p to 4K, 4K to 8K, 8K to 16K; --size: one case of that source
-// size instead; --filter: its options, ddt's unless given; --lists: bytes and dispatches by kernel,
-// and the work lists' sizes by iteration; --picture: a photograph, mirrored to the size, in place
-// of the drawn picture.
+// size instead; --filter: a filter and its options as in ddt-sharp,clipped=1 (one mesh, made on the
+// device), ddt unless given; --lists: bytes and dispatches by kernel, and the work lists' sizes by
+// iteration; --picture: a photograph, mirrored to the size, in place of the drawn picture.
 #include <climits>
 #include <cstdio>
 #include <cstdlib>
@@ -29,6 +29,7 @@ struct Options {
     int cases = 3, runs = 10, width = 0, height = 0;
     bool lists = false;
     std::string filter = "ddt", picture;
+    FilterOptions parsed; ///< filter
 };
 
 bool parse(int argc, char** argv, Options& o) {
@@ -49,7 +50,7 @@ bool parse(int argc, char** argv, Options& o) {
         else if (name == "--size" && std::sscanf(value, "%dx%d", &o.width, &o.height) == 2 &&
                  o.width > 1 && o.height > 1)
             o.cases = 1;
-        else if (name == "--filter" && is_filter_name(value))
+        else if (name == "--filter" && *value)
             o.filter = value;
         else if (name == "--picture" && *value)
             o.picture = value;
@@ -59,16 +60,20 @@ bool parse(int argc, char** argv, Options& o) {
     return true;
 }
 
+void parse_filter_of(Options& o) {
+    std::string error;
+    if (!parse_filter(o.filter, o.parsed, error))
+        throw std::runtime_error(error);
+    if (o.parsed.mesh.meshes != 1 || !gl::DeviceMesh::knows(o.parsed.mesh))
+        throw std::runtime_error(o.filter + ": measured is one mesh that the device makes");
+}
+
 Job job_of(const Options& o, int width, int height) {
     Job job;
     job.window = {0, 0, width, height};
     job.channels = 4;
-    FilterOptions options;
-    std::string error;
-    if (!parse_filter(o.filter, options, error))
-        throw std::runtime_error(error);
-    job.surface = options.surface;
-    job.mesh = options.mesh;
+    job.surface = o.parsed.surface;
+    job.mesh = o.parsed.mesh;
     return job;
 }
 
@@ -133,11 +138,14 @@ size_t flipping_iterations(const Workload& work) {
 
 void print_lists(const Measured& m, const std::map<std::string, double>& traffic_by_kernel) {
     std::printf("  kernel                MB  dispatches\n");
-    for (const auto& [kernel, bytes] : traffic_by_kernel) {
-        const auto times = m.dispatches.find(kernel);
-        std::printf("  %-16s  %6.1f  %10d\n", kernel.c_str(), bytes * 1e-6,
-                    times == m.dispatches.end() ? 0 : times->second);
+    for (const auto& [kernel, times] : m.dispatches) {
+        const auto bytes = traffic_by_kernel.find(kernel);
+        if (bytes != traffic_by_kernel.end())
+            std::printf("  %-16s  %6.1f  %10d\n", kernel.c_str(), bytes->second * 1e-6, times);
+        else if (times > 0)
+            std::printf("  %-16s       ?  %10d\n", kernel.c_str(), times);
     }
+    std::printf("  passes of finish.comp over lists, most for a tile: %d\n", m.work.passes);
     std::printf("  iteration  evaluated  candidates  flipped  waiting  touched\n");
     for (size_t i = 0; i < m.work.iterations.size(); ++i) {
         const gl::IterationCounts& c = m.work.iterations[i];
@@ -154,7 +162,7 @@ void measure_case(gl::Gpu& gpu, const Options& o, const char* name, int width, i
     const double* ms = m.milliseconds;
     const double mesh = ms[int(gl::Stage::triangulate)], surface = ms[int(gl::Stage::surface)],
                  sample = ms[int(gl::Stage::sample)];
-    const auto traffic_by_kernel = traffic(m.work, job.surface);
+    const auto traffic_by_kernel = traffic(m.work, job.mesh, job.surface);
     double bytes = 0;
     for (const auto& [kernel, b] : traffic_by_kernel)
         bytes += b;
@@ -208,12 +216,13 @@ int main(int argc, char** argv) {
     ddt::bench::Options options;
     if (!ddt::bench::parse(argc, argv, options)) {
         std::fprintf(stderr, "usage: gpu_bench [--device egl|osmesa] [--cases N] [--runs N] "
-                             "[--size WxH] [--filter ddt|ddt-linear|ddt-sharp] [--lists] "
+                             "[--size WxH] [--filter FILTER[,OPTION=VALUE...]] [--lists] "
                              "[--picture FILE.ppm]\n");
         return 1;
     }
     // Failures on the device arrive as exceptions.
     try {
+        ddt::bench::parse_filter_of(options);
         return ddt::bench::run(options);
     } catch (const std::exception& e) {
         std::fprintf(stderr, "gpu_bench: %s\n", e.what());

@@ -157,7 +157,8 @@ private:
         const auto reach = m_mesh.read_reach();
         for (size_t t = 0; t < counts.size(); ++t) {
             const BenchTile& tile = m_tiles[t];
-            add_tile(tile.size, double(tile.reach.area()), int(reach[t]), m_job.surface, m.work);
+            add_tile(tile.size, double(tile.reach.area()), reach[t], m_job.surface, m.work);
+            m.work.passes = std::max(m.work.passes, finish_passes(counts[t]));
             for (size_t i = 1; i < counts[t].size(); ++i) {
                 const gl::IterationCounts& c = counts[t][i];
                 if (i > m.work.iterations.size())

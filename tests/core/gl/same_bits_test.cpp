@@ -2,6 +2,7 @@
 // The GPU's results against the CPU's, bit for bit.
 #include <cstring>
 
+#include "core/gl/device_mesh.h"
 #include "ddt/names.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
@@ -94,6 +95,22 @@ TEST_P(SameBits, FittedVerticesAtBlackAndWhite) {
         EXPECT_GT(far_beyond(), 100u);
         expect_same(GetParam(), p, order, "fitted, clipped");
     }
+}
+
+// Along a steep slope that rises by a pixel in forty, edges get longer by a pixel an iteration.
+TEST_P(SameBits, IterationsThatAreNotDispatched) {
+    Picture p = make_picture(Content::drawing, 160, 48, 4, 7);
+    for (size_t i = 0; i < p.guide.size(); ++i) {
+        const float height = float(i / 160) - float(i % 160) * 0.025f - 22.0f;
+        p.guide[i] = height < 0 ? 0 : height < 2 ? height * 0.5f : 1;
+    }
+    Order order;
+    order.job.mesh.contour = 0.8f;
+    order.out_width = 400;
+    order.out_height = 120;
+    EXPECT_GT(enlarge_on(Device::cpu, p, order).statistics.iterations,
+              gl::dispatched_iterations + 3);
+    expect_same(GetParam(), p, order, "late iterations");
 }
 
 TEST_P(SameBits, SeveralMeshes) {

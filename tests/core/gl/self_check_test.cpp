@@ -47,8 +47,6 @@ Change change_of(const std::string& program) {
         return {"gradient_epsilon", "0.000401"};
     if (has("correct.comp"))
         return {"across_beside", "0.2501"};
-    if (has("bends.comp"))
-        return {"bend_strength", "1.751"};
     if (has("SOFT"))
         return {"soft_share", "0.501"};
     if (has("QUADRATIC") && !has("STORED_BENDS"))

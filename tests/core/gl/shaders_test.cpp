@@ -41,11 +41,14 @@ std::vector<Variant> variants() {
             all.push_back({name.substr(0, space),
                            "COST_" + cost + (space == name.npos ? "" : name.substr(space))});
         }
-    for (const char* net : {"", "QUADRATIC", "SOFT", "QUADRATIC SOFT"}) {
+    all.push_back({"gradients.comp", "FITTED"});
+    for (const char* net :
+         {"", "QUADRATIC", "SOFT", "QUADRATIC SOFT", "QUADRATIC FITTED", "QUADRATIC SOFT FITTED"})
         all.push_back({"correct.comp", net});
+    for (const char* net : {"", "QUADRATIC", "SOFT", "QUADRATIC SOFT", "QUADRATIC STORED_BENDS",
+                            "QUADRATIC SOFT STORED_BENDS"})
         for (const char* result : {"", " WHOLE_GROUPS", " MEAN", " WHOLE_GROUPS MEAN"})
             all.push_back({"sample.comp", std::string(net) + result});
-    }
     return all;
 }
 
