@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's schemes, whole, one group a tile: rounds of accepting and rejecting wait for one
-// another too often for dispatches. C++ twin: core/triangulate/accept_reject.h. The first
-// iteration's gains are there already.
+// The paper's schemes, one group a tile: rounds of accepting and rejecting wait for one another too
+// often for dispatches. C++ twin: core/triangulate/accept_reject.h. The first iteration's gains are
+// there already. A dispatch ends when all is done, or before its loops would turn most_turns times;
+// then another goes on: llvmpipe leaves loops after 65535 turns of all of them together.
 #define ACCESS coherent
 #include "lists.glsl"
 #include "waiting.glsl"
@@ -15,6 +16,7 @@ layout(local_size_x = FINISH_GROUP) in; // x: a tile
 layout(location = 5) uniform bool by_gain;
 layout(location = 6) uniform int wide_iterations;
 layout(location = 7) uniform bool all_rounds;
+layout(location = 9) uniform ivec2 progress; // where in `stamp` a tile's is kept; most_turns
 
 // `from` is the list of dirty edges here, `to` that of selected ones.
 
@@ -83,103 +85,179 @@ void touch(int list, int m) {
         from[list + int(atomicAdd(n_dirty, 1))] = m;
 }
 
-void main() {
+// Where the work on a tile is: the same in all invocations. Numbers of entries that are shared are
+// kept with it between dispatches.
+const uint begins = 0, in_rounds = 1, ended = 2;
+const int progress_size = 10;
+uint phase, iteration, rounds, first, waiting;
+
+void load_progress(int at) {
+    phase = stamp[at];
+    iteration = stamp[at + 1];
+    rounds = stamp[at + 2];
+    first = stamp[at + 3];
+    waiting = stamp[at + 4];
+    if (gl_LocalInvocationIndex != 0)
+        return;
+    evaluated = stamp[at + 5];
+    n_dirty = stamp[at + 6];
+    n_candidates = stamp[at + 7];
+    n_selected = stamp[at + 8];
+}
+
+void keep_progress(int at) {
+    if (gl_LocalInvocationIndex != 0)
+        return;
+    stamp[at] = phase;
+    stamp[at + 1] = iteration;
+    stamp[at + 2] = rounds;
+    stamp[at + 3] = first;
+    stamp[at + 4] = waiting;
+    stamp[at + 5] = evaluated;
+    stamp[at + 6] = n_dirty;
+    stamp[at + 7] = n_candidates;
+    stamp[at + 8] = n_selected;
+}
+
+// Turns of loops that so many entries take at most, those about a region among them.
+uint turns_for(uint entries) {
+    return (entries / gl_WorkGroupSize.x + 1) * 100;
+}
+uint turns_ahead(int tile) {
+    if (phase == in_rounds)
+        return turns_for(n_candidates) + 2 * turns_for(n_selected);
+    uint edges = iteration == uint(first_iteration)
+                     ? uint(2 * extent[tile].y * (2 * extent[tile].x / int(gl_WorkGroupSize.x) + 1))
+                     : 0;
+    return edges + 2 * turns_for(n_dirty) + 2 * turns_for(n_candidates + n_dirty);
+}
+
+// Candidates: those that stay, and the dirty that gain. Kept in the blocked lists, in turn.
+void begin_iteration(int tile, int list) {
     const uint size = gl_WorkGroupSize.x, own = gl_LocalInvocationIndex;
-    int tile = int(gl_WorkGroupID.x), list = tile * list_size;
+    uint before = n_candidates, touched = n_dirty;
+    synchronize();
     if (own == 0) {
-        n_dirty = 0;
+        evaluated = int(iteration) == first_iteration
+                        ? counts[counts_of(int(iteration), tile)].evaluated
+                        : 0;
         n_candidates = 0;
+        n_selected = 0;
     }
+    synchronize();
+    if (int(iteration) == first_iteration)
+        gather(tile, list);
+    for (uint i = own; i < touched; i += size)
+        if (evaluate(from[list + int(i)]))
+            atomicAdd(evaluated, 1);
+    for (uint i = own; i < before; i += size) {
+        int m = blocked_at(int(iteration) - 1, list + int(i)).x;
+        if (stamp[m] != is_dirty)
+            put_blocked(int(iteration), list + int(atomicAdd(n_candidates, 1)), ivec2(m, -1));
+    }
+    synchronize();
+    for (uint i = own; i < touched; i += size) {
+        int m = from[list + int(i)];
+        stamp[m] = idle;
+        add_candidate(int(iteration), list, m);
+    }
+    synchronize();
+    for (uint i = own; i < n_candidates; i += size)
+        stamp[blocked_at(int(iteration), list + int(i)).x] = untreated;
+    rounds = 0;
+    first = 0;
+    waiting = n_candidates;
+}
+
+void treat_a_round(int list) {
+    const uint size = gl_WorkGroupSize.x, own = gl_LocalInvocationIndex;
+    bool wide = int(iteration) <= wide_iterations;
+    ++rounds;
+    synchronize();
+    if (own == 0)
+        n_waiting = 0;
+    synchronize();
+    for (uint i = own; i < n_candidates; i += size) {
+        ivec2 c = blocked_at(int(iteration), list + int(i));
+        if (stamp[c.x] != untreated)
+            continue;
+        if (c.y < 0 || stamp[c.y] != untreated) {
+            c.y = find_untreated_blocker(wide, c.x);
+            put_blocked(int(iteration), list + int(i), c);
+        }
+        if (c.y < 0)
+            to[list + int(atomicAdd(n_selected, 1))] = c.x;
+        else
+            atomicAdd(n_waiting, 1);
+    }
+    synchronize();
+    for (uint i = first + own; i < n_selected; i += size) {
+        int winner = to[list + int(i)];
+        stamp[winner] = accepted;
+        int region[wide_region_size];
+        region_in(wide, winner, region);
+        for (int k = 0; k < wide_region_size; ++k)
+            if (region[k] >= 0 && stamp[region[k]] == untreated)
+                stamp[region[k]] = rejected;
+    }
+    first = n_selected;
+    waiting = n_waiting;
+}
+
+// Flip what was accepted; what that touches is dirty.
+void end_iteration(int tile, int list) {
+    const uint size = gl_WorkGroupSize.x, own = gl_LocalInvocationIndex;
+    synchronize();
+    if (own == 0) {
+        counts[counts_of(int(iteration), tile)] =
+            Counts(evaluated, n_candidates, n_selected, 0, n_dirty, rounds);
+        n_dirty = 0;
+    }
+    for (uint i = own; i < n_candidates; i += size)
+        stamp[blocked_at(int(iteration), list + int(i)).x] = idle;
+    synchronize();
+    for (uint i = own; i < n_selected; i += size) {
+        int m = to[list + int(i)];
+        add_reach(tile, m, edge_at(m));
+        flip(m, edge_at(m));
+        int region[12];
+        region_of(m, edge_at(m), region);
+        touch(list, m);
+        for (int k = 0; k < 12; ++k)
+            touch(list, region[k]);
+    }
+    ++iteration;
+}
+
+void main() {
+    int tile = int(gl_WorkGroupID.x), list = tile * list_size;
+    int at = progress.x + tile * progress_size;
+    load_progress(at);
+    if (iteration == 0)
+        iteration = uint(first_iteration);
     begin_reach();
     synchronize();
-    for (int iteration = first_iteration; iteration <= last_iteration; ++iteration) {
-        // Candidates: those that stay, and the dirty that gain. Kept in the blocked lists, in turn.
-        uint before = n_candidates, touched = n_dirty;
-        synchronize();
-        if (own == 0) {
-            evaluated = iteration == first_iteration
-                            ? counts[counts_of(iteration, tile)].evaluated
-                            : 0;
-            n_candidates = 0;
-            n_selected = 0;
-        }
-        synchronize();
-        if (iteration == first_iteration)
-            gather(tile, list);
-        for (uint i = own; i < touched; i += size)
-            if (evaluate(from[list + int(i)]))
-                atomicAdd(evaluated, 1);
-        for (uint i = own; i < before; i += size) {
-            int m = blocked_at(iteration - 1, list + int(i)).x;
-            if (stamp[m] != is_dirty)
-                put_blocked(iteration, list + int(atomicAdd(n_candidates, 1)), ivec2(m, -1));
-        }
-        synchronize();
-        for (uint i = own; i < touched; i += size) {
-            int m = from[list + int(i)];
-            stamp[m] = idle;
-            add_candidate(iteration, list, m);
-        }
-        synchronize();
-        uint candidates = n_candidates;
-        for (uint i = own; i < candidates; i += size)
-            stamp[blocked_at(iteration, list + int(i)).x] = untreated;
-        bool wide = iteration <= wide_iterations;
-        uint rounds = 0, first = 0, waiting = candidates;
-        while (waiting > 0 && (all_rounds || rounds == 0)) {
-            ++rounds;
-            synchronize();
-            if (own == 0)
-                n_waiting = 0;
-            synchronize();
-            for (uint i = own; i < candidates; i += size) {
-                ivec2 c = blocked_at(iteration, list + int(i));
-                if (stamp[c.x] != untreated)
-                    continue;
-                if (c.y < 0 || stamp[c.y] != untreated) {
-                    c.y = find_untreated_blocker(wide, c.x);
-                    put_blocked(iteration, list + int(i), c);
-                }
-                if (c.y < 0)
-                    to[list + int(atomicAdd(n_selected, 1))] = c.x;
-                else
-                    atomicAdd(n_waiting, 1);
-            }
-            synchronize();
-            for (uint i = first + own; i < n_selected; i += size) {
-                int winner = to[list + int(i)];
-                stamp[winner] = accepted;
-                int region[wide_region_size];
-                region_in(wide, winner, region);
-                for (int k = 0; k < wide_region_size; ++k)
-                    if (region[k] >= 0 && stamp[region[k]] == untreated)
-                        stamp[region[k]] = rejected;
-            }
-            first = n_selected;
-            waiting = n_waiting;
-        }
-        synchronize();
-        if (own == 0) {
-            counts[counts_of(iteration, tile)] =
-                Counts(evaluated, candidates, n_selected, 0, touched, rounds);
-            n_dirty = 0;
-        }
-        if (candidates == 0)
+    uint turns = 0;
+    while (phase != ended) {
+        uint ahead = turns_ahead(tile);
+        if (turns > 0 && turns + ahead > uint(progress.y))
             break;
-        for (uint i = own; i < candidates; i += size)
-            stamp[blocked_at(iteration, list + int(i)).x] = idle;
-        synchronize();
-        for (uint i = own; i < n_selected; i += size) {
-            int m = to[list + int(i)];
-            add_reach(tile, m, edge_at(m));
-            flip(m, edge_at(m));
-            int region[12];
-            region_of(m, edge_at(m), region);
-            touch(list, m);
-            for (int k = 0; k < 12; ++k)
-                touch(list, region[k]);
+        turns += ahead;
+        if (phase == begins) {
+            if (int(iteration) > last_iteration) {
+                phase = ended;
+            } else {
+                begin_iteration(tile, list);
+                phase = in_rounds;
+            }
+        } else if (waiting > 0 && (all_rounds || rounds == 0)) {
+            treat_a_round(list);
+        } else {
+            phase = n_candidates == 0 ? ended : begins;
+            end_iteration(tile, list);
         }
         synchronize();
     }
+    keep_progress(at);
     keep_reach(tile);
 }

@@ -34,6 +34,16 @@ TEST_P(SameBits, EverySchemeAndCost) {
         }
 }
 
+// llvmpipe leaves loops that turn too often: a tile is then done in parts.
+TEST_P(SameBits, RoundsThatAreMoreThanADispatchCanDo) {
+    const Picture p = make_picture(Content::noise, 256, 200, 1, 7);
+    Order order;
+    order.job.mesh.scheme = Scheme::exproi;
+    order.out_width = 300;
+    order.out_height = 240;
+    expect_same(GetParam(), p, order, "exproi");
+}
+
 TEST_P(SameBits, EverySurface) {
     for (const SurfaceOptions& surface : surfaces_with({0, 1, 2}))
         for (int content = 0; content < int(Content::count); ++content) {
