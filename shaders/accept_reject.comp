@@ -87,8 +87,7 @@ void touch(int list, int m) {
 
 // Where the work on a tile is: the same in all invocations. Numbers of entries that are shared are
 // kept with it between dispatches.
-const uint begins = 0, in_rounds = 1, ended = 2;
-const int progress_size = 10;
+const uint begins = 0, in_rounds = 1, ended = PROGRESS_ENDED;
 uint phase, iteration, rounds, first, waiting;
 
 void load_progress(int at) {
@@ -231,7 +230,7 @@ void end_iteration(int tile, int list) {
 
 void main() {
     int tile = int(gl_WorkGroupID.x), list = tile * list_size;
-    int at = progress.x + tile * progress_size;
+    int at = progress.x + tile * PROGRESS_SIZE;
     load_progress(at);
     if (iteration == 0)
         iteration = uint(first_iteration);

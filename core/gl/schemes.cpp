@@ -132,12 +132,11 @@ void DeviceMesh::step(const char* shader, int iteration, Step step, const std::s
 }
 
 void DeviceMesh::accept_reject(const Rules& rules) {
-    // Behind the stamps, a tile's progress: its first number is the phase.
-    constexpr size_t progress_size = 10, ended = 2;
+    // Behind the stamps, a tile's progress.
     const size_t stamps = m_shape.sites() * size_t(m_capacity), word = sizeof(uint32_t);
     if (!m_stamps)
-        m_stamps =
-            std::make_unique<Buffer>(m_gl, (stamps + progress_size * size_t(m_capacity)) * word);
+        m_stamps = std::make_unique<Buffer>(
+            m_gl, (stamps + size_t(progress_size) * size_t(m_capacity)) * word);
     m_stamps->clear();
     bind_lists();
     m_stamps->bind(2);
@@ -148,12 +147,12 @@ void DeviceMesh::accept_reject(const Rules& rules) {
     // llvmpipe's loops turn 65535 times a dispatch.
     const bool in_parts = m_gpu.context->software;
     m_gl.Uniform2i(9, GLint(stamps), in_parts ? 40000 : INT_MAX);
-    std::vector<uint32_t> progress(progress_size * size_t(m_tiles));
+    std::vector<uint32_t> progress(size_t(progress_size) * size_t(m_tiles));
     const auto goes_on = [&] {
         m_gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         m_stamps->read(stamps * word, progress.size() * word, progress.data());
-        for (size_t t = 0; t < progress.size(); t += progress_size)
-            if (progress[t] != ended)
+        for (size_t t = 0; t < progress.size(); t += size_t(progress_size))
+            if (progress[t] != progress_ended)
                 return true;
         return false;
     };
