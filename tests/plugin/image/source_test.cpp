@@ -19,7 +19,7 @@ OIIO::ImageBuf image_of(OIIO::TypeDesc type, int channels) {
     const size_t n = image.spec().image_pixels() * size_t(channels);
     for (size_t i = 0; i < n; ++i) {
         const auto code = uint16_t(i < 65536 ? i : random());
-        const uint16_t finite = (code & 0x7c00u) == 0x7c00u ? uint16_t(code & 0x83ffu) : code;
+        const uint32_t finite = (code & 0x7c00u) == 0x7c00u ? code & 0x83ffu : code;
         std::memcpy(bytes + i * type.size(), &finite, type.size());
     }
     return image;
