@@ -145,6 +145,8 @@ void print_lists(const Measured& m, const std::map<std::string, double>& traffic
         else if (times > 0)
             std::printf("  %-16s       ?  %10d\n", kernel.c_str(), times);
     }
+    std::printf("  %.1f MB to the device, %.1f MB from it\n", double(m.uploaded) * 1e-6,
+                double(m.downloaded) * 1e-6);
     std::printf("  passes of finish.comp over lists, most for a tile: %d\n", m.work.passes);
     std::printf("  iteration  evaluated  candidates  flipped  waiting  touched\n");
     for (size_t i = 0; i < m.work.iterations.size(); ++i) {

@@ -127,6 +127,9 @@ std::map<std::string, double> traffic(const Workload& w, const MeshOptions& mesh
     const bool one_round = mesh.scheme == Scheme::one_round && iterates;
     const bool annealing = mesh.scheme == Scheme::annealing && iterates;
     const double words = contours ? contour_word : 0;
+    // Floats as they travelled, and 16-bit steps of the guide.
+    bytes["unpack.comp"] = w.pixels * 2 * values;
+    bytes["unpack_guide.comp"] = w.pixels * (guide / 2 + guide);
     if (contours)
         bytes["contours.comp"] = w.pixels * (guide + contour_word);
     bytes["start.comp"] =
