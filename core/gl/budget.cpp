@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/gl/travel.h"
+#include "core/surface/net.h"
 #include "core/tiles/grid.h"
 
 namespace ddt::gl {
@@ -24,10 +26,14 @@ SlotShape shape_for(const Rect& window) {
 size_t affordable_tiles(const Gpu& gpu, const SlotShape& shape, int groups,
                         const SurfaceOptions& options, int tiles, int meshes) {
     const auto slots = size_t(meshes); // a tile
+    // The tile's numbers as they travel, at most.
+    const size_t numbers = Numbers().room(shape.pixels() * size_t(groups * group_size));
     const size_t a_tile =
-        slots * (DeviceMesh::bytes(shape) + Surfaces::bytes(shape, size_t(groups), options));
-    const size_t largest =
-        slots * std::max(DeviceMesh::largest_bytes(shape), Surfaces::largest_bytes(shape, options));
+        slots * (DeviceMesh::bytes(shape) + Surfaces::bytes(shape, size_t(groups), options)) +
+        numbers;
+    const size_t largest = std::max(
+        slots * std::max(DeviceMesh::largest_bytes(shape), Surfaces::largest_bytes(shape, options)),
+        numbers);
     const size_t budget = gpu.context->software ? software_budget : hardware_budget;
     const size_t n = std::min(
         {budget / a_tile, gpu.block_limit / largest, size_t(tiles), size_t(max_tiles) / slots});

@@ -84,7 +84,10 @@ void Surfaces::expect(const Numbers& numbers, int channels, int meshes) {
     m_expected = numbers;
     m_channels = channels;
     m_meshes = meshes;
-    m_numbers = std::make_unique<Buffer>(m_gl, size_t(m_slots / meshes) * tile_bytes());
+    const size_t bytes_of_all = size_t(m_slots / meshes) * tile_bytes();
+    if (bytes_of_all > m_gpu.block_limit)
+        throw Failure("the numbers of a tile are larger than a storage block");
+    m_numbers = std::make_unique<Buffer>(m_gl, bytes_of_all);
     if (!numbers.coded())
         return;
     const size_t bytes = numbers.table.size() * sizeof(float);

@@ -190,6 +190,14 @@ Job job_of(int width, int height, int channels) {
     return job;
 }
 
+Picture picture_of(Source& source, int width, int height, int channels) {
+    const size_t pixels = size_t(width) * size_t(height);
+    Picture p{width, height, channels, std::vector<float>(pixels * size_t(channels)),
+              std::vector<float>(pixels)};
+    source.read({0, 0, width, height}, p.values.data(), p.guide.data());
+    return p;
+}
+
 TEST_P(Travel, CodesThereAndHalfsBackAreTheCpusBits) {
     for (const int bits : {8, 16})
         for (const int channels : {1, 2, 3, 4, 5, 9})
@@ -227,6 +235,31 @@ TEST_P(Travel, WithoutPinnedMemoryToo) {
     EXPECT_NE(gpu->context->gl.BufferStorage, nullptr) << "Mesa has it";
     gpu->context->gl.BufferStorage = nullptr;
     expect_same(16, job_of(300, 270, 3), true);
+}
+
+// A tile of many channels may be larger than a storage block: several tiles are then not worked on
+// at once, and one alone is the CPU's.
+TEST_P(Travel, NumbersFitStorageBlocks) {
+    const int width = 300, height = 270, channels = 80;
+    const size_t a_tile = 300 * 270 * channels * sizeof(float);
+    const Job job = job_of(width, height, channels);
+    for (const bool fits : {true, false}) {
+        gl::forget_devices();
+        std::string why;
+        bool forked = false;
+        gl::Gpu* gpu = gl::open(GetParam(), why, forked);
+        ASSERT_NE(gpu, nullptr) << why;
+        gpu->block_limit = fits ? a_tile + a_tile / 2 : a_tile - 4;
+        CodeSource source(16, width, channels), here(16, width, channels);
+        const Picture picture = picture_of(source, width, height, channels);
+        PictureSource floats(picture);
+        PackedSink sink(nullptr, 2 * width, 2 * height, channels),
+            cpu(nullptr, 2 * width, 2 * height, channels);
+        Moved moved;
+        enlarged(Device::cpu, here, cpu, job, moved);
+        EXPECT_EQ(enlarged(GetParam(), floats, sink, job, moved), fits ? GetParam() : Device::cpu);
+        EXPECT_EQ(sink.bytes, cpu.bytes) << fits;
+    }
 }
 
 TEST_P(Travel, BytesAreThoseOfTheNumbers) {
