@@ -49,13 +49,16 @@ public:
     /// write(), as they are: `row` receives the floats from one row to the next. Null: none.
     virtual float* place(const Rect& /*r*/, size_t& /*row*/) { return nullptr; }
 
-    /// Results that travel far, from devices, may be made smaller before; these tell what the sink
-    /// takes: floats alone, unless one of the two says otherwise. Asked once.
-    /// 16-bit floats (IEEE 754 binary16): the nearest, of two the even one.
+    // Results that have far to go, from a GPU, may be made smaller before they do. What a sink
+    // takes is asked once, before anything is written.
+
+    /// Whether write_packed() takes 16-bit floats (IEEE 754 binary16): the nearest, of two the even
+    /// one.
     virtual bool takes_halfs() const { return false; }
-    /// Bytes: the codes that this table, which must stay, gives. Null: none.
+    /// The table, which must stay, whose codes write_packed() takes, a byte each; before halfs.
+    /// Null: none.
     virtual const CodeTable* takes_codes() const { return nullptr; }
-    /// As write(), of what was asked for.
+    /// As write(), of what is taken; some devices call it in place of write().
     virtual bool write_packed(const Rect& /*r*/, const void* /*numbers*/) { return false; }
 };
 
