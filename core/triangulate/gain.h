@@ -2,6 +2,8 @@
 // The gain of flipping an edge: what the mesh's total cost falls by.
 #pragma once
 
+#include <vector>
+
 #include "core/cost/cost.h"
 #include "core/cost/criterion.h"
 #include "core/guide/contour.h"
@@ -55,6 +57,18 @@ inline float gain_of(const Lattice& lattice, int m, float contour) {
 /// widest vectors this machine has; the bits are those of scalar::gain().
 void gains(const Lattice& lattice, const Criterion& criterion, const int* sites, size_t n,
            float* gains);
+
+/// How many of some edges can be flipped, and how many of these gain enough.
+struct Evaluated {
+    size_t flippable = 0, candidates = 0;
+};
+/// Numbers that may be written past the last candidate.
+constexpr size_t candidate_padding = 64;
+
+/// Find the gains of the edges sites[0..n), no_gain of those that cannot be flipped; those above
+/// min_gain go to `candidates`, in their order. Twin for any mesh: core/triangulate/one_round.h.
+Evaluated find_candidates(const Lattice& lattice, const Criterion& criterion, float min_gain,
+                          const int* sites, size_t n, std::vector<float>& gain, int* candidates);
 
 /// The cost of the whole mesh: each edge between two triangles, summed in double.
 double total_cost(const Lattice& lattice, Cost cost);

@@ -31,29 +31,84 @@ HWY_INLINE hn::Vec<D> gains_of(const Lattice& lattice, float contour, Ints m) {
     return gain_with_contours<Cost_, Floats>(mesh, m, contour).v;
 }
 
-template <class Cost_>
+/// Store the gains of flippable edges at their sites; call each(sites, gains, n) for every vector,
+/// of which n lanes count.
+template <class Cost_, class Each>
 HWY_INLINE void each_block(const Lattice& lattice, float contour, const int* sites, size_t count,
-                           float* out) {
+                           float* out, Each&& each) {
     const D d;
     const size_t lanes = hn::Lanes(d);
     HWY_ALIGN float gain[HWY_MAX_BYTES / sizeof(float)];
     for (size_t i = 0; i < count; i += lanes) {
         const size_t used = count - i < lanes ? count - i : lanes;
-        hn::Store(gains_of<Cost_>(lattice, contour, load_sites(sites + i, used)), d, gain);
+        const Ints m = load_sites(sites + i, used);
+        const auto g = gains_of<Cost_>(lattice, contour, m);
+        hn::Store(g, d, gain);
         for (size_t k = 0; k < used; ++k)
             out[sites[i + k]] = gain[k];
+        each(m, g, used);
+    }
+}
+
+/// The same of the criterion's cost.
+template <class Each>
+HWY_INLINE void each_gain(const Lattice& lattice, const Criterion& criterion, const int* sites,
+                          size_t count, float* out, Each&& each) {
+    const float contour = criterion.contour * contour_unit;
+    switch (criterion.cost) {
+#define DDT_CALL(name, Class, ...)                                                                 \
+    case Cost::name:                                                                               \
+        return each_block<Class<Floats>>(lattice, contour, sites, count, out, each);
+        DDT_COSTS(DDT_CALL)
+#undef DDT_CALL
     }
 }
 
 HWY_ATTR void gains(const Lattice& lattice, const Criterion& criterion, const int* sites,
                     size_t count, float* out) {
-    const float contour = criterion.contour * contour_unit;
-    switch (criterion.cost) {
-#define DDT_CALL(name, Class, ...)                                                                 \
-    case Cost::name:                                                                               \
-        return each_block<Class<Floats>>(lattice, contour, sites, count, out);
-        DDT_COSTS(DDT_CALL)
-#undef DDT_CALL
+    each_gain(lattice, criterion, sites, count, out, [](Ints, hn::Vec<D>, size_t) HWY_ATTR {});
+}
+
+/// Those of the edges that can be flipped, in their order; whole vectors are written. Twin of
+/// Edge::flippable().
+HWY_INLINE size_t flippable_of(const Lattice& lattice, const int* sites, size_t count, int* found) {
+    const DI di;
+    const SiteLanes mesh(lattice);
+    const VI none = hn::Zero(di), longest = hn::Set(di, longest_edge);
+    const size_t lanes = hn::Lanes(di);
+    size_t n = 0;
+    for (size_t i = 0; i < count; i += lanes) {
+        const size_t used = count - i < lanes ? count - i : lanes;
+        const Ints m = load_sites(sites + i, used);
+        const EdgeLanes e = mesh.edge(m);
+        const VecLanes sum = e.left + e.right, minus = -e.left;
+        const VI far = hn::Max(hn::Max(e.left.x.i, minus.x.i), hn::Max(e.left.y.i, minus.y.i));
+        const auto opposite = hn::Eq(hn::Or(sum.x.i, sum.y.i), none);
+        const auto can = hn::AndNot(hn::Gt(far, longest), hn::And(hn::Gt(far, none), opposite));
+        n += hn::CompressStore(m.i, hn::And(can, hn::FirstN(di, used)), di, found + n);
+    }
+    return n;
+}
+
+HWY_ATTR void find_candidates(const Lattice& lattice, const Criterion& criterion, float min_gain,
+                              const int* sites, size_t count, float* out, int* candidates,
+                              Evaluated& found) {
+    constexpr size_t at_once = 1024;
+    int flippable[at_once + HWY_MAX_BYTES / sizeof(int)];
+    const auto least = hn::Set(D(), min_gain);
+    for (size_t i = 0; i < count; i += at_once) {
+        const size_t some = count - i < at_once ? count - i : at_once;
+        for (size_t k = 0; k < some; ++k)
+            out[sites[i + k]] = no_gain;
+        const size_t n = flippable_of(lattice, sites + i, some, flippable);
+        found.flippable += n;
+        each_gain(
+            lattice, criterion, flippable, n, out, [&](Ints m, hn::Vec<D> g, size_t used) HWY_ATTR {
+                const DI di;
+                const auto good = hn::RebindMask(di, hn::Gt(g, least));
+                found.candidates += hn::CompressStore(m.i, hn::And(good, hn::FirstN(di, used)), di,
+                                                      candidates + found.candidates);
+            });
     }
 }
 
@@ -65,10 +120,19 @@ HWY_AFTER_NAMESPACE();
 namespace ddt {
 
 HWY_EXPORT(gains);
+HWY_EXPORT(find_candidates);
 
 void gains(const Lattice& lattice, const Criterion& criterion, const int* sites, size_t n,
            float* out) {
     HWY_DYNAMIC_DISPATCH(gains)(lattice, criterion, sites, n, out);
+}
+
+Evaluated find_candidates(const Lattice& lattice, const Criterion& criterion, float min_gain,
+                          const int* sites, size_t n, std::vector<float>& gain, int* candidates) {
+    Evaluated found;
+    HWY_DYNAMIC_DISPATCH(find_candidates)
+    (lattice, criterion, min_gain, sites, n, gain.data(), candidates, found);
+    return found;
 }
 
 } // namespace ddt

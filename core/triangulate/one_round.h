@@ -40,31 +40,36 @@ private:
     int m_edges[edges_at_once + touched_at_once];
 };
 
+/// Of any mesh; twin of the Lattice's.
+template <class Mesh>
+Evaluated find_candidates(const Mesh& mesh, const Criterion& criterion, float min_gain,
+                          const int* sites, size_t n, std::vector<float>& gain, int* candidates) {
+    std::vector<int> flippable;
+    for (size_t i = 0; i < n; ++i) {
+        gain[size_t(sites[i])] = no_gain;
+        if (mesh.flippable(sites[i]))
+            flippable.push_back(sites[i]);
+    }
+    gains(mesh, criterion, flippable.data(), flippable.size(), gain.data());
+    Evaluated found{flippable.size(), 0};
+    for (const int m : flippable)
+        if (gain[size_t(m)] > min_gain)
+            candidates[found.candidates++] = m;
+    return found;
+}
+
 /// Find the gains of the edges in `dirty`, which is emptied; those above min_gain become
 /// candidates. Returns how many could be flipped.
 template <class Mesh>
 int64_t evaluate(const Mesh& mesh, const Criterion& criterion, float min_gain, Dirty& dirty,
                  Workspace& w) {
-    int flippable[edges_at_once + touched_at_once];
-    size_t count = 0;
-    // Without branches, since half of them can.
-    for (const int m : dirty) {
-        w.gain[size_t(m)] = no_gain;
-        flippable[count] = m;
-        count += mesh.flippable(m);
-    }
-    gains(mesh, criterion, flippable, count, w.gain.data());
-    // One more than there are, since a place is written before it is known to be taken.
     const size_t before = w.candidates.size();
-    w.candidates.resize(before + count + 1);
-    int* out = w.candidates.data() + before;
-    for (size_t i = 0; i < count; ++i) {
-        *out = flippable[i];
-        out += w.gain[size_t(*out)] > min_gain;
-    }
-    w.candidates.resize(size_t(out - w.candidates.data()));
+    w.candidates.resize(before + dirty.size() + candidate_padding);
+    const Evaluated found = find_candidates(mesh, criterion, min_gain, dirty.begin(), dirty.size(),
+                                            w.gain, w.candidates.data() + before);
+    w.candidates.resize(before + found.candidates);
     dirty.clear();
-    return int64_t(count);
+    return int64_t(found.flippable);
 }
 
 /// A candidate that waits is looked at again when its blocker was evaluated again and no longer

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/triangulate/gain.h"
 
+#include "core/triangulate/triangulate.h"
 #include "tests/core/triangulate/each_mesh.h"
 #include "tests/core/triangulate/slow_mesh.h"
 
@@ -123,6 +124,43 @@ TEST(Gain, AnyNumberOfEdgesIsPossible) {
             }
         }
     });
+}
+
+TEST(Gain, CandidatesAreThoseFlippableThatGainEnough) {
+    size_t all = 0, some = 0;
+    each_mesh([&](Lattice& lattice) {
+        const Criterion by(Cost::abn);
+        Workspace w;
+        find_gains(lattice, by, w);
+        std::vector<int> edges;
+        lattice.each_edge([&](int m) { edges.push_back(m); });
+        for (const float least : {-100.0f, 0.0f, 0.3f})
+            on_each_target([&] {
+                // From every number of edges that are left over by vectors.
+                for (size_t n = edges.size() - std::min<size_t>(edges.size(), 17);
+                     n <= edges.size(); ++n) {
+                    std::vector<float> gain(lattice.size(), 77.0f);
+                    std::vector<int> found(n + candidate_padding), wanted;
+                    const Evaluated evaluated =
+                        find_candidates(lattice, by, least, edges.data(), n, gain, found.data());
+                    size_t flippable = 0;
+                    for (size_t i = 0; i < n; ++i) {
+                        const int m = edges[i];
+                        flippable += lattice.flippable(m);
+                        ASSERT_EQ(gain[size_t(m)], w.gain[size_t(m)]) << "edge " << m;
+                        if (w.gain[size_t(m)] > least)
+                            wanted.push_back(m);
+                    }
+                    found.resize(evaluated.candidates);
+                    ASSERT_EQ(found, wanted);
+                    ASSERT_EQ(evaluated.flippable, flippable);
+                    all += n;
+                    some += wanted.size();
+                }
+            });
+    });
+    EXPECT_GT(some, 10000u);
+    EXPECT_GT(all, 2 * some);
 }
 
 TEST(Gain, NothingToGainOnAPlane) {
