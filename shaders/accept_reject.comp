@@ -88,11 +88,12 @@ void touch(int list, int m) {
 // Where the work on a tile is: the same in all invocations. Numbers of entries that are shared are
 // kept with it between dispatches.
 const uint begins = 0, in_rounds = 1, ended = PROGRESS_ENDED;
-uint phase, iteration, rounds, first, waiting;
+uint phase, rounds, first, waiting;
+int iteration;
 
 void load_progress(int at) {
     phase = stamp[at];
-    iteration = stamp[at + 1];
+    iteration = int(stamp[at + 1]);
     rounds = stamp[at + 2];
     first = stamp[at + 3];
     waiting = stamp[at + 4];
@@ -108,7 +109,7 @@ void keep_progress(int at) {
     if (gl_LocalInvocationIndex != 0)
         return;
     stamp[at] = phase;
-    stamp[at + 1] = iteration;
+    stamp[at + 1] = uint(iteration);
     stamp[at + 2] = rounds;
     stamp[at + 3] = first;
     stamp[at + 4] = waiting;
@@ -125,7 +126,7 @@ uint turns_for(uint entries) {
 uint turns_ahead(int tile) {
     if (phase == in_rounds)
         return turns_for(n_candidates) + 2 * turns_for(n_selected);
-    uint edges = iteration == uint(first_iteration)
+    uint edges = iteration == first_iteration
                      ? uint(2 * extent[tile].y * (2 * extent[tile].x / int(gl_WorkGroupSize.x) + 1))
                      : 0;
     return edges + 2 * turns_for(n_dirty) + 2 * turns_for(n_candidates + n_dirty);
@@ -137,32 +138,32 @@ void begin_iteration(int tile, int list) {
     uint before = n_candidates, touched = n_dirty;
     synchronize();
     if (own == 0) {
-        evaluated = int(iteration) == first_iteration
-                        ? counts[counts_of(int(iteration), tile)].evaluated
+        evaluated = iteration == first_iteration
+                        ? counts[counts_of(iteration, tile)].evaluated
                         : 0;
         n_candidates = 0;
         n_selected = 0;
     }
     synchronize();
-    if (int(iteration) == first_iteration)
+    if (iteration == first_iteration)
         gather(tile, list);
     for (uint i = own; i < touched; i += size)
         if (evaluate(from[list + int(i)]))
             atomicAdd(evaluated, 1);
     for (uint i = own; i < before; i += size) {
-        int m = blocked_at(int(iteration) - 1, list + int(i)).x;
+        int m = blocked_at(iteration - 1, list + int(i)).x;
         if (stamp[m] != is_dirty)
-            put_blocked(int(iteration), list + int(atomicAdd(n_candidates, 1)), ivec2(m, -1));
+            put_blocked(iteration, list + int(atomicAdd(n_candidates, 1)), ivec2(m, -1));
     }
     synchronize();
     for (uint i = own; i < touched; i += size) {
         int m = from[list + int(i)];
         stamp[m] = idle;
-        add_candidate(int(iteration), list, m);
+        add_candidate(iteration, list, m);
     }
     synchronize();
     for (uint i = own; i < n_candidates; i += size)
-        stamp[blocked_at(int(iteration), list + int(i)).x] = untreated;
+        stamp[blocked_at(iteration, list + int(i)).x] = untreated;
     rounds = 0;
     first = 0;
     waiting = n_candidates;
@@ -170,19 +171,19 @@ void begin_iteration(int tile, int list) {
 
 void treat_a_round(int list) {
     const uint size = gl_WorkGroupSize.x, own = gl_LocalInvocationIndex;
-    bool wide = int(iteration) <= wide_iterations;
+    bool wide = iteration <= wide_iterations;
     ++rounds;
     synchronize();
     if (own == 0)
         n_waiting = 0;
     synchronize();
     for (uint i = own; i < n_candidates; i += size) {
-        ivec2 c = blocked_at(int(iteration), list + int(i));
+        ivec2 c = blocked_at(iteration, list + int(i));
         if (stamp[c.x] != untreated)
             continue;
         if (c.y < 0 || stamp[c.y] != untreated) {
             c.y = find_untreated_blocker(wide, c.x);
-            put_blocked(int(iteration), list + int(i), c);
+            put_blocked(iteration, list + int(i), c);
         }
         if (c.y < 0)
             to[list + int(atomicAdd(n_selected, 1))] = c.x;
@@ -208,12 +209,12 @@ void end_iteration(int tile, int list) {
     const uint size = gl_WorkGroupSize.x, own = gl_LocalInvocationIndex;
     synchronize();
     if (own == 0) {
-        counts[counts_of(int(iteration), tile)] =
+        counts[counts_of(iteration, tile)] =
             Counts(evaluated, n_candidates, n_selected, 0, n_dirty, rounds);
         n_dirty = 0;
     }
     for (uint i = own; i < n_candidates; i += size)
-        stamp[blocked_at(int(iteration), list + int(i)).x] = idle;
+        stamp[blocked_at(iteration, list + int(i)).x] = idle;
     synchronize();
     for (uint i = own; i < n_selected; i += size) {
         int m = to[list + int(i)];
@@ -233,7 +234,7 @@ void main() {
     int at = progress.x + tile * PROGRESS_SIZE;
     load_progress(at);
     if (iteration == 0)
-        iteration = uint(first_iteration);
+        iteration = first_iteration;
     begin_reach();
     synchronize();
     uint turns = 0;
@@ -243,7 +244,7 @@ void main() {
             break;
         turns += ahead;
         if (phase == begins) {
-            if (int(iteration) > last_iteration) {
+            if (iteration > last_iteration) {
                 phase = ended;
             } else {
                 begin_iteration(tile, list);

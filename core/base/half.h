@@ -3,34 +3,23 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
+
+#include "core/base/float_bits.h"
 
 namespace ddt {
 
 inline float float_of_half(uint16_t h) {
     const uint32_t sign = uint32_t(h & 0x8000u) << 16, size = h & 0x7fffu;
-    float f;
-    if (size >= 0x7c00u) { // infinity, NaN
-        const uint32_t bits = sign | 0x7f800000u | (size & 0x3ffu) << 13;
-        std::memcpy(&f, &bits, sizeof f);
-    } else {
-        // With the exponent too small by 112, mended by a multiplication that is exact, for
-        // denormal numbers too.
-        const uint32_t bits = size << 13;
-        std::memcpy(&f, &bits, sizeof f);
-        f *= 0x1p112f;
-        uint32_t with_sign;
-        std::memcpy(&with_sign, &f, sizeof f);
-        with_sign |= sign;
-        std::memcpy(&f, &with_sign, sizeof f);
-    }
-    return f;
+    if (size >= 0x7c00u) // infinity, NaN
+        return float_of(sign | 0x7f800000u | (size & 0x3ffu) << 13);
+    // With the exponent too small by 112, mended by a multiplication that is exact, for denormal
+    // numbers too.
+    return float_of(sign | bits_of(float_of(size << 13) * 0x1p112f));
 }
 
 /// The nearest; of two the even one. GLSL twin: shaders/half.glsl.
 inline uint16_t half_of_float(float f) {
-    uint32_t bits;
-    std::memcpy(&bits, &f, sizeof f);
+    const uint32_t bits = bits_of(f);
     const auto sign = uint16_t(bits >> 16 & 0x8000u);
     const uint32_t size = bits & 0x7fffffffu;
     if (size > 0x7f800000u) { // NaN, which must not become infinity

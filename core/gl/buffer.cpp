@@ -41,13 +41,6 @@ void Buffer::write(size_t offset, size_t bytes, const void* data) const {
     m_gl.BufferSubData(GL_COPY_WRITE_BUFFER, GLintptr(offset), GLsizeiptr(bytes), data);
 }
 
-void Buffer::copy_from(GLuint other, size_t from, size_t to, size_t bytes) const {
-    m_gl.BindBuffer(GL_COPY_READ_BUFFER, other);
-    m_gl.BindBuffer(GL_COPY_WRITE_BUFFER, m_name);
-    m_gl.CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, GLintptr(from), GLintptr(to),
-                           GLsizeiptr(bytes));
-}
-
 void Buffer::read(size_t offset, size_t bytes, void* data) const {
     m_gl.BindBuffer(GL_COPY_READ_BUFFER, m_name);
     m_gl.GetBufferSubData(GL_COPY_READ_BUFFER, GLintptr(offset), GLsizeiptr(bytes), data);
@@ -56,6 +49,14 @@ void Buffer::read(size_t offset, size_t bytes, void* data) const {
 void Buffer::clear() const {
     m_gl.BindBuffer(GL_COPY_WRITE_BUFFER, m_name);
     m_gl.ClearBufferData(GL_COPY_WRITE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+}
+
+void copy(const Functions& gl, GLuint from, size_t from_offset, GLuint to, size_t to_offset,
+          size_t bytes) {
+    gl.BindBuffer(GL_COPY_READ_BUFFER, from);
+    gl.BindBuffer(GL_COPY_WRITE_BUFFER, to);
+    gl.CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, GLintptr(from_offset),
+                         GLintptr(to_offset), GLsizeiptr(bytes));
 }
 
 void check(const Functions& gl, const char* where) {

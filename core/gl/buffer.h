@@ -23,8 +23,6 @@ public:
     void bind(GLuint storage_binding) const;
     void bind_uniform(GLuint binding) const;
     void write(size_t offset, size_t bytes, const void* data) const;
-    /// Have the device copy `bytes` of the buffer of that name.
-    void copy_from(GLuint other, size_t from, size_t to, size_t bytes) const;
     /// Waits for the device to be done with the buffer.
     void read(size_t offset, size_t bytes, void* data) const;
     void clear() const;
@@ -34,6 +32,10 @@ private:
     GLuint m_name = 0;
     size_t m_bytes;
 };
+
+/// Have the device copy `bytes` from one buffer, told by its name, to another.
+void copy(const Functions& gl, GLuint from, size_t from_offset, GLuint to, size_t to_offset,
+          size_t bytes);
 
 /// Throw ContextLost, OutOfMemory or Failure if GL has recorded an error; `where` names the step.
 void check(const Functions& gl, const char* where);

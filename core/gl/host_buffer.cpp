@@ -39,7 +39,7 @@ HostBuffer::~HostBuffer() {
 
 void HostBuffer::upload(size_t from, size_t bytes, const Buffer& to, size_t at) const {
     if (m_name)
-        to.copy_from(m_name, from, at, bytes);
+        copy(*m_gl, m_name, from, to.name(), at, bytes);
     else
         to.write(at, bytes, m_data + from);
 }
@@ -48,9 +48,7 @@ void HostBuffer::download(const Functions& gl, const Buffer& from, size_t bytes)
     gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     if (!m_name)
         return from.read(0, bytes, m_data);
-    gl.BindBuffer(GL_COPY_READ_BUFFER, from.name());
-    gl.BindBuffer(GL_COPY_WRITE_BUFFER, m_name);
-    gl.CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, GLsizeiptr(bytes));
+    copy(gl, from.name(), 0, m_name, 0, bytes);
 }
 
 } // namespace ddt::gl

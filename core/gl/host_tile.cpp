@@ -108,6 +108,12 @@ size_t upload(const HostTile& t, const Job& job, int first_slot, DeviceMesh& mes
     return bytes + upload_numbers(t, job, first_slot, mesh.shape(), surfaces);
 }
 
+void unpack(const Job& job, DeviceMesh& mesh, Surfaces& surfaces) {
+    if (with_guides(job))
+        mesh.unpack_guides();
+    surfaces.unpack(mesh);
+}
+
 size_t upload_guides(const HostTile& t, const Job& job, int first_slot, DeviceMesh& mesh) {
     size_t bytes = 0;
     for (size_t k = 0; with_guides(job) && k < t.guide_bytes.size(); ++k)

@@ -35,11 +35,12 @@ bool read(Source& source, const Job& job, const SlotShape& shape, const Numbers&
 
 /// Whether guides are wanted on the device.
 bool with_guides(const Job& job);
-/// Have what was read copied to the slots from first_slot on; DeviceMesh::unpack_guides() and
-/// Surfaces::unpack() are then to be called. Returns the bytes. On the context's thread; t.memory
-/// must stay until a Fence has passed.
+/// Have what was read copied to the slots from first_slot on; when all tiles are there, unpack() is
+/// to be called. Returns the bytes. On the context's thread; t.memory must stay until a Fence has
+/// passed.
 size_t upload(const HostTile& t, const Job& job, int first_slot, DeviceMesh& mesh,
               Surfaces& surfaces);
+void unpack(const Job& job, DeviceMesh& mesh, Surfaces& surfaces);
 /// The guides alone, and the numbers.
 size_t upload_guides(const HostTile& t, const Job& job, int first_slot, DeviceMesh& mesh);
 size_t upload_numbers(const HostTile& t, const Job& job, int first_slot, const SlotShape& shape,

@@ -81,8 +81,9 @@ void Runner::take_memory() {
 void Runner::drop_meshes() {
     m_surfaces.reset();
     m_mesh.reset();
-    m_under_way.clear();
-    m_strips.clear();
+    for (JobStrip& strip : m_strips)
+        strip = JobStrip();
+    m_written = m_begun;
 }
 
 void Runner::retry_with_fewer() {
@@ -139,9 +140,7 @@ void Runner::begin_batch() {
     m_mesh->set_tiles(sizes);
     for (size_t i = 0; i < m_batch.size(); ++i)
         m_uploaded += upload(*m_batch[i], m_job, int(i) * m_meshes, *m_mesh, *m_surfaces);
-    if (with_guides(m_job))
-        m_mesh->unpack_guides();
-    m_surfaces->unpack(*m_mesh);
+    unpack(m_job, *m_mesh, *m_surfaces);
     m_stages->end();
 
     if (m_batch[0]->sites.empty()) {
@@ -178,27 +177,19 @@ void Runner::sample_batch() {
         const int height = int(std::max<size_t>(1, strip_bytes / row_bytes));
         for (int y = std::max(t.reach.y0, m_run.next_row(t.index)); y < t.reach.y1 && m_run.going();
              y += height) {
-            const auto strip = idle_strip();
-            strip->tile = m_batch[i];
-            strip->rows = {t.reach.x0, y, t.reach.x1, std::min(y + height, t.reach.y1)};
-            strip->last = strip->rows.y1 == t.reach.y1;
-            plan_strip(m_mapping, t.tile, int(i) * m_meshes, *strip);
-            strip->plan.meshes = m_meshes;
-            if (!has_room(*strip))
-                m_gpu.thread.post([&] { make_room(*strip); }).get();
-            strip->sampled = m_gpu.thread.post([this, &s = *strip] { sample(s); });
-            m_under_way.push_back(strip);
+            write_strips(strips_under_way - 1);
+            JobStrip& strip = m_strips[m_begun % strips_under_way];
+            strip.tile = m_batch[i];
+            strip.rows = {t.reach.x0, y, t.reach.x1, std::min(y + height, t.reach.y1)};
+            strip.last = strip.rows.y1 == t.reach.y1;
+            plan_strip(m_mapping, t.tile, int(i) * m_meshes, strip);
+            strip.plan.meshes = m_meshes;
+            if (!has_room(strip))
+                m_gpu.thread.post([&] { make_room(strip); }).get();
+            strip.sampled = m_gpu.thread.post([this, &strip] { sample(strip); });
+            ++m_begun;
         }
     }
-}
-
-/// One that is not under way, once enough of those that are have been written.
-std::shared_ptr<Runner::JobStrip> Runner::idle_strip() {
-    write_strips(strips_under_way - 1);
-    for (const auto& strip : m_strips)
-        if (std::find(m_under_way.begin(), m_under_way.end(), strip) == m_under_way.end())
-            return strip;
-    return m_strips.emplace_back(std::make_shared<JobStrip>());
 }
 
 bool Runner::has_room(const JobStrip& strip) const {
@@ -221,27 +212,26 @@ void Runner::sample(JobStrip& strip) {
     if (strip.plan.count > 0) {
         m_stages->begin(Stage::sample);
         m_surfaces->write_positions(strip.positions, strip.memory);
-        m_surfaces->sample(*m_mesh, strip.plan, m_job.channels, strip.memory);
+        m_surfaces->sample(*m_mesh, strip.plan, strip.memory);
         m_stages->end();
         m_stages->begin(Stage::download);
-        m_downloaded += m_surfaces->download(size_t(strip.plan.count) * size_t(m_job.channels),
-                                             m_travel, strip.memory, *strip.results);
+        m_downloaded +=
+            m_surfaces->download(result_count(strip), m_travel, strip.memory, *strip.results);
         m_stages->end();
         check(gl, "sampling");
     }
-    strip.copied.emplace(gl);
+    strip.copied = std::make_unique<Fence>(gl);
 }
 
 /// Write what is under way, the oldest first, until no more than `left` strips are.
 void Runner::write_strips(size_t left) {
-    for (; m_under_way.size() > left; m_under_way.pop_front()) {
-        JobStrip& strip = *m_under_way.front();
+    for (; under_way() > left; ++m_written) {
+        JobStrip& strip = m_strips[m_written % strips_under_way];
         strip.sampled.get();
         m_gpu.thread
             .post([&] {
                 ++m_waits;
                 strip.copied->wait("sampling");
-                strip.copied.reset();
             })
             .get();
         if (m_run.going())

@@ -5,7 +5,6 @@
 #include <deque>
 #include <future>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,8 +45,8 @@ private:
         bool last = false;   ///< of its tile
         SampleMemory memory; ///< on the device
         std::unique_ptr<HostBuffer> results;
-        std::future<void> sampled;   ///< all is asked of the device
-        std::optional<Fence> copied; ///< passed when the results are there
+        std::future<void> sampled;     ///< all is asked of the device
+        std::unique_ptr<Fence> copied; ///< passed when the results are there
     };
     static constexpr size_t strips_under_way = 3; ///< sampled, copied, written
 
@@ -55,7 +54,7 @@ private:
     void begin_batch(); ///< on the context's thread, as is finish_batch()
     void finish_batch();
     void sample_batch();
-    std::shared_ptr<JobStrip> idle_strip();
+    size_t under_way() const { return m_begun - m_written; }
     bool has_room(const JobStrip& strip) const;
     void make_room(JobStrip& strip);
     void sample(JobStrip& strip);
@@ -87,8 +86,8 @@ private:
     std::vector<std::shared_ptr<JobTile>> m_batch;     ///< on the device
     std::vector<std::unique_ptr<HostBuffer>> m_memory; ///< for tiles that are to be read
     size_t m_in_flight;                                ///< tiles a batch may have
-    std::vector<std::shared_ptr<JobStrip>> m_strips;   ///< no more than strips_under_way
-    std::deque<std::shared_ptr<JobStrip>> m_under_way; ///< those, in the order of the results
+    JobStrip m_strips[strips_under_way];               ///< in turn
+    size_t m_begun = 0, m_written = 0;                 ///< strips
     bool m_counting;                                   ///< statistics are wanted
 
     // On the context's thread only.

@@ -7,11 +7,13 @@
 #include <memory>
 
 #include "core/base/arith.h"
+#include "core/base/float_bits.h"
 #include "core/gl/budget.h"
 #include "core/gl/context/gpu.h"
 #include "core/gl/host_tile.h"
 #include "core/gl/strip.h"
 #include "core/gl/tin_check.h"
+#include "core/gl/travel_check.h"
 #include "core/guide/guide.h"
 #include "core/surface/fitted/fitted.h"
 #include "core/tiles/tile_io.h"
@@ -101,12 +103,6 @@ void each_edge(int stride, F&& f) {
             f(size_t(y) * size_t(stride) + size_t(x));
 }
 
-uint32_t bits_of(float x) {
-    uint32_t bits;
-    std::memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
 /// `sites`, `gains`: as Lattice and Workspace have them, in rows of `stride`.
 void take_mesh(const Site* sites, const float* gains, int stride, Outcomes& o) {
     each_edge(stride, [&](size_t m) {
@@ -156,9 +152,7 @@ Outcomes on_gpu(Gpu& gpu, const Job& job, const Tile& tile) {
     surfaces.expect(numbers, job.channels, meshes);
     mesh.set_tiles(std::vector<TileSize>(size_t(meshes), t.size));
     upload(t, job, 0, mesh, surfaces);
-    if (with_guides(job))
-        mesh.unpack_guides();
-    surfaces.unpack(mesh);
+    unpack(job, mesh, surfaces);
     if (t.sites.empty())
         mesh.triangulate(job.mesh);
     surfaces.make(mesh, criterion(job.mesh));
@@ -173,7 +167,7 @@ Outcomes on_gpu(Gpu& gpu, const Job& job, const Tile& tile) {
     HostBuffer results(gl, count * sizeof(float));
     surfaces.make_room(strip.positions.size(), count, Travel(), memory);
     surfaces.write_positions(strip.positions, memory);
-    surfaces.sample(mesh, strip.plan, job.channels, memory);
+    surfaces.sample(mesh, strip.plan, memory);
     surfaces.download(count, Travel(), memory, results);
     Outcomes o;
     std::vector<Site> sites(shape.sites());

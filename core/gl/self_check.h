@@ -11,6 +11,8 @@
 
 namespace ddt::gl {
 
+struct Gpu;
+
 /// The job that is checked in place of `job`: one that uses the same programs, each of their
 /// branches, on a small picture.
 Job check_job(const Job& job);

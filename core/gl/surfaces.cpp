@@ -5,6 +5,7 @@
 #include <cfloat>
 #include <cstring>
 
+#include "core/base/float_bits.h"
 #include "core/gl/context/failure.h"
 #include "core/surface/fitted/fitted.h"
 #include "core/surface/net.h"
@@ -31,12 +32,6 @@ size_t bend_bytes(const SlotShape& shape, const SurfaceOptions& options) {
 /// Groups of invocations that go over n things.
 GLuint groups(int n, int size) {
     return GLuint((n + size - 1) / size);
-}
-
-uint32_t bits_of(float v) {
-    uint32_t bits;
-    std::memcpy(&bits, &v, sizeof bits);
-    return bits;
 }
 
 float lane(unsigned mask, int i) {
@@ -217,7 +212,7 @@ namespace {
 
 /// Room for results as they travel, in whole words.
 size_t packed_bytes(size_t numbers, const Travel& travel) {
-    return travel.packed() ? (numbers * travel.bytes_back() + 3) / 4 * 4 : 0;
+    return travel.packed() ? whole_words(numbers * travel.bytes_back()) : 0;
 }
 
 } // namespace
@@ -242,15 +237,14 @@ void Surfaces::write_positions(const std::vector<int32_t>& positions, SampleMemo
     memory.positions->write(0, positions.size() * sizeof(int32_t), positions.data());
 }
 
-void Surfaces::sample(DeviceMesh& mesh, const SamplePlan& plan, int channels,
-                      SampleMemory& memory) {
+void Surfaces::sample(DeviceMesh& mesh, const SamplePlan& plan, const SampleMemory& memory) {
     for (int i = 0; i < plan.meshes; ++i)
-        sample_mesh(mesh, plan, channels, i, memory);
+        sample_mesh(mesh, plan, i, memory);
 }
 
-void Surfaces::sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int channels, int index,
+void Surfaces::sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int index,
                            const SampleMemory& memory) {
-    const char* layout = channels % group_size == 0 ? " WHOLE_GROUPS" : "";
+    const char* layout = m_channels % group_size == 0 ? " WHOLE_GROUPS" : "";
     m_gpu.programs->use("sample.comp", defines() + layout + (fitted() ? " STORED_BENDS" : "") +
                                            (index > 0 ? " MEAN" : ""));
     m_gl.Uniform1i(2, plan.slot + index);

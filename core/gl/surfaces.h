@@ -50,7 +50,8 @@ public:
     static size_t bytes(const SlotShape& shape, size_t groups, const SurfaceOptions& options);
     static size_t largest_bytes(const SlotShape& shape, const SurfaceOptions& options);
 
-    /// What the numbers of the slots' tiles are, each of which takes `meshes` slots.
+    /// What the numbers of the slots' tiles are, each of which takes `meshes` slots. To be told
+    /// before anything below is called.
     void expect(const Numbers& numbers, int channels, int meshes);
     /// Have a tile's numbers, from `at` on in `from`, copied to the device; returns the bytes.
     size_t write_numbers(int tile, const TileSize& size, const HostBuffer& from, size_t at);
@@ -71,9 +72,9 @@ public:
     void make_room(size_t coordinates, size_t numbers, const Travel& travel, SampleMemory& memory);
     /// The positions that plans refer to, for which there must be room.
     void write_positions(const std::vector<int32_t>& positions, SampleMemory& memory);
-    /// Dispatch the reading of the surface, for whose results there must be room: `channels` floats
-    /// a position.
-    void sample(DeviceMesh& mesh, const SamplePlan& plan, int channels, SampleMemory& memory);
+    /// Dispatch the reading of the surface, for whose results there must be room: a float a channel
+    /// and position.
+    void sample(DeviceMesh& mesh, const SamplePlan& plan, const SampleMemory& memory);
     /// Have so many results, from the first on, copied to `to` as they travel: there when a Fence
     /// has passed. Returns the bytes.
     size_t download(size_t count, const Travel& travel, SampleMemory& memory, HostBuffer& to);
@@ -102,7 +103,7 @@ private:
     void bind_channels(int group) const;
     size_t tile_bytes() const; ///< of its numbers
     void reserve(std::unique_ptr<Buffer>& buffer, size_t bytes);
-    void sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int channels, int index,
+    void sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int index,
                      const SampleMemory& memory);
 
     Gpu& m_gpu;

@@ -4,14 +4,17 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "ddt/core.h"
 
 namespace ddt::gl {
 
-struct Gpu;
+/// Bytes in which whole words have room: what shaders read and write.
+constexpr size_t whole_words(size_t bytes) {
+    constexpr size_t word = sizeof(uint32_t);
+    return (bytes + word - 1) / word * word;
+}
 
 /// A guide on its way to the device: a word that tells whether 16-bit steps of guide_unit follow,
 /// which do for the usual guide between 0 and 16, or floats; then these, rows without gaps. Decoded
@@ -44,12 +47,5 @@ struct Travel {
 
 /// The fewest bytes that the job's source and sink allow.
 Travel travel_of(Source& source, const Sink& sink, const Job& job);
-
-/// Have such numbers unpacked and packed on the device, and compare with what they are. Empty if
-/// they are the same, else what differs. On the context's thread; throws Failure.
-std::string travel_differs(Gpu& gpu, const Travel& travel);
-
-/// Two of one key use the same programs.
-std::string travel_key_of(const Travel& travel);
 
 } // namespace ddt::gl

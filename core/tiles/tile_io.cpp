@@ -5,6 +5,8 @@
 #include <cstring>
 #include <limits>
 
+#include "core/base/float_bits.h"
+
 namespace ddt {
 
 namespace {
@@ -24,12 +26,6 @@ void repeat_to_two(std::vector<float>& v, int& width, int& height, int channels)
         std::memcpy(&v[row], &v[0], row * sizeof(float));
         height = 2;
     }
-}
-
-uint32_t bits_of(float v) {
-    uint32_t bits;
-    std::memcpy(&bits, &v, sizeof bits);
-    return bits;
 }
 
 void zero_small_blended(std::vector<float>& values, const std::vector<Channel>& kinds) {

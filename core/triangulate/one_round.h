@@ -40,21 +40,23 @@ private:
     int m_edges[edges_at_once + touched_at_once];
 };
 
-/// Of any mesh; twin of the Lattice's.
+/// Of any mesh, of no more edges than are dirty at a time; twin of the Lattice's. Without branches,
+/// since half of them can be flipped.
 template <class Mesh>
 Evaluated find_candidates(const Mesh& mesh, const Criterion& criterion, float min_gain,
                           const int* sites, size_t n, std::vector<float>& gain, int* candidates) {
-    std::vector<int> flippable;
+    int flippable[edges_at_once + touched_at_once];
+    Evaluated found;
     for (size_t i = 0; i < n; ++i) {
         gain[size_t(sites[i])] = no_gain;
-        if (mesh.flippable(sites[i]))
-            flippable.push_back(sites[i]);
+        flippable[found.flippable] = sites[i];
+        found.flippable += mesh.flippable(sites[i]);
     }
-    gains(mesh, criterion, flippable.data(), flippable.size(), gain.data());
-    Evaluated found{flippable.size(), 0};
-    for (const int m : flippable)
-        if (gain[size_t(m)] > min_gain)
-            candidates[found.candidates++] = m;
+    gains(mesh, criterion, flippable, found.flippable, gain.data());
+    for (size_t i = 0; i < found.flippable; ++i) {
+        candidates[found.candidates] = flippable[i];
+        found.candidates += gain[size_t(flippable[i])] > min_gain;
+    }
     return found;
 }
 

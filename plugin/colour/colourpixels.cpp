@@ -25,7 +25,7 @@ float coverage(const Light& light, float alpha, const float* rgb) {
 template <class Convert, class AlikeConvert>
 void convert(const Light& light, const ColourLayout& layout, float* pixels, size_t count,
              int stride, Convert&& rgb_convert, AlikeConvert&& alike_convert) {
-    if (!light.converts() || layout.count == 0)
+    if (as_they_are(light, layout))
         return;
     if (all_alike(light, layout, stride)) {
         alike_convert(pixels, count * size_t(stride));
@@ -60,6 +60,10 @@ void convert(const Light& light, const ColourLayout& layout, float* pixels, size
 
 } // namespace
 
+bool as_they_are(const Light& light, const ColourLayout& layout) {
+    return !light.converts() || layout.count == 0;
+}
+
 bool all_alike(const Light& light, const ColourLayout& layout, int stride) {
     return layout.alpha < 0 && layout.count == stride && light.alike();
 }
@@ -67,8 +71,8 @@ bool all_alike(const Light& light, const ColourLayout& layout, int stride) {
 std::vector<float>
 light_of_codes(const Light& light, const ColourLayout& layout, int stride, int bits,
                const std::function<void(const void* numbers, int n, float* values)>& floats) {
-    const bool as_they_are = !light.converts() || layout.count == 0;
-    if (!as_they_are && !all_alike(light, layout, stride))
+    const bool converts = !as_they_are(light, layout);
+    if (converts && !all_alike(light, layout, stride))
         return {};
     std::vector<uint16_t> numbers(size_t(1) << bits);
     std::iota(numbers.begin(), numbers.end(), uint16_t(0));
@@ -76,7 +80,7 @@ light_of_codes(const Light& light, const ColourLayout& layout, int stride, int b
     std::vector<float> values(numbers.size());
     floats(bits == 8 ? static_cast<const void*>(bytes.data()) : numbers.data(), int(values.size()),
            values.data());
-    if (!as_they_are)
+    if (converts)
         light.to_light_alike(values.data(), values.size());
     return values;
 }

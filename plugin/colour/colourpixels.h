@@ -10,6 +10,9 @@
 
 namespace ddt {
 
+/// True if to_light() and from_light() change no number.
+bool as_they_are(const Light& light, const ColourLayout& layout);
+
 /// True if the pixels are nothing but numbers that all convert alike, each by itself.
 bool all_alike(const Light& light, const ColourLayout& layout, int stride);
 

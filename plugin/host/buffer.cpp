@@ -93,9 +93,28 @@ void with_kind(Sample sample, F&& f) {
     }
 }
 
+/// Whether a row's numbers have no gaps between them.
 bool is_dense(const Buffer& b, int channels) {
-    return size_of(b.sample) == sizeof(float) && b.channel == ptrdiff_t(sizeof(float)) &&
-           b.pixel == ptrdiff_t(sizeof(float)) * channels;
+    const auto size = ptrdiff_t(size_of(b.sample));
+    return b.channel == size && b.pixel == size * channels;
+}
+
+/// Whether they are a row of floats, or of as many bits that are none.
+bool is_floats(const Buffer& b, int channels) {
+    return size_of(b.sample) == sizeof(float) && is_dense(b, channels);
+}
+
+/// Call copy(in the buffer, in the row, bytes) for as many numbers at once as have no gaps.
+template <class Byte, class Copy>
+void each_piece(const Buffer& b, int x, int y, size_t count, int channels, Byte* numbers,
+                Copy&& copy) {
+    char* p = b.at(x, y);
+    const size_t size = size_of(b.sample);
+    if (is_dense(b, channels))
+        return copy(p, numbers, count * size_t(channels) * size);
+    for (size_t i = 0; i < count; ++i, p += b.pixel)
+        for (int c = 0; c < channels; ++c, numbers += size)
+            copy(p + c * b.channel, numbers, size);
 }
 
 } // namespace
@@ -109,7 +128,7 @@ size_t size_of(Sample sample) {
 void load(const Buffer& b, int x, int y, size_t count, int channels, float* values) {
     const char* p = b.at(x, y);
     // Also because bits that are no number must stay the bits they are.
-    if (is_dense(b, channels))
+    if (is_floats(b, channels))
         std::memcpy(values, p, count * size_t(channels) * sizeof(float));
     else
         with_kind(b.sample,
@@ -118,36 +137,21 @@ void load(const Buffer& b, int x, int y, size_t count, int channels, float* valu
 
 void store(const Buffer& b, int x, int y, size_t count, int channels, const float* values) {
     char* p = b.at(x, y);
-    if (is_dense(b, channels))
+    if (is_floats(b, channels))
         std::memcpy(p, values, count * size_t(channels) * sizeof(float));
     else
         with_kind(b.sample,
                   [&](auto kind) { store_as<decltype(kind)>(b, p, count, channels, values); });
 }
 
-namespace {
-
-/// Call copy(in the buffer, in the row) for every number.
-template <class Number, class Copy>
-void each_number(const Buffer& b, int x, int y, size_t count, int channels, Number* numbers,
-                 Copy&& copy) {
-    char* p = b.at(x, y);
-    const size_t size = size_of(b.sample);
-    for (size_t i = 0; i < count; ++i, p += b.pixel)
-        for (int c = 0; c < channels; ++c, numbers += size)
-            copy(p + c * b.channel, numbers, size);
-}
-
-} // namespace
-
 void load_numbers(const Buffer& b, int x, int y, size_t count, int channels, void* numbers) {
-    each_number(b, x, y, count, channels, static_cast<char*>(numbers),
-                [](const char* p, char* number, size_t size) { std::memcpy(number, p, size); });
+    each_piece(b, x, y, count, channels, static_cast<char*>(numbers),
+               [](const char* p, char* to, size_t bytes) { std::memcpy(to, p, bytes); });
 }
 
 void store_numbers(const Buffer& b, int x, int y, size_t count, int channels, const void* numbers) {
-    each_number(b, x, y, count, channels, static_cast<const char*>(numbers),
-                [](char* p, const char* number, size_t size) { std::memcpy(p, number, size); });
+    each_piece(b, x, y, count, channels, static_cast<const char*>(numbers),
+               [](char* p, const char* from, size_t bytes) { std::memcpy(p, from, bytes); });
 }
 
 void to_floats(Sample sample, const void* numbers, size_t n, float* values) {

@@ -117,8 +117,7 @@ bool BufferSink::write(const Rect& r, float* values) {
 /// Whether numbers are stored without a conversion but to the memory's kind.
 bool BufferSink::as_they_are() const {
     const Layout& layout = m_work.layout;
-    return !must_associate(layout) &&
-           !(m_work.meaning.light->converts() && layout.colour.count > 0);
+    return !must_associate(layout) && ddt::as_they_are(*m_work.meaning.light, layout.colour);
 }
 
 /// Floats that stay as they are.

@@ -22,7 +22,7 @@ bool ImageSink::write(const Rect& r, float* values) {
 /// Whether numbers are stored without a conversion but to the image's type.
 bool ImageSink::as_they_are() const {
     const Writing& w = m_writing;
-    return w.bits == OIIO::TypeUnknown && !(w.light.converts() && w.colour.count > 0);
+    return w.bits == OIIO::TypeUnknown && ddt::as_they_are(w.light, w.colour);
 }
 
 /// Floats that stay as they are.

@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 #include <hwy/highway.h>
 
+#include "core/base/float_bits.h"
 #include "core/lattice/lattice.h"
 #include "core/lattice/locate.h"
 #include "core/surface/edge_maker.h"
@@ -25,17 +26,8 @@
 
 namespace ddt::test {
 
-inline uint32_t bits_of(float x) {
-    uint32_t bits;
-    std::memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
-inline float float_of(uint32_t bits) {
-    float x;
-    std::memcpy(&x, &bits, sizeof x);
-    return x;
-}
+using ddt::bits_of;
+using ddt::float_of;
 
 constexpr Cost all_costs[] = {
 #define DDT_COST(name, ...) Cost::name,

@@ -83,9 +83,7 @@ private:
         m_mesh.set_tiles(sizes);
         for (size_t i = 0; i < m_tiles.size(); ++i)
             m.uploaded += gl::upload(m_tiles[i], m_job, int(i), m_mesh, m_surfaces);
-        if (gl::with_guides(m_job))
-            m_mesh.unpack_guides();
-        m_surfaces.unpack(m_mesh);
+        gl::unpack(m_job, m_mesh, m_surfaces);
         stages.end();
         gl::finish(m_gpu.context->gl, "upload");
         stages.begin(Stage::triangulate);
@@ -114,7 +112,7 @@ private:
             gl::finish(m_gpu.context->gl, "positions");
             stages.begin(Stage::sample);
             for (const gl::Strip& s : strips)
-                m_surfaces.sample(m_mesh, s.plan, channels, m_memory);
+                m_surfaces.sample(m_mesh, s.plan, m_memory);
             stages.end();
             stages.begin(Stage::download);
             m.downloaded += m_surfaces.download(numbers, gl::Travel(), m_memory, *m_download);
@@ -223,14 +221,11 @@ double copy_bandwidth(gl::Gpu& gpu) {
             const size_t bytes = size_t(gpu.context->software ? 32 : 256) << 20;
             const gl::Buffer from(gl, bytes), to(gl, bytes);
             from.clear();
-            gl.BindBuffer(GL_COPY_READ_BUFFER, from.name());
-            gl.BindBuffer(GL_COPY_WRITE_BUFFER, to.name());
             double best = 0;
             for (int i = 0; i < 5; ++i) {
                 gl::Stages stages(gl, true);
                 stages.begin(Stage::sample);
-                gl.CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
-                                     GLsizeiptr(bytes));
+                gl::copy(gl, from.name(), 0, to.name(), 0, bytes);
                 stages.end();
                 best = std::max(best,
                                 2.0 * double(bytes) / (stages.milliseconds(Stage::sample) * 1e-3));

@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 
+#include "core/gl/context/faults.h"
+#include "core/gl/context/gpu.h"
 #include "tests/core/gl/enlarge_pair.h"
 
 namespace ddt::test {
@@ -19,6 +21,17 @@ protected:
         const Result result = enlarge_on(GetParam(), dot, order);
         if (result.outcome == Outcome::device_unavailable)
             GTEST_SKIP() << result.error << " (./check installs what it needs)";
+    }
+
+    /// The device, opened anew and checked as hardware is.
+    gl::Gpu& fresh_device() const {
+        gl::forget_devices();
+        std::string why;
+        bool forked = false;
+        gl::Gpu* gpu = gl::open(GetParam(), why, forked);
+        EXPECT_NE(gpu, nullptr) << why;
+        gpu->checks.software_too = true;
+        return *gpu;
     }
 };
 

@@ -106,16 +106,6 @@ protected:
         unsetenv("DDT_VERBOSE");
     }
 
-    gl::Gpu& fresh_device() const {
-        gl::forget_devices();
-        std::string why;
-        bool forked = false;
-        gl::Gpu* gpu = gl::open(GetParam(), why, forked);
-        EXPECT_NE(gpu, nullptr) << why;
-        gpu->checks.software_too = true;
-        return *gpu;
-    }
-
     /// Do the job; true if on the device. `lines`: what was said of checks that failed.
     bool on_device(const Picture& picture, const Order& order, std::vector<std::string>& lines) {
         const Result cpu = enlarge_on(Device::cpu, picture, order);

@@ -48,16 +48,6 @@ protected:
         unsetenv("DDT_VERBOSE");
     }
 
-    gl::Gpu& fresh_device() const {
-        gl::forget_devices();
-        std::string why;
-        bool forked = false;
-        gl::Gpu* gpu = gl::open(GetParam(), why, forked);
-        EXPECT_NE(gpu, nullptr) << why;
-        gpu->checks.software_too = true;
-        return *gpu;
-    }
-
     /// Flip; true if on the device. `lines`: what was said of failures.
     bool on_device(const MeshOptions& options, std::vector<std::string>& lines) {
         std::vector<float> guide;

@@ -8,8 +8,7 @@
 #include <mutex>
 
 #include "core/base/half.h"
-#include "core/gl/context/faults.h"
-#include "core/gl/context/gpu.h"
+#include "core/gl/travel_check.h"
 #include "core/tiles/grid.h"
 #include "ddt/log.h"
 #include "tests/core/gl/devices.h"
@@ -227,13 +226,9 @@ TEST_P(Travel, IdentifiersAndSinglePixelsTravelAsFloats) {
 
 // Without pinned memory, as before OpenGL 4.4.
 TEST_P(Travel, WithoutPinnedMemoryToo) {
-    std::string why;
-    bool forked = false;
-    gl::forget_devices();
-    gl::Gpu* gpu = gl::open(GetParam(), why, forked);
-    ASSERT_NE(gpu, nullptr) << why;
-    EXPECT_NE(gpu->context->gl.BufferStorage, nullptr) << "Mesa has it";
-    gpu->context->gl.BufferStorage = nullptr;
+    gl::Functions& gl = fresh_device().context->gl;
+    EXPECT_NE(gl.BufferStorage, nullptr) << "Mesa has it";
+    gl.BufferStorage = nullptr;
     expect_same(16, job_of(300, 270, 3), true);
 }
 
@@ -244,12 +239,7 @@ TEST_P(Travel, NumbersFitStorageBlocks) {
     const size_t a_tile = 300 * 270 * channels * sizeof(float);
     const Job job = job_of(width, height, channels);
     for (const bool fits : {true, false}) {
-        gl::forget_devices();
-        std::string why;
-        bool forked = false;
-        gl::Gpu* gpu = gl::open(GetParam(), why, forked);
-        ASSERT_NE(gpu, nullptr) << why;
-        gpu->block_limit = fits ? a_tile + a_tile / 2 : a_tile - 4;
+        fresh_device().block_limit = fits ? a_tile + a_tile / 2 : a_tile - 4;
         CodeSource source(16, width, channels), here(16, width, channels);
         const Picture picture = picture_of(source, width, height, channels);
         PictureSource floats(picture);
@@ -314,19 +304,14 @@ TEST_P(Travel, AWrongProgramIsNotUsed) {
             travel.there.table[i] = float(i);
     for (const auto& change : changes) {
         gl::change_constant(change.program, change.name, change.value);
-        gl::forget_devices();
-        std::string why;
-        bool forked = false;
-        gl::Gpu* gpu = gl::open(GetParam(), why, forked);
-        ASSERT_NE(gpu, nullptr) << why;
-        gpu->checks.software_too = true;
+        gl::Gpu& gpu = fresh_device();
         int wrong = 0;
         for (const gl::Travel& travel : all)
-            gpu->thread
+            gpu.thread
                 .post([&] {
-                    const bool differs = !gl::travel_differs(*gpu, travel).empty();
+                    const bool differs = !gl::travel_differs(gpu, travel).empty();
                     wrong += differs;
-                    EXPECT_TRUE(!differs || !gpu->checks.differs(*gpu, Job(), travel).empty());
+                    EXPECT_TRUE(!differs || !gpu.checks.differs(gpu, Job(), travel).empty());
                 })
                 .get();
         EXPECT_EQ(wrong, std::string(change.program) == "unpack_guide.comp" ? 3 : 1)

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "core/base/float_bits.h"
 #include "core/guide/guide.h"
 #include "core/tiles/tile_io.h"
 #include "core/triangulate/triangulate.h"
@@ -13,12 +14,6 @@
 namespace ddt::test {
 
 namespace {
-
-uint32_t bits_of(float x) {
-    uint32_t bits;
-    std::memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
 
 /// A gain, gradient or bend counts as the same if its value is: what is made of it does not see a
 /// zero's sign.

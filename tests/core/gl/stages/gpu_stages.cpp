@@ -150,7 +150,7 @@ std::vector<float> GpuStages::result(int out_width, int out_height) {
     gl::HostBuffer results(result.size() * sizeof(float));
     surfaces.make_room(strip.positions.size(), result.size(), gl::Travel(), memory);
     surfaces.write_positions(strip.positions, memory);
-    surfaces.sample(m_mesh, strip.plan, m_job.channels, memory);
+    surfaces.sample(m_mesh, strip.plan, memory);
     surfaces.download(result.size(), gl::Travel(), memory, results);
     gl::finish(m_gpu.context->gl, "sampling");
     std::memcpy(result.data(), results.data(), results.bytes());
