@@ -40,22 +40,22 @@ private:
     int m_edges[edges_at_once + touched_at_once];
 };
 
-/// Of any mesh, of no more edges than are dirty at a time; twin of the Lattice's. Without branches,
-/// since half of them can be flipped.
+/// Of any mesh; twin of the Lattice's. Without branches, since half of the edges can be flipped;
+/// `candidates` holds those that can before it holds those that gain.
 template <class Mesh>
 Evaluated find_candidates(const Mesh& mesh, const Criterion& criterion, float min_gain,
                           const int* sites, size_t n, std::vector<float>& gain, int* candidates) {
-    int flippable[edges_at_once + touched_at_once];
     Evaluated found;
     for (size_t i = 0; i < n; ++i) {
         gain[size_t(sites[i])] = no_gain;
-        flippable[found.flippable] = sites[i];
+        candidates[found.flippable] = sites[i];
         found.flippable += mesh.flippable(sites[i]);
     }
-    gains(mesh, criterion, flippable, found.flippable, gain.data());
+    gains(mesh, criterion, candidates, found.flippable, gain.data());
     for (size_t i = 0; i < found.flippable; ++i) {
-        candidates[found.candidates] = flippable[i];
-        found.candidates += gain[size_t(flippable[i])] > min_gain;
+        const int m = candidates[i];
+        candidates[found.candidates] = m;
+        found.candidates += gain[size_t(m)] > min_gain;
     }
     return found;
 }
