@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <chrono>
-#include <memory>
-#include <vector>
 
 #include "core/base/guarded.h"
 #include "core/base/parallel.h"
@@ -11,19 +9,13 @@
 #include "core/gl/offload.h"
 #include "core/tiles/grid.h"
 #include "core/tiles/run.h"
-#include "core/tiles/tile_worker.h"
+#include "core/tiles/work_on_cpu.h"
 #include "ddt/core.h"
 #include "ddt/option_table.h"
 
 namespace ddt {
 
 namespace {
-
-/// Workers together take no more than the first, and the second for every thread that is asked for
-/// beyond a few; times the meshes. One there is in any case.
-constexpr size_t memory_limit = size_t(208) << 20;
-constexpr size_t memory_per_thread = size_t(22) << 20;
-constexpr size_t few_threads = 16;
 
 /// Largest number of pixels of a window, so that its tiles can be counted.
 constexpr double largest_area = double(int64_t(1) << 45);
@@ -70,38 +62,6 @@ int thread_count(const Job& job) {
     return job.threads > 0 ? allowed_threads(job.threads) : usual_threads();
 }
 
-/// Threads that work on tiles at the same time.
-int worker_count(const Job& job, const Mapping& mapping) {
-    const auto wanted = size_t(thread_count(job));
-    const size_t beyond = wanted - std::min(wanted, few_threads);
-    const size_t limit = (memory_limit + beyond * memory_per_thread) * size_t(job.mesh.meshes);
-    const size_t fitting = limit / TileWorker::memory(job, mapping.separable());
-    return int(std::clamp<size_t>(fitting, 1, wanted));
-}
-
-/// Work on all tiles that are not done.
-void work_on_cpu(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
-                 const Grid& grid, Run& run, Statistics& statistics) {
-    const int threads = worker_count(job, mapping);
-
-    auto workers = std::vector<std::unique_ptr<TileWorker>>(size_t(threads));
-    for_each_index(threads, grid.count(), [&](int slot, int index) {
-        if (!run.going() || run.is_done(index))
-            return;
-        auto& worker = workers[size_t(slot)];
-        if (!worker)
-            worker = std::make_unique<TileWorker>(source, sink, mapping, job);
-        const Outcome outcome = worker->work(grid.tile(index), run.next_row(index));
-        if (outcome == Outcome::done)
-            run.tile_done(index);
-        else
-            run.end(outcome);
-    });
-    for (const auto& worker : workers)
-        if (worker)
-            statistics += worker->statistics();
-}
-
 /// Tell of a job.
 void report(const Placement& placement, const std::string& failure, const Statistics& statistics,
             double seconds) {
@@ -136,7 +96,7 @@ Outcome run(Source& given, Sink& sink, const Mapping& mapping, const Job& job, s
     const bool on_cpu = !placement.gpu || !failure.empty();
     statistics.device = on_cpu ? Device::cpu : placement.device;
     if (on_cpu)
-        work_on_cpu(source, sink, mapping, job, grid, run, statistics);
+        work_on_cpu(source, sink, mapping, job, grid, thread_count(job), run, statistics);
     if (job.statistics)
         *job.statistics = statistics;
     if (verbose())

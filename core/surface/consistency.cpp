@@ -267,14 +267,14 @@ LaneLimits::LaneLimits(const float* strict, float share, bool clipped)
     }
 }
 
-void find_limits(const Lattice& lattice, const float* source, int x0, int x1, int y,
+void find_limits(int width, int height, const float* source, int x0, int x1, int y,
                  const LaneLimits& limits, LimitRow& row) {
-    const size_t floats = size_t(lattice.width()) * group_size;
+    const size_t floats = size_t(width) * group_size;
     row.low.resize(floats);
     row.high.resize(floats);
     HWY_DYNAMIC_DISPATCH(limits_in_row)
-    (lattice.width(), lattice.height(), source, x0, x1, y, limits.limit, limits.lowest,
-     row.low.data(), row.high.data());
+    (width, height, source, x0, x1, y, limits.limit, limits.lowest, row.low.data(),
+     row.high.data());
 }
 
 void move_row(const Lattice& lattice, const Net& net, int x0, int x1, int y, const float* source,
@@ -294,7 +294,8 @@ void Consistency::begin(const Lattice& lattice, const Net& net, float limit, boo
 }
 
 const LimitRow& Consistency::limits(const Lattice& lattice, int y) {
-    find_limits(lattice, source.data(), 0, lattice.width(), y, m_limits, m_row);
+    find_limits(lattice.width(), lattice.height(), source.data(), 0, lattice.width(), y, m_limits,
+                m_row);
     return m_row;
 }
 

@@ -37,8 +37,9 @@ struct LimitRow {
     std::vector<float> low, high;
 };
 
-/// Find those of columns x0 .. x1 - 1 of row y. source: group_size floats for every pixel.
-void find_limits(const Lattice& lattice, const float* source, int x0, int x1, int y,
+/// Find those of columns x0 .. x1 - 1 of row y. source: group_size floats for every pixel of a
+/// picture, or of a part of it in which y has the neighbours that it has.
+void find_limits(int width, int height, const float* source, int x0, int x1, int y,
                  const LaneLimits& limits, LimitRow& row);
 
 /// Put where the vertices of a net in columns x0 .. x1 - 1 of row y go, none of which is on the

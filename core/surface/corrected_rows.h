@@ -20,15 +20,15 @@ struct CorrectionRecipe {
     unsigned kept_lanes = 0;
 };
 
-/// Corrects one group's vertices in their place, from the top row downwards. A round is some rows
-/// ahead of the next.
+/// Corrects one group's vertices, from the top row downwards. A round is some rows ahead of the
+/// next.
 class CorrectedRows {
 public:
     /// Start on the vertices that the edges in `part`, a part of the lattice in pixels, are made
-    /// from. first .. first + count of `channels` floats a pixel of `values` will be the corrected
-    /// ones; strict: Net::strict.
+    /// from. `source`: the group's values; `values`: a copy of the pixels they are of, in which the
+    /// corrected ones will take their place. Both must stay where they are. strict: Net::strict.
     void begin(const Lattice& lattice, const Rect& part, const CorrectionRecipe& recipe,
-               const GroupValues& group, float* values, const float* strict);
+               const GroupValues& source, float* values, const float* strict);
 
     /// Correct the rows of pixels before `end`, as far as they are not.
     void to_row(int end) { make(m_recipe.rounds - 1, end); }
@@ -41,16 +41,18 @@ private:
         MeanRows means;
         Rect moved;
         int rows; ///< those above this one are done
+        /// The source's rows round the next one, group_size floats a pixel.
+        std::vector<float> near;
     };
     void make(int round, int end);
     void make_row(Round& round);
+    const float* source_near(Round& round) const;
 
     const Lattice* m_lattice = nullptr;
     CorrectionRecipe m_recipe;
-    GroupValues m_group;
+    GroupValues m_source;
     float* m_values = nullptr;
     LaneLimits m_limits;
-    std::vector<float> m_source; ///< of all pixels
     LimitRow m_limit_row;
     std::vector<float> m_moved; ///< a row of vertices
     std::vector<Round> m_rounds;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// One tile from source pixels to output pixels.
+// Tiles from source pixels to output pixels.
 #pragma once
 
 #include <vector>
 
-#include "core/tiles/grid.h"
+#include "core/tiles/row_writer.h"
+#include "core/tiles/rows_left.h"
 #include "core/tiles/stage_clock.h"
 #include "core/tiles/tile_mesh.h"
 #include "ddt/core.h"
@@ -15,11 +16,24 @@ namespace ddt {
 class TileWorker {
 public:
     TileWorker(Source& source, Sink& sink, const Mapping& mapping, const Job& job)
-        : m_source(source), m_sink(sink), m_mapping(mapping), m_job(job) {}
+        : m_source(source), m_mapping(mapping), m_job(job),
+          m_writer(sink, mapping, job, m_statistics.times) {}
 
     /// Read, triangulate, sample and write the tile's output rows from first_row on; nothing if the
     /// mapping shows none of it.
     Outcome work(const Tile& tile, int first_row);
+
+    // The same in two steps, between which, and while the second is done, others may take rows.
+
+    /// Read the tile and triangulate it.
+    Outcome begin(const Tile& tile, int first_row);
+    /// Write what is left of what was begun or taken.
+    Outcome finish();
+    /// Rows that are left, if they are enough for two; else 0.
+    int rows_to_share() const { return m_left.to_share(); }
+    /// Take half of the rows that somebody else has left, of a tile that must stay there until
+    /// finish() is done. False if they are not enough for two.
+    bool take_from(TileWorker& other) { return other.m_left.give(m_left); }
 
     const Statistics& statistics() const { return m_statistics; }
 
@@ -32,38 +46,18 @@ private:
     void reserve();
     bool read(const Tile& tile);
     const float* guide_of(size_t mesh); ///< to be called in ascending order
-    void make_edges_for(int32_t y, int32_t keep);
-    Outcome write(const Tile& tile, const Rect& reach);
-    bool find_columns(const Tile& tile, const Rect& rows);
-    template <class F>
-    Outcome each_panel(const Rect& r, F&& f) const;
-    Outcome write_rows(const Tile& tile, const Rect& rows, bool panels);
-    static bool follows(const Point& a, const Point& b);
-    Outcome write_runs(const Tile& tile, const Rect& row);
-    void sample(int n, float* out);
-    int sample_block(const int32_t* y, int n, float* out, size_t row);
-    void join(size_t mesh, const float* last, size_t positions, float* mean) const;
-    bool any_nearest() const;
-    bool hand_over(const Rect& r); ///< m_out to the sink
 
     Source& m_source;
-    Sink& m_sink;
     const Mapping& m_mapping;
     const Job& m_job;
     Statistics m_statistics;
     StageClock m_clock;
 
-    std::vector<float> m_values, m_guide, m_blurred;
-    int m_width = 0, m_height = 0; ///< of the lattice
-    std::vector<TileMesh> m_meshes;
+    std::vector<float> m_guide, m_blurred;
     Workspace m_workspace;
-    std::vector<Position> m_positions;
-    std::vector<uint8_t> m_inside;
-    std::vector<Point> m_points;
-    Columns m_columns; ///< where write_rows() is
-    std::vector<int32_t> m_ys;
-    std::vector<float> m_out;
-    std::vector<float> m_last; ///< what a mesh adds to the mean
+    MeshedTile m_meshed;
+    RowsLeft m_left;
+    RowWriter m_writer;
 };
 
 } // namespace ddt

@@ -93,6 +93,58 @@ TEST(AnyMapping, OneAxisAtATimeToo) {
     }
 }
 
+/// Another mapping's picture, turned over along an axis or both.
+class Turned final : public Mapping {
+public:
+    Turned(const Mapping& mapping, const Rect& out, bool x, bool y)
+        : m_mapping(mapping), m_out(out), m_x(x), m_y(y) {}
+    Rect reach(double x0, double y0, double x1, double y1) const override {
+        const Rect r = m_mapping.reach(x0, y0, x1, y1);
+        return {m_x ? m_out.x1 - r.x1 : r.x0, m_y ? m_out.y1 - r.y1 : r.y0,
+                m_x ? m_out.x1 - r.x0 : r.x1, m_y ? m_out.y1 - r.y0 : r.y1};
+    }
+    void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override {
+        for (int x = x0; x < x1; ++x, ++positions, ++inside) {
+            const int from = m_x ? m_out.x1 - 1 - x : x;
+            m_mapping.row(m_y ? m_out.y1 - 1 - y : y, from, from + 1, positions, inside);
+        }
+    }
+    bool separable() const override { return true; }
+
+private:
+    const Mapping& m_mapping;
+    Rect m_out;
+    bool m_x, m_y;
+};
+
+TEST(AnyMapping, RowsAndColumnsMayRunBackwards) {
+    TestSource source({0, 0, 300, 280}, 3, 77);
+    const Rect out{0, 0, 700, 640};
+    const ResizeMapping mapping = mapping_of(source.window(), out, out);
+    for (const bool nearest : {false, true}) {
+        Job job = job_of(source, 3);
+        if (nearest)
+            job.kinds = {Channel::blend, Channel::nearest, Channel::blend};
+        TestSink straight(out, 3);
+        ASSERT_EQ(enlarge(source, straight, mapping, job), Outcome::done);
+        for (const auto& [turn_x, turn_y] :
+             {std::pair(true, false), std::pair(false, true), std::pair(true, true)}) {
+            TestSink sink(out, 3);
+            ASSERT_EQ(enlarge(source, sink, Turned(mapping, out, turn_x, turn_y), job),
+                      Outcome::done);
+            ASSERT_EQ(sink.written(1), int64_t(out.area()));
+            std::vector<float> back;
+            for (int y = 0; y < out.y1; ++y)
+                for (int x = 0; x < out.x1; ++x) {
+                    const float* p =
+                        sink.at(turn_x ? out.x1 - 1 - x : x, turn_y ? out.y1 - 1 - y : y);
+                    back.insert(back.end(), p, p + 3);
+                }
+            EXPECT_EQ(differing(back, straight.values()), 0u) << turn_x << turn_y << nearest;
+        }
+    }
+}
+
 TEST(AnyMapping, OutsideTheWindowNothingIsReadThatIsNotThere) {
     Plane source;
     const Rect out{0, 0, 150, 60};

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/tiles/row_writer.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/base/arith.h"
+#include "core/tiles/tile_io.h"
+
+namespace ddt {
+
+namespace {
+
+/// Floats of output that are handed to the sink at once, about: half a megabyte.
+constexpr size_t strip_floats = size_t(1) << 17;
+
+/// Columns of output that are worked on at once: what is kept for each column stays small however
+/// long the rows are.
+int panel_columns(const Job& job) {
+    constexpr size_t most = size_t(1) << 14;
+    return int(std::clamp<size_t>(strip_floats / size_t(job.channels), 1, most));
+}
+
+/// Sampling follows a row from position to position, by exact arithmetic in 32 bits.
+bool follows(const Point& a, const Point& b) {
+    constexpr int32_t longest = 2 * position_one;
+    return std::abs(b.x - a.x) <= longest && std::abs(b.y - a.y) <= longest;
+}
+
+/// Output pixels that are worth being made by a thread of its own, about: what a tile's surface
+/// needs round any part of it is made for each part.
+constexpr size_t shared_pixels = size_t(1) << 15;
+
+} // namespace
+
+size_t RowWriter::memory(const Job& job, int width, int height, bool rows) {
+    return size_t(job.mesh.meshes) * TileSurface::memory(job, width, height, rows) +
+           2 * strip_floats * sizeof(float);
+}
+
+int RowWriter::least_shared_rows(const Rect& pixels) {
+    return int(std::max<size_t>(1, shared_pixels / size_t(pixels.width())));
+}
+
+/// The tile with those of its cells alone that pixels of a grid lie in.
+Tile RowWriter::part_of(const Tile& tile, const Rect& pixels) const {
+    Position first, last;
+    uint8_t inside = 0;
+    m_mapping.row(pixels.y0, pixels.x0, pixels.x0 + 1, &first, &inside);
+    m_mapping.row(pixels.y1 - 1, pixels.x1 - 1, pixels.x1, &last, &inside);
+    const auto cell = [](int64_t position, int begin, int end) {
+        return int(std::clamp<int64_t>(position >> position_bits, begin, end - 1));
+    };
+    Tile part = tile;
+    const Rect& c = tile.cells;
+    part.cells = {cell(first.x, c.x0, c.x1), cell(first.y, c.y0, c.y1), //
+                  cell(last.x, c.x0, c.x1) + 1, cell(last.y, c.y0, c.y1) + 1};
+    return part;
+}
+
+/// Make the edges that positions at this y need; positions above `keep` are not asked for again.
+void RowWriter::make_edges_for(int32_t y, int32_t keep) {
+    m_clock.lap(m_times.sample);
+    for (TileSurface& surface : m_surfaces)
+        surface.make_edges_for(y, keep);
+    m_clock.lap(m_times.surface);
+}
+
+/// Whether columns lie at ascending positions, each so near to the one before that it follows it.
+bool RowWriter::ascends(const Tile& tile, const Rect& row) {
+    const size_t n = size_t(row.width());
+    m_mapping.row(row.y0, row.x0, row.x1, m_positions.data(), m_inside.data());
+    for (size_t i = 1; i < n; ++i) {
+        const Point before = local(tile, m_positions[i - 1]), p = local(tile, m_positions[i]);
+        if (p.x < before.x || !follows(before, p))
+            return false;
+    }
+    return true;
+}
+
+bool RowWriter::is_grid(const Tile& tile, const Rect& pixels) {
+    if (!m_mapping.separable())
+        return false;
+    take_memory(pixels);
+    bool grid = true;
+    each_panel({pixels.x0, pixels.y0, pixels.x1, pixels.y0 + 1}, [&](const Rect& panel) {
+        grid = grid && ascends(tile, panel);
+        return Outcome::done;
+    });
+    int32_t above = 0;
+    for (int y = pixels.y0; grid && y < pixels.y1; ++y) {
+        const int32_t here = y_of(tile, y, pixels.x0);
+        grid = here >= above;
+        above = here;
+    }
+    return grid;
+}
+
+/// Memory for rows as wide as these pixels, or panels of them.
+void RowWriter::take_memory(const Rect& pixels) {
+    const size_t width = size_t(std::min(pixels.width(), panel_columns(m_job)));
+    m_positions.resize(width);
+    m_inside.resize(width);
+    m_points.resize(width);
+}
+
+/// Where a row of a separable mapping lies in the tile's lattice.
+int32_t RowWriter::y_of(const Tile& tile, int y, int x) const {
+    Position position;
+    uint8_t inside = 0;
+    m_mapping.row(y, x, x + 1, &position, &inside);
+    return local(tile, position).y;
+}
+
+/// Find where the columns of `rows` of a grid lie.
+void RowWriter::find_columns(const Tile& tile, const Rect& rows) {
+    m_points.resize(size_t(rows.width()));
+    m_mapping.row(rows.y0, rows.x0, rows.x1, m_positions.data(), m_inside.data());
+    for (size_t i = 0; i < m_points.size(); ++i)
+        m_points[i] = local(tile, m_positions[i]);
+    m_columns.find(m_points.data(), int(m_points.size()), m_meshed->width);
+}
+
+/// Call f(panel) for parts of r that are no wider than a panel, from left to right, until it
+/// returns something else than `done`.
+template <class F>
+Outcome RowWriter::each_panel(const Rect& r, F&& f) const {
+    const int columns = panel_columns(m_job);
+    for (int x = r.x0; x < r.x1; x += columns) {
+        const Outcome outcome =
+            f(Rect{x, r.y0, r.x0 + std::min(x - r.x0 + columns, r.width()), r.y1});
+        if (outcome != Outcome::done)
+            return outcome;
+    }
+    return Outcome::done;
+}
+
+Outcome RowWriter::write(RowsLeft& left) {
+    m_clock.start();
+    m_meshed = &left.of();
+    const MeshedTile& meshed = *m_meshed;
+    const Rect all = left.pixels();
+    const bool grid = left.grid();
+    const Tile part = grid ? part_of(meshed.tile, all) : meshed.tile;
+    while (m_surfaces.size() < meshed.meshes.size())
+        m_surfaces.emplace_back(m_job);
+    for (size_t k = 0; k < m_surfaces.size(); ++k)
+        m_surfaces[k].begin(meshed.meshes[k], part, meshed.values.data());
+    m_clock.lap(m_times.surface);
+
+    take_memory(all);
+    const int width = int(m_points.size());
+    const bool panels = all.width() > width;
+    if (!grid)
+        for (TileSurface& surface : m_surfaces)
+            surface.finish_edges();
+    else if (!panels)
+        find_columns(meshed.tile, all);
+    const size_t row = size_t(width) * size_t(m_job.channels);
+    const int strip = grid ? int(std::max<size_t>(1, strip_floats / row)) : 1;
+    for (Rect rows = left.take(strip); !rows.empty(); rows = left.take(strip))
+        if (const Outcome outcome = write_strip(rows, grid, panels); outcome != Outcome::done)
+            return outcome;
+    return Outcome::done;
+}
+
+/// Write some rows, or one where they are no grid.
+Outcome RowWriter::write_strip(const Rect& rows, bool grid, bool panels) {
+    const Tile& tile = m_meshed->tile;
+    return each_panel(rows, [&](const Rect& part) {
+        if (panels)
+            for (TileSurface& surface : m_surfaces)
+                surface.begin_panel();
+        if (!grid)
+            return write_runs(tile, part);
+        if (panels)
+            find_columns(tile, part);
+        return write_rows(tile, part, panels);
+    });
+}
+
+void RowWriter::sample(int n, float* out) {
+    m_surfaces[0].sample(m_points.data(), n, out);
+    if (m_surfaces.size() > 1)
+        m_last.resize(size_t(n) * size_t(m_job.channels) + row_padding);
+    for (size_t k = 1; k < m_surfaces.size(); ++k) {
+        m_surfaces[k].sample(m_points.data(), n, m_last.data());
+        join(k, m_last.data(), size_t(n), out);
+    }
+}
+
+/// Sample some of n rows at y[0], y[1], ..., `row` floats apart in `out`; returns how many.
+int RowWriter::sample_block(const int32_t* y, int n, float* out, size_t row) {
+    const int rows = m_surfaces[0].sample_block(m_columns, m_points, y, n, out, row);
+    const size_t positions = m_points.size(), last_row = positions * size_t(m_job.channels);
+    if (m_surfaces.size() > 1)
+        m_last.resize(size_t(rows) * last_row);
+    for (size_t k = 1; k < m_surfaces.size(); ++k) {
+        m_surfaces[k].sample_block(m_columns, m_points, y, rows, m_last.data(), last_row);
+        for (size_t r = 0; r < size_t(rows); ++r)
+            join(k, m_last.data() + r * last_row, positions, out + r * row);
+    }
+    return rows;
+}
+
+/// Make the mean of the first `mesh` meshes that of one more, whose values are `last`. Identifiers
+/// remain the first's.
+void RowWriter::join(size_t mesh, const float* last, size_t positions, float* mean) const {
+    const DenormalsAreZero as_on_gpus;
+    const float share = 1.0f / float(mesh + 1);
+    const auto channels = size_t(m_job.channels);
+    if (!any_nearest())
+        return join_last(last, positions * channels, share, mean);
+    for (size_t i = 0; i < positions * channels; ++i)
+        if (kind_of(m_job, int(i % channels)) != Channel::nearest)
+            join_last(last + i, 1, share, mean + i);
+}
+
+bool RowWriter::any_nearest() const {
+    const auto& kinds = m_job.kinds;
+    return std::find(kinds.begin(), kinds.end(), Channel::nearest) != kinds.end();
+}
+
+bool RowWriter::hand_over(const Rect& r) {
+    m_clock.lap(m_times.sample);
+    const bool taken = m_sink.write(r, m_out.data());
+    m_clock.lap(m_times.write);
+    return taken;
+}
+
+Outcome RowWriter::write_rows(const Tile& tile, const Rect& rows, bool panels) {
+    const auto channels = size_t(m_job.channels);
+    m_ys.clear();
+    for (int y = rows.y0; y < rows.y1; ++y)
+        m_ys.push_back(y_of(tile, y, rows.x0));
+    const bool blocks = !any_nearest();
+    size_t row = size_t(rows.width()) * channels, place_row = row;
+    float* const place = blocks ? m_sink.place(rows, place_row) : nullptr;
+    if (place)
+        row = place_row; // a sink without a place may have set it to anything
+    else
+        m_out.resize(rows.area() * channels + row_padding);
+    for (int y = 0; y < rows.height();) {
+        float* out = (place ? place : m_out.data()) + size_t(y) * row;
+        // Other columns of the same rows may come next.
+        make_edges_for(m_ys[size_t(y)], m_ys[panels ? 0 : size_t(y)]);
+        if (blocks) {
+            y += sample_block(m_ys.data() + y, rows.height() - y, out, row);
+            continue;
+        }
+        for (Point& p : m_points)
+            p.y = m_ys[size_t(y)];
+        sample(rows.width(), out);
+        ++y;
+    }
+    if (!place)
+        return hand_over(rows) ? Outcome::done : Outcome::sink_failed;
+    m_clock.lap(m_times.sample);
+    return Outcome::done;
+}
+
+Outcome RowWriter::write_runs(const Tile& tile, const Rect& row) {
+    const int width = row.width();
+    m_mapping.row(row.y0, row.x0, row.x1, m_positions.data(), m_inside.data());
+    const auto serves = [&](int i) {
+        return m_inside[size_t(i)] && ddt::serves(tile, m_positions[size_t(i)]);
+    };
+    for (int i = 0; i < width;) {
+        if (!serves(i)) {
+            ++i;
+            continue;
+        }
+        const int begin = i;
+        for (; i < width && serves(i); ++i) {
+            m_points[size_t(i - begin)] = local(tile, m_positions[size_t(i)]);
+            if (i > begin && !follows(m_points[size_t(i - begin) - 1], m_points[size_t(i - begin)]))
+                break;
+        }
+        const int n = i - begin;
+        m_out.resize(size_t(n) * size_t(m_job.channels) + row_padding);
+        sample(n, m_out.data());
+        if (!hand_over({row.x0 + begin, row.y0, row.x0 + i, row.y1}))
+            return Outcome::sink_failed;
+    }
+    return Outcome::done;
+}
+
+} // namespace ddt

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// The output rows of a tile that was triangulated.
+#pragma once
+
+#include <vector>
+
+#include "core/sample/evaluate.h"
+#include "core/tiles/rows_left.h"
+#include "core/tiles/stage_clock.h"
+#include "core/tiles/tile_mesh.h"
+#include "core/tiles/tile_surface.h"
+#include "ddt/core.h"
+
+namespace ddt {
+
+/// Makes output pixels of tiles and hands them to the sink. Has the memory for that, kept from one
+/// tile to the next.
+class RowWriter {
+public:
+    RowWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times)
+        : m_sink(sink), m_mapping(mapping), m_job(job), m_times(times) {}
+
+    /// Write what is left of a tile.
+    Outcome write(RowsLeft& left);
+
+    /// Whether the positions of a tile's output pixels are the points of a grid: y the same in a
+    /// row, x in a column, both ascending, neighbours in a row so near that they can be followed.
+    bool is_grid(const Tile& tile, const Rect& pixels);
+    /// Rows of a grid, as wide as these pixels, that are worth being made by a thread of its own.
+    static int least_shared_rows(const Rect& pixels);
+
+    /// About the bytes that this takes for a job; `rows`: TileSurface::memory().
+    static size_t memory(const Job& job, int width, int height, bool rows);
+
+private:
+    void take_memory(const Rect& pixels);
+    int32_t y_of(const Tile& tile, int y, int x) const;
+    Tile part_of(const Tile& tile, const Rect& pixels) const;
+    void make_edges_for(int32_t y, int32_t keep);
+    bool ascends(const Tile& tile, const Rect& row);
+    void find_columns(const Tile& tile, const Rect& rows);
+    template <class F>
+    Outcome each_panel(const Rect& r, F&& f) const;
+    Outcome write_strip(const Rect& rows, bool grid, bool panels);
+    Outcome write_rows(const Tile& tile, const Rect& rows, bool panels);
+    Outcome write_runs(const Tile& tile, const Rect& row);
+    void sample(int n, float* out);
+    int sample_block(const int32_t* y, int n, float* out, size_t row);
+    void join(size_t mesh, const float* last, size_t positions, float* mean) const;
+    bool any_nearest() const;
+    bool hand_over(const Rect& r); ///< m_out to the sink
+
+    Sink& m_sink;
+    const Mapping& m_mapping;
+    const Job& m_job;
+    StageTimes& m_times;
+    StageClock m_clock;
+
+    const MeshedTile* m_meshed = nullptr;
+    std::vector<TileSurface> m_surfaces; ///< one a mesh
+    std::vector<Position> m_positions;
+    std::vector<uint8_t> m_inside;
+    std::vector<Point> m_points;
+    Columns m_columns; ///< where write_rows() is
+    std::vector<int32_t> m_ys;
+    std::vector<float> m_out;
+    std::vector<float> m_last; ///< what a mesh adds to the mean
+};
+
+} // namespace ddt

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/tiles/tile_surface.h"
+
+#include "core/base/arith.h"
+#include "core/surface/kept_rows.h"
+#include "core/tiles/tile_io.h"
+
+namespace ddt {
+
+namespace {
+
+/// A recipe that takes the memory of the surface's.
+EdgeRecipe recipe_of(const SurfaceOptions& surface) {
+    static const float some_gain = 0;
+    return {surface.kind != Surface::linear, surface.soft > 0 ? &some_gain : nullptr, surface.soft};
+}
+
+} // namespace
+
+TileSurface::TileSurface(const Job& job) : m_job(job), m_nets(size_t(group_count(job.channels))) {
+    if (is_fitted(job.surface))
+        m_fitted.resize(m_nets.size());
+    else
+        m_edges.resize(m_nets.size());
+}
+
+size_t TileSurface::memory(const Job& job, int width, int height, bool rows) {
+    const EdgeRecipe recipe = recipe_of(job.surface);
+    const size_t kept =
+        is_fitted(job.surface)
+            ? FittedMaker::memory(width, height, !rows, job.channels, job.surface.soft > 0)
+            : EdgeMaker::memory(width, height, rows ? usual_longest : height, job.channels, recipe);
+    size_t corrected = 0;
+    if (is_corrected(job.surface))
+        corrected = size_t(width) * size_t(height) * sizeof(float) * size_t(job.channels) +
+                    CorrectedRows::memory(width, height, job.channels,
+                                          {job.surface.kind, recipe, job.surface.consistency});
+    return kept * size_t(group_count(job.channels)) + corrected;
+}
+
+void TileSurface::begin(const TileMesh& mesh, const Tile& tile, const float* values) {
+    const DenormalsAreZero as_on_gpus;
+    const SurfaceOptions& surface = m_job.surface;
+    m_mesh = &mesh;
+    const Rect part = sampled_part(mesh.lattice(), tile);
+    if (is_corrected(surface))
+        m_corrected.assign(values, values + mesh.lattice().vertices() * size_t(m_job.channels));
+    for (int g = 0; g < int(m_nets.size()); ++g) {
+        Net& net = m_nets[size_t(g)];
+        set_strictness(g, net);
+        if (is_fitted(surface)) {
+            begin_fitted(g, values, part);
+            continue;
+        }
+        if (is_corrected(surface))
+            begin_corrected(g, values, part);
+        const float* vertices = is_corrected(surface) ? m_corrected.data() : values;
+        m_edges[size_t(g)].begin_rows(mesh.lattice(), part, recipe(), group_values(vertices, g),
+                                      net);
+    }
+    m_search.begin();
+}
+
+GroupValues TileSurface::group_values(const float* values, int group) const {
+    return {values, m_job.channels, group * group_size, channels_in_group(m_job.channels, group)};
+}
+
+EdgeRecipe TileSurface::recipe() const {
+    const SurfaceOptions& surface = m_job.surface;
+    return {surface.kind != Surface::linear, surface.soft > 0 ? m_mesh->gain() : nullptr,
+            surface.soft};
+}
+
+void TileSurface::set_strictness(int group, Net& net) const {
+    for (int c = 0; c < group_size; ++c)
+        net.strict[c] = is_strict(m_job, group * group_size + c) ? 1.0f : 0.0f;
+}
+
+void TileSurface::begin_corrected(int group, const float* values, const Rect& part) {
+    const SurfaceOptions& surface = m_job.surface;
+    const CorrectionRecipe correction{surface.kind,  recipe(),        surface.consistency,
+                                      surface.limit, surface.clipped, nearest_mask(m_job, group)};
+    m_rounds.begin(m_mesh->lattice(), part, correction, group_values(values, group),
+                   m_corrected.data(), m_nets[size_t(group)].strict);
+    // Of many channels one group after the other, in the same memory; else as rows are needed.
+    if (m_nets.size() > 1)
+        m_rounds.to_row(m_mesh->lattice().height());
+}
+
+void TileSurface::begin_fitted(int group, const float* values, const Rect& part) {
+    const SurfaceOptions& surface = m_job.surface;
+    const FittedRecipe recipe{m_mesh->gain(), surface.soft, surface.limit, surface.clipped,
+                              nearest_mask(m_job, group)};
+    m_fitted[size_t(group)].begin(m_mesh->lattice(), part, recipe, group_values(values, group),
+                                  m_nets[size_t(group)]);
+}
+
+void TileSurface::make_edges_for(int32_t y, int32_t keep) {
+    const DenormalsAreZero as_on_gpus;
+    const int to = (y >> position_bits) + m_mesh->lattice().longest(), from = keep >> position_bits;
+    for (EdgeMaker& edges : m_edges) {
+        if (is_corrected(m_job.surface))
+            m_rounds.to_row(edges.values_end(to));
+        edges.to_row(to, from);
+    }
+    for (FittedMaker& fitted : m_fitted)
+        fitted.to_row(to, from);
+}
+
+void TileSurface::finish_edges() {
+    const DenormalsAreZero as_on_gpus;
+    if (is_corrected(m_job.surface))
+        m_rounds.to_row(m_mesh->lattice().height());
+    for (EdgeMaker& edges : m_edges)
+        edges.finish();
+    for (FittedMaker& fitted : m_fitted)
+        fitted.finish();
+}
+
+void TileSurface::sample(const Point* points, int n, float* out) {
+    const DenormalsAreZero as_on_gpus;
+    locate_row(m_mesh->lattice(), points, n, m_search, m_row);
+    for (int g = 0; g < int(m_nets.size()); ++g)
+        evaluate_row(m_nets[size_t(g)], m_job.surface.kind, nearest_mask(m_job, g), m_row,
+                     m_job.channels, g * group_size, channels_in_group(m_job.channels, g), out);
+}
+
+int TileSurface::sample_block(const Columns& columns, std::vector<Point>& points, const int32_t* y,
+                              int n, float* out, size_t row) {
+    const DenormalsAreZero as_on_gpus;
+    const int rows = locate_block(m_mesh->lattice(), columns, points, y, n, m_search, m_block);
+    for (int g = 0; g < int(m_nets.size()); ++g)
+        evaluate_block(m_nets[size_t(g)], m_job.surface.kind, columns, m_block, m_job.channels,
+                       g * group_size, channels_in_group(m_job.channels, g), out, row);
+    return rows;
+}
+
+} // namespace ddt

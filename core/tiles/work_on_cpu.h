@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// A job's tiles, worked on by the CPU's threads.
+#pragma once
+
+#include "core/tiles/grid.h"
+#include "core/tiles/run.h"
+#include "ddt/core.h"
+
+namespace ddt {
+
+/// Work on all tiles that are not done, by up to so many threads as their memory allows. Each works
+/// on a tile of its own; when none is left to begin, those without one take half of the rows that
+/// another's tile has left: the mesh is one thread's work, what is read off it anyone's. Adds to
+/// `statistics`.
+void work_on_cpu(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
+                 const Grid& grid, int threads, Run& run, Statistics& statistics);
+
+} // namespace ddt

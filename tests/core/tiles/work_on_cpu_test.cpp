@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+// A tile's rows, shared by threads that have no tile of their own.
+#include "core/tiles/work_on_cpu.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <stdexcept>
+
+#include "core/tiles/rows_left.h"
+#include "ddt/option_table.h"
+#include "tests/core/job_helpers.h"
+#include "tests/many_threads.h"
+
+namespace ddt::test {
+namespace {
+
+constexpr int threads = 4;
+
+TEST(RowsLeft, AreTakenFromTheTopAndGivenFromTheBottom) {
+    MeshedTile tile;
+    RowsLeft rows, others;
+    rows.begin(tile, {10, 100, 30, 200}, true, 20);
+    const Rect first = rows.take(30);
+    EXPECT_EQ(first.y0, 100);
+    EXPECT_EQ(first.y1, 130);
+    EXPECT_EQ(rows.to_share(), 70);
+    ASSERT_TRUE(rows.give(others));
+    EXPECT_EQ(&others.of(), &tile);
+    EXPECT_TRUE(others.grid());
+    const Rect given = others.take(1000), kept = rows.take(1000);
+    EXPECT_EQ(kept.y0, 130);
+    EXPECT_EQ(kept.y1, 165);
+    EXPECT_EQ(given.y0, 165);
+    EXPECT_EQ(given.y1, 200);
+    EXPECT_EQ(given.x0, 10);
+    EXPECT_EQ(given.x1, 30);
+    EXPECT_TRUE(rows.take(1).empty());
+    EXPECT_FALSE(rows.give(others));
+}
+
+TEST(RowsLeft, AreNotGivenWhereThatIsNotWorthIt) {
+    MeshedTile tile;
+    RowsLeft rows, others;
+    rows.begin(tile, {0, 0, 5, 39}, true, 20);
+    EXPECT_EQ(rows.to_share(), 0);
+    EXPECT_FALSE(rows.give(others));
+    rows.begin(tile, {0, 0, 5, 40}, true, 20);
+    EXPECT_EQ(rows.to_share(), 40);
+    rows.begin(tile, {0, 0, 5, 40}, true, 0);
+    EXPECT_EQ(rows.to_share(), 0);
+}
+
+/// Keeps those that write until so many do at once, or for a minute.
+class Meeting final : public Sink {
+public:
+    Meeting(const Rect& out, int channels, int wanted) : m_sink(out, channels), m_wanted(wanted) {}
+    bool write(const Rect& r, float* values) override {
+        {
+            std::unique_lock<std::mutex> lock(m_mutex);
+            most = std::max(most, ++m_writing);
+            m_changed.notify_all();
+            m_changed.wait_for(lock, std::chrono::minutes(1), [&] { return most >= m_wanted; });
+        }
+        const bool good = (!at_meeting || at_meeting()) && m_sink.write(r, values);
+        const std::lock_guard<std::mutex> lock(m_mutex);
+        --m_writing;
+        return good;
+    }
+    const TestSink& sink() const { return m_sink; }
+
+    std::function<bool()> at_meeting; ///< called by each afterwards; its answer is write()'s
+    int most = 0;                     ///< at once
+
+private:
+    TestSink m_sink;
+    int m_wanted, m_writing = 0;
+    std::mutex m_mutex;
+    std::condition_variable m_changed;
+};
+
+struct OneTile {
+    explicit OneTile(int n = 3) : source({-7, 11, 173, 191}, n, 31), channels(n) {}
+
+    Job job(const char* filter) const {
+        Job made = job_of(source, channels, threads);
+        FilterOptions options;
+        std::string error;
+        EXPECT_TRUE(parse_filter(filter, options, error)) << error;
+        made.mesh = options.mesh;
+        made.surface = options.surface;
+        made.device = Device::cpu;
+        return made;
+    }
+    std::vector<float> by_one_thread(Job job) {
+        job.threads = 1;
+        TestSink sink(out, channels);
+        EXPECT_EQ(enlarge(source, sink, mapping(), job), Outcome::done);
+        return sink.values();
+    }
+    ResizeMapping mapping() const { return mapping_of(source.window(), out, out); }
+
+    const ManyThreads allowed;
+    TestSource source;
+    int channels;
+    Rect out{0, 0, 721, 719};
+};
+
+TEST(WorkOnCpu, AllThreadsWriteOneTileAndTheBitsAreThoseOfOne) {
+    for (const char* filter :
+         {"ddt", "ddt-linear", "ddt-sharp", "ddt-sharp,clipped=1", "ddt-sharp,meshes=2"})
+        for (const int channels : {1, 3, 5}) {
+            SCOPED_TRACE(::testing::Message() << filter << ", " << channels);
+            OneTile tile(channels);
+            const Job job = tile.job(filter);
+            Meeting sink(tile.out, channels, threads);
+            ASSERT_EQ(enlarge(tile.source, sink, tile.mapping(), job), Outcome::done);
+            EXPECT_EQ(sink.most, threads);
+            EXPECT_EQ(sink.sink().written(1), int64_t(tile.out.area()));
+            EXPECT_EQ(differing(sink.sink().values(), tile.by_one_thread(job)), 0u);
+        }
+}
+
+TEST(WorkOnCpu, IdentifiersAreSharedToo) {
+    OneTile tile(2);
+    Job job = tile.job("ddt");
+    job.kinds = {Channel::blend, Channel::nearest};
+    Meeting sink(tile.out, 2, threads);
+    ASSERT_EQ(enlarge(tile.source, sink, tile.mapping(), job), Outcome::done);
+    EXPECT_EQ(sink.most, threads);
+    EXPECT_EQ(differing(sink.sink().values(), tile.by_one_thread(job)), 0u);
+}
+
+TEST(WorkOnCpu, PositionsInAnyOrderStayWithOneThread) {
+    OneTile tile;
+    const Job job = tile.job("ddt");
+    Meeting sink(tile.out, 3, 1);
+    const ResizeMapping mapping = tile.mapping();
+    ASSERT_EQ(enlarge(tile.source, sink, Opaque(mapping), job), Outcome::done);
+    EXPECT_EQ(sink.most, 1);
+    EXPECT_EQ(differing(sink.sink().values(), tile.by_one_thread(job)), 0u);
+}
+
+TEST(WorkOnCpu, ATileIsDoneWhenTheLastPartIs) {
+    OneTile tile;
+    Job job = tile.job("ddt");
+    std::vector<float> told;
+    job.progress = [&](float share) {
+        told.push_back(share);
+        return true;
+    };
+    Meeting sink(tile.out, 3, threads);
+    ASSERT_EQ(enlarge(tile.source, sink, tile.mapping(), job), Outcome::done);
+    EXPECT_EQ(told, std::vector<float>{1.0f});
+}
+
+TEST(WorkOnCpu, WhatFailsWhileTheyShareEndsTheWork) {
+    OneTile tile;
+    const Job job = tile.job("ddt");
+    {
+        Meeting sink(tile.out, 3, threads);
+        std::atomic<int> calls{0};
+        sink.at_meeting = [&] { return ++calls != 2; };
+        EXPECT_EQ(enlarge(tile.source, sink, tile.mapping(), job), Outcome::sink_failed);
+    }
+    Meeting sink(tile.out, 3, threads);
+    std::atomic<int> calls{0};
+    sink.at_meeting = [&]() -> bool {
+        if (++calls == 2)
+            throw std::runtime_error("the disk fell down");
+        return true;
+    };
+    std::string error;
+    EXPECT_EQ(enlarge(tile.source, sink, tile.mapping(), job, &error), Outcome::bad_job);
+    EXPECT_NE(error.find("the disk fell down"), std::string::npos) << error;
+}
+
+TEST(WorkOnCpu, SmallResultsAreOneThreads) {
+    const ManyThreads allowed;
+    TestSource source({0, 0, 64, 64}, 1, 5);
+    const Rect out{0, 0, 255, 255};
+    Meeting sink(out, 1, 1);
+    const Job job = job_of(source, 1, threads);
+    ASSERT_EQ(enlarge(source, sink, mapping_of(source.window(), out, out), job), Outcome::done);
+    EXPECT_EQ(sink.most, 1);
+}
+
+} // namespace
+} // namespace ddt::test
