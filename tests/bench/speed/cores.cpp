@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a machine with more cores than this one would make of a job, as far as that is up to how it
-// is cut: threads share nothing but a list of tiles, and who is done takes the next.
+// is cut: who is done takes the next tile, and when there are no more, half of the rows of another.
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <functional>
-#include <numeric>
 #include <queue>
+#include <utility>
+#include <vector>
 
+#include "core/tiles/grid.h"
 #include "tables.h"
 #include "times.h"
 
@@ -15,41 +16,84 @@ namespace speed {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-struct TileTimes {
-    Times tiles;     ///< seconds, in the order of the tiles
-    double rest = 0; ///< after the last
+/// Seconds on one thread.
+struct TileTime {
+    double mesh = 0; ///< which is one thread's work
+    double rows = 0; ///< which can be shared
+    double all() const { return mesh + rows; }
 };
+using TileTimes = std::vector<TileTime>;
 
-/// On one thread. False on failure, after a line on stderr.
-bool time_tiles(const std::string& filter, const Task& task, TileTimes& times) {
-    times = {};
-    auto last = Clock::now();
-    const Way way = ddt_way(filter + ",device=cpu", nullptr, [&](float) {
-        const auto now = Clock::now();
-        times.tiles.push_back(std::chrono::duration<double>(now - last).count());
-        last = now;
-        return true;
-    });
-    const double all = way.run(task);
-    times.rest = all - std::accumulate(times.tiles.begin(), times.tiles.end(), 0.0);
-    return all >= 0;
+ddt::ResizeMapping::Axis along(int size, int enlarged) {
+    ddt::ResizeMapping::Axis axis;
+    axis.from_size = axis.window1 = size;
+    axis.to_size = axis.out1 = enlarged;
+    return axis;
 }
 
-/// When the last of so many threads is done.
-double end_of(const Times& tiles, int threads) {
-    std::priority_queue<double, Times, std::greater<double>> idle_at;
-    for (int i = 0; i < threads; ++i)
-        idle_at.push(0);
-    double end = 0;
-    for (const double time : tiles) {
-        const double done = idle_at.top() + time;
-        idle_at.pop();
-        idle_at.push(done);
-        end = std::max(end, done);
+/// Tile by tile. Empty on failure, after a line on stderr.
+TileTimes time_tiles(const std::string& filter, Task task) {
+    ddt::Statistics statistics;
+    const Way way = ddt_way(filter + ",device=cpu", &statistics);
+    const OIIO::ImageSpec& spec = task.image.spec();
+    const auto x = along(spec.width, task.width()), y = along(spec.height, task.height());
+    const ddt::Grid grid({0, 0, spec.width, spec.height});
+    TileTimes times;
+    for (int i = 0; i < grid.count(); ++i) {
+        const ddt::Tile tile = grid.tile(i);
+        const auto begin = [](const auto& axis, int cell) {
+            return cell > 0 ? axis.first_at_or_after(cell) : 0;
+        };
+        task.part = {begin(x, tile.cells.x0),
+                     tile.last_x ? x.out1 : begin(x, tile.cells.x1),
+                     begin(y, tile.cells.y0),
+                     tile.last_y ? y.out1 : begin(y, tile.cells.y1),
+                     0,
+                     1,
+                     0,
+                     3};
+        if (way.run(task) < 0)
+            return {};
+        const ddt::StageTimes& t = statistics.times;
+        times.push_back(
+            {double(t.read + t.triangulate) * 1e-9, double(t.surface + t.sample + t.write) * 1e-9});
     }
-    return end;
+    return times;
+}
+
+/// When the last of so many threads is done, if rows can be cut as finely as one likes and what is
+/// made twice for that costs nothing.
+double end_of(const TileTimes& tiles, size_t threads) {
+    struct Begun {
+        double at;
+        const TileTime* tile;
+    };
+    // Tiles are begun in order. From the moment on at which the last is, rows are anyone's.
+    std::priority_queue<double, Times, std::greater<double>> idle_at;
+    for (size_t i = 0; i < threads; ++i)
+        idle_at.push(0);
+    std::vector<Begun> begun;
+    for (const TileTime& tile : tiles) {
+        begun.push_back({idle_at.top(), &tile});
+        idle_at.pop();
+        idle_at.push(begun.back().at + tile.all());
+    }
+    double now = begun.back().at, rows = 0;        // that can be worked on
+    std::vector<std::pair<double, double>> meshes; // when they will be there, and their rows
+    for (const auto& [at, tile] : begun) {
+        const double meshed = at + tile->mesh;
+        if (meshed > now)
+            meshes.emplace_back(meshed, tile->rows);
+        else
+            rows += std::max(meshed + tile->rows - now, 0.0);
+    }
+    std::sort(meshes.begin(), meshes.end());
+    for (size_t i = 0; i < meshes.size(); ++i) {
+        const double free = double(threads - (meshes.size() - i));
+        rows = std::max(rows - (meshes[i].first - now) * free, 0.0) + meshes[i].second;
+        now = meshes[i].first;
+    }
+    return now + rows / double(threads);
 }
 
 } // namespace
@@ -60,24 +104,30 @@ bool print_cores(const Pictures& pictures, const Plan& plan) {
     std::printf("\ntimes as fast as 1 thread, by the tiles' times: %dx%d RGB, %s\n"
                 "%-19s %5s %25s %10s",
                 image.spec().width, image.spec().height, name_of(format), "", "tiles",
-                "ms a tile, least to most", "beside, ms");
-    constexpr int counts[] = {8, 16, 32, 64, 128};
-    for (const int threads : counts)
-        std::printf(" %5d", threads);
+                "ms a tile, least to most", "for meshes");
+    constexpr size_t counts[] = {2, 8, 16, 32, 64, 128};
+    for (const size_t threads : counts)
+        std::printf(" %5zu", threads);
     std::printf("\n");
     for (const double scale : plan.scales) {
         OIIO::ImageBuf into = warm_image({image, scale, 1, nullptr});
         for (const std::string& filter : plan.filters) {
-            TileTimes times;
-            if (!time_tiles(filter, {image, scale, 1, &into}, times))
+            const TileTimes tiles = time_tiles(filter, {image, scale, 1, &into});
+            if (tiles.empty())
                 return false;
-            const double sum = std::accumulate(times.tiles.begin(), times.tiles.end(), times.rest);
-            const auto [least, most] = std::minmax_element(times.tiles.begin(), times.tiles.end());
-            std::printf("%-14s %3gx %5zu %9.1f %7.1f %7.1f %10.2f", filter.c_str(), scale,
-                        times.tiles.size(), *least * 1e3, median(times.tiles) * 1e3, *most * 1e3,
-                        times.rest * 1e3);
-            for (const int threads : counts)
-                std::printf(" %5.1f", sum / (times.rest + end_of(times.tiles, threads)));
+            Times all;
+            double sum = 0, meshes = 0;
+            for (const TileTime& tile : tiles) {
+                all.push_back(tile.all());
+                sum += tile.all();
+                meshes += tile.mesh;
+            }
+            const auto [least, most] = std::minmax_element(all.begin(), all.end());
+            std::printf("%-14s %3gx %5zu %9.1f %7.1f %7.1f %9.0f%%", filter.c_str(), scale,
+                        tiles.size(), *least * 1e3, median(all) * 1e3, *most * 1e3,
+                        100 * meshes / sum);
+            for (const size_t threads : counts)
+                std::printf(" %5.1f", sum / end_of(tiles, threads));
             std::printf("\n");
             std::fflush(stdout);
         }
