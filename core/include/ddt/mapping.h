@@ -42,7 +42,7 @@ public:
     /// nothing of the source: it is not written.
     virtual void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const = 0;
     /// True if reach() holds exactly the pixels of its rectangle, row() is all inside, x depends on
-    /// the column alone and y on the row alone.
+    /// the column alone and y on the row alone. Where both ascend it is fast.
     virtual bool separable() const { return false; }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mappings that jump about and ones that lead out of the window.
 #include "tests/core/job_helpers.h"
+#include "tests/core/mirrored.h"
 
 namespace ddt::test {
 namespace {
@@ -93,30 +94,6 @@ TEST(AnyMapping, OneAxisAtATimeToo) {
     }
 }
 
-/// Another mapping's picture, turned over along an axis or both.
-class Turned final : public Mapping {
-public:
-    Turned(const Mapping& mapping, const Rect& out, bool x, bool y)
-        : m_mapping(mapping), m_out(out), m_x(x), m_y(y) {}
-    Rect reach(double x0, double y0, double x1, double y1) const override {
-        const Rect r = m_mapping.reach(x0, y0, x1, y1);
-        return {m_x ? m_out.x1 - r.x1 : r.x0, m_y ? m_out.y1 - r.y1 : r.y0,
-                m_x ? m_out.x1 - r.x0 : r.x1, m_y ? m_out.y1 - r.y0 : r.y1};
-    }
-    void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override {
-        for (int x = x0; x < x1; ++x, ++positions, ++inside) {
-            const int from = m_x ? m_out.x1 - 1 - x : x;
-            m_mapping.row(m_y ? m_out.y1 - 1 - y : y, from, from + 1, positions, inside);
-        }
-    }
-    bool separable() const override { return true; }
-
-private:
-    const Mapping& m_mapping;
-    Rect m_out;
-    bool m_x, m_y;
-};
-
 TEST(AnyMapping, RowsAndColumnsMayRunBackwards) {
     TestSource source({0, 0, 300, 280}, 3, 77);
     const Rect out{0, 0, 700, 640};
@@ -130,7 +107,7 @@ TEST(AnyMapping, RowsAndColumnsMayRunBackwards) {
         for (const auto& [turn_x, turn_y] :
              {std::pair(true, false), std::pair(false, true), std::pair(true, true)}) {
             TestSink sink(out, 3);
-            ASSERT_EQ(enlarge(source, sink, Turned(mapping, out, turn_x, turn_y), job),
+            ASSERT_EQ(enlarge(source, sink, Mirrored(mapping, out, turn_x, turn_y), job),
                       Outcome::done);
             ASSERT_EQ(sink.written(1), int64_t(out.area()));
             std::vector<float> back;

@@ -6,6 +6,7 @@
 #include "ddt/names.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
+#include "tests/core/mirrored.h"
 
 namespace ddt::test {
 namespace {
@@ -126,6 +127,23 @@ TEST_P(Shapes, TurnedPictures) {
         order.mapping = &turn;
         order.job.mesh.meshes = angle < 1 ? 1 : 2;
         expect_same(GetParam(), p, order, "turned by " + std::to_string(angle));
+    }
+}
+
+TEST_P(Shapes, MirroredPictures) {
+    const Picture p = make_picture(Content::photo, 270, 60, 4, 9);
+    const Rect out{0, 0, 520, 130};
+    ResizeMapping::Axis x, y;
+    x.from_size = x.window1 = p.width;
+    x.to_size = x.out1 = out.x1;
+    y.from_size = y.window1 = p.height;
+    y.to_size = y.out1 = out.y1;
+    const ResizeMapping straight(x, y);
+    for (const bool both : {false, true}) {
+        const Mirrored mirrored(straight, out, true, both);
+        Order order = order_for(p, out.x1, out.y1);
+        order.mapping = &mirrored;
+        expect_same(GetParam(), p, order, both ? "both axes" : "x");
     }
 }
 
