@@ -11,8 +11,8 @@ namespace ddt {
 
 namespace {
 
-/// Floats of output that are handed to the sink at once, about: half a megabyte.
-constexpr size_t strip_floats = size_t(1) << 17;
+/// Floats of output that are handed to the sink at once, about: a quarter of a megabyte.
+constexpr size_t strip_floats = size_t(1) << 16;
 
 /// Columns of output that are worked on at once: what is kept for each column stays small however
 /// long the rows are.
