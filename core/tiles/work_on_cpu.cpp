@@ -17,7 +17,7 @@ namespace {
 
 /// Workers together take no more than the first, and the second for every thread that is asked for
 /// beyond a few; times the meshes. One there is in any case.
-constexpr size_t memory_limit = size_t(208) << 20;
+constexpr size_t memory_limit = size_t(200) << 20;
 constexpr size_t memory_per_thread = size_t(22) << 20;
 constexpr size_t few_threads = 16;
 

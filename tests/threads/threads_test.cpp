@@ -49,7 +49,8 @@ Bits pixels(const ImageBuf& image) {
 /// One thing that a program does with the libraries: the result of doing the nth.
 using Act = std::function<Bits(int n)>;
 
-Bits resized(const ImageBuf& source, const char* filter, int nthreads) {
+Bits resized(const ImageBuf& source, const char* filter, int nthreads, int to_width = 3 * width / 2,
+             int to_height = 2 * height) {
     Options options;
     std::string error;
     EXPECT_TRUE(parse_filter(filter, options, error)) << error;
@@ -57,8 +58,7 @@ Bits resized(const ImageBuf& source, const char* filter, int nthreads) {
     Statistics statistics;
     options.statistics = &statistics;
     ImageBuf result;
-    EXPECT_TRUE(
-        resize(result, source, options, OIIO::ROI(0, 3 * width / 2, 0, 2 * height), nthreads))
+    EXPECT_TRUE(resize(result, source, options, OIIO::ROI(0, to_width, 0, to_height), nthreads))
         << result.geterror();
     EXPECT_GT(statistics.pixels, 0);
     return pixels(result);
@@ -69,6 +69,9 @@ const Act acts[] = {
     [](int n) { return resized(picture(n, OIIO::TypeUInt8), "ddt-sharp", 2); },
     [](int n) { return resized(picture(n), "ddt-linear,scheme=maxgain,cost=scf", 1); },
     [](int n) { return resized(picture(n), "ddt,meshes=3", 2); },
+    [](int n) { // more threads than tiles: they share rows
+        return resized(picture(n), n % 2 ? "ddt" : "ddt-sharp", 4, 6 * width, 6 * height);
+    },
     [](int n) { // one source for all
         static const ImageBuf shared = picture(4);
         return resized(shared, n % 2 ? "ddt" : "ddt-sharp", 2);

@@ -401,7 +401,7 @@ TEST(Enlarge, NothingWantedIsNothingDone) {
 }
 
 TEST(Enlarge, ManyChannelsWorkOnFewerTilesAtOnce) {
-    // 160 channels take 124 MiB a tile; of 208 only one may be in flight.
+    // 160 channels take 124 MiB a tile; of 200 only one may be in flight.
     const ManyThreads allowed;
     TestSource source({0, 0, 400, 280}, 160, 14, Kind::flat);
     const Rect to{0, 0, 400, 280};

@@ -232,7 +232,7 @@ TEST(Memory, AllThreadsThatAreAskedForWork) {
         EXPECT_EQ(enlarge(crowd, crowd, mapping_of(job.window, to, to), job),
                   Outcome::source_failed);
         EXPECT_EQ(crowd.most, threads) << filter;
-        EXPECT_LE(heap_peak - before, 208 * mib + (threads - 16) * 22 * mib) << filter;
+        EXPECT_LE(heap_peak - before, 200 * mib + (threads - 16) * 22 * mib) << filter;
     }
 }
 
@@ -242,7 +242,7 @@ TEST(Memory, SomeThreadsTakeWhatIsPromisedForAll) {
     warm_up(threads);
     const Rect window{0, 0, 1024, 1024}, to{0, 0, 1025, 1025};
     for (const char* filter : {"ddt", "ddt-sharp"})
-        EXPECT_LE(peak_of(job_of(filter, window, 3, threads), to, to), 208 * mib) << filter;
+        EXPECT_LE(peak_of(job_of(filter, window, 3, threads), to, to), 200 * mib) << filter;
 }
 
 } // namespace
