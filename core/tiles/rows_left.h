@@ -14,7 +14,7 @@ namespace ddt {
 /// may take half of what is left. Thread-safe.
 class RowsLeft {
 public:
-    /// These pixels are to be written. `grid`: RowWriter::is_grid(); `least`: rows, at least 1,
+    /// These pixels are to be written. `grid`: TileWriter::is_grid(); `least`: rows, at least 1,
     /// that are worth being given to somebody; 0: none are given.
     void begin(const MeshedTile& of, const Rect& pixels, bool grid, int least) {
         const std::lock_guard<std::mutex> lock(m_mutex);

@@ -27,7 +27,7 @@ size_t TileWorker::memory(const Job& job, bool separable) {
     const size_t guides = job.mesh.meshes > 1 ? 2 : 1;
     const size_t planes = pixels * sizeof(float) * (guides + size_t(job.channels));
     return meshes + workspace + planes + ContourRows::memory(width) +
-           RowWriter::memory(job, width, height, separable);
+           TileWriter::memory(job, width, height, separable);
 }
 
 void TileWorker::reserve() {
@@ -70,7 +70,7 @@ Outcome TileWorker::begin(const Tile& tile, int first_row) {
     // Where positions come in any order all of a tile's surface is made before any of it is
     // sampled.
     const bool grid = m_writer.is_grid(tile, reach);
-    m_left.begin(m_meshed, reach, grid, grid ? RowWriter::least_shared_rows(reach) : 0);
+    m_left.begin(m_meshed, reach, grid, grid ? TileWriter::least_shared_rows(reach) : 0);
     m_clock.lap(times.sample);
     return Outcome::done;
 }

@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "core/tiles/row_writer.h"
 #include "core/tiles/rows_left.h"
 #include "core/tiles/stage_clock.h"
 #include "core/tiles/tile_mesh.h"
+#include "core/tiles/tile_writer.h"
 #include "ddt/core.h"
 
 namespace ddt {
@@ -57,7 +57,7 @@ private:
     Workspace m_workspace;
     MeshedTile m_meshed;
     RowsLeft m_left;
-    RowWriter m_writer;
+    TileWriter m_writer;
 };
 
 } // namespace ddt

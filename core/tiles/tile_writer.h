@@ -15,9 +15,9 @@ namespace ddt {
 
 /// Makes output pixels of tiles and hands them to the sink. Has the memory for that, kept from one
 /// tile to the next.
-class RowWriter {
+class TileWriter {
 public:
-    RowWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times)
+    TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times)
         : m_sink(sink), m_mapping(mapping), m_job(job), m_times(times) {}
 
     /// Write what is left of a tile.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/tiles/row_writer.h"
+#include "core/tiles/tile_writer.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -33,17 +33,17 @@ constexpr size_t shared_pixels = size_t(1) << 15;
 
 } // namespace
 
-size_t RowWriter::memory(const Job& job, int width, int height, bool rows) {
+size_t TileWriter::memory(const Job& job, int width, int height, bool rows) {
     return size_t(job.mesh.meshes) * TileSurface::memory(job, width, height, rows) +
            2 * strip_floats * sizeof(float);
 }
 
-int RowWriter::least_shared_rows(const Rect& pixels) {
+int TileWriter::least_shared_rows(const Rect& pixels) {
     return int(std::max<size_t>(1, shared_pixels / size_t(pixels.width())));
 }
 
 /// The tile with those of its cells alone that pixels of a grid lie in.
-Tile RowWriter::part_of(const Tile& tile, const Rect& pixels) const {
+Tile TileWriter::part_of(const Tile& tile, const Rect& pixels) const {
     Position first, last;
     uint8_t inside = 0;
     m_mapping.row(pixels.y0, pixels.x0, pixels.x0 + 1, &first, &inside);
@@ -59,7 +59,7 @@ Tile RowWriter::part_of(const Tile& tile, const Rect& pixels) const {
 }
 
 /// Make the edges that positions at this y need; positions above `keep` are not asked for again.
-void RowWriter::make_edges_for(int32_t y, int32_t keep) {
+void TileWriter::make_edges_for(int32_t y, int32_t keep) {
     m_clock.lap(m_times.sample);
     for (TileSurface& surface : m_surfaces)
         surface.make_edges_for(y, keep);
@@ -67,7 +67,7 @@ void RowWriter::make_edges_for(int32_t y, int32_t keep) {
 }
 
 /// Whether columns lie at ascending positions, each so near to the one before that it follows it.
-bool RowWriter::ascends(const Tile& tile, const Rect& row) {
+bool TileWriter::ascends(const Tile& tile, const Rect& row) {
     const size_t n = size_t(row.width());
     m_mapping.row(row.y0, row.x0, row.x1, m_positions.data(), m_inside.data());
     for (size_t i = 1; i < n; ++i) {
@@ -78,7 +78,7 @@ bool RowWriter::ascends(const Tile& tile, const Rect& row) {
     return true;
 }
 
-bool RowWriter::is_grid(const Tile& tile, const Rect& pixels) {
+bool TileWriter::is_grid(const Tile& tile, const Rect& pixels) {
     if (!m_mapping.separable())
         return false;
     take_memory(pixels);
@@ -97,7 +97,7 @@ bool RowWriter::is_grid(const Tile& tile, const Rect& pixels) {
 }
 
 /// Memory for rows as wide as these pixels, or panels of them.
-void RowWriter::take_memory(const Rect& pixels) {
+void TileWriter::take_memory(const Rect& pixels) {
     const size_t width = size_t(std::min(pixels.width(), panel_columns(m_job)));
     m_positions.resize(width);
     m_inside.resize(width);
@@ -105,7 +105,7 @@ void RowWriter::take_memory(const Rect& pixels) {
 }
 
 /// Where a row of a separable mapping lies in the tile's lattice.
-int32_t RowWriter::y_of(const Tile& tile, int y, int x) const {
+int32_t TileWriter::y_of(const Tile& tile, int y, int x) const {
     Position position;
     uint8_t inside = 0;
     m_mapping.row(y, x, x + 1, &position, &inside);
@@ -113,7 +113,7 @@ int32_t RowWriter::y_of(const Tile& tile, int y, int x) const {
 }
 
 /// Find where the columns of `rows` of a grid lie.
-void RowWriter::find_columns(const Tile& tile, const Rect& rows) {
+void TileWriter::find_columns(const Tile& tile, const Rect& rows) {
     m_points.resize(size_t(rows.width()));
     m_mapping.row(rows.y0, rows.x0, rows.x1, m_positions.data(), m_inside.data());
     for (size_t i = 0; i < m_points.size(); ++i)
@@ -124,7 +124,7 @@ void RowWriter::find_columns(const Tile& tile, const Rect& rows) {
 /// Call f(panel) for parts of r that are no wider than a panel, from left to right, until it
 /// returns something else than `done`.
 template <class F>
-Outcome RowWriter::each_panel(const Rect& r, F&& f) const {
+Outcome TileWriter::each_panel(const Rect& r, F&& f) const {
     const int columns = panel_columns(m_job);
     for (int x = r.x0; x < r.x1; x += columns) {
         const Outcome outcome =
@@ -135,7 +135,7 @@ Outcome RowWriter::each_panel(const Rect& r, F&& f) const {
     return Outcome::done;
 }
 
-Outcome RowWriter::write(RowsLeft& left) {
+Outcome TileWriter::write(RowsLeft& left) {
     m_clock.start();
     m_meshed = &left.of();
     const MeshedTile& meshed = *m_meshed;
@@ -165,7 +165,7 @@ Outcome RowWriter::write(RowsLeft& left) {
 }
 
 /// Write some rows, or one where they are no grid.
-Outcome RowWriter::write_strip(const Rect& rows, bool grid, bool panels) {
+Outcome TileWriter::write_strip(const Rect& rows, bool grid, bool panels) {
     const Tile& tile = m_meshed->tile;
     return each_panel(rows, [&](const Rect& part) {
         if (panels)
@@ -179,7 +179,7 @@ Outcome RowWriter::write_strip(const Rect& rows, bool grid, bool panels) {
     });
 }
 
-void RowWriter::sample(int n, float* out) {
+void TileWriter::sample(int n, float* out) {
     m_surfaces[0].sample(m_points.data(), n, out);
     if (m_surfaces.size() > 1)
         m_last.resize(size_t(n) * size_t(m_job.channels) + row_padding);
@@ -190,7 +190,7 @@ void RowWriter::sample(int n, float* out) {
 }
 
 /// Sample some of n rows at y[0], y[1], ..., `row` floats apart in `out`; returns how many.
-int RowWriter::sample_block(const int32_t* y, int n, float* out, size_t row) {
+int TileWriter::sample_block(const int32_t* y, int n, float* out, size_t row) {
     const int rows = m_surfaces[0].sample_block(m_columns, m_points, y, n, out, row);
     const size_t positions = m_points.size(), last_row = positions * size_t(m_job.channels);
     if (m_surfaces.size() > 1)
@@ -205,7 +205,7 @@ int RowWriter::sample_block(const int32_t* y, int n, float* out, size_t row) {
 
 /// Make the mean of the first `mesh` meshes that of one more, whose values are `last`. Identifiers
 /// remain the first's.
-void RowWriter::join(size_t mesh, const float* last, size_t positions, float* mean) const {
+void TileWriter::join(size_t mesh, const float* last, size_t positions, float* mean) const {
     const DenormalsAreZero as_on_gpus;
     const float share = 1.0f / float(mesh + 1);
     const auto channels = size_t(m_job.channels);
@@ -216,19 +216,19 @@ void RowWriter::join(size_t mesh, const float* last, size_t positions, float* me
             join_last(last + i, 1, share, mean + i);
 }
 
-bool RowWriter::any_nearest() const {
+bool TileWriter::any_nearest() const {
     const auto& kinds = m_job.kinds;
     return std::find(kinds.begin(), kinds.end(), Channel::nearest) != kinds.end();
 }
 
-bool RowWriter::hand_over(const Rect& r) {
+bool TileWriter::hand_over(const Rect& r) {
     m_clock.lap(m_times.sample);
     const bool taken = m_sink.write(r, m_out.data());
     m_clock.lap(m_times.write);
     return taken;
 }
 
-Outcome RowWriter::write_rows(const Tile& tile, const Rect& rows, bool panels) {
+Outcome TileWriter::write_rows(const Tile& tile, const Rect& rows, bool panels) {
     const auto channels = size_t(m_job.channels);
     m_ys.clear();
     for (int y = rows.y0; y < rows.y1; ++y)
@@ -259,7 +259,7 @@ Outcome RowWriter::write_rows(const Tile& tile, const Rect& rows, bool panels) {
     return Outcome::done;
 }
 
-Outcome RowWriter::write_runs(const Tile& tile, const Rect& row) {
+Outcome TileWriter::write_runs(const Tile& tile, const Rect& row) {
     const int width = row.width();
     m_mapping.row(row.y0, row.x0, row.x1, m_positions.data(), m_inside.data());
     const auto serves = [&](int i) {
