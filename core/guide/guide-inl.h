@@ -2,18 +2,6 @@
 // Included inside a namespace, once for scalars and once for each SIMD target, where compilers make
 // vectors of the loops over it: so every choice is one between two numbers, both at hand.
 
-DDT_INLINE uint32_t bits_of(float v) {
-    uint32_t u;
-    std::memcpy(&u, &v, sizeof u);
-    return u;
-}
-
-DDT_INLINE float float_of(uint32_t u) {
-    float v;
-    std::memcpy(&v, &u, sizeof v);
-    return v;
-}
-
 DDT_INLINE bool is_finite(float v) {
     return (bits_of(v) & 0x7f800000u) != 0x7f800000u;
 }

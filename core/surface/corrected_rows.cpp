@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "core/lattice/neighbours.h"
-#include "core/surface/kept_rows.h"
 
 namespace ddt {
 

@@ -17,7 +17,7 @@ uint32_t border_of(const Curve& curve, int code) {
     uint32_t below = 0, at = Curve::last - 1;
     while (at - below > 1) {
         const uint32_t middle = below + (at - below) / 2;
-        (code_of<uint8_t>(curve(Curve::mag(middle))) < code ? below : at) = middle;
+        (code_of<uint8_t>(curve(float_of(middle))) < code ? below : at) = middle;
     }
     return at;
 }
@@ -27,7 +27,7 @@ uint32_t border_of(const Curve& curve, int code) {
 bool fill_codes(const Curve& curve, CodeTable& table) {
     const float *positive = curve.values(), *negative = positive + Curve::half;
     if (!std::is_sorted(positive, negative) || code_of<uint8_t>(positive[0]) != 0 ||
-        code_of<uint8_t>(curve(Curve::mag(Curve::last - 1))) != 255 ||
+        code_of<uint8_t>(curve(float_of(Curve::last - 1))) != 255 ||
         std::any_of(negative, negative + Curve::half, code_of<uint8_t>))
         return false;
     std::array<uint32_t, 256> borders{};
@@ -39,11 +39,11 @@ bool fill_codes(const Curve& curve, CodeTable& table) {
         if (--table.shift < 12)
             return false; // steps rather than a curve
     table.first = borders[1] >> table.shift;
-    table.lowest = Curve::mag(table.first << table.shift);
-    table.top = Curve::mag(borders[255]);
+    table.lowest = float_of(table.first << table.shift);
+    table.top = float_of(borders[255]);
     // Should the first piece begin with its border, what is below it must still be 0.
     if (borders[1] == table.first << table.shift)
-        table.lowest = Curve::mag(--table.first << table.shift);
+        table.lowest = float_of(--table.first << table.shift);
     table.entries.clear();
     for (uint32_t piece = table.first, code = 0; piece <= borders[255] >> table.shift; ++piece) {
         const bool border = code < 255 && borders[code + 1] >> table.shift == piece;

@@ -68,7 +68,7 @@ std::vector<float> Curve::arguments() {
     for (const float sign : {1.0f, -1.0f}) {
         x.push_back(0.0f);
         for (uint32_t u = first; u <= last; u += 1u << shift)
-            x.push_back(sign * mag(u));
+            x.push_back(sign * float_of(u));
     }
     return x;
 }

@@ -4,8 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <vector>
+
+#include "core/base/float_bits.h"
 
 namespace ddt {
 
@@ -21,13 +22,13 @@ public:
     bool operator==(const Curve& other) const { return m_values == other.m_values; }
 
     /// True for the arguments that the table covers; operator() is defined for these alone.
-    static bool covers(float x) { return (bits(x) & 0x7fffffffu) < last; }
+    static bool covers(float x) { return (bits_of(x) & 0x7fffffffu) < last; }
     float operator()(float x) const {
-        const uint32_t u = bits(x), size = u & 0x7fffffffu;
+        const uint32_t u = bits_of(x), size = u & 0x7fffffffu;
         const float* v = m_values.data() + (u >> 31) * half;
         if (size < first) { // a straight line through 0
             const float zero = v[0], end = v[1];
-            return zero + (end - zero) * (mag(size) * (1.0f / lowest));
+            return zero + (end - zero) * (float_of(size) * (1.0f / lowest));
         }
         v += 1 + ((size - first) >> shift);
         const float t = float(int32_t(size & ((1u << shift) - 1))) * (1.0f / (1u << shift));
@@ -48,20 +49,7 @@ public:
     // A half of the table: the value at 0, then those at 2^-56 to 2^17, both included.
     static constexpr size_t half = 1 + ((last - first) >> shift) + 1;
 
-    /// The float of these bits.
-    static float mag(uint32_t u) {
-        float x;
-        std::memcpy(&x, &u, sizeof x);
-        return x;
-    }
-
 private:
-    static uint32_t bits(float x) {
-        uint32_t u;
-        std::memcpy(&u, &x, sizeof u);
-        return u;
-    }
-
     std::vector<float> m_values; // positive half, then negative half
 };
 

@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "ddt/core.h"
+#include "ddt/option_table.h"
 #include "tests/core/helpers.h"
 
 namespace ddt::test {
@@ -132,6 +133,15 @@ inline Job job_of(const TestSource& source, int channels, int threads = 1) {
     job.channels = channels;
     job.threads = threads;
     return job;
+}
+
+/// Have a job do what a filter's specification says.
+inline void set_filter(const char* filter, Job& job) {
+    FilterOptions options;
+    std::string error;
+    EXPECT_TRUE(parse_filter(filter, options, error)) << error;
+    job.mesh = options.mesh;
+    job.surface = options.surface;
 }
 
 /// The same as another mapping without saying so: pixels are then asked for one by one.

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
+#include "core/base/float_bits.h"
 #include "ddt/names.h"
 #include "ddt/option_table.h"
 #include "tests/core/random.h"
@@ -65,12 +65,6 @@ private:
     double m_cos, m_sin;
 };
 
-float from_bits(uint32_t bits) {
-    float f;
-    std::memcpy(&f, &bits, sizeof f);
-    return f;
-}
-
 /// `v` is the picture's plain value there.
 float value_of(Values kind, float v, Random& random) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -91,10 +85,10 @@ float value_of(Values kind, float v, Random& random) {
     case Values::nonfinite:
         return random.below(40) ? v : special[random.below(7)];
     case Values::denormal:
-        return from_bits(uint32_t(random.bits()) & 0x80ffffffu);
+        return float_of(uint32_t(random.bits()) & 0x80ffffffu);
     case Values::full_range: {
         const auto bits = uint32_t(random.bits());
-        return from_bits((bits & 0x7f800000u) == 0x7f800000u ? bits & 0xbfffffffu : bits);
+        return float_of((bits & 0x7f800000u) == 0x7f800000u ? bits & 0xbfffffffu : bits);
     }
     default:
         return v;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/tiles/grid.h"
+#include "core/tiles/tile_io.h"
 #include "tables.h"
 #include "times.h"
 
@@ -36,22 +37,14 @@ TileTimes time_tiles(const std::string& filter, Task task) {
     ddt::Statistics statistics;
     const Way way = ddt_way(filter + ",device=cpu", &statistics);
     const OIIO::ImageSpec& spec = task.image.spec();
-    const auto x = along(spec.width, task.width()), y = along(spec.height, task.height());
-    const ddt::Grid grid({0, 0, spec.width, spec.height});
+    const ddt::ResizeMapping mapping(along(spec.width, task.width()),
+                                     along(spec.height, task.height()));
+    const ddt::Rect window{0, 0, spec.width, spec.height};
+    const ddt::Grid grid(window);
     TileTimes times;
     for (int i = 0; i < grid.count(); ++i) {
-        const ddt::Tile tile = grid.tile(i);
-        const auto begin = [](const auto& axis, int cell) {
-            return cell > 0 ? axis.first_at_or_after(cell) : 0;
-        };
-        task.part = {begin(x, tile.cells.x0),
-                     tile.last_x ? x.out1 : begin(x, tile.cells.x1),
-                     begin(y, tile.cells.y0),
-                     tile.last_y ? y.out1 : begin(y, tile.cells.y1),
-                     0,
-                     1,
-                     0,
-                     3};
+        const ddt::Rect pixels = ddt::reach_of(grid.tile(i), window, mapping);
+        task.part = {pixels.x0, pixels.x1, pixels.y0, pixels.y1, 0, 1, 0, 3};
         if (way.run(task) < 0)
             return {};
         const ddt::StageTimes& t = statistics.times;

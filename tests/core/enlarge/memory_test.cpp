@@ -4,16 +4,13 @@
 #include <malloc.h>
 
 #include <atomic>
-#include <chrono>
-#include <condition_variable>
 #include <cstdlib>
-#include <mutex>
 #include <new>
 
 #include <tbb/global_control.h>
 
 #include "core/tiles/tile_worker.h"
-#include "ddt/option_table.h"
+#include "tests/core/gathering.h"
 #include "tests/core/helpers.h"
 #include "tests/core/job_helpers.h"
 
@@ -112,14 +109,10 @@ void warm_up(int threads) {
 }
 
 Job job_of(const char* filter, const Rect& window, int channels, int threads) {
-    FilterOptions options;
-    std::string error;
-    EXPECT_TRUE(parse_filter(filter, options, error)) << error;
     Job job;
     job.window = window;
     job.channels = channels;
-    job.mesh = options.mesh;
-    job.surface = options.surface;
+    set_filter(filter, job);
     job.threads = threads;
     job.device = Device::cpu;
     return job;
@@ -200,23 +193,14 @@ TEST(Memory, AWorkerTakesWhatIsSaidOfIt) {
 /// Waits until so many threads read at once, and fails then, or after a minute.
 class Crowd final : public Source, public Sink {
 public:
-    explicit Crowd(int wanted) : m_wanted(wanted) {}
+    explicit Crowd(int wanted) : reading(wanted) {}
     bool read(const Rect&, float*, float*) override {
-        std::unique_lock<std::mutex> lock(m_mutex);
-        most = std::max(most, ++m_reading);
-        m_changed.notify_all();
-        m_changed.wait_for(lock, std::chrono::minutes(1), [&] { return most >= m_wanted; });
-        --m_reading;
+        const Gathering::Guest here(reading);
         return false;
     }
     bool write(const Rect&, float*) override { return true; }
 
-    int most = 0;
-
-private:
-    int m_wanted, m_reading = 0;
-    std::mutex m_mutex;
-    std::condition_variable m_changed;
+    Gathering reading;
 };
 
 TEST(Memory, AllThreadsThatAreAskedForWork) {
@@ -231,7 +215,7 @@ TEST(Memory, AllThreadsThatAreAskedForWork) {
         heap_peak = before;
         EXPECT_EQ(enlarge(crowd, crowd, mapping_of(job.window, to, to), job),
                   Outcome::source_failed);
-        EXPECT_EQ(crowd.most, threads) << filter;
+        EXPECT_EQ(crowd.reading.most(), threads) << filter;
         EXPECT_LE(heap_peak - before, 200 * mib + (threads - 16) * 22 * mib) << filter;
     }
 }

@@ -2,12 +2,10 @@
 // A tile's rows, shared by threads that have no tile of their own.
 #include "core/tiles/work_on_cpu.h"
 
-#include <chrono>
-#include <condition_variable>
 #include <stdexcept>
 
 #include "core/tiles/rows_left.h"
-#include "ddt/option_table.h"
+#include "tests/core/gathering.h"
 #include "tests/core/job_helpers.h"
 #include "tests/many_threads.h"
 
@@ -53,29 +51,18 @@ TEST(RowsLeft, AreNotGivenWhereThatIsNotWorthIt) {
 /// Keeps those that write until so many do at once, or for a minute.
 class Meeting final : public Sink {
 public:
-    Meeting(const Rect& out, int channels, int wanted) : m_sink(out, channels), m_wanted(wanted) {}
+    Meeting(const Rect& out, int channels, int wanted) : writing(wanted), m_sink(out, channels) {}
     bool write(const Rect& r, float* values) override {
-        {
-            std::unique_lock<std::mutex> lock(m_mutex);
-            most = std::max(most, ++m_writing);
-            m_changed.notify_all();
-            m_changed.wait_for(lock, std::chrono::minutes(1), [&] { return most >= m_wanted; });
-        }
-        const bool good = (!at_meeting || at_meeting()) && m_sink.write(r, values);
-        const std::lock_guard<std::mutex> lock(m_mutex);
-        --m_writing;
-        return good;
+        const Gathering::Guest here(writing);
+        return (!at_meeting || at_meeting()) && m_sink.write(r, values);
     }
     const TestSink& sink() const { return m_sink; }
 
+    Gathering writing;
     std::function<bool()> at_meeting; ///< called by each afterwards; its answer is write()'s
-    int most = 0;                     ///< at once
 
 private:
     TestSink m_sink;
-    int m_wanted, m_writing = 0;
-    std::mutex m_mutex;
-    std::condition_variable m_changed;
 };
 
 struct OneTile {
@@ -83,11 +70,7 @@ struct OneTile {
 
     Job job(const char* filter) const {
         Job made = job_of(source, channels, threads);
-        FilterOptions options;
-        std::string error;
-        EXPECT_TRUE(parse_filter(filter, options, error)) << error;
-        made.mesh = options.mesh;
-        made.surface = options.surface;
+        set_filter(filter, made);
         made.device = Device::cpu;
         return made;
     }
@@ -114,7 +97,7 @@ TEST(WorkOnCpu, AllThreadsWriteOneTileAndTheBitsAreThoseOfOne) {
             const Job job = tile.job(filter);
             Meeting sink(tile.out, channels, threads);
             ASSERT_EQ(enlarge(tile.source, sink, tile.mapping(), job), Outcome::done);
-            EXPECT_EQ(sink.most, threads);
+            EXPECT_EQ(sink.writing.most(), threads);
             EXPECT_EQ(sink.sink().written(1), int64_t(tile.out.area()));
             EXPECT_EQ(differing(sink.sink().values(), tile.by_one_thread(job)), 0u);
         }
@@ -126,7 +109,7 @@ TEST(WorkOnCpu, IdentifiersAreSharedToo) {
     job.kinds = {Channel::blend, Channel::nearest};
     Meeting sink(tile.out, 2, threads);
     ASSERT_EQ(enlarge(tile.source, sink, tile.mapping(), job), Outcome::done);
-    EXPECT_EQ(sink.most, threads);
+    EXPECT_EQ(sink.writing.most(), threads);
     EXPECT_EQ(differing(sink.sink().values(), tile.by_one_thread(job)), 0u);
 }
 
@@ -136,7 +119,7 @@ TEST(WorkOnCpu, PositionsInAnyOrderStayWithOneThread) {
     Meeting sink(tile.out, 3, 1);
     const ResizeMapping mapping = tile.mapping();
     ASSERT_EQ(enlarge(tile.source, sink, Opaque(mapping), job), Outcome::done);
-    EXPECT_EQ(sink.most, 1);
+    EXPECT_EQ(sink.writing.most(), 1);
     EXPECT_EQ(differing(sink.sink().values(), tile.by_one_thread(job)), 0u);
 }
 
@@ -181,7 +164,7 @@ TEST(WorkOnCpu, SmallResultsAreOneThreads) {
     Meeting sink(out, 1, 1);
     const Job job = job_of(source, 1, threads);
     ASSERT_EQ(enlarge(source, sink, mapping_of(source.window(), out, out), job), Outcome::done);
-    EXPECT_EQ(sink.most, 1);
+    EXPECT_EQ(sink.writing.most(), 1);
 }
 
 } // namespace
