@@ -1,58 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/lattice/locate.h"
 
+#include <algorithm>
+
 namespace ddt {
 
 namespace {
 
-/// A vertex relative to the corner of the position's cell, in pixels.
-struct Corner {
-    int x, y;
-};
-Vec operator-(Corner a, Corner b) {
-    return {a.x - b.x, a.y - b.y};
-}
-
-/// Whether weight 0 with respect to an edge along d counts as inside: the sign of
-/// det(d, (t, t^2)) for tiny t > 0.
-bool tie_inside(Vec d) {
-    return d.y < 0 || (d.y == 0 && d.x > 0);
-}
-
-/// The triangle s, t, c (det > 0) round the cell (cx, cy).
-Triangle describe(const Lattice& lattice, int cx, int cy, Corner s, Corner t, Corner c) {
-    const Corner corners[3] = {s, t, c};
-    const auto before = [&](int i, int k) {
-        const Corner a = corners[i], b = corners[k];
-        return a.y < b.y || (a.y == b.y && a.x < b.x);
-    };
-    int first = before(1, 0) ? 1 : 0;
-    first = before(2, first) ? 2 : first;
-    const Corner p[3] = {corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3]};
-
-    Triangle r;
-    for (int i = 0; i < 3; ++i) {
-        const Corner a = p[i], b = p[(i + 1) % 3];
-        r.vertex[i] = lattice.vertex_site(cx + a.x, cy + a.y);
-        r.edge[i] = lattice.site(2 * cx + a.x + b.x, 2 * cy + a.y + b.y);
-    }
-    for (int i = 0; i < 2; ++i)
-        r.at[i] = {(cx + p[i + 1].x) * position_one, (cy + p[i + 1].y) * position_one};
-    r.e12 = p[2] - p[1];
-    r.e20 = p[0] - p[2];
-    r.bias[0] = tie_inside(r.e12) ? 0 : -1;
-    r.bias[1] = tie_inside(r.e20) ? 0 : -1;
-    r.bias[2] = tie_inside(p[1] - p[0]) ? 0 : -1;
-    return r;
+/// The triangle s, t, c (det > 0).
+Corners ordered(Corner s, Corner t, Corner c) {
+    // Without branches, which could not be foretold.
+    const auto address = [](Corner a) { return a.y * (1 << 16) + a.x; };
+    const Corner around[5] = {s, t, c, s, t};
+    int first = int(address(t) < address(s));
+    first = address(c) < address(around[first]) ? 2 : first;
+    return {{around[first], around[first + 1], around[first + 2]}};
 }
 
 } // namespace
 
-Triangle locate(const Lattice& lattice, Point p) {
-    int cx = p.x >> position_bits, cy = p.y >> position_bits;
-    cx = cx < lattice.width() - 1 ? cx : lattice.width() - 2;
-    cy = cy < lattice.height() - 1 ? cy : lattice.height() - 2;
-    const int32_t fx = p.x - cx * position_one, fy = p.y - cy * position_one;
+Corners locate(const Lattice& lattice, int cx, int cy, Point in_cell) {
+    const int32_t fx = in_cell.x, fy = in_cell.y;
     // Whether p, shifted by the tie rule, lies to the left of the line through q along d.
     const auto left_of = [&](Vec d, Corner q) {
         const int32_t side = d.x * (fy - q.y * position_one) - d.y * (fx - q.x * position_one);
@@ -82,15 +50,37 @@ Triangle locate(const Lattice& lattice, Point p) {
             turn = c2y != 0 ? c2y : -c2x;
         const Corner from = turn > 0 ? t : c, to = turn > 0 ? c : s, own = turn > 0 ? s : t;
         if (left_of(to - from, from))
-            return describe(lattice, cx, cy, s, t, c);
+            return ordered(s, t, c);
         const int x = from.x + to.x, y = from.y + to.y;
         const Edge& side = lattice.edge(lattice.site(2 * cx + x, 2 * cy + y));
         apex = apex_beyond(side, Vec(2 * own.x - x, 2 * own.y - y));
         if (apex.zero())
-            return describe(lattice, cx, cy, s, t, c);
+            return ordered(s, t, c);
         s = to;
         t = from;
     }
+}
+
+Triangle locate(const Lattice& lattice, Point at) {
+    const int cx = std::min(at.x >> position_bits, lattice.width() - 2);
+    const int cy = std::min(at.y >> position_bits, lattice.height() - 2);
+    const Corners corners =
+        locate(lattice, cx, cy, {at.x - cx * position_one, at.y - cy * position_one});
+    const Corner* p = corners.p;
+    Triangle r;
+    for (int i = 0; i < 3; ++i) {
+        const Corner a = p[i], b = p[(i + 1) % 3];
+        r.vertex[i] = lattice.vertex_site(cx + a.x, cy + a.y);
+        r.edge[i] = lattice.site(2 * cx + a.x + b.x, 2 * cy + a.y + b.y);
+    }
+    for (int i = 0; i < 2; ++i)
+        r.at[i] = {(cx + p[i + 1].x) * position_one, (cy + p[i + 1].y) * position_one};
+    r.e12 = p[2] - p[1];
+    r.e20 = p[0] - p[2];
+    r.bias[0] = tie_inside(r.e12) ? 0 : -1;
+    r.bias[1] = tie_inside(r.e20) ? 0 : -1;
+    r.bias[2] = tie_inside(p[1] - p[0]) ? 0 : -1;
+    return r;
 }
 
 } // namespace ddt

@@ -45,8 +45,31 @@ struct Triangle {
     }
 };
 
-/// The triangle that p belongs to. Starts at the diagonal edge of p's cell and walks along the
-/// straight line from the cell's centre, which crosses every triangle at most once.
+/// A vertex relative to the first corner of a cell, in pixels.
+struct Corner {
+    int x, y;
+};
+inline Vec operator-(Corner a, Corner b) {
+    return {a.x - b.x, a.y - b.y};
+}
+
+/// A triangle's vertices in Triangle's order, relative to the first corner of a cell.
+struct Corners {
+    Corner p[3];
+};
+
+/// The triangle that a position belongs to, by its place in the cell with first corner (cx, cy), 0
+/// to 2^16. Starts at the cell's diagonal edge and walks along the straight line from the cell's
+/// centre, which crosses every triangle at most once.
+Corners locate(const Lattice& lattice, int cx, int cy, Point in_cell);
+
+/// The triangle that p belongs to.
 Triangle locate(const Lattice& lattice, Point p);
+
+/// Whether weight 0 with respect to an edge along d counts as inside: the sign of
+/// det(d, (t, t^2)) for tiny t > 0.
+inline bool tie_inside(Vec d) {
+    return d.y < 0 || (d.y == 0 && d.x > 0);
+}
 
 } // namespace ddt

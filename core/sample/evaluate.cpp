@@ -21,9 +21,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
 #include "core/base/lanes-inl.h"
+#include "core/lattice/crossed_cell-inl.h"
 #include "core/surface/patch-inl.h"
 
 #include "core/base/blocks-inl.h"
+
+#include "core/surface/crossing-inl.h"
 
 /// The group's numbers at a site, in every block.
 HWY_INLINE Blocks at_site(const Net& net, int site) {
@@ -195,6 +198,8 @@ HWY_INLINE void evaluate_ranges(const Net& net, const Columns& columns, const Lo
     Output out[LocatedBlock::most_rows];
     size_t span[LocatedBlock::most_rows] = {};
     const Strictness strict(net);
+    CellPositions positions;
+    HWY_ALIGN float values[CellPositions::most * group_size + row_padding];
     for (int r = 0; r < block.count; ++r) {
         out[r] = first;
         out[r].to += size_t(r) * row;
@@ -212,6 +217,18 @@ HWY_INLINE void evaluate_ranges(const Net& net, const Columns& columns, const Lo
                             out[r].store(at(x, Blocks(block.y[r])), i, range.end);
                     }
                 });
+            continue;
+        }
+        if (range.triangles) {
+            const int n = range.end - range.begin;
+            positions.set(columns.x.data() + range.begin, n, block.y, block.count);
+            evaluate_crossing<quadratic, soft>(net, strict.lanes, strict.all,
+                                               block.crossing.data() + range.triangle,
+                                               size_t(range.triangles), positions, values);
+            for (int r = 0; r < block.count; ++r)
+                for (int i = 0; i < n; i += step)
+                    out[r].store(Blocks::load(values + (r * n + i) * group_size), range.begin + i,
+                                 range.end);
             continue;
         }
         for (int r = 0; r < block.count; ++r) {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/lattice/crossed_cell.h"
 #include "core/lattice/locate.h"
 #include "core/surface/net.h"
 
@@ -68,22 +69,24 @@ struct Columns {
     void find(const Point* points, int n, int width);
 };
 
-/// The triangles and weights of neighbouring rows of positions within one row of cells. What plain
-/// cells need is found once for all rows.
+/// The triangles and weights of neighbouring rows of positions within one row of cells. What cells
+/// need is found once for all rows.
 struct LocatedBlock {
     static constexpr int most_rows = 8;
 
-    /// Neighbouring positions that lie in one plain cell, or (kind triangle) in other cells.
+    /// Neighbouring columns that lie in one cell, or (kind triangle) in some that are not plain.
     struct Range {
         Span::Kind kind;
         int begin, end;
         int site; ///< of the plain cell's first corner
+        /// Those of `crossing` with positions in the one cell; none: `rows` has the positions.
+        int triangle = 0, triangles = 0;
     };
-    std::vector<Range> ranges;  ///< in order, without gaps
-    std::vector<int> triangles; ///< those of kind triangle
-    int count = 0;              ///< of rows
-    float y[most_rows];         ///< the rows' positions relative to the cells' first corners
-    LocatedRow rows[most_rows]; ///< the positions in ranges of kind triangle
+    std::vector<Range> ranges; ///< in order, without gaps
+    int count = 0;             ///< of rows
+    float y[most_rows];        ///< the rows' positions relative to the cells' first corners
+    std::vector<CrossingTriangle> crossing;
+    LocatedRow rows[most_rows]; ///< where a cell has more positions than CellPositions
 };
 
 /// Locate rows of positions until the row of cells ends, at most LocatedBlock::most_rows: those at

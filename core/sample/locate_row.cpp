@@ -9,16 +9,12 @@ namespace {
 
 constexpr float unit = 1.0f / float(position_one);
 
+/// Without a branch, which could not be foretold.
 Span::Kind kind_of(Division division) {
-    switch (division) {
-    case Division::down:
-        return Span::cell_down;
-    case Division::up:
-        return Span::cell_up;
-    case Division::other:
-        break;
-    }
-    return Span::triangle;
+    constexpr Span::Kind kinds[] = {Span::cell_down, Span::cell_up, Span::triangle};
+    static_assert(int(Division::down) == 0 && int(Division::up) == 1 && int(Division::other) == 2,
+                  "the order of the kinds");
+    return kinds[int(division)];
 }
 
 /// A triangle of the row before that p belongs to, or null; `hint` moves on along the row.
@@ -145,34 +141,46 @@ void Columns::find(const Point* points, int n, int width) {
 int locate_block(const Lattice& lattice, const Columns& columns, std::vector<Point>& points,
                  const int32_t* y, int n, Search& search, LocatedBlock& block) {
     const int cy = cell_of(y[0], lattice.height());
-    const int first_site = lattice.vertex_site(0, cy);
-    const Division* divisions = lattice.divisions(cy);
-    block.ranges.resize(columns.runs.size());
-    block.triangles.clear();
-    LocatedBlock::Range* range = block.ranges.data();
-    for (const Columns::Run& run : columns.runs) {
-        const Span::Kind kind = kind_of(divisions[run.cell]);
-        if (kind == Span::triangle) {
-            const int at = int(range - block.ranges.data());
-            if (!block.triangles.empty() && block.triangles.back() == at - 1) {
-                range[-1].end = run.end;
-                continue;
-            }
-            block.triangles.push_back(at);
-        }
-        *range++ = {kind, run.begin, run.end, first_site + 2 * run.cell};
-    }
-    block.ranges.resize(size_t(range - block.ranges.data()));
     int& rows = block.count;
     for (rows = 0; rows < std::min(n, LocatedBlock::most_rows); ++rows) {
         if (cell_of(y[rows], lattice.height()) != cy)
             break;
         block.y[rows] = float(y[rows] - cy * position_one) * unit;
-        RowLocator locator(lattice, points.data(), int(points.size()), search, block.rows[rows]);
-        for (const int index : block.triangles) {
-            const LocatedBlock::Range& others = block.ranges[size_t(index)];
+    }
+    const int first_site = lattice.vertex_site(0, cy);
+    const Division* divisions = lattice.divisions(cy);
+    block.ranges.resize(columns.runs.size());
+    block.crossing.clear();
+    LocatedBlock::Range* range = block.ranges.data();
+    LocatedBlock::Range* in_rows = nullptr;
+    CellPositions positions;
+    for (const Columns::Run& run : columns.runs) {
+        const Span::Kind kind = kind_of(divisions[run.cell]);
+        *range = {kind, run.begin, run.end, first_site + 2 * run.cell, 0, 0};
+        if (kind == Span::triangle) {
+            const int width = run.end - run.begin;
+            if (width * rows <= CellPositions::most) {
+                positions.set(columns.x.data() + run.begin, width, block.y, rows);
+                range->triangle = int(block.crossing.size());
+                find_crossing_triangles(lattice, run.cell, cy, positions, block.crossing);
+                range->triangles = int(block.crossing.size()) - range->triangle;
+            } else if (in_rows && in_rows == range - 1) {
+                in_rows->end = run.end;
+                continue;
+            } else {
+                in_rows = range;
+            }
+        }
+        ++range;
+    }
+    block.ranges.resize(size_t(range - block.ranges.data()));
+    for (int r = 0; in_rows && r < rows; ++r) {
+        RowLocator locator(lattice, points.data(), int(points.size()), search, block.rows[r]);
+        for (const LocatedBlock::Range& others : block.ranges) {
+            if (others.kind != Span::triangle || others.triangles)
+                continue;
             for (int i = others.begin; i < others.end; ++i)
-                points[size_t(i)].y = y[rows];
+                points[size_t(i)].y = y[r];
             for (int i = others.begin; i < others.end;)
                 i = locator.triangle(i, others.end);
         }

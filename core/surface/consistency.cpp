@@ -8,11 +8,37 @@
 #include <limits>
 
 #include "core/base/arith.h"
+#include "core/lattice/crossed_cell.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/surface/consistency.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+
+#ifndef DDT_CONSISTENCY_ONCE
+#define DDT_CONSISTENCY_ONCE
+namespace ddt {
+
+/// Positions along an axis at which quadrants' means are taken (consistency-inl.h).
+constexpr int quadrant_side = 4;
+
+/// A cell that edges cross which are not its own, and these positions in it.
+struct CrossedCell {
+    CellPositions positions;
+    std::vector<CrossingTriangle> triangles;
+
+    CrossedCell() {
+        constexpr float at[quadrant_side] = {0.125f, 0.375f, 0.625f, 0.875f};
+        positions.set(at, quadrant_side, at, quadrant_side);
+    }
+    void find_triangles(const Lattice& lattice, int cx, int cy) {
+        triangles.clear();
+        find_crossing_triangles(lattice, cx, cy, positions, triangles);
+    }
+};
+
+} // namespace ddt
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace ddt {
@@ -22,12 +48,15 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
 #include "core/base/lanes-inl.h"
+#include "core/lattice/crossed_cell-inl.h"
 #include "core/surface/consistency-inl.h"
 #include "core/surface/patch-inl.h"
 
 using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
 
 #include "core/base/blocks-inl.h"
+
+#include "core/surface/crossing-inl.h"
 
 /// Those of a vector of pixels, or one, from `source` on: a row `row` floats long. near: what is
 /// there beside them.
@@ -101,93 +130,17 @@ HWY_INLINE void add_plain_cell(const Net& net, int site, bool down, float* upper
     add(lower + group_size, cell(z3, z2, z1, z0, b, r, l, t), down);
 }
 
-constexpr int quadrant_side = 4, quadrant_positions = quadrant_side * quadrant_side;
-
-/// The barycentric weights of a cell's 16 positions, row by row, in a triangle that crosses it.
-struct CellWeights {
-    static constexpr int padding = 4 * group_size; // a vector is read from each position on
-    float b0[quadrant_positions], b1[quadrant_positions], b2[quadrant_positions + padding];
-    unsigned inside; ///< bit i: position i belongs to the triangle
-
-    HWY_INLINE CellWeights(const Triangle& t, int cx, int cy) : inside(0) {
-        constexpr float unit = 1.0f / float(position_one);
-        const Point first = quadrant_position(cx, cy, 0);
-        int32_t w[3];
-        t.weights(first, w);
-        // All at once: a branch a position, none of which can be foretold, takes longer.
-        for (int i = 0; i < quadrant_positions; ++i) {
-            constexpr int32_t step = position_one / quadrant_side;
-            const int32_t x = (i % quadrant_side) * step, y = (i / quadrant_side) * step;
-            const int32_t w0 = w[0] + t.e12.x * y - t.e12.y * x,
-                          w1 = w[1] + t.e20.x * y - t.e20.y * x, w2 = position_one - w0 - w1;
-            const int32_t outside = (w0 + t.bias[0]) | (w1 + t.bias[1]) | (w2 + t.bias[2]);
-            inside |= (~unsigned(outside) >> 31) << i;
-            b0[i] = float(w0) * unit;
-            b1[i] = float(w1) * unit;
-            b2[i] = float(w2) * unit;
-        }
-    }
-
-    static HWY_INLINE Point quadrant_position(int cx, int cy, int i) {
-        return {cx * position_one + (2 * (i % quadrant_side) + 1) * (position_one / 8),
-                cy * position_one + (2 * (i / quadrant_side) + 1) * (position_one / 8)};
-    }
-};
-
-/// The blocks whose bits are set.
-HWY_INLINE hn::Mask<D> blocks_of(unsigned bits) {
-    const hn::RebindToSigned<D> di;
-    const auto block = hn::ShiftRight<2>(hn::Iota(di, 0));
-    const auto bit = hn::Shl(hn::Set(di, 1), block);
-    return hn::RebindMask(D(), hn::TestBit(hn::Set(di, int32_t(bits)), bit));
-}
-
-/// The surface over a triangle at those of a cell's positions whose bits are set, group_size lanes
-/// of f each.
-template <bool quadratic, bool soft, bool tame>
-HWY_INLINE void evaluate_positions(Patch<Blocks>& patch, Blocks strict, const CellWeights& weights,
-                                   unsigned wanted, float* f) {
-    patch.template find_range<soft, tame>(strict, false);
-    const int step = blocks_in_vector();
-    for (int i = 0; i < quadrant_positions; i += step) {
-        const unsigned bits = wanted >> i & ((1u << step) - 1);
-        if (bits)
-            hn::BlendedStore(patch
-                                 .template at<quadratic, soft, tame>(spread(weights.b0 + i),
-                                                                     spread(weights.b1 + i),
-                                                                     spread(weights.b2 + i))
-                                 .v,
-                             blocks_of(bits), D(), f + i * group_size);
-    }
-}
-
-/// The same where other edges cross the cell: by locating the positions.
+/// The same where other edges cross the cell.
 template <bool quadratic, bool soft>
-HWY_INLINE void add_other_cell(const Lattice& lattice, const Net& net, int cx, int cy, float* upper,
-                               float* lower) {
-    const Blocks strict = in_every_block(net.strict);
-    HWY_ALIGN float f[quadrant_positions * group_size];
-    unsigned known = 0;
-    for (int i = 0; i < quadrant_positions; ++i) {
-        if (known >> i & 1)
-            continue;
-        const Triangle triangle = locate(lattice, CellWeights::quadrant_position(cx, cy, i));
-        const CellWeights weights(triangle, cx, cy);
-        const unsigned found = weights.inside | 1u << i;
-        Patch<Blocks> patch;
-        patch.template load<quadratic, soft>(
-            triangle.vertex, triangle.edge,
-            [&](int s) HWY_ATTR { return in_every_block(net.at(s)); },
-            [&](int s) HWY_ATTR { return in_every_block(net.soft_at(s)); });
-        if (patch.is_tame())
-            evaluate_positions<quadratic, soft, true>(patch, strict, weights, found, f);
-        else
-            evaluate_positions<quadratic, soft, false>(patch, strict, weights, found, f);
-        known |= found;
-    }
+HWY_INLINE void add_crossed_cell(const Net& net, int site, const CrossedCell& cell, float* upper,
+                                 float* lower) {
+    HWY_ALIGN float f[(CellPositions::most + 4) * group_size];
+    evaluate_crossing<quadratic, soft>(net, in_every_block(net.strict), false,
+                                       cell.triangles.data(), cell.triangles.size(), cell.positions,
+                                       f);
     for (int corner = 0; corner < 4; ++corner) {
         const int right = corner & 1, below = corner >> 1;
-        const Lanes4 z = Lanes4::load(net.at(lattice.vertex_site(cx + right, cy + below)));
+        const Lanes4 z = Lanes4::load(net.at(site + 2 * right + 2 * below * net.stride));
         const int i = 2 * right + 2 * below * quadrant_side;
         // In the order back and forth through all positions.
         Lanes4 mean(0.0f);
@@ -201,6 +154,7 @@ HWY_INLINE void add_other_cell(const Lattice& lattice, const Net& net, int cx, i
 template <bool quadratic, bool soft>
 HWY_INLINE void add_cells(const Lattice& lattice, const Net& net, int x0, int x1, int y,
                           float* upper, float* lower) {
+    CrossedCell crossed;
     for (int x = x0; x < x1; ++x) {
         float *above = upper + ptrdiff_t(x) * group_size,
               *below = lower + ptrdiff_t(x) * group_size;
@@ -213,7 +167,8 @@ HWY_INLINE void add_cells(const Lattice& lattice, const Net& net, int x0, int x1
             add_plain_cell<quadratic, soft>(net, site, false, above, below);
             break;
         case Division::other:
-            add_other_cell<quadratic, soft>(lattice, net, x, y, above, below);
+            crossed.find_triangles(lattice, x, y);
+            add_crossed_cell<quadratic, soft>(net, site, crossed, above, below);
             break;
         }
     }

@@ -136,6 +136,15 @@ HWY_INLINE size_t CompressStore(Vec<D> v, Mask<D> mask, D, typename D::T* p) {
             p[count++] = v[i];
     return count;
 }
+/// Bit i of the first bytes: lane i.
+template <class D>
+HWY_INLINE size_t StoreMaskBits(D, Mask<D> mask, uint8_t* bits) {
+    static_assert(D::lanes <= 8, "one byte");
+    bits[0] = 0;
+    for (size_t i = 0; i < D::lanes; ++i)
+        bits[0] = uint8_t(bits[0] | (mask[i] ? 1 << i : 0));
+    return 1;
+}
 
 // The same in every lane, or by the lane's number.
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Positions in a cell that edges cross which are not its own (Division::other).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/lattice/locate.h"
+
+namespace ddt {
+
+/// Positions in a cell, row by row: those of a grid.
+class CellPositions {
+public:
+    static constexpr int most = 64;
+
+    /// columns * rows <= most of them, at x[0] ... x[columns - 1] and y[0] ... y[rows - 1]: from 0
+    /// to 1, multiples of 2^-16, in pixels from the cell's first corner. Nothing is done where it
+    /// has these already.
+    void set(const float* x, int columns, const float* y, int rows);
+
+    int count() const { return m_columns * m_rows; }
+    // Padded to whole vectors.
+    const float* x() const { return m_x; }
+    const float* y() const { return m_y; }
+
+private:
+    bool has(const float* x, int columns, const float* y, int rows) const;
+
+    static constexpr int padding = 16;
+    int m_columns = 0, m_rows = 0;
+    float m_x[most + padding] = {}, m_y[most + padding] = {};
+};
+
+/// A triangle that some of a cell's positions belong to.
+struct CrossingTriangle {
+    int vertex[3], edge[3]; ///< as in Triangle
+    /// Weight k < 2 at (x, y) is (across[k][0] * y - across[k][1] * x) + offset[k]; see
+    /// crossed_cell-inl.h. Where no weight is negative they are multiples of 2^-16 up to 1, so that
+    /// float32 makes no error; elsewhere none that changes which are.
+    float across[2][2], offset[2];
+    float least[3];     ///< what a weight is, at least, of positions that belong to it
+    uint64_t positions; ///< bit i: position i belongs to it
+
+    /// site: of the cell's first corner.
+    CrossingTriangle(const Corners& corners, int site, int stride);
+};
+
+/// Find which triangles the positions in the cell with first corner (cx, cy) belong to, each to
+/// one, and add these to `triangles`.
+void find_crossing_triangles(const Lattice& lattice, int cx, int cy, const CellPositions& positions,
+                             std::vector<CrossingTriangle>& triangles);
+
+} // namespace ddt

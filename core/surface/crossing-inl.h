@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Included inside a SIMD target's namespace, after patch-inl.h, crossed_cell-inl.h and
+// blocks-inl.h: the surface at positions in a cell that edges cross which are not its own.
+
+/// The blocks whose bits are set.
+HWY_INLINE hn::Mask<D> blocks_of(unsigned bits) {
+    const hn::RebindToSigned<D> di;
+    const auto block = hn::ShiftRight<2>(hn::Iota(di, 0));
+    const auto bit = hn::Shl(hn::Set(di, 1), block);
+    return hn::RebindMask(D(), hn::TestBit(hn::Set(di, int32_t(bits)), bit));
+}
+
+template <bool quadratic, bool soft, bool tame>
+HWY_INLINE void evaluate_positions(const Patch<Blocks>& patch, const CrossingTriangle& triangle,
+                                   const CellPositions& positions, float* f) {
+    const int step = blocks_in_vector();
+    for (int i = 0; i < positions.count(); i += step) {
+        const unsigned bits = unsigned(triangle.positions >> i) & ((1u << step) - 1);
+        if (!bits)
+            continue;
+        const CrossingWeights<Blocks> b(triangle, spread(positions.x() + i),
+                                        spread(positions.y() + i));
+        const Blocks value = patch.template at<quadratic, soft, tame>(b.b0, b.b1, b.b2);
+        hn::BlendedStore(value.v, blocks_of(bits), D(), f + i * group_size);
+    }
+}
+
+/// The surface over the triangles at the positions that belong to them: f + i * group_size, with
+/// room for whole vectors. strict, all_strict: see Patch::find_range().
+template <bool quadratic, bool soft>
+HWY_INLINE void evaluate_crossing(const Net& net, Blocks strict, bool all_strict,
+                                  const CrossingTriangle* triangles, size_t n,
+                                  const CellPositions& positions, float* f) {
+    for (const CrossingTriangle* t = triangles; t < triangles + n; ++t) {
+        Patch<Blocks> patch;
+        patch.template load<quadratic, soft>(
+            t->vertex, t->edge, [&](int s) HWY_ATTR { return in_every_block(net.at(s)); },
+            [&](int s) HWY_ATTR { return in_every_block(net.soft_at(s)); });
+        if (patch.is_tame()) {
+            patch.template find_range<soft, true>(strict, all_strict);
+            evaluate_positions<quadratic, soft, true>(patch, *t, positions, f);
+        } else {
+            patch.template find_range<soft, false>(strict, all_strict);
+            evaluate_positions<quadratic, soft, false>(patch, *t, positions, f);
+        }
+    }
+}
