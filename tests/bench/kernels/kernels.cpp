@@ -35,6 +35,7 @@ std::vector<float> make_guide() {
 
 /// A tile at every stage of its work.
 struct Tile {
+    const MeshOptions options;
     std::vector<float> guide = make_guide(), values;
     Lattice start, mesh; ///< before and after the flips
     Workspace workspace;
@@ -45,9 +46,9 @@ struct Tile {
     Tile() {
         for (const float v : guide)
             values.insert(values.end(), {v, 0.9f * v, 1 - v});
-        start.start(side, side, guide.data(), true);
+        ddt::start(start, side, side, guide.data(), options);
         mesh = start;
-        triangulate(mesh, {}, workspace, statistics);
+        triangulate(mesh, options, workspace, statistics);
         mesh.find_divisions(mesh.all());
         mesh.find_first_edges(mesh.all());
         set_vertices(mesh, values.data(), channels, 0, channels, net);
@@ -94,7 +95,7 @@ BENCHMARK(guide);
 void start(benchmark::State& state) {
     Lattice lattice;
     for (auto _ : state)
-        lattice.start(side, side, tile().guide.data(), true);
+        ddt::start(lattice, side, side, tile().guide.data(), tile().options);
     count(state, side * side);
 }
 BENCHMARK(start);
@@ -109,7 +110,7 @@ void gains_of_all(benchmark::State& state) {
     });
     std::vector<float> out(lattice.size());
     for (auto _ : state)
-        gains(lattice, Cost::abn, sites.data(), sites.size(), out.data());
+        gains(lattice, criterion(tile().options), sites.data(), sites.size(), out.data());
     count(state, int64_t(sites.size()));
 }
 BENCHMARK(gains_of_all);
@@ -118,12 +119,13 @@ BENCHMARK(gains_of_all);
 void one_round_whole(benchmark::State& state) {
     Workspace workspace;
     Statistics statistics;
-    const float threshold = min_gain({});
+    const MeshOptions& options = tile().options;
     for (auto _ : state) {
         state.PauseTiming();
         Lattice lattice = tile().start;
         state.ResumeTiming();
-        one_round(lattice, Cost::abn, threshold, 64, workspace, statistics);
+        one_round(lattice, criterion(options), min_gain(options), options.max_iterations, workspace,
+                  statistics);
     }
     count(state, side * side);
 }
