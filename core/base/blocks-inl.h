@@ -38,6 +38,27 @@ HWY_INLINE Blocks in_every_block(const float* p) {
     return Blocks(hn::LoadDup128(D(), p));
 }
 
+/// The neighbours p, p + 2 group_size, p + 4 group_size, ..., as many as there are blocks, in the
+/// order that in_order() undoes. As many floats are read as two vectors have.
+HWY_INLINE Blocks load_every_second(const float* p) {
+    const D d;
+    const auto odd = hn::SwapAdjacentBlocks(hn::LoadU(d, p + hn::Lanes(d)));
+    return hn::OddEvenBlocks(odd, hn::LoadU(d, p));
+}
+/// Blocks 0, 2, 1, 3, where there are four.
+HWY_INLINE Blocks in_order(Blocks v) {
+    const D d;
+    const hn::RebindToSigned<D> di;
+    if (hn::Lanes(d) < 4 * group_size)
+        return v;
+    const auto lane = hn::Iota(di, 0), block = hn::ShiftRight<2>(lane);
+    const auto is_first = hn::And(block, hn::Set(di, 1)), is_second = hn::ShiftRight<1>(block);
+    const auto from = hn::Add(hn::ShiftLeft<1>(is_first), is_second);
+    const auto within = hn::And(lane, hn::Set(di, group_size - 1));
+    return hn::TableLookupLanes(v.v,
+                                hn::IndicesFromVec(d, hn::Add(hn::ShiftLeft<2>(from), within)));
+}
+
 /// Block k to p + 2 k group_size.
 HWY_INLINE void store_every_second(Blocks v, float* p) {
     HWY_ALIGN float blocks[4 * group_size];

@@ -8,37 +8,12 @@
 #include <limits>
 
 #include "core/base/arith.h"
-#include "core/lattice/crossed_cell.h"
+#include "core/surface/edge_scratch.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/surface/consistency.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-
-#ifndef DDT_CONSISTENCY_ONCE
-#define DDT_CONSISTENCY_ONCE
-namespace ddt {
-
-/// Positions along an axis at which quadrants' means are taken (consistency-inl.h).
-constexpr int quadrant_side = 4;
-
-/// A cell that edges cross which are not its own, and these positions in it.
-struct CrossedCell {
-    CellPositions positions;
-    std::vector<CrossingTriangle> triangles;
-
-    CrossedCell() {
-        constexpr float at[quadrant_side] = {0.125f, 0.375f, 0.625f, 0.875f};
-        positions.set(at, quadrant_side, at, quadrant_side);
-    }
-    void find_triangles(const Lattice& lattice, int cx, int cy) {
-        triangles.clear();
-        find_crossing_triangles(lattice, cx, cy, positions, triangles);
-    }
-};
-
-} // namespace ddt
-#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace ddt {
@@ -90,54 +65,52 @@ HWY_ATTR void limits_in_row(int width, int height, const float* source, int x0, 
     each_vector(x0, x1, std::max(x0, 1), std::min(x1, width - 1), one, several);
 }
 
-/// The means of a plain cell's quadrants, added to its corners' sums.
-template <bool quadratic, bool soft>
-HWY_INLINE void add_plain_cell(const Net& net, int site, bool down, float* upper, float* lower) {
-    const int stride = net.stride;
-    const auto load = [&](int s) HWY_ATTR { return Lanes4::load(net.at(s)); };
-    const auto load_soft = [&](int s) HWY_ATTR { return Lanes4::load(net.soft_at(s)); };
-    const Lanes4 z0 = load(site), z1 = load(site + 2), z2 = load(site + 2 * stride),
-                 z3 = load(site + 2 * stride + 2);
-    const int top = site + 1, left = site + stride, middle = left + 1, right = left + 2,
-              bottom = top + 2 * stride;
-    Lanes4 e[5], q[5];
-    const int edges[5] = {top, left, right, bottom, middle};
+enum Quadrant : int { upper_left, upper_right, lower_left, lower_right };
+
+/// The means of the quadrants of plain cells, T a cell's or several's, the first of which has its
+/// first corner at `site`. down: 1 where the diagonal is down, else 0. at, soft_at: what the net
+/// has there and at every second site on. A branch on the division could not be foretold.
+template <bool quadratic, bool soft, class T, class At, class SoftAt>
+HWY_INLINE void plain_means(int site, int stride, T down, At at, SoftAt soft_at, T means[4]) {
+    const T z0 = at(site), z1 = at(site + 2), z2 = at(site + 2 * stride),
+            z3 = at(site + 2 * stride + 2);
+    enum { t, l, r, b, m };
+    const int edges[5] = {site + 1, site + stride, site + stride + 2, site + 2 * stride + 1,
+                          site + stride + 1};
+    T e[5], q[5];
     for (int i = 0; i < 5; ++i) {
         if (quadratic)
-            e[i] = load(edges[i]);
+            e[i] = at(edges[i]);
         if (soft)
-            q[i] = load_soft(edges[i]);
+            q[i] = soft_at(edges[i]);
     }
-    enum { t, l, r, b, m };
-    const auto add = [&](float* to, const QuadrantCell<Lanes4>& c, bool through) HWY_ATTR {
-        const Lanes4 mean =
-            through ? c.template through<quadratic, soft>() : c.template across<quadratic, soft>();
-        (Lanes4::load(to) + mean).store(to);
-    };
-    const auto cell = [&](Lanes4 v, Lanes4 x, Lanes4 y, Lanes4 d, int vx, int vy, int xd,
-                          int yd) HWY_ATTR {
-        QuadrantCell<Lanes4> c;
+    const auto mean = [&](T v, T x, T y, T d, int vx, int vy, int xd, int yd,
+                          bool from_upper_left_to_lower_right) HWY_ATTR {
+        QuadrantCell<T> c;
         c.v = v, c.x = x, c.y = y, c.d = d;
         if (quadratic)
             c.vx = e[vx], c.vy = e[vy], c.xd = e[xd], c.yd = e[yd], c.diagonal = e[m];
         if (soft)
             c.qvx = q[vx], c.qvy = q[vy], c.qxd = q[xd], c.qyd = q[yd], c.q_diagonal = q[m];
-        return c;
+        const T through = c.template through<quadratic, soft>(),
+                across = c.template across<quadratic, soft>();
+        return from_upper_left_to_lower_right ? if_less(T(0.0f), down, through, across)
+                                              : if_less(T(0.0f), down, across, through);
     };
-    add(upper, cell(z0, z1, z2, z3, t, l, r, b), down);
-    add(upper + group_size, cell(z1, z0, z3, z2, t, r, l, b), !down);
-    add(lower, cell(z2, z3, z0, z1, b, l, r, t), !down);
-    add(lower + group_size, cell(z3, z2, z1, z0, b, r, l, t), down);
+    means[upper_left] = mean(z0, z1, z2, z3, t, l, r, b, true);
+    means[upper_right] = mean(z1, z0, z3, z2, t, r, l, b, false);
+    means[lower_left] = mean(z2, z3, z0, z1, b, l, r, t, false);
+    means[lower_right] = mean(z3, z2, z1, z0, b, r, l, t, true);
 }
 
-/// The same where other edges cross the cell.
+/// The same of a cell that other edges cross, by the scratch's triangles.
 template <bool quadratic, bool soft>
-HWY_INLINE void add_crossed_cell(const Net& net, int site, const CrossedCell& cell, float* upper,
-                                 float* lower) {
+HWY_INLINE void crossed_means(const Net& net, int site, const MeanScratch& scratch,
+                              Lanes4 means[4]) {
     HWY_ALIGN float f[(CellPositions::most + 4) * group_size];
     evaluate_crossing<quadratic, soft>(net, in_every_block(net.strict), false,
-                                       cell.triangles.data(), cell.triangles.size(), cell.positions,
-                                       f);
+                                       scratch.triangles.data(), scratch.triangles.size(),
+                                       scratch.positions, f);
     for (int corner = 0; corner < 4; ++corner) {
         const int right = corner & 1, below = corner >> 1;
         const Lanes4 z = Lanes4::load(net.at(site + 2 * right + 2 * below * net.stride));
@@ -146,45 +119,90 @@ HWY_INLINE void add_crossed_cell(const Net& net, int site, const CrossedCell& ce
         Lanes4 mean(0.0f);
         for (const int at : {i, i + 1, i + quadrant_side + 1, i + quadrant_side})
             mean = mean + (Lanes4::load(f + at * group_size) - z);
-        float* to = (below ? lower : upper) + right * group_size;
-        (Lanes4::load(to) + mean * Lanes4(0.25f)).store(to);
+        means[corner] = mean * Lanes4(0.25f);
     }
+}
+
+/// Add to the sums of vertices x0 .. x1 the means on either side of each, of cells x0 .. x1 - 1:
+/// those of the cell to the left first.
+HWY_INLINE void add_quadrants(const float* left, const float* right, int x0, int x1, float* sums) {
+    const auto add = [&](auto sum, ptrdiff_t at) HWY_ATTR {
+        using T = decltype(sum);
+        ((T::load(sums + at) + T::load(right + at - group_size)) + T::load(left + at))
+            .store(sums + at);
+    };
+    const auto add_one = [&](const float* mean, int of, int to) HWY_ATTR {
+        float* sum = sums + ptrdiff_t(to) * group_size;
+        (Lanes4::load(sum) + Lanes4::load(mean + ptrdiff_t(of) * group_size)).store(sum);
+    };
+    add_one(left, x0, x0);
+    int x = x0 + 1;
+    for (const int step = blocks_in_vector(); x + step <= x1; x += step)
+        add(Blocks(), ptrdiff_t(x) * group_size);
+    for (; x < x1; ++x)
+        add(Lanes4(), ptrdiff_t(x) * group_size);
+    add_one(right, x1 - 1, x1);
 }
 
 template <bool quadratic, bool soft>
 HWY_INLINE void add_cells(const Lattice& lattice, const Net& net, int x0, int x1, int y,
-                          float* upper, float* lower) {
-    CrossedCell crossed;
+                          MeanScratch& scratch, float* upper, float* lower) {
+    const Division* divisions = lattice.divisions(y);
+    const size_t row = size_t(lattice.width()) * group_size;
+    scratch.means.resize(4 * row);
+    const auto store = [&](int x, const auto* means) HWY_ATTR {
+        for (int k = 0; k < 4; ++k)
+            means[k].store(scratch.means.data() + size_t(k) * row + ptrdiff_t(x) * group_size);
+    };
+    scratch.down.resize(size_t(lattice.width()) + edge_padding);
+    float* down = scratch.down.data();
+    for (int x = x0; x < x1; ++x)
+        down[x] = divisions[x] == Division::down ? 1.0f : 0.0f;
+
+    const auto one = [&](int x) HWY_ATTR {
+        const auto at = [&](int s) HWY_ATTR { return Lanes4::load(net.at(s)); };
+        const auto soft_at = [&](int s) HWY_ATTR { return Lanes4::load(net.soft_at(s)); };
+        Lanes4 means[4];
+        plain_means<quadratic, soft>(lattice.vertex_site(x, y), net.stride, Lanes4(down[x]), at,
+                                     soft_at, means);
+        store(x, means);
+    };
+    const auto several = [&](int x) HWY_ATTR {
+        const auto at = [&](int s) HWY_ATTR { return load_every_second(net.at(s)); };
+        const auto soft_at = [&](int s) HWY_ATTR { return load_every_second(net.soft_at(s)); };
+        Blocks means[4];
+        plain_means<quadratic, soft>(lattice.vertex_site(x, y), net.stride,
+                                     in_order(spread(down + x)), at, soft_at, means);
+        for (Blocks& mean : means)
+            mean = in_order(mean);
+        store(x, means);
+    };
+    each_vector(x0, x1, x0, x1, one, several);
     for (int x = x0; x < x1; ++x) {
-        float *above = upper + ptrdiff_t(x) * group_size,
-              *below = lower + ptrdiff_t(x) * group_size;
-        const int site = lattice.vertex_site(x, y);
-        switch (lattice.divisions(y)[x]) {
-        case Division::down:
-            add_plain_cell<quadratic, soft>(net, site, true, above, below);
-            break;
-        case Division::up:
-            add_plain_cell<quadratic, soft>(net, site, false, above, below);
-            break;
-        case Division::other:
-            crossed.find_triangles(lattice, x, y);
-            add_crossed_cell<quadratic, soft>(net, site, crossed, above, below);
-            break;
-        }
+        if (divisions[x] != Division::other)
+            continue;
+        scratch.triangles.clear();
+        find_crossing_triangles(lattice, x, y, scratch.positions, scratch.triangles);
+        Lanes4 means[4];
+        crossed_means<quadratic, soft>(net, lattice.vertex_site(x, y), scratch, means);
+        store(x, means);
     }
+    const auto quadrants = [&](Quadrant k) { return scratch.means.data() + size_t(k) * row; };
+    add_quadrants(quadrants(upper_left), quadrants(upper_right), x0, x1, upper);
+    add_quadrants(quadrants(lower_left), quadrants(lower_right), x0, x1, lower);
 }
 
 HWY_ATTR void add_means(const Lattice& lattice, Surface surface, const Net& net, int x0, int x1,
-                        int y, float* upper, float* lower) {
+                        int y, MeanScratch& scratch, float* upper, float* lower) {
     const bool soft = !net.soft.empty();
     if (surface == Surface::linear && soft)
-        add_cells<false, true>(lattice, net, x0, x1, y, upper, lower);
+        add_cells<false, true>(lattice, net, x0, x1, y, scratch, upper, lower);
     else if (surface == Surface::linear)
-        add_cells<false, false>(lattice, net, x0, x1, y, upper, lower);
+        add_cells<false, false>(lattice, net, x0, x1, y, scratch, upper, lower);
     else if (soft)
-        add_cells<true, true>(lattice, net, x0, x1, y, upper, lower);
+        add_cells<true, true>(lattice, net, x0, x1, y, scratch, upper, lower);
     else
-        add_cells<true, false>(lattice, net, x0, x1, y, upper, lower);
+        add_cells<true, false>(lattice, net, x0, x1, y, scratch, upper, lower);
 }
 
 HWY_ATTR void move_in_row(const float* z, int x0, int x1, const float* source, const float* sum,
@@ -208,10 +226,16 @@ HWY_EXPORT(limits_in_row);
 HWY_EXPORT(add_means);
 HWY_EXPORT(move_in_row);
 
+MeanScratch::MeanScratch() {
+    constexpr float at[quadrant_side] = {0.125f, 0.375f, 0.625f, 0.875f};
+    positions.set(at, quadrant_side, at, quadrant_side);
+}
+
 void add_means(const Lattice& lattice, Surface surface, const Net& net, const Rect& part, int y,
-               float* upper, float* lower) {
+               MeanScratch& scratch, float* upper, float* lower) {
     const int x0 = std::max(part.x0 - 1, 0), x1 = std::min(part.x1, lattice.width() - 1);
-    HWY_DYNAMIC_DISPATCH(add_means)(lattice, surface, net, x0, x1, y, upper, lower);
+    if (x0 < x1)
+        HWY_DYNAMIC_DISPATCH(add_means)(lattice, surface, net, x0, x1, y, scratch, upper, lower);
 }
 
 LaneLimits::LaneLimits(const float* strict, float share, bool clipped)
@@ -259,7 +283,7 @@ void Consistency::measure(const Lattice& lattice, Surface surface, const Net& ne
     sum.assign(source.size(), 0.0f);
     for (int y = 0; y + 1 < lattice.height(); ++y) {
         float* upper = sum.data() + size_t(y) * row;
-        add_means(lattice, surface, net, lattice.all(), y, upper, upper + row);
+        add_means(lattice, surface, net, lattice.all(), y, m_scratch, upper, upper + row);
     }
 }
 

@@ -94,26 +94,33 @@ HWY_INLINE Blocks either(Blocks flag, Blocks yes, Blocks no) {
 struct PlainEdges {
     Blocks zi, zj, zc, zd, gix, giy, gjx, gjy, vx, vy;
 
-    /// The edges' first midpoint is at m, the next two sites on; weights: of the first.
+    /// q and e: of the edge whose midpoint comes first, the next two sites on; weights: of the
+    /// first.
     template <bool bend, bool soft>
-    HWY_INLINE void make(ptrdiff_t m, const float* weights, Net& net) const {
+    HWY_INLINE void make(const float* weights, float* q, float* e) const {
         if (soft)
-            store_every_second(edge_softness(spread_every_second(weights), zi, zj, zc, zd),
-                               net.soft_at(int(m)));
+            store_every_second(edge_softness(spread_every_second(weights), zi, zj, zc, zd), q);
         if (bend)
-            store_every_second(edge_bend(gix, giy, gjx, gjy, zi, zj, vx, vy), net.at(int(m)));
+            store_every_second(edge_bend(gix, giy, gjx, gjy, zi, zj, vx, vy), e);
     }
 };
 
 /// Edges next to one another, from the one at or beside the vertices of column x of row y on.
 struct PlainMaker {
-    const NearRows& rows;
-    const float* gradients; ///< those of row y, x of column 0
-    ptrdiff_t to_y;         ///< from a gradient's x to its y
-    ptrdiff_t row;          ///< from a gradient to that of the row below
-    int y;
+    const float* vertices[3];  ///< of the rows above, at and below y, from column 0 on
+    const float* down_rows[2]; ///< of the cells above and below row y
+    const float* gradients;    ///< those of row y, x of column 0
+    ptrdiff_t to_y;            ///< from a gradient's x to its y
+    ptrdiff_t row;             ///< from a gradient to that of the row below
 
-    HWY_INLINE Blocks z(int x, int dy) const { return Blocks::load(rows.vertex(x, y + 3 + dy)); }
+    PlainMaker(const NearRows& rows, int y, const float* gradients_, ptrdiff_t stride)
+        : vertices{rows.vertex(0, y + 2), rows.vertex(0, y), rows.vertex(0, y + 1)},
+          down_rows{rows.cell_row(y + 1).down.data(), rows.cell_row(y).down.data()},
+          gradients(gradients_), to_y(2 * stride), row(4 * stride) {}
+
+    HWY_INLINE Blocks z(int x, int dy) const {
+        return Blocks::load(vertices[dy + 1] + ptrdiff_t(x) * group_size);
+    }
     HWY_INLINE Blocks gx(int x, int dy) const {
         return Blocks::load(gradients + dy * row + ptrdiff_t(x) * group_size);
     }
@@ -121,9 +128,7 @@ struct PlainMaker {
         return Blocks::load(gradients + dy * row + to_y + ptrdiff_t(x) * group_size);
     }
     /// 1 where cell (x, y + dy)'s diagonal is down.
-    HWY_INLINE Blocks down(int x, int dy) const {
-        return spread(rows.cell_row(y + 2 + dy).down.data() + x);
-    }
+    HWY_INLINE Blocks down(int x, int dy) const { return spread(down_rows[dy + 1] + x); }
 
     /// From (x, y) to (x + 1, y).
     template <bool bend>
@@ -180,15 +185,17 @@ HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y, EdgeSc
     const NearRows& rows = scratch.edge_rows;
     // Without bends there are none.
     const auto gradients_at = [&](int site) { return bend ? scratch.gradients_at(site) : nullptr; };
-    const PlainMaker plain{rows, gradients_at(lattice.vertex_site(0, pixel_y)), 2 * stride,
-                           4 * stride, pixel_y};
+    const PlainMaker plain(rows, pixel_y, gradients_at(lattice.vertex_site(0, pixel_y)), stride);
+    float* const e = net.at(int(first));
+    float* const q = soft ? net.soft_at(int(first)) : nullptr;
     const uint8_t *above = rows.cell_row(pixel_y + 1).other.data(),
                   *here = rows.cell_row(pixel_y).other.data();
-    // Whether cells x0 .. x1 - 1 beside the row are plain.
-    const auto is_plain = [&](int x0, int x1) {
-        int others = 0;
-        for (int x = x0; x < x1; ++x)
-            others |= odd ? here[x] : above[x] | here[x];
+    // Whether the cells beside the edges of a vector's columns are plain.
+    const uint8_t* other = odd ? here : above;
+    const auto is_plain = [&](int x) {
+        int others = here[x - odd];
+        for (int k = x; k < x + step; ++k)
+            others |= other[k] | here[k];
         return !others;
     };
     const bool inner = odd || (pixel_y > 0 && pixel_y < lattice.height() - 1);
@@ -196,13 +203,17 @@ HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y, EdgeSc
         // The first of the edges beside column x, and of those after the last of them.
         const ptrdiff_t m = lattice.site(2 * x + 1 - odd, y), next = m + 2 * step;
         const float* w = soft ? weights + (m - first) : nullptr;
-        if (inner && next <= end && x > 0 && x + step <= last_x && is_plain(x - odd, x + step)) {
+        const ptrdiff_t at = (m - first) * group_size;
+        if (inner && next <= end && x > 0 && x + step <= last_x && is_plain(x)) {
             if (odd) {
-                plain.template upright<bend>(x).template make<bend, soft>(m, w, net);
-                plain.template diagonal<bend>(x).template make<bend, soft>(m + 1, soft ? w + 1 : w,
-                                                                           net);
+                const float* after = soft ? w + 1 : nullptr;
+                float* const q_at = soft ? q + at : nullptr;
+                plain.template upright<bend>(x).template make<bend, soft>(w, q_at, e + at);
+                plain.template diagonal<bend>(x).template make<bend, soft>(
+                    after, soft ? q_at + group_size : nullptr, e + at + group_size);
             } else {
-                plain.template level<bend>(x).template make<bend, soft>(m, w, net);
+                plain.template level<bend>(x).template make<bend, soft>(w, soft ? q + at : nullptr,
+                                                                        e + at);
             }
         } else {
             make_any<bend, soft>(lattice, m, std::min(next, end), 2 - odd, gradients_at(int(m)), w,

@@ -79,32 +79,40 @@ HWY_INLINE GradientMean<Lanes4> mean_round(const Site* vertex, const float* net,
 
 #include "core/base/blocks-inl.h"
 
-/// Gradients at plain vertices x, x + 1, ... of row y, as many as Blocks has.
-HWY_INLINE void plain_gradients(const EdgeScratch& scratch, int x, int y, float* to,
-                                ptrdiff_t to_y) {
-    const NearRows& rows = scratch.gradient_rows;
-    const float *above = rows.vertex(x, y + 2), *here = rows.vertex(x, y),
-                *below = rows.vertex(x, y + 1);
-    const Blocks z = Blocks::load(here);
-    const auto difference = [&](const float* p) HWY_ATTR { return Blocks::load(p) - z; };
-    Differences<Blocks> d;
-    d.nw = difference(above - group_size);
-    d.n = difference(above);
-    d.ne = difference(above + group_size);
-    d.e = difference(here + group_size);
-    d.se = difference(below + group_size);
-    d.s = difference(below);
-    d.sw = difference(below - group_size);
-    d.w = difference(here - group_size);
-    const float *upper = rows.cell_row(y + 1).down.data() + x,
-                *lower = rows.cell_row(y).down.data() + x;
-    const Blocks one(1.0f);
-    Blocks gx, gy;
-    plain_mean(d, spread(upper - 1), one - spread(upper), spread(lower), one - spread(lower - 1))
-        .result(gx, gy);
-    gx.store(to);
-    gy.store(to + to_y);
-}
+/// What plain vertices of a row are surrounded by, from column 0 on.
+struct PlainRows {
+    const float *above, *here, *below; ///< vertices
+    const float *down_above, *down_below;
+
+    PlainRows(const NearRows& rows, int y)
+        : above(rows.vertex(0, y + 2)), here(rows.vertex(0, y)), below(rows.vertex(0, y + 1)),
+          down_above(rows.cell_row(y + 1).down.data()), down_below(rows.cell_row(y).down.data()) {}
+
+    /// Gradients at vertices x, x + 1, ..., as many as Blocks has.
+    HWY_INLINE void make_gradients(int x, float* to, ptrdiff_t to_y) const {
+        const ptrdiff_t at = ptrdiff_t(x) * group_size;
+        const Blocks z = Blocks::load(here + at);
+        const auto difference = [&](const float* row, int dx) HWY_ATTR {
+            return Blocks::load(row + at + dx * group_size) - z;
+        };
+        Differences<Blocks> d;
+        d.nw = difference(above, -1);
+        d.n = difference(above, 0);
+        d.ne = difference(above, 1);
+        d.e = difference(here, 1);
+        d.se = difference(below, 1);
+        d.s = difference(below, 0);
+        d.sw = difference(below, -1);
+        d.w = difference(here, -1);
+        const Blocks one(1.0f);
+        Blocks gx, gy;
+        plain_mean(d, spread(down_above + x - 1), one - spread(down_above + x),
+                   spread(down_below + x), one - spread(down_below + x - 1))
+            .result(gx, gy);
+        gx.store(to);
+        gy.store(to + to_y);
+    }
+};
 
 HWY_ATTR void make_gradients(const Lattice& lattice, const Rect& part, int y0, int y1,
                              const Net& net, EdgeScratch& scratch) {
@@ -126,11 +134,12 @@ HWY_ATTR void make_gradients(const Lattice& lattice, const Rect& part, int y0, i
             gx.store(gradients_at(x));
             gy.store(gradients_at(x) + 2 * ptrdiff_t(stride));
         };
+        const PlainRows plain(scratch.gradient_rows, y);
         const uint8_t *above = scratch.gradient_rows.cell_row(y + 1).other.data(),
                       *below = scratch.gradient_rows.cell_row(y).other.data();
         const auto crossed = [&](int cell) { return above[cell] | below[cell]; };
         const auto plain_and_crossed = [&](int x) HWY_ATTR {
-            plain_gradients(scratch, x, y, gradients_at(x), 2 * ptrdiff_t(stride));
+            plain.make_gradients(x, gradients_at(x), 2 * ptrdiff_t(stride));
             int any = 0;
             for (int k = x - 1; k < x + step; ++k)
                 any |= crossed(k);

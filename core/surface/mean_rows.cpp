@@ -26,7 +26,8 @@ const float* MeanRows::row(int y, int keep) {
         const int cells = m_cell_rows;
         m_edges.to_row(cells + m_lattice->longest(), std::min(cells, keep));
         std::fill_n(sums(cells + 1), m_sums.size() / 2, 0.0f);
-        add_means(*m_lattice, m_surface, m_net, m_wanted, cells, sums(cells), sums(cells + 1));
+        add_means(*m_lattice, m_surface, m_net, m_wanted, cells, m_scratch, sums(cells),
+                  sums(cells + 1));
     }
     return sums(y);
 }

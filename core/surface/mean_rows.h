@@ -40,6 +40,7 @@ private:
     Surface m_surface = Surface::patch;
     Net m_net;
     EdgeMaker m_edges;
+    MeanScratch m_scratch;
     std::vector<float> m_sums; ///< row y at [y % 2]
     int m_cell_rows = 0;       ///< rows of cells above this one are in the sums
 };

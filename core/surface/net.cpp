@@ -14,13 +14,29 @@ void set_vertices(const Lattice& lattice, const float* values, int channels, int
 
 namespace {
 
-/// n pixels, `step` floats apart in `to`.
+/// `count` floats of each of n pixels that are `channels` floats apart, `step` floats apart in `to`.
+template <int count>
+void copy_pixels(const float* from, size_t channels, size_t n, float* to, int step) {
+    for (size_t i = 0; i < n; ++i, from += channels, to += step)
+        for (int c = 0; c < group_size; ++c)
+            to[c] = c < count ? from[c] : 0.0f;
+}
+
+/// n pixels of a group, from pixel `first` on.
 void copy_pixels(const GroupValues& values, size_t first, size_t n, float* to, int step) {
     const auto channels = size_t(values.channels);
     const float* from = values.values + first * channels + size_t(values.first);
-    for (size_t i = 0; i < n; ++i, from += channels, to += step)
-        for (int c = 0; c < group_size; ++c)
-            to[c] = c < values.count ? from[c] : 0.0f;
+    static_assert(group_size == 4, "the cases");
+    switch (values.count) {
+    case 1:
+        return copy_pixels<1>(from, channels, n, to, step);
+    case 2:
+        return copy_pixels<2>(from, channels, n, to, step);
+    case 3:
+        return copy_pixels<3>(from, channels, n, to, step);
+    default:
+        return copy_pixels<4>(from, channels, n, to, step);
+    }
 }
 
 } // namespace

@@ -323,6 +323,15 @@ HWY_INLINE Vec<H> UpperHalf(H, V v) {
         half[i] = v[H::lanes + i];
     return half;
 }
+/// Of blocks of 128 bits there is one.
+template <class V>
+HWY_INLINE V SwapAdjacentBlocks(V v) {
+    return v;
+}
+template <class V>
+HWY_INLINE V OddEvenBlocks(V, V even) {
+    return even;
+}
 /// The even, or odd, lanes of `lower`, then those of `upper`.
 template <class D>
 HWY_INLINE Vec<D> ConcatEven(D, Vec<D> upper, Vec<D> lower) {
