@@ -15,8 +15,8 @@ public:
     static constexpr int most = 64;
 
     /// columns * rows <= most of them, at x[0] ... x[columns - 1] and y[0] ... y[rows - 1]: from 0
-    /// to 1, multiples of 2^-16, in pixels from the cell's first corner. Nothing is done where it
-    /// has these already.
+    /// to less than 1, or in the lattice's last cells to 1, multiples of 2^-16, in pixels from the
+    /// cell's first corner. Nothing is done where it has these already.
     void set(const float* x, int columns, const float* y, int rows);
 
     int count() const { return m_columns * m_rows; }

@@ -253,8 +253,14 @@ public:
 
     /// Fill Vertex::first of the vertices of `part`; after the last flip.
     void find_first_edges(const Rect& part);
+    /// The same of those alone that are corners of cells which are not plain (Division::other), or
+    /// on the lattice's rim; others may be left as they are. The part's divisions have been found.
+    void find_walked_first_edges(const Rect& part);
 
 private:
+    template <class Wanted>
+    void find_first_edges(const Rect& part, Wanted wanted);
+
     int m_width = 0, m_height = 0, m_stride = 0;
     int m_longest = 1;
     bool m_fresh = false;

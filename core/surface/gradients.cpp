@@ -4,6 +4,7 @@
 #include <cfloat>
 #include <cstddef>
 #include <cstring>
+#include <type_traits>
 
 #include "core/base/arith.h"
 #include "core/surface/edge_scratch.h"
@@ -79,6 +80,15 @@ HWY_INLINE GradientMean<Lanes4> mean_round(const Site* vertex, const float* net,
 
 #include "core/base/blocks-inl.h"
 
+/// p[k] in every lane of block k.
+template <class T>
+HWY_INLINE T flags(const float* p) {
+    if constexpr (std::is_same_v<T, Blocks>)
+        return spread(p);
+    else
+        return T(*p);
+}
+
 /// What plain vertices of a row are surrounded by, from column 0 on.
 struct PlainRows {
     const float *above, *here, *below; ///< vertices
@@ -88,14 +98,14 @@ struct PlainRows {
         : above(rows.vertex(0, y + 2)), here(rows.vertex(0, y)), below(rows.vertex(0, y + 1)),
           down_above(rows.cell_row(y + 1).down.data()), down_below(rows.cell_row(y).down.data()) {}
 
-    /// Gradients at vertices x, x + 1, ..., as many as Blocks has.
+    /// Gradients at vertices x, x + 1, ..., as many as T has.
+    template <class T>
     HWY_INLINE void make_gradients(int x, float* to, ptrdiff_t to_y) const {
         const ptrdiff_t at = ptrdiff_t(x) * group_size;
-        const Blocks z = Blocks::load(here + at);
-        const auto difference = [&](const float* row, int dx) HWY_ATTR {
-            return Blocks::load(row + at + dx * group_size) - z;
-        };
-        Differences<Blocks> d;
+        const T z = T::load(here + at);
+        const auto difference = [&](const float* row, int dx)
+                                    HWY_ATTR { return T::load(row + at + dx * group_size) - z; };
+        Differences<T> d;
         d.nw = difference(above, -1);
         d.n = difference(above, 0);
         d.ne = difference(above, 1);
@@ -104,10 +114,10 @@ struct PlainRows {
         d.s = difference(below, 0);
         d.sw = difference(below, -1);
         d.w = difference(here, -1);
-        const Blocks one(1.0f);
-        Blocks gx, gy;
-        plain_mean(d, spread(down_above + x - 1), one - spread(down_above + x),
-                   spread(down_below + x), one - spread(down_below + x - 1))
+        const T one(1.0f);
+        T gx, gy;
+        plain_mean(d, flags<T>(down_above + x - 1), one - flags<T>(down_above + x),
+                   flags<T>(down_below + x), one - flags<T>(down_below + x - 1))
             .result(gx, gy);
         gx.store(to);
         gy.store(to + to_y);
@@ -139,7 +149,7 @@ HWY_ATTR void make_gradients(const Lattice& lattice, const Rect& part, int y0, i
                       *below = scratch.gradient_rows.cell_row(y).other.data();
         const auto crossed = [&](int cell) { return above[cell] | below[cell]; };
         const auto plain_and_crossed = [&](int x) HWY_ATTR {
-            plain.make_gradients(x, gradients_at(x), 2 * ptrdiff_t(stride));
+            plain.make_gradients<Blocks>(x, gradients_at(x), 2 * ptrdiff_t(stride));
             int any = 0;
             for (int k = x - 1; k < x + step; ++k)
                 any |= crossed(k);
@@ -148,7 +158,13 @@ HWY_ATTR void make_gradients(const Lattice& lattice, const Rect& part, int y0, i
                     walk_round(k);
         };
         const bool rim = y == 0 || y == last_y;
-        each_vector(part.x0, part.x1, begin, rim ? begin : end, walk_round, plain_and_crossed);
+        const auto one = [&](int x) HWY_ATTR {
+            if (rim || x == 0 || x == last_x || (crossed(x - 1) | crossed(x)))
+                walk_round(x);
+            else
+                plain.make_gradients<Lanes4>(x, gradients_at(x), 2 * ptrdiff_t(stride));
+        };
+        each_vector(part.x0, part.x1, begin, rim ? begin : end, one, plain_and_crossed);
     }
 }
 

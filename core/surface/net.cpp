@@ -14,7 +14,8 @@ void set_vertices(const Lattice& lattice, const float* values, int channels, int
 
 namespace {
 
-/// `count` floats of each of n pixels that are `channels` floats apart, `step` floats apart in `to`.
+/// `count` floats of each of n pixels that are `channels` floats apart, `step` floats apart in
+/// `to`.
 template <int count>
 void copy_pixels(const float* from, size_t channels, size_t n, float* to, int step) {
     for (size_t i = 0; i < n; ++i, from += channels, to += step)

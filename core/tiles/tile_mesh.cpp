@@ -49,7 +49,7 @@ void TileMesh::find_cells(const Tile& tile) {
     const Rect seen = all ? m_lattice.all() : sampled_part(m_lattice, tile);
     m_lattice.find_divisions(seen);
     if (surface.kind != Surface::linear)
-        m_lattice.find_first_edges(seen);
+        m_lattice.find_walked_first_edges(seen);
 }
 
 } // namespace ddt

@@ -251,6 +251,43 @@ TEST(Lattice, FirstEdgeIsTheIncidentOneWithTheSmallestAddress) {
     });
 }
 
+TEST(Lattice, FirstEdgesThatAreWalkedFromAreFound) {
+    each_start([](Lattice& lattice, Random& random) {
+        const int w = lattice.width(), h = lattice.height();
+        // From none to most of the cells crossed.
+        for (const int flips : {0, 1, 3, 200}) {
+            flip_at_random(lattice, flips, random);
+            Lattice whole = lattice;
+            whole.find_first_edges(whole.all());
+            whole.find_divisions(whole.all());
+            const auto is_walked = [&](int x, int y) {
+                for (int cy = y - 1; cy <= y; ++cy)
+                    for (int cx = x - 1; cx <= x; ++cx)
+                        if (cx < 0 || cy < 0 || cx == w - 1 || cy == h - 1 ||
+                            whole.divisions(cy)[cx] == Division::other)
+                            return true;
+                return false;
+            };
+            for (const Rect& part : {whole.all(), Rect{w / 3, h / 4, w / 2 + 1, h - 1}}) {
+                Lattice again = lattice;
+                // What was found in another tile must not matter.
+                again.find_divisions(again.all());
+                std::fill_n(const_cast<Division*>(again.divisions(0)), (w - 1) * (h - 1),
+                            Division::down);
+                again.find_divisions(part);
+                again.find_walked_first_edges(part);
+                for (int y = part.y0; y < part.y1; ++y)
+                    for (int x = part.x0; x < part.x1; ++x) {
+                        const int s = whole.vertex_site(x, y);
+                        if (is_walked(x, y)) {
+                            ASSERT_EQ(again.vertex(s).first, whole.vertex(s).first);
+                        }
+                    }
+            }
+        }
+    });
+}
+
 TEST(Lattice, DivisionsOfAPartAreThoseOfTheWhole) {
     each_start([](Lattice& lattice, Random& random) {
         flip_at_random(lattice, 200, random);
