@@ -13,85 +13,97 @@ namespace {
 /// Of the source that a vertex's limits are found from: its own row and its neighbours.
 constexpr int near_rows = 3;
 
+size_t row_size(int width) {
+    return size_t(width) * group_size;
+}
+
 } // namespace
 
 void CorrectedRows::begin(const Lattice& lattice, const Rect& part, const CorrectionRecipe& recipe,
-                          const GroupValues& source, float* values, const float* strict) {
+                          const GroupValues& source, const float* strict) {
     m_lattice = &lattice;
     m_recipe = recipe;
     m_source = source;
-    m_values = values;
     m_limits = {strict, recipe.limit, recipe.clipped};
-    const size_t row = size_t(lattice.width()) * group_size;
-    m_moved.resize(row);
     m_rounds.resize(size_t(recipe.rounds));
     // Gradients and softness are made from what is round the ends of edges.
     Rect edges = part;
-    for (int k = recipe.rounds - 1; k >= 0; --k) {
-        Round& round = m_rounds[size_t(k)];
-        round.moved = with_neighbours(lattice, edges);
-        round.rows = round.moved.y0;
-        round.near.resize(size_t(near_rows) * row);
-        GroupValues before = source;
-        if (k > 0)
-            before.values = values;
-        round.means.begin(lattice, round.moved, recipe.surface, recipe.edges, before, strict);
-        edges = round.means.part();
+    for (size_t k = m_rounds.size(); k-- > 0;) {
+        m_rounds[k].begin(*this, with_neighbours(lattice, edges), k ? &m_rounds[k - 1] : nullptr,
+                          strict);
+        edges = m_rounds[k].part();
     }
 }
 
-void CorrectedRows::make(int k, int end) {
-    Round& round = m_rounds[size_t(k)];
-    for (end = std::min(end, round.moved.y1); round.rows < end; ++round.rows) {
-        if (k > 0)
-            make(k - 1, round.means.values_end(round.rows));
-        make_row(round);
-    }
+void CorrectedRows::Round::begin(const CorrectedRows& all, const Rect& moved, Round* before,
+                                 const float* strict) {
+    m_all = &all;
+    m_moved = moved;
+    m_rows = moved.y0;
+    const size_t row = row_size(all.m_lattice->width());
+    m_near.resize(near_rows * row);
+    m_row.resize(row);
+    const CorrectionRecipe& recipe = all.m_recipe;
+    if (before)
+        m_means.begin(*all.m_lattice, moved, recipe.surface, recipe.edges, *before, strict);
+    else
+        m_means.begin(*all.m_lattice, moved, recipe.surface, recipe.edges, all.m_source, strict);
 }
 
-/// The source's rows above, at and below the round's next row, none of which are the rim's.
-const float* CorrectedRows::source_near(Round& round) const {
-    const auto width = size_t(m_lattice->width()), row = width * group_size;
-    const int y = round.rows;
-    float* near = round.near.data();
+const float* CorrectedRows::Round::row(int y) {
+    if (y < m_moved.y0 || y >= m_moved.y1) {
+        GroupValues source = m_all->m_source;
+        const auto width = size_t(m_all->m_lattice->width());
+        source.values += size_t(y) * width * size_t(source.channels);
+        copy_group(source, width, m_row.data());
+        return m_row.data();
+    }
+    for (; m_rows <= y; ++m_rows)
+        correct();
+    return m_row.data();
+}
+
+/// Load the source's rows above, at and below the next row, as far as there are any.
+void CorrectedRows::Round::load_near() {
+    const auto width = size_t(m_all->m_lattice->width());
+    const size_t row = row_size(int(width));
+    const int y = m_rows, last = m_all->m_lattice->height() - 1;
     // All of them at first; then what has come in sight.
-    const bool first = y == std::max(round.moved.y0, 1);
+    const bool first = y == m_moved.y0;
     if (!first)
-        std::memmove(near, near + row, size_t(near_rows - 1) * row * sizeof(float));
-    const int rows = first ? near_rows : 1;
-    GroupValues come = m_source;
-    come.values += size_t(y + 2 - rows) * width * size_t(m_source.channels);
-    copy_group(come, size_t(rows) * width, near + size_t(near_rows - rows) * row);
-    return near;
+        std::memmove(m_near.data(), m_near.data() + row, (near_rows - 1) * row * sizeof(float));
+    for (int k = first ? -1 : 1; k <= 1; ++k) {
+        if (y + k < 0 || y + k > last)
+            continue;
+        GroupValues source = m_all->m_source;
+        source.values += size_t(y + k) * width * size_t(source.channels);
+        copy_group(source, width, m_near.data() + size_t(k + 1) * row);
+    }
 }
 
-/// The rows that a round reads from are in its net already, so what it makes takes their place.
-void CorrectedRows::make_row(Round& round) {
-    const Lattice& lattice = *m_lattice;
-    const int y = round.rows;
-    const float* sum = round.means.row(y, y);
+void CorrectedRows::Round::correct() {
+    const Lattice& lattice = *m_all->m_lattice;
+    const int y = m_rows;
+    load_near();
+    const float* source = m_near.data() + row_size(lattice.width());
+    std::copy_n(source, m_row.size(), m_row.begin());
+    const float* sum = m_means.row(y, y);
     // The rim stays.
-    const int x0 = std::max(round.moved.x0, 1), x1 = std::min(round.moved.x1, lattice.width() - 1);
+    const int x0 = std::max(m_moved.x0, 1), x1 = std::min(m_moved.x1, lattice.width() - 1);
     if (y == 0 || y + 1 == lattice.height() || x0 >= x1)
         return;
-    const float* near = source_near(round);
-    find_limits(lattice.width(), near_rows, near, x0, x1, 1, m_limits, m_limit_row);
-    move_row(lattice, round.means.net(), x0, x1, y, near + size_t(lattice.width()) * group_size,
-             sum, m_limit_row, m_moved.data(), group_size);
-    const int channels = m_source.channels;
-    const float* from = m_moved.data();
-    float* to = m_values + (ptrdiff_t(y) * lattice.width() + x0) * channels + m_source.first;
-    for (int x = x0; x < x1; ++x, from += group_size, to += channels)
-        for (int c = 0; c < m_source.count; ++c)
-            if (!(m_recipe.kept_lanes >> c & 1u))
-                to[c] = from[c];
+    find_limits(lattice.width(), near_rows, m_near.data(), x0, x1, 1, m_all->m_limits, m_limits);
+    move_row(lattice, m_means.net(), x0, x1, y, source, sum, m_limits,
+             m_row.data() + ptrdiff_t(x0) * group_size, group_size);
+    for (int lane = 0; lane < group_size; ++lane)
+        for (int x = x0; m_all->m_recipe.kept_lanes >> lane & 1u && x < x1; ++x)
+            m_row[size_t(x * group_size + lane)] = source[x * group_size + lane];
 }
 
-size_t CorrectedRows::memory(int width, int height, int channels, const CorrectionRecipe& recipe) {
-    const size_t row = size_t(width) * group_size * sizeof(float);
-    return 3 * row +
-           size_t(recipe.rounds) *
-               (size_t(near_rows) * row + MeanRows::memory(width, height, channels, recipe.edges));
+size_t CorrectedRows::memory(int width, int height, const CorrectionRecipe& recipe) {
+    // A net's row of limits has two.
+    const size_t rows = (near_rows + 3) * row_size(width) * sizeof(float);
+    return size_t(recipe.rounds) * (rows + MeanRows::memory(width, height, recipe.edges));
 }
 
 } // namespace ddt

@@ -20,41 +20,46 @@ struct CorrectionRecipe {
     unsigned kept_lanes = 0;
 };
 
-/// Corrects one group's vertices, from the top row downwards. A round is some rows ahead of the
-/// next.
-class CorrectedRows {
+/// Makes one group's corrected values. A round is some rows ahead of the next, which asks it for
+/// them.
+class CorrectedRows : public ValueRows {
 public:
     /// Start on the vertices that the edges in `part`, a part of the lattice in pixels, are made
-    /// from. `source`: the group's values; `values`: a copy of the pixels they are of, in which the
-    /// corrected ones will take their place. Both must stay where they are. strict: Net::strict.
+    /// from; others keep the source's values. `source`: the group's, which must stay where they
+    /// are. strict: Net::strict.
     void begin(const Lattice& lattice, const Rect& part, const CorrectionRecipe& recipe,
-               const GroupValues& source, float* values, const float* strict);
+               const GroupValues& source, const float* strict);
 
-    /// Correct the rows of pixels before `end`, as far as they are not.
-    void to_row(int end) { make(m_recipe.rounds - 1, end); }
+    const float* row(int y) override { return m_rounds.back().row(y); }
 
     /// About the bytes that this takes where edges are of the usual length.
-    static size_t memory(int width, int height, int channels, const CorrectionRecipe& recipe);
+    static size_t memory(int width, int height, const CorrectionRecipe& recipe);
 
 private:
-    struct Round {
-        MeanRows means;
-        Rect moved;
-        int rows; ///< those above this one are done
-        /// The source's rows round the next one, group_size floats a pixel.
-        std::vector<float> near;
+    class Round : public ValueRows {
+    public:
+        /// before: the round whose values are corrected; null: the source's are.
+        void begin(const CorrectedRows& all, const Rect& moved, Round* before, const float* strict);
+        const float* row(int y) override;
+        const Rect& part() const { return m_means.part(); }
+
+    private:
+        void correct();
+        void load_near();
+
+        const CorrectedRows* m_all = nullptr;
+        MeanRows m_means;
+        Rect m_moved;
+        int m_rows = 0;            ///< of them those above this one are done
+        std::vector<float> m_near; ///< the source's rows round the last one,
+        std::vector<float> m_row;  ///< and what was made of that
+        LimitRow m_limits;
     };
-    void make(int round, int end);
-    void make_row(Round& round);
-    const float* source_near(Round& round) const;
 
     const Lattice* m_lattice = nullptr;
     CorrectionRecipe m_recipe;
     GroupValues m_source;
-    float* m_values = nullptr;
     LaneLimits m_limits;
-    LimitRow m_limit_row;
-    std::vector<float> m_moved; ///< a row of vertices
     std::vector<Round> m_rounds;
 };
 

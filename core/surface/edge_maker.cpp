@@ -61,8 +61,7 @@ void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe
     m_recipe = recipe;
     m_few_values = few_values;
     m_few_edges = few_edges;
-    m_go_on = rows_to_go_on(m_values.channels);
-    const auto rows = [&](int used) { return std::min(used + m_go_on, lattice.height()); };
+    const auto rows = [&](int used) { return std::min(used + rows_to_go_on, lattice.height()); };
     m_gradient_rows = part.y0;
     m_edge_rows = 2 * part.y0;
     m_scratch.edge_rows.resize(lattice.width());
@@ -103,6 +102,13 @@ void EdgeMaker::begin_edge_rows(const Lattice& lattice, const Rect& part, const 
 void EdgeMaker::begin_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
                            const GroupValues& values, Net& net) {
     m_values = values;
+    m_value_rows = nullptr;
+    begin(lattice, part, recipe, true, true, net);
+}
+
+void EdgeMaker::begin_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
+                           ValueRows& values, Net& net) {
+    m_value_rows = &values;
     begin(lattice, part, recipe, true, true, net);
 }
 
@@ -113,14 +119,16 @@ void EdgeMaker::load_vertices(int end, int keep) {
     if (end <= m_vertex_rows)
         return;
     int first = m_net->first / (2 * lattice.stride());
-    make_room(m_net->values, net_row(lattice), m_go_on, lattice.height(), first, keep,
+    make_room(m_net->values, net_row(lattice), rows_to_go_on, lattice.height(), first, keep,
               m_vertex_rows, end);
     m_net->first = lattice.vertex_site(0, first);
     const int beside = lattice.longest() + 1;
-    set_vertices(lattice, m_values,
-                 {std::max(m_part.x0 - beside, 0), m_vertex_rows,
-                  std::min(m_part.x1 + beside, lattice.width()), end},
-                 *m_net);
+    const Rect part{std::max(m_part.x0 - beside, 0), m_vertex_rows,
+                    std::min(m_part.x1 + beside, lattice.width()), end};
+    if (m_value_rows)
+        set_vertices(lattice, *m_value_rows, part, *m_net);
+    else
+        set_vertices(lattice, m_values, part, *m_net);
     m_vertex_rows = end;
 }
 
@@ -143,6 +151,7 @@ int EdgeMaker::gradients_end(int last) const {
     return std::min(last + m_lattice->longest(), m_part.y1);
 }
 
+/// Rows of values before this are read by go_on(y).
 int EdgeMaker::values_end(int y) const {
     const int last = last_row(y), end = std::max(gradients_end(last) - 1, last);
     return std::min(end + m_lattice->longest() + 1, m_lattice->height());
@@ -162,13 +171,13 @@ void EdgeMaker::go_on(int y, int keep) {
         load_vertices(values_end(y), std::min(top, std::min(edges, m_gradient_rows) - longest - 1));
     if (m_few_edges && m_recipe.gain) {
         int first = row_of(m_net->first_soft);
-        make_room(m_net->soft, net_row(lattice), m_go_on, lattice.height(), first,
+        make_room(m_net->soft, net_row(lattice), rows_to_go_on, lattice.height(), first,
                   std::min(top, edges), (m_edge_rows + 1) / 2, last + 1);
         m_net->first_soft = lattice.vertex_site(0, first);
     }
     if (m_few_edges && m_recipe.bend) {
         int first = row_of(m_scratch.first);
-        make_room(m_scratch.gradients, net_row(lattice) / 2, m_go_on, lattice.height(), first,
+        make_room(m_scratch.gradients, net_row(lattice) / 2, rows_to_go_on, lattice.height(), first,
                   edges - longest - 1, m_gradient_rows,
                   std::min(last + longest + 1, lattice.height()));
         m_scratch.first = lattice.vertex_site(0, first);
@@ -182,11 +191,8 @@ void EdgeMaker::go_on(int y, int keep) {
     m_edge_rows = 2 * last + 1;
 }
 
-size_t EdgeMaker::memory(int width, int height, int longest, int channels,
-                         const EdgeRecipe& recipe) {
-    const auto kept = [&](int used) {
-        return size_t(std::min(used + rows_to_go_on(channels), height));
-    };
+size_t EdgeMaker::memory(int width, int height, int longest, const EdgeRecipe& recipe) {
+    const auto kept = [&](int used) { return size_t(std::min(used + rows_to_go_on, height)); };
     const size_t row = 4 * size_t(width) * group_size * sizeof(float);
     const size_t edges = kept(edge_rows(longest)) * row;
     return kept(vertex_rows(longest)) * row + (recipe.gain ? edges : 0) +

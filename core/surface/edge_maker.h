@@ -34,6 +34,9 @@ public:
     /// The values must stay where they are.
     void begin_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
                     const GroupValues& values, Net& net);
+    /// The same of values that are made as they are needed.
+    void begin_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
+                    ValueRows& values, Net& net);
 
     /// Make the edges with midpoints in row y of pixels or further up, as far as they are not made.
     /// Of a net of some rows, those that no triangle at or below row `keep` of cells has may go.
@@ -41,8 +44,6 @@ public:
     /// Make all edges, and keep them.
     void finish() { to_row(m_part.y1, 0); }
 
-    /// Rows of values before this are read by to_row(y).
-    int values_end(int y) const;
     /// The part of the lattice that edges are made for.
     const Rect& part() const { return m_part; }
     /// Edges with midpoints above this row of pixels are made.
@@ -53,8 +54,7 @@ public:
 
     /// About the bytes that this and a net take, of which some rows are kept and where edges are
     /// this long.
-    static size_t memory(int width, int height, int longest, int channels,
-                         const EdgeRecipe& recipe);
+    static size_t memory(int width, int height, int longest, const EdgeRecipe& recipe);
 
 private:
     void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe, bool few_values,
@@ -62,6 +62,7 @@ private:
     void go_on(int y, int keep);
     int last_row(int y) const;
     int gradients_end(int last) const;
+    int values_end(int y) const;
     void load_vertices(int end, int keep);
 
     EdgeScratch m_scratch;
@@ -69,9 +70,9 @@ private:
     Net* m_net = nullptr;
     Rect m_part;
     EdgeRecipe m_recipe;
-    GroupValues m_values; ///< of a net of some rows
+    GroupValues m_values;              ///< of a net of some rows,
+    ValueRows* m_value_rows = nullptr; ///< or what makes them
     bool m_few_values = false, m_few_edges = false;
-    int m_go_on = 0;         ///< rows by which what is kept goes on at a time
     int m_vertex_rows = 0;   ///< rows of pixels above this one are set
     int m_gradient_rows = 0; ///< ... have gradients
     int m_edge_rows = 0;     ///< rows of the doubled lattice above this one are done

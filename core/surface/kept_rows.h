@@ -14,13 +14,11 @@ namespace ddt {
 constexpr int usual_longest = 10;
 
 /// Rows of pixels that are made at a time, at least.
-constexpr int rows_at_once = 8;
+constexpr int rows_at_once = 4;
 
-/// Rows of pixels by which what is kept of an array goes on at a time, beside those in use: fewer
-/// where there are many groups of channels.
-constexpr int rows_to_go_on(int channels) {
-    return channels > 4 * group_size ? 8 : 24;
-}
+/// Rows of pixels by which what is kept of an array goes on at a time, beside those in use. With
+/// more of them less is moved, but what is made leaves the cache before it is used.
+constexpr int rows_to_go_on = 4;
 
 /// Rows in use, where edges are this long, of vertices and of what belongs to edges. Most tiles
 /// have some edge that is not short.

@@ -8,8 +8,9 @@
 
 namespace ddt {
 
-void MeanRows::begin(const Lattice& lattice, const Rect& wanted, Surface surface,
-                     const EdgeRecipe& recipe, const GroupValues& values, const float* strict) {
+template <class Values>
+void MeanRows::begin_any(const Lattice& lattice, const Rect& wanted, Surface surface,
+                         const EdgeRecipe& recipe, Values& values, const float* strict) {
     m_lattice = &lattice;
     m_wanted = wanted;
     m_surface = surface;
@@ -19,6 +20,16 @@ void MeanRows::begin(const Lattice& lattice, const Rect& wanted, Surface surface
                        m_net);
     m_sums.assign(2 * size_t(lattice.width()) * group_size, 0.0f);
     m_cell_rows = std::max(wanted.y0 - 1, 0);
+}
+
+void MeanRows::begin(const Lattice& lattice, const Rect& wanted, Surface surface,
+                     const EdgeRecipe& recipe, const GroupValues& values, const float* strict) {
+    begin_any(lattice, wanted, surface, recipe, values, strict);
+}
+
+void MeanRows::begin(const Lattice& lattice, const Rect& wanted, Surface surface,
+                     const EdgeRecipe& recipe, ValueRows& values, const float* strict) {
+    begin_any(lattice, wanted, surface, recipe, values, strict);
 }
 
 const float* MeanRows::row(int y, int keep) {
@@ -32,8 +43,8 @@ const float* MeanRows::row(int y, int keep) {
     return sums(y);
 }
 
-size_t MeanRows::memory(int width, int height, int channels, const EdgeRecipe& recipe) {
-    return EdgeMaker::memory(width, height, usual_longest, channels, recipe) +
+size_t MeanRows::memory(int width, int height, const EdgeRecipe& recipe) {
+    return EdgeMaker::memory(width, height, usual_longest, recipe) +
            2 * size_t(width) * group_size * sizeof(float);
 }
 

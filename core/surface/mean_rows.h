@@ -17,22 +17,25 @@ public:
     /// `values`, which must stay where they are. strict: Net::strict.
     void begin(const Lattice& lattice, const Rect& wanted, Surface surface,
                const EdgeRecipe& recipe, const GroupValues& values, const float* strict);
+    void begin(const Lattice& lattice, const Rect& wanted, Surface surface,
+               const EdgeRecipe& recipe, ValueRows& values, const float* strict);
 
     /// The sums of quadrants' means of the vertices in row y, from column 0 on, until the next row
     /// is asked for; rows in order, from the first of `wanted` on. Of the net, edges in row `keep`
     /// of pixels and below stay.
     const float* row(int y, int keep);
-    /// Rows of values before this are read by row(y).
-    int values_end(int y) const { return m_edges.values_end(y + m_lattice->longest()); }
 
     const Net& net() const { return m_net; }
     /// The part of the lattice whose edges are made.
     const Rect& part() const { return m_edges.part(); }
 
     /// About the bytes that this takes where edges are of the usual length.
-    static size_t memory(int width, int height, int channels, const EdgeRecipe& recipe);
+    static size_t memory(int width, int height, const EdgeRecipe& recipe);
 
 private:
+    template <class Values>
+    void begin_any(const Lattice& lattice, const Rect& wanted, Surface surface,
+                   const EdgeRecipe& recipe, Values& values, const float* strict);
     float* sums(int y) { return m_sums.data() + size_t(y % 2) * (m_sums.size() / 2); }
 
     const Lattice* m_lattice = nullptr;

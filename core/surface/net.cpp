@@ -52,4 +52,11 @@ void set_vertices(const Lattice& lattice, const GroupValues& values, const Rect&
                     size_t(part.width()), net.at(lattice.vertex_site(part.x0, y)), 2 * group_size);
 }
 
+void set_vertices(const Lattice& lattice, ValueRows& values, const Rect& part, Net& net) {
+    for (int y = part.y0; y < part.y1; ++y)
+        copy_pixels<group_size>(values.row(y) + ptrdiff_t(part.x0) * group_size, group_size,
+                                size_t(part.width()), net.at(lattice.vertex_site(part.x0, y)),
+                                2 * group_size);
+}
+
 } // namespace ddt

@@ -59,11 +59,21 @@ struct GroupValues {
     int channels = 0, first = 0, count = 0;
 };
 
+/// Makes a group's values row by row: group_size floats for each pixel of a lattice's row.
+class ValueRows {
+public:
+    virtual ~ValueRows() = default;
+    /// Row y; there until the next is asked for. Rows are asked for from the top downwards, each
+    /// once.
+    virtual const float* row(int y) = 0;
+};
+
 /// Set the vertices of a net of the whole lattice to a group's values. Unused lanes are 0.
 void set_vertices(const Lattice& lattice, const float* values, int channels, int first, int count,
                   Net& net);
 /// Those of the pixels of `part` alone, whose rows the net must have.
 void set_vertices(const Lattice& lattice, const GroupValues& values, const Rect& part, Net& net);
+void set_vertices(const Lattice& lattice, ValueRows& values, const Rect& part, Net& net);
 /// Copy a group's values of so many pixels, group_size floats each. Unused lanes are 0.
 void copy_group(const GroupValues& values, size_t pixels, float* to);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/tiles/tile_surface.h"
 
+#include <algorithm>
+
 #include "core/base/arith.h"
 #include "core/surface/kept_rows.h"
 #include "core/tiles/tile_io.h"
@@ -28,13 +30,14 @@ size_t TileSurface::memory(const Job& job, int width, int height, bool rows) {
     const EdgeRecipe recipe = recipe_of(job.surface);
     const size_t kept =
         is_fitted(job.surface)
-            ? FittedMaker::memory(width, height, !rows, job.channels, job.surface.soft > 0)
-            : EdgeMaker::memory(width, height, rows ? usual_longest : height, job.channels, recipe);
+            ? FittedMaker::memory(width, height, !rows, job.surface.soft > 0)
+            : EdgeMaker::memory(width, height, rows ? usual_longest : height, recipe);
     size_t corrected = 0;
     if (is_corrected(job.surface))
-        corrected = size_t(width) * size_t(height) * sizeof(float) * size_t(job.channels) +
-                    CorrectedRows::memory(width, height, job.channels,
+        corrected = CorrectedRows::memory(width, height,
                                           {job.surface.kind, recipe, job.surface.consistency});
+    if (is_corrected(job.surface) && group_count(job.channels) > 1)
+        corrected += size_t(width) * size_t(height) * sizeof(float) * size_t(job.channels);
     return kept * size_t(group_count(job.channels)) + corrected;
 }
 
@@ -43,8 +46,8 @@ void TileSurface::begin(const TileMesh& mesh, const Tile& tile, const float* val
     const SurfaceOptions& surface = m_job.surface;
     m_mesh = &mesh;
     const Rect part = sampled_part(mesh.lattice(), tile);
-    if (is_corrected(surface))
-        m_corrected.assign(values, values + mesh.lattice().vertices() * size_t(m_job.channels));
+    if (is_corrected(surface) && m_nets.size() > 1)
+        m_corrected.resize(mesh.lattice().vertices() * size_t(m_job.channels));
     for (int g = 0; g < int(m_nets.size()); ++g) {
         Net& net = m_nets[size_t(g)];
         set_strictness(g, net);
@@ -54,9 +57,9 @@ void TileSurface::begin(const TileMesh& mesh, const Tile& tile, const float* val
         }
         if (is_corrected(surface))
             begin_corrected(g, values, part);
-        const float* vertices = is_corrected(surface) ? m_corrected.data() : values;
-        m_edges[size_t(g)].begin_rows(mesh.lattice(), part, recipe(), group_values(vertices, g),
-                                      net);
+        else
+            m_edges[size_t(g)].begin_rows(mesh.lattice(), part, recipe(), group_values(values, g),
+                                          net);
     }
     m_search.begin();
 }
@@ -80,11 +83,26 @@ void TileSurface::begin_corrected(int group, const float* values, const Rect& pa
     const SurfaceOptions& surface = m_job.surface;
     const CorrectionRecipe correction{surface.kind,  recipe(),        surface.consistency,
                                       surface.limit, surface.clipped, nearest_mask(m_job, group)};
-    m_rounds.begin(m_mesh->lattice(), part, correction, group_values(values, group),
-                   m_corrected.data(), m_nets[size_t(group)].strict);
-    // Of many channels one group after the other, in the same memory; else as rows are needed.
-    if (m_nets.size() > 1)
-        m_rounds.to_row(m_mesh->lattice().height());
+    Net& net = m_nets[size_t(group)];
+    EdgeMaker& edges = m_edges[size_t(group)];
+    const Lattice& lattice = m_mesh->lattice();
+    m_rounds.begin(lattice, part, correction, group_values(values, group), net.strict);
+    if (m_nets.size() == 1)
+        return edges.begin_rows(lattice, part, recipe(), m_rounds, net);
+    // Of many channels one group after the other, in the same memory.
+    correct_all(group);
+    edges.begin_rows(lattice, part, recipe(), group_values(m_corrected.data(), group), net);
+}
+
+void TileSurface::correct_all(int group) {
+    const Lattice& lattice = m_mesh->lattice();
+    const GroupValues to = group_values(m_corrected.data(), group);
+    float* p = m_corrected.data() + to.first;
+    for (int y = 0; y < lattice.height(); ++y) {
+        const float* row = m_rounds.row(y);
+        for (int x = 0; x < lattice.width(); ++x, row += group_size, p += to.channels)
+            std::copy_n(row, to.count, p);
+    }
 }
 
 void TileSurface::begin_fitted(int group, const float* values, const Rect& part) {
@@ -98,19 +116,14 @@ void TileSurface::begin_fitted(int group, const float* values, const Rect& part)
 void TileSurface::make_edges_for(int32_t y, int32_t keep) {
     const DenormalsAreZero as_on_gpus;
     const int to = (y >> position_bits) + m_mesh->lattice().longest(), from = keep >> position_bits;
-    for (EdgeMaker& edges : m_edges) {
-        if (is_corrected(m_job.surface))
-            m_rounds.to_row(edges.values_end(to));
+    for (EdgeMaker& edges : m_edges)
         edges.to_row(to, from);
-    }
     for (FittedMaker& fitted : m_fitted)
         fitted.to_row(to, from);
 }
 
 void TileSurface::finish_edges() {
     const DenormalsAreZero as_on_gpus;
-    if (is_corrected(m_job.surface))
-        m_rounds.to_row(m_mesh->lattice().height());
     for (EdgeMaker& edges : m_edges)
         edges.finish();
     for (FittedMaker& fitted : m_fitted)

@@ -49,6 +49,7 @@ private:
     EdgeRecipe recipe() const;
     void set_strictness(int group, Net& net) const;
     void begin_corrected(int group, const float* values, const Rect& part);
+    void correct_all(int group);
     void begin_fitted(int group, const float* values, const Rect& part);
 
     const Job& m_job;
@@ -56,8 +57,8 @@ private:
     std::vector<Net> m_nets; ///< one a group of channels
     std::vector<EdgeMaker> m_edges;
     std::vector<FittedMaker> m_fitted; ///< in their place
-    CorrectedRows m_rounds;            ///< before them, where there are any,
-    std::vector<float> m_corrected;    ///< and what they make of the values
+    CorrectedRows m_rounds;            ///< before them, where there are any
+    std::vector<float> m_corrected;    ///< of many channels, what they make of the values
     Search m_search;
     LocatedRow m_row;
     LocatedBlock m_block;

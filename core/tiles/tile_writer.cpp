@@ -35,7 +35,7 @@ constexpr size_t shared_pixels = size_t(1) << 15;
 
 size_t TileWriter::memory(const Job& job, int width, int height, bool rows) {
     return size_t(job.mesh.meshes) * TileSurface::memory(job, width, height, rows) +
-           2 * strip_floats * sizeof(float);
+           (job.mesh.meshes > 1 ? 2 : 1) * strip_floats * sizeof(float);
 }
 
 int TileWriter::least_shared_rows(const Rect& pixels) {

@@ -32,7 +32,7 @@ void FittedMaker::begin(const Lattice& lattice, const Rect& part, const FittedRe
     net.stride = lattice.stride();
     net.first = lattice.vertex_site(0, m_moved.y0);
     take_memory(net.values, net_row(lattice),
-                std::min(vertex_rows(longest) + rows_to_go_on(values.channels), height));
+                std::min(vertex_rows(longest) + rows_to_go_on, height));
     m_index_rows = 2 * longest + 2;
     take_memory(m_index, row_size(), m_index_rows);
     m_vertex_rows = m_moved.y0;
@@ -54,8 +54,7 @@ void FittedMaker::go_on(int y, int keep) {
     const int end = std::min(y + rows_at_once + longest + 2, m_moved.y1);
     if (end > m_vertex_rows) {
         int first = m_net->first / (2 * lattice.stride());
-        make_room(m_net->values, net_row(lattice), rows_to_go_on(m_values.channels),
-                  lattice.height(), first,
+        make_room(m_net->values, net_row(lattice), rows_to_go_on, lattice.height(), first,
                   std::min(std::min(keep, m_soft.rows()) - longest - 1, m_edge_rows / 2),
                   m_vertex_rows, end);
         m_net->first = lattice.vertex_site(0, first);
@@ -90,13 +89,12 @@ void FittedMaker::make_row() {
                     *m_net);
 }
 
-size_t FittedMaker::memory(int width, int height, bool all_rows, int channels, bool soft) {
+size_t FittedMaker::memory(int width, int height, bool all_rows, bool soft) {
     static const float some_gain = 0;
     const float* gain = soft ? &some_gain : nullptr;
     const size_t row = size_t(width) * group_size * sizeof(float);
-    return MeanRows::memory(width, height, channels, {true, gain, 1}) +
-           EdgeMaker::memory(width, height, all_rows ? height : usual_longest, channels,
-                             {false, gain, 1}) +
+    return MeanRows::memory(width, height, {true, gain, 1}) +
+           EdgeMaker::memory(width, height, all_rows ? height : usual_longest, {false, gain, 1}) +
            row * (size_t(height) + 2 * usual_longest + 2);
 }
 

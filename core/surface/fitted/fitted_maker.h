@@ -40,7 +40,7 @@ public:
 
     /// About the bytes that this and the net take where edges are of the usual length; `all_rows`:
     /// of a net that is kept whole.
-    static size_t memory(int width, int height, bool all_rows, int channels, bool soft);
+    static size_t memory(int width, int height, bool all_rows, bool soft);
 
 private:
     void go_on(int y, int keep);
