@@ -138,6 +138,46 @@ void Columns::find(const Point* points, int n, int width) {
     }
 }
 
+namespace {
+
+bool is_in_rows(const LocatedBlock::Range& range) {
+    return range.kind == Span::triangle && range.triangles == 0;
+}
+
+/// Find what the columns lie in, in row cy of cells, and the triangles of cells that other edges
+/// cross. Returns whether any of them have more positions than CellPositions.
+bool find_ranges(const Lattice& lattice, const Columns& columns, int cy, LocatedBlock& block) {
+    const int first_site = lattice.vertex_site(0, cy);
+    const Division* divisions = lattice.divisions(cy);
+    block.ranges.resize(columns.runs.size());
+    block.crossing.clear();
+    CellPositions positions;
+    bool any_in_rows = false;
+    LocatedBlock::Range* const first = block.ranges.data();
+    LocatedBlock::Range* range = first;
+    for (const Columns::Run& run : columns.runs) {
+        *range = {kind_of(divisions[run.cell]), run.begin, run.end, first_site + 2 * run.cell};
+        const int n = run.end - run.begin;
+        if (range->kind == Span::triangle && n * block.count <= CellPositions::most) {
+            positions.set(columns.x.data() + run.begin, n, block.y, block.count);
+            range->triangle = int(block.crossing.size());
+            find_crossing_triangles(lattice, run.cell, cy, positions, block.crossing);
+            range->triangles = int(block.crossing.size()) - range->triangle;
+        } else if (range->kind == Span::triangle) {
+            any_in_rows = true;
+            if (range > first && is_in_rows(range[-1])) {
+                range[-1].end = run.end;
+                continue;
+            }
+        }
+        ++range;
+    }
+    block.ranges.resize(size_t(range - first));
+    return any_in_rows;
+}
+
+} // namespace
+
 int locate_block(const Lattice& lattice, const Columns& columns, std::vector<Point>& points,
                  const int32_t* y, int n, Search& search, LocatedBlock& block) {
     const int cy = cell_of(y[0], lattice.height());
@@ -147,42 +187,17 @@ int locate_block(const Lattice& lattice, const Columns& columns, std::vector<Poi
             break;
         block.y[rows] = float(y[rows] - cy * position_one) * unit;
     }
-    const int first_site = lattice.vertex_site(0, cy);
-    const Division* divisions = lattice.divisions(cy);
-    block.ranges.resize(columns.runs.size());
-    block.crossing.clear();
-    LocatedBlock::Range* range = block.ranges.data();
-    LocatedBlock::Range* in_rows = nullptr;
-    CellPositions positions;
-    for (const Columns::Run& run : columns.runs) {
-        const Span::Kind kind = kind_of(divisions[run.cell]);
-        *range = {kind, run.begin, run.end, first_site + 2 * run.cell, 0, 0};
-        if (kind == Span::triangle) {
-            const int width = run.end - run.begin;
-            if (width * rows <= CellPositions::most) {
-                positions.set(columns.x.data() + run.begin, width, block.y, rows);
-                range->triangle = int(block.crossing.size());
-                find_crossing_triangles(lattice, run.cell, cy, positions, block.crossing);
-                range->triangles = int(block.crossing.size()) - range->triangle;
-            } else if (in_rows && in_rows == range - 1) {
-                in_rows->end = run.end;
-                continue;
-            } else {
-                in_rows = range;
-            }
-        }
-        ++range;
-    }
-    block.ranges.resize(size_t(range - block.ranges.data()));
-    for (int r = 0; in_rows && r < rows; ++r) {
+    if (!find_ranges(lattice, columns, cy, block))
+        return rows;
+    for (int r = 0; r < rows; ++r) {
         RowLocator locator(lattice, points.data(), int(points.size()), search, block.rows[r]);
-        for (const LocatedBlock::Range& others : block.ranges) {
-            if (others.kind != Span::triangle || others.triangles)
+        for (const LocatedBlock::Range& range : block.ranges) {
+            if (!is_in_rows(range))
                 continue;
-            for (int i = others.begin; i < others.end; ++i)
+            for (int i = range.begin; i < range.end; ++i)
                 points[size_t(i)].y = y[r];
-            for (int i = others.begin; i < others.end;)
-                i = locator.triangle(i, others.end);
+            for (int i = range.begin; i < range.end;)
+                i = locator.triangle(i, range.end);
         }
     }
     return rows;
