@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/lattice/locate.h"
 
-#include <algorithm>
-
 namespace ddt {
 
 namespace {
@@ -62,8 +60,7 @@ Corners locate(const Lattice& lattice, int cx, int cy, Point in_cell) {
 }
 
 Triangle locate(const Lattice& lattice, Point at) {
-    const int cx = std::min(at.x >> position_bits, lattice.width() - 2);
-    const int cy = std::min(at.y >> position_bits, lattice.height() - 2);
+    const int cx = cell_of(at.x, lattice.width()), cy = cell_of(at.y, lattice.height());
     const Corners corners =
         locate(lattice, cx, cy, {at.x - cx * position_one, at.y - cy * position_one});
     const Corner* p = corners.p;

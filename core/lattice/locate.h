@@ -45,6 +45,13 @@ struct Triangle {
     }
 };
 
+/// A cell's coordinate along an axis of `size` pixels: the last pixel belongs to the cell before
+/// it.
+inline int cell_of(int32_t position, int size) {
+    const int cell = position >> position_bits;
+    return cell < size - 1 ? cell : size - 2;
+}
+
 /// A vertex relative to the first corner of a cell, in pixels.
 struct Corner {
     int x, y;

@@ -34,13 +34,6 @@ const Triangle* find_hint(const Search& search, size_t& hint, int i, Point p) {
     return nullptr;
 }
 
-/// A cell's coordinate along an axis of `size` pixels: the last pixel belongs to the cell before
-/// it.
-int cell_of(int32_t position, int size) {
-    const int cell = position >> position_bits;
-    return cell < size - 1 ? cell : size - 2;
-}
-
 /// Locates the positions of one row from left to right.
 class RowLocator {
 public:

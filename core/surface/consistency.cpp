@@ -107,7 +107,7 @@ HWY_INLINE void plain_means(int site, int stride, T down, At at, SoftAt soft_at,
 template <bool quadratic, bool soft>
 HWY_INLINE void crossed_means(const Net& net, int site, const MeanScratch& scratch,
                               Lanes4 means[4]) {
-    HWY_ALIGN float f[(CellPositions::most + 4) * group_size];
+    HWY_ALIGN float f[quadrant_side * quadrant_side * group_size]; // whole vectors
     evaluate_crossing<quadratic, soft>(net, in_every_block(net.strict), false,
                                        scratch.triangles.data(), scratch.triangles.size(),
                                        scratch.positions, f);
@@ -156,8 +156,7 @@ HWY_INLINE void add_cells(const Lattice& lattice, const Net& net, int x0, int x1
     };
     scratch.down.resize(size_t(lattice.width()) + edge_padding);
     float* down = scratch.down.data();
-    for (int x = x0; x < x1; ++x)
-        down[x] = divisions[x] == Division::down ? 1.0f : 0.0f;
+    flag_down(divisions, x0, x1, down);
 
     const auto one = [&](int x) HWY_ATTR {
         const auto at = [&](int s) HWY_ATTR { return Lanes4::load(net.at(s)); };

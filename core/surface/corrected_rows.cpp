@@ -101,7 +101,7 @@ void CorrectedRows::Round::correct() {
 }
 
 size_t CorrectedRows::memory(int width, int height, const CorrectionRecipe& recipe) {
-    // A net's row of limits has two.
+    // Beside the source's, what is made of it and its limits, low and high.
     const size_t rows = (near_rows + 3) * row_size(width) * sizeof(float);
     return size_t(recipe.rounds) * (rows + MeanRows::memory(width, height, recipe.edges));
 }

@@ -20,10 +20,8 @@ void load_row(const Lattice& lattice, const Rect& part, int y, const Net& net, f
 void load_cells(const Lattice& lattice, const Rect& part, int y, CellRow& row) {
     const int begin = std::max(part.x0 - 1, 0), end = std::min(part.x1, lattice.width() - 1);
     const Division* divisions = lattice.divisions(y);
-    float* down = row.down.data();
+    flag_down(divisions, begin, end, row.down.data());
     uint8_t* other = row.other.data();
-    for (int x = begin; x < end; ++x)
-        down[x] = divisions[x] == Division::down ? 1.0f : 0.0f;
     for (int x = begin; x < end; ++x)
         other[x] = divisions[x] == Division::other;
 }

@@ -15,6 +15,12 @@ struct CellRow {
     std::vector<uint8_t> other; ///< 1 where other edges cross the cell
 };
 
+/// Flag those of cells x0 .. x1 - 1 of a row whose diagonal is down, as in CellRow.
+inline void flag_down(const Division* divisions, int x0, int x1, float* down) {
+    for (int x = x0; x < x1; ++x)
+        down[x] = divisions[x] == Division::down ? 1.0f : 0.0f;
+}
+
 /// The rows round the one that is worked on, so that neighbours lie next to one another.
 struct NearRows {
     std::vector<float> vertices[3]; ///< of row y of pixels at [y % 3], group_size floats each

@@ -2,7 +2,7 @@
 #include "core/lattice/crossed_cell.h"
 
 #include "core/base/arith.h"
-#include "tests/core/helpers.h"
+#include "tests/core/lattice/flipped_meshes.h"
 
 namespace ddt::test {
 namespace {
@@ -55,35 +55,22 @@ void check_cell(const Lattice& lattice, int cx, int cy, const CellPositions& pos
 
 TEST(CrossedCell, EveryPositionIsInTheTriangleThatLocateFinds) {
     on_each_target([] {
-        uint64_t seed = 90;
         int most = 0;
-        const auto one = [&](int w, int h, int flips, bool longest) {
-            SCOPED_TRACE(::testing::Message() << w << " x " << h << ", " << flips << " flips");
-            Random random(++seed);
-            Lattice lattice;
-            const auto guide = make_guide(Kind::noise, w, h, seed);
-            lattice.start(w, h, guide.data(), true);
-            flip_at_random(lattice, flips, random);
-            if (longest)
-                flip_to_longest(lattice);
+        each_flipped_mesh([&](const Lattice& lattice, const std::vector<Face>&, Random& random) {
+            const int last_x = lattice.width() - 2, last_y = lattice.height() - 2;
             CellPositions positions;
-            for (int cy = 0; cy + 1 < h; ++cy)
-                for (int cx = 0; cx + 1 < w; ++cx) {
+            for (int cy = 0; cy <= last_y; ++cy)
+                for (int cx = 0; cx <= last_x; ++cx) {
                     const int columns = random.between(1, 9), rows = random.between(1, 7);
-                    const auto x = make_axis(columns, cx == w - 2, random),
-                               y = make_axis(rows, cy == h - 2, random);
+                    const auto x = make_axis(columns, cx == last_x, random),
+                               y = make_axis(rows, cy == last_y, random);
                     positions.set(x.data(), columns, y.data(), rows);
                     std::vector<CrossingTriangle> triangles;
                     find_crossing_triangles(lattice, cx, cy, positions, triangles);
                     most = std::max(most, int(triangles.size()));
                     check_cell(lattice, cx, cy, positions, triangles);
                 }
-        };
-        for (const int flips : {0, 30, 1000})
-            one(16, 11, flips, false);
-        one(80, 2, 0, true);
-        one(2, 80, 0, true);
-        one(12, 12, 50, true);
+        });
         EXPECT_GT(most, 4);
     });
 }

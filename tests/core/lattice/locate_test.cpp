@@ -1,33 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/lattice/locate.h"
 
-#include "tests/core/helpers.h"
+#include "tests/core/lattice/flipped_meshes.h"
 
 namespace ddt::test {
 namespace {
-
-/// Call f(lattice, faces, random) for meshes of many kinds.
-template <class F>
-void each_mesh(F&& f) {
-    uint64_t seed = 40;
-    const auto one = [&](int w, int h, int flips, bool longest) {
-        SCOPED_TRACE(::testing::Message() << w << " x " << h << ", " << flips << " flips");
-        Random random(++seed);
-        Lattice lattice;
-        const auto guide = make_guide(Kind::noise, w, h, seed);
-        lattice.start(w, h, guide.data(), true);
-        flip_at_random(lattice, flips, random);
-        if (longest)
-            flip_to_longest(lattice);
-        f(lattice, faces_of(lattice), random);
-    };
-    for (const Pixel size : {Pixel{2, 2}, Pixel{2, 6}, Pixel{7, 2}, Pixel{9, 8}, Pixel{16, 11}})
-        for (const int flips : {0, 30, 1000})
-            one(size.x, size.y, flips, false);
-    one(80, 2, 0, true);
-    one(2, 80, 0, true);
-    one(12, 12, 50, true);
-}
 
 int64_t doubled_area_part(Pixel a, Pixel b, Point p) {
     return int64_t(b.x - a.x) * (p.y - a.y * position_one) -
@@ -35,7 +12,7 @@ int64_t doubled_area_part(Pixel a, Pixel b, Point p) {
 }
 
 TEST(Locate, FindsTheTriangleThatASearchOfAllFinds) {
-    each_mesh([](const Lattice& lattice, const std::vector<Face>& faces, Random& random) {
+    each_flipped_mesh([](const Lattice& lattice, const std::vector<Face>& faces, Random& random) {
         int on_rim = 0;
         for (const Point p : make_points(lattice, 1500, random)) {
             const Face found = face_of_triangle(lattice, locate(lattice, p));
@@ -57,7 +34,7 @@ TEST(Locate, FindsTheTriangleThatASearchOfAllFinds) {
 }
 
 TEST(Locate, DescribesTheTriangleAsPromised) {
-    each_mesh([](const Lattice& lattice, const std::vector<Face>&, Random& random) {
+    each_flipped_mesh([](const Lattice& lattice, const std::vector<Face>&, Random& random) {
         for (const Point p : make_points(lattice, 300, random)) {
             const Triangle t = locate(lattice, p);
             const Face f = face_of_triangle(lattice, t);
@@ -72,7 +49,7 @@ TEST(Locate, DescribesTheTriangleAsPromised) {
 }
 
 TEST(Locate, WeightsAreExact) {
-    each_mesh([](const Lattice& lattice, const std::vector<Face>&, Random& random) {
+    each_flipped_mesh([](const Lattice& lattice, const std::vector<Face>&, Random& random) {
         for (const Point p : make_points(lattice, 300, random)) {
             const Triangle t = locate(lattice, p);
             const Face f = face_of_triangle(lattice, t);
@@ -93,7 +70,7 @@ TEST(Locate, WeightsAreExact) {
 }
 
 TEST(Locate, HoldsIsTrueForOneTriangleOnly) {
-    each_mesh([](const Lattice& lattice, const std::vector<Face>& faces, Random& random) {
+    each_flipped_mesh([](const Lattice& lattice, const std::vector<Face>& faces, Random& random) {
         // One Triangle for each face, found by its inside.
         std::vector<Triangle> triangles;
         for (const Face& f : faces) {
