@@ -28,14 +28,6 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
 #include "core/surface/crossing-inl.h"
 
-/// The group's numbers at a site, in every block.
-HWY_INLINE Blocks at_site(const Net& net, int site) {
-    return in_every_block(net.at(site));
-}
-HWY_INLINE Blocks soft_at_site(const Net& net, int site) {
-    return in_every_block(net.soft_at(site));
-}
-
 /// Where results go.
 struct Output {
     float* to = nullptr; ///< the row's first position, first channel of the group
@@ -94,42 +86,47 @@ HWY_INLINE void evaluate_patch(Patch<Blocks>& patch, const Strictness& strict,
 }
 
 template <bool quadratic, bool soft>
-HWY_INLINE void evaluate_triangle(const Net& net, const Strictness& strict, const LocatedRow& row,
-                                  const Span& span, const Output& out) {
+HWY_INLINE void evaluate_triangle(const NetView& net, const Strictness& strict,
+                                  const LocatedRow& row, const Span& span, const Output& out) {
     Patch<Blocks> patch;
-    patch.template load<quadratic, soft>(
-        span.vertex, span.edge, [&](int s) HWY_ATTR { return at_site(net, s); },
-        [&](int s) HWY_ATTR { return soft_at_site(net, s); });
+    load_patch<quadratic, soft>(net, span.vertex, span.edge, patch);
     if (patch.is_tame())
         evaluate_patch<quadratic, soft, true>(patch, strict, row, span, out);
     else
         evaluate_patch<quadratic, soft, false>(patch, strict, row, span, out);
 }
 
-/// The plain cell whose first corner is at site s.
+/// What a net has round a row of cells.
+struct NetCells {
+    CellNumbers values, softness;
+    HWY_INLINE NetCells(const NetView& net, bool soft, int site) : values(net, net.values, site) {
+        if (soft)
+            softness = CellNumbers(net, net.soft, site);
+    }
+};
+
+/// The plain cell `at` floats after the first.
 template <bool quadratic, bool soft>
-HWY_INLINE PlainCell<Blocks> load_cell(const Net& net, int s) {
-    const ptrdiff_t site = group_size, row = ptrdiff_t(net.stride) * group_size;
+HWY_INLINE PlainCell<Blocks> load_cell(const NetCells& net, ptrdiff_t at) {
     PlainCell<Blocks> cell;
-    const float* p = net.at(s);
-    cell.z0 = in_every_block(p);
-    cell.z1 = in_every_block(p + 2 * site);
-    cell.z2 = in_every_block(p + 2 * row);
-    cell.z3 = in_every_block(p + 2 * row + 2 * site);
+    const CellNumbers &values = net.values, &softness = net.softness;
+    cell.z0 = in_every_block(values.corner(at, 0, 0));
+    cell.z1 = in_every_block(values.corner(at, 1, 0));
+    cell.z2 = in_every_block(values.corner(at, 0, 1));
+    cell.z3 = in_every_block(values.corner(at, 1, 1));
     if (quadratic) {
-        cell.e01 = in_every_block(p + site);
-        cell.e02 = in_every_block(p + row);
-        cell.diagonal = in_every_block(p + row + site);
-        cell.e13 = in_every_block(p + row + 2 * site);
-        cell.e23 = in_every_block(p + 2 * row + site);
+        cell.e01 = in_every_block(values.top(at));
+        cell.e02 = in_every_block(values.left(at));
+        cell.diagonal = in_every_block(values.centre(at));
+        cell.e13 = in_every_block(values.right(at));
+        cell.e23 = in_every_block(values.bottom(at));
     }
     if (soft) {
-        const float* q = net.soft_at(s);
-        cell.q01 = in_every_block(q + site);
-        cell.q02 = in_every_block(q + row);
-        cell.soft_diagonal = in_every_block(q + row + site);
-        cell.q13 = in_every_block(q + row + 2 * site);
-        cell.q23 = in_every_block(q + 2 * row + site);
+        cell.q01 = in_every_block(softness.top(at));
+        cell.q02 = in_every_block(softness.left(at));
+        cell.soft_diagonal = in_every_block(softness.centre(at));
+        cell.q13 = in_every_block(softness.right(at));
+        cell.q23 = in_every_block(softness.bottom(at));
     }
     return cell;
 }
@@ -147,8 +144,9 @@ HWY_INLINE void with_divided(PlainCell<Blocks>& cell, const Strictness& strict, 
 /// Call each(evaluator) with what evaluates the plain cell, divided by one of its diagonals, at x,
 /// y.
 template <bool quadratic, bool soft, bool down, class Each>
-HWY_INLINE void with_cell(const Net& net, const Strictness& strict, int site, Each&& each) {
-    PlainCell<Blocks> cell = load_cell<quadratic, soft>(net, site);
+HWY_INLINE void with_cell(const NetCells& net, const Strictness& strict, ptrdiff_t at,
+                          Each&& each) {
+    PlainCell<Blocks> cell = load_cell<quadratic, soft>(net, at);
     if (down)
         cell.template divide_down<soft>();
     else
@@ -159,28 +157,30 @@ HWY_INLINE void with_cell(const Net& net, const Strictness& strict, int site, Ea
         with_divided<quadratic, soft, down, false>(cell, strict, each);
 }
 template <bool quadratic, bool soft, class Each>
-HWY_INLINE void with_cell(const Net& net, const Strictness& strict, Span::Kind kind, int site,
-                          Each&& each) {
+HWY_INLINE void with_cell(const NetCells& net, const Strictness& strict, Span::Kind kind,
+                          ptrdiff_t at, Each&& each) {
     if (kind == Span::cell_down)
-        with_cell<quadratic, soft, true>(net, strict, site, each);
+        with_cell<quadratic, soft, true>(net, strict, at, each);
     else
-        with_cell<quadratic, soft, false>(net, strict, site, each);
+        with_cell<quadratic, soft, false>(net, strict, at, each);
 }
 
 template <bool quadratic, bool soft>
-HWY_INLINE void evaluate_cell(const Net& net, const Strictness& strict, const LocatedRow& row,
+HWY_INLINE void evaluate_cell(const NetView& net, const Strictness& strict, const LocatedRow& row,
                               const Span& span, const Output& out) {
     const int step = blocks_in_vector();
     const float *x = row.weight[0].data(), *y = row.weight[1].data();
-    with_cell<quadratic, soft>(net, strict, span.kind, span.vertex[0], [&](auto&& at) HWY_ATTR {
+    const NetCells cell(net, soft, span.vertex[0]);
+    with_cell<quadratic, soft>(cell, strict, span.kind, 0, [&](auto&& at) HWY_ATTR {
         for (int i = span.begin; i < span.end; i += step)
             out.store(at(spread(x + i), spread(y + i)), i, span.end);
     });
 }
 
 template <bool quadratic, bool soft>
-HWY_INLINE void evaluate_spans(const Net& net, const LocatedRow& row, const Output& out) {
-    const Strictness strict(net);
+HWY_INLINE void evaluate_spans(const Net& whole, const LocatedRow& row, const Output& out) {
+    const NetView net(whole);
+    const Strictness strict(whole);
     for (const Span& span : row.spans)
         if (span.kind == Span::triangle)
             evaluate_triangle<quadratic, soft>(net, strict, row, span, out);
@@ -191,13 +191,16 @@ HWY_INLINE void evaluate_spans(const Net& net, const LocatedRow& row, const Outp
 /// All of a block. What is stored too much is overwritten by the range to the right, except at the
 /// end of a row: there stands what is not the block's.
 template <bool quadratic, bool soft>
-HWY_INLINE void evaluate_ranges(const Net& net, const Columns& columns, const LocatedBlock& block,
+HWY_INLINE void evaluate_ranges(const Net& whole, const Columns& columns, const LocatedBlock& block,
                                 const Output& first, size_t row) {
     const int step = blocks_in_vector();
     const int width = block.ranges.back().end;
     Output out[LocatedBlock::most_rows];
     size_t span[LocatedBlock::most_rows] = {};
-    const Strictness strict(net);
+    const NetView net(whole);
+    const NetCells cells(net, soft, block.ranges.front().site);
+    const ptrdiff_t first_cell = net.place(block.ranges.front().site);
+    const Strictness strict(whole);
     CellPositions positions;
     HWY_ALIGN float values[CellPositions::most * group_size + row_padding];
     for (int r = 0; r < block.count; ++r) {
@@ -209,14 +212,15 @@ HWY_INLINE void evaluate_ranges(const Net& net, const Columns& columns, const Lo
         for (int r = 0; at_end && r < block.count; ++r)
             out[r].whole = false;
         if (range.kind != Span::triangle) {
-            with_cell<quadratic, soft>(
-                net, strict, range.kind, range.site, [&](auto&& at) HWY_ATTR {
-                    for (int i = range.begin; i < range.end; i += step) {
-                        const Blocks x = spread(columns.x.data() + i);
-                        for (int r = 0; r < block.count; ++r)
-                            out[r].store(at(x, Blocks(block.y[r])), i, range.end);
-                    }
-                });
+            with_cell<quadratic, soft>(cells, strict, range.kind,
+                                       net.place(range.site) - first_cell, [&](auto&& at) HWY_ATTR {
+                                           for (int i = range.begin; i < range.end; i += step) {
+                                               const Blocks x = spread(columns.x.data() + i);
+                                               for (int r = 0; r < block.count; ++r)
+                                                   out[r].store(at(x, Blocks(block.y[r])), i,
+                                                                range.end);
+                                           }
+                                       });
             continue;
         }
         if (range.triangles) {
@@ -329,7 +333,7 @@ void copy_nearest(const Net& net, NearestMask nearest, int stride, const Located
                   int channels, int first, int count, float* out) {
     for (const Span& span : row.spans)
         for (int i = span.begin; i < span.end; ++i) {
-            const float* z = net.at(largest_vertex(row, span, stride, i));
+            const float* z = net.vertex(largest_vertex(row, span, stride, i));
             float* to = out + size_t(i) * size_t(channels) + first;
             for (int c = 0; c < count; ++c)
                 if (nearest & (1u << c))

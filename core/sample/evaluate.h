@@ -78,7 +78,7 @@ struct LocatedBlock {
     struct Range {
         Span::Kind kind;
         int begin, end;
-        int site; ///< of the plain cell's first corner
+        int site; ///< of the first cell's first corner
         /// Those of `crossing` with positions in the one cell; none: `rows` has the positions.
         int triangle = 0, triangles = 0;
     };

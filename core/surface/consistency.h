@@ -29,7 +29,7 @@ struct MeanScratch {
 };
 
 /// Add what the cells of row y have, as far as the vertices of `part` need it, to the sums of
-/// quadrants' means of the vertices above and below them, group_size floats each. The edges that
+/// quadrants' means of the vertices above and below them, Net::count() floats each. The edges that
 /// cross the row must have been bent (for Surface::patch) and softened (where the net has soft
 /// edges), the divisions been found.
 void add_means(const Lattice& lattice, Surface surface, const Net& net, const Rect& part, int y,
@@ -45,20 +45,25 @@ struct LaneLimits {
     float lowest = 0;
 };
 
-/// What the vertices of a row may become, group_size floats a pixel from column 0 on.
+/// What the vertices of a row may become, from column 0 on.
 struct LimitRow {
     std::vector<float> low, high;
 };
 
-/// Find those of columns x0 .. x1 - 1 of row y. source: group_size floats for every pixel of a
-/// picture, or of a part of it in which y has the neighbours that it has.
-void find_limits(int width, int height, const float* source, int x0, int x1, int y,
+/// A picture's rows of pixels above, at and below one. Null: there is none.
+struct NearRows {
+    const float *above, *here, *below;
+};
+
+/// Find the limits of columns x0 .. x1 - 1 of a row. source: `count` floats a pixel, `width`
+/// pixels.
+void find_limits(int width, const NearRows& source, int count, int x0, int x1,
                  const LaneLimits& limits, LimitRow& row);
 
 /// Put where the vertices of a net in columns x0 .. x1 - 1 of row y go, none of which is on the
-/// rim, into `moved`, `step` floats apart; it may be the net's own. source, sum: rows.
+/// rim, into `moved`, which may be the net's own. source, sum, moved: rows from column 0 on.
 void move_row(const Lattice& lattice, const Net& net, int x0, int x1, int y, const float* source,
-              const float* sum, const LimitRow& limits, float* moved, int step);
+              const float* sum, const LimitRow& limits, float* moved);
 
 /// One group's source values, and rounds on a whole lattice, whose edges must all be there: for
 /// what looks at the stages. Jobs are worked on by CorrectedRows.
@@ -77,11 +82,19 @@ public:
     /// The row's limits.
     const LimitRow& limits(const Lattice& lattice, int y);
 
-    // group_size floats a pixel.
+    // Net::count() floats a pixel.
     std::vector<float> source;
     std::vector<float> sum; ///< of the quadrants' means
 
 private:
+    size_t row_size(const Lattice& lattice) const {
+        return size_t(lattice.width()) * size_t(m_count);
+    }
+    float* row(const Lattice& lattice, int y) {
+        return source.data() + size_t(y) * row_size(lattice);
+    }
+
+    int m_count = 0; ///< of channels
     LaneLimits m_limits;
     LimitRow m_row;
     MeanScratch m_scratch;

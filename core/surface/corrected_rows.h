@@ -30,29 +30,33 @@ public:
     void begin(const Lattice& lattice, const Rect& part, const CorrectionRecipe& recipe,
                const GroupValues& source, const float* strict);
 
+    int count() const override { return m_source.count; }
     const float* row(int y) override { return m_rounds.back().row(y); }
 
-    /// About the bytes that this takes where edges are of the usual length.
-    static size_t memory(int width, int height, const CorrectionRecipe& recipe);
+    /// About the bytes that this takes of `count` channels where edges are of the usual length.
+    static size_t memory(int width, int height, int count, const CorrectionRecipe& recipe);
 
 private:
     class Round : public ValueRows {
     public:
+        /// To be called of all rounds before the first begins.
+        void belong_to(const CorrectedRows& all) { m_all = &all; }
         /// before: the round whose values are corrected; null: the source's are.
-        void begin(const CorrectedRows& all, const Rect& moved, Round* before, const float* strict);
+        void begin(const Rect& moved, Round* before, const float* strict);
+        int count() const override { return m_all->m_source.count; }
         const float* row(int y) override;
         const Rect& part() const { return m_means.part(); }
 
     private:
         void correct();
-        void load_near();
+        const float* source_row(int y);
 
         const CorrectedRows* m_all = nullptr;
         MeanRows m_means;
         Rect m_moved;
-        int m_rows = 0;            ///< of them those above this one are done
-        std::vector<float> m_near; ///< the source's rows round the last one,
-        std::vector<float> m_row;  ///< and what was made of that
+        int m_rows = 0;                 ///< of them those above this one are done
+        std::vector<float> m_copied[3]; ///< of a source with more channels, row y at [y % 3]
+        std::vector<float> m_row;       ///< what was made of the last row
         LimitRow m_limits;
     };
 

@@ -10,6 +10,16 @@ HWY_INLINE hn::Mask<D> blocks_of(unsigned bits) {
     return hn::RebindMask(D(), hn::TestBit(hn::Set(di, int32_t(bits)), bit));
 }
 
+/// What the net has of a triangle, in every block.
+template <bool quadratic, bool soft>
+HWY_INLINE void load_patch(const NetView& net, const int vertex[3], const int edge[3],
+                           Patch<Blocks>& patch) {
+    patch.template load<quadratic, soft>(
+        vertex, edge, [&](int s) HWY_ATTR { return in_every_block(net.vertex(s)); },
+        [&](int s) HWY_ATTR { return in_every_block(net.at(s)); },
+        [&](int s) HWY_ATTR { return in_every_block(net.soft_at(s)); });
+}
+
 template <bool quadratic, bool soft, bool tame>
 HWY_INLINE void evaluate_positions(const Patch<Blocks>& patch, const CrossingTriangle& triangle,
                                    const CellPositions& positions, float* f) {
@@ -28,14 +38,12 @@ HWY_INLINE void evaluate_positions(const Patch<Blocks>& patch, const CrossingTri
 /// The surface over the triangles at the positions that belong to them: f + i * group_size, with
 /// room for whole vectors. strict, all_strict: see Patch::find_range().
 template <bool quadratic, bool soft>
-HWY_INLINE void evaluate_crossing(const Net& net, Blocks strict, bool all_strict,
+HWY_INLINE void evaluate_crossing(const NetView& net, Blocks strict, bool all_strict,
                                   const CrossingTriangle* triangles, size_t n,
                                   const CellPositions& positions, float* f) {
     for (const CrossingTriangle* t = triangles; t < triangles + n; ++t) {
         Patch<Blocks> patch;
-        patch.template load<quadratic, soft>(
-            t->vertex, t->edge, [&](int s) HWY_ATTR { return in_every_block(net.at(s)); },
-            [&](int s) HWY_ATTR { return in_every_block(net.soft_at(s)); });
+        load_patch<quadratic, soft>(net, t->vertex, t->edge, patch);
         if (patch.is_tame()) {
             patch.template find_range<soft, true>(strict, all_strict);
             evaluate_positions<quadratic, soft, true>(patch, *t, positions, f);

@@ -10,13 +10,6 @@ namespace ddt {
 
 namespace {
 
-void load_row(const Lattice& lattice, const Rect& part, int y, const Net& net, float* row) {
-    const int begin = std::max(part.x0 - 1, 0), end = std::min(part.x1 + 1, lattice.width());
-    const float* z = net.at(lattice.vertex_site(begin, y));
-    for (int x = begin; x < end; ++x, z += 2 * group_size)
-        std::memcpy(row + ptrdiff_t(x) * group_size, z, group_size * sizeof(float));
-}
-
 void load_cells(const Lattice& lattice, const Rect& part, int y, CellRow& row) {
     const int begin = std::max(part.x0 - 1, 0), end = std::min(part.x1, lattice.width() - 1);
     const Division* divisions = lattice.divisions(y);
@@ -28,86 +21,78 @@ void load_cells(const Lattice& lattice, const Rect& part, int y, CellRow& row) {
 
 } // namespace
 
-void NearRows::resize(int width) {
-    for (auto& row : vertices)
-        row.resize(size_t(width) * group_size + edge_padding);
+void NearCells::resize(int width) {
     for (CellRow& row : cells) {
         row.down.resize(size_t(width) + edge_padding);
         row.other.resize(size_t(width));
     }
 }
 
-void NearRows::begin(const Lattice& lattice, const Rect& part, int y, const Net& net) {
+void NearCells::begin(const Lattice& lattice, const Rect& part, int y) {
     if (y > 0)
-        load_row(lattice, part, y - 1, net, vertices[(y - 1) % 3].data());
-    load_below(lattice, part, y - 1, net);
+        load_below(lattice, part, y - 1);
 }
 
-void NearRows::load_below(const Lattice& lattice, const Rect& part, int y, const Net& net) {
-    if (y + 1 >= lattice.height())
-        return;
-    load_row(lattice, part, y + 1, net, vertices[(y + 1) % 3].data());
-    if (y >= 0)
+void NearCells::load_below(const Lattice& lattice, const Rect& part, int y) {
+    if (y + 1 < lattice.height())
         load_cells(lattice, part, y, cells[y % 2]);
 }
 
 void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
-                      bool few_values, bool few_edges, Net& net) {
+                      bool few_values, bool few_edges, int count, Net& net) {
     m_lattice = &lattice;
     m_net = &net;
     m_part = part;
     m_recipe = recipe;
     m_few_values = few_values;
     m_few_edges = few_edges;
-    const auto rows = [&](int used) { return std::min(used + rows_to_go_on, lattice.height()); };
+    const int edges = edge_rows(lattice.longest());
     m_gradient_rows = part.y0;
     m_edge_rows = 2 * part.y0;
-    m_scratch.edge_rows.resize(lattice.width());
-    m_scratch.gradient_rows.resize(lattice.width());
+    m_scratch.edge_cells.resize(lattice.width());
+    m_scratch.gradient_cells.resize(lattice.width());
     // Above the part, edges that end there look for a gradient.
     const int top = few_edges ? std::max(part.y0 - lattice.longest() - 1, 0) : 0;
-    m_scratch.first = lattice.vertex_site(0, top);
-    if (recipe.bend && few_edges)
-        take_memory(m_scratch.gradients, net_row(lattice) / 2, rows(edge_rows(lattice.longest())));
-    else if (recipe.bend)
-        m_scratch.gradients.resize(2 * (lattice.size() + size_t(lattice.stride())) + edge_padding);
+    if (recipe.bend)
+        take_rows(lattice, count, few_edges ? top : 0, few_edges ? edges : lattice.height(),
+                  m_scratch.gradients);
     if (few_values) {
         net.stride = lattice.stride();
-        net.first = lattice.vertex_site(0, top);
         m_vertex_rows = top;
-        take_memory(net.values, net_row(lattice), rows(vertex_rows(lattice.longest())));
+        take_rows(lattice, count, top, vertex_rows(lattice.longest()), net.values.even);
+        take_rows(lattice, count, part.y0, edges, net.values.odd);
     }
-    if (recipe.gain) {
-        m_scratch.weights.resize(2 * size_t(lattice.width()) + edge_padding);
-        net.first_soft = few_edges ? lattice.vertex_site(0, part.y0) : 0;
-        if (few_edges)
-            take_memory(net.soft, net_row(lattice), rows(edge_rows(lattice.longest())));
-        else
-            net.soft.resize(lattice.size() * group_size);
+    for (auto& weights : m_scratch.weights)
+        weights.resize(recipe.gain ? size_t(lattice.width()) + edge_padding : 0);
+    if (recipe.gain && few_edges) {
+        take_rows(lattice, count, part.y0, edges, net.soft.even);
+        take_rows(lattice, count, part.y0, edges, net.soft.odd);
+    } else if (recipe.gain) {
+        whole(lattice, count, net.soft);
     }
 }
 
 void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
                       Net& net) {
-    begin(lattice, part, recipe, false, false, net);
+    begin(lattice, part, recipe, false, false, net.count(), net);
 }
 
 void EdgeMaker::begin_edge_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
                                 Net& net) {
-    begin(lattice, part, recipe, false, true, net);
+    begin(lattice, part, recipe, false, true, net.count(), net);
 }
 
 void EdgeMaker::begin_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
                            const GroupValues& values, Net& net) {
     m_values = values;
     m_value_rows = nullptr;
-    begin(lattice, part, recipe, true, true, net);
+    begin(lattice, part, recipe, true, true, values.count, net);
 }
 
 void EdgeMaker::begin_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
                            ValueRows& values, Net& net) {
     m_value_rows = &values;
-    begin(lattice, part, recipe, true, true, net);
+    begin(lattice, part, recipe, true, true, values.count(), net);
 }
 
 /// Have rows of vertices before `end`, where rows before `keep` may go.
@@ -116,10 +101,7 @@ void EdgeMaker::load_vertices(int end, int keep) {
     end = std::min(end, lattice.height());
     if (end <= m_vertex_rows)
         return;
-    int first = m_net->first / (2 * lattice.stride());
-    make_room(m_net->values, net_row(lattice), rows_to_go_on, lattice.height(), first, keep,
-              m_vertex_rows, end);
-    m_net->first = lattice.vertex_site(0, first);
+    make_room(lattice, keep, m_vertex_rows, end, m_net->values.even);
     const int beside = lattice.longest() + 1;
     const Rect part{std::max(m_part.x0 - beside, 0), m_vertex_rows,
                     std::min(m_part.x1 + beside, lattice.width()), end};
@@ -164,22 +146,20 @@ void EdgeMaker::go_on(int y, int keep) {
     // What is above the first row in use: a triangle's vertices and edges, and one row more, as
     // positions on the last row belong to the cells before it.
     const int top = keep - longest - 1;
-    const auto row_of = [&](int site) { return site / (2 * lattice.stride()); };
-    if (m_few_values)
+    const auto make_room_for_edges = [&](SiteRows& rows) {
+        make_room(lattice, std::min(top, edges), (m_edge_rows + 1) / 2, last + 1, rows);
+    };
+    if (m_few_values) {
         load_vertices(values_end(y), std::min(top, std::min(edges, m_gradient_rows) - longest - 1));
+        make_room_for_edges(m_net->values.odd);
+    }
     if (m_few_edges && m_recipe.gain) {
-        int first = row_of(m_net->first_soft);
-        make_room(m_net->soft, net_row(lattice), rows_to_go_on, lattice.height(), first,
-                  std::min(top, edges), (m_edge_rows + 1) / 2, last + 1);
-        m_net->first_soft = lattice.vertex_site(0, first);
+        make_room_for_edges(m_net->soft.even);
+        make_room_for_edges(m_net->soft.odd);
     }
-    if (m_few_edges && m_recipe.bend) {
-        int first = row_of(m_scratch.first);
-        make_room(m_scratch.gradients, net_row(lattice) / 2, rows_to_go_on, lattice.height(), first,
-                  edges - longest - 1, m_gradient_rows,
-                  std::min(last + longest + 1, lattice.height()));
-        m_scratch.first = lattice.vertex_site(0, first);
-    }
+    if (m_few_edges && m_recipe.bend)
+        make_room(lattice, edges - longest - 1, m_gradient_rows,
+                  std::min(last + longest + 1, lattice.height()), m_scratch.gradients);
     if (m_recipe.bend)
         make_gradients(lattice, m_part, m_gradient_rows, gradients, *m_net, m_scratch);
     m_gradient_rows = std::max(m_gradient_rows, gradients);
@@ -189,12 +169,12 @@ void EdgeMaker::go_on(int y, int keep) {
     m_edge_rows = 2 * last + 1;
 }
 
-size_t EdgeMaker::memory(int width, int height, int longest, const EdgeRecipe& recipe) {
+size_t EdgeMaker::memory(int width, int height, int count, int longest, const EdgeRecipe& recipe) {
     const auto kept = [&](int used) { return size_t(std::min(used + rows_to_go_on, height)); };
-    const size_t row = 4 * size_t(width) * group_size * sizeof(float);
+    const size_t row = site_row(width, count) * sizeof(float);
     const size_t edges = kept(edge_rows(longest)) * row;
-    return kept(vertex_rows(longest)) * row + (recipe.gain ? edges : 0) +
-           (recipe.bend ? edges / 2 : 0);
+    return kept(vertex_rows(longest)) * row + edges + (recipe.gain ? 2 * edges : 0) +
+           (recipe.bend ? edges : 0);
 }
 
 } // namespace ddt

@@ -50,15 +50,15 @@ public:
     int rows() const { return m_edge_rows / 2; }
 
     /// Once all are made, with bends: the gradients, as EdgeScratch has them.
-    const float* gradients() const { return m_scratch.gradients.data(); }
+    const SiteRows& gradients() const { return m_scratch.gradients; }
 
-    /// About the bytes that this and a net take, of which some rows are kept and where edges are
-    /// this long.
-    static size_t memory(int width, int height, int longest, const EdgeRecipe& recipe);
+    /// About the bytes that this and a net of `count` channels take, of which some rows are kept
+    /// and where edges are this long.
+    static size_t memory(int width, int height, int count, int longest, const EdgeRecipe& recipe);
 
 private:
     void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe, bool few_values,
-               bool few_edges, Net& net);
+               bool few_edges, int count, Net& net);
     void go_on(int y, int keep);
     int last_row(int y) const;
     int gradients_end(int last) const;

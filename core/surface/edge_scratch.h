@@ -2,6 +2,7 @@
 // What the edges of a control net are made of.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace ddt {
 
 /// What is known of a row of cells.
 struct CellRow {
-    std::vector<float> down;    ///< 1 where the diagonal is down, else 0; padded to whole vectors
+    std::vector<float> down;    ///< 1 where the diagonal is down, else 0; padded for spread()
     std::vector<uint8_t> other; ///< 1 where other edges cross the cell
 };
 
@@ -21,40 +22,37 @@ inline void flag_down(const Division* divisions, int x0, int x1, float* down) {
         down[x] = divisions[x] == Division::down ? 1.0f : 0.0f;
 }
 
-/// The rows round the one that is worked on, so that neighbours lie next to one another.
-struct NearRows {
-    std::vector<float> vertices[3]; ///< of row y of pixels at [y % 3], group_size floats each
-    CellRow cells[2];               ///< row y of cells at [y % 2]
+/// The rows of cells above and below the row of pixels that is worked on.
+struct NearCells {
+    CellRow cells[2]; ///< row y of cells at [y % 2]
 
     void resize(int width);
-    const float* vertex(int x, int y) const {
-        return vertices[y % 3].data() + ptrdiff_t(x) * group_size;
-    }
-    const CellRow& cell_row(int y) const { return cells[y % 2]; }
+    const CellRow& above(int y) const { return cells[(y + 1) % 2]; }
+    const CellRow& below(int y) const { return cells[y % 2]; }
 
-    /// Before rows y, y + 1, ... of pixels are worked on: load those before y + 1.
-    void begin(const Lattice& lattice, const Rect& part, int y, const Net& net);
-    /// Before row y is: load row y + 1, and the cells between, as far as `part` (in pixels, and one
-    /// pixel more) needs them.
-    void load_below(const Lattice& lattice, const Rect& part, int y, const Net& net);
+    /// Before rows y, y + 1, ... of pixels are worked on: load the cells above.
+    void begin(const Lattice& lattice, const Rect& part, int y);
+    /// Before row y is: load the cells below, as far as `part` (in pixels) needs them.
+    void load_below(const Lattice& lattice, const Rect& part, int y);
 };
+
+/// A net's vertices in a row of pixels, from column 0 on; those of the nearest row where there is
+/// none.
+inline const float* vertex_row(const Lattice& lattice, const Net& net, int y) {
+    return net.vertex(lattice.vertex_site(0, std::clamp(y, 0, lattice.height() - 1)));
+}
 
 /// Kept from one use to the next.
 struct EdgeScratch {
-    /// The gradients at vertex site s: group_size floats at gradients_at(s), x, and as many a
-    /// doubled row below, y. Of some rows of the lattice, or of all.
-    std::vector<float> gradients;
-    int first = 0; ///< the site that they begin with
-    float* gradients_at(int site) { return gradients.data() + 2 * ptrdiff_t(site - first); }
-    const float* gradients_at(int site) const {
-        return gradients.data() + 2 * ptrdiff_t(site - first);
-    }
-    NearRows gradient_rows, edge_rows; ///< edges are made after the gradients at both their ends
-    std::vector<float> weights;        ///< of the soft edges of a row of the doubled lattice
+    /// The gradients: x at a vertex' site, y at the site below.
+    SiteRows gradients;
+    NearCells gradient_cells, edge_cells; ///< edges are made after the gradients at both their ends
+    /// Of the soft edges of a row of the doubled lattice, of even and of odd columns.
+    std::vector<float> weights[2];
 };
 
 /// Floats beyond the last of a row that may be read or written.
-constexpr size_t edge_padding = 4 * group_size;
+constexpr size_t edge_padding = most_row_lanes;
 
 /// Make the gradients at the vertices of rows y0 .. y1 - 1 of pixels; those of the row before y0
 /// were made last, if it is in the part.

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "core/base/arith.h"
+#include "core/base/row_lanes.h"
 #include "core/surface/edge_scratch.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -21,218 +22,202 @@ namespace hn = hwy::HWY_NAMESPACE;
 #include "core/base/rsqrt-inl.h"
 #include "core/surface/gradient-inl.h"
 
-using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
+#include "core/base/row_lanes-inl.h"
 
-#include "core/base/blocks-inl.h"
-
-/// Weights of the flipped states of edges with these gains (see net.h), 0 to 1/2.
-HWY_ATTR void soft_weights(const float* gain, int n, float reciprocal_tau, float* weights) {
-    using Floats = Lanes<hn::ScalableTag<float>>;
-    const int lanes = int(hn::Lanes(hn::ScalableTag<float>()));
-    const Floats zero(0.0f), one(1.0f), share(soft_share), r(reciprocal_tau);
-    const auto weigh = [&](Floats g) HWY_ATTR {
+/// Weights of the flipped states of edges with these gains (see net.h), 0 to 1/2, of n edges of
+/// either kind: those with the first, third, ... gain go to even[0], even[1], ...
+HWY_ATTR void soft_weights(const float* gain, int n, float reciprocal_tau, float* even,
+                           float* odd) {
+    const auto weigh = [&](auto g) HWY_ATTR {
+        using Floats = decltype(g);
+        const Floats zero(0.0f), one(1.0f), share(soft_share), r(reciprocal_tau);
         const Floats w = one + if_less(g, zero, g, zero) * r;
         return if_less(zero, w, share * w, zero);
     };
+    const RowTag d;
+    const int lanes = int(hn::Lanes(d));
     int i = 0;
-    for (; i + lanes <= n; i += lanes)
-        weigh(Floats::load(gain + i)).store(weights + i);
+    for (; i + lanes <= n; i += lanes) {
+        hn::Vec<RowTag> first, second;
+        hn::LoadInterleaved2(d, gain + 2 * i, first, second);
+        weigh(RowLanes(first)).store(even + i);
+        weigh(RowLanes(second)).store(odd + i);
+    }
     for (; i < n; ++i) {
-        const Floats w = weigh(Floats(gain[i]));
-        weights[i] = hn::GetLane(w.v);
+        weigh(OneLane(gain[2 * i])).store(even + i);
+        weigh(OneLane(gain[2 * i + 1])).store(odd + i);
     }
 }
 
-/// e, if `bend`, and q, if `soft`, of the edges with midpoints at m, m + step, ... before end;
-/// gradients: as at m; weights: of the edge at m.
+/// e, if `bend`, and q, if `soft`, of the edge with midpoint m.
 template <bool bend, bool soft>
-HWY_INLINE void make_any(const Lattice& lattice, ptrdiff_t m, ptrdiff_t end, int step,
-                         const float* gradients, const float* weights, Net& net) {
-    const ptrdiff_t stride = lattice.stride();
-    // What is not wanted is null, and no offset from it is taken.
-    for (; m < end;
-         m += step, weights += soft ? step : 0, gradients += bend ? 2 * ptrdiff_t(step) : 0) {
-        const uint64_t vectors = vectors_of(lattice.edge(int(m)));
-        const int vx = int8_t(vectors), vy = int8_t(vectors >> 8);
-        const ptrdiff_t to_j = vy * stride + vx;
-        float* e = net.at(int(m));
-        const Lanes4 zi = Lanes4::load(e - to_j * group_size),
-                     zj = Lanes4::load(e + to_j * group_size);
-        if (soft) {
-            // An edge that cannot be flipped has weight 0; its apexes are read all the same.
-            const ptrdiff_t to_c = int8_t(vectors >> 24) * stride + int8_t(vectors >> 16);
-            const ptrdiff_t to_d = int8_t(vectors >> 40) * stride + int8_t(vectors >> 32);
-            edge_softness(Lanes4(*weights), zi, zj, Lanes4::load(e + to_c * group_size),
-                          Lanes4::load(e + to_d * group_size))
-                .store(net.soft_at(int(m)));
-        }
-        if (bend) {
-            // Where an end lies outside the part its gradient is not known, and e is never used.
-            const float *gi = gradients - 2 * to_j, *gj = gradients + 2 * to_j;
-            edge_bend(Lanes4::load(gi), Lanes4::load(gi + 2 * stride), Lanes4::load(gj),
-                      Lanes4::load(gj + 2 * stride), zi, zj, Lanes4(float(vx)), Lanes4(float(vy)))
-                .store(e);
-        }
+HWY_INLINE void make_any(const Site* sites, int stride, int m, float weight, SiteView vertices,
+                         SiteView gradients, float* e, float* q) {
+    const uint64_t vectors = vectors_of(sites[m].edge);
+    const int vx = int8_t(vectors), vy = int8_t(vectors >> 8);
+    const int to_j = vy * stride + vx;
+    const auto at = [&](int site) HWY_ATTR { return PixelLanes::load(vertices.at(site)); };
+    const PixelLanes zi = at(m - to_j), zj = at(m + to_j);
+    if (soft) {
+        // An edge that cannot be flipped has weight 0; its apexes are read all the same.
+        const int to_c = int8_t(vectors >> 24) * stride + int8_t(vectors >> 16);
+        const int to_d = int8_t(vectors >> 40) * stride + int8_t(vectors >> 32);
+        store_pixel(edge_softness(PixelLanes(weight), zi, zj, at(m + to_c), at(m + to_d)),
+                    vertices.count, q);
     }
-}
-
-/// Block k filled with p[2 k].
-HWY_INLINE Blocks spread_every_second(const float* p) {
-    const D d;
-    const hn::RebindToSigned<D> di;
-    const auto block = hn::ShiftLeft<1>(hn::ShiftRight<2>(hn::Iota(di, 0)));
-    return hn::TableLookupLanes(hn::LoadU(d, p), hn::IndicesFromVec(d, block));
+    if (bend) {
+        // Where an end lies outside the part its gradient is not known, and e is never used.
+        const ptrdiff_t to_y = ptrdiff_t(stride / 2) * vertices.count;
+        const float *gi = gradients.at(m - to_j), *gj = gradients.at(m + to_j);
+        store_pixel(edge_bend(PixelLanes::load(gi), PixelLanes::load(gi + to_y),
+                              PixelLanes::load(gj), PixelLanes::load(gj + to_y), zi, zj,
+                              PixelLanes(float(vx)), PixelLanes(float(vy))),
+                    vertices.count, e);
+    }
 }
 
 /// Where flag is 1 `yes`, where it is 0 `no`.
-HWY_INLINE Blocks either(Blocks flag, Blocks yes, Blocks no) {
-    return if_less(Blocks(0.0f), flag, yes, no);
+template <class T>
+HWY_INLINE T either(T flag, T yes, T no) {
+    return if_less(T(0.0f), flag, yes, no);
 }
 
-/// Neighbouring edges of plain cells, as many as Blocks has: what belongs to their ends i and j and
-/// their apexes c and d.
+/// Neighbouring edges of plain cells: what belongs to their ends i and j and their apexes c and d.
+template <class T>
 struct PlainEdges {
-    Blocks zi, zj, zc, zd, gix, giy, gjx, gjy, vx, vy;
-
-    /// q and e: of the edge whose midpoint comes first, the next two sites on; weights: of the
-    /// first.
-    template <bool bend, bool soft>
-    HWY_INLINE void make(const float* weights, float* q, float* e) const {
-        if (soft)
-            store_every_second(edge_softness(spread_every_second(weights), zi, zj, zc, zd), q);
-        if (bend)
-            store_every_second(edge_bend(gix, giy, gjx, gjy, zi, zj, vx, vy), e);
-    }
+    T zi, zj, zc, zd, gix, giy, gjx, gjy, vx, vy;
 };
 
-/// Edges next to one another, from the one at or beside the vertices of column x of row y on.
-struct PlainMaker {
-    const float* vertices[3];  ///< of the rows above, at and below y, from column 0 on
-    const float* down_rows[2]; ///< of the cells above and below row y
-    const float* gradients;    ///< those of row y, x of column 0
+enum Kind { level, upright, diagonal };
+
+/// What plain edges at or beside the vertices of a row are made from, from column 0 on.
+struct PlainRow {
+    const float* vertices[3];  ///< of the rows above, at and below
+    const float* down_rows[2]; ///< of the cells above and below
+    const float* gradients;    ///< x of those of the row
     ptrdiff_t to_y;            ///< from a gradient's x to its y
-    ptrdiff_t row;             ///< from a gradient to that of the row below
+    int count;                 ///< of channels
 
-    PlainMaker(const NearRows& rows, int y, const float* gradients_, ptrdiff_t stride)
-        : vertices{rows.vertex(0, y + 2), rows.vertex(0, y), rows.vertex(0, y + 1)},
-          down_rows{rows.cell_row(y + 1).down.data(), rows.cell_row(y).down.data()},
-          gradients(gradients_), to_y(2 * stride), row(4 * stride) {}
+    /// Without bends there are no gradients.
+    PlainRow(const Lattice& lattice, const Net& net, const NearCells& cells, int y,
+             const float* gradients_)
+        : vertices{vertex_row(lattice, net, y - 1), vertex_row(lattice, net, y),
+                   vertex_row(lattice, net, y + 1)},
+          down_rows{cells.above(y).down.data(), cells.below(y).down.data()}, gradients(gradients_),
+          to_y(ptrdiff_t(lattice.width()) * net.count()), count(net.count()) {}
 
-    HWY_INLINE Blocks z(int x, int dy) const {
-        return Blocks::load(vertices[dy + 1] + ptrdiff_t(x) * group_size);
-    }
-    HWY_INLINE Blocks gx(int x, int dy) const {
-        return Blocks::load(gradients + dy * row + ptrdiff_t(x) * group_size);
-    }
-    HWY_INLINE Blocks gy(int x, int dy) const {
-        return Blocks::load(gradients + dy * row + to_y + ptrdiff_t(x) * group_size);
-    }
-    /// 1 where cell (x, y + dy)'s diagonal is down.
-    HWY_INLINE Blocks down(int x, int dy) const { return spread(down_rows[dy + 1] + x); }
-
-    /// From (x, y) to (x + 1, y).
-    template <bool bend>
-    HWY_INLINE PlainEdges level(int x) const {
-        PlainEdges e;
-        e.zi = z(x, 0), e.zj = z(x + 1, 0);
-        e.zc = either(down(x, 0), z(x + 1, 1), z(x, 1));
-        e.zd = either(down(x, -1), z(x, -1), z(x + 1, -1));
-        if (bend)
-            e.gix = gx(x, 0), e.giy = gy(x, 0), e.gjx = gx(x + 1, 0), e.gjy = gy(x + 1, 0);
-        e.vx = Blocks(1.0f), e.vy = Blocks(0.0f);
-        return e;
-    }
-    /// From (x, y) to (x, y + 1).
-    template <bool bend>
-    HWY_INLINE PlainEdges upright(int x) const {
-        PlainEdges e;
-        e.zi = z(x, 0), e.zj = z(x, 1);
-        e.zc = either(down(x - 1, 0), z(x - 1, 0), z(x - 1, 1));
-        e.zd = either(down(x, 0), z(x + 1, 1), z(x + 1, 0));
-        if (bend)
-            e.gix = gx(x, 0), e.giy = gy(x, 0), e.gjx = gx(x, 1), e.gjy = gy(x, 1);
-        e.vx = Blocks(0.0f), e.vy = Blocks(1.0f);
-        return e;
-    }
-    /// The diagonal of cell (x, y), from its upper to its lower end.
-    template <bool bend>
-    HWY_INLINE PlainEdges diagonal(int x) const {
-        PlainEdges e;
-        const Blocks flag = down(x, 0);
-        const Blocks z0 = z(x, 0), z1 = z(x + 1, 0), z2 = z(x, 1), z3 = z(x + 1, 1);
-        e.zi = either(flag, z0, z1), e.zj = either(flag, z3, z2);
-        e.zc = either(flag, z2, z0), e.zd = either(flag, z1, z3);
-        if (bend) {
-            e.gix = either(flag, gx(x, 0), gx(x + 1, 0)),
-            e.giy = either(flag, gy(x, 0), gy(x + 1, 0));
-            e.gjx = either(flag, gx(x + 1, 1), gx(x, 1)),
-            e.gjy = either(flag, gy(x + 1, 1), gy(x, 1));
+    /// Edges of a kind at a place, as T has.
+    template <Kind kind, bool bend, class T>
+    HWY_INLINE PlainEdges<T> edges(const RowPlace& place) const {
+        const auto z = [&](int dx, int dy)
+                           HWY_ATTR { return T::load(vertices[dy + 1] + place.at + dx * count); };
+        const auto gx = [&](int dx, int dy) HWY_ATTR {
+            return T::load(gradients + 2 * dy * to_y + place.at + dx * count);
+        };
+        const auto gy = [&](int dx, int dy) HWY_ATTR {
+            return T::load(gradients + (2 * dy + 1) * to_y + place.at + dx * count);
+        };
+        // 1 where cell (x + dx, y + dy)'s diagonal is down.
+        const auto down = [&](int dx, int dy)
+                              HWY_ATTR { return spread<T>(down_rows[dy + 1] + dx, place, count); };
+        PlainEdges<T> e;
+        if constexpr (kind == level) { // from (x, y) to (x + 1, y)
+            e.zi = z(0, 0), e.zj = z(1, 0);
+            e.zc = either(down(0, 0), z(1, 1), z(0, 1));
+            e.zd = either(down(0, -1), z(0, -1), z(1, -1));
+            if (bend)
+                e.gix = gx(0, 0), e.giy = gy(0, 0), e.gjx = gx(1, 0), e.gjy = gy(1, 0);
+            e.vx = T(1.0f), e.vy = T(0.0f);
+        } else if constexpr (kind == upright) { // from (x, y) to (x, y + 1)
+            e.zi = z(0, 0), e.zj = z(0, 1);
+            e.zc = either(down(-1, 0), z(-1, 0), z(-1, 1));
+            e.zd = either(down(0, 0), z(1, 1), z(1, 0));
+            if (bend)
+                e.gix = gx(0, 0), e.giy = gy(0, 0), e.gjx = gx(0, 1), e.gjy = gy(0, 1);
+            e.vx = T(0.0f), e.vy = T(1.0f);
+        } else { // of cell (x, y), from its upper to its lower end
+            const T flag = down(0, 0);
+            const T z0 = z(0, 0), z1 = z(1, 0), z2 = z(0, 1), z3 = z(1, 1);
+            e.zi = either(flag, z0, z1), e.zj = either(flag, z3, z2);
+            e.zc = either(flag, z2, z0), e.zd = either(flag, z1, z3);
+            if (bend) {
+                e.gix = either(flag, gx(0, 0), gx(1, 0)), e.giy = either(flag, gy(0, 0), gy(1, 0));
+                e.gjx = either(flag, gx(1, 1), gx(0, 1)), e.gjy = either(flag, gy(1, 1), gy(0, 1));
+            }
+            e.vx = either(flag, T(1.0f), T(-1.0f)), e.vy = T(1.0f);
         }
-        e.vx = either(flag, Blocks(1.0f), Blocks(-1.0f)), e.vy = Blocks(1.0f);
         return e;
     }
 };
+
+/// Edges of a kind at or beside the vertices in columns x0 .. x1 - 1 of row y of pixels. From
+/// column `begin` to `end` those between plain cells are made as vectors.
+template <Kind kind, bool bend, bool soft>
+HWY_INLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, int end, int y,
+                          const EdgeScratch& scratch, Net& net) {
+    const NearCells& cells = scratch.edge_cells;
+    const int count = net.count();
+    // The one at column 0.
+    const int first = lattice.vertex_site(0, y) + (kind == level     ? 1
+                                                   : kind == upright ? lattice.stride()
+                                                                     : lattice.stride() + 1);
+    const float* weights = scratch.weights[kind != upright].data();
+    float* const e = bend ? net.at(first) : nullptr;
+    float* const q = soft ? net.soft_at(first) : nullptr;
+    const PlainRow plain(lattice, net, cells, y,
+                         bend ? scratch.gradients.at(lattice.vertex_site(0, y)) : nullptr);
+    begin = std::max(begin, x0);
+    end = std::max(std::min(end, x1), begin);
+    each_vector(begin, end, count, [&](auto vector, const RowPlace& place) HWY_ATTR {
+        using T = decltype(vector);
+        const PlainEdges<T> edges = plain.edges<kind, bend, T>(place);
+        if (soft)
+            edge_softness(spread<T>(weights, place, count), edges.zi, edges.zj, edges.zc, edges.zd)
+                .store(q + place.at);
+        if (bend)
+            edge_bend(edges.gix, edges.giy, edges.gjx, edges.gjy, edges.zi, edges.zj, edges.vx,
+                      edges.vy)
+                .store(e + place.at);
+    });
+    const uint8_t *above = cells.above(y).other.data(), *below = cells.below(y).other.data();
+    const auto crossed = [&](int x) {
+        return below[x] | (kind == level ? above[x] : kind == upright ? below[x - 1] : 0);
+    };
+    const Site* sites = lattice.sites();
+    const SiteView vertices(net.values.even), gradients(scratch.gradients);
+    const int stride = lattice.stride();
+    for (int x = x0; x < x1; ++x)
+        if (x < begin || x >= end || crossed(x))
+            make_any<bend, soft>(sites, stride, first + 2 * x, soft ? weights[x] : 0.0f, vertices,
+                                 gradients, bend ? e + ptrdiff_t(x) * count : nullptr,
+                                 soft ? q + ptrdiff_t(x) * count : nullptr);
+}
 
 /// The edges with midpoints in row y of the doubled lattice.
 template <bool bend, bool soft>
-HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y, EdgeScratch& scratch,
-                         Net& net) {
-    const int odd = y & 1, step = blocks_in_vector(), last_x = lattice.width() - 1;
-    const int pixel_y = y / 2;
-    const ptrdiff_t stride = lattice.stride(), first = lattice.site(2 * part.x0 + 1 - odd, y),
-                    end = lattice.site(2 * part.x1 - 1, y);
-    const float* weights = scratch.weights.data();
-    const NearRows& rows = scratch.edge_rows;
-    // Without bends there are none.
-    const auto gradients_at = [&](int site) { return bend ? scratch.gradients_at(site) : nullptr; };
-    const PlainMaker plain(rows, pixel_y, gradients_at(lattice.vertex_site(0, pixel_y)), stride);
-    float* const e = net.at(int(first));
-    float* const q = soft ? net.soft_at(int(first)) : nullptr;
-    const uint8_t *above = rows.cell_row(pixel_y + 1).other.data(),
-                  *here = rows.cell_row(pixel_y).other.data();
-    // Whether the cells beside the edges of a vector's columns are plain.
-    const uint8_t* other = odd ? here : above;
-    const auto is_plain = [&](int x) {
-        int others = here[x - odd];
-        for (int k = x; k < x + step; ++k)
-            others |= other[k] | here[k];
-        return !others;
-    };
-    const bool inner = odd || (pixel_y > 0 && pixel_y < lattice.height() - 1);
-    for (int x = part.x0; x < part.x1; x += step) {
-        // The first of the edges beside column x, and of those after the last of them.
-        const ptrdiff_t m = lattice.site(2 * x + 1 - odd, y), next = m + 2 * step;
-        const float* w = soft ? weights + (m - first) : nullptr;
-        const ptrdiff_t at = (m - first) * group_size;
-        if (inner && next <= end && x > 0 && x + step <= last_x && is_plain(x)) {
-            if (odd) {
-                const float* after = soft ? w + 1 : nullptr;
-                float* const q_at = soft ? q + at : nullptr;
-                plain.template upright<bend>(x).template make<bend, soft>(w, q_at, e + at);
-                plain.template diagonal<bend>(x).template make<bend, soft>(
-                    after, soft ? q_at + group_size : nullptr, e + at + group_size);
-            } else {
-                plain.template level<bend>(x).template make<bend, soft>(w, soft ? q + at : nullptr,
-                                                                        e + at);
-            }
-        } else {
-            make_any<bend, soft>(lattice, m, std::min(next, end), 2 - odd, gradients_at(int(m)), w,
-                                 net);
-        }
+HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y,
+                         const EdgeScratch& scratch, Net& net) {
+    const int x0 = part.x0, x1 = part.x1, last = lattice.width() - 1, pixel_y = y / 2;
+    if (y & 1) {
+        make_kind<upright, bend, soft>(lattice, x0, x1, 1, last, pixel_y, scratch, net);
+        make_kind<diagonal, bend, soft>(lattice, x0, x1 - 1, 0, last, pixel_y, scratch, net);
+    } else {
+        const bool rim = y == 0 || pixel_y == lattice.height() - 1;
+        make_kind<level, bend, soft>(lattice, x0, x1 - 1, rim ? last : 0, last, pixel_y, scratch,
+                                     net);
     }
 }
 
 HWY_ATTR void make_edges(const Lattice& lattice, const Rect& part, int y0, int y1, bool bend,
                          const float* gain, float reciprocal_tau, EdgeScratch& scratch, Net& net) {
     if (y0 == 2 * part.y0)
-        scratch.edge_rows.begin(lattice, part, part.y0, net);
+        scratch.edge_cells.begin(lattice, part, part.y0);
     for (int y = y0; y < y1; ++y) {
         if (y % 2 == 0)
-            scratch.edge_rows.load_below(lattice, part, y / 2, net);
-        const int m = lattice.site(2 * part.x0 + 1 - (y & 1), y),
-                  end = lattice.site(2 * part.x1 - 1, y);
+            scratch.edge_cells.load_below(lattice, part, y / 2);
         if (gain)
-            soft_weights(gain + m, end - m, reciprocal_tau, scratch.weights.data());
+            soft_weights(gain + lattice.site(2 * part.x0, y), part.width(), reciprocal_tau,
+                         scratch.weights[0].data() + part.x0, scratch.weights[1].data() + part.x0);
         if (bend && gain)
             make_row<true, true>(lattice, part, y, scratch, net);
         else if (bend)

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "core/base/arith.h"
+#include "core/base/row_lanes.h"
 #include "core/surface/edge_scratch.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -23,18 +24,18 @@ namespace hn = hwy::HWY_NAMESPACE;
 #include "core/base/rsqrt-inl.h"
 #include "core/surface/gradient-inl.h"
 
-using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
+#include "core/base/row_lanes-inl.h"
 
 /// A neighbour of the vertex that is walked round, over the edge between them.
 struct Spoke {
-    int x, y;      ///< the neighbour relative to the vertex in pixels: the edge's midpoint in
-                   ///< doubled coordinates
-    Lanes4 fx, fy; ///< the same
-    Lanes4 dz;     ///< difference of the values
+    int x, y;          ///< the neighbour relative to the vertex in pixels: the edge's midpoint in
+                       ///< doubled coordinates
+    PixelLanes fx, fy; ///< the same
+    PixelLanes dz;     ///< difference of the values
 
-    HWY_INLINE Spoke(int x_, int y_, Lanes4 z, const float* net, int stride)
+    HWY_INLINE Spoke(int x_, int y_, PixelLanes z, const float* net, int stride, int count)
         : x(x_), y(y_), fx(float(x_)), fy(float(y_)),
-          dz(Lanes4::load(net + 2 * group_size * ptrdiff_t(y_ * stride + x_)) - z) {}
+          dz(PixelLanes::load(net + count * ptrdiff_t(y_ * stride + x_)) - z) {}
 };
 
 /// The next spoke to the left or right of one; false on the rim. On the record as one number: the
@@ -53,15 +54,16 @@ HWY_INLINE bool next_spoke(const Site* vertex, int stride, bool left, int& x, in
 
 /// The mean gradient at a vertex: over its triangles in a fixed order, from the first edge to the
 /// left, and on the hull's rim from the first edge to the right.
-HWY_INLINE GradientMean<Lanes4> mean_round(const Site* vertex, const float* net, int stride) {
-    GradientMean<Lanes4> mean;
-    const Lanes4 z = Lanes4::load(net);
+HWY_INLINE GradientMean<PixelLanes> mean_round(const Site* vertex, const float* net, int stride,
+                                               int count) {
+    GradientMean<PixelLanes> mean;
+    const PixelLanes z = PixelLanes::load(net);
     const Vec first = vertex->vertex.first;
-    const Spoke start(first.x, first.y, z, net, stride);
+    const Spoke start(first.x, first.y, z, net, stride, count);
     Spoke last = start;
     int x = first.x, y = first.y;
     while (next_spoke(vertex, stride, true, x, y)) {
-        const Spoke next(x, y, z, net, stride);
+        const Spoke next(x, y, z, net, stride, count);
         mean.add(last.fx, last.fy, next.fx, next.fy, last.dz, next.dz);
         if (x == first.x && y == first.y)
             return mean;
@@ -71,40 +73,32 @@ HWY_INLINE GradientMean<Lanes4> mean_round(const Site* vertex, const float* net,
     y = first.y;
     last = start;
     while (next_spoke(vertex, stride, false, x, y)) {
-        const Spoke next(x, y, z, net, stride);
+        const Spoke next(x, y, z, net, stride, count);
         mean.add(next.fx, next.fy, last.fx, last.fy, next.dz, last.dz);
         last = next;
     }
     return mean;
 }
 
-#include "core/base/blocks-inl.h"
-
-/// p[k] in every lane of block k.
-template <class T>
-HWY_INLINE T flags(const float* p) {
-    if constexpr (std::is_same_v<T, Blocks>)
-        return spread(p);
-    else
-        return T(*p);
-}
-
 /// What plain vertices of a row are surrounded by, from column 0 on.
 struct PlainRows {
     const float *above, *here, *below; ///< vertices
     const float *down_above, *down_below;
+    int count; ///< of channels
 
-    PlainRows(const NearRows& rows, int y)
-        : above(rows.vertex(0, y + 2)), here(rows.vertex(0, y)), below(rows.vertex(0, y + 1)),
-          down_above(rows.cell_row(y + 1).down.data()), down_below(rows.cell_row(y).down.data()) {}
+    PlainRows(const Lattice& lattice, const Net& net, const NearCells& cells, int y)
+        : above(vertex_row(lattice, net, y - 1)), here(vertex_row(lattice, net, y)),
+          below(vertex_row(lattice, net, y + 1)), down_above(cells.above(y).down.data()),
+          down_below(cells.below(y).down.data()), count(net.count()) {}
 
-    /// Gradients at vertices x, x + 1, ..., as many as T has.
+    /// Gradients of vertices at a place. gradients: those of column 0, y `to_y` floats after x.
     template <class T>
-    HWY_INLINE void make_gradients(int x, float* to, ptrdiff_t to_y) const {
-        const ptrdiff_t at = ptrdiff_t(x) * group_size;
+    HWY_INLINE void make_gradients(const RowPlace& place, float* gradients, ptrdiff_t to_y) const {
+        const ptrdiff_t at = place.at;
         const T z = T::load(here + at);
         const auto difference = [&](const float* row, int dx)
-                                    HWY_ATTR { return T::load(row + at + dx * group_size) - z; };
+                                    HWY_ATTR { return T::load(row + at + dx * count) - z; };
+        const auto down = [&](const float* row) HWY_ATTR { return spread<T>(row, place, count); };
         Differences<T> d;
         d.nw = difference(above, -1);
         d.n = difference(above, 0);
@@ -116,11 +110,11 @@ struct PlainRows {
         d.w = difference(here, -1);
         const T one(1.0f);
         T gx, gy;
-        plain_mean(d, flags<T>(down_above + x - 1), one - flags<T>(down_above + x),
-                   flags<T>(down_below + x), one - flags<T>(down_below + x - 1))
+        plain_mean(d, down(down_above - 1), one - down(down_above), down(down_below),
+                   one - down(down_below - 1))
             .result(gx, gy);
-        gx.store(to);
-        gy.store(to + to_y);
+        gx.store(gradients + at);
+        gy.store(gradients + at + to_y);
     }
 };
 
@@ -129,42 +123,31 @@ HWY_ATTR void make_gradients(const Lattice& lattice, const Rect& part, int y0, i
     const int stride = lattice.stride(), last_x = lattice.width() - 1,
               last_y = lattice.height() - 1;
     if (y0 == part.y0)
-        scratch.gradient_rows.begin(lattice, part, y0, net);
-    const int begin = std::max(part.x0, 1), end = std::min(part.x1, last_x);
-    const int step = blocks_in_vector();
+        scratch.gradient_cells.begin(lattice, part, y0);
+    const int begin = std::max(part.x0, 1), end = std::min(part.x1, last_x), count = net.count();
     for (int y = y0; y < y1; ++y) {
-        scratch.gradient_rows.load_below(lattice, part, y, net);
-        const auto gradients_at = [&](int x) {
-            return scratch.gradients_at(lattice.vertex_site(x, y));
-        };
-        const auto walk_round = [&](int x) HWY_ATTR {
-            const int s = lattice.vertex_site(x, y);
-            Lanes4 gx, gy;
-            mean_round(lattice.sites() + s, net.at(s), stride).result(gx, gy);
-            gx.store(gradients_at(x));
-            gy.store(gradients_at(x) + 2 * ptrdiff_t(stride));
-        };
-        const PlainRows plain(scratch.gradient_rows, y);
-        const uint8_t *above = scratch.gradient_rows.cell_row(y + 1).other.data(),
-                      *below = scratch.gradient_rows.cell_row(y).other.data();
-        const auto crossed = [&](int cell) { return above[cell] | below[cell]; };
-        const auto plain_and_crossed = [&](int x) HWY_ATTR {
-            plain.make_gradients<Blocks>(x, gradients_at(x), 2 * ptrdiff_t(stride));
-            int any = 0;
-            for (int k = x - 1; k < x + step; ++k)
-                any |= crossed(k);
-            for (int k = x; any && k < x + step; ++k)
-                if (crossed(k - 1) | crossed(k))
-                    walk_round(k);
-        };
+        const NearCells& cells = scratch.gradient_cells;
+        scratch.gradient_cells.load_below(lattice, part, y);
+        float* gradients = scratch.gradients.at(lattice.vertex_site(0, y));
+        const ptrdiff_t to_y = ptrdiff_t(lattice.width()) * count;
+        const PlainRows plain(lattice, net, cells, y);
         const bool rim = y == 0 || y == last_y;
-        const auto one = [&](int x) HWY_ATTR {
-            if (rim || x == 0 || x == last_x || (crossed(x - 1) | crossed(x)))
-                walk_round(x);
-            else
-                plain.make_gradients<Lanes4>(x, gradients_at(x), 2 * ptrdiff_t(stride));
-        };
-        each_vector(part.x0, part.x1, begin, rim ? begin : end, one, plain_and_crossed);
+        if (!rim && begin < end)
+            each_vector(begin, end, count, [&](auto vector, const RowPlace& place) HWY_ATTR {
+                plain.make_gradients<decltype(vector)>(place, gradients, to_y);
+            });
+        const uint8_t *above = cells.above(y).other.data(), *below = cells.below(y).other.data();
+        const auto crossed = [&](int cell) { return above[cell] | below[cell]; };
+        for (int x = part.x0; x < part.x1; ++x) {
+            if (!rim && x > 0 && x < last_x && !(crossed(x - 1) | crossed(x)))
+                continue;
+            const int s = lattice.vertex_site(x, y);
+            PixelLanes gx, gy;
+            mean_round(lattice.sites() + s, net.vertex(s), stride, count).result(gx, gy);
+            float* to = gradients + ptrdiff_t(x) * count;
+            store_pixel(gx, count, to);
+            store_pixel(gy, count, to + to_y);
+        }
     }
 }
 

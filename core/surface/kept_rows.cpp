@@ -5,30 +5,52 @@
 
 namespace ddt {
 
-void make_room(std::vector<float>& kept, size_t row, int more, int height, int& first, int keep,
-               int made, int end) {
-    if (size_t(end - first) * row + edge_padding <= kept.size())
-        return;
-    const int from = std::clamp(keep, first, std::max(first, made));
-    if (made > from && from > first)
-        std::memmove(kept.data(), kept.data() + size_t(from - first) * row,
-                     size_t(made - from) * row * sizeof(float));
-    first = from;
-    if (size_t(end - first) * row + edge_padding <= kept.size())
-        return;
-    // A vector that grows by itself would take up to twice of it.
-    if (made <= from)
-        std::vector<float>().swap(kept);
-    kept.reserve(size_t(std::min(end - first + more, height)) * row + edge_padding);
-    kept.resize(kept.capacity());
-}
-
-void take_memory(std::vector<float>& kept, size_t row, int rows) {
-    const size_t size = size_t(rows) * row + edge_padding;
+void take_memory(std::vector<float>& kept, size_t floats) {
+    const size_t size = floats + edge_padding;
     if (kept.size() >= size)
         return;
     std::vector<float>().swap(kept); // nothing in it is of use
     kept.resize(size);
+}
+
+void take_rows(const Lattice& lattice, int count, int first, int rows, SiteRows& kept) {
+    rows = std::min(rows + rows_to_go_on, lattice.height());
+    take_memory(kept.numbers, size_t(rows) * site_row(lattice.width(), count));
+    kept.count = count;
+    kept.first = lattice.vertex_site(0, first);
+}
+
+void make_room(const Lattice& lattice, int keep, int made, int end, SiteRows& kept) {
+    std::vector<float>& numbers = kept.numbers;
+    const size_t row = site_row(lattice.width(), kept.count);
+    int first = kept.first / lattice.vertex_site(0, 1);
+    const auto has_room = [&] {
+        return size_t(end - first) * row + edge_padding <= numbers.size();
+    };
+    if (has_room())
+        return;
+    const int from = std::clamp(keep, first, std::max(first, made));
+    if (made > from && from > first)
+        std::memmove(numbers.data(), numbers.data() + size_t(from - first) * row,
+                     size_t(made - from) * row * sizeof(float));
+    first = from;
+    kept.first = lattice.vertex_site(0, first);
+    if (has_room())
+        return;
+    // A vector that grows by itself would take up to twice of it.
+    if (made <= from)
+        std::vector<float>().swap(numbers);
+    numbers.reserve(size_t(std::min(end - first + rows_to_go_on, lattice.height())) * row +
+                    edge_padding);
+    numbers.resize(numbers.capacity());
+}
+
+void whole(const Lattice& lattice, int count, SiteNumbers& numbers) {
+    for (SiteRows* rows : {&numbers.even, &numbers.odd}) {
+        rows->numbers.resize(lattice.size() / 2 * size_t(count) + edge_padding);
+        rows->count = count;
+        rows->first = 0;
+    }
 }
 
 } // namespace ddt

@@ -29,18 +29,23 @@ constexpr int edge_rows(int longest) {
     return rows_at_once + 2 * std::max(longest, 5) + 4;
 }
 
-/// Floats of a net in a row of pixels.
-inline size_t net_row(const Lattice& lattice) {
-    return 2 * size_t(lattice.stride()) * group_size;
+/// Floats of SiteRows in a row of pixels, which is two of the doubled lattice.
+constexpr size_t site_row(int width, int count) {
+    return 2 * size_t(width) * size_t(count);
 }
 
-/// Take the memory for so many rows of `row` floats.
-void take_memory(std::vector<float>& kept, size_t row, int rows);
+/// Take the memory for so many floats.
+void take_memory(std::vector<float>& kept, size_t floats);
 
-/// Make room in `kept`, `row` floats for each row of pixels from row `first` on, for the rows
-/// before `end`. Of the rows before `made`, which are of use, those before `keep` may go. `more`:
-/// rows to make room for beside; there are no more than `height`.
-void make_room(std::vector<float>& kept, size_t row, int more, int height, int& first, int keep,
-               int made, int end);
+/// Take the memory for so many rows of pixels, beside those to go on by, of `count` channels, and
+/// begin with row `first`.
+void take_rows(const Lattice& lattice, int count, int first, int rows, SiteRows& kept);
+
+/// Make room for the rows of pixels before `end`. Of the rows before `made`, which are of use,
+/// those before `keep` may go.
+void make_room(const Lattice& lattice, int keep, int made, int end, SiteRows& kept);
+
+/// Have all rows there.
+void whole(const Lattice& lattice, int count, SiteNumbers& numbers);
 
 } // namespace ddt

@@ -18,7 +18,7 @@ void MeanRows::begin_any(const Lattice& lattice, const Rect& wanted, Surface sur
     // The triangles that meet the cells round the vertices.
     m_edges.begin_rows(lattice, with_neighbours(lattice, grown(lattice, wanted, 1)), recipe, values,
                        m_net);
-    m_sums.assign(2 * size_t(lattice.width()) * group_size, 0.0f);
+    m_sums.assign(2 * (size_t(lattice.width()) * size_t(m_net.count()) + edge_padding), 0.0f);
     m_cell_rows = std::max(wanted.y0 - 1, 0);
 }
 
@@ -43,9 +43,10 @@ const float* MeanRows::row(int y, int keep) {
     return sums(y);
 }
 
-size_t MeanRows::memory(int width, int height, const EdgeRecipe& recipe) {
-    return EdgeMaker::memory(width, height, usual_longest, recipe) +
-           2 * size_t(width) * group_size * sizeof(float);
+size_t MeanRows::memory(int width, int height, int count, const EdgeRecipe& recipe) {
+    // Two rows of sums, four of quadrants' means.
+    return EdgeMaker::memory(width, height, count, usual_longest, recipe) +
+           6 * size_t(width) * size_t(count) * sizeof(float);
 }
 
 } // namespace ddt

@@ -29,8 +29,8 @@ public:
     /// The part of the lattice whose edges are made.
     const Rect& part() const { return m_edges.part(); }
 
-    /// About the bytes that this takes where edges are of the usual length.
-    static size_t memory(int width, int height, const EdgeRecipe& recipe);
+    /// About the bytes that this takes of `count` channels where edges are of the usual length.
+    static size_t memory(int width, int height, int count, const EdgeRecipe& recipe);
 
 private:
     template <class Values>

@@ -26,30 +26,111 @@
 
 #include <vector>
 
+#include "core/base/row_lanes.h"
 #include "core/lattice/lattice.h"
 #include "ddt/core.h"
 
 namespace ddt {
 
-/// Channels that are worked on together, one a SIMD lane.
-constexpr int group_size = 4;
+/// Channels that are worked on together, at most.
+constexpr int group_size = most_in_pixel;
 
-/// z and e of one group of channels over the doubled lattice: site s has its group_size numbers at
-/// at(s), z at a vertex, e at an edge's midpoint. Some rows of the lattice, or all of them.
+/// One number a channel at each site of even columns of the doubled lattice, or at each of odd
+/// ones, in some rows of it or in all. What follows a site's may be read as if it were its own, up
+/// to group_size numbers.
+struct SiteRows {
+    std::vector<float> numbers;
+    int count = group_size; ///< of channels
+    int first = 0; ///< the site, in column 0 and an even row, at or beside which they begin
+    const float* at(int site) const {
+        return numbers.data() + ptrdiff_t((site - first) >> 1) * count;
+    }
+    float* at(int site) { return numbers.data() + ptrdiff_t((site - first) >> 1) * count; }
+};
+
+/// The same, to read from: what is stored meanwhile cannot be taken to change where they are.
+struct SiteView {
+    const float* numbers;
+    int first, count;
+    explicit SiteView(const SiteRows& rows)
+        : numbers(rows.numbers.data()), first(rows.first), count(rows.count) {}
+    const float* at(int site) const { return numbers + ptrdiff_t((site - first) >> 1) * count; }
+};
+
+/// The same at each site. Even columns have the vertices and, in the rows between, the upright
+/// edges of cells, odd columns their level edges and their centres: of each, a row is one run of
+/// floats, which is worked on by vectors wherever pixels begin (core/base/row_lanes-inl.h).
+struct SiteNumbers {
+    SiteRows even, odd;
+    const float* at(int site) const { return (site & 1 ? odd : even).at(site); }
+    float* at(int site) { return (site & 1 ? odd : even).at(site); }
+    bool empty() const { return even.numbers.empty(); }
+};
+
+/// z and e of one group of channels over the doubled lattice: z at a vertex, e at an edge's
+/// midpoint. Some rows of the lattice, or all of them.
 struct Net {
-    std::vector<float> values;
-    std::vector<float> soft; ///< q at an edge's site; empty: no soft edges
-    /// The sites that `values` and `soft` begin with.
-    int first = 0, first_soft = 0;
+    SiteNumbers values;
+    SiteNumbers soft; ///< q at an edge's site; empty: no soft edges
     /// 1 in the lanes whose values must stay within their triangle's range even with soft edges.
     float strict[group_size] = {};
     int stride = 0; ///< the lattice's
-    const float* at(int site) const { return values.data() + ptrdiff_t(site - first) * group_size; }
-    float* at(int site) { return values.data() + ptrdiff_t(site - first) * group_size; }
-    const float* soft_at(int site) const {
-        return soft.data() + ptrdiff_t(site - first_soft) * group_size;
+    int count() const { return values.even.count; }
+    const float* at(int site) const { return values.at(site); }
+    float* at(int site) { return values.at(site); }
+    const float* vertex(int site) const { return values.even.at(site); }
+    float* vertex(int site) { return values.even.at(site); }
+    const float* soft_at(int site) const { return soft.at(site); }
+    float* soft_at(int site) { return soft.at(site); }
+};
+
+/// A net to read from. What lies where is the same in all its arrays, and cannot be taken to change
+/// with what is stored meanwhile.
+struct NetView {
+    struct Part {
+        const float *even = nullptr, *odd = nullptr;
+    };
+    Part values, soft; ///< from the vertex at `first` and the edge beside it on
+    int first;
+    ptrdiff_t count, row; ///< floats from one column or row of the doubled lattice to the next
+
+    explicit NetView(const Net& net)
+        : first(net.values.even.first), count(net.count()), row(ptrdiff_t(net.stride / 2) * count) {
+        values = {net.values.even.at(first), net.values.odd.at(first)};
+        if (!net.soft.empty())
+            soft = {net.soft.even.at(first), net.soft.odd.at(first)};
     }
-    float* soft_at(int site) { return soft.data() + ptrdiff_t(site - first_soft) * group_size; }
+    ptrdiff_t place(int site) const { return ptrdiff_t((site - first) >> 1) * count; }
+    const float* vertex(int site) const { return values.even + place(site); }
+    const float* at(int site) const { return (site & 1 ? values.odd : values.even) + place(site); }
+    const float* soft_at(int site) const { return (site & 1 ? soft.odd : soft.even) + place(site); }
+};
+
+/// What a net has round the cells of a row, `x` floats after that of the first: NetView::count from
+/// one to the next.
+class CellNumbers {
+public:
+    /// Those of no net: nothing can be read.
+    CellNumbers() = default;
+    /// Of the net's values or softness; site: of the first cell's first corner.
+    CellNumbers(const NetView& net, const NetView::Part& part, int site) : m_count(net.count) {
+        const float *even = part.even + net.place(site), *odd = part.odd + net.place(site);
+        m_vertices[0] = even, m_left = even + net.row, m_vertices[1] = even + 2 * net.row;
+        m_level[0] = odd, m_centre = odd + net.row, m_level[1] = odd + 2 * net.row;
+    }
+    /// right, below: 0 or 1.
+    const float* corner(ptrdiff_t x, int right, int below) const {
+        return m_vertices[below] + (x + right * m_count);
+    }
+    const float* top(ptrdiff_t x) const { return m_level[0] + x; }
+    const float* left(ptrdiff_t x) const { return m_left + x; }
+    const float* centre(ptrdiff_t x) const { return m_centre + x; }
+    const float* right(ptrdiff_t x) const { return m_left + (x + m_count); }
+    const float* bottom(ptrdiff_t x) const { return m_level[1] + x; }
+
+private:
+    const float *m_vertices[2] = {}, *m_level[2] = {}, *m_left = nullptr, *m_centre = nullptr;
+    ptrdiff_t m_count = 0;
 };
 
 /// One group's channels in the pixels of a lattice: first .. first + count (count <= group_size) of
@@ -59,22 +140,27 @@ struct GroupValues {
     int channels = 0, first = 0, count = 0;
 };
 
-/// Makes a group's values row by row: group_size floats for each pixel of a lattice's row.
+/// Makes a group's values row by row: count() floats for each pixel of a lattice's row.
 class ValueRows {
 public:
     virtual ~ValueRows() = default;
+    virtual int count() const = 0;
     /// Row y; there until the next is asked for. Rows are asked for from the top downwards, each
     /// once.
     virtual const float* row(int y) = 0;
 };
 
-/// Set the vertices of a net of the whole lattice to a group's values. Unused lanes are 0.
+/// A row of a picture's pixels with the group's channels alone, `count` floats each: the values'
+/// own, or else what `copied` receives.
+const float* group_row(const GroupValues& values, int width, int y, std::vector<float>& copied);
+
+/// Set the vertices of a net of the whole lattice to a group's values.
 void set_vertices(const Lattice& lattice, const float* values, int channels, int first, int count,
                   Net& net);
 /// Those of the pixels of `part` alone, whose rows the net must have.
 void set_vertices(const Lattice& lattice, const GroupValues& values, const Rect& part, Net& net);
 void set_vertices(const Lattice& lattice, ValueRows& values, const Rect& part, Net& net);
-/// Copy a group's values of so many pixels, group_size floats each. Unused lanes are 0.
+/// Copy a group's values of so many pixels, `count` floats each.
 void copy_group(const GroupValues& values, size_t pixels, float* to);
 
 } // namespace ddt

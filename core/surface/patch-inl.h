@@ -10,11 +10,12 @@ struct Patch {
     T q01, q12, q20; ///< their softness
     T low, high;     ///< range that the surface is clamped to
 
-    /// Those of a triangle, its vertices and its edges 01, 12, 20 told by their sites; at, soft_at:
-    /// what the net has at a site.
-    template <bool quadratic, bool soft, class At, class SoftAt>
-    DDT_INLINE void load(const int vertex[3], const int edge[3], At at, SoftAt soft_at) {
-        z0 = at(vertex[0]), z1 = at(vertex[1]), z2 = at(vertex[2]);
+    /// Those of a triangle, its vertices and its edges 01, 12, 20 told by their sites; vertex_at,
+    /// at, soft_at: what the net has at a site.
+    template <bool quadratic, bool soft, class VertexAt, class At, class SoftAt>
+    DDT_INLINE void load(const int vertex[3], const int edge[3], VertexAt vertex_at, At at,
+                         SoftAt soft_at) {
+        z0 = vertex_at(vertex[0]), z1 = vertex_at(vertex[1]), z2 = vertex_at(vertex[2]);
         if (quadratic)
             e01 = at(edge[0]), e12 = at(edge[1]), e20 = at(edge[2]);
         if (soft)

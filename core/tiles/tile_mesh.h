@@ -51,7 +51,7 @@ private:
 struct MeshedTile {
     Tile tile;
     int width = 0, height = 0; ///< of the lattices
-    std::vector<float> values; ///< the job's channels, pixel by pixel
+    std::vector<float> values; ///< the job's channels, pixel by pixel, and group_size more floats
     std::vector<TileMesh> meshes;
 };
 

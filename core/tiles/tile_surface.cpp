@@ -28,17 +28,23 @@ TileSurface::TileSurface(const Job& job) : m_job(job), m_nets(size_t(group_count
 
 size_t TileSurface::memory(const Job& job, int width, int height, bool rows) {
     const EdgeRecipe recipe = recipe_of(job.surface);
-    const size_t kept =
-        is_fitted(job.surface)
-            ? FittedMaker::memory(width, height, !rows, job.surface.soft > 0)
-            : EdgeMaker::memory(width, height, rows ? usual_longest : height, recipe);
+    const int groups = group_count(job.channels);
+    size_t kept = 0;
+    for (int g = 0; g < groups; ++g) {
+        const int count = channels_in_group(job.channels, g);
+        kept +=
+            is_fitted(job.surface)
+                ? FittedMaker::memory(width, height, {nullptr, job.channels, 0, count}, !rows,
+                                      job.surface.soft > 0)
+                : EdgeMaker::memory(width, height, count, rows ? usual_longest : height, recipe);
+    }
     size_t corrected = 0;
     if (is_corrected(job.surface))
-        corrected = CorrectedRows::memory(width, height,
+        corrected = CorrectedRows::memory(width, height, channels_in_group(job.channels, 0),
                                           {job.surface.kind, recipe, job.surface.consistency});
-    if (is_corrected(job.surface) && group_count(job.channels) > 1)
+    if (is_corrected(job.surface) && groups > 1)
         corrected += size_t(width) * size_t(height) * sizeof(float) * size_t(job.channels);
-    return kept * size_t(group_count(job.channels)) + corrected;
+    return kept + corrected;
 }
 
 void TileSurface::begin(const TileMesh& mesh, const Tile& tile, const float* values) {
@@ -100,7 +106,7 @@ void TileSurface::correct_all(int group) {
     float* p = m_corrected.data() + to.first;
     for (int y = 0; y < lattice.height(); ++y) {
         const float* row = m_rounds.row(y);
-        for (int x = 0; x < lattice.width(); ++x, row += group_size, p += to.channels)
+        for (int x = 0; x < lattice.width(); ++x, row += to.count, p += to.channels)
             std::copy_n(row, to.count, p);
     }
 }

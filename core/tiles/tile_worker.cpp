@@ -6,6 +6,7 @@
 #include "core/guide/contour.h"
 #include "core/guide/guide.h"
 #include "core/tiles/tile_io.h"
+#include "core/triangulate/start_gains.h"
 
 namespace ddt {
 
@@ -23,7 +24,8 @@ size_t TileWorker::memory(const Job& job, bool separable) {
     const size_t pixels = size_t(width) * size_t(height), sites = 4 * pixels;
     const size_t meshes = size_t(job.mesh.meshes) * TileMesh::memory(job, width, height);
     // Gains, where no mesh keeps them, and work lists, which are longest in noise.
-    const size_t workspace = (wants_gains(job.surface) ? 0 : sites * sizeof(float)) + pixels * 10;
+    const size_t workspace = (wants_gains(job.surface) ? 0 : sites * sizeof(float)) + pixels * 10 +
+                             start_gains_memory(width);
     const size_t guides = job.mesh.meshes > 1 ? 2 : 1;
     const size_t planes = pixels * sizeof(float) * (guides + size_t(job.channels));
     return meshes + workspace + planes + ContourRows::memory(width) +
@@ -34,7 +36,7 @@ void TileWorker::reserve() {
     const size_t pixels =
         size_t(largest_tile(m_job.window.width())) * size_t(largest_tile(m_job.window.height()));
     const size_t sites = 4 * pixels;
-    m_meshed.values.reserve(pixels * size_t(m_job.channels));
+    m_meshed.values.reserve(pixels * size_t(m_job.channels) + group_size);
     m_guide.reserve(pixels);
     m_workspace.gain.reserve(sites);
     m_meshed.meshes.reserve(size_t(m_job.mesh.meshes));
@@ -83,8 +85,11 @@ bool TileWorker::read(const Tile& tile) {
     m_workspace.origin_x = tile.pixels.x0 - m_job.window.x0;
     m_workspace.origin_y = tile.pixels.y0 - m_job.window.y0;
     m_meshed.tile = tile;
-    return read_tile(m_source, tile, m_job, m_meshed.values, m_guide, m_meshed.width,
-                     m_meshed.height);
+    if (!read_tile(m_source, tile, m_job, m_meshed.values, m_guide, m_meshed.width,
+                   m_meshed.height))
+        return false;
+    m_meshed.values.resize(m_meshed.values.size() + group_size);
+    return true;
 }
 
 const float* TileWorker::guide_of(size_t mesh) {

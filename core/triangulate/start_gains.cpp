@@ -397,6 +397,12 @@ void each_outer_edge(const Lattice& lattice, F&& f) {
 
 } // namespace
 
+size_t start_gains_memory(int width) {
+    // Four rows of DividedCells, whose faces have three numbers.
+    constexpr size_t rows = 4 * (8 + 6 * 3);
+    return rows * (size_t(width) + padding) * sizeof(float);
+}
+
 bool start_gains(const Lattice& lattice, const Criterion& criterion, float min_gain, Workspace& w,
                  Statistics& statistics) {
     w.gain.resize(lattice.size() + padding);

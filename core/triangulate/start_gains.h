@@ -14,6 +14,9 @@ namespace ddt {
 bool start_gains(const Lattice& lattice, const Criterion& criterion, float min_gain, Workspace& w,
                  Statistics& statistics);
 
+/// About the bytes that it takes meanwhile, of a lattice of this width.
+size_t start_gains_memory(int width);
+
 /// Only a started lattice has a quick way.
 template <class Mesh>
 bool start_gains(const Mesh&, const Criterion&, float, Workspace&, Statistics&) {

@@ -87,10 +87,7 @@ void find_features(Scene& scene, const SurfaceOptions& options, const Net& net,
                    const Consistency& consistency, int c) {
     const Lattice& lattice = scene.lattice;
     const int width = lattice.width(), height = lattice.height();
-    const auto at = [](int site) { return size_t(site) * group_size; };
-    const auto inside = [&](int x, int y) {
-        return net.values[at(lattice.vertex_site(x, y)) + size_t(c)];
-    };
+    const auto inside = [&](int x, int y) { return net.vertex(lattice.vertex_site(x, y))[c]; };
     const auto tap = [&](int x, int y) {
         return ddt::scalar::odd_mirror_tap<float>(x, y, width, height, inside);
     };
@@ -101,7 +98,8 @@ void find_features(Scene& scene, const SurfaceOptions& options, const Net& net,
     const LaneLimits limits(net.strict, options.limit, options.clipped);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            const size_t pixel = (size_t(y) * size_t(width) + size_t(x)) * group_size + size_t(c);
+            const size_t pixel =
+                (size_t(y) * size_t(width) + size_t(x)) * size_t(net.count()) + size_t(c);
             const int site = lattice.vertex_site(x, y);
             ddt::scalar::VertexFeatures<float> found;
             const auto near = [&](int i, int j) { return tap(x + i, y + j); };
@@ -129,7 +127,7 @@ void find_features(Scene& scene, const SurfaceOptions& options, const Net& net,
             l = -r;
         if (r.zero())
             r = -l;
-        found.find(a, {e.v.x, e.v.y}, {l.x, l.y}, {r.x, r.y}, net.values[at(m) + size_t(c)],
+        found.find(a, {e.v.x, e.v.y}, {l.x, l.y}, {r.x, r.y}, net.at(m)[c],
                    [&](ddt::scalar::Place p) { return tap(p.x, p.y); });
         std::copy(std::begin(found.null), std::end(found.null), to.null);
         std::copy(std::begin(found.shared), std::end(found.shared), to.shared);

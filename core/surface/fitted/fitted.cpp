@@ -22,53 +22,58 @@ namespace hn = hwy::HWY_NAMESPACE;
 #include "core/surface/consistency-inl.h"
 #include "core/surface/fitted/features-inl.h"
 
-using Lanes4 = Lanes<hn::CappedTag<float, group_size>>; // a lane a channel
+#include "core/base/row_lanes-inl.h"
 
-#include "core/base/blocks-inl.h"
-
-/// One vertex, or as many next to one another as T has blocks: where it goes, and its index.
+/// Where vertices go, and their index.
 template <class T, class Tap>
-HWY_INLINE T move_vertex(T limit, T cut, T lowest, T sum, Tap tap, float* index) {
+HWY_INLINE T move_vertex(T limit, T cut, float lowest, T sum, Tap tap, T& index) {
     const FittedTable& table = fitted_table();
     VertexFeatures<T> v;
     v.find(T(0.0f) - sum * T(0.25f), cut, table, tap);
-    v.index.store(index);
+    index = v.index;
     T low, high;
-    find_limits({-1, -1, 2, 2}, fitted_limit(limit, v.bound, table), lowest, tap, low, high);
+    find_limits({-1, -1, 2, 2}, fitted_limit(limit, v.bound, table), T(lowest), tap, low, high);
     return fitted_vertex(tap(0, 0), low, high, v, table);
 }
 
 HWY_ATTR void move_row(const FittedSource& source, int x0, int x1, int y, const LaneLimits& limits,
                        const float* sum, float* index, Net& net) {
     const Lattice& lattice = source.lattice;
-    const int width = lattice.width(), height = lattice.height(), step = blocks_in_vector();
-    const ptrdiff_t row = ptrdiff_t(width) * group_size;
-    const auto inside = [&](int i, int j) HWY_ATTR { return Lanes4::load(source.at(i, j)); };
-    const Lanes4 limit = Lanes4::load(limits.limit), cut = Lanes4::load(limits.cut);
-    const Blocks all_limits = in_every_block(limits.limit), all_cut = in_every_block(limits.cut);
-    for (int x = x0; x < x1;) {
-        const ptrdiff_t at = ptrdiff_t(x) * group_size;
-        float* z = net.at(lattice.vertex_site(x, y));
-        if (y >= 2 && y + 2 < height && x >= 2 && x + step + 2 <= width) {
-            const float* here = source.at(x, y);
-            const Blocks moved = move_vertex<Blocks>(
-                all_limits, all_cut, Blocks(limits.lowest), Blocks::load(sum + at),
-                [&](int i, int j)
-                    HWY_ATTR { return Blocks::load(here + j * row + i * group_size); },
-                index + at);
-            store_every_second(moved, z);
-            x += step;
-            continue;
-        }
-        const Lanes4 moved = move_vertex<Lanes4>(
-            limit, cut, Lanes4(limits.lowest), Lanes4::load(sum + at),
-            [&](int i, int j)
-                HWY_ATTR { return odd_mirror_tap<Lanes4>(x + i, y + j, width, height, inside); },
-            index + at);
+    const int width = lattice.width(), height = lattice.height(), count = source.count;
+    const ptrdiff_t row = ptrdiff_t(width) * count;
+    float* const z = net.vertex(lattice.vertex_site(0, y));
+    const float* const here = source.at(0, y);
+    // Where all taps are pixels.
+    const bool inner = y >= 2 && y + 2 < height;
+    const int begin = inner ? std::max(x0, 2) : x1, end = std::max(std::min(x1, width - 2), begin);
+    const ChannelLanes limit(limits.limit, count), cut(limits.cut, count);
+    each_vector(begin, end, count, [&](auto vector, const RowPlace& place) HWY_ATTR {
+        using T = decltype(vector);
+        const auto tap = [&](int i, int j)
+                             HWY_ATTR { return T::load(here + place.at + j * row + i * count); };
+        T at;
+        move_vertex(limit.at<T>(place), cut.at<T>(place), limits.lowest, T::load(sum + place.at),
+                    tap, at)
+            .store(z + place.at);
+        at.store(index + place.at);
+    });
+    const auto inside = [&](int i, int j) HWY_ATTR { return PixelLanes::load(source.at(i, j)); };
+    const auto one = [&](int x) HWY_ATTR {
+        const auto tap = [&](int i, int j) HWY_ATTR {
+            return odd_mirror_tap<PixelLanes>(x + i, y + j, width, height, inside);
+        };
+        const ptrdiff_t at = ptrdiff_t(x) * count;
+        PixelLanes found;
+        const PixelLanes moved =
+            move_vertex(PixelLanes::load(limits.limit), PixelLanes::load(limits.cut), limits.lowest,
+                        PixelLanes::load(sum + at), tap, found);
         if (x > 0 && y > 0 && x + 1 < width && y + 1 < height)
-            moved.store(z);
-        ++x;
-    }
+            store_pixel(moved, count, z + at);
+        store_pixel(found, count, index + at);
+    };
+    for (int x = x0; x < x1; ++x)
+        if (x < begin || x >= end)
+            one(x);
 }
 
 /// The weights of an edge's null features, node after node.
@@ -84,9 +89,9 @@ struct NullWeights {
         }
         const float loss = gain < 0.0f ? gain : 0.0f;
         const float t = 1.0f + loss * table.gain_scale;
-        const Lanes4 near(t > 0.0f ? t : 0.0f);
+        const PixelLanes near(t > 0.0f ? t : 0.0f);
         for (int k = 0; k < fitted_nodes; ++k)
-            (Lanes4::load(kinds[1][k]) + near * Lanes4::load(kinds[2][k]))
+            (PixelLanes::load(kinds[1][k]) + near * PixelLanes::load(kinds[2][k]))
                 .store(w + k * fitted_edge_null);
     }
 };
@@ -108,14 +113,16 @@ HWY_ATTR void bend_row(const FittedSource& source, int x0, int x1, int my, const
     const FittedTable& table = fitted_table();
     const Lattice& lattice = source.lattice;
     const int width = lattice.width(), height = lattice.height();
-    const ptrdiff_t row = ptrdiff_t(width) * group_size;
-    const auto inside = [&](int i, int j) HWY_ATTR { return Lanes4::load(source.at(i, j)); };
+    const int count = source.count;
+    const ptrdiff_t row = ptrdiff_t(width) * count;
+    const auto inside = [&](int i, int j) HWY_ATTR { return PixelLanes::load(source.at(i, j)); };
     const auto mirrored = [&](Place p) HWY_ATTR {
-        return odd_mirror_tap<Lanes4>(p.x, p.y, width, height, inside);
+        return odd_mirror_tap<PixelLanes>(p.x, p.y, width, height, inside);
     };
-    const auto plain_tap = [&](ptrdiff_t at) HWY_ATTR { return Lanes4::load(source.pixels + at); };
-    const auto address = [&](int x, int y) { return y * row + ptrdiff_t(x) * group_size; };
-    const Lanes4 strict = Lanes4::load(net.strict);
+    const auto plain_tap = [&](ptrdiff_t at)
+                               HWY_ATTR { return PixelLanes::load(source.pixels + at); };
+    const auto address = [&](int x, int y) { return y * row + ptrdiff_t(x) * count; };
+    const PixelLanes strict = PixelLanes::load(net.strict);
     for (int mx = 2 * x0 + 1 - (my & 1); mx < 2 * x1 - 1; mx += 2 - (my & 1)) {
         const int m = lattice.site(mx, my);
         const Edge& edge = lattice.edge(m);
@@ -123,18 +130,18 @@ HWY_ATTR void bend_row(const FittedSource& source, int x0, int x1, int my, const
         const Vec v = edge.v, l = edge.left.zero() ? -edge.right : edge.left,
                   r = edge.right.zero() ? -edge.left : edge.right;
         const Place a{(mx - v.x) / 2, (my - v.y) / 2};
-        const Lanes4 plain = Lanes4::load(plain_net.at(m));
-        EdgeFeatures<Lanes4> f;
+        const PixelLanes plain = PixelLanes::load(plain_net.at(m));
+        EdgeFeatures<PixelLanes> f;
         if (reaches_inside(edge, mx, my, width, height))
             f.find(address(a.x, a.y), address(v.x, v.y), address(l.x, l.y), address(r.x, r.y),
                    plain, plain_tap);
         else
             f.find(a, {v.x, v.y}, {l.x, l.y}, {r.x, r.y}, plain, mirrored);
-        const Lanes4 mean =
-            (Lanes4::load(index.at(a.x, a.y)) + Lanes4::load(index.at(a.x + v.x, a.y + v.y))) *
-            Lanes4(0.5f);
+        const PixelLanes mean = (PixelLanes::load(index.at(a.x, a.y)) +
+                                 PixelLanes::load(index.at(a.x + v.x, a.y + v.y))) *
+                                PixelLanes(0.5f);
         const NullWeights null(edge, gain[m], table);
-        fitted_bend(f, mean, strict, null.w, table).store(net.at(m));
+        store_pixel(fitted_bend(f, mean, strict, null.w, table), count, net.at(m));
     }
 }
 

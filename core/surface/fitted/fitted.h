@@ -42,12 +42,14 @@ inline bool is_fitted(const SurfaceOptions& options) {
     return options.fitted && options.consistency > 0 && options.kind == Surface::patch;
 }
 
-/// One group's source: group_size floats for every pixel of the lattice.
+/// One group's source: `count` floats for every pixel of the lattice, and as many more that may be
+/// read as make up group_size.
 struct FittedSource {
     const Lattice& lattice;
     const float* pixels;
+    int count;
     const float* at(int x, int y) const {
-        return pixels + (ptrdiff_t(y) * lattice.width() + x) * group_size;
+        return pixels + (ptrdiff_t(y) * lattice.width() + x) * count;
     }
 };
 
@@ -60,9 +62,10 @@ void move_fitted(const FittedSource& source, int x0, int x1, int y, const LaneLi
 struct IndexRows {
     const float* rows;
     int count;
-    size_t row; ///< floats
+    size_t row;   ///< floats
+    int channels; ///< in a pixel
     const float* at(int x, int y) const {
-        return rows + size_t(y % count) * row + ptrdiff_t(x) * group_size;
+        return rows + size_t(y % count) * row + ptrdiff_t(x) * channels;
     }
 };
 

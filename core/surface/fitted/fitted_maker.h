@@ -29,7 +29,8 @@ class FittedMaker {
 public:
     /// Start on a net of some rows, whose `strict` is set: the vertices of `part`, a part of the
     /// lattice in pixels, and the edges whose ends both lie in it. The lattice's divisions and
-    /// first edges must have been found; the values must stay where they are.
+    /// first edges must have been found; the values must stay where they are, and group_size floats
+    /// after the last may be read.
     void begin(const Lattice& lattice, const Rect& part, const FittedRecipe& recipe,
                const GroupValues& values, Net& net);
 
@@ -38,14 +39,16 @@ public:
     /// Make all, and keep the net.
     void finish() { to_row(m_part.y1, 0); }
 
-    /// About the bytes that this and the net take where edges are of the usual length; `all_rows`:
-    /// of a net that is kept whole.
-    static size_t memory(int width, int height, bool all_rows, bool soft);
+    /// About the bytes that this and the net take where edges are of the usual length. values: what
+    /// is told of their channels; all_rows: of a net that is kept whole.
+    static size_t memory(int width, int height, const GroupValues& values, bool all_rows,
+                         bool soft);
 
 private:
     void go_on(int y, int keep);
+    int bent_end(int vertices) const;
     void make_row();
-    size_t row_size() const { return size_t(m_lattice->width()) * group_size; }
+    size_t row_size() const { return size_t(m_lattice->width()) * size_t(m_values.count); }
 
     const Lattice* m_lattice = nullptr;
     Net* m_net = nullptr;
@@ -54,8 +57,9 @@ private:
     FittedRecipe m_recipe;
     LaneLimits m_limits;
     GroupValues m_values;
-    std::vector<float> m_source; ///< of all pixels
-    MeanRows m_plain;            ///< of the plain surface
+    const float* m_source = nullptr; ///< of all pixels: the values, or,
+    std::vector<float> m_copied;     ///< where they have more channels, a copy
+    MeanRows m_plain;                ///< of the plain surface
     EdgeMaker m_soft;
     std::vector<float> m_index; ///< row y at [y % m_index_rows]
     int m_index_rows = 1;

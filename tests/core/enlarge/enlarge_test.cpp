@@ -301,21 +301,32 @@ TEST(Enlarge, SameSizeGivesThePixels) {
     }
 }
 
-TEST(Enlarge, ChannelsDoNotKnowOfOneAnother) {
-    for (const int channels : {2, 3, 4, 5, 9}) {
-        TestSource source({0, 0, 33, 21}, channels, 10);
-        const Rect out{0, 0, 100, 50};
-        const auto mapping = mapping_of(source.window(), out, out);
-        const auto all = run(source, job_of(source, channels), mapping, out);
-        TestSource one({0, 0, 33, 21}, 1, 10);
-        for (int c = 0; c < channels; ++c) {
-            for (size_t i = 0; i < one.values().size(); ++i)
-                one.values()[i] = source.values()[i * size_t(channels) + size_t(c)];
-            const auto values = run(one, job_of(one, 1), mapping, out);
-            for (size_t i = 0; i < values.size(); ++i)
-                ASSERT_EQ(bits_of(values[i]), bits_of(all[i * size_t(channels) + size_t(c)]));
-        }
+/// Whether each channel of a picture of `channels`, every third an alpha, is as it is alone.
+void expect_each_as_alone(int channels, const SurfaceOptions& surface) {
+    TestSource source({0, 0, 33, 21}, channels, 10), one({0, 0, 33, 21}, 1, 10);
+    const Rect out{0, 0, 100, 50};
+    const auto mapping = mapping_of(source.window(), out, out);
+    Job job = job_of(source, channels), alone = job_of(one, 1);
+    job.surface = alone.surface = surface;
+    for (int c = 0; c < channels; ++c)
+        job.kinds.push_back(c % 3 == 1 ? Channel::alpha : Channel::blend);
+    const auto all = run(source, job, mapping, out);
+    for (int c = 0; c < channels; ++c) {
+        for (size_t i = 0; i < one.values().size(); ++i)
+            one.values()[i] = source.values()[i * size_t(channels) + size_t(c)];
+        alone.kinds = {job.kinds[size_t(c)]};
+        const auto values = run(one, alone, mapping, out);
+        for (size_t i = 0; i < values.size(); ++i)
+            ASSERT_EQ(bits_of(values[i]), bits_of(all[i * size_t(channels) + size_t(c)]));
     }
+}
+
+TEST(Enlarge, ChannelsDoNotKnowOfOneAnother) {
+    on_each_target([] {
+        for (const SurfaceOptions& surface : surfaces_with({0, 1, 2}))
+            for (const int channels : {2, 3, 4, 5, 9})
+                expect_each_as_alone(channels, surface);
+    });
 }
 
 TEST(Enlarge, NearestChannelsAreCopies) {

@@ -95,8 +95,10 @@ Result fitted(const Scene& scene, const std::vector<float>& values, Setting sett
     FittedMaker maker;
     std::fill_n(net.strict, group_size, setting.strict ? 1.0f : 0.0f);
     find_gains(l, {Cost::abn}, workspace);
+    auto padded = values;
+    padded.resize(values.size() + group_size);
     maker.begin(l, scene.all(), {workspace.gain.data(), 0, 0.25f, setting.clipped},
-                {values.data(), 1, 0, 1}, net);
+                {padded.data(), 1, 0, 1}, net);
     maker.finish();
     Result r;
     for (int y = 0; y < l.height(); ++y)
@@ -131,7 +133,7 @@ Result slow(const Scene& scene, const std::vector<float>& values, Setting settin
     const LaneLimits limits(net.strict, 0.25f, setting.clipped);
     for (int y = 0; y < h; ++y) {
         for (int x = 0; x < w; ++x) {
-            const size_t at = size_t(y * w + x) * group_size;
+            const size_t at = size_t(y * w + x);
             const auto near = [&](int i, int j) { return tap(x + i, y + j); };
             scalar::VertexFeatures<float> v;
             v.find(0.0f - consistency.sum[at] * 0.25f, limits.cut[0], table, near);

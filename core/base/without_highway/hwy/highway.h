@@ -121,6 +121,13 @@ HWY_INLINE void StoreInterleaved2(Vec<D> a, Vec<D> b, D, typename D::T* p) {
         p[2 * i + 1] = b[i];
     }
 }
+template <class D>
+HWY_INLINE void LoadInterleaved2(D, const typename D::T* p, Vec<D>& a, Vec<D>& b) {
+    for (size_t i = 0; i < D::lanes; ++i) {
+        a[i] = p[2 * i];
+        b[i] = p[2 * i + 1];
+    }
+}
 template <class D, class I>
 HWY_INLINE Vec<D> GatherIndex(D, const typename D::T* p, I index) {
     Vec<D> v{};
@@ -154,10 +161,7 @@ HWY_INLINE Vec<D> Zero(D) {
 }
 template <class D>
 HWY_INLINE Vec<D> Set(D, typename D::T x) {
-    Vec<D> v{};
-    for (size_t i = 0; i < D::lanes; ++i)
-        v[i] = x;
-    return v;
+    return x - Vec<D>{}; // -0 too is itself then
 }
 template <class D>
 HWY_INLINE Vec<D> Iota(D, typename D::T first) {
@@ -322,15 +326,6 @@ HWY_INLINE Vec<H> UpperHalf(H, V v) {
     for (size_t i = 0; i < H::lanes; ++i)
         half[i] = v[H::lanes + i];
     return half;
-}
-/// Of blocks of 128 bits there is one.
-template <class V>
-HWY_INLINE V SwapAdjacentBlocks(V v) {
-    return v;
-}
-template <class V>
-HWY_INLINE V OddEvenBlocks(V, V even) {
-    return even;
 }
 /// The even, or odd, lanes of `lower`, then those of `upper`.
 template <class D>

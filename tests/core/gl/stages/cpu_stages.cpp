@@ -62,21 +62,27 @@ SurfaceStage cpu_surface(const std::vector<float>& guide, const std::vector<floa
     }
     make_edges();
 
+    // As devices have them: group_size numbers each, those that are no channel's 0.
     SurfaceStage stage;
+    const auto append = [&](const float* numbers, std::vector<float>& to) {
+        to.insert(to.end(), numbers, numbers + net.count());
+        to.resize(to.size() + size_t(group_size - net.count()));
+    };
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const int s = lattice.vertex_site(x, y);
-            stage.vertices.insert(stage.vertices.end(), net.at(s), net.at(s) + group_size);
+            append(net.vertex(s), stage.vertices);
             if (!bend)
                 continue;
-            for (const int at : {2 * s, 2 * (s + lattice.stride())}) {
-                const float* g = edges.gradients() + at;
-                stage.gradients.insert(stage.gradients.end(), g, g + group_size);
-            }
+            append(edges.gradients().at(s), stage.gradients);
+            append(edges.gradients().at(s + lattice.stride()), stage.gradients);
         }
-    if (bend)
-        stage.bends = net.values;
-    stage.softness = net.soft;
+    for (int s = 0; s < int(lattice.size()); ++s) {
+        if (bend)
+            append(net.at(s), stage.bends);
+        if (gain)
+            append(net.soft_at(s), stage.softness);
+    }
     return stage;
 }
 

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Included inside a SIMD target's namespace, after row_lanes.h and lanes-inl.h: rows of pixels with
+// `count` floats each as vectors, which need not begin or end where a pixel does. What is done to a
+// float is the same for all, or differs by the pixel (spread()) or by the channel (ChannelLanes).
+
+using RowTag = hn::CappedTag<float, most_row_lanes>;
+using RowLanes = Lanes<RowTag>;
+using OneLane = Lanes<hn::CappedTag<float, 1>>;
+
+/// Call f(T(), place) for vectors that cover pixels x0 .. x1 - 1 and nothing else, T being RowLanes
+/// and the last of them repeating some of the one before; or, where they would not fill a vector,
+/// for each float, T being OneLane.
+template <class F>
+HWY_INLINE void each_vector(ptrdiff_t x0, ptrdiff_t x1, int count, F f) {
+    const ptrdiff_t begin = x0 * count, end = x1 * count, lanes = hn::Lanes(RowTag());
+    const auto place = [count](ptrdiff_t at) {
+        const ptrdiff_t x = ptrdiff_t(uint32_t(at) / uint32_t(count));
+        return RowPlace{at, x, int(at - x * count)};
+    };
+    if (end - begin < lanes)
+        for (ptrdiff_t at = begin; at < end; ++at)
+            f(OneLane(), place(at));
+    else
+        for (ptrdiff_t at = begin; at < end; at += lanes)
+            f(RowLanes(), place(at + lanes <= end ? at : end - lanes));
+}
+
+/// p[x] of each lane's pixel x. As many floats are read as a vector has.
+template <class T>
+HWY_INLINE T spread(const float* p, const RowPlace& place, int count) {
+    if constexpr (std::is_same_v<T, RowLanes>) {
+        const RowTag d;
+        const hn::RebindToSigned<RowTag> di;
+        const auto pixels = hn::LoadU(di, pixel_of_lane.of[count - 1][place.c]);
+        return hn::TableLookupLanes(hn::LoadU(d, p + place.x), hn::IndicesFromVec(d, pixels));
+    } else {
+        return T(p[place.x]);
+    }
+}
+
+/// A number a channel.
+struct ChannelLanes {
+    float numbers[most_row_lanes + most_in_pixel];
+
+    HWY_INLINE ChannelLanes(const float* of_channels, int count) {
+        for (int k = 0; k < most_row_lanes + most_in_pixel; ++k)
+            numbers[k] = of_channels[k % count];
+    }
+    /// That of each lane's channel.
+    template <class T>
+    HWY_INLINE T at(const RowPlace& place) const {
+        return T::load(numbers + place.c);
+    }
+};
+
+/// A pixel, or one pixel's share of what is computed: lanes from `count` on are nothing's.
+using PixelLanes = Lanes<hn::CappedTag<float, most_in_pixel>>;
+
+HWY_INLINE void store_pixel(PixelLanes v, int count, float* p) {
+    if (count == most_in_pixel) {
+        v.store(p);
+        return;
+    }
+    const hn::CappedTag<float, 2> pair;
+    if (count == 1) {
+        p[0] = hn::GetLane(v.v);
+        return;
+    }
+    hn::StoreU(hn::LowerHalf(pair, v.v), pair, p);
+    if (count == 3)
+        p[2] = hn::GetLane(hn::UpperHalf(pair, v.v));
+}
