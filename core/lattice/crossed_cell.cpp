@@ -85,8 +85,12 @@ CrossingTriangle::CrossingTriangle(const Corners& corners, int site, int stride)
     }
 }
 
-void find_crossing_triangles(const Lattice& lattice, int cx, int cy, const CellPositions& positions,
-                             std::vector<CrossingTriangle>& triangles) {
+namespace {
+
+/// Call add(triangle, corners) for each triangle that positions belong to.
+template <class Add>
+void each_crossing(const Lattice& lattice, int cx, int cy, const CellPositions& positions,
+                   Add add) {
     const auto find = HWY_DYNAMIC_DISPATCH(find_inside);
     const int site = lattice.vertex_site(cx, cy);
     uint64_t left = ~uint64_t(0) >> (CellPositions::most - positions.count());
@@ -94,13 +98,34 @@ void find_crossing_triangles(const Lattice& lattice, int cx, int cy, const CellP
         if (!(left >> i & 1))
             continue;
         const auto exact = [](float x) { return int32_t(x * position_one); };
-        const Point at{exact(positions.x()[i]), exact(positions.y()[i])};
-        CrossingTriangle& t =
-            triangles.emplace_back(locate(lattice, cx, cy, at), site, lattice.stride());
+        const Corners corners =
+            locate(lattice, cx, cy, {exact(positions.x()[i]), exact(positions.y()[i])});
+        CrossingTriangle t(corners, site, lattice.stride());
         // On the rim, a tie may belong to a triangle that does not hold it.
         t.positions = (find(t, positions) | uint64_t(1) << i) & left;
         left &= ~t.positions;
+        add(t, corners);
     }
+}
+
+} // namespace
+
+void find_crossing_triangles(const Lattice& lattice, int cx, int cy, const CellPositions& positions,
+                             std::vector<CrossingTriangle>& triangles) {
+    each_crossing(lattice, cx, cy, positions,
+                  [&](const CrossingTriangle& t, const Corners&) { triangles.push_back(t); });
+}
+
+void find_cell_triangles(const Lattice& lattice, int cx, int cy, const CellPositions& positions,
+                         std::vector<CellTriangle>& triangles) {
+    each_crossing(lattice, cx, cy, positions, [&](const CrossingTriangle& t, const Corners& c) {
+        CellTriangle& kept = triangles.emplace_back();
+        for (int k = 0; k < 3; ++k) {
+            kept.x[k] = int8_t(c.p[k].x);
+            kept.y[k] = int8_t(c.p[k].y);
+        }
+        kept.positions = uint16_t(t.positions);
+    });
 }
 
 } // namespace ddt

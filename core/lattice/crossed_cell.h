@@ -46,9 +46,22 @@ struct CrossingTriangle {
     CrossingTriangle(const Corners& corners, int site, int stride);
 };
 
+/// The same as it is kept: vertices in Triangle's order relative to the cell's first corner, in
+/// pixels. No edge is longer than longest_edge.
+struct CellTriangle {
+    int8_t x[3], y[3];
+    uint16_t positions; ///< of 16 at most
+
+    Corners corners() const { return {{{x[0], y[0]}, {x[1], y[1]}, {x[2], y[2]}}}; }
+};
+static_assert(longest_edge < 127, "corners are within 8 bits");
+
 /// Find which triangles the positions in the cell with first corner (cx, cy) belong to, each to
 /// one, and add these to `triangles`.
 void find_crossing_triangles(const Lattice& lattice, int cx, int cy, const CellPositions& positions,
                              std::vector<CrossingTriangle>& triangles);
+/// The same of no more than 16 positions.
+void find_cell_triangles(const Lattice& lattice, int cx, int cy, const CellPositions& positions,
+                         std::vector<CellTriangle>& triangles);
 
 } // namespace ddt

@@ -102,7 +102,7 @@ HWY_INLINE void crossed_means(const NetView& net, const float* strict, int site,
     HWY_ALIGN float f[quadrant_side * quadrant_side * group_size]; // whole vectors
     const CellNumbers values(net, net.values, site);
     evaluate_crossing<quadratic, soft>(net, in_every_block(strict), false, scratch.triangles.data(),
-                                       scratch.triangles.size(), scratch.positions, f);
+                                       scratch.triangles.size(), mean_positions(), f);
     for (int corner = 0; corner < 4; ++corner) {
         const int right = corner & 1, below = corner >> 1;
         const PixelLanes z = PixelLanes::load(values.corner(0, right, below));
@@ -137,7 +137,8 @@ HWY_INLINE void add_quadrants(const float* left, const float* right, int x0, int
 
 template <bool quadratic, bool soft>
 HWY_INLINE void add_cells(const Lattice& lattice, const Net& net, int x0, int x1, int y,
-                          MeanScratch& scratch, float* upper, float* lower) {
+                          const CrossedRows::Row& crossed, MeanScratch& scratch, float* upper,
+                          float* lower) {
     const Division* divisions = lattice.divisions(y);
     const int count = net.count(), first = lattice.vertex_site(0, y);
     const size_t row = size_t(lattice.width()) * size_t(count);
@@ -159,14 +160,18 @@ HWY_INLINE void add_cells(const Lattice& lattice, const Net& net, int x0, int x1
         for (int k = 0; k < 4; ++k)
             quadrants[k].store(means + size_t(k) * row + place.at);
     });
-    for (int x = x0; x < x1; ++x) {
-        if (divisions[x] != Division::other)
+    for (const CrossedRows::Cell& cell : crossed.cells) {
+        const int x = cell.x, site = lattice.vertex_site(x, y);
+        if (x < x0 || x >= x1)
             continue;
         scratch.triangles.clear();
-        find_crossing_triangles(lattice, x, y, scratch.positions, scratch.triangles);
+        for (int i = cell.first; i < cell.first + cell.count; ++i) {
+            const CellTriangle& t = crossed.triangles[size_t(i)];
+            scratch.triangles.emplace_back(t.corners(), site, lattice.stride()).positions =
+                t.positions;
+        }
         PixelLanes quadrants[4];
-        crossed_means<quadratic, soft>(view, net.strict, lattice.vertex_site(x, y), scratch,
-                                       quadrants);
+        crossed_means<quadratic, soft>(view, net.strict, site, scratch, quadrants);
         for (int k = 0; k < 4; ++k)
             store_pixel(quadrants[k], count, means + size_t(k) * row + ptrdiff_t(x) * count);
     }
@@ -177,16 +182,17 @@ HWY_INLINE void add_cells(const Lattice& lattice, const Net& net, int x0, int x1
 }
 
 HWY_ATTR void add_means(const Lattice& lattice, Surface surface, const Net& net, int x0, int x1,
-                        int y, MeanScratch& scratch, float* upper, float* lower) {
+                        int y, const CrossedRows::Row& crossed, MeanScratch& scratch, float* upper,
+                        float* lower) {
     const bool soft = !net.soft.empty();
     if (surface == Surface::linear && soft)
-        add_cells<false, true>(lattice, net, x0, x1, y, scratch, upper, lower);
+        add_cells<false, true>(lattice, net, x0, x1, y, crossed, scratch, upper, lower);
     else if (surface == Surface::linear)
-        add_cells<false, false>(lattice, net, x0, x1, y, scratch, upper, lower);
+        add_cells<false, false>(lattice, net, x0, x1, y, crossed, scratch, upper, lower);
     else if (soft)
-        add_cells<true, true>(lattice, net, x0, x1, y, scratch, upper, lower);
+        add_cells<true, true>(lattice, net, x0, x1, y, crossed, scratch, upper, lower);
     else
-        add_cells<true, false>(lattice, net, x0, x1, y, scratch, upper, lower);
+        add_cells<true, false>(lattice, net, x0, x1, y, crossed, scratch, upper, lower);
 }
 
 /// The floats at `first` to `last`.
@@ -216,16 +222,22 @@ HWY_EXPORT(limits_in_row);
 HWY_EXPORT(add_means);
 HWY_EXPORT(move_in_row);
 
-MeanScratch::MeanScratch() {
-    constexpr float at[quadrant_side] = {0.125f, 0.375f, 0.625f, 0.875f};
-    positions.set(at, quadrant_side, at, quadrant_side);
+const CellPositions& mean_positions() {
+    static const CellPositions positions = [] {
+        constexpr float at[quadrant_side] = {0.125f, 0.375f, 0.625f, 0.875f};
+        CellPositions all;
+        all.set(at, quadrant_side, at, quadrant_side);
+        return all;
+    }();
+    return positions;
 }
 
 void add_means(const Lattice& lattice, Surface surface, const Net& net, const Rect& part, int y,
-               MeanScratch& scratch, float* upper, float* lower) {
+               CrossedRows& crossed, MeanScratch& scratch, float* upper, float* lower) {
     const int x0 = std::max(part.x0 - 1, 0), x1 = std::min(part.x1, lattice.width() - 1);
     if (x0 < x1)
-        HWY_DYNAMIC_DISPATCH(add_means)(lattice, surface, net, x0, x1, y, scratch, upper, lower);
+        HWY_DYNAMIC_DISPATCH(add_means)
+    (lattice, surface, net, x0, x1, y, crossed.row(y, x0, x1), scratch, upper, lower);
 }
 
 LaneLimits::LaneLimits(const float* strict, float share, bool clipped)
@@ -271,9 +283,10 @@ const LimitRow& Consistency::limits(const Lattice& lattice, int y) {
 
 void Consistency::measure(const Lattice& lattice, Surface surface, const Net& net) {
     sum.assign(source.size(), 0.0f);
+    m_crossed.begin(lattice, mean_positions(), 1);
     for (int y = 0; y + 1 < lattice.height(); ++y) {
         float* upper = sum.data() + size_t(y) * row_size(lattice);
-        add_means(lattice, surface, net, lattice.all(), y, m_scratch, upper,
+        add_means(lattice, surface, net, lattice.all(), y, m_crossed, m_scratch, upper,
                   upper + row_size(lattice));
     }
 }

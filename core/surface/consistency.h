@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "core/lattice/crossed_cell.h"
+#include "core/surface/crossed_rows.h"
 #include "core/surface/net.h"
 #include "ddt/core.h"
 
@@ -18,22 +18,22 @@ namespace ddt {
 /// Positions along an axis at which quadrants' means are taken (consistency-inl.h).
 constexpr int quadrant_side = 4;
 
+/// The positions of means in a cell that other edges cross.
+const CellPositions& mean_positions();
+
 /// What add_means() works in, kept from one row to the next.
 struct MeanScratch {
-    MeanScratch();
-
     std::vector<float> means;                ///< of a row of cells' quadrants, one after the other
     std::vector<float> down;                 ///< 1 where a cell's diagonal is down, else 0
-    CellPositions positions;                 ///< of means, in a cell that other edges cross,
-    std::vector<CrossingTriangle> triangles; ///< and the triangles there
+    std::vector<CrossingTriangle> triangles; ///< of a cell that other edges cross
 };
 
 /// Add what the cells of row y have, as far as the vertices of `part` need it, to the sums of
 /// quadrants' means of the vertices above and below them, Net::count() floats each. The edges that
 /// cross the row must have been bent (for Surface::patch) and softened (where the net has soft
-/// edges), the divisions been found.
+/// edges), the divisions been found. `crossed` has begun with mean_positions().
 void add_means(const Lattice& lattice, Surface surface, const Net& net, const Rect& part, int y,
-               MeanScratch& scratch, float* upper, float* lower);
+               CrossedRows& crossed, MeanScratch& scratch, float* upper, float* lower);
 
 /// What find_limits() of consistency-inl.h is told: SurfaceOptions::limit in a net's lanes, 0 in
 /// strict ones (Net::strict), and its `lowest`, by SurfaceOptions::clipped.
@@ -97,6 +97,7 @@ private:
     int m_count = 0; ///< of channels
     LaneLimits m_limits;
     LimitRow m_row;
+    CrossedRows m_crossed;
     MeanScratch m_scratch;
 };
 

@@ -5,8 +5,19 @@
 #include <cstring>
 
 #include "core/lattice/neighbours.h"
+#include "core/surface/kept_rows.h"
 
 namespace ddt {
+
+namespace {
+
+/// Rows by which a round is ahead of the one that asks it for values: values are asked for some
+/// rows at once, beyond gradients beyond edges beyond the cells whose means are taken.
+constexpr int rounds_apart(int longest) {
+    return 3 * longest + rows_at_once;
+}
+
+} // namespace
 
 void CorrectedRows::begin(const Lattice& lattice, const Rect& part, const CorrectionRecipe& recipe,
                           const GroupValues& source, const float* strict) {
@@ -17,6 +28,8 @@ void CorrectedRows::begin(const Lattice& lattice, const Rect& part, const Correc
     m_rounds.resize(size_t(recipe.rounds));
     for (Round& round : m_rounds)
         round.belong_to(*this);
+    // What a round found the next still finds.
+    m_crossed.begin(lattice, mean_positions(), rounds_apart(lattice.longest()));
     // Gradients and softness are made from what is round the ends of edges.
     Rect edges = part;
     for (size_t k = m_rounds.size(); k-- > 0;) {
@@ -26,15 +39,17 @@ void CorrectedRows::begin(const Lattice& lattice, const Rect& part, const Correc
 }
 
 void CorrectedRows::Round::begin(const Rect& moved, Round* before, const float* strict) {
-    const CorrectedRows& all = *m_all;
+    CorrectedRows& all = *m_all;
     m_moved = moved;
     m_rows = moved.y0;
     m_row.resize(size_t(all.m_lattice->width()) * size_t(count()) + edge_padding);
     const CorrectionRecipe& recipe = all.m_recipe;
     if (before)
-        m_means.begin(*all.m_lattice, moved, recipe.surface, recipe.edges, *before, strict);
+        m_means.begin(*all.m_lattice, moved, recipe.surface, recipe.edges, *before, strict,
+                      &all.m_crossed);
     else
-        m_means.begin(*all.m_lattice, moved, recipe.surface, recipe.edges, all.m_source, strict);
+        m_means.begin(*all.m_lattice, moved, recipe.surface, recipe.edges, all.m_source, strict,
+                      &all.m_crossed);
 }
 
 const float* CorrectedRows::Round::row(int y) {
@@ -74,7 +89,8 @@ void CorrectedRows::Round::correct() {
 size_t CorrectedRows::memory(int width, int height, int count, const CorrectionRecipe& recipe) {
     // Of the source, where it has more channels; what is made of it; its limits, low and high.
     const size_t rows = (3 + 1 + 2) * size_t(width) * size_t(count) * sizeof(float);
-    return size_t(recipe.rounds) * (rows + MeanRows::memory(width, height, count, recipe.edges));
+    return size_t(recipe.rounds) * (rows + MeanRows::memory(width, height, count, recipe.edges)) +
+           CrossedRows::memory(width, rounds_apart(usual_longest));
 }
 
 } // namespace ddt

@@ -40,7 +40,7 @@ private:
     class Round : public ValueRows {
     public:
         /// To be called of all rounds before the first begins.
-        void belong_to(const CorrectedRows& all) { m_all = &all; }
+        void belong_to(CorrectedRows& all) { m_all = &all; }
         /// before: the round whose values are corrected; null: the source's are.
         void begin(const Rect& moved, Round* before, const float* strict);
         int count() const override { return m_all->m_source.count; }
@@ -51,7 +51,7 @@ private:
         void correct();
         const float* source_row(int y);
 
-        const CorrectedRows* m_all = nullptr;
+        CorrectedRows* m_all = nullptr;
         MeanRows m_means;
         Rect m_moved;
         int m_rows = 0;                 ///< of them those above this one are done
@@ -64,6 +64,7 @@ private:
     CorrectionRecipe m_recipe;
     GroupValues m_source;
     LaneLimits m_limits;
+    CrossedRows m_crossed; ///< the rounds'
     std::vector<Round> m_rounds;
 };
 

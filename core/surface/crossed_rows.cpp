@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/surface/crossed_rows.h"
+
+namespace ddt {
+
+void CrossedRows::begin(const Lattice& lattice, const CellPositions& positions, int rows) {
+    m_lattice = &lattice;
+    m_positions = &positions;
+    m_rows.resize(size_t(rows));
+    for (Row& row : m_rows)
+        row.y = -1;
+}
+
+const CrossedRows::Row& CrossedRows::row(int y, int x0, int x1) {
+    Row& row = m_rows[size_t(y) % m_rows.size()];
+    if (row.y != y || x0 < row.x0 || row.x1 < x1)
+        find(y, x0, x1, row);
+    return row;
+}
+
+void CrossedRows::find(int y, int x0, int x1, Row& row) const {
+    row.y = y;
+    row.x0 = x0;
+    row.x1 = x1;
+    row.cells.clear();
+    row.triangles.clear();
+    const Division* divisions = m_lattice->divisions(y);
+    for (int x = x0; x < x1; ++x) {
+        if (divisions[x] != Division::other)
+            continue;
+        const auto first = int(row.triangles.size());
+        find_cell_triangles(*m_lattice, x, y, *m_positions, row.triangles);
+        row.cells.push_back({x, first, int(row.triangles.size()) - first});
+    }
+}
+
+size_t CrossedRows::memory(int width, int rows) {
+    constexpr size_t usual_triangles = 5;
+    return size_t(rows) * size_t(width) * (sizeof(Cell) + usual_triangles * sizeof(CellTriangle));
+}
+
+} // namespace ddt

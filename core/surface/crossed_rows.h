@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The triangles of cells that other edges cross, kept for whoever asks for the same positions next.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/lattice/crossed_cell.h"
+
+namespace ddt {
+
+/// Of the rows of cells that were asked for last. Rounds of corrections are some rows apart, and
+/// ask for the same.
+class CrossedRows {
+public:
+    /// Start on a lattice, whose divisions have been found. rows: to be kept, one at least.
+    void begin(const Lattice& lattice, const CellPositions& positions, int rows);
+
+    /// A cell that other edges cross, and its triangles.
+    struct Cell {
+        int x;
+        int first, count; ///< in CrossedRow::triangles
+    };
+    struct Row {
+        int y = -1, x0 = 0, x1 = 0; ///< cells x0 .. x1 - 1 of row y
+        std::vector<Cell> cells;    ///< from left to right
+        std::vector<CellTriangle> triangles;
+    };
+    /// Cells x0 .. x1 - 1, or more, of row y; until another row is asked for.
+    const Row& row(int y, int x0, int x1);
+
+    /// About the bytes that so many rows of cells take where all are crossed.
+    static size_t memory(int width, int rows);
+
+private:
+    void find(int y, int x0, int x1, Row& row) const;
+
+    const Lattice* m_lattice = nullptr;
+    const CellPositions* m_positions = nullptr;
+    std::vector<Row> m_rows; ///< row y at [y % size]
+};
+
+} // namespace ddt
