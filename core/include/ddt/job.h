@@ -121,9 +121,9 @@ enum class Outcome {
 };
 
 /// Read the source tile by tile, triangulate, and write every output pixel the mapping gives.
-/// Memory beside what source and sink hold, measured: 9 MiB a thread with the filter `ddt` and up
-/// to 4 channels, 12 to 14 with `ddt-sharp`, 4 to 8 for every further 4. Threads work that fit into
-/// 200 MiB and 22 MiB for each beyond 16 that is asked for, times MeshOptions::meshes. Never
+/// Memory beside what source and sink hold, measured: with the filter `ddt` 8 to 10 MiB a thread,
+/// with `ddt-sharp` 11 to 14, of 3 channels and of 4, and 4 to 8 for every further 4. Threads work
+/// that fit into 200 MiB and 22 MiB for each beyond 16, times MeshOptions::meshes. Never
 /// throws: what source, sink, mapping or progress throw is Outcome::out_of_memory or bad_job. They
 /// may use oneTBB themselves. `error`, when not null, receives one line if the outcome is not
 /// `done`. ddt/log.h tells the device, the iterations and where the time went.
