@@ -25,6 +25,17 @@ HWY_INLINE void each_vector(ptrdiff_t x0, ptrdiff_t x1, int count, F f) {
             f(RowLanes(), place(at + lanes <= end ? at : end - lanes));
 }
 
+/// Call f(T(), at) for vectors of the floats at first .. last - 1, and then for each that is left:
+/// for none twice, so that what f stores may be what it loads.
+template <class F>
+HWY_INLINE void each_float_once(ptrdiff_t first, ptrdiff_t last, F f) {
+    ptrdiff_t at = first;
+    for (const ptrdiff_t lanes = hn::Lanes(RowTag()); at + lanes <= last; at += lanes)
+        f(RowLanes(), at);
+    for (; at < last; ++at)
+        f(OneLane(), at);
+}
+
 /// p[x] of each lane's pixel x. As many floats are read as a vector has.
 template <class T>
 HWY_INLINE T spread(const float* p, const RowPlace& place, int count) {

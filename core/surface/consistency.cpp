@@ -119,18 +119,13 @@ HWY_INLINE void crossed_means(const NetView& net, const float* strict, int site,
 /// those of the cell to the left first.
 HWY_INLINE void add_quadrants(const float* left, const float* right, int x0, int x1, int count,
                               float* sums) {
-    const auto add = [&](auto vector, ptrdiff_t at) HWY_ATTR {
-        using T = decltype(vector);
-        ((T::load(sums + at) + T::load(right + at - count)) + T::load(left + at)).store(sums + at);
-    };
     const ptrdiff_t first = ptrdiff_t(x0) * count, last = ptrdiff_t(x1) * count;
     for (int c = 0; c < count; ++c)
         sums[first + c] += left[first + c];
-    ptrdiff_t at = first + count;
-    for (const ptrdiff_t lanes = hn::Lanes(RowTag()); at + lanes <= last; at += lanes)
-        add(RowLanes(), at);
-    for (; at < last; ++at)
-        add(OneLane(), at);
+    each_float_once(first + count, last, [&](auto vector, ptrdiff_t at) HWY_ATTR {
+        using T = decltype(vector);
+        ((T::load(sums + at) + T::load(right + at - count)) + T::load(left + at)).store(sums + at);
+    });
     for (int c = 0; c < count; ++c)
         sums[last + c] += right[last - count + c];
 }
@@ -195,20 +190,15 @@ HWY_ATTR void add_means(const Lattice& lattice, Surface surface, const Net& net,
         add_cells<true, false>(lattice, net, x0, x1, y, crossed, scratch, upper, lower);
 }
 
-/// The floats at `first` to `last`.
+/// The floats at first .. last - 1.
 HWY_ATTR void move_in_row(const float* z, ptrdiff_t first, ptrdiff_t last, const float* source,
                           const float* sum, const float* low, const float* high, float* moved) {
-    const auto move = [&](auto vector, ptrdiff_t at) HWY_ATTR {
+    each_float_once(first, last, [&](auto vector, ptrdiff_t at) HWY_ATTR {
         using T = decltype(vector);
         corrected(T::load(z + at), T::load(source + at), T::load(sum + at), T::load(low + at),
                   T::load(high + at))
             .store(moved + at);
-    };
-    ptrdiff_t at = first;
-    for (const ptrdiff_t lanes = hn::Lanes(RowTag()); at + lanes <= last; at += lanes)
-        move(RowLanes(), at);
-    for (; at < last; ++at)
-        move(OneLane(), at);
+    });
 }
 
 } // namespace HWY_NAMESPACE

@@ -25,7 +25,7 @@ void make_room(const Lattice& lattice, int keep, int made, int end, SiteRows& ke
     const size_t row = site_row(lattice.width(), kept.count);
     int first = kept.first / lattice.vertex_site(0, 1);
     const auto has_room = [&] {
-        return size_t(end - first) * row + edge_padding <= numbers.size();
+        return end <= first || size_t(end - first) * row + edge_padding <= numbers.size();
     };
     if (has_room())
         return;
