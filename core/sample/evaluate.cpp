@@ -212,15 +212,14 @@ HWY_INLINE void evaluate_ranges(const Net& whole, const Columns& columns, const 
         for (int r = 0; at_end && r < block.count; ++r)
             out[r].whole = false;
         if (range.kind != Span::triangle) {
-            with_cell<quadratic, soft>(cells, strict, range.kind,
-                                       net.place(range.site) - first_cell, [&](auto&& at) HWY_ATTR {
-                                           for (int i = range.begin; i < range.end; i += step) {
-                                               const Blocks x = spread(columns.x.data() + i);
-                                               for (int r = 0; r < block.count; ++r)
-                                                   out[r].store(at(x, Blocks(block.y[r])), i,
-                                                                range.end);
-                                           }
-                                       });
+            const ptrdiff_t place = net.place(range.site) - first_cell;
+            with_cell<quadratic, soft>(cells, strict, range.kind, place, [&](auto&& at) HWY_ATTR {
+                for (int i = range.begin; i < range.end; i += step) {
+                    const Blocks x = spread(columns.x.data() + i);
+                    for (int r = 0; r < block.count; ++r)
+                        out[r].store(at(x, Blocks(block.y[r])), i, range.end);
+                }
+            });
             continue;
         }
         if (range.triangles) {

@@ -2,7 +2,6 @@
 #include "core/surface/corrected_rows.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "core/lattice/neighbours.h"
 #include "core/surface/kept_rows.h"
@@ -42,14 +41,16 @@ void CorrectedRows::Round::begin(const Rect& moved, Round* before, const float* 
     CorrectedRows& all = *m_all;
     m_moved = moved;
     m_rows = moved.y0;
+    for (SourceRow& kept : m_source_rows)
+        kept.y = -1;
     m_row.resize(size_t(all.m_lattice->width()) * size_t(count()) + edge_padding);
     const CorrectionRecipe& recipe = all.m_recipe;
     if (before)
         m_means.begin(*all.m_lattice, moved, recipe.surface, recipe.edges, *before, strict,
-                      &all.m_crossed);
+                      all.m_crossed);
     else
         m_means.begin(*all.m_lattice, moved, recipe.surface, recipe.edges, all.m_source, strict,
-                      &all.m_crossed);
+                      all.m_crossed);
 }
 
 const float* CorrectedRows::Round::row(int y) {
@@ -62,7 +63,11 @@ const float* CorrectedRows::Round::row(int y) {
 
 /// The source's row y; there until those three rows away are asked for.
 const float* CorrectedRows::Round::source_row(int y) {
-    return group_row(m_all->m_source, m_all->m_lattice->width(), y, m_copied[y % 3]);
+    SourceRow& kept = m_source_rows[y % 3];
+    if (kept.y != y)
+        kept.row = group_row(m_all->m_source, m_all->m_lattice->width(), y, kept.copied);
+    kept.y = y;
+    return kept.row;
 }
 
 void CorrectedRows::Round::correct() {

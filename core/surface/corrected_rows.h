@@ -54,9 +54,14 @@ private:
         CorrectedRows* m_all = nullptr;
         MeanRows m_means;
         Rect m_moved;
-        int m_rows = 0;                 ///< of them those above this one are done
-        std::vector<float> m_copied[3]; ///< of a source with more channels, row y at [y % 3]
-        std::vector<float> m_row;       ///< what was made of the last row
+        int m_rows = 0; ///< of them those above this one are done
+        struct SourceRow {
+            int y = -1;
+            const float* row = nullptr;
+            std::vector<float> copied; ///< of a source with more channels
+        };
+        SourceRow m_source_rows[3]; ///< row y at [y % 3]
+        std::vector<float> m_row;   ///< what was made of the last row
         LimitRow m_limits;
     };
 

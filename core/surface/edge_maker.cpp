@@ -2,7 +2,6 @@
 #include "core/surface/edge_maker.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "core/surface/kept_rows.h"
 

@@ -4,7 +4,6 @@
 #include <cfloat>
 #include <cstddef>
 #include <cstring>
-#include <type_traits>
 
 #include "core/base/arith.h"
 #include "core/base/row_lanes.h"

@@ -11,13 +11,11 @@ namespace ddt {
 template <class Values>
 void MeanRows::begin_any(const Lattice& lattice, const Rect& wanted, Surface surface,
                          const EdgeRecipe& recipe, Values& values, const float* strict,
-                         CrossedRows* crossed) {
+                         CrossedRows& crossed) {
     m_lattice = &lattice;
     m_wanted = wanted;
     m_surface = surface;
-    m_shared = crossed;
-    if (!crossed)
-        m_own.begin(lattice, mean_positions(), 1);
+    m_crossed = &crossed;
     std::copy_n(strict, group_size, m_net.strict);
     // The triangles that meet the cells round the vertices.
     m_edges.begin_rows(lattice, with_neighbours(lattice, grown(lattice, wanted, 1)), recipe, values,
@@ -28,13 +26,13 @@ void MeanRows::begin_any(const Lattice& lattice, const Rect& wanted, Surface sur
 
 void MeanRows::begin(const Lattice& lattice, const Rect& wanted, Surface surface,
                      const EdgeRecipe& recipe, const GroupValues& values, const float* strict,
-                     CrossedRows* crossed) {
+                     CrossedRows& crossed) {
     begin_any(lattice, wanted, surface, recipe, values, strict, crossed);
 }
 
 void MeanRows::begin(const Lattice& lattice, const Rect& wanted, Surface surface,
                      const EdgeRecipe& recipe, ValueRows& values, const float* strict,
-                     CrossedRows* crossed) {
+                     CrossedRows& crossed) {
     begin_any(lattice, wanted, surface, recipe, values, strict, crossed);
 }
 
@@ -43,8 +41,8 @@ const float* MeanRows::row(int y, int keep) {
         const int cells = m_cell_rows;
         m_edges.to_row(cells + m_lattice->longest(), std::min(cells, keep));
         std::fill_n(sums(cells + 1), m_sums.size() / 2, 0.0f);
-        add_means(*m_lattice, m_surface, m_net, m_wanted, cells, m_shared ? *m_shared : m_own,
-                  m_scratch, sums(cells), sums(cells + 1));
+        add_means(*m_lattice, m_surface, m_net, m_wanted, cells, *m_crossed, m_scratch, sums(cells),
+                  sums(cells + 1));
     }
     return sums(y);
 }

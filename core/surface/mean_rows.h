@@ -14,14 +14,14 @@ namespace ddt {
 class MeanRows {
 public:
     /// Start on the vertices of `wanted`, a part of the lattice in pixels, of a surface through
-    /// `values`, which must stay where they are. strict: Net::strict. crossed: those of others that
-    /// take means on the lattice; null: there are none.
+    /// `values`, which must stay where they are. strict: Net::strict. crossed: of all who take
+    /// means on the lattice; it has begun with mean_positions().
     void begin(const Lattice& lattice, const Rect& wanted, Surface surface,
                const EdgeRecipe& recipe, const GroupValues& values, const float* strict,
-               CrossedRows* crossed = nullptr);
+               CrossedRows& crossed);
     void begin(const Lattice& lattice, const Rect& wanted, Surface surface,
                const EdgeRecipe& recipe, ValueRows& values, const float* strict,
-               CrossedRows* crossed);
+               CrossedRows& crossed);
 
     /// The sums of quadrants' means of the vertices in row y, from column 0 on, until the next row
     /// is asked for; rows in order, from the first of `wanted` on. Of the net, edges in row `keep`
@@ -39,7 +39,7 @@ private:
     template <class Values>
     void begin_any(const Lattice& lattice, const Rect& wanted, Surface surface,
                    const EdgeRecipe& recipe, Values& values, const float* strict,
-                   CrossedRows* crossed);
+                   CrossedRows& crossed);
     float* sums(int y) { return m_sums.data() + size_t(y % 2) * (m_sums.size() / 2); }
 
     const Lattice* m_lattice = nullptr;
@@ -47,8 +47,7 @@ private:
     Surface m_surface = Surface::patch;
     Net m_net;
     EdgeMaker m_edges;
-    CrossedRows* m_shared = nullptr;
-    CrossedRows m_own; ///< where none are shared
+    CrossedRows* m_crossed = nullptr;
     MeanScratch m_scratch;
     std::vector<float> m_sums; ///< row y at [y % 2]
     int m_cell_rows = 0;       ///< rows of cells above this one are in the sums

@@ -31,7 +31,8 @@ void FittedMaker::begin(const Lattice& lattice, const Rect& part, const FittedRe
     take_rows(lattice, count, m_moved.y0, vertex_rows(longest), net.values.even);
     take_rows(lattice, count, part.y0, edge_rows(longest), net.values.odd);
     EdgeRecipe edges{true, recipe.tau > 0 ? recipe.gain : nullptr, recipe.tau};
-    m_plain.begin(lattice, m_moved, Surface::patch, edges, values, net.strict);
+    m_crossed.begin(lattice, mean_positions(), 1);
+    m_plain.begin(lattice, m_moved, Surface::patch, edges, values, net.strict, m_crossed);
     // They are bent here.
     edges.bend = false;
     m_soft.begin_edge_rows(lattice, part, edges, net);

@@ -59,7 +59,8 @@ private:
     GroupValues m_values;
     const float* m_source = nullptr; ///< of all pixels: the values, or,
     std::vector<float> m_copied;     ///< where they have more channels, a copy
-    MeanRows m_plain;                ///< of the plain surface
+    CrossedRows m_crossed;
+    MeanRows m_plain; ///< of the plain surface
     EdgeMaker m_soft;
     std::vector<float> m_index; ///< row y at [y % m_index_rows]
     int m_index_rows = 1;
