@@ -34,6 +34,36 @@ void heading(const char* what, const OIIO::ImageBuf& image, Format format, int t
                 name_of(format), threads, threads == 1 ? "" : "s");
 }
 
+/// A row of the stages' medians.
+bool print_stages_of(const std::string& filter, const OIIO::ImageBuf& image, double scale,
+                     Memory memory, int rounds) {
+    ddt::Statistics s;
+    const Way way = ddt_way(filter, &s);
+    OIIO::ImageBuf into;
+    Task task{image, scale, 1, nullptr};
+    if (memory == Memory::warm) {
+        into = warm_image(task);
+        task.into = &into;
+    }
+    Times stage[5];
+    for (int round = 0; round < rounds; ++round) {
+        if (way.run(task) < 0)
+            return false;
+        const int64_t spent[5] = {s.times.read, s.times.triangulate, s.times.surface,
+                                  s.times.sample, s.times.write};
+        for (int i = 0; i < 5; ++i)
+            stage[i].push_back(double(spent[i]) / output_pixels(image, scale));
+    }
+    // Halos are worked on too: a pixel of the image is less than one of the tiles'.
+    const double source = double(image.spec().image_pixels());
+    std::printf("%-14s %4gx %s %7.2f %11.2f %7.2f %7.2f %7.2f   %.2f, %.2f\n", filter.c_str(),
+                scale, name_of(memory), median(stage[0]), median(stage[1]), median(stage[2]),
+                median(stage[3]), median(stage[4]), double(s.evaluations) / source,
+                double(s.flips) / source);
+    std::fflush(stdout);
+    return true;
+}
+
 } // namespace
 
 bool print_ratios(const Pictures& pictures, const Plan& plan) {
@@ -84,29 +114,13 @@ bool print_stages(const Pictures& pictures, const Plan& plan) {
     for (const Format format : plan.formats) {
         const OIIO::ImageBuf image = pictures.make(plan.megapixels, format);
         heading("ns/output pixel", image, format, 1);
-        std::printf("%-20s %7s %11s %7s %7s %7s   evaluations, flips a source pixel\n", "", "guide",
+        std::printf("%-26s %7s %11s %7s %7s %7s   evaluations, flips a source pixel\n", "", "guide",
                     "triangulate", "surface", "sample", "encode");
         for (const double scale : plan.scales)
-            for (const std::string& filter : plan.filters) {
-                ddt::Statistics s;
-                const Way way = ddt_way(filter, &s);
-                Times stage[5];
-                for (int round = 0; round < plan.rounds; ++round) {
-                    if (way.run({image, scale, 1, nullptr}) < 0)
+            for (const std::string& filter : plan.filters)
+                for (const Memory memory : plan.memory)
+                    if (!print_stages_of(filter, image, scale, memory, plan.rounds))
                         return false;
-                    const int64_t spent[5] = {s.times.read, s.times.triangulate, s.times.surface,
-                                              s.times.sample, s.times.write};
-                    for (int i = 0; i < 5; ++i)
-                        stage[i].push_back(double(spent[i]) / output_pixels(image, scale));
-                }
-                // Halos are worked on too: a pixel of the image is less than one of the tiles'.
-                const double source = double(image.spec().image_pixels());
-                std::printf("%-14s %4gx %7.2f %11.2f %7.2f %7.2f %7.2f   %.2f, %.2f\n",
-                            filter.c_str(), scale, median(stage[0]), median(stage[1]),
-                            median(stage[2]), median(stage[3]), median(stage[4]),
-                            double(s.evaluations) / source, double(s.flips) / source);
-                std::fflush(stdout);
-            }
     }
     return true;
 }
