@@ -7,6 +7,8 @@
 #include <type_traits>
 
 #include "core/base/arith.h"
+#include "core/base/row_lanes.h"
+#include "core/sample/phases.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/sample/evaluate.cpp"
@@ -25,6 +27,7 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 #include "core/surface/patch-inl.h"
 
 #include "core/base/blocks-inl.h"
+#include "core/base/row_lanes-inl.h"
 
 #include "core/surface/crossing-inl.h"
 
@@ -60,8 +63,7 @@ struct Output {
         f.store(lanes);
         const int blocks = blocks_in_vector();
         for (int k = 0; k < blocks && i + k < end; ++k)
-            for (int c = 0; c < count; ++c)
-                p[k * channels + c] = lanes[k * group_size + c];
+            store_pixel(PixelLanes::load(lanes + k * group_size), count, p + k * channels);
     }
 };
 
@@ -148,9 +150,9 @@ HWY_INLINE void with_cell(const NetCells& net, const Strictness& strict, ptrdiff
                           Each&& each) {
     PlainCell<Blocks> cell = load_cell<quadratic, soft>(net, at);
     if (down)
-        cell.template divide_down<soft>();
+        cell.template divide_down<soft>(cell.first, cell.second);
     else
-        cell.template divide_up<soft>();
+        cell.template divide_up<soft>(cell.first, cell.second);
     if (cell.is_tame())
         with_divided<quadratic, soft, down, true>(cell, strict, each);
     else
@@ -188,18 +190,19 @@ HWY_INLINE void evaluate_spans(const Net& whole, const LocatedRow& row, const Ou
             evaluate_cell<quadratic, soft>(net, strict, row, span, out);
 }
 
-/// All of a block. What is stored too much is overwritten by the range to the right, except at the
-/// end of a row: there stands what is not the block's.
+/// A block's ranges. What is stored too much is overwritten by the range to the right, except
+/// before what evaluate_phases() made and at the end of a row: there stands what is not the
+/// block's.
 template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_ranges(const Net& whole, const Columns& columns, const LocatedBlock& block,
                                 const Output& first, size_t row) {
     const int step = blocks_in_vector();
-    const int width = block.ranges.back().end;
     Output out[LocatedBlock::most_rows];
     size_t span[LocatedBlock::most_rows] = {};
     const NetView net(whole);
-    const NetCells cells(net, soft, block.ranges.front().site);
-    const ptrdiff_t first_cell = net.place(block.ranges.front().site);
+    const int first_site = 2 * block.cell_row * whole.stride;
+    const NetCells cells(net, soft, first_site);
+    const ptrdiff_t first_cell = net.place(first_site);
     const Strictness strict(whole);
     CellPositions positions;
     HWY_ALIGN float values[CellPositions::most * group_size + row_padding];
@@ -208,9 +211,10 @@ HWY_INLINE void evaluate_ranges(const Net& whole, const Columns& columns, const 
         out[r].to += size_t(r) * row;
     }
     for (const LocatedBlock::Range& range : block.ranges) {
-        const bool at_end = (width - range.end) * first.channels < row_padding;
-        for (int r = 0; at_end && r < block.count; ++r)
-            out[r].whole = false;
+        const bool exact = range.end <= columns.alike.end() ||
+                           (columns.count - range.end) * first.channels < row_padding;
+        for (int r = 0; r < block.count; ++r)
+            out[r].whole = first.whole && !exact;
         if (range.kind != Span::triangle) {
             const ptrdiff_t place = net.place(range.site) - first_cell;
             with_cell<quadratic, soft>(cells, strict, range.kind, place, [&](auto&& at) HWY_ATTR {
@@ -352,6 +356,8 @@ void evaluate_row(const Net& net, Surface surface, NearestMask nearest, const Lo
 void evaluate_block(const Net& net, Surface surface, const Columns& columns,
                     const LocatedBlock& block, int channels, int first, int count, float* out,
                     size_t row) {
+    if (columns.alike.cells)
+        evaluate_phases(net, surface, columns, block, channels, first, count, out, row);
     HWY_DYNAMIC_DISPATCH(evaluate_rows)
     (net, surface, columns, block, channels, first, count, out, row);
 }

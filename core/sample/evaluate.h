@@ -56,6 +56,14 @@ struct Search {
 void locate_row(const Lattice& lattice, const Point* points, int n, Search& search,
                 LocatedRow& row);
 
+/// Positions in a cell, along x, that evaluate_phases() (phases.h) can be asked for.
+constexpr int least_phases = 2, most_phases = 4;
+/// Those that it is worth being asked for, of pictures with so many channels: more fill vectors of
+/// their own (measured: four in RGB take as long either way).
+inline int useful_phases(int channels) {
+    return channels <= 2 ? most_phases : 3;
+}
+
 /// Where the positions of all rows lie along x, for mappings whose axes are independent.
 struct Columns {
     /// Positions begin .. end - 1 lie in the cells with this first corner.
@@ -64,9 +72,24 @@ struct Columns {
     };
     std::vector<Run> runs;
     std::vector<float> x; ///< relative to the cell's first corner; padded to whole vectors
+    int count = 0;        ///< of positions
 
-    /// Of n positions in ascending order, on a lattice of `width` pixels.
-    void find(const Point* points, int n, int width);
+    /// Neighbouring cells whose positions lie alike in each: so they do in all but a picture's
+    /// first and last where it is enlarged a whole number of times.
+    struct Alike {
+        int cell = 0, cells = 0; ///< the first, and how many; 0: none
+        int begin = 0;           ///< the first position
+        int phases = 0;          ///< positions in a cell; those of the first are x[begin] and on
+        int end() const { return begin + cells * phases; }
+    };
+    Alike alike;
+
+    /// Of n positions in ascending order, on a lattice of `width` pixels; alike: none with more
+    /// than `phases`.
+    void find(const Point* points, int n, int width, int phases);
+
+private:
+    void find_alike(int phases);
 };
 
 /// The triangles and weights of neighbouring rows of positions within one row of cells. What cells
@@ -74,7 +97,8 @@ struct Columns {
 struct LocatedBlock {
     static constexpr int most_rows = 8;
 
-    /// Neighbouring columns that lie in one cell, or (kind triangle) in some that are not plain.
+    /// Neighbouring columns that lie in one cell, or (kind triangle) in some that are not plain. Of
+    /// Columns::alike those that are not plain alone.
     struct Range {
         Span::Kind kind;
         int begin, end;
@@ -82,9 +106,12 @@ struct LocatedBlock {
         /// Those of `crossing` with positions in the one cell; none: `rows` has the positions.
         int triangle = 0, triangles = 0;
     };
-    std::vector<Range> ranges; ///< in order, without gaps
-    int count = 0;             ///< of rows
-    float y[most_rows];        ///< the rows' positions relative to the cells' first corners
+    std::vector<Range> ranges; ///< in order
+    int cell_row = 0;          ///< the row of cells
+    std::vector<float> down; ///< of those of Columns::alike, 1 where the diagonal is down, else 0;
+                             ///< padded to whole vectors
+    int count = 0;           ///< of rows
+    float y[most_rows];      ///< the rows' positions relative to the cells' first corners
     std::vector<CrossingTriangle> crossing;
     LocatedRow rows[most_rows]; ///< where a cell has more positions than CellPositions
 };

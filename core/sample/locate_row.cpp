@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/surface/edge_scratch.h"
+
 namespace ddt {
 
 namespace {
@@ -119,8 +121,9 @@ void locate_row(const Lattice& lattice, const Point* points, int n, Search& sear
     }
 }
 
-void Columns::find(const Point* points, int n, int width) {
+void Columns::find(const Point* points, int n, int width, int phases) {
     runs.clear();
+    count = n;
     x.resize(size_t(n) + row_padding);
     for (int i = 0; i < n; ++i) {
         const int cell = cell_of(points[i].x, width);
@@ -128,6 +131,27 @@ void Columns::find(const Point* points, int n, int width) {
             runs.push_back({cell, i, i});
         runs.back().end = i + 1;
         x[size_t(i)] = float(points[i].x - cell * position_one) * unit;
+    }
+    find_alike(phases);
+}
+
+/// Find the longest stretch of such cells.
+void Columns::find_alike(int phases) {
+    // Fewer may not fill a vector.
+    constexpr int least_cells = 16;
+    const auto follows = [&](const Run& last, const Run& run) {
+        const int n = run.end - run.begin;
+        return run.cell == last.cell + 1 && n == last.end - last.begin &&
+               std::equal(&x[size_t(run.begin)], &x[size_t(run.begin)] + n, &x[size_t(last.begin)]);
+    };
+    alike = {};
+    for (size_t i = 0, end = 0; i < runs.size(); i = end) {
+        for (end = i + 1; end < runs.size() && follows(runs[end - 1], runs[end]);)
+            ++end;
+        const Alike found{runs[i].cell, int(end - i), runs[i].begin, runs[i].end - runs[i].begin};
+        if (least_phases <= found.phases && found.phases <= phases &&
+            found.cells >= std::max(least_cells, alike.cells + 1))
+            alike = found;
     }
 }
 
@@ -142,6 +166,10 @@ bool is_in_rows(const LocatedBlock::Range& range) {
 bool find_ranges(const Lattice& lattice, const Columns& columns, int cy, LocatedBlock& block) {
     const int first_site = lattice.vertex_site(0, cy);
     const Division* divisions = lattice.divisions(cy);
+    const Columns::Alike& alike = columns.alike;
+    block.cell_row = cy;
+    block.down.resize(size_t(alike.cells) + row_padding);
+    flag_down(divisions + alike.cell, 0, alike.cells, block.down.data());
     block.ranges.resize(columns.runs.size());
     block.crossing.clear();
     CellPositions positions;
@@ -150,6 +178,8 @@ bool find_ranges(const Lattice& lattice, const Columns& columns, int cy, Located
     LocatedBlock::Range* range = first;
     for (const Columns::Run& run : columns.runs) {
         *range = {kind_of(divisions[run.cell]), run.begin, run.end, first_site + 2 * run.cell};
+        if (range->kind != Span::triangle && alike.begin <= run.begin && run.begin < alike.end())
+            continue;
         const int n = run.end - run.begin;
         if (range->kind == Span::triangle && n * block.count <= CellPositions::most) {
             positions.set(columns.x.data() + run.begin, n, block.y, block.count);
@@ -158,7 +188,7 @@ bool find_ranges(const Lattice& lattice, const Columns& columns, int cy, Located
             range->triangles = int(block.crossing.size()) - range->triangle;
         } else if (range->kind == Span::triangle) {
             any_in_rows = true;
-            if (range > first && is_in_rows(range[-1])) {
+            if (range > first && is_in_rows(range[-1]) && range[-1].end == run.begin) {
                 range[-1].end = run.end;
                 continue;
             }

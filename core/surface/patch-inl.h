@@ -79,6 +79,24 @@ struct Patch {
     }
 };
 
+/// Where a position lies in a cell that its own diagonal divides (PlainCell): in the first triangle
+/// if d is negative, else in the second, with these weights.
+template <class T>
+struct DividedWeights {
+    T d, b0, b1, b2;
+
+    static DDT_INLINE DividedWeights down(T x, T y) {
+        const T zero = T(0.0f), one = T(1.0f), d = x - y;
+        return {d, if_less(d, zero, one - y, one - x), if_less(d, zero, x, d),
+                if_less(d, zero, y - x, y)};
+    }
+    static DDT_INLINE DividedWeights up(T x, T y) {
+        const T zero = T(0.0f), one = T(1.0f), d = (x + y) - one;
+        return {d, if_less(d, zero, one - (x + y), one - y), if_less(d, zero, x, d),
+                if_less(d, zero, y, one - x)};
+    }
+};
+
 /// A cell that its own diagonal divides into two triangles, in Triangle's order:
 ///
 ///     down: 0 > 1    first  0 3 2    up:  0 > 1    first  0 1 2
@@ -94,25 +112,25 @@ struct PlainCell {
     Patch<T> first, second;
 
     template <bool soft>
-    DDT_INLINE void divide_down() {
-        first.z0 = z0, first.z1 = z3, first.z2 = z2;
-        first.e01 = diagonal, first.e12 = e23, first.e20 = e02;
-        second.z0 = z0, second.z1 = z1, second.z2 = z3;
-        second.e01 = e01, second.e12 = e13, second.e20 = diagonal;
+    DDT_INLINE void divide_down(Patch<T>& one, Patch<T>& two) const {
+        one.z0 = z0, one.z1 = z3, one.z2 = z2;
+        one.e01 = diagonal, one.e12 = e23, one.e20 = e02;
+        two.z0 = z0, two.z1 = z1, two.z2 = z3;
+        two.e01 = e01, two.e12 = e13, two.e20 = diagonal;
         if (soft) {
-            first.q01 = soft_diagonal, first.q12 = q23, first.q20 = q02;
-            second.q01 = q01, second.q12 = q13, second.q20 = soft_diagonal;
+            one.q01 = soft_diagonal, one.q12 = q23, one.q20 = q02;
+            two.q01 = q01, two.q12 = q13, two.q20 = soft_diagonal;
         }
     }
     template <bool soft>
-    DDT_INLINE void divide_up() {
-        first.z0 = z0, first.z1 = z1, first.z2 = z2;
-        first.e01 = e01, first.e12 = diagonal, first.e20 = e02;
-        second.z0 = z1, second.z1 = z3, second.z2 = z2;
-        second.e01 = e13, second.e12 = e23, second.e20 = diagonal;
+    DDT_INLINE void divide_up(Patch<T>& one, Patch<T>& two) const {
+        one.z0 = z0, one.z1 = z1, one.z2 = z2;
+        one.e01 = e01, one.e12 = diagonal, one.e20 = e02;
+        two.z0 = z1, two.z1 = z3, two.z2 = z2;
+        two.e01 = e13, two.e12 = e23, two.e20 = diagonal;
         if (soft) {
-            first.q01 = q01, first.q12 = soft_diagonal, first.q20 = q02;
-            second.q01 = q13, second.q12 = q23, second.q20 = soft_diagonal;
+            one.q01 = q01, one.q12 = soft_diagonal, one.q20 = q02;
+            two.q01 = q13, two.q12 = q23, two.q20 = soft_diagonal;
         }
     }
 
@@ -155,16 +173,13 @@ struct PlainCell {
 
     template <bool quadratic, bool soft, bool tame>
     DDT_INLINE T at_down(T x, T y) const {
-        const T zero = T(0.0f), one = T(1.0f), d = x - y;
-        return choose<quadratic, soft>(d).template at<quadratic, soft, tame>(
-            if_less(d, zero, one - y, one - x), if_less(d, zero, x, d), if_less(d, zero, y - x, y));
+        const auto b = DividedWeights<T>::down(x, y);
+        return choose<quadratic, soft>(b.d).template at<quadratic, soft, tame>(b.b0, b.b1, b.b2);
     }
     template <bool quadratic, bool soft, bool tame>
     DDT_INLINE T at_up(T x, T y) const {
-        const T zero = T(0.0f), one = T(1.0f), d = (x + y) - one;
-        return choose<quadratic, soft>(d).template at<quadratic, soft, tame>(
-            if_less(d, zero, one - (x + y), one - y), if_less(d, zero, x, d),
-            if_less(d, zero, y, one - x));
+        const auto b = DividedWeights<T>::up(x, y);
+        return choose<quadratic, soft>(b.d).template at<quadratic, soft, tame>(b.b0, b.b1, b.b2);
     }
 };
 

@@ -66,7 +66,8 @@ public:
         for (const int32_t px : x)
             points.push_back({px, 0});
         Columns columns;
-        columns.find(points.data(), int(points.size()), m_scene.lattice.width());
+        columns.find(points.data(), int(points.size()), m_scene.lattice.width(), most_phases);
+        m_alike = columns.alike;
         const size_t width = x.size() * size_t(m_channels), row = width + 3;
         constexpr float canary = -77.0f;
         std::vector<float> out(row * y.size(), canary);
@@ -91,8 +92,12 @@ public:
         return values;
     }
 
+    /// Of the last grid().
+    const Columns::Alike& alike() const { return m_alike; }
+
 private:
     const Scene& m_scene;
+    Columns::Alike m_alike;
     Surface m_surface;
     int m_channels;
     NearestMask m_nearest;
@@ -259,6 +264,20 @@ TEST(Evaluate, ARowIsItsPositionsOneByOne) {
     });
 }
 
+/// A grid's values are those of its rows one by one.
+void expect_rows(Reader& reader, const std::vector<int32_t>& x, const std::vector<int32_t>& y) {
+    const auto grid = reader.grid(x, y);
+    for (size_t r = 0; r < y.size(); ++r) {
+        std::vector<Point> points;
+        for (const int32_t px : x)
+            points.push_back({px, y[r]});
+        const auto row = reader.row(points.data(), int(points.size()));
+        const auto begin = grid.begin() + ptrdiff_t(r * row.size());
+        const std::vector<float> same(begin, begin + ptrdiff_t(row.size()));
+        ASSERT_EQ(differing(row, same), 0u) << r;
+    }
+}
+
 TEST(Evaluate, BlocksHaveTheBitsOfRows) {
     on_each_target([] {
         each_scene([](const Scene& scene, Random& random) {
@@ -282,16 +301,7 @@ TEST(Evaluate, BlocksHaveTheBitsOfRows) {
                         Reader reader(scene, surface, values, channels, 0, workspace.gain, tau);
                         const auto x = positions(l.width(), channels * 20000);
                         const auto y = positions(l.height(), 30000);
-                        const auto grid = reader.grid(x, y);
-                        for (size_t r = 0; r < y.size(); ++r) {
-                            std::vector<Point> points;
-                            for (const int32_t px : x)
-                                points.push_back({px, y[r]});
-                            const auto row = reader.row(points.data(), int(points.size()));
-                            const auto begin = grid.begin() + ptrdiff_t(r * row.size());
-                            const std::vector<float> same(begin, begin + ptrdiff_t(row.size()));
-                            ASSERT_EQ(differing(row, same), 0u) << r << ' ' << channels;
-                        }
+                        expect_rows(reader, x, y);
                     }
         });
     });
@@ -545,6 +555,73 @@ TEST(Evaluate, ChannelsDoNotKnowOfOneAnother) {
                     << channels << ' ' << c;
             }
         }
+}
+
+TEST(Evaluate, PositionsThatLieAlikeInCellsHaveTheBitsOfRows) {
+    on_each_target([] {
+        Random random(5);
+        for (const int flips : {0, 40, 2000}) {
+            const Scene scene(29, 5, flips, random);
+            const Lattice& l = scene.lattice;
+            Workspace workspace;
+            find_gains(l, Cost::abn, workspace);
+            for (int phases = least_phases; phases <= most_phases; ++phases)
+                for (const int channels : {1, 2, 3, 4, 7})
+                    for (const float tau : {0.0f, 0.5f}) {
+                        SCOPED_TRACE(::testing::Message() << flips << " flips, " << phases << ", "
+                                                          << channels << ", " << tau);
+                        const auto kind = all_values[size_t(channels) % std::size(all_values)];
+                        const auto values = make_values(kind, scene.pixels() * channels, random);
+                        Reader reader(scene, surfaces[random.below(2)], values, channels, 0,
+                                      workspace.gain, tau, random.below(2) == 1);
+                        // From anywhere in a cell to anywhere in another; on ties too.
+                        const int32_t step = position_one / phases;
+                        const int32_t shift = random.below(2) * random.below(step);
+                        std::vector<int32_t> x, y;
+                        for (int i = random.below(2 * phases);
+                             i / phases < l.width() - 1 - random.below(3); ++i)
+                            x.push_back(i / phases * position_one + i % phases * step + shift);
+                        for (int32_t at = 0; at < (l.height() - 1) * position_one;
+                             at += position_one / 4)
+                            y.push_back(at);
+                        expect_rows(reader, x, y);
+                        // Few cells fall away at the ends.
+                        EXPECT_EQ(reader.alike().phases, phases);
+                        EXPECT_GE(reader.alike().cells, l.width() - 1 - 6);
+                    }
+        }
+    });
+}
+
+TEST(Columns, FindTheLongestStretchOfCellsThatAreAlike) {
+    const auto alike = [](const std::vector<int32_t>& x, int phases = most_phases) {
+        std::vector<Point> points;
+        for (const int32_t at : x)
+            points.push_back({at, 0});
+        Columns columns;
+        columns.find(points.data(), int(points.size()), 200, phases);
+        return columns.alike;
+    };
+    // 20 cells with three positions each, one with two, 30 with three.
+    std::vector<int32_t> x;
+    for (int cell = 5; cell < 56; ++cell)
+        for (int k = 0; k < (cell == 25 ? 2 : 3); ++k)
+            x.push_back(cell * position_one + 1000 + k * 20000);
+    const Columns::Alike found = alike(x);
+    EXPECT_EQ(found.cell, 26);
+    EXPECT_EQ(found.cells, 30);
+    EXPECT_EQ(found.begin, 20 * 3 + 2);
+    EXPECT_EQ(found.phases, 3);
+    EXPECT_EQ(found.end(), int(x.size()));
+    EXPECT_EQ(alike(x, 2).cells, 0);
+    // Elsewhere in every cell, or cells with none between.
+    for (size_t i = 0; i < x.size(); ++i)
+        x[i] = int32_t(i) * 21000;
+    EXPECT_EQ(alike(x).cells, 0);
+    for (size_t i = 0; i < x.size(); ++i)
+        x[i] = int32_t(i) / 2 * 2 * position_one + int32_t(i) % 2 * 30000;
+    EXPECT_EQ(alike(x).cells, 0);
+    EXPECT_EQ(alike({}).cells, 0);
 }
 
 } // namespace

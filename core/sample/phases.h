@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Positions that lie alike in neighbouring cells: cell beside cell in the lanes, channels as they
+// lie, in place of position beside position.
+#pragma once
+
+#include "core/sample/evaluate.h"
+
+namespace ddt {
+
+/// What evaluate_block() does of Columns::alike, as if all their cells were plain: the values of
+/// cells that are not may be anything.
+void evaluate_phases(const Net& net, Surface surface, const Columns& columns,
+                     const LocatedBlock& block, int channels, int first, int count, float* out,
+                     size_t row);
+
+} // namespace ddt
