@@ -33,26 +33,27 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
 /// Where results go.
 struct Output {
-    float* to = nullptr; ///< the row's first position, first channel of the group
+    float* to[LocatedBlock::most_rows]; ///< a row's first position, first channel of the group
     int channels = 0, count = 0;
     /// All lanes may be stored: what is too much is overwritten by what follows.
     bool whole = false;
     /// Lane i of a packed vector, one with no gaps between its blocks' channels, is lane packed[i].
     HWY_ALIGN int32_t packed[row_padding];
 
-    Output() = default;
-    Output(float* to_, int channels_, int count_)
-        : to(to_), channels(channels_), count(count_), whole(channels_ <= group_size) {
+    Output(float* to_, int rows, size_t row, int channels_, int count_)
+        : channels(channels_), count(count_), whole(channels_ <= group_size) {
+        for (int r = 0; r < rows; ++r)
+            to[r] = to_ + size_t(r) * row;
         const int lanes = int(hn::Lanes(D()));
         for (int i = 0; i < lanes; ++i)
             packed[i] = (i / count * group_size + i % count) % lanes;
     }
 
-    /// Blocks of positions i, i + 1, ... before end.
-    HWY_INLINE void store(Blocks f, int i, int end) const {
+    /// Blocks of positions i, i + 1, ... before end of row r.
+    HWY_INLINE void store(Blocks f, int i, int end, int r = 0) const {
         const D d;
         const hn::RebindToSigned<D> di;
-        float* p = to + size_t(i) * size_t(channels);
+        float* p = to[r] + size_t(i) * size_t(channels);
         if (whole) {
             if (channels < group_size)
                 f = hn::TableLookupLanes(f.v, hn::IndicesFromVec(d, hn::Load(di, packed)));
@@ -63,7 +64,15 @@ struct Output {
         f.store(lanes);
         const int blocks = blocks_in_vector();
         for (int k = 0; k < blocks && i + k < end; ++k)
-            store_pixel(PixelLanes::load(lanes + k * group_size), count, p + k * channels);
+            for (int c = 0; c < count; ++c)
+                p[k * channels + c] = lanes[k * group_size + c];
+    }
+
+    /// n positions' blocks, from position i of row r on, and nothing else.
+    HWY_INLINE void store_exactly(const float* blocks, int n, int i, int r) const {
+        float* p = to[r] + size_t(i) * size_t(channels);
+        for (int k = 0; k < n; ++k)
+            store_pixel(PixelLanes::load(blocks + k * group_size), count, p + k * channels);
     }
 };
 
@@ -78,24 +87,25 @@ struct Strictness {
 
 template <bool quadratic, bool soft, bool tame>
 HWY_INLINE void evaluate_patch(Patch<Blocks>& patch, const Strictness& strict,
-                               const LocatedRow& row, const Span& span, const Output& out) {
+                               const LocatedRow& row, const Span& span, const Output& out, int r) {
     patch.template find_range<soft, tame>(strict.lanes, strict.all);
     for (int i = span.begin; i < span.end; i += blocks_in_vector())
         out.store(patch.template at<quadratic, soft, tame>(spread(row.weight[0].data() + i),
                                                            spread(row.weight[1].data() + i),
                                                            spread(row.weight[2].data() + i)),
-                  i, span.end);
+                  i, span.end, r);
 }
 
 template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_triangle(const NetView& net, const Strictness& strict,
-                                  const LocatedRow& row, const Span& span, const Output& out) {
+                                  const LocatedRow& row, const Span& span, const Output& out,
+                                  int r = 0) {
     Patch<Blocks> patch;
     load_patch<quadratic, soft>(net, span.vertex, span.edge, patch);
     if (patch.is_tame())
-        evaluate_patch<quadratic, soft, true>(patch, strict, row, span, out);
+        evaluate_patch<quadratic, soft, true>(patch, strict, row, span, out, r);
     else
-        evaluate_patch<quadratic, soft, false>(patch, strict, row, span, out);
+        evaluate_patch<quadratic, soft, false>(patch, strict, row, span, out, r);
 }
 
 /// What a net has round a row of cells.
@@ -106,32 +116,6 @@ struct NetCells {
             softness = CellNumbers(net, net.soft, site);
     }
 };
-
-/// The plain cell `at` floats after the first.
-template <bool quadratic, bool soft>
-HWY_INLINE PlainCell<Blocks> load_cell(const NetCells& net, ptrdiff_t at) {
-    PlainCell<Blocks> cell;
-    const CellNumbers &values = net.values, &softness = net.softness;
-    cell.z0 = in_every_block(values.corner(at, 0, 0));
-    cell.z1 = in_every_block(values.corner(at, 1, 0));
-    cell.z2 = in_every_block(values.corner(at, 0, 1));
-    cell.z3 = in_every_block(values.corner(at, 1, 1));
-    if (quadratic) {
-        cell.e01 = in_every_block(values.top(at));
-        cell.e02 = in_every_block(values.left(at));
-        cell.diagonal = in_every_block(values.centre(at));
-        cell.e13 = in_every_block(values.right(at));
-        cell.e23 = in_every_block(values.bottom(at));
-    }
-    if (soft) {
-        cell.q01 = in_every_block(softness.top(at));
-        cell.q02 = in_every_block(softness.left(at));
-        cell.soft_diagonal = in_every_block(softness.centre(at));
-        cell.q13 = in_every_block(softness.right(at));
-        cell.q23 = in_every_block(softness.bottom(at));
-    }
-    return cell;
-}
 
 /// Call each(evaluator) with what evaluates the divided cell at x, y.
 template <bool quadratic, bool soft, bool down, bool tame, class Each>
@@ -148,7 +132,8 @@ HWY_INLINE void with_divided(PlainCell<Blocks>& cell, const Strictness& strict, 
 template <bool quadratic, bool soft, bool down, class Each>
 HWY_INLINE void with_cell(const NetCells& net, const Strictness& strict, ptrdiff_t at,
                           Each&& each) {
-    PlainCell<Blocks> cell = load_cell<quadratic, soft>(net, at);
+    PlainCell<Blocks> cell;
+    cell.template load<quadratic, soft>(net.values, net.softness, at, in_every_block);
     if (down)
         cell.template divide_down<soft>(cell.first, cell.second);
     else
@@ -195,9 +180,10 @@ HWY_INLINE void evaluate_spans(const Net& whole, const LocatedRow& row, const Ou
 /// block's.
 template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_ranges(const Net& whole, const Columns& columns, const LocatedBlock& block,
-                                const Output& first, size_t row) {
+                                Output out) {
     const int step = blocks_in_vector();
-    Output out[LocatedBlock::most_rows];
+    const bool one_group = out.whole;
+    const int phases_end = block.phases ? columns.alike.end() : 0;
     size_t span[LocatedBlock::most_rows] = {};
     const NetView net(whole);
     const int first_site = 2 * block.cell_row * whole.stride;
@@ -206,22 +192,16 @@ HWY_INLINE void evaluate_ranges(const Net& whole, const Columns& columns, const 
     const Strictness strict(whole);
     CellPositions positions;
     HWY_ALIGN float values[CellPositions::most * group_size + row_padding];
-    for (int r = 0; r < block.count; ++r) {
-        out[r] = first;
-        out[r].to += size_t(r) * row;
-    }
     for (const LocatedBlock::Range& range : block.ranges) {
-        const bool exact = range.end <= columns.alike.end() ||
-                           (columns.count - range.end) * first.channels < row_padding;
-        for (int r = 0; r < block.count; ++r)
-            out[r].whole = first.whole && !exact;
+        out.whole = one_group && range.end > phases_end &&
+                    (columns.count - range.end) * out.channels >= row_padding;
         if (range.kind != Span::triangle) {
             const ptrdiff_t place = net.place(range.site) - first_cell;
             with_cell<quadratic, soft>(cells, strict, range.kind, place, [&](auto&& at) HWY_ATTR {
                 for (int i = range.begin; i < range.end; i += step) {
                     const Blocks x = spread(columns.x.data() + i);
                     for (int r = 0; r < block.count; ++r)
-                        out[r].store(at(x, Blocks(block.y[r])), i, range.end);
+                        out.store(at(x, Blocks(block.y[r])), i, range.end, r);
                 }
             });
             continue;
@@ -233,16 +213,14 @@ HWY_INLINE void evaluate_ranges(const Net& whole, const Columns& columns, const 
                                                block.crossing.data() + range.triangle,
                                                size_t(range.triangles), positions, values);
             for (int r = 0; r < block.count; ++r)
-                for (int i = 0; i < n; i += step)
-                    out[r].store(Blocks::load(values + (r * n + i) * group_size), range.begin + i,
-                                 range.end);
+                out.store_exactly(values + r * n * group_size, n, range.begin, r);
             continue;
         }
         for (int r = 0; r < block.count; ++r) {
             const LocatedRow& located = block.rows[r];
             size_t& s = span[r];
             for (; s < located.spans.size() && located.spans[s].begin < range.end; ++s)
-                evaluate_triangle<quadratic, soft>(net, strict, located, located.spans[s], out[r]);
+                evaluate_triangle<quadratic, soft>(net, strict, located, located.spans[s], out, r);
         }
     }
 }
@@ -265,7 +243,7 @@ HWY_INLINE void for_surface(const Net& net, Surface surface, F&& f) {
 
 HWY_ATTR void evaluate(const Net& net, Surface surface, const LocatedRow& row, int channels,
                        int first, int count, float* to) {
-    const Output out(to + first, channels, count);
+    const Output out(to + first, 1, 0, channels, count);
     for_surface(net, surface, [&](auto quadratic, auto soft) HWY_ATTR {
         evaluate_spans<decltype(quadratic)::value, decltype(soft)::value>(net, row, out);
     });
@@ -274,10 +252,10 @@ HWY_ATTR void evaluate(const Net& net, Surface surface, const LocatedRow& row, i
 HWY_ATTR void evaluate_rows(const Net& net, Surface surface, const Columns& columns,
                             const LocatedBlock& block, int channels, int first, int count,
                             float* to, size_t row) {
-    const Output out(to + first, channels, count);
+    const Output out(to + first, block.count, row, channels, count);
     for_surface(net, surface, [&](auto quadratic, auto soft) HWY_ATTR {
-        evaluate_ranges<decltype(quadratic)::value, decltype(soft)::value>(net, columns, block, out,
-                                                                           row);
+        evaluate_ranges<decltype(quadratic)::value, decltype(soft)::value>(net, columns, block,
+                                                                           out);
     });
 }
 
@@ -356,7 +334,7 @@ void evaluate_row(const Net& net, Surface surface, NearestMask nearest, const Lo
 void evaluate_block(const Net& net, Surface surface, const Columns& columns,
                     const LocatedBlock& block, int channels, int first, int count, float* out,
                     size_t row) {
-    if (columns.alike.cells)
+    if (block.phases)
         evaluate_phases(net, surface, columns, block, channels, first, count, out, row);
     HWY_DYNAMIC_DISPATCH(evaluate_rows)
     (net, surface, columns, block, channels, first, count, out, row);

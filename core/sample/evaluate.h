@@ -59,9 +59,9 @@ void locate_row(const Lattice& lattice, const Point* points, int n, Search& sear
 /// Positions in a cell, along x, that evaluate_phases() (phases.h) can be asked for.
 constexpr int least_phases = 2, most_phases = 4;
 /// Those that it is worth being asked for, of pictures with so many channels: more fill vectors of
-/// their own (measured: four in RGB take as long either way).
+/// their own.
 inline int useful_phases(int channels) {
-    return channels <= 2 ? most_phases : 3;
+    return channels < group_size ? most_phases : most_phases - 1;
 }
 
 /// Where the positions of all rows lie along x, for mappings whose axes are independent.
@@ -97,8 +97,7 @@ private:
 struct LocatedBlock {
     static constexpr int most_rows = 8;
 
-    /// Neighbouring columns that lie in one cell, or (kind triangle) in some that are not plain. Of
-    /// Columns::alike those that are not plain alone.
+    /// Neighbouring columns that lie in one cell, or (kind triangle) in some that are not plain.
     struct Range {
         Span::Kind kind;
         int begin, end;
@@ -106,12 +105,13 @@ struct LocatedBlock {
         /// Those of `crossing` with positions in the one cell; none: `rows` has the positions.
         int triangle = 0, triangles = 0;
     };
-    std::vector<Range> ranges; ///< in order
+    std::vector<Range> ranges; ///< in order, without gaps but where evaluate_phases() makes
+                               ///< Columns::alike: of these, cells that are not plain alone
+    bool phases = false;       ///< it does: most of them are plain
+    std::vector<float> down;   ///< of these 1 where the diagonal is down, else 0; padded to vectors
     int cell_row = 0;          ///< the row of cells
-    std::vector<float> down; ///< of those of Columns::alike, 1 where the diagonal is down, else 0;
-                             ///< padded to whole vectors
-    int count = 0;           ///< of rows
-    float y[most_rows];      ///< the rows' positions relative to the cells' first corners
+    int count = 0;             ///< of rows
+    float y[most_rows];        ///< the rows' positions relative to the cells' first corners
     std::vector<CrossingTriangle> crossing;
     LocatedRow rows[most_rows]; ///< where a cell has more positions than CellPositions
 };

@@ -161,15 +161,32 @@ bool is_in_rows(const LocatedBlock::Range& range) {
     return range.kind == Span::triangle && range.triangles == 0;
 }
 
+/// Whether so many of these cells are plain that it is worth evaluating all as if they were
+/// (measured): of two positions along x half of them, of four 7/8.
+bool are_mostly_plain(const Division* divisions, const Columns::Alike& alike) {
+    constexpr int least_eighths[] = {4, 5, 7};
+    static_assert(least_phases == 2 && most_phases == 4, "the cases");
+    if (alike.cells == 0)
+        return false;
+    int crossed = 0;
+    for (int x = 0; x < alike.cells; ++x)
+        crossed += divisions[x] == Division::other;
+    return 8 * (alike.cells - crossed) >= least_eighths[alike.phases - least_phases] * alike.cells;
+}
+
 /// Find what the columns lie in, in row cy of cells, and the triangles of cells that other edges
 /// cross. Returns whether any of them have more positions than CellPositions.
 bool find_ranges(const Lattice& lattice, const Columns& columns, int cy, LocatedBlock& block) {
     const int first_site = lattice.vertex_site(0, cy);
     const Division* divisions = lattice.divisions(cy);
     const Columns::Alike& alike = columns.alike;
+    const Division* alike_divisions = divisions + alike.cell;
     block.cell_row = cy;
-    block.down.resize(size_t(alike.cells) + row_padding);
-    flag_down(divisions + alike.cell, 0, alike.cells, block.down.data());
+    block.phases = are_mostly_plain(alike_divisions, alike);
+    if (block.phases) {
+        block.down.resize(size_t(alike.cells) + row_padding);
+        flag_down(alike_divisions, 0, alike.cells, block.down.data());
+    }
     block.ranges.resize(columns.runs.size());
     block.crossing.clear();
     CellPositions positions;
@@ -178,7 +195,8 @@ bool find_ranges(const Lattice& lattice, const Columns& columns, int cy, Located
     LocatedBlock::Range* range = first;
     for (const Columns::Run& run : columns.runs) {
         *range = {kind_of(divisions[run.cell]), run.begin, run.end, first_site + 2 * run.cell};
-        if (range->kind != Span::triangle && alike.begin <= run.begin && run.begin < alike.end())
+        if (block.phases && range->kind != Span::triangle && alike.begin <= run.begin &&
+            run.begin < alike.end())
             continue;
         const int n = run.end - run.begin;
         if (range->kind == Span::triangle && n * block.count <= CellPositions::most) {

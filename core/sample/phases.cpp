@@ -28,8 +28,11 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
 /// A position in plain cells, whichever way these are divided.
 struct PlainPosition {
-    bool second_down, second_up; ///< in which triangle
-    float down[3], up[3];        ///< and its weights there
+    float down[3], up[3]; ///< its weights in its triangle
+    /// The quarter of the cell, between both diagonals, that it lies in: 2 where it is in the
+    /// second triangle of cells divided down, and 1 more where it is in the second of those divided
+    /// up.
+    size_t quarter;
 
     PlainPosition() = default;
     HWY_INLINE PlainPosition(float x, float y) {
@@ -37,11 +40,10 @@ struct PlainPosition {
             b[0] = hn::GetLane(w.b0.v), b[1] = hn::GetLane(w.b1.v), b[2] = hn::GetLane(w.b2.v);
             return !(hn::GetLane(w.d.v) < 0);
         };
-        second_down = place(DividedWeights<OneLane>::down(OneLane(x), OneLane(y)), down);
-        second_up = place(DividedWeights<OneLane>::up(OneLane(x), OneLane(y)), up);
+        const bool second_down = place(DividedWeights<OneLane>::down(OneLane(x), OneLane(y)), down);
+        const bool second_up = place(DividedWeights<OneLane>::up(OneLane(x), OneLane(y)), up);
+        quarter = size_t(second_down) * 2 + size_t(second_up);
     }
-    /// The quarter of the cell, between both diagonals, that it lies in.
-    int quarter() const { return int(second_down) * 2 + int(second_up); }
 };
 
 /// The positions of a cell, row by row, and the quarters that they lie in.
@@ -54,7 +56,7 @@ struct PlainPositions {
         for (int r = 0; r < rows; ++r)
             for (int k = 0; k < columns; ++k) {
                 positions[count] = PlainPosition(x[k], y[r]);
-                in_quarter[positions[count++].quarter()] = true;
+                in_quarter[positions[count++].quarter] = true;
             }
     }
 };
@@ -68,18 +70,8 @@ struct PlainCells {
     HWY_INLINE PlainCells(const CellNumbers& values, const CellNumbers& softness, ptrdiff_t at,
                           T is_down_)
         : is_down(is_down_) {
-        cell.z0 = T::load(values.corner(at, 0, 0)), cell.z1 = T::load(values.corner(at, 1, 0));
-        cell.z2 = T::load(values.corner(at, 0, 1)), cell.z3 = T::load(values.corner(at, 1, 1));
-        if (quadratic) {
-            cell.e01 = T::load(values.top(at)), cell.e02 = T::load(values.left(at));
-            cell.e13 = T::load(values.right(at)), cell.e23 = T::load(values.bottom(at));
-            cell.diagonal = T::load(values.centre(at));
-        }
-        if (soft) {
-            cell.q01 = T::load(softness.top(at)), cell.q02 = T::load(softness.left(at));
-            cell.q13 = T::load(softness.right(at)), cell.q23 = T::load(softness.bottom(at));
-            cell.soft_diagonal = T::load(softness.centre(at));
-        }
+        cell.template load<quadratic, soft>(values, softness, at,
+                                            [](const float* p) HWY_ATTR { return T::load(p); });
     }
 
     HWY_INLINE T either(T if_down, T if_up) const {
@@ -120,7 +112,7 @@ struct PlainCells {
     /// The surface at a position.
     template <bool tame>
     HWY_INLINE T at(const PlainPosition& p, const Patch<T> quarter[4]) const {
-        return quarter[p.quarter()].template at<quadratic, soft, tame>(
+        return quarter[p.quarter].template at<quadratic, soft, tame>(
             either(T(p.down[0]), T(p.up[0])), either(T(p.down[1]), T(p.up[1])),
             either(T(p.down[2]), T(p.up[2])));
     }
@@ -135,14 +127,17 @@ public:
           m_cells(int(hn::Lanes(RowTag())) / count) {
         const int lanes = int(hn::Lanes(RowTag()));
         m_vectors = (m_cells * phases * count + lanes - 1) / lanes;
+        float phase_of[most_phases * most_row_lanes];
         for (int i = 0; i < m_vectors * lanes; ++i) {
             const int pixel = i / count, cell = std::min(pixel / phases, m_cells - 1),
                       phase = pixel % phases, lane = cell * count + i % count;
             m_lane[i] = lane;
-            for (int k = 0; k < phases; ++k) {
-                m_here[k][i] = k == phase ? 1.0f : 0.0f;
-            }
+            phase_of[i] = float(phase);
         }
+        const RowTag d;
+        for (int j = 0; j < m_vectors; ++j)
+            for (int k = 0; k < phases; ++k)
+                m_here[j][k] = hn::Eq(hn::LoadU(d, phase_of + j * lanes), hn::Set(d, float(k)));
     }
     int cells() const { return m_cells; } ///< in a vector
 
@@ -156,11 +151,10 @@ public:
             return store_pixels(f, to);
         for (int j = 0; j < m_vectors; ++j) {
             RowLanes v;
+            const auto lane = hn::IndicesFromVec(d, hn::Load(di, m_lane + j * lanes));
             for (int k = 0; k < phases; ++k) {
-                const auto lane = hn::IndicesFromVec(d, hn::Load(di, m_lane + j * lanes));
                 const RowLanes own = hn::TableLookupLanes(f[k].v, lane);
-                v = k == 0 ? own
-                           : if_less(RowLanes(0.0f), RowLanes::load(m_here[k] + j * lanes), own, v);
+                v = k == 0 ? own : RowLanes(hn::IfThenElse(m_here[j][k], own.v, v.v));
             }
             const ptrdiff_t left = room - j * lanes;
             if (left >= lanes) {
@@ -186,7 +180,7 @@ private:
 
     int m_phases, m_count, m_channels, m_cells, m_vectors;
     HWY_ALIGN int32_t m_lane[most_phases * most_row_lanes];
-    HWY_ALIGN float m_here[most_phases][most_phases * most_row_lanes];
+    hn::Mask<RowTag> m_here[most_phases][most_phases]; ///< where vector j has phase k
 };
 
 /// Where results go.

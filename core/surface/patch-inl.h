@@ -111,6 +111,30 @@ struct PlainCell {
     T q01, q02, q13, q23, soft_diagonal; // softness
     Patch<T> first, second;
 
+    /// What a net has of a cell `at` floats after the first one's (CellNumbers); load: a T from
+    /// where its numbers are.
+    template <bool quadratic, bool soft, class Numbers, class From>
+    DDT_INLINE void load(const Numbers& values, const Numbers& softness, ptrdiff_t at, From from) {
+        z0 = from(values.corner(at, 0, 0));
+        z1 = from(values.corner(at, 1, 0));
+        z2 = from(values.corner(at, 0, 1));
+        z3 = from(values.corner(at, 1, 1));
+        if (quadratic) {
+            e01 = from(values.top(at));
+            e02 = from(values.left(at));
+            diagonal = from(values.centre(at));
+            e13 = from(values.right(at));
+            e23 = from(values.bottom(at));
+        }
+        if (soft) {
+            q01 = from(softness.top(at));
+            q02 = from(softness.left(at));
+            soft_diagonal = from(softness.centre(at));
+            q13 = from(softness.right(at));
+            q23 = from(softness.bottom(at));
+        }
+    }
+
     template <bool soft>
     DDT_INLINE void divide_down(Patch<T>& one, Patch<T>& two) const {
         one.z0 = z0, one.z1 = z3, one.z2 = z2;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sample/evaluate.h"
 
+#include <algorithm>
 #include <cfloat>
 
 #include "core/triangulate/triangulate.h"
@@ -68,6 +69,7 @@ public:
         Columns columns;
         columns.find(points.data(), int(points.size()), m_scene.lattice.width(), most_phases);
         m_alike = columns.alike;
+        m_blocks = m_together = m_mixed = 0;
         const size_t width = x.size() * size_t(m_channels), row = width + 3;
         constexpr float canary = -77.0f;
         std::vector<float> out(row * y.size(), canary);
@@ -76,6 +78,10 @@ public:
             const int rows = locate_block(m_scene.lattice, columns, points, y.data() + at,
                                           int(y.size() - at), search, block);
             EXPECT_GT(rows, 0);
+            ++m_blocks;
+            m_together += block.phases;
+            m_mixed += block.phases && std::any_of(block.ranges.begin(), block.ranges.end(),
+                                                   [](const auto& r) { return r.triangles > 0; });
             for (int g = 0; g < int(m_nets.size()); ++g)
                 evaluate_block(m_nets[size_t(g)], m_surface, columns, block, m_channels,
                                g * group_size, std::min(group_size, m_channels - g * group_size),
@@ -92,12 +98,17 @@ public:
         return values;
     }
 
-    /// Of the last grid().
+    /// Of the last grid(); of how many blocks they were evaluated together, and of how many with
+    /// cells among them that are not plain.
     const Columns::Alike& alike() const { return m_alike; }
+    int blocks() const { return m_blocks; }
+    int together() const { return m_together; }
+    int mixed() const { return m_mixed; }
 
 private:
     const Scene& m_scene;
     Columns::Alike m_alike;
+    int m_blocks = 0, m_together = 0, m_mixed = 0;
     Surface m_surface;
     int m_channels;
     NearestMask m_nearest;
@@ -560,8 +571,9 @@ TEST(Evaluate, ChannelsDoNotKnowOfOneAnother) {
 TEST(Evaluate, PositionsThatLieAlikeInCellsHaveTheBitsOfRows) {
     on_each_target([] {
         Random random(5);
-        for (const int flips : {0, 40, 2000}) {
-            const Scene scene(29, 5, flips, random);
+        constexpr int few = 70;
+        for (const int flips : {0, few, 6000}) {
+            const Scene scene(29, 13, flips, random);
             const Lattice& l = scene.lattice;
             Workspace workspace;
             find_gains(l, Cost::abn, workspace);
@@ -588,6 +600,10 @@ TEST(Evaluate, PositionsThatLieAlikeInCellsHaveTheBitsOfRows) {
                         // Few cells fall away at the ends.
                         EXPECT_EQ(reader.alike().phases, phases);
                         EXPECT_GE(reader.alike().cells, l.width() - 1 - 6);
+                        if (flips == 0)
+                            EXPECT_EQ(reader.together(), reader.blocks());
+                        else
+                            EXPECT_EQ(reader.mixed() > 0, flips == few);
                     }
         }
     });
