@@ -151,6 +151,11 @@ public:
         m_divisions.reserve(sites / 4);
     }
 
+    /// The bytes that it takes.
+    size_t bytes() const {
+        return m_sites.capacity() * sizeof(Site) + m_divisions.capacity() * sizeof(Division);
+    }
+
     int width() const { return m_width; }
     int height() const { return m_height; }
     int stride() const { return m_stride; }

@@ -27,23 +27,22 @@ size_t TileMesh::memory(const Job& job, int width, int height) {
     return sites * sizeof(Site) + pixels * sizeof(Division) + gains;
 }
 
-void TileMesh::triangulate(const float* guide, int width, int height, Workspace& workspace,
-                           Statistics& statistics) {
+void TileMesh::triangulate(const Job& job, const float* guide, int width, int height,
+                           Workspace& workspace, Statistics& statistics) {
     const DenormalsAreZero as_on_gpus;
-    // The memory of the gains that were kept is that of the next.
-    if (wants_gains(m_job.surface) && m_gain.capacity() > workspace.gain.capacity())
-        m_gain.swap(workspace.gain);
-    start(m_lattice, width, height, guide, m_job.mesh);
-    ddt::triangulate(m_lattice, m_job.mesh, workspace, statistics);
-    if (!wants_gains(m_job.surface))
+    if (wants_gains(job.surface))
+        give_gain(workspace);
+    start(m_lattice, width, height, guide, job.mesh);
+    ddt::triangulate(m_lattice, job.mesh, workspace, statistics);
+    if (!wants_gains(job.surface))
         return;
-    if (m_job.mesh.scheme != Scheme::one_round)
-        find_gains(m_lattice, criterion(m_job.mesh), workspace);
+    if (job.mesh.scheme != Scheme::one_round)
+        find_gains(m_lattice, criterion(job.mesh), workspace);
     m_gain.swap(workspace.gain);
 }
 
-void TileMesh::find_cells(const Tile& tile) {
-    const SurfaceOptions& surface = m_job.surface;
+void TileMesh::find_cells(const Job& job, const Tile& tile) {
+    const SurfaceOptions& surface = job.surface;
     // Rounds see further than the part that is sampled.
     const bool all = is_corrected(surface) || is_fitted(surface);
     const Rect seen = all ? m_lattice.all() : sampled_part(m_lattice, tile);

@@ -19,30 +19,34 @@ bool is_corrected(const SurfaceOptions& surface);
 /// halo.
 Rect sampled_part(const Lattice& lattice, const Tile& tile);
 
-/// A mesh and its memory, kept from one tile to the next.
+/// A mesh and its memory, kept from one tile to the next, and from job to job.
 class TileMesh {
 public:
-    explicit TileMesh(const Job& job) : m_job(job) {}
-
     /// Take the memory that a lattice of so many sites needs: a vector that grows from tile to tile
     /// would take up to twice of it.
     void reserve(size_t sites) { m_lattice.reserve(sites); }
+    /// Let the memory of gains that were kept be that of the next.
+    void give_gain(Workspace& workspace) {
+        if (m_gain.capacity() > workspace.gain.capacity())
+            m_gain.swap(workspace.gain);
+    }
     /// About the bytes that this takes for a lattice of width x height pixels.
     static size_t memory(const Job& job, int width, int height);
+    /// Those that it takes.
+    size_t bytes() const { return m_lattice.bytes() + m_gain.capacity() * sizeof(float); }
 
     /// Make the mesh of a width x height guide. Adds to `statistics`.
-    void triangulate(const float* guide, int width, int height, Workspace& workspace,
-                     Statistics& statistics);
+    void triangulate(const Job& job, const float* guide, int width, int height,
+                     Workspace& workspace, Statistics& statistics);
     /// Find what surfaces over the tile, or parts of it, ask the lattice for. Nothing changes from
     /// here on, whoever reads it.
-    void find_cells(const Tile& tile);
+    void find_cells(const Job& job, const Tile& tile);
 
     const Lattice& lattice() const { return m_lattice; }
     /// Workspace::gain of the finished mesh, if the job's surface wants it.
     const float* gain() const { return m_gain.data(); }
 
 private:
-    const Job& m_job;
     Lattice m_lattice;
     std::vector<float> m_gain;
 };

@@ -36,12 +36,14 @@ void TileWorker::reserve() {
     const size_t pixels =
         size_t(largest_tile(m_job.window.width())) * size_t(largest_tile(m_job.window.height()));
     const size_t sites = 4 * pixels;
-    m_meshed.values.reserve(pixels * size_t(m_job.channels) + group_size);
-    m_guide.reserve(pixels);
-    m_workspace.gain.reserve(sites);
-    m_meshed.meshes.reserve(size_t(m_job.mesh.meshes));
-    for (int k = 0; k < m_job.mesh.meshes; ++k)
-        m_meshed.meshes.emplace_back(m_job).reserve(sites);
+    m_memory->meshed.values.reserve(pixels * size_t(m_job.channels) + group_size);
+    m_memory->guide.reserve(pixels);
+    m_memory->meshed.meshes.resize(size_t(m_job.mesh.meshes));
+    m_memory->meshed.meshes[0].give_gain(m_memory->workspace);
+    m_memory->workspace.gain.reserve(sites);
+    for (TileMesh& mesh : m_memory->meshed.meshes)
+        mesh.reserve(sites);
+    m_reserved = true;
 }
 
 Outcome TileWorker::work(const Tile& tile, int first_row) {
@@ -52,27 +54,29 @@ Outcome TileWorker::work(const Tile& tile, int first_row) {
 Outcome TileWorker::begin(const Tile& tile, int first_row) {
     Rect reach = reach_of(tile, m_job.window, m_mapping);
     reach.y0 = std::max(reach.y0, first_row);
-    m_left.begin(m_meshed, {}, false, 0);
+    MeshedTile& meshed = m_memory->meshed;
+    m_left.begin(meshed, {}, false, 0);
     if (reach.empty())
         return Outcome::done;
-    if (m_meshed.meshes.empty())
+    if (!m_reserved)
         reserve();
     StageTimes& times = m_statistics.times;
     m_clock.start();
     if (!read(tile))
         return Outcome::source_failed;
     m_clock.lap(times.read);
-    for (size_t k = 0; k < m_meshed.meshes.size(); ++k) {
-        TileMesh& mesh = m_meshed.meshes[k];
-        mesh.triangulate(guide_of(k), m_meshed.width, m_meshed.height, m_workspace, m_statistics);
+    for (size_t k = 0; k < meshed.meshes.size(); ++k) {
+        TileMesh& mesh = meshed.meshes[k];
+        mesh.triangulate(m_job, guide_of(k), meshed.width, meshed.height, m_memory->workspace,
+                         m_statistics);
         m_clock.lap(times.triangulate);
-        mesh.find_cells(tile);
+        mesh.find_cells(m_job, tile);
         m_clock.lap(times.surface);
     }
     // Where positions come in any order all of a tile's surface is made before any of it is
     // sampled.
     const bool grid = m_writer.is_grid(tile, reach);
-    m_left.begin(m_meshed, reach, grid, grid ? TileWriter::least_shared_rows(reach) : 0);
+    m_left.begin(meshed, reach, grid, grid ? TileWriter::least_shared_rows(reach) : 0);
     m_clock.lap(times.sample);
     return Outcome::done;
 }
@@ -82,24 +86,27 @@ Outcome TileWorker::finish() {
 }
 
 bool TileWorker::read(const Tile& tile) {
-    m_workspace.origin_x = tile.pixels.x0 - m_job.window.x0;
-    m_workspace.origin_y = tile.pixels.y0 - m_job.window.y0;
-    m_meshed.tile = tile;
-    if (!read_tile(m_source, tile, m_job, m_meshed.values, m_guide, m_meshed.width,
-                   m_meshed.height))
+    Workspace& workspace = m_memory->workspace;
+    workspace.origin_x = tile.pixels.x0 - m_job.window.x0;
+    workspace.origin_y = tile.pixels.y0 - m_job.window.y0;
+    MeshedTile& meshed = m_memory->meshed;
+    meshed.tile = tile;
+    if (!read_tile(m_source, tile, m_job, meshed.values, m_memory->guide, meshed.width,
+                   meshed.height))
         return false;
-    m_meshed.values.resize(m_meshed.values.size() + group_size);
+    meshed.values.resize(meshed.values.size() + group_size);
     return true;
 }
 
 const float* TileWorker::guide_of(size_t mesh) {
     const float share = blur_share(m_job.mesh, int(mesh));
-    const bool last = mesh + 1 == m_meshed.meshes.size();
+    const MeshedTile& meshed = m_memory->meshed;
+    const bool last = mesh + 1 == meshed.meshes.size();
     if (!last)
-        m_blurred = m_guide;
-    std::vector<float>& guide = last ? m_guide : m_blurred;
+        m_memory->blurred = m_memory->guide;
+    std::vector<float>& guide = last ? m_memory->guide : m_memory->blurred;
     if (share > 0)
-        blur_guide(guide, m_meshed.width, m_meshed.height, share);
+        blur_guide(guide, meshed.width, meshed.height, share);
     return guide.data();
 }
 

@@ -2,11 +2,12 @@
 // Tiles from source pixels to output pixels.
 #pragma once
 
-#include <vector>
+#include <memory>
+#include <utility>
 
 #include "core/tiles/rows_left.h"
 #include "core/tiles/stage_clock.h"
-#include "core/tiles/tile_mesh.h"
+#include "core/tiles/tile_memory.h"
 #include "core/tiles/tile_writer.h"
 #include "ddt/core.h"
 
@@ -16,8 +17,11 @@ namespace ddt {
 class TileWorker {
 public:
     TileWorker(Source& source, Sink& sink, const Mapping& mapping, const Job& job)
-        : m_source(source), m_mapping(mapping), m_job(job),
+        : m_source(source), m_mapping(mapping), m_job(job), m_memory(take_idle_memory()),
           m_writer(sink, mapping, job, m_statistics.times) {}
+    ~TileWorker() { keep_idle_memory(std::move(m_memory)); }
+    TileWorker(const TileWorker&) = delete;
+    TileWorker& operator=(const TileWorker&) = delete;
 
     /// Read, triangulate, sample and write the tile's output rows from first_row on; nothing if the
     /// mapping shows none of it.
@@ -53,9 +57,8 @@ private:
     Statistics m_statistics;
     StageClock m_clock;
 
-    std::vector<float> m_guide, m_blurred;
-    Workspace m_workspace;
-    MeshedTile m_meshed;
+    std::unique_ptr<TileMemory> m_memory;
+    bool m_reserved = false; ///< it is enough for the job
     RowsLeft m_left;
     TileWriter m_writer;
 };

@@ -112,6 +112,7 @@ void fail_at_every_request(const Task& task, Whose whose, Bits result) {
             before_failure = n;
             for_good = forever;
             failed = 0;
+            ddt::release_memory(); // or less would be asked for
             failing = whose;
             const bool done = task(result, error);
             failing = Whose::nobodys;

@@ -130,4 +130,9 @@ enum class Outcome {
 Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                 std::string* error = nullptr);
 
+/// Give back the memory, up to 24 MiB, that a process keeps for its next enlarge() on the CPU: of
+/// two threads, if neither takes more than 12. It stays because to be given pages anew is a quarter
+/// of the time of a small picture. Thread-safe.
+void release_memory();
+
 } // namespace ddt

@@ -77,12 +77,15 @@ private:
     size_t m_channels;
 };
 
+/// Of a process that keeps nothing.
 int64_t peak_of(const Job& job, const Mapping& mapping) {
     Noise noise(job.channels);
+    release_memory();
     const int64_t before = heap_now;
     heap_peak = before;
     EXPECT_EQ(enlarge(noise, noise, mapping, job), Outcome::done);
     const int64_t peak = heap_peak - before;
+    release_memory();
     // Nothing is left behind, but for the few bytes of a thread that oneTBB has kept.
     EXPECT_LE(heap_now, before + (job.threads > 1 ? 256 * job.threads : 0));
     return peak;
@@ -211,6 +214,7 @@ TEST(Memory, AllThreadsThatAreAskedForWork) {
             const Job job = job_of(filter, {0, 0, 16384, 8192}, 3, threads);
             Crowd crowd(threads);
             warm_up(threads);
+            release_memory();
             const int64_t before = heap_now;
             heap_peak = before;
             EXPECT_EQ(enlarge(crowd, crowd, mapping_of(job.window, to, to), job),
@@ -218,6 +222,34 @@ TEST(Memory, AllThreadsThatAreAskedForWork) {
             EXPECT_EQ(crowd.reading.most(), threads) << filter;
             EXPECT_LE(heap_peak - before, 200 * mib + (threads - 16) * 22 * mib) << filter;
         }
+}
+
+TEST(Memory, StaysForTheNextJobAndNoMoreThanIsSaid) {
+    constexpr int threads = 8;
+    const tbb::global_control many(tbb::global_control::max_allowed_parallelism, threads);
+    warm_up(threads);
+    const Rect window{0, 0, 321, 321}, to{0, 0, 642, 642};
+    const auto kept_by = [&](const Job& job, const Rect& out) {
+        release_memory();
+        const int64_t before = heap_now;
+        Noise noise(job.channels);
+        EXPECT_EQ(enlarge(noise, noise, mapping_of(window, to, out), job), Outcome::done);
+        return heap_now - before;
+    };
+    const Job job = job_of("ddt", window, 3, 1);
+    const int64_t kept = kept_by(job, to);
+    EXPECT_GE(kept, 5 * mib);
+    // The next takes it, gives it back, and needs little more.
+    const int64_t before = heap_now;
+    heap_peak = before;
+    Noise noise(3);
+    EXPECT_EQ(enlarge(noise, noise, mapping_of(window, to, to), job), Outcome::done);
+    EXPECT_LE(heap_peak - before, 4 * mib);
+    EXPECT_EQ(heap_now, before);
+    // As ddt/job.h says: of two threads, if neither takes more than 12 MiB.
+    EXPECT_LE(kept_by(job_of("ddt", {0, 0, 1024, 1024}, 3, threads), {0, 0, 2048, 2048}), 24 * mib);
+    EXPECT_LE(kept_by(job_of("ddt", window, 64, 1), {0, 0, 642, 2}), mib);
+    release_memory();
 }
 
 TEST(Memory, SomeThreadsTakeWhatIsPromisedForAll) {
