@@ -150,12 +150,10 @@ public:
         if (m_channels != m_count)
             return store_pixels(f, to);
         for (int j = 0; j < m_vectors; ++j) {
-            RowLanes v;
             const auto lane = hn::IndicesFromVec(d, hn::Load(di, m_lane + j * lanes));
-            for (int k = 0; k < phases; ++k) {
-                const RowLanes own = hn::TableLookupLanes(f[k].v, lane);
-                v = k == 0 ? own : RowLanes(hn::IfThenElse(m_here[j][k], own.v, v.v));
-            }
+            RowLanes v = hn::TableLookupLanes(f[0].v, lane);
+            for (int k = 1; k < phases; ++k)
+                v = hn::IfThenElse(m_here[j][k], hn::TableLookupLanes(f[k].v, lane), v.v);
             const ptrdiff_t left = room - j * lanes;
             if (left >= lanes) {
                 v.store(to + j * lanes);

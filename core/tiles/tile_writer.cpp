@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 #include "core/base/arith.h"
+#include "core/base/stream_copy.h"
 #include "core/tiles/tile_io.h"
 
 namespace ddt {
@@ -31,11 +33,21 @@ bool follows(const Point& a, const Point& b) {
 /// needs round any part of it is made for each part.
 constexpr size_t shared_pixels = size_t(1) << 15;
 
+/// Floats of a result that is larger than what a core has of the caches, by far.
+constexpr size_t least_past_caches = size_t(1) << 24;
+
 } // namespace
 
 size_t TileWriter::memory(const Job& job, int width, int height, bool rows) {
     return size_t(job.mesh.meshes) * TileSurface::memory(job, width, height, rows) +
            (job.mesh.meshes > 1 ? 2 : 1) * strip_floats * sizeof(float);
+}
+
+TileWriter::TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times)
+    : m_sink(sink), m_mapping(mapping), m_job(job), m_times(times) {
+    constexpr double all = std::numeric_limits<double>::infinity();
+    m_past_caches =
+        mapping.reach(-all, -all, all, all).area() * size_t(job.channels) >= least_past_caches;
 }
 
 int TileWriter::least_shared_rows(const Rect& pixels) {
@@ -64,6 +76,11 @@ void TileWriter::make_edges_for(int32_t y, int32_t keep) {
     for (TileSurface& surface : m_surfaces)
         surface.make_edges_for(y, keep);
     m_clock.lap(m_times.surface);
+}
+
+/// The same for row y of those that are written; other columns of the same rows may come next.
+void TileWriter::make_edges_for_row(int y, bool panels) {
+    make_edges_for(m_ys[size_t(y)], m_ys[panels ? 0 : size_t(y)]);
 }
 
 /// Whether columns lie at ascending positions, each so near to the one before that it follows it.
@@ -235,16 +252,16 @@ Outcome TileWriter::write_rows(const Tile& tile, const Rect& rows, bool panels) 
     for (int y = rows.y0; y < rows.y1; ++y)
         m_ys.push_back(y_of(tile, y, rows.x0));
     const bool blocks = !any_nearest();
-    size_t row = size_t(rows.width()) * channels, place_row = row;
-    float* const place = blocks ? m_sink.place(rows, place_row) : nullptr;
-    if (place)
-        row = place_row; // a sink without a place may have set it to anything
-    else
-        m_out.resize(rows.area() * channels + row_padding);
+    size_t row = 0;
+    if (float* const place = blocks ? m_sink.place(rows, row) : nullptr) {
+        place_rows(rows, panels, place, row);
+        return Outcome::done;
+    }
+    row = size_t(rows.width()) * channels;
+    m_out.resize(rows.area() * channels + row_padding);
     for (int y = 0; y < rows.height();) {
-        float* out = (place ? place : m_out.data()) + size_t(y) * row;
-        // Other columns of the same rows may come next.
-        make_edges_for(m_ys[size_t(y)], m_ys[panels ? 0 : size_t(y)]);
+        float* out = m_out.data() + size_t(y) * row;
+        make_edges_for_row(y, panels);
         if (blocks) {
             y += sample_block(m_ys.data() + y, rows.height() - y, out, row);
             continue;
@@ -254,10 +271,31 @@ Outcome TileWriter::write_rows(const Tile& tile, const Rect& rows, bool panels) 
         sample(rows.width(), out);
         ++y;
     }
-    if (!place)
-        return hand_over(rows) ? Outcome::done : Outcome::sink_failed;
+    return hand_over(rows) ? Outcome::done : Outcome::sink_failed;
+}
+
+/// The same of rows that the sink has a place for, `row` floats apart.
+void TileWriter::place_rows(const Rect& rows, bool panels, float* place, size_t row) {
+    const int height = rows.height();
+    const size_t own_row = size_t(rows.width()) * size_t(m_job.channels);
+    if (m_past_caches)
+        m_out.resize(size_t(std::min(height, LocatedBlock::most_rows)) * own_row + row_padding);
+    for (int y = 0; y < height;) {
+        make_edges_for_row(y, panels);
+        const int32_t* ys = m_ys.data() + y;
+        float* to = place + size_t(y) * row;
+        if (!m_past_caches) {
+            y += sample_block(ys, height - y, to, row);
+            continue;
+        }
+        const int made = sample_block(ys, height - y, m_out.data(), own_row);
+        for (int r = 0; r < made; ++r)
+            stream_copy(m_out.data() + size_t(r) * own_row, own_row, to + size_t(r) * row);
+        y += made;
+    }
+    if (m_past_caches)
+        finish_streams();
     m_clock.lap(m_times.sample);
-    return Outcome::done;
 }
 
 Outcome TileWriter::write_runs(const Tile& tile, const Rect& row) {

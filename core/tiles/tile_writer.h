@@ -17,8 +17,7 @@ namespace ddt {
 /// tile to the next.
 class TileWriter {
 public:
-    TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times)
-        : m_sink(sink), m_mapping(mapping), m_job(job), m_times(times) {}
+    TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times);
 
     /// Write what is left of a tile.
     Outcome write(RowsLeft& left);
@@ -37,12 +36,14 @@ private:
     int32_t y_of(const Tile& tile, int y, int x) const;
     Tile part_of(const Tile& tile, const Rect& pixels) const;
     void make_edges_for(int32_t y, int32_t keep);
+    void make_edges_for_row(int y, bool panels);
     bool ascends(const Tile& tile, const Rect& row);
     void find_columns(const Tile& tile, const Rect& rows);
     template <class F>
     Outcome each_panel(const Rect& r, F&& f) const;
     Outcome write_strip(const Rect& rows, bool grid, bool panels);
     Outcome write_rows(const Tile& tile, const Rect& rows, bool panels);
+    void place_rows(const Rect& rows, bool panels, float* place, size_t row);
     Outcome write_runs(const Tile& tile, const Rect& row);
     void sample(int n, float* out);
     int sample_block(const int32_t* y, int n, float* out, size_t row);
@@ -56,6 +57,7 @@ private:
     StageTimes& m_times;
     StageClock m_clock;
 
+    bool m_past_caches; ///< results are put where the sink has a place for them
     const MeshedTile* m_meshed = nullptr;
     std::vector<TileSurface> m_surfaces; ///< one a mesh
     std::vector<Position> m_positions;

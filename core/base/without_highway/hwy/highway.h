@@ -110,6 +110,11 @@ template <class D>
 HWY_INLINE void Store(Vec<D> v, D d, typename D::T* p) {
     StoreU(v, d, p);
 }
+/// An ordinary store: nothing is promised of caches.
+template <class D>
+HWY_INLINE void Stream(Vec<D> v, D d, typename D::T* p) {
+    StoreU(v, d, p);
+}
 template <class D>
 HWY_INLINE void BlendedStore(Vec<D> v, Mask<D> mask, D d, typename D::T* p) {
     StoreU(mask ? v : LoadU(d, p), d, p);
