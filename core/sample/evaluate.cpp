@@ -30,6 +30,7 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 #include "core/base/row_lanes-inl.h"
 
 #include "core/surface/crossing-inl.h"
+#include "core/surface/for_surface-inl.h"
 
 /// Where results go.
 struct Output {
@@ -223,22 +224,6 @@ HWY_INLINE void evaluate_ranges(const Net& whole, const Columns& columns, const 
                 evaluate_triangle<quadratic, soft>(net, strict, located, located.spans[s], out, r);
         }
     }
-}
-
-/// Call f with the template arguments that the surface needs, as integral constants.
-template <class F>
-HWY_INLINE void for_surface(const Net& net, Surface surface, F&& f) {
-    const std::true_type yes;
-    const std::false_type no;
-    const bool soft = !net.soft.empty();
-    if (surface == Surface::linear && soft)
-        f(no, yes);
-    else if (surface == Surface::linear)
-        f(no, no);
-    else if (soft)
-        f(yes, yes);
-    else
-        f(yes, no);
 }
 
 HWY_ATTR void evaluate(const Net& net, Surface surface, const LocatedRow& row, int channels,

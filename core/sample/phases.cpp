@@ -22,6 +22,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
 #include "core/base/lanes-inl.h"
+#include "core/surface/for_surface-inl.h"
 #include "core/surface/patch-inl.h"
 
 #include "core/base/row_lanes-inl.h"
@@ -238,7 +239,7 @@ HWY_ATTR void evaluate_phases(const Net& net, Surface surface, const Columns& co
     const Shuffle shuffle(alike.phases, count, channels);
     const Rows rows{out + size_t(alike.begin) * size_t(channels) + first, row,
                     ptrdiff_t(columns.count - alike.begin) * channels};
-    const auto evaluate = [&](auto quadratic, auto soft) HWY_ATTR {
+    for_surface(net, surface, [&](auto quadratic, auto soft) HWY_ATTR {
         constexpr bool q = decltype(quadratic)::value, s = decltype(soft)::value;
         static_assert(least_phases == 2 && most_phases == 4, "the cases");
         if (alike.phases == 2)
@@ -247,18 +248,7 @@ HWY_ATTR void evaluate_phases(const Net& net, Surface surface, const Columns& co
             evaluate_cells<3, q, s>(net, block, alike, positions, shuffle, rows, channels);
         else
             evaluate_cells<4, q, s>(net, block, alike, positions, shuffle, rows, channels);
-    };
-    const std::true_type yes;
-    const std::false_type no;
-    const bool soft = !net.soft.empty();
-    if (surface == Surface::linear && soft)
-        evaluate(no, yes);
-    else if (surface == Surface::linear)
-        evaluate(no, no);
-    else if (soft)
-        evaluate(yes, yes);
-    else
-        evaluate(yes, no);
+    });
 }
 
 } // namespace HWY_NAMESPACE

@@ -5,6 +5,7 @@
 #include <cfloat>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "core/base/arith.h"
 #include "core/surface/edge_scratch.h"
@@ -30,6 +31,7 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 #include "core/base/row_lanes-inl.h"
 
 #include "core/surface/crossing-inl.h"
+#include "core/surface/for_surface-inl.h"
 
 HWY_ATTR void limits_in_row(int width, const NearRows& source, int count, int x0, int x1,
                             const LaneLimits& limits, float* low_row, float* high_row) {
@@ -179,15 +181,10 @@ HWY_INLINE void add_cells(const Lattice& lattice, const Net& net, int x0, int x1
 HWY_ATTR void add_means(const Lattice& lattice, Surface surface, const Net& net, int x0, int x1,
                         int y, const CrossedRows::Row& crossed, MeanScratch& scratch, float* upper,
                         float* lower) {
-    const bool soft = !net.soft.empty();
-    if (surface == Surface::linear && soft)
-        add_cells<false, true>(lattice, net, x0, x1, y, crossed, scratch, upper, lower);
-    else if (surface == Surface::linear)
-        add_cells<false, false>(lattice, net, x0, x1, y, crossed, scratch, upper, lower);
-    else if (soft)
-        add_cells<true, true>(lattice, net, x0, x1, y, crossed, scratch, upper, lower);
-    else
-        add_cells<true, false>(lattice, net, x0, x1, y, crossed, scratch, upper, lower);
+    for_surface(net, surface, [&](auto quadratic, auto soft) HWY_ATTR {
+        add_cells<decltype(quadratic)::value, decltype(soft)::value>(
+            lattice, net, x0, x1, y, crossed, scratch, upper, lower);
+    });
 }
 
 /// The floats at first .. last - 1.
