@@ -43,6 +43,11 @@ void zero_small(float* values, size_t n, float least) {
         values[i] = (bits_of(values[i]) & 0x7fffffffu) < limit ? 0.0f : values[i];
 }
 
+Rect output_of(const Mapping& mapping) {
+    constexpr double all = std::numeric_limits<double>::infinity();
+    return mapping.reach(-all, -all, all, all);
+}
+
 Rect reach_of(const Tile& tile, const Rect& window, const Mapping& mapping) {
     constexpr double beyond = std::numeric_limits<double>::infinity();
     return mapping.reach(tile.cells.x0 == window.x0 ? -beyond : tile.cells.x0,

@@ -11,6 +11,9 @@
 
 namespace ddt {
 
+/// All output pixels that the mapping shows something in.
+Rect output_of(const Mapping& mapping);
+
 /// Output pixels whose positions the tile may serve; empty if the mapping shows none of it.
 Rect reach_of(const Tile& tile, const Rect& window, const Mapping& mapping);
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <atomic>
 
-#include "ddt/core.h"
+#include "ddt/job.h"
 
 namespace ddt {
 

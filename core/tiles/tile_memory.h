@@ -21,7 +21,7 @@ struct TileMemory {
 
 /// A process that makes many small pictures would spend a quarter of its time on pages that it is
 /// given, cleared, for each and gives back: so some memory is kept. At most so many of these, none
-/// that is larger (ddt/core.h says their product).
+/// that is larger (ddt/job.h says their product).
 constexpr size_t most_idle = 2;
 constexpr size_t most_idle_bytes = size_t(12) << 20;
 

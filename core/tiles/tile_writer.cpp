@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
 
 #include "core/base/arith.h"
 #include "core/base/stream_copy.h"
@@ -45,9 +44,7 @@ size_t TileWriter::memory(const Job& job, int width, int height, bool rows) {
 
 TileWriter::TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times)
     : m_sink(sink), m_mapping(mapping), m_job(job), m_times(times) {
-    constexpr double all = std::numeric_limits<double>::infinity();
-    m_past_caches =
-        mapping.reach(-all, -all, all, all).area() * size_t(job.channels) >= least_past_caches;
+    m_past_caches = output_of(mapping).area() * size_t(job.channels) >= least_past_caches;
 }
 
 int TileWriter::least_shared_rows(const Rect& pixels) {

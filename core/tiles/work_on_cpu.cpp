@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <condition_variable>
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/tiles/tile_io.h"
 #include "core/tiles/tile_worker.h"
 
 namespace ddt {
@@ -29,9 +29,8 @@ size_t member_count(const Mapping& mapping, const Job& job, const Grid& grid, si
     const size_t beyond = threads - std::min(threads, few_threads);
     const size_t limit = (memory_limit + beyond * memory_per_thread) * size_t(job.mesh.meshes);
     const size_t fitting = limit / TileWorker::memory(job, mapping.separable());
-    constexpr double all = std::numeric_limits<double>::infinity();
-    const size_t useful = std::max(size_t(grid.count()),
-                                   mapping.reach(-all, -all, all, all).area() / pixels_a_thread);
+    const size_t useful =
+        std::max(size_t(grid.count()), output_of(mapping).area() / pixels_a_thread);
     return std::max<size_t>(1, std::min({fitting, useful, threads}));
 }
 
