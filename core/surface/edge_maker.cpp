@@ -23,7 +23,7 @@ void load_cells(const Lattice& lattice, const Rect& part, int y, CellRow& row) {
 void NearCells::resize(int width) {
     for (CellRow& row : cells) {
         row.down.resize(size_t(width) + edge_padding);
-        row.other.resize(size_t(width));
+        row.other.resize(size_t(width) + 8);
     }
 }
 

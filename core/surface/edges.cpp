@@ -181,16 +181,19 @@ HWY_INLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, int
     });
     const uint8_t *above = cells.above(y).other.data(), *below = cells.below(y).other.data();
     const auto crossed = [&](int x) {
-        return below[x] | (kind == level ? above[x] : kind == upright ? below[x - 1] : 0);
+        const uint64_t here = eight_flags(below + x);
+        return kind == level     ? here | eight_flags(above + x)
+               : kind == upright ? here | eight_flags(below + x - 1)
+                                 : here;
     };
+    const auto next = [&](int x) { return next_flagged(x, begin, end, crossed); };
     const Site* sites = lattice.sites();
     const SiteView vertices(net.values.even), gradients(scratch.gradients);
     const int stride = lattice.stride();
-    for (int x = x0; x < x1; ++x)
-        if (x < begin || x >= end || crossed(x))
-            make_any<bend, soft>(sites, stride, first + 2 * x, soft ? weights[x] : 0.0f, vertices,
-                                 gradients, bend ? e + ptrdiff_t(x) * count : nullptr,
-                                 soft ? q + ptrdiff_t(x) * count : nullptr);
+    for (int x = next(x0); x < x1; x = next(x + 1))
+        make_any<bend, soft>(sites, stride, first + 2 * x, soft ? weights[x] : 0.0f, vertices,
+                             gradients, bend ? e + ptrdiff_t(x) * count : nullptr,
+                             soft ? q + ptrdiff_t(x) * count : nullptr);
 }
 
 /// The edges with midpoints in row y of the doubled lattice.

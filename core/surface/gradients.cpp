@@ -136,10 +136,12 @@ HWY_ATTR void make_gradients(const Lattice& lattice, const Rect& part, int y0, i
                 plain.make_gradients<decltype(vector)>(place, gradients, to_y);
             });
         const uint8_t *above = cells.above(y).other.data(), *below = cells.below(y).other.data();
-        const auto crossed = [&](int cell) { return above[cell] | below[cell]; };
-        for (int x = part.x0; x < part.x1; ++x) {
-            if (!rim && x > 0 && x < last_x && !(crossed(x - 1) | crossed(x)))
-                continue;
+        const auto crossed = [&](int x) {
+            return eight_flags(above + x - 1) | eight_flags(above + x) |
+                   eight_flags(below + x - 1) | eight_flags(below + x);
+        };
+        const auto next = [&](int x) { return next_flagged(x, begin, rim ? begin : end, crossed); };
+        for (int x = next(part.x0); x < part.x1; x = next(x + 1)) {
             const int s = lattice.vertex_site(x, y);
             PixelLanes gx, gy;
             mean_round(lattice.sites() + s, net.vertex(s), stride, count).result(gx, gy);
