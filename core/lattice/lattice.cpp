@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/guide/contour.h"
+#include "core/lattice/crossed_columns.h"
 
 namespace ddt {
 
@@ -101,7 +102,7 @@ void Lattice::start(int width, int height, const float* guide, bool flat, bool c
 
 void Lattice::find_divisions(const Rect& part) {
     const int columns = m_width - 1;
-    m_divisions.resize(size_t(columns) * size_t(m_height - 1));
+    m_divisions.resize(size_t(columns) * size_t(m_height - 1) + cells_at_once);
     const int x0 = std::max(part.x0 - 1, 0), x1 = std::min(part.x1, columns);
     for (int y = std::max(part.y0 - 1, 0); y < std::min(part.y1, m_height - 1); ++y) {
         const Site* centre = m_sites.data() + site(1, 2 * y + 1);

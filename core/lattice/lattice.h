@@ -76,6 +76,9 @@ struct Edge {
     }
 };
 
+/// Cells whose divisions are looked at together (crossed_columns.h).
+constexpr int cells_at_once = 8;
+
 /// How a cell (2x2 pixels) is divided, told by the edge at its centre.
 enum class Division : uint8_t {
     down,  ///< in two, by the diagonal from upper left to lower right
@@ -148,7 +151,7 @@ public:
     /// Take the memory for so many sites: 4 a pixel are enough.
     void reserve(size_t sites) {
         reserve_large(m_sites, sites);
-        m_divisions.reserve(sites / 4);
+        m_divisions.reserve(sites / 4 + cells_at_once);
     }
 
     /// The bytes that it takes.
@@ -251,7 +254,8 @@ public:
 
     /// Find how the cells round the vertices of `part` are divided; after the last flip.
     void find_divisions(const Rect& part);
-    /// What it found of the cells with upper corners (0, y), (1, y), ...
+    /// What it found of the cells with upper corners (0, y), (1, y), ...; as many as cells_at_once
+    /// more may be read.
     const Division* divisions(int y) const {
         return m_divisions.data() + size_t(y) * size_t(m_width - 1);
     }
@@ -263,8 +267,8 @@ public:
     void find_walked_first_edges(const Rect& part);
 
 private:
-    template <class Wanted>
-    void find_first_edges(const Rect& part, Wanted wanted);
+    void find_short_first_edges(const Rect& part);
+    void find_long_first_edges(const Rect& part);
 
     int m_width = 0, m_height = 0, m_stride = 0;
     int m_longest = 1;

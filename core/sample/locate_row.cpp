@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/lattice/crossed_columns.h"
 #include "core/surface/edge_scratch.h"
 
 namespace ddt {
@@ -193,11 +194,18 @@ bool find_ranges(const Lattice& lattice, const Columns& columns, int cy, Located
     bool any_in_rows = false;
     LocatedBlock::Range* const first = block.ranges.data();
     LocatedBlock::Range* range = first;
-    for (const Columns::Run& run : columns.runs) {
+    // Of alike cells that are evaluated together, those alone that are crossed.
+    const int alike_end = block.phases ? alike.cell + alike.cells : 0;
+    const auto crossed = [&](int x) { return crossed_cells(divisions + x); };
+    const Columns::Run* const end = columns.runs.data() + columns.runs.size();
+    const auto next = [&](const Columns::Run* run) {
+        if (run == end)
+            return end;
+        return run + (next_crossed(run->cell, alike.cell, alike_end, crossed) - run->cell);
+    };
+    for (const Columns::Run* at = next(columns.runs.data()); at != end; at = next(at + 1)) {
+        const Columns::Run& run = *at;
         *range = {kind_of(divisions[run.cell]), run.begin, run.end, first_site + 2 * run.cell};
-        if (block.phases && range->kind != Span::triangle && alike.begin <= run.begin &&
-            run.begin < alike.end())
-            continue;
         const int n = run.end - run.begin;
         if (range->kind == Span::triangle && n * block.count <= CellPositions::most) {
             positions.set(columns.x.data() + run.begin, n, block.y, block.count);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/surface/crossed_rows.h"
 
+#include "core/lattice/crossed_columns.h"
+
 namespace ddt {
 
 void CrossedRows::begin(const Lattice& lattice, const CellPositions& positions, int rows) {
@@ -25,9 +27,10 @@ void CrossedRows::find(int y, int x0, int x1, Row& row) const {
     row.cells.clear();
     row.triangles.clear();
     const Division* divisions = m_lattice->divisions(y);
-    for (int x = x0; x < x1; ++x) {
-        if (divisions[x] != Division::other)
-            continue;
+    const auto next = [&](int x) {
+        return next_crossed(x, x0, x1, [&](int at) { return crossed_cells(divisions + at); });
+    };
+    for (int x = next(x0); x < x1; x = next(x + 1)) {
         const auto first = int(row.triangles.size());
         find_cell_triangles(*m_lattice, x, y, *m_positions, row.triangles);
         row.cells.push_back({x, first, int(row.triangles.size()) - first});

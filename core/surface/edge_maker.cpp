@@ -7,24 +7,9 @@
 
 namespace ddt {
 
-namespace {
-
-void load_cells(const Lattice& lattice, const Rect& part, int y, CellRow& row) {
-    const int begin = std::max(part.x0 - 1, 0), end = std::min(part.x1, lattice.width() - 1);
-    const Division* divisions = lattice.divisions(y);
-    flag_down(divisions, begin, end, row.down.data());
-    uint8_t* other = row.other.data();
-    for (int x = begin; x < end; ++x)
-        other[x] = divisions[x] == Division::other;
-}
-
-} // namespace
-
 void NearCells::resize(int width) {
-    for (CellRow& row : cells) {
-        row.down.resize(size_t(width) + edge_padding);
-        row.other.resize(size_t(width) + 8);
-    }
+    for (std::vector<float>& row : rows)
+        row.resize(size_t(width) + edge_padding);
 }
 
 void NearCells::begin(const Lattice& lattice, const Rect& part, int y) {
@@ -34,7 +19,8 @@ void NearCells::begin(const Lattice& lattice, const Rect& part, int y) {
 
 void NearCells::load_below(const Lattice& lattice, const Rect& part, int y) {
     if (y + 1 < lattice.height())
-        load_cells(lattice, part, y, cells[y % 2]);
+        flag_down(lattice.divisions(y), std::max(part.x0 - 1, 0),
+                  std::min(part.x1, lattice.width() - 1), rows[y % 2].data());
 }
 
 void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,

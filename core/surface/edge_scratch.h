@@ -4,52 +4,26 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
-#include "core/base/arith.h"
 #include "core/surface/net.h"
 
 namespace ddt {
 
-/// What is known of a row of cells.
-struct CellRow {
-    std::vector<float> down;    ///< 1 where the diagonal is down, else 0; padded for spread()
-    std::vector<uint8_t> other; ///< 1 where other edges cross the cell; padded for eight_flags()
-};
-
-/// Flags of 0 or 1, a byte each, the first in the lowest bits.
-inline uint64_t eight_flags(const uint8_t* flags) {
-    uint64_t word;
-    std::memcpy(&word, flags, sizeof word);
-    return word;
-}
-
-/// The first column from x on that is outside begin .. end - 1 or flagged. flags(x): eight_flags()
-/// of column x and those after it, of which columns outside are not looked at.
-template <class Flags>
-DDT_INLINE int next_flagged(int x, int begin, int end, Flags&& flags) {
-    if (x < begin || x >= end)
-        return x;
-    for (; x < end; x += 8)
-        if (const uint64_t word = flags(x))
-            return std::min(x + __builtin_ctzll(word) / 8, end);
-    return end;
-}
-
-/// Flag those of cells x0 .. x1 - 1 of a row whose diagonal is down, as in CellRow.
+/// Flag those of cells x0 .. x1 - 1 of a row whose diagonal is down: 1, else 0.
 inline void flag_down(const Division* divisions, int x0, int x1, float* down) {
     for (int x = x0; x < x1; ++x)
         down[x] = divisions[x] == Division::down ? 1.0f : 0.0f;
 }
 
-/// The rows of cells above and below the row of pixels that is worked on.
+/// Flags as of flag_down(), padded for spread(), of the rows of cells above and below the row of
+/// pixels that is worked on.
 struct NearCells {
-    CellRow cells[2]; ///< row y of cells at [y % 2]
+    std::vector<float> rows[2]; ///< row y of cells at [y % 2]
 
     void resize(int width);
-    const CellRow& above(int y) const { return cells[(y + 1) % 2]; }
-    const CellRow& below(int y) const { return cells[y % 2]; }
+    const float* above(int y) const { return rows[(y + 1) % 2].data(); }
+    const float* below(int y) const { return rows[y % 2].data(); }
 
     /// Before rows y, y + 1, ... of pixels are worked on: load the cells above.
     void begin(const Lattice& lattice, const Rect& part, int y);

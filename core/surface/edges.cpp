@@ -6,6 +6,7 @@
 
 #include "core/base/arith.h"
 #include "core/base/row_lanes.h"
+#include "core/lattice/crossed_columns.h"
 #include "core/surface/edge_scratch.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -103,7 +104,7 @@ struct PlainRow {
              const float* gradients_)
         : vertices{vertex_row(lattice, net, y - 1), vertex_row(lattice, net, y),
                    vertex_row(lattice, net, y + 1)},
-          down_rows{cells.above(y).down.data(), cells.below(y).down.data()}, gradients(gradients_),
+          down_rows{cells.above(y), cells.below(y)}, gradients(gradients_),
           to_y(ptrdiff_t(lattice.width()) * net.count()), count(net.count()) {}
 
     /// Edges of a kind at a place, as T has.
@@ -155,7 +156,6 @@ struct PlainRow {
 template <Kind kind, bool bend, bool soft>
 HWY_INLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, int end, int y,
                           const EdgeScratch& scratch, Net& net) {
-    const NearCells& cells = scratch.edge_cells;
     const int count = net.count();
     // The one at column 0.
     const int first = lattice.vertex_site(0, y) + (kind == level     ? 1
@@ -164,7 +164,7 @@ HWY_INLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, int
     const float* weights = scratch.weights[kind != upright].data();
     float* const e = bend ? net.at(first) : nullptr;
     float* const q = soft ? net.soft_at(first) : nullptr;
-    const PlainRow plain(lattice, net, cells, y,
+    const PlainRow plain(lattice, net, scratch.edge_cells, y,
                          bend ? scratch.gradients.at(lattice.vertex_site(0, y)) : nullptr);
     begin = std::max(begin, x0);
     end = std::max(std::min(end, x1), begin);
@@ -179,14 +179,14 @@ HWY_INLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, int
                       edges.vy)
                 .store(e + place.at);
     });
-    const uint8_t *above = cells.above(y).other.data(), *below = cells.below(y).other.data();
+    const NearDivisions divisions(lattice, y);
     const auto crossed = [&](int x) {
-        const uint64_t here = eight_flags(below + x);
-        return kind == level     ? here | eight_flags(above + x)
-               : kind == upright ? here | eight_flags(below + x - 1)
+        const uint64_t here = crossed_cells(divisions.below + x);
+        return kind == level     ? here | crossed_cells(divisions.above + x)
+               : kind == upright ? here | crossed_cells(divisions.below + x - 1)
                                  : here;
     };
-    const auto next = [&](int x) { return next_flagged(x, begin, end, crossed); };
+    const auto next = [&](int x) { return next_crossed(x, begin, end, crossed); };
     const Site* sites = lattice.sites();
     const SiteView vertices(net.values.even), gradients(scratch.gradients);
     const int stride = lattice.stride();

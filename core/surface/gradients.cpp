@@ -7,6 +7,7 @@
 
 #include "core/base/arith.h"
 #include "core/base/row_lanes.h"
+#include "core/lattice/crossed_columns.h"
 #include "core/surface/edge_scratch.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -87,8 +88,8 @@ struct PlainRows {
 
     PlainRows(const Lattice& lattice, const Net& net, const NearCells& cells, int y)
         : above(vertex_row(lattice, net, y - 1)), here(vertex_row(lattice, net, y)),
-          below(vertex_row(lattice, net, y + 1)), down_above(cells.above(y).down.data()),
-          down_below(cells.below(y).down.data()), count(net.count()) {}
+          below(vertex_row(lattice, net, y + 1)), down_above(cells.above(y)),
+          down_below(cells.below(y)), count(net.count()) {}
 
     /// Gradients of vertices at a place. gradients: those of column 0, y `to_y` floats after x.
     template <class T>
@@ -135,12 +136,11 @@ HWY_ATTR void make_gradients(const Lattice& lattice, const Rect& part, int y0, i
             each_vector(begin, end, count, [&](auto vector, const RowPlace& place) HWY_ATTR {
                 plain.make_gradients<decltype(vector)>(place, gradients, to_y);
             });
-        const uint8_t *above = cells.above(y).other.data(), *below = cells.below(y).other.data();
-        const auto crossed = [&](int x) {
-            return eight_flags(above + x - 1) | eight_flags(above + x) |
-                   eight_flags(below + x - 1) | eight_flags(below + x);
+        const NearDivisions divisions(lattice, y);
+        const auto next = [&](int x) {
+            return next_crossed(x, begin, rim ? begin : end,
+                                [&](int at) { return divisions.crossed_beside(at); });
         };
-        const auto next = [&](int x) { return next_flagged(x, begin, rim ? begin : end, crossed); };
         for (int x = next(part.x0); x < part.x1; x = next(x + 1)) {
             const int s = lattice.vertex_site(x, y);
             PixelLanes gx, gy;

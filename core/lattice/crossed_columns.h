@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// The cells of a row that edges of others cross, which are few: looking at each would take longer
+// than what is then done with them.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+#include "core/base/arith.h"
+#include "core/lattice/lattice.h"
+
+namespace ddt {
+
+/// A byte each, the first cell's lowest, that is not 0 where a cell of a row's is crossed
+/// (Division::other).
+inline uint64_t crossed_cells(const Division* divisions) {
+    static_assert(sizeof(Division) == 1 && int(Division::other) == 2 && int(Division::up) == 1,
+                  "one bit tells");
+    uint64_t word;
+    std::memcpy(&word, divisions, sizeof word);
+    return word & 0x0202020202020202u;
+}
+
+/// The divisions of the cells above and below a row of pixels; those of the nearest row of cells
+/// where there is none.
+struct NearDivisions {
+    const Division *above, *below;
+    NearDivisions(const Lattice& lattice, int y)
+        : above(lattice.divisions(std::max(y - 1, 0))),
+          below(lattice.divisions(std::min(y, lattice.height() - 2))) {}
+    /// crossed_cells() round pixels x, x + 1, ...: those on both sides of each, in both rows.
+    uint64_t crossed_beside(int x) const {
+        return crossed_cells(above + x - 1) | crossed_cells(above + x) |
+               crossed_cells(below + x - 1) | crossed_cells(below + x);
+    }
+};
+
+/// The first column from x on that is outside begin .. end - 1, or has a byte that is not 0.
+/// crossed(x): bytes of columns x .. x + 7; those at or after `end` may be anything.
+template <class Crossed>
+DDT_INLINE int next_crossed(int x, int begin, int end, Crossed&& crossed) {
+    if (x < begin || x >= end)
+        return x;
+    for (; x < end; x += cells_at_once)
+        if (const uint64_t word = crossed(x))
+            return std::min(x + __builtin_ctzll(word) / 8, end);
+    return end;
+}
+
+} // namespace ddt
