@@ -2,8 +2,10 @@
 #include "core/lattice/lattice.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <optional>
 #include <utility>
 
@@ -54,9 +56,12 @@ void Lattice::start(int width, int height, const float* guide, bool flat, bool c
     m_longest = 1;
     m_sites.resize(size_t(m_stride) * size_t(2 * height - 1));
     const auto row = [&](int y) { return guide + size_t(y) * size_t(width); };
-    const Site uprights[4] = {vertical(0, 0, true, true), vertical(0, 1, true, true),
-                              vertical(1, 0, true, true), vertical(1, 1, true, true)};
-    const Site diagonals[2] = {diagonal(0), diagonal(1)};
+    // An upright edge between two cells and the diagonal after it, which are stored at once.
+    using Sites = std::array<Site, 2>;
+    const Sites uprights[4] = {{vertical(0, 0, true, true), diagonal(0)},
+                               {vertical(0, 1, true, true), diagonal(1)},
+                               {vertical(1, 0, true, true), diagonal(0)},
+                               {vertical(1, 1, true, true), diagonal(1)}};
 
     // down(x, y): the cell's diagonal goes from upper left to lower right. Kept for two rows of
     // cells, since a horizontal edge has its apexes in both.
@@ -90,11 +95,10 @@ void Lattice::start(int width, int height, const float* guide, bool flat, bool c
             break;
         Site* odd = m_sites.data() + site(0, 2 * y + 1);
         odd[0] = vertical(0, below[0], false, true);
-        odd[1] = diagonals[below[0]];
-        for (int x = 1; x < last; ++x) {
-            odd[2 * x] = uprights[2 * below[size_t(x) - 1] + below[size_t(x)]];
-            odd[2 * x + 1] = diagonals[below[size_t(x)]];
-        }
+        odd[1] = diagonal(below[0]);
+        for (int x = 1; x < last; ++x)
+            std::memcpy(static_cast<void*>(odd + 2 * x),
+                        &uprights[2 * below[size_t(x) - 1] + below[size_t(x)]], sizeof(Sites));
         odd[2 * last] = vertical(below[size_t(last) - 1], 0, true, false);
         above.swap(below);
     }
