@@ -29,6 +29,8 @@ void repeat_to_two(std::vector<float>& v, int& width, int& height, int channels)
 }
 
 void zero_small_blended(std::vector<float>& values, const std::vector<Channel>& kinds) {
+    if (std::find(kinds.begin(), kinds.end(), Channel::nearest) == kinds.end())
+        return zero_small(values.data(), values.size(), least_value);
     for (size_t i = 0; i < values.size();)
         for (size_t c = 0; c < kinds.size(); ++c, ++i)
             if (kinds[c] != Channel::nearest)
@@ -79,10 +81,7 @@ bool read_tile(Source& source, const Tile& tile, const Job& job, std::vector<flo
     if (!source.read(r, values.data(), guide.data()))
         return false;
     zero_small(guide.data(), guide.size(), least_guide);
-    if (job.kinds.empty())
-        zero_small(values.data(), values.size(), least_value);
-    else
-        zero_small_blended(values, job.kinds);
+    zero_small_blended(values, job.kinds);
     width = r.width();
     height = r.height();
     int guide_width = width, guide_height = height;
