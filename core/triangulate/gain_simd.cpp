@@ -15,6 +15,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::ScalableTag<float>;
 using DI = hn::RebindToSigned<D>;
 
+#include "core/base/compress-inl.h"
 #include "core/base/lanes-inl.h"
 #include "core/base/rsqrt-inl.h"
 #include "core/cost/cost-inl.h"
@@ -85,7 +86,7 @@ HWY_INLINE size_t flippable_of(const Lattice& lattice, const int* sites, size_t 
         const VI far = hn::Max(hn::Max(e.left.x.i, minus.x.i), hn::Max(e.left.y.i, minus.y.i));
         const auto opposite = hn::Eq(hn::Or(sum.x.i, sum.y.i), none);
         const auto can = hn::AndNot(hn::Gt(far, longest), hn::And(hn::Gt(far, none), opposite));
-        n += hn::CompressStore(m.i, hn::And(can, hn::FirstN(di, used)), di, found + n);
+        n += store_compressed(m.i, hn::And(can, hn::FirstN(di, used)), found + n);
     }
     return n;
 }
@@ -102,13 +103,13 @@ HWY_ATTR void find_candidates(const Lattice& lattice, const Criterion& criterion
             out[sites[i + k]] = no_gain;
         const size_t n = flippable_of(lattice, sites + i, some, flippable);
         found.flippable += n;
-        each_gain(
-            lattice, criterion, flippable, n, out, [&](Ints m, hn::Vec<D> g, size_t used) HWY_ATTR {
-                const DI di;
-                const auto good = hn::RebindMask(di, hn::Gt(g, least));
-                found.candidates += hn::CompressStore(m.i, hn::And(good, hn::FirstN(di, used)), di,
-                                                      candidates + found.candidates);
-            });
+        each_gain(lattice, criterion, flippable, n, out,
+                  [&](Ints m, hn::Vec<D> g, size_t used) HWY_ATTR {
+                      const DI di;
+                      const auto good = hn::RebindMask(di, hn::Gt(g, least));
+                      found.candidates += store_compressed(m.i, hn::And(good, hn::FirstN(di, used)),
+                                                           candidates + found.candidates);
+                  });
     }
 }
 

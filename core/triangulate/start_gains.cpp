@@ -34,6 +34,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::CappedTag<float, most_lanes>;
 using DI = hn::RebindToSigned<D>;
 
+#include "core/base/compress-inl.h"
 #include "core/base/lanes-inl.h"
 #include "core/base/rsqrt-inl.h"
 #include "core/cost/cost-inl.h"
@@ -335,7 +336,7 @@ private:
             return;
         const auto sites = hn::Add(hn::Set(di, site), hn::ShiftLeft<1>(hn::Iota(di, 0)));
         HWY_ALIGN int32_t found[most_lanes];
-        const size_t number = hn::CompressStore(sites, hn::RebindMask(di, good), di, found);
+        const size_t number = store_compressed(sites, hn::RebindMask(di, good), found);
         m_w.candidates.insert(m_w.candidates.end(), found, found + number);
     }
 

@@ -140,13 +140,14 @@ HWY_INLINE Vec<D> GatherIndex(D, const typename D::T* p, I index) {
         v[i] = p[index[i]];
     return v;
 }
-template <class D>
-HWY_INLINE size_t CompressStore(Vec<D> v, Mask<D> mask, D, typename D::T* p) {
+/// The lanes of the mask side by side, then any.
+template <class V, class M>
+HWY_INLINE V Compress(V v, M mask) {
     size_t count = 0;
-    for (size_t i = 0; i < D::lanes; ++i)
+    for (size_t i = 0; i < sizeof v / sizeof v[0]; ++i)
         if (mask[i])
-            p[count++] = v[i];
-    return count;
+            v[count++] = v[i];
+    return v;
 }
 /// Bit i of the first bytes: lane i.
 template <class D>
