@@ -3,7 +3,7 @@
 
 /// Store the lanes of `mask` side by side and whatever else fills a vector; returns how many they
 /// are. In place of hn::CompressStore(): with AVX-512 on Zen 4 the instruction that compresses into
-/// memory takes some hundred cycles, the one that does so in a register two.
+/// memory takes 80 cycles, far longer than one into a register and a store.
 HWY_INLINE size_t store_compressed(hn::Vec<DI> lanes, hn::Mask<DI> mask, int32_t* to) {
     const DI di;
     hn::StoreU(hn::Compress(lanes, mask), di, to);

@@ -35,8 +35,7 @@ size_t Numbers::room(size_t count) const {
 Travel travel_of(Source& source, const Sink& sink, const Job& job) {
     Travel travel;
     // Identifiers are bits that are not to change.
-    const auto& kinds = job.kinds;
-    if (std::find(kinds.begin(), kinds.end(), Channel::nearest) != kinds.end())
+    if (any_nearest(job))
         return travel;
     travel.codes_back = sink.takes_codes();
     travel.back = travel.codes_back    ? Travel::Back::codes

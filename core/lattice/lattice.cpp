@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <optional>
 #include <utility>
 
@@ -97,8 +96,8 @@ void Lattice::start(int width, int height, const float* guide, bool flat, bool c
         odd[0] = vertical(0, below[0], false, true);
         odd[1] = diagonal(below[0]);
         for (int x = 1; x < last; ++x)
-            std::memcpy(static_cast<void*>(odd + 2 * x),
-                        &uprights[2 * below[size_t(x) - 1] + below[size_t(x)]], sizeof(Sites));
+            std::copy_n(uprights[2 * below[size_t(x) - 1] + below[size_t(x)]].data(), 2,
+                        odd + 2 * x);
         odd[2 * last] = vertical(below[size_t(last) - 1], 0, true, false);
         above.swap(below);
     }

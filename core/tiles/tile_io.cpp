@@ -28,12 +28,12 @@ void repeat_to_two(std::vector<float>& v, int& width, int& height, int channels)
     }
 }
 
-void zero_small_blended(std::vector<float>& values, const std::vector<Channel>& kinds) {
-    if (std::find(kinds.begin(), kinds.end(), Channel::nearest) == kinds.end())
+void zero_small_blended(std::vector<float>& values, const Job& job) {
+    if (!any_nearest(job))
         return zero_small(values.data(), values.size(), least_value);
     for (size_t i = 0; i < values.size();)
-        for (size_t c = 0; c < kinds.size(); ++c, ++i)
-            if (kinds[c] != Channel::nearest)
+        for (size_t c = 0; c < job.kinds.size(); ++c, ++i)
+            if (job.kinds[c] != Channel::nearest)
                 zero_small(&values[i], 1, least_value);
 }
 
@@ -81,7 +81,7 @@ bool read_tile(Source& source, const Tile& tile, const Job& job, std::vector<flo
     if (!source.read(r, values.data(), guide.data()))
         return false;
     zero_small(guide.data(), guide.size(), least_guide);
-    zero_small_blended(values, job.kinds);
+    zero_small_blended(values, job);
     width = r.width();
     height = r.height();
     int guide_width = width, guide_height = height;
@@ -104,6 +104,10 @@ Channel kind_of(const Job& job, int channel) {
 
 bool is_strict(const Job& job, int channel) {
     return job.surface.consistency == 0 || kind_of(job, channel) == Channel::alpha;
+}
+
+bool any_nearest(const Job& job) {
+    return std::find(job.kinds.begin(), job.kinds.end(), Channel::nearest) != job.kinds.end();
 }
 
 NearestMask nearest_mask(const Job& job, int group) {

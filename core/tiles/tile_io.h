@@ -46,6 +46,8 @@ Channel kind_of(const Job& job, int channel);
 /// Whether a channel keeps to the range of its triangles' vertices even with soft edges: alpha, and
 /// every channel whose vertices are the pixels themselves.
 bool is_strict(const Job& job, int channel);
+/// Whether any channel is Channel::nearest.
+bool any_nearest(const Job& job);
 /// Which channels of a job's group are Channel::nearest.
 NearestMask nearest_mask(const Job& job, int group);
 

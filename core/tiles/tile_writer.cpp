@@ -224,16 +224,11 @@ void TileWriter::join(size_t mesh, const float* last, size_t positions, float* m
     const DenormalsAreZero as_on_gpus;
     const float share = 1.0f / float(mesh + 1);
     const auto channels = size_t(m_job.channels);
-    if (!any_nearest())
+    if (!any_nearest(m_job))
         return join_last(last, positions * channels, share, mean);
     for (size_t i = 0; i < positions * channels; ++i)
         if (kind_of(m_job, int(i % channels)) != Channel::nearest)
             join_last(last + i, 1, share, mean + i);
-}
-
-bool TileWriter::any_nearest() const {
-    const auto& kinds = m_job.kinds;
-    return std::find(kinds.begin(), kinds.end(), Channel::nearest) != kinds.end();
 }
 
 bool TileWriter::hand_over(const Rect& r) {
@@ -248,7 +243,7 @@ Outcome TileWriter::write_rows(const Tile& tile, const Rect& rows, bool panels) 
     m_ys.clear();
     for (int y = rows.y0; y < rows.y1; ++y)
         m_ys.push_back(y_of(tile, y, rows.x0));
-    const bool blocks = !any_nearest();
+    const bool blocks = !any_nearest(m_job);
     size_t row = 0;
     if (float* const place = blocks ? m_sink.place(rows, row) : nullptr) {
         place_rows(rows, panels, place, row);

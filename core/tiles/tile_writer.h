@@ -48,7 +48,6 @@ private:
     void sample(int n, float* out);
     int sample_block(const int32_t* y, int n, float* out, size_t row);
     void join(size_t mesh, const float* last, size_t positions, float* mean) const;
-    bool any_nearest() const;
     bool hand_over(const Rect& r); ///< m_out to the sink
 
     Sink& m_sink;
