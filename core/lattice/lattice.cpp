@@ -10,6 +10,7 @@
 
 #include "core/guide/contour.h"
 #include "core/lattice/crossed_columns.h"
+#include "core/lattice/divisions.h"
 
 namespace ddt {
 
@@ -108,10 +109,9 @@ void Lattice::find_divisions(const Rect& part) {
     m_divisions.resize(size_t(columns) * size_t(m_height - 1) + cells_at_once);
     const int x0 = std::max(part.x0 - 1, 0), x1 = std::min(part.x1, columns);
     for (int y = std::max(part.y0 - 1, 0); y < std::min(part.y1, m_height - 1); ++y) {
-        const Site* centre = m_sites.data() + site(1, 2 * y + 1);
-        Division* to = m_divisions.data() + size_t(y) * size_t(columns);
-        for (int x = x0; x < x1; ++x)
-            to[x] = ddt::division(centre[2 * x].edge);
+        const size_t row = size_t(y) * size_t(columns);
+        ddt::find_divisions(m_sites.data() + site(2 * x0 + 1, 2 * y + 1), x1 - x0,
+                            m_divisions.data() + row + size_t(x0));
     }
 }
 

@@ -101,14 +101,18 @@ constexpr uint64_t diagonal_vectors(int vx, int vy, int left_x, int left_y) {
     return pack(vx, vy) | pack(left_x, left_y) << 16 | pack(-left_x, -left_y) << 32;
 }
 
-/// The division of the cell that `centre` is the central edge of. The edge may run either way; its
-/// apexes must be the cell's other corners.
+/// Vectors of the central edge of a cell that its own diagonal divides: the apexes are the cell's
+/// other corners, and the edge may run either way.
+constexpr uint64_t down_vectors = diagonal_vectors(1, 1, -1, 1),
+                   down_vectors_back = diagonal_vectors(-1, -1, 1, -1),
+                   up_vectors = diagonal_vectors(-1, 1, -1, -1),
+                   up_vectors_back = diagonal_vectors(1, -1, 1, 1);
+
+/// The division of the cell that `centre` is the central edge of.
 inline Division division(const Edge& centre) {
     const uint64_t vectors = vectors_of(centre);
-    const bool down =
-        (vectors == diagonal_vectors(1, 1, -1, 1)) | (vectors == diagonal_vectors(-1, -1, 1, -1));
-    const bool up =
-        (vectors == diagonal_vectors(-1, 1, -1, -1)) | (vectors == diagonal_vectors(1, -1, 1, 1));
+    const bool down = (vectors == down_vectors) | (vectors == down_vectors_back);
+    const bool up = (vectors == up_vectors) | (vectors == up_vectors_back);
     return Division(2 - 2 * int(down) - int(up));
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/surface/kept_rows.h"
+#include "core/surface/tame.h"
 
 namespace ddt {
 
@@ -31,6 +32,7 @@ void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe
     m_recipe = recipe;
     m_few_values = few_values;
     m_few_edges = few_edges;
+    m_scratch.tame = few_values;
     const int edges = edge_rows(lattice.longest());
     m_gradient_rows = part.y0;
     m_edge_rows = 2 * part.y0;
@@ -94,6 +96,9 @@ void EdgeMaker::load_vertices(int end, int keep) {
         set_vertices(lattice, *m_value_rows, part, *m_net);
     else
         set_vertices(lattice, m_values, part, *m_net);
+    const auto row = size_t(part.width()) * size_t(m_net->count());
+    for (int y = part.y0; y < part.y1 && m_scratch.tame; ++y)
+        m_scratch.tame = all_tame(m_net->vertex(lattice.vertex_site(part.x0, y)), row);
     m_vertex_rows = end;
 }
 

@@ -39,6 +39,8 @@ inline const float* vertex_row(const Lattice& lattice, const Net& net, int y) {
 
 /// Kept from one use to the next.
 struct EdgeScratch {
+    /// Whether all vertices that are there are known to be tame (core/surface/tame.h).
+    bool tame = false;
     /// The gradients: x at a vertex' site, y at the site below.
     SiteRows gradients;
     NearCells gradient_cells, edge_cells; ///< edges are made after the gradients at both their ends

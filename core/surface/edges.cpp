@@ -60,19 +60,20 @@ HWY_INLINE void make_any(const Site* sites, int stride, int m, float weight, Sit
     const auto at = [&](int site) HWY_ATTR { return PixelLanes::load(vertices.at(site)); };
     const PixelLanes zi = at(m - to_j), zj = at(m + to_j);
     if (soft) {
-        // An edge that cannot be flipped has weight 0; its apexes are read all the same.
+        // An edge that cannot be flipped has weight 0; its apexes are read all the same, if they
+        // are no vertices, too: never tame.
         const int to_c = int8_t(vectors >> 24) * stride + int8_t(vectors >> 16);
         const int to_d = int8_t(vectors >> 40) * stride + int8_t(vectors >> 32);
-        store_pixel(edge_softness(PixelLanes(weight), zi, zj, at(m + to_c), at(m + to_d)),
+        store_pixel(edge_softness<false>(PixelLanes(weight), zi, zj, at(m + to_c), at(m + to_d)),
                     vertices.count, q);
     }
     if (bend) {
         // Where an end lies outside the part its gradient is not known, and e is never used.
         const ptrdiff_t to_y = ptrdiff_t(stride / 2) * vertices.count;
         const float *gi = gradients.at(m - to_j), *gj = gradients.at(m + to_j);
-        store_pixel(edge_bend(PixelLanes::load(gi), PixelLanes::load(gi + to_y),
-                              PixelLanes::load(gj), PixelLanes::load(gj + to_y), zi, zj,
-                              PixelLanes(float(vx)), PixelLanes(float(vy))),
+        store_pixel(edge_bend<false>(PixelLanes::load(gi), PixelLanes::load(gi + to_y),
+                                     PixelLanes::load(gj), PixelLanes::load(gj + to_y), zi, zj,
+                                     PixelLanes(float(vx)), PixelLanes(float(vy))),
                     vertices.count, e);
     }
 }
@@ -153,7 +154,7 @@ struct PlainRow {
 
 /// Edges of a kind at or beside the vertices in columns x0 .. x1 - 1 of row y of pixels. From
 /// column `begin` to `end` those between plain cells are made as vectors.
-template <Kind kind, bool bend, bool soft>
+template <Kind kind, bool bend, bool soft, bool tame>
 HWY_INLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, int end, int y,
                           const EdgeScratch& scratch, Net& net) {
     const int count = net.count();
@@ -172,11 +173,12 @@ HWY_INLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, int
         using T = decltype(vector);
         const PlainEdges<T> edges = plain.edges<kind, bend, T>(place);
         if (soft)
-            edge_softness(spread<T>(weights, place, count), edges.zi, edges.zj, edges.zc, edges.zd)
+            edge_softness<tame>(spread<T>(weights, place, count), edges.zi, edges.zj, edges.zc,
+                                edges.zd)
                 .store(q + place.at);
         if (bend)
-            edge_bend(edges.gix, edges.giy, edges.gjx, edges.gjy, edges.zi, edges.zj, edges.vx,
-                      edges.vy)
+            edge_bend<tame>(edges.gix, edges.giy, edges.gjx, edges.gjy, edges.zi, edges.zj,
+                            edges.vx, edges.vy)
                 .store(e + place.at);
     });
     const NearDivisions divisions(lattice, y);
@@ -197,18 +199,27 @@ HWY_INLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, int
 }
 
 /// The edges with midpoints in row y of the doubled lattice.
-template <bool bend, bool soft>
+template <bool bend, bool soft, bool tame>
 HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y,
                          const EdgeScratch& scratch, Net& net) {
     const int x0 = part.x0, x1 = part.x1, last = lattice.width() - 1, pixel_y = y / 2;
     if (y & 1) {
-        make_kind<upright, bend, soft>(lattice, x0, x1, 1, last, pixel_y, scratch, net);
-        make_kind<diagonal, bend, soft>(lattice, x0, x1 - 1, 0, last, pixel_y, scratch, net);
+        make_kind<upright, bend, soft, tame>(lattice, x0, x1, 1, last, pixel_y, scratch, net);
+        make_kind<diagonal, bend, soft, tame>(lattice, x0, x1 - 1, 0, last, pixel_y, scratch, net);
     } else {
         const bool rim = y == 0 || pixel_y == lattice.height() - 1;
-        make_kind<level, bend, soft>(lattice, x0, x1 - 1, rim ? last : 0, last, pixel_y, scratch,
-                                     net);
+        make_kind<level, bend, soft, tame>(lattice, x0, x1 - 1, rim ? last : 0, last, pixel_y,
+                                           scratch, net);
     }
+}
+
+template <bool bend, bool soft>
+HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y,
+                         const EdgeScratch& scratch, Net& net) {
+    if (scratch.tame)
+        make_row<bend, soft, true>(lattice, part, y, scratch, net);
+    else
+        make_row<bend, soft, false>(lattice, part, y, scratch, net);
 }
 
 HWY_ATTR void make_edges(const Lattice& lattice, const Rect& part, int y0, int y1, bool bend,

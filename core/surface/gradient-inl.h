@@ -3,9 +3,12 @@
 // lane a channel. GLSL twin: shaders/surface.glsl. Comparisons are written out, a min or max would
 // leave the sign of zero and NaN to the device.
 
+// tame: the values are (core/surface/tame.h), so that nothing has to be looked at for being finite:
+// the same bits in fewer steps.
+
 /// Mean gradient at a vertex over the triangles round it (see net.h). Taken relative to the first
 /// triangle's gradient, so that a plane comes back exactly.
-template <class T>
+template <class T, bool tame>
 struct GradientMean {
     T base_x, base_y, sum_x, sum_y, weight;
     bool begun;
@@ -18,6 +21,8 @@ struct GradientMean {
     static DDT_INLINE T weigh(T& gx, T& gy) {
         const T zero = T(0.0f);
         const T square = gx * gx + gy * gy;
+        if (tame)
+            return rsqrt<1>(square + T(gradient_epsilon));
         const T w =
             if_less_equal(square, T(largest_float), rsqrt<1>(square + T(gradient_epsilon)), zero);
         gx = if_less_equal(square, T(largest_float), gx, zero);
@@ -62,9 +67,9 @@ struct Differences {
 /// The mean gradient at a vertex whose four cells are each divided by a diagonal of their own, of
 /// which those run to the vertex whose flag is more than 0. The triangles come in the same order as
 /// to a walk round the vertex, and add the same; a place where there is none has no weight.
-template <class T>
-DDT_INLINE GradientMean<T> plain_mean(const Differences<T>& d, T nw, T ne, T se, T sw) {
-    using Mean = GradientMean<T>;
+template <bool tame, class T>
+DDT_INLINE GradientMean<T, tame> plain_mean(const Differences<T>& d, T nw, T ne, T se, T sw) {
+    using Mean = GradientMean<T, tame>;
     const T zero = T(0.0f);
     const T minus_n = zero - d.n, minus_w = zero - d.w;
     const auto either = [&](T flag, T a, T b) { return if_less(zero, flag, a, b); };
@@ -95,7 +100,7 @@ DDT_INLINE GradientMean<T> plain_mean(const Differences<T>& d, T nw, T ne, T se,
 }
 
 /// e of the edge from i to j = i + (vx, vy) (see net.h).
-template <class T>
+template <bool tame, class T>
 DDT_INLINE T edge_bend(T gix, T giy, T gjx, T gjy, T zi, T zj, T vx, T vy) {
     const T zero = T(0.0f);
     const T difference = zj - zi;
@@ -103,14 +108,16 @@ DDT_INLINE T edge_bend(T gix, T giy, T gjx, T gjy, T zi, T zj, T vx, T vy) {
     T e = T(bend_strength) * ((gix - gjx) * vx + (giy - gjy) * vy);
     e = if_less(e, zero - limit, zero - limit, e);
     e = if_less(limit, e, limit, e);
-    return if_less_equal(limit, T(largest_float), e, zero);
+    return tame ? e : if_less_equal(limit, T(largest_float), e, zero);
 }
 
 /// q of an edge from i to j with apexes c and d, weight w (see net.h).
-template <class T>
+template <bool tame, class T>
 DDT_INLINE T edge_softness(T w, T zi, T zj, T zc, T zd) {
     const T zero = T(0.0f);
     const T q = w * ((zc + zd) - (zi + zj));
+    if (tame)
+        return q;
     const T size = if_less(q, zero, zero - q, q);
     return if_less_equal(size, T(largest_float), q, zero);
 }

@@ -54,9 +54,10 @@ HWY_INLINE bool next_spoke(const Site* vertex, int stride, bool left, int& x, in
 
 /// The mean gradient at a vertex: over its triangles in a fixed order, from the first edge to the
 /// left, and on the hull's rim from the first edge to the right.
-HWY_INLINE GradientMean<PixelLanes> mean_round(const Site* vertex, const float* net, int stride,
-                                               int count) {
-    GradientMean<PixelLanes> mean;
+template <bool tame>
+HWY_INLINE GradientMean<PixelLanes, tame> mean_round(const Site* vertex, const float* net,
+                                                     int stride, int count) {
+    GradientMean<PixelLanes, tame> mean;
     const PixelLanes z = PixelLanes::load(net);
     const Vec first = vertex->vertex.first;
     const Spoke start(first.x, first.y, z, net, stride, count);
@@ -92,7 +93,7 @@ struct PlainRows {
           down_below(cells.below(y)), count(net.count()) {}
 
     /// Gradients of vertices at a place. gradients: those of column 0, y `to_y` floats after x.
-    template <class T>
+    template <bool tame, class T>
     HWY_INLINE void make_gradients(const RowPlace& place, float* gradients, ptrdiff_t to_y) const {
         const ptrdiff_t at = place.at;
         const T z = T::load(here + at);
@@ -110,16 +111,17 @@ struct PlainRows {
         d.w = difference(here, -1);
         const T one(1.0f);
         T gx, gy;
-        plain_mean(d, down(down_above - 1), one - down(down_above), down(down_below),
-                   one - down(down_below - 1))
+        plain_mean<tame>(d, down(down_above - 1), one - down(down_above), down(down_below),
+                         one - down(down_below - 1))
             .result(gx, gy);
         gx.store(gradients + at);
         gy.store(gradients + at + to_y);
     }
 };
 
-HWY_ATTR void make_gradients(const Lattice& lattice, const Rect& part, int y0, int y1,
-                             const Net& net, EdgeScratch& scratch) {
+template <bool tame>
+HWY_INLINE void make_any(const Lattice& lattice, const Rect& part, int y0, int y1, const Net& net,
+                         EdgeScratch& scratch) {
     const int stride = lattice.stride(), last_x = lattice.width() - 1,
               last_y = lattice.height() - 1;
     if (y0 == part.y0)
@@ -134,7 +136,7 @@ HWY_ATTR void make_gradients(const Lattice& lattice, const Rect& part, int y0, i
         const bool rim = y == 0 || y == last_y;
         if (!rim && begin < end)
             each_vector(begin, end, count, [&](auto vector, const RowPlace& place) HWY_ATTR {
-                plain.make_gradients<decltype(vector)>(place, gradients, to_y);
+                plain.make_gradients<tame, decltype(vector)>(place, gradients, to_y);
             });
         const NearDivisions divisions(lattice, y);
         const auto next = [&](int x) {
@@ -144,12 +146,20 @@ HWY_ATTR void make_gradients(const Lattice& lattice, const Rect& part, int y0, i
         for (int x = next(part.x0); x < part.x1; x = next(x + 1)) {
             const int s = lattice.vertex_site(x, y);
             PixelLanes gx, gy;
-            mean_round(lattice.sites() + s, net.vertex(s), stride, count).result(gx, gy);
+            mean_round<tame>(lattice.sites() + s, net.vertex(s), stride, count).result(gx, gy);
             float* to = gradients + ptrdiff_t(x) * count;
             store_pixel(gx, count, to);
             store_pixel(gy, count, to + to_y);
         }
     }
+}
+
+HWY_ATTR void make_gradients(const Lattice& lattice, const Rect& part, int y0, int y1,
+                             const Net& net, EdgeScratch& scratch) {
+    if (scratch.tame)
+        make_any<true>(lattice, part, y0, y1, net, scratch);
+    else
+        make_any<false>(lattice, part, y0, y1, net, scratch);
 }
 
 } // namespace HWY_NAMESPACE

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/lattice/divisions.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/lattice/divisions.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ddt {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using DI = hn::CappedTag<int32_t, 16>;
+using VI = hn::Vec<DI>;
+
+/// The two words of cells' central edges, a lane each: (v, left) and (right, stamp).
+struct Centres {
+    VI first, second;
+
+    HWY_INLINE explicit Centres(const Site* sites) {
+        const hn::Repartition<int64_t, DI> d64;
+        const size_t lanes = hn::Lanes(d64);
+        const auto* from = reinterpret_cast<const int64_t*>(sites);
+        const auto load = [&](size_t k) HWY_ATTR { return hn::LoadU(d64, from + k * lanes); };
+        const VI lower = hn::BitCast(DI(), hn::ConcatEven(d64, load(1), load(0))),
+                 upper = hn::BitCast(DI(), hn::ConcatEven(d64, load(3), load(2)));
+        first = hn::ConcatEven(DI(), upper, lower);
+        second = hn::And(hn::ConcatOdd(DI(), upper, lower), hn::Set(DI(), 0xffff));
+    }
+    /// Where the edges' vectors are these.
+    HWY_INLINE hn::Mask<DI> are(uint64_t vectors) const {
+        const DI di;
+        return hn::And(hn::Eq(first, hn::Set(di, int32_t(uint32_t(vectors)))),
+                       hn::Eq(second, hn::Set(di, int32_t(vectors >> 32))));
+    }
+};
+
+HWY_ATTR void find_divisions(const Site* centres, int n, Division* to) {
+    static_assert(int(Division::down) == 0 && int(Division::up) == 1 && int(Division::other) == 2,
+                  "stored as numbers");
+    const DI di;
+    const hn::Rebind<uint8_t, DI> bytes;
+    const int lanes = int(hn::Lanes(di));
+    if (n < lanes) {
+        for (int k = 0; k < n; ++k)
+            to[k] = division(centres[2 * k].edge);
+        return;
+    }
+    for (int done = 0; done < n; done += lanes) {
+        const int k = std::min(done, n - lanes);
+        const Centres cells(centres + 2 * k);
+        const auto down = hn::Or(cells.are(down_vectors), cells.are(down_vectors_back));
+        const auto up = hn::Or(cells.are(up_vectors), cells.are(up_vectors_back));
+        const VI which =
+            hn::IfThenZeroElse(down, hn::IfThenElse(up, hn::Set(di, int(Division::up)),
+                                                    hn::Set(di, int(Division::other))));
+        hn::StoreU(hn::DemoteTo(bytes, which), bytes, reinterpret_cast<uint8_t*>(to + k));
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace ddt
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ddt {
+
+HWY_EXPORT(find_divisions);
+
+void find_divisions(const Site* centres, int n, Division* to) {
+    HWY_DYNAMIC_DISPATCH(find_divisions)(centres, n, to);
+}
+
+} // namespace ddt
+#endif

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Values of which whatever is made is finite: nothing that is made of them has to be looked at.
+#pragma once
+
+#include <cstddef>
+
+namespace ddt {
+
+/// Values up to this size are tame. Gradients of triangles are less than 2^8 times as large, no
+/// edge being longer than 127 pixels, and squares of those are finite, too.
+constexpr float tame_value = 0x1p50f;
+
+/// Whether so many values are tame. A NaN is not.
+bool all_tame(const float* values, size_t n);
+
+} // namespace ddt
