@@ -22,7 +22,9 @@ using D = hn::CappedTag<float, 16>;
 
 using Floats = Lanes<D>;
 
-HWY_ATTR uint64_t find_inside(const CrossingTriangle& t, const CellPositions& positions) {
+/// The positions whose weights are at least these.
+HWY_ATTR uint64_t find_inside(const CellPlanes& t, const float least[3],
+                              const CellPositions& positions) {
     const D d;
     const int lanes = int(hn::Lanes(d));
     uint64_t inside = 0;
@@ -30,8 +32,8 @@ HWY_ATTR uint64_t find_inside(const CrossingTriangle& t, const CellPositions& po
         const CrossingWeights<Floats> b(t, Floats::load(positions.x() + i),
                                         Floats::load(positions.y() + i));
         const auto holds = hn::And(
-            hn::And(hn::Le(hn::Set(d, t.least[0]), b.b0.v), hn::Le(hn::Set(d, t.least[1]), b.b1.v)),
-            hn::Le(hn::Set(d, t.least[2]), b.b2.v));
+            hn::And(hn::Le(hn::Set(d, least[0]), b.b0.v), hn::Le(hn::Set(d, least[1]), b.b1.v)),
+            hn::Le(hn::Set(d, least[2]), b.b2.v));
         uint8_t bits[8] = {}; // as many are written, at most
         hn::StoreMaskBits(d, holds, bits);
         inside |= uint64_t(unsigned(bits[0]) | unsigned(bits[1]) << 8) << i;
@@ -68,31 +70,13 @@ void CellPositions::set(const float* x, int columns, const float* y, int rows) {
     }
 }
 
-CrossingTriangle::CrossingTriangle(const Corners& corners, int site, int stride) : positions(0) {
-    const Corner* p = corners.p;
-    const Vec along[3] = {p[2] - p[1], p[0] - p[2], p[1] - p[0]};
-    for (int k = 0; k < 3; ++k) {
-        const Corner a = p[k], b = p[(k + 1) % 3];
-        vertex[k] = site + 2 * (a.y * stride + a.x);
-        edge[k] = site + (a.y + b.y) * stride + a.x + b.x;
-        least[k] = tie_inside(along[k]) ? 0.0f : 1.0f / float(position_one);
-    }
-    for (int k = 0; k < 2; ++k) {
-        const Corner to = p[k + 1];
-        across[k][0] = float(along[k].x);
-        across[k][1] = float(along[k].y);
-        offset[k] = float(along[k].y * to.x - along[k].x * to.y);
-    }
-}
-
 namespace {
 
-/// Call add(triangle, corners) for each triangle that positions belong to.
+/// Call add(corners, positions) for each triangle that positions belong to.
 template <class Add>
 void each_crossing(const Lattice& lattice, int cx, int cy, const CellPositions& positions,
                    Add add) {
     const auto find = HWY_DYNAMIC_DISPATCH(find_inside);
-    const int site = lattice.vertex_site(cx, cy);
     uint64_t left = ~uint64_t(0) >> (CellPositions::most - positions.count());
     for (int i = 0; left; ++i) {
         if (!(left >> i & 1))
@@ -100,11 +84,16 @@ void each_crossing(const Lattice& lattice, int cx, int cy, const CellPositions& 
         const auto exact = [](float x) { return int32_t(x * position_one); };
         const Corners corners =
             locate(lattice, cx, cy, {exact(positions.x()[i]), exact(positions.y()[i])});
-        CrossingTriangle t(corners, site, lattice.stride());
+        float least[3]; // what a weight is of positions that belong to the triangle
+        for (int k = 0; k < 3; ++k)
+            least[k] = tie_inside(corners.p[(k + 2) % 3] - corners.p[(k + 1) % 3])
+                           ? 0.0f
+                           : 1.0f / float(position_one);
         // On the rim, a tie may belong to a triangle that does not hold it.
-        t.positions = (find(t, positions) | uint64_t(1) << i) & left;
-        left &= ~t.positions;
-        add(t, corners);
+        const uint64_t held =
+            (find(CellPlanes(corners), least, positions) | uint64_t(1) << i) & left;
+        left &= ~held;
+        add(corners, held);
     }
 }
 
@@ -112,19 +101,21 @@ void each_crossing(const Lattice& lattice, int cx, int cy, const CellPositions& 
 
 void find_crossing_triangles(const Lattice& lattice, int cx, int cy, const CellPositions& positions,
                              std::vector<CrossingTriangle>& triangles) {
-    each_crossing(lattice, cx, cy, positions,
-                  [&](const CrossingTriangle& t, const Corners&) { triangles.push_back(t); });
+    const int site = lattice.vertex_site(cx, cy);
+    each_crossing(lattice, cx, cy, positions, [&](const Corners& c, uint64_t held) {
+        triangles.emplace_back(c, site, lattice.stride(), held);
+    });
 }
 
 void find_cell_triangles(const Lattice& lattice, int cx, int cy, const CellPositions& positions,
                          std::vector<CellTriangle>& triangles) {
-    each_crossing(lattice, cx, cy, positions, [&](const CrossingTriangle& t, const Corners& c) {
+    each_crossing(lattice, cx, cy, positions, [&](const Corners& c, uint64_t held) {
         CellTriangle& kept = triangles.emplace_back();
         for (int k = 0; k < 3; ++k) {
             kept.x[k] = int8_t(c.p[k].x);
             kept.y[k] = int8_t(c.p[k].y);
         }
-        kept.positions = uint16_t(t.positions);
+        kept.positions = uint16_t(held);
     });
 }
 

@@ -32,18 +32,40 @@ private:
     float m_x[most + padding] = {}, m_y[most + padding] = {};
 };
 
+/// What a triangle's weights are at positions in a cell. Weight k < 2 at (x, y) is
+/// (across[k][0] * y - across[k][1] * x) + offset[k]; see crossed_cell-inl.h. Where no weight is
+/// negative they are multiples of 2^-16 up to 1, so that float32 makes no error; elsewhere none
+/// that changes which are.
+struct CellPlanes {
+    float across[2][2], offset[2];
+
+    explicit CellPlanes(const Corners& corners) {
+        const Corner* p = corners.p;
+        for (int k = 0; k < 2; ++k) {
+            const Corner from = p[k + 1], to = p[(k + 2) % 3];
+            const int x = to.x - from.x, y = to.y - from.y;
+            across[k][0] = float(x);
+            across[k][1] = float(y);
+            offset[k] = float(y * from.x - x * from.y);
+        }
+    }
+};
+
 /// A triangle that some of a cell's positions belong to.
 struct CrossingTriangle {
     int vertex[3], edge[3]; ///< as in Triangle
-    /// Weight k < 2 at (x, y) is (across[k][0] * y - across[k][1] * x) + offset[k]; see
-    /// crossed_cell-inl.h. Where no weight is negative they are multiples of 2^-16 up to 1, so that
-    /// float32 makes no error; elsewhere none that changes which are.
-    float across[2][2], offset[2];
-    float least[3];     ///< what a weight is, at least, of positions that belong to it
+    CellPlanes planes;
     uint64_t positions; ///< bit i: position i belongs to it
 
     /// site: of the cell's first corner.
-    CrossingTriangle(const Corners& corners, int site, int stride);
+    CrossingTriangle(const Corners& corners, int site, int stride, uint64_t positions_)
+        : planes(corners), positions(positions_) {
+        for (int k = 0; k < 3; ++k)
+            vertex[k] = site + 2 * (corners.p[k].y * stride + corners.p[k].x);
+        // A midpoint is the mean of the ends.
+        for (int k = 0; k < 3; ++k)
+            edge[k] = (vertex[k] + vertex[(k + 1) % 3]) / 2;
+    }
 };
 
 /// The same as it is kept: vertices in Triangle's order relative to the cell's first corner, in

@@ -210,9 +210,10 @@ HWY_INLINE void evaluate_ranges(const Net& whole, const Columns& columns, const 
         if (range.triangles) {
             const int n = range.end - range.begin;
             positions.set(columns.x.data() + range.begin, n, block.y, block.count);
-            evaluate_crossing<quadratic, soft>(net, strict.lanes, strict.all,
-                                               block.crossing.data() + range.triangle,
-                                               size_t(range.triangles), positions, values);
+            const CrossingTriangle* first = block.crossing.data() + range.triangle;
+            for (const CrossingTriangle* t = first; t < first + range.triangles; ++t)
+                evaluate_crossing<quadratic, soft>(net, strict.lanes, strict.all, *t, positions,
+                                                   values);
             for (int r = 0; r < block.count; ++r)
                 out.store_exactly(values + r * n * group_size, n, range.begin, r);
             continue;

@@ -97,14 +97,16 @@ HWY_INLINE void plain_means(const CellNumbers& values, const CellNumbers& softne
     means[lower_right] = mean(z3, z2, z1, z0, b, r, l, t, true);
 }
 
-/// The same of a cell that other edges cross, by the scratch's triangles.
+/// The same of a cell that other edges cross, by its n triangles; site: of its first corner.
 template <bool quadratic, bool soft>
-HWY_INLINE void crossed_means(const NetView& net, const float* strict, int site,
-                              const MeanScratch& scratch, PixelLanes means[4]) {
+HWY_INLINE void crossed_means(const NetView& net, Blocks strict, int site, int stride,
+                              const CellTriangle* triangles, int n, PixelLanes means[4]) {
     HWY_ALIGN float f[quadrant_side * quadrant_side * group_size]; // whole vectors
     const CellNumbers values(net, net.values, site);
-    evaluate_crossing<quadratic, soft>(net, in_every_block(strict), false, scratch.triangles.data(),
-                                       scratch.triangles.size(), mean_positions(), f);
+    for (const CellTriangle* t = triangles; t < triangles + n; ++t)
+        evaluate_crossing<quadratic, soft>(
+            net, strict, false, CrossingTriangle(t->corners(), site, stride, t->positions),
+            mean_positions(), f);
     for (int corner = 0; corner < 4; ++corner) {
         const int right = corner & 1, below = corner >> 1;
         const PixelLanes z = PixelLanes::load(values.corner(0, right, below));
@@ -157,18 +159,15 @@ HWY_INLINE void add_cells(const Lattice& lattice, const Net& net, int x0, int x1
         for (int k = 0; k < 4; ++k)
             quadrants[k].store(means + size_t(k) * row + place.at);
     });
+    const Blocks strict = in_every_block(net.strict);
     for (const CrossedRows::Cell& cell : crossed.cells) {
         const int x = cell.x, site = lattice.vertex_site(x, y);
         if (x < x0 || x >= x1)
             continue;
-        scratch.triangles.clear();
-        for (int i = cell.first; i < cell.first + cell.count; ++i) {
-            const CellTriangle& t = crossed.triangles[size_t(i)];
-            scratch.triangles.emplace_back(t.corners(), site, lattice.stride()).positions =
-                t.positions;
-        }
         PixelLanes quadrants[4];
-        crossed_means<quadratic, soft>(view, net.strict, site, scratch, quadrants);
+        crossed_means<quadratic, soft>(view, strict, site, lattice.stride(),
+                                       crossed.triangles.data() + cell.first, cell.count,
+                                       quadrants);
         for (int k = 0; k < 4; ++k)
             store_pixel(quadrants[k], count, means + size_t(k) * row + ptrdiff_t(x) * count);
     }

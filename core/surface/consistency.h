@@ -23,9 +23,8 @@ const CellPositions& mean_positions();
 
 /// What add_means() works in, kept from one row to the next.
 struct MeanScratch {
-    std::vector<float> means;                ///< of a row of cells' quadrants, one after the other
-    std::vector<float> down;                 ///< 1 where a cell's diagonal is down, else 0
-    std::vector<CrossingTriangle> triangles; ///< of a cell that other edges cross
+    std::vector<float> means; ///< of a row of cells' quadrants, one after the other
+    std::vector<float> down;  ///< 1 where a cell's diagonal is down, else 0
 };
 
 /// Add what the cells of row y have, as far as the vertices of `part` need it, to the sums of

@@ -28,28 +28,26 @@ HWY_INLINE void evaluate_positions(const Patch<Blocks>& patch, const CrossingTri
         const unsigned bits = unsigned(triangle.positions >> i) & ((1u << step) - 1);
         if (!bits)
             continue;
-        const CrossingWeights<Blocks> b(triangle, spread(positions.x() + i),
+        const CrossingWeights<Blocks> b(triangle.planes, spread(positions.x() + i),
                                         spread(positions.y() + i));
         const Blocks value = patch.template at<quadratic, soft, tame>(b.b0, b.b1, b.b2);
         hn::BlendedStore(value.v, blocks_of(bits), D(), f + i * group_size);
     }
 }
 
-/// The surface over the triangles at the positions that belong to them: f + i * group_size, with
-/// room for whole vectors. strict, all_strict: see Patch::find_range().
+/// The surface over a triangle at the positions that belong to it: f + i * group_size, with room
+/// for whole vectors. strict, all_strict: see Patch::find_range().
 template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_crossing(const NetView& net, Blocks strict, bool all_strict,
-                                  const CrossingTriangle* triangles, size_t n,
-                                  const CellPositions& positions, float* f) {
-    for (const CrossingTriangle* t = triangles; t < triangles + n; ++t) {
-        Patch<Blocks> patch;
-        load_patch<quadratic, soft>(net, t->vertex, t->edge, patch);
-        if (patch.is_tame()) {
-            patch.template find_range<soft, true>(strict, all_strict);
-            evaluate_positions<quadratic, soft, true>(patch, *t, positions, f);
-        } else {
-            patch.template find_range<soft, false>(strict, all_strict);
-            evaluate_positions<quadratic, soft, false>(patch, *t, positions, f);
-        }
+                                  const CrossingTriangle& triangle, const CellPositions& positions,
+                                  float* f) {
+    Patch<Blocks> patch;
+    load_patch<quadratic, soft>(net, triangle.vertex, triangle.edge, patch);
+    if (patch.is_tame()) {
+        patch.template find_range<soft, true>(strict, all_strict);
+        evaluate_positions<quadratic, soft, true>(patch, triangle, positions, f);
+    } else {
+        patch.template find_range<soft, false>(strict, all_strict);
+        evaluate_positions<quadratic, soft, false>(patch, triangle, positions, f);
     }
 }

@@ -42,7 +42,7 @@ void check_cell(const Lattice& lattice, int cx, int cy, const CellPositions& pos
             }
             int32_t w[3];
             expected.weights(p, w);
-            const CrossingWeights<float> b(t, x, y);
+            const CrossingWeights<float> b(t.planes, x, y);
             const float found[3] = {b.b0, b.b1, b.b2};
             for (int k = 0; k < 3; ++k) {
                 const float exact = float(w[k]) / position_one;
