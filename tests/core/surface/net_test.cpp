@@ -207,6 +207,45 @@ TEST(Net, APartsEdgesBendAsInTheWhole) {
     }
 }
 
+TEST(Net, RowsThatComeAsTheyAreNeededHaveTheBitsOfTheWhole) {
+    constexpr int count = 3;
+    on_each_target([] {
+        each_scene([](const Scene& scene, Random& random) {
+            Lattice l = scene.lattice;
+            Workspace workspace;
+            find_gains(l, Cost::abn, workspace);
+            const EdgeRecipe recipe{true, workspace.gain.data(), 0.3f};
+            for (const Values kind : all_values)
+                for (const float last : {0.5f, 0x1p70f, std::nanf("")}) {
+                    // What is made before a value that is not tame turns up need not know of it.
+                    auto values = make_values(kind, scene.pixels() * count, random);
+                    values.back() = last;
+                    const DenormalsAreZero zero;
+                    Net whole, rows;
+                    EdgeMaker of_whole, of_rows;
+                    set_vertices(l, values.data(), count, 0, count, whole);
+                    of_whole.begin(l, scene.all(), recipe, whole);
+                    of_whole.finish();
+                    of_rows.begin_rows(l, scene.all(), recipe, {values.data(), count, 0, count},
+                                       rows);
+                    for (int y = 0; y <= l.height(); ++y)
+                        of_rows.to_row(y, 0);
+                    for (int c = 0; c < count; ++c) {
+                        l.each_edge([&](int m) {
+                            ASSERT_EQ(bits_of(rows.at(m)[c]), bits_of(whole.at(m)[c]));
+                            ASSERT_EQ(bits_of(rows.soft_at(m)[c]), bits_of(whole.soft_at(m)[c]));
+                        });
+                        for (int y = 0; y < l.height(); ++y)
+                            for (int x = 0; x < l.width(); ++x) {
+                                const int s = l.vertex_site(x, y);
+                                ASSERT_EQ(bits_of(rows.at(s)[c]), bits_of(whole.at(s)[c]));
+                            }
+                    }
+                }
+        });
+    });
+}
+
 TEST(Net, WhatTheMemoryHeldBeforeDoesNotMatter) {
     Random random(6);
     Net net;
