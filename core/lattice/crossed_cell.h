@@ -51,6 +51,10 @@ struct CellPlanes {
     }
 };
 
+/// As many triangles as a cell's positions belong to, if others than its own cross it, at most
+/// unless edges are very long.
+constexpr size_t usual_crossing_triangles = 5;
+
 /// A triangle that some of a cell's positions belong to.
 struct CrossingTriangle {
     int vertex[3], edge[3]; ///< as in Triangle

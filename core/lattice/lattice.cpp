@@ -54,6 +54,9 @@ void Lattice::start(int width, int height, const float* guide, bool flat, bool c
     m_stride = 2 * width;
     m_fresh = true;
     m_longest = 1;
+    m_longest_down.resize(size_t(2 * height - 1));
+    for (size_t y = 0; y < m_longest_down.size(); ++y)
+        m_longest_down[y] = y & 1;
     m_sites.resize(size_t(m_stride) * size_t(2 * height - 1));
     const auto row = [&](int y) { return guide + size_t(y) * size_t(width); };
     // An upright edge between two cells and the diagonal after it, which are stored at once.
@@ -129,7 +132,10 @@ void Lattice::flip(int m) {
     e.left = -e.v;
     e.right = e.v;
     e.v = c;
-    m_longest = std::max({m_longest, std::abs(int(c.x)), std::abs(int(c.y))});
+    const int down = std::abs(int(c.y));
+    m_longest = std::max({m_longest, std::abs(int(c.x)), down});
+    uint8_t& longest_down = m_longest_down[size_t(m / m_stride)];
+    longest_down = std::max(longest_down, uint8_t(down));
 }
 
 void Lattice::flip_back(int m) {

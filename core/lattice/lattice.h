@@ -160,7 +160,8 @@ public:
 
     /// The bytes that it takes.
     size_t bytes() const {
-        return m_sites.capacity() * sizeof(Site) + m_divisions.capacity() * sizeof(Division);
+        return m_sites.capacity() * sizeof(Site) + m_divisions.capacity() * sizeof(Division) +
+               m_longest_down.capacity();
     }
 
     int width() const { return m_width; }
@@ -182,6 +183,8 @@ public:
 
     /// No edge is longer than this in either coordinate, in pixels.
     int longest() const { return m_longest; }
+    /// The same of |v.y| of edges with midpoints in row y of the doubled lattice.
+    int longest_down(int y) const { return m_longest_down[size_t(y)]; }
     /// Whether no edge was flipped since start().
     bool fresh() const { return m_fresh; }
 
@@ -276,6 +279,7 @@ private:
 
     int m_width = 0, m_height = 0, m_stride = 0;
     int m_longest = 1;
+    std::vector<uint8_t> m_longest_down;
     bool m_fresh = false;
     std::vector<Site> m_sites;
     std::vector<Division> m_divisions; ///< a cell

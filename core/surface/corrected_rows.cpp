@@ -4,16 +4,28 @@
 #include <algorithm>
 
 #include "core/lattice/neighbours.h"
+#include "core/lattice/row_reach.h"
 #include "core/surface/kept_rows.h"
 
 namespace ddt {
 
 namespace {
 
-/// Rows by which a round is ahead of the one that asks it for values: values are asked for some
-/// rows at once, beyond gradients beyond edges beyond the cells whose means are taken.
-constexpr int rounds_apart(int longest) {
-    return 3 * longest + rows_at_once;
+/// Rows of cells from the one whose means a round takes to the one before that a later round takes,
+/// in most tiles at most.
+constexpr int usual_rounds_apart = 16;
+
+/// The same of a lattice: values are asked for some rows at once, beyond gradients beyond edges
+/// beyond the cells whose means are taken.
+int rounds_apart(const Lattice& lattice) {
+    RowReach reach;
+    reach.find(lattice);
+    int most = 1;
+    for (int y = 0; y < lattice.height(); ++y) {
+        const int edges = reach.last_neighbour(y) + rows_at_once;
+        most = std::max(most, reach.last_neighbour(reach.last_end(edges)) + 1 - y);
+    }
+    return most;
 }
 
 } // namespace
@@ -28,7 +40,7 @@ void CorrectedRows::begin(const Lattice& lattice, const Rect& part, const Correc
     for (Round& round : m_rounds)
         round.belong_to(*this);
     // What a round found the next still finds.
-    m_crossed.begin(lattice, mean_positions(), rounds_apart(lattice.longest()));
+    m_crossed.begin(lattice, mean_positions(), rounds_apart(lattice));
     // Gradients and softness are made from what is round the ends of edges.
     Rect edges = part;
     for (size_t k = m_rounds.size(); k-- > 0;) {
@@ -95,7 +107,7 @@ size_t CorrectedRows::memory(int width, int height, int count, const CorrectionR
     // Of the source, where it has more channels; what is made of it; its limits, low and high.
     const size_t rows = (3 + 1 + 2) * size_t(width) * size_t(count) * sizeof(float);
     return size_t(recipe.rounds) * (rows + MeanRows::memory(width, height, count, recipe.edges)) +
-           CrossedRows::memory(width, rounds_apart(usual_longest));
+           CrossedRows::memory(width, usual_rounds_apart);
 }
 
 } // namespace ddt

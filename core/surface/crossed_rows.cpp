@@ -38,8 +38,8 @@ void CrossedRows::find(int y, int x0, int x1, Row& row) const {
 }
 
 size_t CrossedRows::memory(int width, int rows) {
-    constexpr size_t usual_triangles = 5;
-    return size_t(rows) * size_t(width) * (sizeof(Cell) + usual_triangles * sizeof(CellTriangle));
+    return size_t(rows) * size_t(width) *
+           (sizeof(Cell) + usual_crossing_triangles * sizeof(CellTriangle));
 }
 
 } // namespace ddt

@@ -27,33 +27,34 @@ void NearCells::load_below(const Lattice& lattice, const Rect& part, int y) {
 void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
                       bool few_values, bool few_edges, int count, Net& net) {
     m_lattice = &lattice;
+    m_reach.find(lattice);
     m_net = &net;
     m_part = part;
     m_recipe = recipe;
     m_few_values = few_values;
     m_few_edges = few_edges;
     m_scratch.tame = few_values;
-    const int edges = edge_rows(lattice.longest());
+    const RowsInUse rows = few_edges ? most_in_use() : RowsInUse{};
     m_gradient_rows = part.y0;
     m_edge_rows = 2 * part.y0;
     m_scratch.edge_cells.resize(lattice.width());
     m_scratch.gradient_cells.resize(lattice.width());
     // Above the part, edges that end there look for a gradient.
-    const int top = few_edges ? std::max(part.y0 - lattice.longest() - 1, 0) : 0;
+    const int top = few_edges ? m_reach.first_neighbour(part.y0) : 0;
     if (recipe.bend)
-        take_rows(lattice, count, few_edges ? top : 0, few_edges ? edges : lattice.height(),
+        take_rows(lattice, count, few_edges ? top : 0, few_edges ? rows.edges : lattice.height(),
                   m_scratch.gradients);
     if (few_values) {
         net.stride = lattice.stride();
         m_vertex_rows = top;
-        take_rows(lattice, count, top, vertex_rows(lattice.longest()), net.values.even);
-        take_rows(lattice, count, part.y0, edges, net.values.odd);
+        take_rows(lattice, count, top, rows.vertices, net.values.even);
+        take_rows(lattice, count, part.y0, rows.edges, net.values.odd);
     }
     for (auto& weights : m_scratch.weights)
         weights.resize(recipe.gain ? size_t(lattice.width()) + edge_padding : 0);
     if (recipe.gain && few_edges) {
-        take_rows(lattice, count, part.y0, edges, net.soft.even);
-        take_rows(lattice, count, part.y0, edges, net.soft.odd);
+        take_rows(lattice, count, part.y0, rows.edges, net.soft.even);
+        take_rows(lattice, count, part.y0, rows.edges, net.soft.odd);
     } else if (recipe.gain) {
         whole(lattice, count, net.soft);
     }
@@ -116,31 +117,38 @@ int EdgeMaker::last_row(int y) const {
     return std::min(y + rows_at_once, m_part.y1 - 1);
 }
 
-/// Rows before this have gradients then.
-int EdgeMaker::gradients_end(int last) const {
-    return std::min(last + m_lattice->longest(), m_part.y1);
-}
-
 /// Rows of values before this are read by go_on(y).
 int EdgeMaker::values_end(int y) const {
-    const int last = last_row(y), end = std::max(gradients_end(last) - 1, last);
-    return std::min(end + m_lattice->longest() + 1, m_lattice->height());
+    const int last = last_row(y);
+    return m_reach.last_neighbour(m_recipe.bend ? m_reach.last_end(last) : last) + 1;
+}
+
+/// Where to_cells() is asked for each row of cells, and none above it is kept.
+RowsInUse EdgeMaker::most_in_use() const {
+    RowsInUse most{usual_vertex_rows, usual_edge_rows};
+    for (int cells = m_part.y0; cells < m_part.y1; ++cells) {
+        const int first = m_reach.first_neighbour(cells), to = m_reach.last_neighbour(cells);
+        most.vertices = std::max(most.vertices, values_end(to) - first);
+        most.edges = std::max(most.edges, last_row(to) + 1 - first);
+    }
+    return most;
 }
 
 void EdgeMaker::go_on(int y, int keep) {
     if (2 * y < m_edge_rows)
         return;
     const Lattice& lattice = *m_lattice;
-    const int longest = lattice.longest(), edges = m_edge_rows / 2;
-    const int last = last_row(y), gradients = gradients_end(last);
-    // What is above the first row in use: a triangle's vertices and edges, and one row more, as
-    // positions on the last row belong to the cells before it.
-    const int top = keep - longest - 1;
+    const int edges = m_edge_rows / 2, last = last_row(y);
+    const int gradients = std::min(m_reach.last_end(last) + 1, m_part.y1);
+    // The first row in use: of triangles with a vertex at or below row `keep`. Positions on the
+    // last row belong to the cells before it.
+    const int top = m_reach.first_neighbour(keep);
     const auto make_room_for_edges = [&](SiteRows& rows) {
         make_room(lattice, std::min(top, edges), (m_edge_rows + 1) / 2, last + 1, rows);
     };
     if (m_few_values) {
-        load_vertices(values_end(y), std::min(top, std::min(edges, m_gradient_rows) - longest - 1));
+        load_vertices(values_end(y),
+                      std::min(top, m_reach.first_neighbour(std::min(edges, m_gradient_rows))));
         make_room_for_edges(m_net->values.odd);
     }
     if (m_few_edges && m_recipe.gain) {
@@ -148,8 +156,8 @@ void EdgeMaker::go_on(int y, int keep) {
         make_room_for_edges(m_net->soft.odd);
     }
     if (m_few_edges && m_recipe.bend)
-        make_room(lattice, edges - longest - 1, m_gradient_rows,
-                  std::min(last + longest + 1, lattice.height()), m_scratch.gradients);
+        make_room(lattice, m_reach.first_end(edges), m_gradient_rows, m_reach.last_end(last) + 1,
+                  m_scratch.gradients);
     if (m_recipe.bend)
         make_gradients(lattice, m_part, m_gradient_rows, gradients, *m_net, m_scratch);
     m_gradient_rows = std::max(m_gradient_rows, gradients);
@@ -159,11 +167,14 @@ void EdgeMaker::go_on(int y, int keep) {
     m_edge_rows = 2 * last + 1;
 }
 
-size_t EdgeMaker::memory(int width, int height, int count, int longest, const EdgeRecipe& recipe) {
-    const auto kept = [&](int used) { return size_t(std::min(used + rows_to_go_on, height)); };
+size_t EdgeMaker::memory(int width, int height, int count, bool all_rows,
+                         const EdgeRecipe& recipe) {
     const size_t row = site_row(width, count) * sizeof(float);
-    const size_t edges = kept(edge_rows(longest)) * row;
-    return kept(vertex_rows(longest)) * row + edges + (recipe.gain ? 2 * edges : 0) +
+    const auto kept = [&](int used) {
+        return size_t(all_rows ? height : std::min(used + rows_to_go_on, height)) * row;
+    };
+    const size_t edges = kept(usual_edge_rows);
+    return kept(usual_vertex_rows) + edges + (recipe.gain ? 2 * edges : 0) +
            (recipe.bend ? edges : 0);
 }
 

@@ -2,9 +2,15 @@
 // What belongs to the edges of a control net: their bends e and softness q (see net.h).
 #pragma once
 
+#include "core/lattice/row_reach.h"
 #include "core/surface/edge_scratch.h"
 
 namespace ddt {
+
+/// Rows of pixels whose vertices, and whose edges, are there at once.
+struct RowsInUse {
+    int vertices, edges;
+};
 
 /// What the edges of a net are made from.
 struct EdgeRecipe {
@@ -41,6 +47,8 @@ public:
     /// Make the edges with midpoints in row y of pixels or further up, as far as they are not made.
     /// Of a net of some rows, those that no triangle at or below row `keep` of cells has may go.
     void to_row(int y, int keep);
+    /// The same of what triangles that meet row y of cells have.
+    void to_cells(int y, int keep) { to_row(m_reach.last_neighbour(y), keep); }
     /// Make all edges, and keep them.
     void finish() { to_row(m_part.y1, 0); }
 
@@ -52,21 +60,22 @@ public:
     /// Once all are made, with bends: the gradients, as EdgeScratch has them.
     const SiteRows& gradients() const { return m_scratch.gradients; }
 
-    /// About the bytes that this and a net of `count` channels take, of which some rows are kept
-    /// and where edges are this long.
-    static size_t memory(int width, int height, int count, int longest, const EdgeRecipe& recipe);
+    /// About the bytes that this and a net of `count` channels usually take; all_rows: where all
+    /// rows are kept.
+    static size_t memory(int width, int height, int count, bool all_rows, const EdgeRecipe& recipe);
 
 private:
     void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe, bool few_values,
                bool few_edges, int count, Net& net);
     void go_on(int y, int keep);
     int last_row(int y) const;
-    int gradients_end(int last) const;
     int values_end(int y) const;
+    RowsInUse most_in_use() const;
     void load_vertices(int end, int keep);
 
     EdgeScratch m_scratch;
     const Lattice* m_lattice = nullptr;
+    RowReach m_reach;
     Net* m_net = nullptr;
     Rect m_part;
     EdgeRecipe m_recipe;

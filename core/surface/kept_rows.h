@@ -10,9 +10,6 @@
 
 namespace ddt {
 
-/// Edges of most tiles are no longer than this.
-constexpr int usual_longest = 10;
-
 /// Rows of pixels that are made at a time, at least.
 constexpr int rows_at_once = 4;
 
@@ -20,14 +17,8 @@ constexpr int rows_at_once = 4;
 /// more of them less is moved, but what is made leaves the cache before it is used.
 constexpr int rows_to_go_on = 4;
 
-/// Rows in use, where edges are this long, of vertices and of what belongs to edges. Most tiles
-/// have some edge that is not short.
-constexpr int vertex_rows(int longest) {
-    return rows_at_once + 4 * std::max(longest, 5) + 4;
-}
-constexpr int edge_rows(int longest) {
-    return rows_at_once + 2 * std::max(longest, 5) + 4;
-}
+/// Rows of vertices and of what belongs to edges that are in use at a time in most tiles, at most.
+constexpr int usual_vertex_rows = 24, usual_edge_rows = 16;
 
 /// Floats of SiteRows in a row of pixels, which is two of the doubled lattice.
 constexpr size_t site_row(int width, int count) {

@@ -39,7 +39,7 @@ void MeanRows::begin(const Lattice& lattice, const Rect& wanted, Surface surface
 const float* MeanRows::row(int y, int keep) {
     for (; m_cell_rows < std::min(y + 1, m_lattice->height() - 1); ++m_cell_rows) {
         const int cells = m_cell_rows;
-        m_edges.to_row(cells + m_lattice->longest(), std::min(cells, keep));
+        m_edges.to_cells(cells, std::min(cells, keep));
         std::fill_n(sums(cells + 1), m_sums.size() / 2, 0.0f);
         add_means(*m_lattice, m_surface, m_net, m_wanted, cells, *m_crossed, m_scratch, sums(cells),
                   sums(cells + 1));
@@ -49,7 +49,7 @@ const float* MeanRows::row(int y, int keep) {
 
 size_t MeanRows::memory(int width, int height, int count, const EdgeRecipe& recipe) {
     // Two rows of sums, four of quadrants' means.
-    return EdgeMaker::memory(width, height, count, usual_longest, recipe) +
+    return EdgeMaker::memory(width, height, count, false, recipe) +
            6 * size_t(width) * size_t(count) * sizeof(float);
 }
 

@@ -32,11 +32,10 @@ size_t TileSurface::memory(const Job& job, int width, int height, bool rows) {
     size_t kept = 0;
     for (int g = 0; g < groups; ++g) {
         const int count = channels_in_group(job.channels, g);
-        kept +=
-            is_fitted(job.surface)
-                ? FittedMaker::memory(width, height, {nullptr, job.channels, 0, count}, !rows,
-                                      job.surface.soft > 0)
-                : EdgeMaker::memory(width, height, count, rows ? usual_longest : height, recipe);
+        kept += is_fitted(job.surface)
+                    ? FittedMaker::memory(width, height, {nullptr, job.channels, 0, count}, !rows,
+                                          job.surface.soft > 0)
+                    : EdgeMaker::memory(width, height, count, !rows, recipe);
     }
     size_t corrected = 0;
     if (is_corrected(job.surface))
@@ -44,7 +43,9 @@ size_t TileSurface::memory(const Job& job, int width, int height, bool rows) {
                                           {job.surface.kind, recipe, job.surface.consistency});
     if (is_corrected(job.surface) && groups > 1)
         corrected += size_t(width) * size_t(height) * sizeof(float) * size_t(job.channels);
-    return kept + corrected;
+    // Of a row of cells that are all crossed, in a vector that grows by doubling.
+    const size_t located = 2 * usual_crossing_triangles * size_t(width) * sizeof(CrossingTriangle);
+    return kept + corrected + located;
 }
 
 void TileSurface::begin(const TileMesh& mesh, const Tile& tile, const float* values) {
@@ -121,11 +122,11 @@ void TileSurface::begin_fitted(int group, const float* values, const Rect& part)
 
 void TileSurface::make_edges_for(int32_t y, int32_t keep) {
     const DenormalsAreZero as_on_gpus;
-    const int to = (y >> position_bits) + m_mesh->lattice().longest(), from = keep >> position_bits;
+    const int cells = y >> position_bits, from = keep >> position_bits;
     for (EdgeMaker& edges : m_edges)
-        edges.to_row(to, from);
+        edges.to_cells(cells, from);
     for (FittedMaker& fitted : m_fitted)
-        fitted.to_row(to, from);
+        fitted.to_cells(cells, from);
 }
 
 void TileSurface::finish_edges() {

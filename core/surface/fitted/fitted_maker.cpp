@@ -9,16 +9,36 @@
 
 namespace ddt {
 
+namespace {
+
+/// Rows of indices that are in use at a time in most tiles, at most.
+constexpr int usual_index_rows = 8;
+
+/// As many rows as are in use at a time in this lattice: from the first that an edge ends in which
+/// also ends in the last, or further down.
+int most_index_rows(const RowReach& reach, int height) {
+    int most = 1;
+    for (int last = 0, row = 0; last < height; ++last) {
+        while (reach.last_end(row) < last)
+            ++row;
+        most = std::max(most, last + 1 - reach.first_end(row - 1));
+    }
+    return most;
+}
+
+} // namespace
+
 void FittedMaker::begin(const Lattice& lattice, const Rect& part, const FittedRecipe& recipe,
                         const GroupValues& values, Net& net) {
     m_lattice = &lattice;
+    m_reach.find(lattice);
     m_net = &net;
     m_part = part;
     m_recipe = recipe;
     m_values = values;
     m_limits = {net.strict, recipe.limit, recipe.clipped};
 
-    const int count = values.count, height = lattice.height(), longest = lattice.longest();
+    const int count = values.count, height = lattice.height();
     m_source = values.values;
     if (values.count < values.channels) {
         take_memory(m_copied, row_size() * size_t(height));
@@ -28,8 +48,8 @@ void FittedMaker::begin(const Lattice& lattice, const Rect& part, const FittedRe
     // Softness is made from what is round the ends of edges.
     m_moved = with_neighbours(lattice, part);
     net.stride = lattice.stride();
-    take_rows(lattice, count, m_moved.y0, vertex_rows(longest), net.values.even);
-    take_rows(lattice, count, part.y0, edge_rows(longest), net.values.odd);
+    take_rows(lattice, count, m_moved.y0, usual_vertex_rows, net.values.even);
+    take_rows(lattice, count, part.y0, usual_edge_rows, net.values.odd);
     EdgeRecipe edges{true, recipe.tau > 0 ? recipe.gain : nullptr, recipe.tau};
     m_crossed.begin(lattice, mean_positions(), 1);
     m_plain.begin(lattice, m_moved, Surface::patch, edges, values, net.strict, m_crossed);
@@ -37,7 +57,7 @@ void FittedMaker::begin(const Lattice& lattice, const Rect& part, const FittedRe
     edges.bend = false;
     m_soft.begin_edge_rows(lattice, part, edges, net);
 
-    m_index_rows = 2 * longest + 2;
+    m_index_rows = most_index_rows(m_reach, height);
     take_memory(m_index, row_size() * size_t(m_index_rows));
     m_vertex_rows = m_moved.y0;
     m_edge_rows = 2 * part.y0;
@@ -53,11 +73,11 @@ void FittedMaker::to_row(int y, int keep) {
 
 void FittedMaker::go_on(int y, int keep) {
     const Lattice& lattice = *m_lattice;
-    const int longest = lattice.longest();
     // Softness is made some rows at once, and asks for the apexes of its edges.
-    const int end = std::min(y + rows_at_once + longest + 2, m_moved.y1);
+    const int end = std::min(m_reach.last_neighbour(y + rows_at_once) + 1, m_moved.y1);
     if (end > m_vertex_rows) {
-        const int used = std::min(std::min(keep, m_soft.rows()) - longest - 1, m_edge_rows / 2);
+        const int used =
+            std::min(m_reach.first_neighbour(std::min(keep, m_soft.rows())), m_edge_rows / 2);
         make_room(lattice, used, m_vertex_rows, end, m_net->values.even);
         make_room(lattice, used, (m_edge_rows + 1) / 2, bent_end(end) / 2 + 1, m_net->values.odd);
         while (m_vertex_rows < end)
@@ -70,7 +90,12 @@ void FittedMaker::go_on(int y, int keep) {
 /// there.
 int FittedMaker::bent_end(int vertices) const {
     const int last = 2 * m_part.y1 - 1;
-    return vertices == m_moved.y1 ? last : std::min(2 * (vertices - m_lattice->longest()), last);
+    if (vertices == m_moved.y1)
+        return last;
+    int row = m_edge_rows / 2;
+    while (m_reach.last_end(row) < vertices)
+        ++row;
+    return std::clamp(2 * row - 1, m_edge_rows, last);
 }
 
 /// The next row of vertices, and the bends that are then due.
@@ -103,9 +128,8 @@ size_t FittedMaker::memory(int width, int height, const GroupValues& values, boo
     const size_t row = size_t(width) * size_t(values.count) * sizeof(float);
     const size_t copied = values.count < values.channels ? size_t(height) : 0;
     return MeanRows::memory(width, height, values.count, {true, gain, 1}) +
-           EdgeMaker::memory(width, height, values.count, all_rows ? height : usual_longest,
-                             {false, gain, 1}) +
-           row * (copied + 2 * usual_longest + 2);
+           EdgeMaker::memory(width, height, values.count, all_rows, {false, gain, 1}) +
+           row * (copied + usual_index_rows);
 }
 
 } // namespace ddt

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/lattice/row_reach.h"
 #include "core/surface/fitted/fitted.h"
 #include "core/surface/mean_rows.h"
 
@@ -24,7 +25,7 @@ struct FittedRecipe {
 
 /// Makes one group's net from the top row downwards, as EdgeMaker does: the plain edges through the
 /// source, the means of their surface, where the vertices go, bends and softness follow one another
-/// at the distance of a longest edge, so that of each no more than some rows are there.
+/// at the distance of the longest edges there, so that of each no more than some rows are there.
 class FittedMaker {
 public:
     /// Start on a net of some rows, whose `strict` is set: the vertices of `part`, a part of the
@@ -36,6 +37,7 @@ public:
 
     /// As EdgeMaker's: the edges with midpoints in row y of pixels or further up.
     void to_row(int y, int keep);
+    void to_cells(int y, int keep) { to_row(m_reach.last_neighbour(y), keep); }
     /// Make all, and keep the net.
     void finish() { to_row(m_part.y1, 0); }
 
@@ -51,6 +53,7 @@ private:
     size_t row_size() const { return size_t(m_lattice->width()) * size_t(m_values.count); }
 
     const Lattice* m_lattice = nullptr;
+    RowReach m_reach;
     Net* m_net = nullptr;
     Rect m_part;
     Rect m_moved; ///< the vertices that the part's edges and their apexes are
