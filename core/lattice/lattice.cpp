@@ -134,8 +134,8 @@ void Lattice::flip(int m) {
     e.v = c;
     const int down = std::abs(int(c.y));
     m_longest = std::max({m_longest, std::abs(int(c.x)), down});
-    uint8_t& longest_down = m_longest_down[size_t(m / m_stride)];
-    longest_down = std::max(longest_down, uint8_t(down));
+    if (down > 1) // start() knows of one row
+        note_down(m, down);
 }
 
 void Lattice::flip_back(int m) {

@@ -17,6 +17,7 @@
 // right-hand side on screen; only consistency matters.)
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -75,6 +76,11 @@ struct Edge {
                allowed(left.x) & allowed(left.y);
     }
 };
+
+/// Pixels across that a lattice may have whose sites are worked on several at a time
+/// (site_lanes-inl.h): offsets are products of 16 bits. No tile has more; in wider lattices sites
+/// are worked on one by one.
+constexpr int widest_lanes = INT16_MAX / 2;
 
 /// Cells whose divisions are looked at together (crossed_columns.h).
 constexpr int cells_at_once = 8;
@@ -210,6 +216,8 @@ public:
     /// Flip the flippable edge at m: (v, L, R) <- (L, -v, v); in its parallelogram's sides the apex
     /// that went away is replaced.
     void flip(int m);
+    /// Flip flippable edges outside each other's 2-regions.
+    void flip_all(const int* edges, size_t n);
     /// Undo the last flip of the edge at m, if no side of it was flipped since.
     void flip_back(int m);
 
@@ -276,6 +284,11 @@ public:
 private:
     void find_short_first_edges(const Rect& part);
     void find_long_first_edges(const Rect& part);
+    /// The edge at m goes over `down` rows.
+    void note_down(int m, int down) {
+        uint8_t& longest = m_longest_down[size_t(m / m_stride)];
+        longest = std::max(longest, uint8_t(down));
+    }
 
     int m_width = 0, m_height = 0, m_stride = 0;
     int m_longest = 1;

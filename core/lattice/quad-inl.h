@@ -25,10 +25,21 @@ struct QuadOf {
           inner{v + (v - w), -v - w, (w - v) - v, v + w} {}
 };
 
+/// Where a quad's sites are, by the offsets of w and of u = v - w: offsets are linear.
+template <class Sites>
+struct QuadSites {
+    Sites a, b, c, d;
+    Sites middle[4]; ///< the sides' midpoints
+
+    DDT_INLINE QuadSites(Sites m, Sites w, Sites u)
+        : a(m - (w + u)), b(m + (w + u)), c(m + (w - u)),
+          d(m - (w - u)), middle{m - u, m + w, m + u, m - w} {}
+};
+
 /// The apex beyond a side: one of the side's is `inner`, the sum leaves the other; no apex is zero
 /// but where there is none.
-template <class V, class EdgeOfV>
-DDT_INLINE V apex_beyond(const EdgeOfV& side, V inner) {
+template <class V, class ApexesOfV>
+DDT_INLINE V apex_beyond(const ApexesOfV& side, V inner) {
     return (side.left + side.right) - inner;
 }
 

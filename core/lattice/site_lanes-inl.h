@@ -6,35 +6,46 @@
 using VI = hn::Vec<DI>;
 using Floats = Lanes<D>;
 
-/// Sites, or coordinates of vectors, one a lane.
+/// Sites, one a lane, or what differs between them.
 struct Ints {
     VI i;
     friend HWY_INLINE Ints operator+(Ints a, Ints b) { return {hn::Add(a.i, b.i)}; }
     friend HWY_INLINE Ints operator-(Ints a, Ints b) { return {hn::Sub(a.i, b.i)}; }
 };
-/// Twin of Vec.
+
+/// Twin of Vec: x in the lower, y in the upper 16 bits of a lane, which leave room for sums, so
+/// that both are added at once.
 struct VecLanes {
-    Ints x, y;
-    friend HWY_INLINE VecLanes operator+(VecLanes a, VecLanes b) { return {a.x + b.x, a.y + b.y}; }
-    friend HWY_INLINE VecLanes operator-(VecLanes a, VecLanes b) { return {a.x - b.x, a.y - b.y}; }
+    using D16 = hn::Repartition<int16_t, DI>;
+    VI xy;
+
+    HWY_INLINE hn::Vec<D16> halves() const { return hn::BitCast(D16(), xy); }
+    static HWY_INLINE VecLanes of(hn::Vec<D16> halves) { return {hn::BitCast(DI(), halves)}; }
+
+    friend HWY_INLINE VecLanes operator+(VecLanes a, VecLanes b) {
+        return of(hn::Add(a.halves(), b.halves()));
+    }
+    friend HWY_INLINE VecLanes operator-(VecLanes a, VecLanes b) {
+        return of(hn::Sub(a.halves(), b.halves()));
+    }
     friend HWY_INLINE VecLanes operator-(VecLanes a) {
-        const Ints zero{hn::Zero(DI())};
-        return {zero - a.x, zero - a.y};
+        return of(hn::Sub(hn::Zero(D16()), a.halves()));
     }
-    friend HWY_INLINE VecLanes half(VecLanes a) {
-        return {{hn::ShiftRight<1>(a.x.i)}, {hn::ShiftRight<1>(a.y.i)}};
-    }
+    friend HWY_INLINE VecLanes half(VecLanes a) { return of(hn::ShiftRight<1>(a.halves())); }
     friend HWY_INLINE VecLanes odd(VecLanes a) {
-        const VI one = hn::Set(DI(), 1);
-        return {{hn::And(a.x.i, one)}, {hn::And(a.y.i, one)}};
+        return {hn::And(a.xy, hn::Set(DI(), 0x00010001))};
     }
     friend HWY_INLINE VecLanes even(VecLanes a) {
-        const VI one = hn::Set(DI(), 1);
-        return {{hn::AndNot(a.x.i, one)}, {hn::AndNot(a.y.i, one)}};
+        return {hn::AndNot(a.xy, hn::Set(DI(), 0x00010001))};
     }
-};
-struct EdgeLanes {
-    VecLanes v, left, right;
+    HWY_INLINE VI x() const { return hn::ShiftRight<16>(hn::ShiftLeft<16>(xy)); }
+    HWY_INLINE VI y() const { return hn::ShiftRight<16>(xy); }
+    /// As two signed bytes, x in the lowest; those above are 0.
+    HWY_INLINE VI bytes() const {
+        const VI byte = hn::Set(DI(), 255);
+        return hn::Or(hn::And(xy, byte), hn::And(hn::ShiftRight<8>(xy), hn::ShiftLeft<8>(byte)));
+    }
+    HWY_INLINE hn::Mask<DI> zero() const { return hn::Eq(xy, hn::Zero(DI())); }
 };
 
 /// A vector of n sites or, where there are fewer, n > 0, as many: lanes that are left over repeat
@@ -52,64 +63,95 @@ HWY_INLINE Ints load_sites(const int* sites, size_t n) {
 
 #include "core/lattice/quad-inl.h"
 
-/// A lattice as neighbourhood() (core/triangulate/gain-inl.h) sees it, a site a lane. A site is two
-/// words; an edge's are (v, left), (right, stamp), a vertex's its guide and its contour.
+/// Of an edge that can be flipped: the right apex is opposite to the left.
+struct FlippableLanes {
+    VecLanes v, left;
+};
+struct ApexLanes {
+    VecLanes left, right;
+};
+
+/// A lattice, no wider than widest_lanes, as neighbourhood() (core/triangulate/gain-inl.h) sees it,
+/// a site a lane.
 struct SiteLanes {
     using Sites = Ints;
     using V = VecLanes;
-    const int32_t* words;
-    VI stride;
 
     explicit HWY_INLINE SiteLanes(const Lattice& lattice)
-        : words(reinterpret_cast<const int32_t*>(lattice.sites())),
-          stride(hn::Set(DI(), lattice.stride())) {}
+        : m_sites(reinterpret_cast<const char*>(lattice.sites())),
+          m_weights{hn::Set(DI(), lattice.stride() << 16 | 1)} {}
 
-    HWY_INLINE EdgeLanes edge(Ints m) const {
-        // Both words at once, since a gather takes as long as it has lanes.
-        const hn::Repartition<int64_t, DI> d64;
-        const hn::Half<DI> half;
-        const auto* sites = reinterpret_cast<const int64_t*>(words);
-        const auto lower = hn::BitCast(
-            DI(), hn::GatherIndex(d64, sites, hn::PromoteTo(d64, hn::LowerHalf(half, m.i))));
-        const auto upper = hn::BitCast(
-            DI(), hn::GatherIndex(d64, sites, hn::PromoteTo(d64, hn::UpperHalf(half, m.i))));
-        const VI first = hn::ConcatEven(DI(), upper, lower),
-                 second = hn::ConcatOdd(DI(), upper, lower);
-        return {{byte<0>(first), byte<1>(first)},
-                {byte<2>(first), byte<3>(first)},
-                {byte<0>(second), byte<1>(second)}};
+    HWY_INLINE FlippableLanes flippable_edge(Ints m) const {
+        static_assert(offsetof(Edge, v) == 0 && offsetof(Edge, left) == 2, "the word's bytes");
+        const VI both = word(m, 0);
+        return {vector<0>(both), vector<2>(both)};
     }
-    HWY_INLINE Ints offset(VecLanes v) const { return {hn::Add(hn::Mul(v.y.i, stride), v.x.i)}; }
-    HWY_INLINE Floats guide(Ints m) const { return hn::BitCast(D(), word(m, 0)); }
-    HWY_INLINE Floats number(Ints coordinate) const { return hn::ConvertTo(D(), coordinate.i); }
+    HWY_INLINE ApexLanes apexes(Ints m) const {
+        static_assert(offsetof(Edge, left) == 2 && offsetof(Edge, right) == 4, "the word's bytes");
+        const VI both = word(m, 2);
+        return {vector<0>(both), vector<2>(both)};
+    }
+    HWY_INLINE Ints offset(VecLanes v) const {
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR
+        // One instruction, but on x86 alone it adds products that are beside one another.
+        const VI zero = hn::Zero(DI());
+        VI none = zero;
+        return {hn::ReorderWidenMulAccumulate(DI(), v.halves(), m_weights.halves(), zero, none)};
+#else
+        return {hn::Add(hn::Mul(v.y(), m_weights.y()), v.x())};
+#endif
+    }
+    HWY_INLINE Floats guide(Ints m) const {
+        return hn::BitCast(D(), word(m, 0));
+    }
+    HWY_INLINE Floats x(VecLanes v) const {
+        return hn::ConvertTo(D(), v.x());
+    }
+    HWY_INLINE Floats y(VecLanes v) const {
+        return hn::ConvertTo(D(), v.y());
+    }
     HWY_INLINE Floats present(VecLanes apex) const {
         return hn::IfThenElse(absent(apex), hn::Zero(D()), hn::Set(D(), 1.0f));
     }
     HWY_INLINE Floats guide_beyond(Ints middle, VecLanes apex, Floats otherwise) const {
         return hn::IfThenElse(absent(apex), otherwise.v, guide(middle + offset(apex)).v);
     }
-    /// middle + offset(way), or middle where the apex is absent.
-    HWY_INLINE Ints beyond(Ints middle, VecLanes apex, VecLanes way) const {
-        const auto none = hn::RebindMask(DI(), absent(apex));
-        return {hn::IfThenElse(none, middle.i, (middle + offset(way)).i)};
+    /// `there`, or `otherwise` where the apex is absent.
+    HWY_INLINE Ints if_present(VecLanes apex, Ints there, Ints otherwise) const {
+        return {hn::IfThenElse(apex.zero(), otherwise.i, there.i)};
     }
-    HWY_INLINE Ints contour(Ints corner) const { return {word(corner, 1)}; }
+    HWY_INLINE Ints contour(Ints corner) const {
+        return {word(corner, 4)};
+    }
+    /// Integer k of contour words or their sums.
     template <int k>
-    HWY_INLINE Ints steps(Ints contours) const {
+    HWY_INLINE Floats steps(Ints contours) const {
         const VI mask = hn::Set(DI(), contour_mask);
-        return {hn::And(hn::ShiftRight<k * contour_bits>(contours.i), mask)};
+        return hn::ConvertTo(D(), hn::And(hn::ShiftRight<k * contour_bits>(contours.i), mask));
     }
 
 private:
-    HWY_INLINE VI word(Ints m, int k) const {
-        return hn::GatherIndex(DI(), words + k, hn::ShiftLeft<1>(m.i));
+    /// The four bytes from `byte` on of each site.
+    HWY_INLINE VI word(Ints m, int byte) const {
+        static_assert(sizeof(Site) == 8, "the shift");
+        return hn::GatherOffset(DI(), reinterpret_cast<const int32_t*>(m_sites + byte),
+                                hn::ShiftLeft<3>(m.i));
     }
-    /// Byte k of each lane as a signed number.
+    /// Of each lane bytes k and k + 1, which are a vector's.
     template <int k>
-    static HWY_INLINE Ints byte(VI x) {
-        return {hn::ShiftRight<24>(hn::ShiftLeft<24 - 8 * k>(x))};
+    static HWY_INLINE VecLanes vector(VI word) {
+        // To the upper bytes of 16 bits; what is below goes.
+        const hn::Repartition<uint8_t, DI> d8;
+        HWY_ALIGN static constexpr uint8_t from[16] = {k,      k,      k,      k + 1, k + 4, k + 4,
+                                                       k + 4,  k + 5,  k + 8,  k + 8, k + 8, k + 9,
+                                                       k + 12, k + 12, k + 12, k + 13};
+        const auto up = hn::TableLookupBytes(hn::BitCast(d8, word), hn::LoadDup128(d8, from));
+        return VecLanes::of(hn::ShiftRight<8>(hn::BitCast(VecLanes::D16(), up)));
     }
     static HWY_INLINE hn::Mask<D> absent(VecLanes apex) {
-        return hn::RebindMask(D(), hn::Eq(hn::Or(apex.x.i, apex.y.i), hn::Zero(DI())));
+        return hn::RebindMask(D(), apex.zero());
     }
+
+    const char* m_sites;
+    VecLanes m_weights; ///< of a vector's coordinates in its offset
 };

@@ -91,14 +91,13 @@ DDT_INLINE T flip_gain(const Neighbourhood<T>& n) {
     return f.gain();
 }
 
-/// What lies beyond side k of the quad round the edge at m; `first_end`: the guide at the side's.
+/// What lies beyond side k, with this midpoint, of a quad; `first_end`: the guide at the side's.
 template <class T, class Mesh, class Quad_>
-DDT_INLINE typename Neighbourhood<T>::Outer look_beyond(const Mesh& mesh, typename Mesh::Sites m,
-                                                        const Quad_& q, int k, T first_end) {
-    const auto middle = m + mesh.offset(q.middle[k]);
-    const auto apex = apex_beyond(mesh.edge(middle), q.inner[k]);
+DDT_INLINE typename Neighbourhood<T>::Outer look_beyond(const Mesh& mesh, const Quad_& q, int k,
+                                                        typename Mesh::Sites middle, T first_end) {
+    const auto apex = apex_beyond(mesh.apexes(middle), q.inner[k]);
     const auto outer = from_first_end(apex, q.side[k]);
-    return {mesh.number(outer.x), mesh.number(outer.y), mesh.guide_beyond(middle, apex, first_end),
+    return {mesh.x(outer), mesh.y(outer), mesh.guide_beyond(middle, apex, first_end),
             mesh.present(apex)};
 }
 
@@ -107,22 +106,21 @@ DDT_INLINE typename Neighbourhood<T>::Outer look_beyond(const Mesh& mesh, typena
 /// core/lattice/site_lanes-inl.h.
 template <class T, class Mesh>
 DDT_INLINE Neighbourhood<T> neighbourhood(const Mesh& mesh, typename Mesh::Sites m) {
-    const auto e = mesh.edge(m);
+    const auto e = mesh.flippable_edge(m);
     const QuadOf<typename Mesh::V> q(e.v, e.left);
-    const auto dv = mesh.offset(e.v), dl = mesh.offset(e.left);
+    const QuadSites<typename Mesh::Sites> at(m, mesh.offset(q.w), mesh.offset(q.side[1]));
     Neighbourhood<T> n;
-    n.vx = mesh.number(q.v.x);
-    n.vy = mesh.number(q.v.y);
-    n.wx = mesh.number(q.w.x);
-    n.wy = mesh.number(q.w.y);
-    n.za = mesh.guide(m - dv);
-    n.zb = mesh.guide(m + dv);
-    n.zc = mesh.guide(m + dl);
-    n.zd = mesh.guide(m - dl);
-    n.outer[0] = look_beyond<T>(mesh, m, q, 0, n.za);
-    n.outer[1] = look_beyond<T>(mesh, m, q, 1, n.zc);
-    n.outer[2] = look_beyond<T>(mesh, m, q, 2, n.zb);
-    n.outer[3] = look_beyond<T>(mesh, m, q, 3, n.zd);
+    n.vx = mesh.x(q.v);
+    n.vy = mesh.y(q.v);
+    n.wx = mesh.x(q.w);
+    n.wy = mesh.y(q.w);
+    n.za = mesh.guide(at.a);
+    n.zb = mesh.guide(at.b);
+    n.zc = mesh.guide(at.c);
+    n.zd = mesh.guide(at.d);
+    const T first_ends[4] = {n.za, n.zc, n.zb, n.zd};
+    for (int k = 0; k < 4; ++k)
+        n.outer[k] = look_beyond<T>(mesh, q, k, at.middle[k], first_ends[k]);
     return n;
 }
 
@@ -141,8 +139,8 @@ DDT_INLINE Contours<T> contours_at(const Mesh& mesh, typename Mesh::Sites m, V v
     const auto cell = m - mesh.offset(odd(v));
     const auto other = cell - mesh.offset(even(v) + even(v));
     const auto words = mesh.contour(cell) + mesh.contour(other);
-    return {mesh.number(mesh.template steps<0>(words)), mesh.number(mesh.template steps<1>(words)),
-            mesh.number(mesh.template steps<2>(words)) - T(float(contour_steps))};
+    return {mesh.template steps<0>(words), mesh.template steps<1>(words),
+            mesh.template steps<2>(words) - T(float(contour_steps))};
 }
 
 /// What a flip lowers v' N v by, in units of contour_unit: with v = w + u and the other diagonal
@@ -157,7 +155,7 @@ DDT_INLINE T contour_gain(const Contours<T>& n, T wx, T wy, T ux, T uy) {
 template <class Cost, class T, class Mesh>
 DDT_INLINE T gain_with_contours(const Mesh& mesh, typename Mesh::Sites m, float contour) {
     const Neighbourhood<T> n = neighbourhood<T>(mesh, m);
-    const T along =
-        contour_gain(contours_at<T>(mesh, m, mesh.edge(m).v), n.wx, n.wy, n.vx - n.wx, n.vy - n.wy);
+    const T along = contour_gain(contours_at<T>(mesh, m, mesh.flippable_edge(m).v), n.wx, n.wy,
+                                 n.vx - n.wx, n.vy - n.wy);
     return flip_gain<Cost>(n) + T(contour) * along;
 }

@@ -21,18 +21,20 @@ struct OneSite {
     using V = Vec;
     const Lattice& lattice;
 
-    const Edge& edge(int m) const { return lattice.edge(m); }
+    const Edge& flippable_edge(int m) const { return lattice.edge(m); }
+    const Edge& apexes(int m) const { return lattice.edge(m); }
     int offset(Vec v) const { return lattice.offset(v); }
     float guide(int m) const { return lattice.guide(m); }
-    float number(int coordinate) const { return float(coordinate); }
+    float x(Vec v) const { return float(v.x); }
+    float y(Vec v) const { return float(v.y); }
     float present(Vec apex) const { return apex.zero() ? 0.0f : 1.0f; }
     float guide_beyond(int middle, Vec apex, float otherwise) const {
         return apex.zero() ? otherwise : guide(middle + offset(apex));
     }
     int contour(int corner) const { return int(lattice.vertex(corner).contour); }
     template <int k>
-    int steps(int words) const {
-        return words >> k * contour_bits & contour_mask;
+    float steps(int words) const {
+        return float(words >> k * contour_bits & contour_mask);
     }
 };
 
@@ -66,7 +68,27 @@ struct Evaluated {
 constexpr size_t candidate_padding = 64;
 
 /// Find the gains of the edges sites[0..n), no_gain of those that cannot be flipped; those above
-/// min_gain go to `candidates`, in their order. Twin for any mesh: core/triangulate/one_round.h.
+/// min_gain go to `candidates`, in their order. Without branches, since half of the edges can be
+/// flipped; `candidates` holds those that can before it holds those that gain.
+template <class Mesh>
+Evaluated find_candidates(const Mesh& mesh, const Criterion& criterion, float min_gain,
+                          const int* sites, size_t n, std::vector<float>& gain, int* candidates) {
+    Evaluated found;
+    for (size_t i = 0; i < n; ++i) {
+        gain[size_t(sites[i])] = no_gain;
+        candidates[found.flippable] = sites[i];
+        found.flippable += mesh.flippable(sites[i]);
+    }
+    gains(mesh, criterion, candidates, found.flippable, gain.data());
+    for (size_t i = 0; i < found.flippable; ++i) {
+        const int m = candidates[i];
+        candidates[found.candidates] = m;
+        found.candidates += gain[size_t(m)] > min_gain;
+    }
+    return found;
+}
+
+/// The same by the widest vectors this machine has.
 Evaluated find_candidates(const Lattice& lattice, const Criterion& criterion, float min_gain,
                           const int* sites, size_t n, std::vector<float>& gain, int* candidates);
 

@@ -75,17 +75,18 @@ HWY_ATTR void gains(const Lattice& lattice, const Criterion& criterion, const in
 HWY_INLINE size_t flippable_of(const Lattice& lattice, const int* sites, size_t count, int* found) {
     const DI di;
     const SiteLanes mesh(lattice);
-    const VI none = hn::Zero(di), longest = hn::Set(di, longest_edge);
+    static_assert((longest_edge & (longest_edge + 1)) == 0, "longer ones have other bits");
+    const VI none = hn::Zero(di),
+             beyond_longest = hn::Set(di, ~(longest_edge << 16 | longest_edge));
     const size_t lanes = hn::Lanes(di);
     size_t n = 0;
     for (size_t i = 0; i < count; i += lanes) {
         const size_t used = count - i < lanes ? count - i : lanes;
         const Ints m = load_sites(sites + i, used);
-        const EdgeLanes e = mesh.edge(m);
-        const VecLanes sum = e.left + e.right, minus = -e.left;
-        const VI far = hn::Max(hn::Max(e.left.x.i, minus.x.i), hn::Max(e.left.y.i, minus.y.i));
-        const auto opposite = hn::Eq(hn::Or(sum.x.i, sum.y.i), none);
-        const auto can = hn::AndNot(hn::Gt(far, longest), hn::And(hn::Gt(far, none), opposite));
+        const ApexLanes apex = mesh.apexes(m);
+        const VI far = hn::And(hn::BitCast(di, hn::Abs(apex.left.halves())), beyond_longest);
+        const auto can =
+            hn::AndNot(apex.left.zero(), hn::Eq(hn::Or((apex.left + apex.right).xy, far), none));
         n += store_compressed(m.i, hn::And(can, hn::FirstN(di, used)), found + n);
     }
     return n;
@@ -125,11 +126,18 @@ HWY_EXPORT(find_candidates);
 
 void gains(const Lattice& lattice, const Criterion& criterion, const int* sites, size_t n,
            float* out) {
+    if (lattice.width() > widest_lanes)
+        return dispatch(criterion.cost, [&](auto cost) {
+            for (size_t i = 0; i < n; ++i)
+                out[sites[i]] = gain_of<decltype(cost)>(lattice, sites[i], criterion.contour);
+        });
     HWY_DYNAMIC_DISPATCH(gains)(lattice, criterion, sites, n, out);
 }
 
 Evaluated find_candidates(const Lattice& lattice, const Criterion& criterion, float min_gain,
                           const int* sites, size_t n, std::vector<float>& gain, int* candidates) {
+    if (lattice.width() > widest_lanes)
+        return find_candidates<Lattice>(lattice, criterion, min_gain, sites, n, gain, candidates);
     Evaluated found;
     HWY_DYNAMIC_DISPATCH(find_candidates)
     (lattice, criterion, min_gain, sites, n, gain.data(), candidates, found);

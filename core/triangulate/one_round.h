@@ -26,11 +26,20 @@ public:
     size_t size() const { return m_size; }
     bool full() const { return m_size >= edges_at_once; }
     void clear() { m_size = 0; }
-    /// Add m if `add`, to a list that was not full before the regions that m is of. Without a
-    /// branch: whether an edge was met before is anyone's guess.
-    void add(int m, bool add = true) {
-        m_edges[m_size] = m;
-        m_size += add;
+    void add(int m) { m_edges[m_size++] = m; }
+    /// Add those of no more than touched_at_once edges that are not stamped so, and stamp them; to
+    /// a list that is not full. Without a branch: whether an edge was met before is anyone's guess.
+    template <class Mesh>
+    void add_unstamped(Mesh& mesh, const int* edges, size_t n, uint8_t iteration) {
+        size_t size = m_size; // stamps are bytes, which the compiler thinks might be m_size's
+        for (size_t i = 0; i < n; ++i) {
+            const int m = edges[i];
+            uint8_t& stamp = mesh.stamp(m);
+            m_edges[size] = m;
+            size += stamp != iteration;
+            stamp = iteration;
+        }
+        m_size = size;
     }
     const int* begin() const { return m_edges; }
     const int* end() const { return m_edges + m_size; }
@@ -39,26 +48,6 @@ private:
     size_t m_size = 0;
     int m_edges[edges_at_once + touched_at_once];
 };
-
-/// Of any mesh; twin of the Lattice's. Without branches, since half of the edges can be flipped;
-/// `candidates` holds those that can before it holds those that gain.
-template <class Mesh>
-Evaluated find_candidates(const Mesh& mesh, const Criterion& criterion, float min_gain,
-                          const int* sites, size_t n, std::vector<float>& gain, int* candidates) {
-    Evaluated found;
-    for (size_t i = 0; i < n; ++i) {
-        gain[size_t(sites[i])] = no_gain;
-        candidates[found.flippable] = sites[i];
-        found.flippable += mesh.flippable(sites[i]);
-    }
-    gains(mesh, criterion, candidates, found.flippable, gain.data());
-    for (size_t i = 0; i < found.flippable; ++i) {
-        const int m = candidates[i];
-        candidates[found.candidates] = m;
-        found.candidates += gain[size_t(m)] > min_gain;
-    }
-    return found;
-}
 
 /// Find the gains of the edges in `dirty`, which is emptied; those above min_gain become
 /// candidates. Returns how many could be flipped.
@@ -80,32 +69,64 @@ int64_t evaluate(const Mesh& mesh, const Criterion& criterion, float min_gain, D
 template <class Mesh>
 void wake_blocked(const Mesh& mesh, uint8_t iteration, Workspace& w) {
     size_t kept = 0;
-    for (const auto& b : w.blocked) {
-        if (mesh.stamp(b.site) == iteration)
+    for (const auto b : w.blocked) {
+        const bool own = mesh.stamp(b.site) == iteration,
+                   others = mesh.stamp(b.blocker) == iteration;
+        w.blocked[kept] = b;
+        if (!(own | others)) // most, so one branch
+            ++kept;
+        else if (own)
             continue; // evaluated, so among the candidates if it still is one
-        if (mesh.stamp(b.blocker) == iteration && !goes_before(w.gain, b.blocker, b.site))
-            w.candidates.push_back(b.site);
+        else if (goes_before(w.gain, b.blocker, b.site))
+            ++kept;
         else
-            w.blocked[kept++] = b;
+            w.candidates.push_back(b.site);
     }
     w.blocked.resize(kept);
+}
+
+/// Make a vector longer by n; its memory doubles as by push_back(), not by what resize() thinks of.
+template <class T>
+void add_room(std::vector<T>& v, size_t n) {
+    const size_t size = v.size() + n;
+    if (size > v.capacity())
+        v.reserve(std::max(size, 2 * v.capacity()));
+    v.resize(size);
 }
 
 /// Divide the candidates into those that are the best of their regions, w.selected, and others.
 template <class Mesh>
 void select(const Mesh& mesh, Workspace& w) {
-    int blockers[256];
+    int blockers[64];
     w.selected.clear();
     for (size_t i = 0; i < w.candidates.size(); i += std::size(blockers)) {
         const int* sites = w.candidates.data() + i;
         const size_t n = std::min(w.candidates.size() - i, std::size(blockers));
         find_blockers(mesh, w.gain, sites, n, blockers);
-        for (size_t k = 0; k < n; ++k)
-            if (blockers[k] < 0)
-                w.selected.push_back(sites[k]);
-            else
-                w.blocked.push_back({sites[k], blockers[k]});
+        // Without branches, which would be guesses.
+        size_t best = w.selected.size(), waiting = w.blocked.size();
+        add_room(w.selected, n);
+        add_room(w.blocked, n);
+        for (size_t k = 0; k < n; ++k) {
+            const bool blocked = blockers[k] >= 0;
+            w.selected[best] = sites[k];
+            w.blocked[waiting] = {sites[k], blockers[k]};
+            best += !blocked;
+            waiting += blocked;
+        }
+        w.selected.resize(best);
+        w.blocked.resize(waiting);
     }
+}
+
+/// Flip edges outside each other's 2-regions.
+template <class Mesh>
+void flip_all(Mesh& mesh, const std::vector<int>& edges) {
+    for (const int m : edges)
+        mesh.flip(m);
+}
+inline void flip_all(Lattice& lattice, const std::vector<int>& edges) {
+    lattice.flip_all(edges.data(), edges.size());
 }
 
 /// Flip the selected edges and evaluate again what must be: their 2-regions. `touched` receives
@@ -121,18 +142,11 @@ int64_t flip_selected(Mesh& mesh, const Criterion& criterion, float min_gain,
         touched += dirty.size();
         evaluated += evaluate(mesh, criterion, min_gain, dirty, w);
     };
-    const auto touch = [&](int m) {
-        uint8_t& stamp = mesh.stamp(m);
-        dirty.add(m, stamp != next_iteration);
-        stamp = next_iteration;
-    };
-    for (const int m : w.selected)
-        mesh.flip(m);
+    flip_all(mesh, w.selected);
     int regions[touched_at_once];
     for (size_t i = 0; i < w.selected.size();) {
         const size_t n = find_regions(mesh, w.selected.data() + i, w.selected.size() - i, regions);
-        for (size_t k = 0; k < n * most_in_region; ++k)
-            touch(regions[k]);
+        dirty.add_unstamped(mesh, regions, n * most_in_region, next_iteration);
         i += n;
         if (dirty.full())
             evaluate_dirty();

@@ -46,14 +46,19 @@ struct Best {
 /// called with another of them once more. Twin of Lattice::any_of_region().
 template <class F>
 HWY_INLINE void each_of_region(const SiteLanes& mesh, Ints m, F&& f) {
-    const EdgeLanes e = mesh.edge(m);
+    const FlippableLanes e = mesh.flippable_edge(m);
     const QuadOf<VecLanes> q(e.v, e.left);
+    const Ints w = mesh.offset(q.w), u = mesh.offset(q.side[1]), none{hn::Zero(DI())};
+    const QuadSites<Ints> at(m, w, u);
+    // The third side of the triangle beyond is the one that leads to it and the side together.
+    const Ints sides[4] = {w, u, none - w, none - u};
     for (int k = 0; k < 4; ++k) {
-        const Ints middle = m + mesh.offset(q.middle[k]);
+        const Ints middle = at.middle[k];
         f(middle);
-        const VecLanes apex = apex_beyond(mesh.edge(middle), q.inner[k]);
-        f(mesh.beyond(middle, apex, from_last_end(apex, q.side[k])));
-        f(mesh.beyond(middle, apex, from_first_end(apex, q.side[k])));
+        const VecLanes apex = apex_beyond(mesh.apexes(middle), q.inner[k]);
+        const Ints first = middle + mesh.offset(from_first_end(apex, q.side[k]));
+        f(mesh.if_present(apex, first - sides[k], middle));
+        f(mesh.if_present(apex, first, middle));
     }
 }
 
@@ -105,10 +110,14 @@ HWY_EXPORT(find_regions);
 
 void find_blockers(const Lattice& lattice, const std::vector<float>& gain, const int* sites,
                    size_t n, int* blockers) {
+    if (lattice.width() > widest_lanes)
+        return find_blockers<Lattice>(lattice, gain, sites, n, blockers);
     HWY_DYNAMIC_DISPATCH(find_blockers)(lattice, gain.data(), sites, n, blockers);
 }
 
 size_t find_regions(const Lattice& lattice, const int* sites, size_t n, int* regions) {
+    if (lattice.width() > widest_lanes)
+        return find_regions<Lattice>(lattice, sites, n, regions);
     return HWY_DYNAMIC_DISPATCH(find_regions)(lattice, sites, n, regions);
 }
 

@@ -8,6 +8,7 @@
 #include "core/base/arith.h"
 #include "core/sample/evaluate.h"
 #include "core/surface/consistency.h"
+#include "core/tiles/tile_worker.h"
 #include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"
 #include "tests/core/job_helpers.h"
@@ -412,12 +413,15 @@ TEST(Enlarge, NothingWantedIsNothingDone) {
 }
 
 TEST(Enlarge, ManyChannelsWorkOnFewerTilesAtOnce) {
-    // 160 channels take 124 MiB a tile; of 200 only one may be in flight.
+    // Of more than 100 MiB a tile, of 200 in all, only one may be in flight.
+    constexpr int channels = 256;
     const ManyThreads allowed;
-    TestSource source({0, 0, 400, 280}, 160, 14, Kind::flat);
+    TestSource source({0, 0, 400, 280}, channels, 14, Kind::flat);
     const Rect to{0, 0, 400, 280};
     const auto mapping = mapping_of(source.window(), to, to);
-    const auto values = run(source, job_of(source, 160, 7), mapping, to);
+    const Job job = job_of(source, channels, 7);
+    ASSERT_GT(TileWorker::memory(job, true), size_t(100) << 20);
+    const auto values = run(source, job, mapping, to);
     EXPECT_EQ(source.reads.size(), 4u);
     EXPECT_EQ(source.most_running, 1);
     EXPECT_EQ(differing(values, source.values()), 0u);

@@ -140,6 +140,17 @@ HWY_INLINE Vec<D> GatherIndex(D, const typename D::T* p, I index) {
         v[i] = p[index[i]];
     return v;
 }
+/// Offsets are bytes.
+template <class D, class I>
+HWY_INLINE Vec<D> GatherOffset(D, const typename D::T* p, I offset) {
+    Vec<D> v{};
+    for (size_t i = 0; i < D::lanes; ++i) {
+        typename D::T x;
+        std::memcpy(&x, reinterpret_cast<const char*>(p) + offset[i], sizeof x);
+        v[i] = x;
+    }
+    return v;
+}
 /// The lanes of the mask side by side, then any.
 template <class V, class M>
 HWY_INLINE V Compress(V v, M mask) {
@@ -270,11 +281,12 @@ template <class V>
 HWY_INLINE V Max(V a, V b) {
     return a > b ? a : b;
 }
-/// Of floats.
 template <class V>
 HWY_INLINE V Abs(V a) {
-    using I = decltype(a < a);
-    return (V)((I)a & 0x7fffffff);
+    if constexpr (std::is_integral<std::decay_t<decltype(a[0])>>::value)
+        return a < 0 ? -a : a;
+    else
+        return (V)((decltype(a < a))a & 0x7fffffff);
 }
 /// Of floats, to the nearest, of two the even one: adding 2^23 leaves no room for a fraction.
 template <class V>
@@ -358,6 +370,11 @@ HWY_INLINE V TableLookupLanes(V v, I index) {
     for (size_t i = 0; i < sizeof(V) / sizeof(v[0]); ++i)
         result[i] = v[index[i]];
     return result;
+}
+/// Of bytes, in a vector of one block of 128 bits.
+template <class V>
+HWY_INLINE V TableLookupBytes(V v, V from) {
+    return TableLookupLanes(v, from);
 }
 template <class D>
 HWY_INLINE size_t CountTrue(D, Mask<D> mask) {
