@@ -2,17 +2,24 @@
 // Rows of a starting lattice's cells, several of them in the lanes: what start_gains.cpp keeps of a
 // cell while it goes down the rows. Included in a namespace that has D, Floats and most_lanes.
 
-/// A row of numbers, with room for whole vectors past its end and for one number before it.
+/// A row of numbers, with room for whole vectors before its begin and past its end. Those from
+/// number 1 on are aligned: vectors that are not touch two lines of the cache each.
 class Row {
 public:
-    void resize(int n) { m_numbers.resize(size_t(n) + 2 * most_lanes + 1); }
-    float* at(int x) { return m_numbers.data() + x + 1; }
-    const float* at(int x) const { return m_numbers.data() + x + 1; }
+    void resize(int n) {
+        constexpr size_t aligned = most_lanes * sizeof(float);
+        m_numbers.resize(size_t(n) + 4 * most_lanes);
+        const size_t past = reinterpret_cast<uintptr_t>(m_numbers.data()) % aligned;
+        m_first = m_numbers.data() + 2 * most_lanes - 1 - past / sizeof(float);
+    }
+    float* at(int x) { return m_first + x; }
+    const float* at(int x) const { return m_first + x; }
     HWY_INLINE Floats load(int x) const { return Floats::load(at(x)); }
     HWY_INLINE void store(int x, Floats v) { v.store(at(x)); }
 
 private:
     std::vector<float> m_numbers;
+    float* m_first = nullptr; ///< number 0
 };
 
 /// A row of what a cost needs to know of triangles.

@@ -8,6 +8,7 @@
 // taken, and the gains have the bits of scalar::gain().
 #include "core/triangulate/start_gains.h"
 
+#include <cstdint>
 #include <cstring>
 #include <vector>
 
@@ -119,7 +120,8 @@ private:
         return hn::AllTrue(d, hn::And(whole, small));
     }
 
-    /// The triangles of row y of cells; costs of its diagonals and of the edges on its top.
+    /// The triangles of row y of cells; costs of its diagonals and of the edges on its top. From so
+    /// far before the row that all vectors are aligned: what is there is 0.
     HWY_ATTR bool make_faces(int y) {
         Cells& cells = row(y);
         const Row &above = cells.guide, &below = row(y + 1).guide;
@@ -129,11 +131,11 @@ private:
         if (m_contour != 0)
             load_contours(y, cells);
         bool exact = true;
-        for (int x = 0; x <= count; x += lanes)
+        for (int x = 1 - lanes; x <= count; x += lanes)
             exact &= in_steps(above.load(x)) & in_steps(below.load(x));
         if (!exact)
             return false;
-        for (int x = 0; x < count; x += lanes) {
+        for (int x = 1 - lanes; x < count; x += lanes) {
             const Floats z0 = above.load(x), z1 = above.load(x + 1), z2 = below.load(x),
                          z3 = below.load(x + 1);
             const Floats top = z1 - z0, bottom = z3 - z2, left = z2 - z0, right = z3 - z1;
@@ -151,7 +153,7 @@ private:
         }
         const Cells& upper = row(y + ring - 1);
         const Floats one(1.0f), zero(0.0f);
-        for (int x = 0; x < count && y > 0; x += lanes)
+        for (int x = 1 - lanes; x < count && y > 0; x += lanes)
             cells.top_cost.store(x,
                                  Cost::between(upper.bottom.load(x), cells.top.load(x), one, zero));
         for (int x = 1; x < count; x += lanes)
@@ -399,9 +401,9 @@ void each_outer_edge(const Lattice& lattice, F&& f) {
 } // namespace
 
 size_t start_gains_memory(int width) {
-    // Four rows of DividedCells, whose faces have three numbers.
-    constexpr size_t rows = 4 * (8 + 6 * 3);
-    return rows * (size_t(width) + padding) * sizeof(float);
+    // Four rows of DividedCells, whose faces have three numbers, and what a Row has beyond.
+    constexpr size_t rows = 4 * (8 + 6 * 3), beyond = 4 * most_lanes;
+    return rows * (size_t(width) + beyond) * sizeof(float);
 }
 
 bool start_gains(const Lattice& lattice, const Criterion& criterion, float min_gain, Workspace& w,
