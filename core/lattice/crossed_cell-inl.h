@@ -6,7 +6,9 @@ template <class T>
 struct CrossingWeights {
     T b0, b1, b2;
 
-    DDT_INLINE CrossingWeights(const CellPlanes& t, T x, T y)
+    /// Planes: CellPlanes, or the same a lane.
+    template <class Planes>
+    DDT_INLINE CrossingWeights(const Planes& t, T x, T y)
         : b0((T(t.across[0][0]) * y - T(t.across[0][1]) * x) + T(t.offset[0])),
           b1((T(t.across[1][0]) * y - T(t.across[1][1]) * x) + T(t.offset[1])),
           b2((T(1.0f) - b0) - b1) {}

@@ -70,13 +70,10 @@ void CellPositions::set(const float* x, int columns, const float* y, int rows) {
     }
 }
 
-namespace {
-
-/// Call add(corners, positions) for each triangle that positions belong to.
-template <class Add>
-void each_crossing(const Lattice& lattice, int cx, int cy, const CellPositions& positions,
-                   Add add) {
+void find_crossing_triangles(const Lattice& lattice, int cx, int cy, const CellPositions& positions,
+                             std::vector<CrossingTriangle>& triangles) {
     const auto find = HWY_DYNAMIC_DISPATCH(find_inside);
+    const int site = lattice.vertex_site(cx, cy);
     uint64_t left = ~uint64_t(0) >> (CellPositions::most - positions.count());
     for (int i = 0; left; ++i) {
         if (!(left >> i & 1))
@@ -93,30 +90,8 @@ void each_crossing(const Lattice& lattice, int cx, int cy, const CellPositions& 
         const uint64_t held =
             (find(CellPlanes(corners), least, positions) | uint64_t(1) << i) & left;
         left &= ~held;
-        add(corners, held);
+        triangles.emplace_back(corners, site, lattice.stride(), held);
     }
-}
-
-} // namespace
-
-void find_crossing_triangles(const Lattice& lattice, int cx, int cy, const CellPositions& positions,
-                             std::vector<CrossingTriangle>& triangles) {
-    const int site = lattice.vertex_site(cx, cy);
-    each_crossing(lattice, cx, cy, positions, [&](const Corners& c, uint64_t held) {
-        triangles.emplace_back(c, site, lattice.stride(), held);
-    });
-}
-
-void find_cell_triangles(const Lattice& lattice, int cx, int cy, const CellPositions& positions,
-                         std::vector<CellTriangle>& triangles) {
-    each_crossing(lattice, cx, cy, positions, [&](const Corners& c, uint64_t held) {
-        CellTriangle& kept = triangles.emplace_back();
-        for (int k = 0; k < 3; ++k) {
-            kept.x[k] = int8_t(c.p[k].x);
-            kept.y[k] = int8_t(c.p[k].y);
-        }
-        kept.positions = uint16_t(held);
-    });
 }
 
 } // namespace ddt

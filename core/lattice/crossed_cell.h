@@ -19,6 +19,8 @@ public:
     /// cell's first corner. Nothing is done where it has these already.
     void set(const float* x, int columns, const float* y, int rows);
 
+    int columns() const { return m_columns; }
+    int rows() const { return m_rows; }
     int count() const { return m_columns * m_rows; }
     // Padded to whole vectors.
     const float* x() const { return m_x; }
@@ -75,10 +77,12 @@ struct CrossingTriangle {
 /// The same as it is kept: vertices in Triangle's order relative to the cell's first corner, in
 /// pixels. No edge is longer than longest_edge.
 struct CellTriangle {
-    int8_t x[3], y[3];
+    struct {
+        int8_t x, y;
+    } p[3];
     uint16_t positions; ///< of 16 at most
 
-    Corners corners() const { return {{{x[0], y[0]}, {x[1], y[1]}, {x[2], y[2]}}}; }
+    Corners corners() const { return {{{p[0].x, p[0].y}, {p[1].x, p[1].y}, {p[2].x, p[2].y}}}; }
 };
 static_assert(longest_edge < 127, "corners are within 8 bits");
 
@@ -86,8 +90,5 @@ static_assert(longest_edge < 127, "corners are within 8 bits");
 /// one, and add these to `triangles`.
 void find_crossing_triangles(const Lattice& lattice, int cx, int cy, const CellPositions& positions,
                              std::vector<CrossingTriangle>& triangles);
-/// The same of no more than 16 positions.
-void find_cell_triangles(const Lattice& lattice, int cx, int cy, const CellPositions& positions,
-                         std::vector<CellTriangle>& triangles);
 
 } // namespace ddt

@@ -27,10 +27,9 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 #include "core/surface/consistency-inl.h"
 #include "core/surface/patch-inl.h"
 
-#include "core/base/blocks-inl.h"
 #include "core/base/row_lanes-inl.h"
 
-#include "core/surface/crossing-inl.h"
+#include "core/surface/crossed_means-inl.h"
 #include "core/surface/for_surface-inl.h"
 
 HWY_ATTR void limits_in_row(int width, const NearRows& source, int count, int x0, int x1,
@@ -97,28 +96,6 @@ HWY_INLINE void plain_means(const CellNumbers& values, const CellNumbers& softne
     means[lower_right] = mean(z3, z2, z1, z0, b, r, l, t, true);
 }
 
-/// The same of a cell that other edges cross, by its n triangles; site: of its first corner.
-template <bool quadratic, bool soft>
-HWY_INLINE void crossed_means(const NetView& net, Blocks strict, int site, int stride,
-                              const CellTriangle* triangles, int n, PixelLanes means[4]) {
-    HWY_ALIGN float f[quadrant_side * quadrant_side * group_size]; // whole vectors
-    const CellNumbers values(net, net.values, site);
-    for (const CellTriangle* t = triangles; t < triangles + n; ++t)
-        evaluate_crossing<quadratic, soft>(
-            net, strict, false, CrossingTriangle(t->corners(), site, stride, t->positions),
-            mean_positions(), f);
-    for (int corner = 0; corner < 4; ++corner) {
-        const int right = corner & 1, below = corner >> 1;
-        const PixelLanes z = PixelLanes::load(values.corner(0, right, below));
-        const int i = 2 * right + 2 * below * quadrant_side;
-        // In the order back and forth through all positions.
-        PixelLanes mean(0.0f);
-        for (const int at : {i, i + 1, i + quadrant_side + 1, i + quadrant_side})
-            mean = mean + (PixelLanes::load(f + at * group_size) - z);
-        means[corner] = mean * PixelLanes(0.25f);
-    }
-}
-
 /// Add to the sums of vertices x0 .. x1 the means on either side of each, of cells x0 .. x1 - 1:
 /// those of the cell to the left first.
 HWY_INLINE void add_quadrants(const float* left, const float* right, int x0, int x1, int count,
@@ -159,18 +136,15 @@ HWY_INLINE void add_cells(const Lattice& lattice, const Net& net, int x0, int x1
         for (int k = 0; k < 4; ++k)
             quadrants[k].store(means + size_t(k) * row + place.at);
     });
-    const Blocks strict = in_every_block(net.strict);
-    for (const CrossedRows::Cell& cell : crossed.cells) {
-        const int x = cell.x, site = lattice.vertex_site(x, y);
-        if (x < x0 || x >= x1)
-            continue;
-        PixelLanes quadrants[4];
-        crossed_means<quadratic, soft>(view, strict, site, lattice.stride(),
-                                       crossed.triangles.data() + cell.first, cell.count,
-                                       quadrants);
-        for (int k = 0; k < 4; ++k)
-            store_pixel(quadrants[k], count, means + size_t(k) * row + ptrdiff_t(x) * count);
-    }
+    const auto begin =
+        std::lower_bound(crossed.cells.begin(), crossed.cells.end(), x0,
+                         [](const CrossedRows::Cell& cell, int x) { return cell.x < x; });
+    auto end = begin;
+    while (end != crossed.cells.end() && end->x < x1)
+        ++end;
+    if (begin != end)
+        CrossedMeans<quadratic, soft>(lattice, net, y, means, row)
+            .find(&*begin, &*begin + (end - begin), crossed.triangles.data());
     add_quadrants(means + size_t(upper_left) * row, means + size_t(upper_right) * row, x0, x1,
                   count, upper);
     add_quadrants(means + size_t(lower_left) * row, means + size_t(lower_right) * row, x0, x1,

@@ -2,6 +2,7 @@
 #include "core/surface/crossed_rows.h"
 
 #include "core/lattice/crossed_columns.h"
+#include "core/lattice/crossed_search.h"
 
 namespace ddt {
 
@@ -30,10 +31,18 @@ void CrossedRows::find(int y, int x0, int x1, Row& row) const {
     const auto next = [&](int x) {
         return next_crossed(x, x0, x1, [&](int at) { return crossed_cells(divisions + at); });
     };
-    for (int x = next(x0); x < x1; x = next(x + 1)) {
+    CrossedSearch search;
+    int cells[CrossedSearch::most_cells];
+    const int at_once = CrossedSearch::most_cells_with(m_positions->count());
+    for (int x = next(x0); x < x1;) {
+        int n = 0;
+        for (; n < at_once && x < x1; x = next(x + 1))
+            cells[n++] = x;
+        search.find(*m_lattice, y, cells, n, *m_positions);
         const auto first = int(row.triangles.size());
-        find_cell_triangles(*m_lattice, x, y, *m_positions, row.triangles);
-        row.cells.push_back({x, first, int(row.triangles.size()) - first});
+        for (int i = 0; i < n; ++i)
+            row.cells.push_back({cells[i], first + search.first(i), search.count(i)});
+        row.triangles.insert(row.triangles.end(), search.begin(0), search.end(n - 1));
     }
 }
 

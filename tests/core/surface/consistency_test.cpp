@@ -16,16 +16,16 @@ struct Shape {
     bool clipped = false;
 };
 
-/// The vertices after some rounds.
+/// The vertices after some rounds; values: `count` channels a pixel, as what is returned.
 std::vector<float> corrected(const Scene& scene, const std::vector<float>& values, Shape shape,
-                             int rounds) {
+                             int rounds, int count = 1) {
     const DenormalsAreZero zero;
     const Lattice& l = scene.lattice;
     Net net;
     EdgeMaker edges;
     Workspace workspace;
     Consistency consistency;
-    set_vertices(l, values.data(), 1, 0, 1, net);
+    set_vertices(l, values.data(), count, 0, count, net);
     std::fill_n(net.strict, group_size, shape.strict ? 1.0f : 0.0f);
     find_gains(l, Cost::abn, workspace);
     consistency.begin(l, net, shape.limit, shape.clipped);
@@ -39,7 +39,8 @@ std::vector<float> corrected(const Scene& scene, const std::vector<float>& value
     std::vector<float> result;
     for (int y = 0; y < l.height(); ++y)
         for (int x = 0; x < l.width(); ++x)
-            result.push_back(net.at(l.vertex_site(x, y))[0]);
+            result.insert(result.end(), net.at(l.vertex_site(x, y)),
+                          net.at(l.vertex_site(x, y)) + count);
     return result;
 }
 
@@ -119,6 +120,30 @@ TEST(Consistency, EveryInstructionSetGivesTheSameBits) {
                 const auto expected = corrected(scene, source, shape, 2);
                 on_each_target([&] {
                     ASSERT_EQ(differing(corrected(scene, source, shape, 2), expected), 0u);
+                });
+            }
+}
+
+/// Values of other channels, finite or not, change nothing.
+TEST(Consistency, EveryChannelIsWorkedOnAsIfAlone) {
+    Random random(3);
+    Scene scene(19, 12, 400, random);
+    for (const Surface surface : {Surface::linear, Surface::patch})
+        for (const float tau : {0.0f, 0.5f})
+            for (int count = 2; count <= group_size; ++count) {
+                const Shape shape{surface, tau, 0.25f, false};
+                std::vector<float> together(scene.pixels() * size_t(count)), expected = together;
+                for (int c = 0; c < count; ++c) {
+                    const Values kind = all_values[random.below(int(std::size(all_values)))];
+                    const auto source = make_values(kind, scene.pixels(), random);
+                    const auto alone = corrected(scene, source, shape, 2);
+                    for (size_t i = 0; i < source.size(); ++i) {
+                        together[i * size_t(count) + size_t(c)] = source[i];
+                        expected[i * size_t(count) + size_t(c)] = alone[i];
+                    }
+                }
+                on_each_target([&] {
+                    ASSERT_EQ(differing(corrected(scene, together, shape, 2, count), expected), 0u);
                 });
             }
 }

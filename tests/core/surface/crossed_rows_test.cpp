@@ -32,11 +32,13 @@ TEST(CrossedRows, EachCellHasItsTriangles) {
                 ASSERT_NE(cell, row.cells.end());
                 ASSERT_EQ(cell->x, x);
                 ASSERT_EQ(size_t(cell->count), expected.size());
-                for (size_t i = 0; i < expected.size(); ++i) {
-                    const CellTriangle& kept = row.triangles[size_t(cell->first) + i];
+                for (int i = 0; i < cell->count; ++i) {
+                    const CellTriangle& kept = row.triangles[size_t(cell->first + i)];
                     const CrossingTriangle t(kept.corners(), lattice.vertex_site(x, y),
                                              lattice.stride(), kept.positions);
-                    ASSERT_TRUE(same(t, expected[i]));
+                    ASSERT_TRUE(
+                        std::any_of(expected.begin(), expected.end(),
+                                    [&](const CrossingTriangle& other) { return same(t, other); }));
                 }
                 ++cell;
             }

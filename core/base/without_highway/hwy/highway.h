@@ -85,6 +85,11 @@ HWY_INLINE constexpr size_t Lanes(D) {
     return D::lanes;
 }
 
+template <class D>
+HWY_INLINE constexpr size_t MaxLanes(D) {
+    return D::lanes;
+}
+
 // In and out of memory.
 
 template <class D>
@@ -131,6 +136,25 @@ HWY_INLINE void LoadInterleaved2(D, const typename D::T* p, Vec<D>& a, Vec<D>& b
     for (size_t i = 0; i < D::lanes; ++i) {
         a[i] = p[2 * i];
         b[i] = p[2 * i + 1];
+    }
+}
+template <class D>
+HWY_INLINE void StoreInterleaved4(Vec<D> a, Vec<D> b, Vec<D> c, Vec<D> e, D, typename D::T* p) {
+    for (size_t i = 0; i < D::lanes; ++i) {
+        p[4 * i] = a[i];
+        p[4 * i + 1] = b[i];
+        p[4 * i + 2] = c[i];
+        p[4 * i + 3] = e[i];
+    }
+}
+template <class D>
+HWY_INLINE void LoadInterleaved4(D, const typename D::T* p, Vec<D>& a, Vec<D>& b, Vec<D>& c,
+                                 Vec<D>& e) {
+    for (size_t i = 0; i < D::lanes; ++i) {
+        a[i] = p[4 * i];
+        b[i] = p[4 * i + 1];
+        c[i] = p[4 * i + 2];
+        e[i] = p[4 * i + 3];
     }
 }
 template <class D, class I>
