@@ -2,7 +2,6 @@
 #include "core/lattice/lattice.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "core/guide/contour.h"
 #include "core/lattice/crossed_columns.h"
 #include "core/lattice/divisions.h"
+#include "core/lattice/start_rows.h"
 
 namespace ddt {
 
@@ -22,7 +22,7 @@ Site edge_site(Vec v, Vec left, Vec right) {
     return s;
 }
 
-// The edges of the starting mesh by how the cells beside them are divided: 1 down, 0 up.
+// The edges of the starting mesh by how the cells beside them are divided: not 0 down, 0 up.
 
 /// Horizontal, v = (1, 0): left (det > 0) is below.
 Site horizontal(int above, int below, bool has_above, bool has_below) {
@@ -40,10 +40,19 @@ Site diagonal(int down) {
     return down ? edge_site({1, 1}, {-1, 1}, {1, -1}) : edge_site({-1, 1}, {-1, -1}, {1, 1});
 }
 
-/// Whether a cell's diagonal goes down: the one along its contour, or `without` if there is none.
-uint8_t down_along(uint32_t word, uint8_t without) {
-    const int xy = contour_xy(word);
-    return xy == 0 ? without : xy < 0;
+/// Divide the n cells between two rows of the guide as Lattice::start() says.
+void divide(const float* upper, const float* lower, const uint32_t* words, int n, bool flat,
+            DownFlag* down) {
+    if (!flat) {
+        std::fill_n(down, n, diagonal_down);
+        return;
+    }
+    for (int x = divide_flat(upper, lower, words, n, down); x < n; ++x) {
+        const int xy = words ? contour_xy(words[x]) : 0;
+        const bool differs_less =
+            std::fabs(upper[x] - lower[x + 1]) <= std::fabs(upper[x + 1] - lower[x]);
+        down[x] = (xy == 0 ? differs_less : xy < 0) ? diagonal_down : 0;
+    }
 }
 
 } // namespace
@@ -58,40 +67,30 @@ void Lattice::start(int width, int height, const float* guide, bool flat, bool c
     for (size_t y = 0; y < m_longest_down.size(); ++y)
         m_longest_down[y] = y & 1;
     m_sites.resize(size_t(m_stride) * size_t(2 * height - 1));
-    const auto row = [&](int y) { return guide + size_t(y) * size_t(width); };
-    // An upright edge between two cells and the diagonal after it, which are stored at once.
-    using Sites = std::array<Site, 2>;
-    const Sites uprights[4] = {{vertical(0, 0, true, true), diagonal(0)},
-                               {vertical(0, 1, true, true), diagonal(1)},
-                               {vertical(1, 0, true, true), diagonal(0)},
-                               {vertical(1, 1, true, true), diagonal(1)}};
+    const RecordOfTwo level(horizontal(0, 0, true, true), horizontal(0, 1, true, true),
+                            horizontal(1, 0, true, true)),
+        upright(vertical(0, 0, true, true), vertical(0, 1, true, true), vertical(1, 0, true, true)),
+        slanting(diagonal(0), diagonal(1), diagonal(0));
 
-    // down(x, y): the cell's diagonal goes from upper left to lower right. Kept for two rows of
-    // cells, since a horizontal edge has its apexes in both.
+    // How cells are divided: kept for two rows of them, since a level edge has its apexes in both.
     const int last = width - 1;
     std::optional<ContourRows> words;
     if (contours)
         words.emplace(guide, width, height);
-    std::vector<uint8_t> above(size_t(width), 0), below(size_t(width), 0);
+    std::vector<DownFlag> above(size_t(width), 0), below(size_t(width), 0);
     for (int y = 0; y < height; ++y) {
-        const float* z = row(y);
+        const float* z = guide + size_t(y) * size_t(width);
         const bool has_above = y > 0, has_below = y + 1 < height;
-        if (has_below) {
-            const float* under = row(y + 1);
-            for (int x = 0; x < last; ++x)
-                below[size_t(x)] =
-                    !flat | (std::fabs(z[x] - under[x + 1]) <= std::fabs(z[x + 1] - under[x]));
-        }
         const uint32_t* word = has_below && contours ? words->next() : nullptr;
-        for (int x = 0; word && flat && x < last; ++x)
-            below[size_t(x)] = down_along(word[x], below[size_t(x)]);
-        const Site levels[4] = {
-            horizontal(0, 0, has_above, has_below), horizontal(0, 1, has_above, has_below),
-            horizontal(1, 0, has_above, has_below), horizontal(1, 1, has_above, has_below)};
+        if (has_below)
+            divide(z, z + width, word, last, flat, below.data());
         Site* even = m_sites.data() + site(0, 2 * y);
-        for (int x = 0; x < last; ++x) {
+        int x = has_above && has_below
+                    ? make_level_row(z, word, above.data(), below.data(), level, last, even)
+                    : 0;
+        for (; x < last; ++x) {
             even[2 * x].vertex = Vertex{z[x], {word ? word[x] : 0}};
-            even[2 * x + 1] = levels[2 * above[size_t(x)] + below[size_t(x)]];
+            even[2 * x + 1] = horizontal(above[size_t(x)], below[size_t(x)], has_above, has_below);
         }
         even[2 * last].vertex = Vertex{z[last], {0}};
         if (!has_below)
@@ -99,9 +98,11 @@ void Lattice::start(int width, int height, const float* guide, bool flat, bool c
         Site* odd = m_sites.data() + site(0, 2 * y + 1);
         odd[0] = vertical(0, below[0], false, true);
         odd[1] = diagonal(below[0]);
-        for (int x = 1; x < last; ++x)
-            std::copy_n(uprights[2 * below[size_t(x) - 1] + below[size_t(x)]].data(), 2,
-                        odd + 2 * x);
+        x = 1 + make_upright_row(below.data() + 1, upright, slanting, last - 1, odd + 2);
+        for (; x < last; ++x) {
+            odd[2 * x] = vertical(below[size_t(x) - 1], below[size_t(x)], true, true);
+            odd[2 * x + 1] = diagonal(below[size_t(x)]);
+        }
         odd[2 * last] = vertical(below[size_t(last) - 1], 0, true, false);
         above.swap(below);
     }

@@ -245,6 +245,10 @@ template <class V>
 HWY_INLINE V Or(V a, V b) {
     return a | b;
 }
+template <class V>
+HWY_INLINE V Xor(V a, V b) {
+    return a ^ b;
+}
 template <int bits, class V>
 HWY_INLINE V ShiftLeft(V a) {
     return a << bits;

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows of the mesh that a lattice starts with, several cells at once: SIMD twins of the loops of
+// Lattice::start(). Each returns how many cells or pixels from the first on it has done: all of
+// them, or none of a few.
+#pragma once
+
+#include <cstdint>
+
+#include "core/lattice/lattice.h"
+
+namespace ddt {
+
+/// How a cell of a row is divided: diagonal_down, or 0 for up.
+using DownFlag = int32_t;
+constexpr DownFlag diagonal_down = -1;
+
+/// The record of an edge by how the two cells beside it are divided. As numbers the four differ in
+/// bits of their own for each cell.
+class RecordOfTwo {
+public:
+    /// up_down: where the first cell's diagonal goes up and the second's down, and so on.
+    RecordOfTwo(const Site& up_up, const Site& up_down, const Site& down_up)
+        : both_up(number(up_up)), first_down(both_up ^ number(down_up)),
+          second_down(both_up ^ number(up_down)) {}
+
+    uint64_t both_up, first_down, second_down; ///< and what changes with a cell
+
+private:
+    static uint64_t number(const Site& site) { return vectors_of(site.edge); }
+};
+
+/// Divide n cells between two rows of the guide: down where that diagonal differs no more than the
+/// other, but where there are contour words and the cell's tells of one, as it goes along it.
+int divide_flat(const float* upper, const float* lower, const uint32_t* words, int n,
+                DownFlag* down);
+
+/// Make n vertices of a row of the guide, and behind each the level edge between the cells above
+/// and below. No words: contours of 0.
+int make_level_row(const float* guide, const uint32_t* words, const DownFlag* above,
+                   const DownFlag* below, const RecordOfTwo& level, int n, Site* to);
+
+/// Make the upright edges on the left of n cells, of which the first has one on its other side,
+/// too, and behind each the cell's diagonal.
+int make_upright_row(const DownFlag* cells, const RecordOfTwo& upright, const RecordOfTwo& diagonal,
+                     int n, Site* to);
+
+} // namespace ddt
