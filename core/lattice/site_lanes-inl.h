@@ -93,6 +93,11 @@ struct SiteLanes {
         const auto none = hn::RebindMask(DI(), absent(apex));
         return {hn::IfThenElse(none, middle.i, (middle + offset(way)).i)};
     }
+    /// Vertex::first.
+    HWY_INLINE VecLanes first(Ints vertex) const {
+        const VI w = word(vertex, 1);
+        return {byte<0>(w), byte<1>(w)};
+    }
     HWY_INLINE Ints contour(Ints corner) const { return {word(corner, 1)}; }
     template <int k>
     HWY_INLINE Ints steps(Ints contours) const {
