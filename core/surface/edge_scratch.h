@@ -55,6 +55,7 @@ struct EdgeScratch {
     NearCells gradient_cells, edge_cells; ///< edges are made after the gradients at both their ends
     /// Of the soft edges of a row of the doubled lattice, of even and of odd columns.
     std::vector<float> weights[2];
+    std::vector<int> columns; ///< of edges that are made one by one
 };
 
 /// Floats beyond the last of a row that may be read or written.
