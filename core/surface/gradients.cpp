@@ -7,7 +7,6 @@
 
 #include "core/base/arith.h"
 #include "core/base/row_lanes.h"
-#include "core/lattice/crossed_columns.h"
 #include "core/surface/edge_scratch.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -41,8 +40,8 @@ struct Spoke {
           dz(PixelLanes::load(net + count * ptrdiff_t(y_ * stride + x_)) - z) {}
 };
 
-/// The next spoke to the left or right of one; false on the rim. On the record as one number: the
-/// walk is a chain of such steps, and its latency is what a gradient costs.
+/// The next spoke to the left or right of one; false on the rim. On the record as one number, since
+/// steps wait for each other.
 HWY_INLINE bool next_spoke(const Site* vertex, int stride, bool left, int& x, int& y) {
     static_assert(offsetof(Edge, v) == 0 && offsetof(Edge, left) == 2 && offsetof(Edge, right) == 4,
                   "the shifts below");
@@ -55,8 +54,8 @@ HWY_INLINE bool next_spoke(const Site* vertex, int stride, bool left, int& x, in
     return apex != 0;
 }
 
-/// The mean gradient at a vertex: over its triangles in a fixed order, from the first edge to the
-/// left, and on the hull's rim from the first edge to the right.
+/// The mean gradient at a vertex on the rim, or any: over its triangles in a fixed order, from the
+/// first edge to the left, and on the hull's rim from the first edge to the right.
 template <bool tame>
 HWY_INLINE GradientMean<PixelLanes, tame> mean_round(const Site* vertex, const float* net,
                                                      int stride, int count) {
