@@ -18,6 +18,18 @@ HWY_INLINE Blocks spread(const float* p) {
     return hn::TableLookupLanes(hn::LoadU(d, p), hn::IndicesFromVec(d, block));
 }
 
+/// Block k filled with the group_size floats at p[k].
+template <class D_ = D>
+HWY_INLINE hn::Vec<D_> load_each(const float* const* p) {
+    if constexpr (hn::MaxLanes(D_()) <= group_size) {
+        return hn::LoadU(D_(), p[0]);
+    } else {
+        using Part = hn::Half<D_>;
+        const auto lower = load_each<Part>(p);
+        return hn::Combine(D_(), load_each<Part>(p + hn::MaxLanes(Part()) / group_size), lower);
+    }
+}
+
 /// Every block filled with the group_size numbers at p.
 HWY_INLINE Blocks in_every_block(const float* p) {
     return Blocks(hn::LoadDup128(D(), p));

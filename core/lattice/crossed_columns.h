@@ -48,4 +48,24 @@ DDT_INLINE int next_crossed(int x, int begin, int end, Crossed&& crossed) {
     return end;
 }
 
+/// List the columns from x0 to x1 - 1 that have a byte which is not 0, of crossed_cells(). Returns
+/// how many; as many as cells_at_once more may be written. For where they are many.
+template <class Crossed>
+DDT_INLINE int list_crossed(int x0, int x1, Crossed&& crossed, int* columns) {
+    int n = 0;
+    for (int x = x0; x < x1; x += cells_at_once) {
+        const uint64_t word = crossed(x);
+        if (!word)
+            continue;
+        // A branch on each could not be foretold.
+        for (int i = 0; i < cells_at_once; ++i) {
+            columns[n] = x + i;
+            n += int(word >> (8 * i + 1) & 1);
+        }
+    }
+    while (n > 0 && columns[n - 1] >= x1)
+        --n;
+    return n;
+}
+
 } // namespace ddt

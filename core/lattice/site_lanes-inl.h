@@ -70,6 +70,10 @@ struct FlippableLanes {
 struct ApexLanes {
     VecLanes left, right;
 };
+/// Twin of Edge.
+struct EdgeLanes {
+    VecLanes v, left, right;
+};
 
 /// A lattice, no wider than widest_lanes, as neighbourhood() (core/triangulate/gain-inl.h) sees it,
 /// a site a lane.
@@ -90,6 +94,19 @@ struct SiteLanes {
         static_assert(offsetof(Edge, left) == 2 && offsetof(Edge, right) == 4, "the word's bytes");
         const VI both = word(m, 2);
         return {vector<0>(both), vector<2>(both)};
+    }
+    HWY_INLINE EdgeLanes edge(Ints m) const {
+        // Whole records, since a gather takes as long as it has lanes.
+        const hn::Repartition<int64_t, DI> d64;
+        const hn::Half<DI> half;
+        const auto* records = reinterpret_cast<const int64_t*>(m_sites);
+        const auto lower = hn::BitCast(
+            DI(), hn::GatherIndex(d64, records, hn::PromoteTo(d64, hn::LowerHalf(half, m.i))));
+        const auto upper = hn::BitCast(
+            DI(), hn::GatherIndex(d64, records, hn::PromoteTo(d64, hn::UpperHalf(half, m.i))));
+        const VI first = hn::ConcatEven(DI(), upper, lower),
+                 second = hn::ConcatOdd(DI(), upper, lower);
+        return {vector<0>(first), vector<2>(first), vector<0>(second)};
     }
     HWY_INLINE Ints offset(VecLanes v) const {
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR
@@ -119,6 +136,10 @@ struct SiteLanes {
     /// `there`, or `otherwise` where the apex is absent.
     HWY_INLINE Ints if_present(VecLanes apex, Ints there, Ints otherwise) const {
         return {hn::IfThenElse(apex.zero(), otherwise.i, there.i)};
+    }
+    /// Vertex::first.
+    HWY_INLINE VecLanes first(Ints vertex) const {
+        return vector<0>(word(vertex, 4));
     }
     HWY_INLINE Ints contour(Ints corner) const {
         return {word(corner, 4)};

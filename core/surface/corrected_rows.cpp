@@ -103,6 +103,14 @@ void CorrectedRows::Round::correct() {
             m_row[size_t(float_of(x) + c)] = source[float_of(x) + c];
 }
 
+int CorrectedRows::usual_rows_ahead(int rounds) {
+    return rounds * usual_rounds_apart + 2 * rows_at_once;
+}
+
+int CorrectedRows::rows_ahead(const Lattice& lattice, int rounds) {
+    return rounds * rounds_apart(lattice) + 2 * rows_at_once;
+}
+
 size_t CorrectedRows::memory(int width, int height, int count, const CorrectionRecipe& recipe) {
     // Of the source, where it has more channels; what is made of it; its limits, low and high.
     const size_t rows = (3 + 1 + 2) * size_t(width) * size_t(count) * sizeof(float);

@@ -33,6 +33,12 @@ public:
     int count() const override { return m_source.count; }
     const float* row(int y) override { return m_rounds.back().row(y); }
 
+    /// Rows of pixels from the one whose gradients the first of so many rounds makes to the one
+    /// whose gradients are then made of the last one's values, in most tiles at most.
+    static int usual_rows_ahead(int rounds);
+    /// The same of a lattice.
+    static int rows_ahead(const Lattice& lattice, int rounds);
+
     /// About the bytes that this takes of `count` channels where edges are of the usual length.
     static size_t memory(int width, int height, int count, const CorrectionRecipe& recipe);
 

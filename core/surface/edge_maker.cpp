@@ -34,6 +34,9 @@ void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe
     m_few_values = few_values;
     m_few_edges = few_edges;
     m_scratch.tame = few_values;
+    if (!recipe.fans)
+        m_fans.begin(lattice, 1);
+    m_scratch.fans = recipe.fans ? recipe.fans : &m_fans;
     const RowsInUse rows = few_edges ? most_in_use() : RowsInUse{};
     m_gradient_rows = part.y0;
     m_edge_rows = 2 * part.y0;
@@ -175,7 +178,7 @@ size_t EdgeMaker::memory(int width, int height, int count, bool all_rows,
     };
     const size_t edges = kept(usual_edge_rows);
     return kept(usual_vertex_rows) + edges + (recipe.gain ? 2 * edges : 0) +
-           (recipe.bend ? edges : 0);
+           (recipe.bend ? edges + FanRows::memory(width, 1) : 0);
 }
 
 } // namespace ddt

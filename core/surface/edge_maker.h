@@ -20,6 +20,8 @@ struct EdgeRecipe {
     /// Make q, by Workspace::gain of the finished mesh and tau > 0; null: do not.
     const float* gain = nullptr;
     float tau = 0;
+    /// With bends: where the lattice's fans are kept, for others, too; null: they are not.
+    FanRows* fans = nullptr;
 };
 
 /// Makes a net's edges from the top row downwards, so that rows can be used while they are in the
@@ -31,7 +33,7 @@ public:
     void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe, Net& net);
     void begin(const Lattice& lattice, const Rect& part, bool bend, const float* gain, float tau,
                Net& net) {
-        begin(lattice, part, EdgeRecipe{bend, gain, tau}, net);
+        begin(lattice, part, EdgeRecipe{bend, gain, tau, nullptr}, net);
     }
     /// The same where q and the gradients, which begin() keeps for all rows, are kept for some.
     void begin_edge_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
@@ -74,6 +76,7 @@ private:
     void load_vertices(int end, int keep);
 
     EdgeScratch m_scratch;
+    FanRows m_fans; ///< where no others keep them
     const Lattice* m_lattice = nullptr;
     RowReach m_reach;
     Net* m_net = nullptr;

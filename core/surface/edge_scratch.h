@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/surface/fan_rows.h"
 #include "core/surface/net.h"
 
 namespace ddt {
@@ -37,15 +38,24 @@ inline const float* vertex_row(const Lattice& lattice, const Net& net, int y) {
     return net.vertex(lattice.vertex_site(0, std::clamp(y, 0, lattice.height() - 1)));
 }
 
+/// Spokes of fans, one after the other.
+struct Spokes {
+    std::vector<float> x, y; ///< the neighbour relative to the vertex, in pixels
+    std::vector<int32_t> at; ///< the same in floats of a net's rows
+};
+
 /// Kept from one use to the next.
 struct EdgeScratch {
     /// Whether all vertices that are there are known to be tame (core/surface/tame.h).
     bool tame = false;
     /// The gradients: x at a vertex' site, y at the site below.
     SiteRows gradients;
+    FanRows* fans = nullptr; ///< of the lattice
+    Spokes spokes;
     NearCells gradient_cells, edge_cells; ///< edges are made after the gradients at both their ends
     /// Of the soft edges of a row of the doubled lattice, of even and of odd columns.
     std::vector<float> weights[2];
+    std::vector<int> columns; ///< of edges that are made one by one
 };
 
 /// Floats beyond the last of a row that may be read or written.

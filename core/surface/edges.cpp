@@ -6,6 +6,7 @@
 
 #include "core/base/arith.h"
 #include "core/base/row_lanes.h"
+#include "core/guide/contour.h"
 #include "core/lattice/crossed_columns.h"
 #include "core/surface/edge_scratch.h"
 
@@ -23,16 +24,23 @@ namespace hn = hwy::HWY_NAMESPACE;
 #include "core/base/rsqrt-inl.h"
 #include "core/surface/gradient-inl.h"
 
+#include "core/base/blocks-inl.h"
 #include "core/base/row_lanes-inl.h"
+
+using DI = hn::RebindToSigned<D>;
+
+#include "core/lattice/site_lanes-inl.h"
+
+#include "core/surface/crossed_edges-inl.h"
 
 /// Weights of the flipped states of edges with these gains (see net.h), 0 to 1/2, of n edges of
 /// either kind: those with the first, third, ... gain go to even[0], even[1], ...
 HWY_ATTR void soft_weights(const float* gain, int n, float reciprocal_tau, float* even,
                            float* odd) {
     const auto weigh = [&](auto g) HWY_ATTR {
-        using Floats = decltype(g);
-        const Floats zero(0.0f), one(1.0f), share(soft_share), r(reciprocal_tau);
-        const Floats w = one + if_less(g, zero, g, zero) * r;
+        using T = decltype(g);
+        const T zero(0.0f), one(1.0f), share(soft_share), r(reciprocal_tau);
+        const T w = one + if_less(g, zero, g, zero) * r;
         return if_less(zero, w, share * w, zero);
     };
     const RowTag d;
@@ -47,34 +55,6 @@ HWY_ATTR void soft_weights(const float* gain, int n, float reciprocal_tau, float
     for (; i < n; ++i) {
         weigh(OneLane(gain[2 * i])).store(even + i);
         weigh(OneLane(gain[2 * i + 1])).store(odd + i);
-    }
-}
-
-/// e, if `bend`, and q, if `soft`, of the edge with midpoint m.
-template <bool bend, bool soft>
-HWY_INLINE void make_any(const Site* sites, int stride, int m, float weight, SiteView vertices,
-                         SiteView gradients, float* e, float* q) {
-    const uint64_t vectors = vectors_of(sites[m].edge);
-    const int vx = int8_t(vectors), vy = int8_t(vectors >> 8);
-    const int to_j = vy * stride + vx;
-    const auto at = [&](int site) HWY_ATTR { return PixelLanes::load(vertices.at(site)); };
-    const PixelLanes zi = at(m - to_j), zj = at(m + to_j);
-    if (soft) {
-        // An edge that cannot be flipped has weight 0; its apexes are read all the same, if they
-        // are no vertices, too: never tame.
-        const int to_c = int8_t(vectors >> 24) * stride + int8_t(vectors >> 16);
-        const int to_d = int8_t(vectors >> 40) * stride + int8_t(vectors >> 32);
-        store_pixel(edge_softness<false>(PixelLanes(weight), zi, zj, at(m + to_c), at(m + to_d)),
-                    vertices.count, q);
-    }
-    if (bend) {
-        // Where an end lies outside the part its gradient is not known, and e is never used.
-        const ptrdiff_t to_y = ptrdiff_t(stride / 2) * vertices.count;
-        const float *gi = gradients.at(m - to_j), *gj = gradients.at(m + to_j);
-        store_pixel(edge_bend<false>(PixelLanes::load(gi), PixelLanes::load(gi + to_y),
-                                     PixelLanes::load(gj), PixelLanes::load(gj + to_y), zi, zj,
-                                     PixelLanes(float(vx)), PixelLanes(float(vy))),
-                    vertices.count, e);
     }
 }
 
@@ -156,17 +136,18 @@ struct PlainRow {
 /// column `begin` to `end` those between plain cells are made as vectors.
 template <Kind kind, bool bend, bool soft, bool tame>
 HWY_INLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, int end, int y,
-                          const EdgeScratch& scratch, Net& net) {
+                          EdgeScratch& scratch, Net& net) {
     const int count = net.count();
-    // The one at column 0.
-    const int first = lattice.vertex_site(0, y) + (kind == level     ? 1
-                                                   : kind == upright ? lattice.stride()
-                                                                     : lattice.stride() + 1);
+    // From the row's first vertex to the edge in column 0.
+    const int to_first = kind == level     ? 1
+                         : kind == upright ? lattice.stride()
+                                           : lattice.stride() + 1;
+    const int row = lattice.vertex_site(0, y), first = row + to_first;
     const float* weights = scratch.weights[kind != upright].data();
     float* const e = bend ? net.at(first) : nullptr;
     float* const q = soft ? net.soft_at(first) : nullptr;
     const PlainRow plain(lattice, net, scratch.edge_cells, y,
-                         bend ? scratch.gradients.at(lattice.vertex_site(0, y)) : nullptr);
+                         bend ? scratch.gradients.at(row) : nullptr);
     begin = std::max(begin, x0);
     end = std::max(std::min(end, x1), begin);
     each_vector(begin, end, count, [&](auto vector, const RowPlace& place) HWY_ATTR {
@@ -188,20 +169,26 @@ HWY_INLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, int
                : kind == upright ? here | crossed_cells(divisions.below + x - 1)
                                  : here;
     };
-    const auto next = [&](int x) { return next_crossed(x, begin, end, crossed); };
-    const Site* sites = lattice.sites();
-    const SiteView vertices(net.values.even), gradients(scratch.gradients);
-    const int stride = lattice.stride();
-    for (int x = next(x0); x < x1; x = next(x + 1))
-        make_any<bend, soft>(sites, stride, first + 2 * x, soft ? weights[x] : 0.0f, vertices,
-                             gradients, bend ? e + ptrdiff_t(x) * count : nullptr,
-                             soft ? q + ptrdiff_t(x) * count : nullptr);
+    const size_t most = size_t(x1 - x0) + cells_at_once + most_row_lanes;
+    if (scratch.columns.size() < most)
+        scratch.columns.resize(most);
+    int* const columns = scratch.columns.data();
+    int n = 0;
+    for (int x = x0; x < std::min(begin, x1); ++x)
+        columns[n++] = x;
+    n += list_crossed(begin, end, crossed, columns + n);
+    for (int x = end; x < x1; ++x)
+        columns[n++] = x;
+    if (n > 0)
+        std::fill_n(columns + n, most_row_lanes, columns[n - 1]);
+    const AnyEdges any{net.vertex(row), plain.gradients, plain.to_y, row, to_first, weights, count};
+    make_listed<bend, soft>(SiteLanes(lattice), any, columns, n, e, q);
 }
 
 /// The edges with midpoints in row y of the doubled lattice.
 template <bool bend, bool soft, bool tame>
-HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y,
-                         const EdgeScratch& scratch, Net& net) {
+HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y, EdgeScratch& scratch,
+                         Net& net) {
     const int x0 = part.x0, x1 = part.x1, last = lattice.width() - 1, pixel_y = y / 2;
     if (y & 1) {
         make_kind<upright, bend, soft, tame>(lattice, x0, x1, 1, last, pixel_y, scratch, net);
@@ -214,8 +201,8 @@ HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y,
 }
 
 template <bool bend, bool soft>
-HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y,
-                         const EdgeScratch& scratch, Net& net) {
+HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y, EdgeScratch& scratch,
+                         Net& net) {
     if (scratch.tame)
         make_row<bend, soft, true>(lattice, part, y, scratch, net);
     else

@@ -50,6 +50,13 @@ struct GradientMean {
         add(w, gx, gy);
     }
 
+    /// Be what it was before the last was added, where not a < b.
+    DDT_INLINE void keep_less(T a, T b, const GradientMean& before) {
+        sum_x = if_less(a, b, sum_x, before.sum_x);
+        sum_y = if_less(a, b, sum_y, before.sum_y);
+        weight = if_less(a, b, weight, before.weight);
+    }
+
     DDT_INLINE void result(T& gx, T& gy) const {
         const T r = rsqrt<3>(if_less(T(0.0f), weight, weight, T(1.0f)));
         const T reciprocal = r * r;

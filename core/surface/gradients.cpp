@@ -7,7 +7,6 @@
 
 #include "core/base/arith.h"
 #include "core/base/row_lanes.h"
-#include "core/lattice/crossed_columns.h"
 #include "core/surface/edge_scratch.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -24,7 +23,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 #include "core/base/rsqrt-inl.h"
 #include "core/surface/gradient-inl.h"
 
+#include "core/base/blocks-inl.h"
 #include "core/base/row_lanes-inl.h"
+
+#include "core/surface/fan_means-inl.h"
 
 /// A neighbour of the vertex that is walked round, over the edge between them.
 struct Spoke {
@@ -38,8 +40,8 @@ struct Spoke {
           dz(PixelLanes::load(net + count * ptrdiff_t(y_ * stride + x_)) - z) {}
 };
 
-/// The next spoke to the left or right of one; false on the rim. On the record as one number: the
-/// walk is a chain of such steps, and its latency is what a gradient costs.
+/// The next spoke to the left or right of one; false on the rim. On the record as one number, since
+/// steps wait for each other.
 HWY_INLINE bool next_spoke(const Site* vertex, int stride, bool left, int& x, int& y) {
     static_assert(offsetof(Edge, v) == 0 && offsetof(Edge, left) == 2 && offsetof(Edge, right) == 4,
                   "the shifts below");
@@ -52,8 +54,8 @@ HWY_INLINE bool next_spoke(const Site* vertex, int stride, bool left, int& x, in
     return apex != 0;
 }
 
-/// The mean gradient at a vertex: over its triangles in a fixed order, from the first edge to the
-/// left, and on the hull's rim from the first edge to the right.
+/// The mean gradient at a vertex on the rim, or any: over its triangles in a fixed order, from the
+/// first edge to the left, and on the hull's rim from the first edge to the right.
 template <bool tame>
 HWY_INLINE GradientMean<PixelLanes, tame> mean_round(const Site* vertex, const float* net,
                                                      int stride, int count) {
@@ -79,6 +81,25 @@ HWY_INLINE GradientMean<PixelLanes, tame> mean_round(const Site* vertex, const f
         last = next;
     }
     return mean;
+}
+
+/// The gradients at the vertices of a group of fans; gradients, to_y: see PlainRows.
+template <bool tame>
+HWY_INLINE void make_group(const Fans::Group& group, const Spokes& spokes, const float* vertices,
+                           int count, float* gradients, ptrdiff_t to_y) {
+    const int blocks = blocks_in_vector();
+    for (int i = 0; i < fans_side_by_side; i += blocks) {
+        Blocks gx, gy;
+        means_of_fans<tame>(group, i, spokes, vertices, count).result(gx, gy);
+        HWY_ALIGN float x[fans_side_by_side * group_size], y[fans_side_by_side * group_size];
+        gx.store(x);
+        gy.store(y);
+        for (int b = 0; b < blocks; ++b) {
+            float* to = gradients + ptrdiff_t(group.x[i + b]) * count;
+            store_pixel(PixelLanes::load(x + b * group_size), count, to);
+            store_pixel(PixelLanes::load(y + b * group_size), count, to + to_y);
+        }
+    }
 }
 
 /// What plain vertices of a row are surrounded by, from column 0 on.
@@ -138,19 +159,33 @@ HWY_INLINE void make_any(const Lattice& lattice, const Rect& part, int y0, int y
             each_vector(begin, end, count, [&](auto vector, const RowPlace& place) HWY_ATTR {
                 plain.make_gradients<tame, decltype(vector)>(place, gradients, to_y);
             });
-        const NearDivisions divisions(lattice, y);
-        const auto next = [&](int x) {
-            return next_crossed(x, begin, rim ? begin : end,
-                                [&](int at) { return divisions.crossed_beside(at); });
-        };
-        for (int x = next(part.x0); x < part.x1; x = next(x + 1)) {
+        const auto walk = [&](int x) HWY_ATTR {
             const int s = lattice.vertex_site(x, y);
             PixelLanes gx, gy;
             mean_round<tame>(lattice.sites() + s, net.vertex(s), stride, count).result(gx, gy);
             float* to = gradients + ptrdiff_t(x) * count;
             store_pixel(gx, count, to);
             store_pixel(gy, count, to + to_y);
+        };
+        if (rim || begin >= end) {
+            for (int x = part.x0; x < part.x1; ++x)
+                walk(x);
+            continue;
         }
+        const Fans& fans = scratch.fans->row(y, begin, end);
+        for (const Fans::Group& group : fans.groups) {
+            if (group.x[fans_side_by_side - 1] < begin || group.x[0] >= end)
+                continue;
+            load_spokes(fans.spokes.data() + group.first,
+                        size_t(group.most + 1) * fans_side_by_side, stride * count, count,
+                        scratch.spokes);
+            make_group<tame>(group, scratch.spokes, net.vertex(lattice.vertex_site(0, y)), count,
+                             gradients, to_y);
+        }
+        if (part.x0 < begin)
+            walk(part.x0);
+        if (end < part.x1)
+            walk(end);
     }
 }
 

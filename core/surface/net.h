@@ -48,15 +48,6 @@ struct SiteRows {
     float* at(int site) { return numbers.data() + ptrdiff_t((site - first) >> 1) * count; }
 };
 
-/// The same, to read from: what is stored meanwhile cannot be taken to change where they are.
-struct SiteView {
-    const float* numbers;
-    int first, count;
-    explicit SiteView(const SiteRows& rows)
-        : numbers(rows.numbers.data()), first(rows.first), count(rows.count) {}
-    const float* at(int site) const { return numbers + ptrdiff_t((site - first) >> 1) * count; }
-};
-
 /// The same at each site. Even columns have the vertices and, in the rows between, the upright
 /// edges of cells, odd columns their level edges and their centres: of each, a row is one run of
 /// floats, which is worked on by vectors wherever pixels begin (core/base/row_lanes-inl.h).

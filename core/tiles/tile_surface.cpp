@@ -17,6 +17,12 @@ EdgeRecipe recipe_of(const SurfaceOptions& surface) {
     return {surface.kind != Surface::linear, surface.soft > 0 ? &some_gain : nullptr, surface.soft};
 }
 
+/// Rows of fans that are worth being kept for who asks for them again: later rounds of corrections,
+/// or groups of channels. ahead: CorrectedRows::rows_ahead(), if there are rounds.
+int fan_rows(int ahead, size_t groups) {
+    return ahead > 0 ? ahead : groups > 1 ? 4 * rows_at_once : 1;
+}
+
 } // namespace
 
 TileSurface::TileSurface(const Job& job) : m_job(job), m_nets(size_t(group_count(job.channels))) {
@@ -45,7 +51,10 @@ size_t TileSurface::memory(const Job& job, int width, int height, bool rows) {
         corrected += size_t(width) * size_t(height) * sizeof(float) * size_t(job.channels);
     // Of a row of cells that are all crossed, in a vector that grows by doubling.
     const size_t located = 2 * usual_crossing_triangles * size_t(width) * sizeof(CrossingTriangle);
-    return kept + corrected + located;
+    const int ahead =
+        is_corrected(job.surface) ? CorrectedRows::usual_rows_ahead(job.surface.consistency) : 0;
+    const size_t fans = FanRows::memory(width, std::min(fan_rows(ahead, size_t(groups)), height));
+    return kept + corrected + located + fans;
 }
 
 void TileSurface::begin(const TileMesh& mesh, const Tile& tile, const float* values) {
@@ -55,6 +64,9 @@ void TileSurface::begin(const TileMesh& mesh, const Tile& tile, const float* val
     const Rect part = sampled_part(mesh.lattice(), tile);
     if (is_corrected(surface) && m_nets.size() > 1)
         m_corrected.resize(mesh.lattice().vertices() * size_t(m_job.channels));
+    const int ahead =
+        is_corrected(surface) ? CorrectedRows::rows_ahead(mesh.lattice(), surface.consistency) : 0;
+    m_fans.begin(mesh.lattice(), fan_rows(ahead, m_nets.size()));
     for (int g = 0; g < int(m_nets.size()); ++g) {
         Net& net = m_nets[size_t(g)];
         set_strictness(g, net);
@@ -75,10 +87,10 @@ GroupValues TileSurface::group_values(const float* values, int group) const {
     return {values, m_job.channels, group * group_size, channels_in_group(m_job.channels, group)};
 }
 
-EdgeRecipe TileSurface::recipe() const {
+EdgeRecipe TileSurface::recipe() {
     const SurfaceOptions& surface = m_job.surface;
     return {surface.kind != Surface::linear, surface.soft > 0 ? m_mesh->gain() : nullptr,
-            surface.soft};
+            surface.soft, &m_fans};
 }
 
 void TileSurface::set_strictness(int group, Net& net) const {

@@ -46,7 +46,7 @@ public:
 
 private:
     GroupValues group_values(const float* values, int group) const;
-    EdgeRecipe recipe() const;
+    EdgeRecipe recipe();
     void set_strictness(int group, Net& net) const;
     void begin_corrected(int group, const float* values, const Rect& part);
     void correct_all(int group);
@@ -58,6 +58,7 @@ private:
     std::vector<EdgeMaker> m_edges;
     std::vector<FittedMaker> m_fitted; ///< in their place
     CorrectedRows m_rounds;            ///< before them, where there are any
+    FanRows m_fans;                    ///< all theirs
     std::vector<float> m_corrected;    ///< of many channels, what they make of the values
     Search m_search;
     LocatedRow m_row;

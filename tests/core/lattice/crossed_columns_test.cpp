@@ -6,7 +6,7 @@
 namespace ddt::test {
 namespace {
 
-TEST(CrossedColumns, NextIsTheFirstThatIsCrossedOrOutside) {
+TEST(CrossedColumns, AreThoseThatAreCrossed) {
     Random random(7);
     for (int trial = 0; trial < 2000; ++trial) {
         const int n = 1 + random.below(40);
@@ -23,6 +23,12 @@ TEST(CrossedColumns, NextIsTheFirstThatIsCrossedOrOutside) {
                 ++slow;
             ASSERT_EQ(next_crossed(x, begin, end, crossed), slow) << begin << " .. " << end;
         }
+        std::vector<int> slow, listed(size_t(end - begin + cells_at_once), -1);
+        for (int x = begin; x < end; ++x)
+            if (cells[size_t(x)] == Division::other)
+                slow.push_back(x);
+        listed.resize(size_t(list_crossed(begin, end, crossed, listed.data())));
+        ASSERT_EQ(listed, slow) << begin << " .. " << end;
     }
 }
 

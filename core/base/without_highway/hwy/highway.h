@@ -84,6 +84,10 @@ template <class D>
 HWY_INLINE constexpr size_t Lanes(D) {
     return D::lanes;
 }
+template <class D>
+HWY_INLINE constexpr size_t MaxLanes(D) {
+    return D::lanes;
+}
 
 template <class D>
 HWY_INLINE constexpr size_t MaxLanes(D) {
@@ -343,14 +347,15 @@ template <class D, class V>
 HWY_INLINE Vec<D> PromoteTo(D, V v) {
     return __builtin_convertvector(v, Vec<D>);
 }
-/// Signed numbers of 32 bits to the nearest ones of D, which has bytes.
+/// Signed numbers of 32 bits to the nearest ones of D, which has fewer and no signs.
 template <class D, class V>
 HWY_INLINE Vec<D> DemoteTo(D, V v) {
-    static_assert(std::is_same<typename D::T, uint8_t>::value, "");
-    Vec<D> bytes{};
+    using T = typename D::T;
+    static_assert(T(-1) > 0 && sizeof(T) < 4, "");
+    Vec<D> demoted{};
     for (size_t i = 0; i < D::lanes; ++i)
-        bytes[i] = uint8_t(v[i] < 0 ? 0 : v[i] > 255 ? 255 : v[i]);
-    return bytes;
+        demoted[i] = T(v[i] < 0 ? 0 : v[i] > T(-1) ? T(-1) : v[i]);
+    return demoted;
 }
 
 // Across lanes.
@@ -372,6 +377,16 @@ HWY_INLINE Vec<H> UpperHalf(H, V v) {
     for (size_t i = 0; i < H::lanes; ++i)
         half[i] = v[H::lanes + i];
     return half;
+}
+/// Twice as many lanes: those of `lower`, then those of `upper`.
+template <class D, class V>
+HWY_INLINE Vec<D> Combine(D, V upper, V lower) {
+    Vec<D> v{};
+    for (size_t i = 0; i < D::lanes / 2; ++i) {
+        v[i] = lower[i];
+        v[D::lanes / 2 + i] = upper[i];
+    }
+    return v;
 }
 /// The even, or odd, lanes of `lower`, then those of `upper`.
 template <class D>

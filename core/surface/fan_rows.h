@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fans of vertices beside cells that other edges cross, kept for whoever asks for the same row
+// next.
+#pragma once
+
+#include <vector>
+
+#include "core/lattice/fans.h"
+
+namespace ddt {
+
+/// Of the rows that were asked for last. Rounds of corrections, and groups of channels, are some
+/// rows apart and ask for the same.
+class FanRows {
+public:
+    /// Start on a lattice, whose divisions and first edges have been found. rows: to be kept, one
+    /// at least.
+    void begin(const Lattice& lattice, int rows);
+
+    /// Of the vertices beside crossed cells in columns x0 .. x1 - 1, or more, of row y, from left
+    /// to right; none of them are on the hull's rim. Until another row is asked for.
+    const Fans& row(int y, int x0, int x1);
+
+    /// About the bytes that so many rows of pixels take where all cells are crossed.
+    static size_t memory(int width, int rows);
+
+private:
+    struct Row {
+        int y = -1, x0 = 0, x1 = 0;
+        Fans fans;
+    };
+    void find(int y, int x0, int x1, Row& row);
+
+    const Lattice* m_lattice = nullptr;
+    std::vector<Row> m_rows; ///< row y at [y % size]
+    std::vector<int> m_columns;
+    std::vector<Vec> m_walked;
+};
+
+} // namespace ddt
