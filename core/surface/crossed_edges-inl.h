@@ -24,8 +24,8 @@ struct EdgeList {
         const Ints to_j = lattice.offset(edge.v);
         store(at - to_j, i);
         store(at + to_j, j);
-        lattice.number(edge.v.x).store(vx);
-        lattice.number(edge.v.y).store(vy);
+        lattice.x(edge.v).store(vx);
+        lattice.y(edge.v).store(vy);
         if (soft) {
             store(at + lattice.offset(edge.left), c);
             store(at + lattice.offset(edge.right), d);
