@@ -89,11 +89,6 @@ HWY_INLINE constexpr size_t MaxLanes(D) {
     return D::lanes;
 }
 
-template <class D>
-HWY_INLINE constexpr size_t MaxLanes(D) {
-    return D::lanes;
-}
-
 // In and out of memory.
 
 template <class D>
