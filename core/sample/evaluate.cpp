@@ -8,6 +8,7 @@
 
 #include "core/base/arith.h"
 #include "core/base/row_lanes.h"
+#include "core/sample/crossed.h"
 #include "core/sample/phases.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -178,7 +179,7 @@ HWY_INLINE void evaluate_spans(const Net& whole, const LocatedRow& row, const Ou
 
 /// A block's ranges. What is stored too much is overwritten by the range to the right, except
 /// before what evaluate_phases() made and at the end of a row: there stands what is not the
-/// block's.
+/// block's. What evaluate_crossed() makes comes last.
 template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_ranges(const Net& whole, const Columns& columns, const LocatedBlock& block,
                                 Output out) {
@@ -324,6 +325,8 @@ void evaluate_block(const Net& net, Surface surface, const Columns& columns,
         evaluate_phases(net, surface, columns, block, channels, first, count, out, row);
     HWY_DYNAMIC_DISPATCH(evaluate_rows)
     (net, surface, columns, block, channels, first, count, out, row);
+    if (!block.crossed.cells.empty())
+        evaluate_crossed(net, surface, columns, block, channels, first, count, out, row);
 }
 
 void join_last(const float* last, size_t n, float share, float* mean) {

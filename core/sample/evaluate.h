@@ -6,6 +6,7 @@
 
 #include "core/lattice/crossed_cell.h"
 #include "core/lattice/locate.h"
+#include "core/surface/crossed_rows.h"
 #include "core/surface/net.h"
 
 namespace ddt {
@@ -105,14 +106,16 @@ struct LocatedBlock {
         /// Those of `crossing` with positions in the one cell; none: `rows` has the positions.
         int triangle = 0, triangles = 0;
     };
-    std::vector<Range> ranges; ///< in order, without gaps but where evaluate_phases() makes
-                               ///< Columns::alike: of these, cells that are not plain alone
-    bool phases = false;       ///< it does: most of them are plain
-    std::vector<float> down;   ///< of these 1 where the diagonal is down, else 0; padded to vectors
-    int cell_row = 0;          ///< the row of cells
-    int count = 0;             ///< of rows
-    float y[most_rows];        ///< the rows' positions relative to the cells' first corners
+    std::vector<Range> ranges; ///< in order, without gaps but where `phases` or `crossed` has cells
+    /// evaluate_phases() makes Columns::alike, most of which are plain.
+    bool phases = false;
+    std::vector<float> down; ///< of these 1 where the diagonal is down, else 0; padded to vectors
+    int cell_row = 0;        ///< the row of cells
+    int count = 0;           ///< of rows
+    float y[most_rows];      ///< the rows' positions relative to the cells' first corners
     std::vector<CrossingTriangle> crossing;
+    /// Of Columns::alike, those that other edges cross: evaluate_crossed() makes them.
+    CrossedRows::Row crossed;
     LocatedRow rows[most_rows]; ///< where a cell has more positions than CellPositions
 };
 

@@ -176,54 +176,19 @@ bool are_mostly_plain(const Division* divisions, const Columns::Alike& alike) {
     return 8 * (alike.cells - crossed) >= least_eighths[alike.phases - least_phases] * alike.cells;
 }
 
-/// Finds the triangles of cells in which positions lie alike, many cells at a time.
-class AlikeCells {
-public:
-    AlikeCells(const Lattice& lattice, const Columns& columns, int cy, LocatedBlock& block)
-        : m_lattice(lattice), m_cy(cy), m_block(block) {
-        const Columns::Alike& alike = columns.alike;
-        const int count = alike.phases * block.count;
-        if (alike.cells == 0 || count > CrossedSearch::most_positions)
-            return;
-        m_positions.set(columns.x.data() + alike.begin, alike.phases, block.y, block.count);
-        m_begin = alike.cell;
-        m_end = alike.cell + alike.cells;
-        m_at_once = CrossedSearch::most_cells_with(count);
-    }
-    bool has(int cell) const { return m_begin <= cell && cell < m_end; }
-    /// A cell that other edges cross, and its range, which stays where it is until find().
-    void add(int cell, LocatedBlock::Range& range) {
-        m_cells[m_count] = cell;
-        m_ranges[m_count] = &range;
-        if (++m_count == m_at_once)
-            find();
-    }
-    /// Put the triangles of the cells that were added into the block.
-    void find() {
-        if (m_count == 0)
-            return;
-        m_search.find(m_lattice, m_cy, m_cells, m_count, m_positions);
-        auto& crossing = m_block.crossing;
-        for (int i = 0; i < m_count; ++i) {
-            LocatedBlock::Range& range = *m_ranges[i];
-            range.triangle = int(crossing.size());
-            range.triangles = m_search.count(i);
-            for (const CellTriangle* t = m_search.begin(i); t < m_search.end(i); ++t)
-                crossing.emplace_back(t->corners(), range.site, m_lattice.stride(), t->positions);
-        }
-        m_count = 0;
-    }
-
-private:
-    const Lattice& m_lattice;
-    const int m_cy;
-    LocatedBlock& m_block;
-    CellPositions m_positions;
-    int m_begin = 0, m_end = 0, m_at_once = 0, m_count = 0;
-    int m_cells[CrossedSearch::most_cells];
-    LocatedBlock::Range* m_ranges[CrossedSearch::most_cells];
-    CrossedSearch m_search;
-};
+/// Find the crossed ones of cells in which positions lie alike, many at a time. Returns whether
+/// that could be done.
+bool find_crossed_alike(const Lattice& lattice, const Columns& columns, int cy,
+                        LocatedBlock& block) {
+    const Columns::Alike& alike = columns.alike;
+    block.crossed.cells.clear();
+    if (alike.cells == 0 || alike.phases * block.count > CrossedSearch::most_positions)
+        return false;
+    CellPositions positions;
+    positions.set(columns.x.data() + alike.begin, alike.phases, block.y, block.count);
+    find_crossed(lattice, positions, cy, alike.cell, alike.cell + alike.cells, block.crossed);
+    return true;
+}
 
 /// Find what the columns lie in, in row cy of cells, and the triangles of cells that other edges
 /// cross. Returns whether any of them have more positions than CellPositions.
@@ -241,7 +206,10 @@ bool find_ranges(const Lattice& lattice, const Columns& columns, int cy, Located
     block.ranges.resize(columns.runs.size());
     block.crossing.clear();
     CellPositions positions;
-    AlikeCells alike_cells(lattice, columns, cy, block);
+    const bool crossed_found = find_crossed_alike(lattice, columns, cy, block);
+    const auto is_found = [&](int cell) {
+        return crossed_found && alike.cell <= cell && cell < alike.cell + alike.cells;
+    };
     bool any_in_rows = false;
     LocatedBlock::Range* const first = block.ranges.data();
     LocatedBlock::Range* range = first;
@@ -252,15 +220,17 @@ bool find_ranges(const Lattice& lattice, const Columns& columns, int cy, Located
     const auto next = [&](const Columns::Run* run) {
         if (run == end)
             return end;
+        if (block.phases && is_found(run->cell))
+            return run + (alike_end - run->cell);
         return run + (next_crossed(run->cell, alike.cell, alike_end, crossed) - run->cell);
     };
     for (const Columns::Run* at = next(columns.runs.data()); at != end; at = next(at + 1)) {
         const Columns::Run& run = *at;
         *range = {kind_of(divisions[run.cell]), run.begin, run.end, first_site + 2 * run.cell};
         const int n = run.end - run.begin;
-        if (range->kind == Span::triangle && alike_cells.has(run.cell)) {
-            alike_cells.add(run.cell, *range);
-        } else if (range->kind == Span::triangle && n * block.count <= CellPositions::most) {
+        if (range->kind == Span::triangle && is_found(run.cell))
+            continue;
+        if (range->kind == Span::triangle && n * block.count <= CellPositions::most) {
             positions.set(columns.x.data() + run.begin, n, block.y, block.count);
             range->triangle = int(block.crossing.size());
             find_crossing_triangles(lattice, run.cell, cy, positions, block.crossing);
@@ -274,7 +244,6 @@ bool find_ranges(const Lattice& lattice, const Columns& columns, int cy, Located
         }
         ++range;
     }
-    alike_cells.find();
     block.ranges.resize(size_t(range - first));
     return any_in_rows;
 }

@@ -29,6 +29,10 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
 #include "core/base/row_lanes-inl.h"
 
+#include "core/surface/triangle_numbers-inl.h"
+
+#include "core/surface/crossed_cells-inl.h"
+
 #include "core/surface/crossed_means-inl.h"
 #include "core/surface/for_surface-inl.h"
 

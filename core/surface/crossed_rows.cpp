@@ -17,28 +17,29 @@ void CrossedRows::begin(const Lattice& lattice, const CellPositions& positions, 
 const CrossedRows::Row& CrossedRows::row(int y, int x0, int x1) {
     Row& row = m_rows[size_t(y) % m_rows.size()];
     if (row.y != y || x0 < row.x0 || row.x1 < x1)
-        find(y, x0, x1, row);
+        find_crossed(*m_lattice, *m_positions, y, x0, x1, row);
     return row;
 }
 
-void CrossedRows::find(int y, int x0, int x1, Row& row) const {
+void find_crossed(const Lattice& lattice, const CellPositions& positions, int y, int x0, int x1,
+                  CrossedRows::Row& row) {
     row.y = y;
     row.x0 = x0;
     row.x1 = x1;
     row.cells.clear();
     row.triangles.clear();
-    const Division* divisions = m_lattice->divisions(y);
+    const Division* divisions = lattice.divisions(y);
     const auto next = [&](int x) {
         return next_crossed(x, x0, x1, [&](int at) { return crossed_cells(divisions + at); });
     };
     CrossedSearch search;
     int cells[CrossedSearch::most_cells];
-    const int at_once = CrossedSearch::most_cells_with(m_positions->count());
+    const int at_once = CrossedSearch::most_cells_with(positions.count());
     for (int x = next(x0); x < x1;) {
         int n = 0;
         for (; n < at_once && x < x1; x = next(x + 1))
             cells[n++] = x;
-        search.find(*m_lattice, y, cells, n, *m_positions);
+        search.find(lattice, y, cells, n, positions);
         const auto first = int(row.triangles.size());
         for (int i = 0; i < n; ++i)
             row.cells.push_back({cells[i], first + search.first(i), search.count(i)});

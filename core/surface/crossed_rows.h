@@ -33,11 +33,14 @@ public:
     static size_t memory(int width, int rows);
 
 private:
-    void find(int y, int x0, int x1, Row& row) const;
-
     const Lattice* m_lattice = nullptr;
     const CellPositions* m_positions = nullptr;
     std::vector<Row> m_rows; ///< row y at [y % size]
 };
+
+/// Find those of cells x0 .. x1 - 1 of row y that other edges cross, and their triangles. At most
+/// as many positions as CrossedSearch has.
+void find_crossed(const Lattice& lattice, const CellPositions& positions, int y, int x0, int x1,
+                  CrossedRows::Row& row);
 
 } // namespace ddt

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cfloat>
 
+#include "core/lattice/crossed_search.h"
 #include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"
 #include "tests/core/surface/slow_surface.h"
@@ -69,7 +70,7 @@ public:
         Columns columns;
         columns.find(points.data(), int(points.size()), m_scene.lattice.width(), most_phases);
         m_alike = columns.alike;
-        m_blocks = m_together = m_mixed = 0;
+        m_blocks = m_together = m_crossed = m_mixed = 0;
         const size_t width = x.size() * size_t(m_channels), row = width + 3;
         constexpr float canary = -77.0f;
         std::vector<float> out(row * y.size(), canary);
@@ -80,8 +81,8 @@ public:
             EXPECT_GT(rows, 0);
             ++m_blocks;
             m_together += block.phases;
-            m_mixed += block.phases && std::any_of(block.ranges.begin(), block.ranges.end(),
-                                                   [](const auto& r) { return r.triangles > 0; });
+            m_crossed += !block.crossed.cells.empty();
+            m_mixed += block.phases && !block.crossed.cells.empty();
             for (int g = 0; g < int(m_nets.size()); ++g)
                 evaluate_block(m_nets[size_t(g)], m_surface, columns, block, m_channels,
                                g * group_size, std::min(group_size, m_channels - g * group_size),
@@ -98,17 +99,18 @@ public:
         return values;
     }
 
-    /// Of the last grid(); of how many blocks they were evaluated together, and of how many with
-    /// cells among them that are not plain.
+    /// Of the last grid(); of how many blocks they were evaluated together, of how many those that
+    /// are not plain, and of how many both.
     const Columns::Alike& alike() const { return m_alike; }
     int blocks() const { return m_blocks; }
     int together() const { return m_together; }
+    int crossed() const { return m_crossed; }
     int mixed() const { return m_mixed; }
 
 private:
     const Scene& m_scene;
     Columns::Alike m_alike;
-    int m_blocks = 0, m_together = 0, m_mixed = 0;
+    int m_blocks = 0, m_together = 0, m_crossed = 0, m_mixed = 0;
     Surface m_surface;
     int m_channels;
     NearestMask m_nearest;
@@ -580,8 +582,10 @@ TEST(Evaluate, PositionsThatLieAlikeInCellsHaveTheBitsOfRows) {
             for (int phases = least_phases; phases <= most_phases; ++phases)
                 for (const int channels : {1, 2, 3, 4, 7})
                     for (const float tau : {0.0f, 0.5f}) {
-                        SCOPED_TRACE(::testing::Message() << flips << " flips, " << phases << ", "
-                                                          << channels << ", " << tau);
+                        const int rows = random.between(1, LocatedBlock::most_rows);
+                        SCOPED_TRACE(::testing::Message()
+                                     << flips << " flips, " << phases << " x " << rows << ", "
+                                     << channels << ", " << tau);
                         const auto kind = all_values[size_t(channels) % std::size(all_values)];
                         const auto values = make_values(kind, scene.pixels() * channels, random);
                         Reader reader(scene, surfaces[random.below(2)], values, channels, 0,
@@ -593,17 +597,18 @@ TEST(Evaluate, PositionsThatLieAlikeInCellsHaveTheBitsOfRows) {
                         for (int i = random.below(2 * phases);
                              i / phases < l.width() - 1 - random.below(3); ++i)
                             x.push_back(i / phases * position_one + i % phases * step + shift);
-                        for (int32_t at = 0; at < (l.height() - 1) * position_one;
-                             at += position_one / 4)
-                            y.push_back(at);
+                        for (int i = 0; i < (l.height() - 1) * rows; ++i)
+                            y.push_back(i / rows * position_one + i % rows * (position_one / rows));
                         expect_rows(reader, x, y);
                         // Few cells fall away at the ends.
                         EXPECT_EQ(reader.alike().phases, phases);
                         EXPECT_GE(reader.alike().cells, l.width() - 1 - 6);
+                        const bool fits = phases * rows <= CrossedSearch::most_positions;
+                        EXPECT_EQ(reader.crossed() > 0, flips > 0 && fits);
                         if (flips == 0)
                             EXPECT_EQ(reader.together(), reader.blocks());
                         else
-                            EXPECT_EQ(reader.mixed() > 0, flips == few);
+                            EXPECT_EQ(reader.mixed() > 0, flips == few && fits);
                     }
         }
     });

@@ -65,7 +65,7 @@ using CappedTag = Tag<T, (most < 4 ? most : 4)>;
 template <class T, class D>
 using Rebind = Tag<T, D::lanes>;
 template <class D>
-using RebindToSigned = Rebind<int32_t, D>;
+using RebindToSigned = Rebind<std::conditional_t<sizeof(typename D::T) == 8, int64_t, int32_t>, D>;
 template <class D>
 using RebindToUnsigned = Rebind<uint32_t, D>;
 /// As many bytes, of another type; half as many numbers.
@@ -84,11 +84,6 @@ template <class D>
 HWY_INLINE constexpr size_t Lanes(D) {
     return D::lanes;
 }
-template <class D>
-HWY_INLINE constexpr size_t MaxLanes(D) {
-    return D::lanes;
-}
-
 template <class D>
 HWY_INLINE constexpr size_t MaxLanes(D) {
     return D::lanes;

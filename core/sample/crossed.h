@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Positions that lie alike in neighbouring cells which edges of others cross: those of several
+// cells, each in its own triangle, beside each other in the lanes.
+#pragma once
+
+#include "core/sample/evaluate.h"
+
+namespace ddt {
+
+/// What evaluate_block() does of LocatedBlock::crossed; nothing else is overwritten.
+void evaluate_crossed(const Net& net, Surface surface, const Columns& columns,
+                      const LocatedBlock& block, int channels, int first, int count, float* out,
+                      size_t row);
+
+} // namespace ddt

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// Included inside a SIMD target's namespace, after patch-inl.h and row_lanes-inl.h: triangles that
+// cross cells, a lane a triangle, of one channel.
+
+/// What triangles have, a number each.
+class TriangleNumbers {
+public:
+    static constexpr int most = 32;
+
+    /// Of n triangles, at most so many, of cells in these columns of the row with its first corner
+    /// at this site.
+    template <bool quadratic, bool soft>
+    HWY_INLINE void load(const NetView& net, const float* strict, int site, int stride,
+                         const CellTriangle* triangles, const int32_t* columns, int n) {
+        static_assert(sizeof(CellTriangle) == 2 * sizeof(int32_t), "two words");
+        std::memcpy(m_words, triangles, size_t(n) * sizeof(CellTriangle));
+        for (int i = 0; i < n; i += lanes())
+            place(i, columns + i, stride, int(net.count));
+        copy<quadratic, soft>(net, net.place(site), n);
+        m_tame = true;
+        for (int i = 0; i < n; i += lanes())
+            separate<quadratic, soft>(int(net.count), i, n);
+        for (int c = 0; c < int(net.count); ++c)
+            for (int i = 0; i < n; i += lanes()) {
+                if (m_tame)
+                    find_range<soft, true>(c, strict[c], i);
+                else
+                    find_range<soft, false>(c, strict[c], i);
+            }
+    }
+
+    bool tame() const { return m_tame; }
+
+    struct Planes {
+        RowLanes across[2][2], offset[2];
+    };
+    /// look_up: a function from where the first triangle's number is to each lane's.
+    template <class LookUp>
+    HWY_INLINE Planes planes(int first, LookUp&& look_up) const {
+        Planes p;
+        for (int k = 0; k < 2; ++k) {
+            p.across[k][0] = look_up(m_planes[3 * k] + first);
+            p.across[k][1] = look_up(m_planes[3 * k + 1] + first);
+            p.offset[k] = look_up(m_planes[3 * k + 2] + first);
+        }
+        return p;
+    }
+    template <bool quadratic, bool soft, class LookUp>
+    HWY_INLINE void patch(int channel, int first, LookUp&& look_up, Patch<RowLanes>& p) const {
+        const auto number = [&](int k) HWY_ATTR { return look_up(m_numbers[channel][k] + first); };
+        p.z0 = number(z), p.z1 = number(z + 1), p.z2 = number(z + 2);
+        if (quadratic)
+            p.e01 = number(e), p.e12 = number(e + 1), p.e20 = number(e + 2);
+        if (soft)
+            p.q01 = number(q), p.q12 = number(q + 1), p.q20 = number(q + 2);
+        p.low = number(low), p.high = number(high);
+    }
+
+    static HWY_INLINE int lanes() { return int(hn::Lanes(RowTag())); }
+
+private:
+    enum { z = 0, e = 3, q = 6, low = 9, high = 10, all = 11 };
+    static constexpr int room = most + most_row_lanes;
+    using IntTag = hn::RebindToSigned<RowTag>;
+
+    /// Byte k of each lane as a signed number.
+    template <int k>
+    static HWY_INLINE hn::Vec<IntTag> signed_byte(hn::Vec<IntTag> x) {
+        return hn::ShiftRight<24>(hn::ShiftLeft<24 - 8 * k>(x));
+    }
+
+    /// Where what the net has of triangles i, i + 1, ... is, and their planes, as CrossingTriangle
+    /// has them.
+    HWY_INLINE void place(int i, const int32_t* columns, int stride, int count) {
+        const RowTag d;
+        const IntTag di;
+        hn::Vec<IntTag> first, second;
+        hn::LoadInterleaved2(di, m_words + 2 * i, first, second);
+        const hn::Vec<IntTag> x[3] = {signed_byte<0>(first), signed_byte<2>(first),
+                                      signed_byte<0>(second)},
+                              y[3] = {signed_byte<1>(first), signed_byte<3>(first),
+                                      signed_byte<1>(second)};
+        const auto column = hn::LoadU(di, columns), floats = hn::Set(di, count);
+        hn::Vec<IntTag> vertex[3];
+        for (int k = 0; k < 3; ++k) {
+            vertex[k] = hn::Add(hn::Mul(y[k], hn::Set(di, stride)), hn::Add(x[k], column));
+            hn::StoreU(hn::Mul(vertex[k], floats), di, m_vertex[k] + i);
+        }
+        for (int k = 0; k < 3; ++k) {
+            const auto edge = hn::Add(vertex[k], vertex[(k + 1) % 3]);
+            hn::StoreU(hn::Mul(hn::ShiftRight<1>(edge), floats), di, m_edge[k] + i);
+            hn::StoreU(hn::And(edge, hn::Set(di, 1)), di, m_odd[k] + i);
+        }
+        for (int k = 0; k < 2; ++k) {
+            const int from = k + 1, to = (k + 2) % 3;
+            const auto dx = hn::Sub(x[to], x[from]), dy = hn::Sub(y[to], y[from]);
+            const auto offset = hn::Sub(hn::Mul(dy, x[from]), hn::Mul(dx, y[from]));
+            hn::StoreU(hn::ConvertTo(d, dx), d, m_planes[3 * k] + i);
+            hn::StoreU(hn::ConvertTo(d, dy), d, m_planes[3 * k + 1] + i);
+            hn::StoreU(hn::ConvertTo(d, offset), d, m_planes[3 * k + 2] + i);
+        }
+    }
+
+    /// Copy what the net has of the triangles; from: where the row is.
+    template <bool quadratic, bool soft>
+    HWY_INLINE void copy(const NetView& net, ptrdiff_t from, int n) {
+        const float* const vertices = net.values.even + from;
+        const float* const bends[] = {vertices, net.values.odd + from};
+        const float* softness[2] = {};
+        if (soft)
+            softness[0] = net.soft.even + from, softness[1] = net.soft.odd + from;
+        for (int t = 0; t < n; ++t) {
+            const auto put = [&](int k, const float* p) HWY_ATTR {
+                PixelLanes::load(p).store(m_pixels[k] + t * group_size);
+            };
+            for (int k = 0; k < 3; ++k) {
+                put(z + k, vertices + m_vertex[k][t]);
+                const int odd = m_odd[k][t];
+                if (quadratic)
+                    put(e + k, bends[odd] + m_edge[k][t]);
+                if (soft)
+                    put(q + k, softness[odd] + m_edge[k][t]);
+            }
+        }
+    }
+
+    /// The channels of triangles i, i + 1, ..., each by itself.
+    template <bool quadratic, bool soft>
+    HWY_INLINE void separate(int count, int i, int n) {
+        const RowTag d;
+        RowLanes size[group_size];
+        for (int k = 0; k < low; ++k) {
+            if ((!quadratic && e <= k && k < q) || (!soft && q <= k))
+                continue;
+            hn::Vec<RowTag> channel[group_size];
+            hn::LoadInterleaved4(d, m_pixels[k] + i * group_size, channel[0], channel[1],
+                                 channel[2], channel[3]);
+            for (int c = 0; c < count; ++c) {
+                hn::StoreU(channel[c], d, m_numbers[c][k] + i);
+                if (k == z)
+                    size[c] = size_of(RowLanes(channel[c]));
+                else if (k < e)
+                    size[c] = size[c] + size_of(RowLanes(channel[c]));
+            }
+        }
+        const auto here = hn::FirstN(d, size_t(std::min(n - i, lanes())));
+        for (int c = 0; c < count; ++c)
+            m_tame &= RowLanes::all_within(Patch<RowLanes>::tame_size,
+                                           hn::IfThenElseZero(here, size[c].v));
+    }
+
+    template <bool soft, bool tame>
+    HWY_INLINE void find_range(int c, float strict, int i) {
+        float(*numbers)[room] = m_numbers[c];
+        Patch<RowLanes> p;
+        p.z0 = RowLanes::load(numbers[z] + i), p.z1 = RowLanes::load(numbers[z + 1] + i);
+        p.z2 = RowLanes::load(numbers[z + 2] + i);
+        p.template find_range<soft, tame>(RowLanes(strict), false);
+        p.low.store(numbers[low] + i);
+        p.high.store(numbers[high] + i);
+    }
+
+    bool m_tame = false;
+    int32_t m_words[2 * room]; ///< the triangles, as they are kept
+    /// In floats from the row's first, in even or odd columns.
+    int32_t m_vertex[3][room], m_edge[3][room], m_odd[3][room];
+    float m_planes[6][room];
+    float m_pixels[low][room * group_size]; ///< as they are in the net
+    float m_numbers[group_size][all][room];
+};
