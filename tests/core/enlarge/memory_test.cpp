@@ -209,9 +209,9 @@ public:
 TEST(Memory, AllThreadsThatAreAskedForWork) {
     const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 128);
     const Rect to{0, 0, 32768, 16384};
-    for (const int threads : {16, 128})
+    const auto all_work = [&](int threads, int channels) {
         for (const char* filter : {"ddt", "ddt-linear", "ddt-sharp", "ddt-sharp,clipped=1"}) {
-            const Job job = job_of(filter, {0, 0, 16384, 8192}, 3, threads);
+            const Job job = job_of(filter, {0, 0, 16384, 8192}, channels, threads);
             Crowd crowd(threads);
             warm_up(threads);
             release_memory();
@@ -222,6 +222,10 @@ TEST(Memory, AllThreadsThatAreAskedForWork) {
             EXPECT_EQ(crowd.reading.most(), threads) << filter;
             EXPECT_LE(heap_peak - before, 200 * mib + (threads - 16) * 22 * mib) << filter;
         }
+    };
+    all_work(16, 3);
+    all_work(16, 4);
+    all_work(128, 3);
 }
 
 TEST(Memory, StaysForTheNextJobAndNoMoreThanIsSaid) {
