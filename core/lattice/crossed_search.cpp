@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/base/arith.h"
+#include "core/guide/contour.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/lattice/crossed_search.cpp"
@@ -17,39 +18,22 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using D = hn::CappedTag<float, 16>;
 using DI = hn::RebindToSigned<D>;
-using VI = hn::Vec<DI>;
 using VF = hn::Vec<D>;
 using MI = hn::Mask<DI>;
 
 #include "core/base/compress-inl.h"
+#include "core/base/lanes-inl.h"
+#include "core/lattice/site_lanes-inl.h"
 
-/// Byte k of each lane as a signed number.
-template <int k>
-HWY_INLINE VI signed_byte(VI x) {
-    return hn::ShiftRight<24>(hn::ShiftLeft<24 - 8 * k>(x));
+// Corners are vectors from their cells' first corners, in pixels.
+
+HWY_INLINE VecLanes either(MI where, VecLanes yes, VecLanes no) {
+    return {hn::IfThenElse(where, yes.xy, no.xy)};
 }
-
-/// Corners, a lane each, in pixels from their cells' first corners.
-struct CornerLanes {
-    VI x, y;
-    friend HWY_INLINE CornerLanes operator+(CornerLanes a, CornerLanes b) {
-        return {hn::Add(a.x, b.x), hn::Add(a.y, b.y)};
-    }
-    friend HWY_INLINE CornerLanes operator-(CornerLanes a, CornerLanes b) {
-        return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y)};
-    }
-    HWY_INLINE CornerLanes half() const { return {hn::ShiftRight<1>(x), hn::ShiftRight<1>(y)}; }
-    HWY_INLINE CornerLanes instead(MI where, CornerLanes other) const {
-        return {hn::IfThenElse(where, other.x, x), hn::IfThenElse(where, other.y, y)};
-    }
-    /// In the low two bytes.
-    HWY_INLINE VI packed() const {
-        const VI byte = hn::Set(DI(), 255);
-        return hn::Or(hn::And(x, byte), hn::ShiftLeft<8>(hn::And(y, byte)));
-    }
-    /// Ascending as sites are.
-    HWY_INLINE VI address() const { return hn::Add(hn::ShiftLeft<16>(y), x); }
-};
+/// Ascending as sites are: y, then x, whose sign is turned.
+HWY_INLINE VI address(VecLanes corner) {
+    return hn::Xor(corner.xy, hn::Set(DI(), 0x8000));
+}
 
 /// Where (along.x * y - along.y * x) >= least. Whatever tells on which side of a line through the
 /// cell a position lies, or round the centre, is exact in float32: products and their differences
@@ -58,27 +42,25 @@ struct Line {
     VF along_x, along_y, least;
 
     /// The positions that lie to the left of the line from `from` to `to`, shifted by the tie rule.
-    HWY_INLINE Line(CornerLanes from, CornerLanes to) {
+    HWY_INLINE Line(VecLanes from, VecLanes to) {
         const D d;
-        const CornerLanes along = to - from;
-        along_x = hn::ConvertTo(d, along.x);
-        along_y = hn::ConvertTo(d, along.y);
+        const VecLanes along = to - from;
+        along_x = hn::ConvertTo(d, along.x());
+        along_y = hn::ConvertTo(d, along.y());
         const auto on_it = hn::Lt(hn::Mul(hn::Set(d, 256.0f), along_y), along_x); // tie_inside()
-        const VF beside = hn::Sub(hn::Mul(along_x, hn::ConvertTo(d, from.y)),
-                                  hn::Mul(along_y, hn::ConvertTo(d, from.x)));
+        const VF beside = hn::Sub(hn::Mul(along_x, hn::ConvertTo(d, from.y())),
+                                  hn::Mul(along_y, hn::ConvertTo(d, from.x())));
         least = hn::Add(beside, least_step(on_it));
     }
     /// The positions to which lines from the cell's centre leave c on their left, where locate()
     /// turns to.
-    explicit HWY_INLINE Line(CornerLanes c) {
+    explicit HWY_INLINE Line(VecLanes c) {
         const D d;
-        const VI one = hn::Set(DI(), 1), zero = hn::Zero(DI());
-        const VI minus_x = hn::Sub(one, hn::Add(c.x, c.x)),
-                 minus_y = hn::Sub(one, hn::Add(c.y, c.y));
-        along_x = hn::ConvertTo(d, minus_x);
-        along_y = hn::ConvertTo(d, minus_y);
-        const auto on_it = hn::RebindMask(d, hn::Lt(minus_y, zero));
-        least = hn::Add(hn::ConvertTo(d, hn::Sub(c.y, c.x)), least_step(on_it));
+        const VecLanes minus = VecLanes::ones() - (c + c);
+        along_x = hn::ConvertTo(d, minus.x());
+        along_y = hn::ConvertTo(d, minus.y());
+        const auto on_it = hn::Lt(along_y, hn::Zero(d));
+        least = hn::Add(hn::ConvertTo(d, hn::Sub(c.y(), c.x())), least_step(on_it));
     }
 
 private:
@@ -143,20 +125,15 @@ class Searcher {
 public:
     HWY_INLINE Searcher(const Lattice& lattice, int cy, const CellPositions& positions,
                         CrossedSearch::Found& found)
-        : m_sites(reinterpret_cast<const int64_t*>(lattice.sites())),
-          m_first_site(lattice.vertex_site(0, cy)), m_stride(lattice.stride()), m_grid(positions),
+        : m_mesh(lattice), m_first_site(lattice.vertex_site(0, cy)), m_grid(positions),
           m_all((1 << positions.count()) - 1), m_found(found) {}
 
     /// Positions of cells `cell` on their way from the central edges.
     HWY_INLINE void begin(VI cell, MI here, Lots& next) {
         const DI di;
-        const VI one = hn::Set(di, 1);
-        VI first, second;
-        load_edges({one, one}, cell, first, second);
-        const CornerLanes v{signed_byte<0>(first), signed_byte<1>(first)},
-            left{signed_byte<2>(first), signed_byte<3>(first)},
-            right{signed_byte<0>(second), signed_byte<1>(second)}, ones{one, one};
-        const CornerLanes s = (ones - v).half(), t = (ones + v).half();
+        const VecLanes ones = VecLanes::ones();
+        const EdgeLanes centre = m_mesh.edge(site(ones, cell));
+        const VecLanes s = half(ones - centre.v), t = half(ones + centre.v);
         const Line line(s, t);
         const Line* const lines[] = {&line};
         VI to_the_left = hn::Zero(di);
@@ -166,9 +143,9 @@ public:
         });
         const VI all = hn::IfThenElseZero(here, hn::Set(di, m_all));
         to_the_left = hn::And(to_the_left, all);
-        enter(s, t, (ones + left).half(), to_the_left, to_the_left, cell, next);
+        enter(s, t, half(ones + centre.left), to_the_left, to_the_left, cell, next);
         const VI to_the_right = hn::AndNot(to_the_left, all);
-        enter(t, s, (ones + right).half(), to_the_right, to_the_right, cell, next);
+        enter(t, s, half(ones + centre.right), to_the_right, to_the_right, cell, next);
     }
 
     /// Lots i, i + 1, ... of some, as many as a vector has.
@@ -179,52 +156,37 @@ public:
                               HWY_ATTR { return hn::IfThenElseZero(here, hn::LoadU(di, p + i)); };
         const VI side = load(lots.side), rest = load(lots.own_and_positions),
                  cell = load(lots.cell);
-        CornerLanes s{signed_byte<0>(side), signed_byte<1>(side)},
-            t{signed_byte<2>(side), signed_byte<3>(side)};
-        const CornerLanes own{signed_byte<0>(rest), signed_byte<1>(rest)};
+        VecLanes s = VecLanes::of_bytes<0>(side), t = VecLanes::of_bytes<2>(side);
+        const VecLanes own = VecLanes::of_bytes<0>(rest);
         const VI positions = hn::And(hn::ShiftRight<16>(rest), hn::Set(di, m_all));
-        VI first, second;
-        load_edges(s + t, cell, first, second);
-        const CornerLanes apexes = CornerLanes{signed_byte<2>(first), signed_byte<3>(first)} +
-                                   CornerLanes{signed_byte<0>(second), signed_byte<1>(second)};
-        // apex_beyond(): c is s + t + apex, halved.
-        const CornerLanes apex = (apexes + (s + t)) - (own + own);
-        CornerLanes c = (s + t) - own + apexes.half();
+        const ApexLanes edge = m_mesh.apexes(site(s + t, cell));
+        const VecLanes apex = apex_beyond(edge, (own + own) - (s + t));
+        VecLanes c = half((s + t) + apex);
         VI going = positions;
-        const MI rim = hn::And(here, hn::Eq(hn::Or(apex.x, apex.y), hn::Zero(di)));
+        const MI rim = hn::And(here, apex.zero());
         if (!hn::AllFalse(di, rim)) {
             // They stay in the triangle that they come from.
-            const CornerLanes from = s;
-            s = s.instead(rim, t);
-            t = t.instead(rim, from);
-            c = c.instead(rim, own);
+            const VecLanes from = s;
+            s = either(rim, t, s);
+            t = either(rim, from, t);
+            c = either(rim, own, c);
             going = hn::IfThenZeroElse(rim, going);
         }
         enter(s, t, c, positions, going, cell, next);
     }
 
 private:
-    /// The records of edges, which are at these places in the doubled lattice from the cells' first
-    /// corners.
-    HWY_INLINE void load_edges(CornerLanes place, VI cell, VI& first, VI& second) const {
-        const DI di;
-        const hn::Repartition<int64_t, DI> d64;
-        const hn::Half<DI> half;
+    /// The sites at these places in the doubled lattice from the cells' first corners.
+    HWY_INLINE Ints site(VecLanes place, VI cell) const {
         const VI column = hn::ShiftRight<number_bits>(cell);
-        const VI site = hn::Add(hn::Add(hn::Mul(place.y, hn::Set(di, m_stride)), place.x),
-                                hn::Add(hn::Add(column, column), hn::Set(di, m_first_site)));
-        const VI lower = hn::BitCast(
-            di, hn::GatherIndex(d64, m_sites, hn::PromoteTo(d64, hn::LowerHalf(half, site))));
-        const VI upper = hn::BitCast(
-            di, hn::GatherIndex(d64, m_sites, hn::PromoteTo(d64, hn::UpperHalf(half, site))));
-        first = hn::ConcatEven(di, upper, lower);
-        second = hn::ConcatOdd(di, upper, lower);
+        const Ints first{hn::Add(hn::Add(column, column), hn::Set(DI(), m_first_site))};
+        return first + m_mesh.offset(place);
     }
 
     /// In the triangle s, t, c, which `positions` come to across s t, and which those of `going`
     /// may leave.
-    HWY_INLINE void enter(CornerLanes s, CornerLanes t, CornerLanes c, VI positions, VI going,
-                          VI cell, Lots& next) {
+    HWY_INLINE void enter(VecLanes s, VecLanes t, VecLanes c, VI positions, VI going, VI cell,
+                          Lots& next) {
         const DI di;
         const Line tc(t, c), cs(c, s), turn(c);
         const Line* const lines[] = {&tc, &cs, &turn};
@@ -238,14 +200,14 @@ private:
         });
         across_tc = hn::And(across_tc, going);
         across_cs = hn::And(across_cs, going);
-        const VI ps = s.packed(), pt = t.packed(), pc = c.packed();
+        const VI ps = s.bytes(), pt = t.bytes(), pc = c.bytes();
         add(next, pc, pt, ps, across_tc, cell);
         add(next, ps, pc, pt, across_cs, cell);
 
         const VI held = hn::AndNot(hn::Or(across_tc, across_cs), positions);
         const MI any = hn::Gt(held, hn::Zero(di));
-        const VI as = s.address(), at = t.address();
-        const MI t_first = hn::Lt(at, as), c_first = hn::Lt(c.address(), hn::Min(as, at));
+        const VI as = address(s), at = address(t);
+        const MI t_first = hn::Lt(at, as), c_first = hn::Lt(address(c), hn::Min(as, at));
         const auto ordered = [&](VI if_s, VI if_t, VI if_c) HWY_ATTR {
             return hn::IfThenElse(c_first, if_c, hn::IfThenElse(t_first, if_t, if_s));
         };
@@ -267,8 +229,8 @@ private:
         lots.count += int(store_compressed(cell, any, lots.cell + lots.count));
     }
 
-    const int64_t* m_sites;
-    int m_first_site, m_stride;
+    SiteLanes m_mesh;
+    int m_first_site;
     Grid m_grid;
     int32_t m_all;
     CrossedSearch::Found& m_found;

@@ -31,13 +31,22 @@ struct VecLanes {
     friend HWY_INLINE VecLanes operator-(VecLanes a) {
         return of(hn::Sub(hn::Zero(D16()), a.halves()));
     }
+    static HWY_INLINE VecLanes ones() { return {hn::Set(DI(), 0x00010001)}; }
     friend HWY_INLINE VecLanes half(VecLanes a) { return of(hn::ShiftRight<1>(a.halves())); }
-    friend HWY_INLINE VecLanes odd(VecLanes a) {
-        return {hn::And(a.xy, hn::Set(DI(), 0x00010001))};
+    friend HWY_INLINE VecLanes odd(VecLanes a) { return {hn::And(a.xy, ones().xy)}; }
+    friend HWY_INLINE VecLanes even(VecLanes a) { return {hn::AndNot(a.xy, ones().xy)}; }
+    /// Bytes k and k + 1 of each lane, which are a vector's.
+    template <int k>
+    static HWY_INLINE VecLanes of_bytes(VI word) {
+        // To the upper bytes of 16 bits; what is below goes.
+        const hn::Repartition<uint8_t, DI> d8;
+        HWY_ALIGN static constexpr uint8_t from[16] = {k,      k,      k,      k + 1, k + 4, k + 4,
+                                                       k + 4,  k + 5,  k + 8,  k + 8, k + 8, k + 9,
+                                                       k + 12, k + 12, k + 12, k + 13};
+        const auto up = hn::TableLookupBytes(hn::BitCast(d8, word), hn::LoadDup128(d8, from));
+        return of(hn::ShiftRight<8>(hn::BitCast(D16(), up)));
     }
-    friend HWY_INLINE VecLanes even(VecLanes a) {
-        return {hn::AndNot(a.xy, hn::Set(DI(), 0x00010001))};
-    }
+
     HWY_INLINE VI x() const { return hn::ShiftRight<16>(hn::ShiftLeft<16>(xy)); }
     HWY_INLINE VI y() const { return hn::ShiftRight<16>(xy); }
     /// As two signed bytes, x in the lowest; those above are 0.
@@ -88,12 +97,12 @@ struct SiteLanes {
     HWY_INLINE FlippableLanes flippable_edge(Ints m) const {
         static_assert(offsetof(Edge, v) == 0 && offsetof(Edge, left) == 2, "the word's bytes");
         const VI both = word(m, 0);
-        return {vector<0>(both), vector<2>(both)};
+        return {VecLanes::of_bytes<0>(both), VecLanes::of_bytes<2>(both)};
     }
     HWY_INLINE ApexLanes apexes(Ints m) const {
         static_assert(offsetof(Edge, left) == 2 && offsetof(Edge, right) == 4, "the word's bytes");
         const VI both = word(m, 2);
-        return {vector<0>(both), vector<2>(both)};
+        return {VecLanes::of_bytes<0>(both), VecLanes::of_bytes<2>(both)};
     }
     HWY_INLINE EdgeLanes edge(Ints m) const {
         // Whole records, since a gather takes as long as it has lanes.
@@ -106,7 +115,8 @@ struct SiteLanes {
             DI(), hn::GatherIndex(d64, records, hn::PromoteTo(d64, hn::UpperHalf(half, m.i))));
         const VI first = hn::ConcatEven(DI(), upper, lower),
                  second = hn::ConcatOdd(DI(), upper, lower);
-        return {vector<0>(first), vector<2>(first), vector<0>(second)};
+        return {VecLanes::of_bytes<0>(first), VecLanes::of_bytes<2>(first),
+                VecLanes::of_bytes<0>(second)};
     }
     HWY_INLINE Ints offset(VecLanes v) const {
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR
@@ -139,7 +149,7 @@ struct SiteLanes {
     }
     /// Vertex::first.
     HWY_INLINE VecLanes first(Ints vertex) const {
-        return vector<0>(word(vertex, 4));
+        return VecLanes::of_bytes<0>(word(vertex, 4));
     }
     HWY_INLINE Ints contour(Ints corner) const {
         return {word(corner, 4)};
@@ -157,17 +167,6 @@ private:
         static_assert(sizeof(Site) == 8, "the shift");
         return hn::GatherOffset(DI(), reinterpret_cast<const int32_t*>(m_sites + byte),
                                 hn::ShiftLeft<3>(m.i));
-    }
-    /// Of each lane bytes k and k + 1, which are a vector's.
-    template <int k>
-    static HWY_INLINE VecLanes vector(VI word) {
-        // To the upper bytes of 16 bits; what is below goes.
-        const hn::Repartition<uint8_t, DI> d8;
-        HWY_ALIGN static constexpr uint8_t from[16] = {k,      k,      k,      k + 1, k + 4, k + 4,
-                                                       k + 4,  k + 5,  k + 8,  k + 8, k + 8, k + 9,
-                                                       k + 12, k + 12, k + 12, k + 13};
-        const auto up = hn::TableLookupBytes(hn::BitCast(d8, word), hn::LoadDup128(d8, from));
-        return VecLanes::of(hn::ShiftRight<8>(hn::BitCast(VecLanes::D16(), up)));
     }
     static HWY_INLINE hn::Mask<D> absent(VecLanes apex) {
         return hn::RebindMask(D(), apex.zero());
