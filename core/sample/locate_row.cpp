@@ -164,9 +164,9 @@ bool is_in_rows(const LocatedBlock::Range& range) {
 }
 
 /// Whether so many of these cells are plain that it is worth evaluating all as if they were
-/// (measured): of two positions along x half of them, of four 7/8.
+/// (measured): of two or three positions along x half of them, of four 5/8.
 bool are_mostly_plain(const Division* divisions, const Columns::Alike& alike) {
-    constexpr int least_eighths[] = {4, 5, 7};
+    constexpr int least_eighths[] = {4, 4, 5};
     static_assert(least_phases == 2 && most_phases == 4, "the cases");
     if (alike.cells == 0)
         return false;
