@@ -43,7 +43,7 @@ bool build(const float* guide, int width, int height, const MeshOptions& options
     std::vector<float> blurred;
     if (options.blur > 0) {
         blurred.assign(guide, guide + size_t(width) * size_t(height));
-        blur_guide(blurred, width, height, options.blur);
+        blur_guide(blurred.data(), width, height, options.blur);
         guide = blurred.data();
     }
     start(lattice, width, height, guide, options);

@@ -89,7 +89,7 @@ bool read(Source& source, const Job& job, const SlotShape& shape, const Numbers&
     for (size_t k = 0; k < meshes; ++k) {
         std::vector<float> blurred = guide;
         if (const float share = blur_share(job.mesh, int(k)); share > 0)
-            blur_guide(blurred, width, height, share);
+            blur_guide(blurred.data(), width, height, share);
         if (here)
             triangulate_here(blurred, job, shape, t, t.sites.data() + k * shape.sites());
         if (with_guides(job))

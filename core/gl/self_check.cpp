@@ -118,7 +118,7 @@ Outcomes on_cpu(const Job& job, const Tile& tile) {
     int w = 0, h = 0;
     read_tile(source, tile, job, values, guide, w, h);
     if (const float share = blur_share(job.mesh, 0); share > 0)
-        blur_guide(guide, w, h, share);
+        blur_guide(guide.data(), w, h, share);
     {
         const DenormalsAreZero as_on_gpus;
         Lattice lattice;

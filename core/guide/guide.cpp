@@ -114,14 +114,14 @@ void make_guide(const GuideRecipe& recipe, const float* pixels, size_t count, in
     HWY_DYNAMIC_DISPATCH(make_guide)(recipe, pixels, count, size_t(stride), guide);
 }
 
-void blur_guide(std::vector<float>& guide, int width, int height, float share) {
+void blur_guide(float* guide, int width, int height, float share) {
     const DenormalsAreZero whatever_the_caller_has;
     const float own = 1.0f - 2.0f * share;
     const auto columns = size_t(width);
     std::vector<float> above(columns), here(columns), below(columns);
     const auto blur = [&](int y, std::vector<float>& out) {
         HWY_DYNAMIC_DISPATCH(blur_row)
-        (guide.data() + size_t(y) * columns, columns, own, share, out.data());
+        (guide + size_t(y) * columns, columns, own, share, out.data());
     };
     blur(0, here);
     above = here;
@@ -132,8 +132,7 @@ void blur_guide(std::vector<float>& guide, int width, int height, float share) {
         else
             below = here;
         HWY_DYNAMIC_DISPATCH(blur_column)
-        (above.data(), here.data(), below.data(), columns, own, share,
-         guide.data() + size_t(y) * columns);
+        (above.data(), here.data(), below.data(), columns, own, share, guide + size_t(y) * columns);
         std::swap(above, here);
         std::swap(here, below);
     }

@@ -21,6 +21,6 @@ float guide_step(float v);
 /// results are multiples of 2^-12 again; what a non-finite number touches is 0.
 ///
 /// A little of it takes single pixels' noise out of the choice of edges and moves no edge.
-void blur_guide(std::vector<float>& guide, int width, int height, float share);
+void blur_guide(float* guide, int width, int height, float share);
 
 } // namespace ddt

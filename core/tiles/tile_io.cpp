@@ -11,30 +11,29 @@ namespace ddt {
 
 namespace {
 
-void repeat_to_two(std::vector<float>& v, int& width, int& height, int channels) {
+void repeat_to_two(float* v, int& width, int& height, int channels) {
     const auto n = size_t(channels);
     if (width == 1) {
-        v.resize(size_t(height) * 2 * n);
         for (int y = height - 1; y >= 0; --y)
             for (size_t k = 2; k-- > 0;)
-                std::memmove(&v[(size_t(y) * 2 + k) * n], &v[size_t(y) * n], n * sizeof(float));
+                std::memmove(v + (size_t(y) * 2 + k) * n, v + size_t(y) * n, n * sizeof(float));
         width = 2;
     }
     if (height == 1) {
         const size_t row = size_t(width) * n;
-        v.resize(2 * row);
-        std::memcpy(&v[row], &v[0], row * sizeof(float));
+        std::memcpy(v + row, v, row * sizeof(float));
         height = 2;
     }
 }
 
-void zero_small_blended(std::vector<float>& values, const Job& job) {
+void zero_small_blended(float* values, size_t pixels, const Job& job) {
+    const auto channels = size_t(job.channels);
     if (!any_nearest(job))
-        return zero_small(values.data(), values.size(), least_value);
-    for (size_t i = 0; i < values.size();)
-        for (size_t c = 0; c < job.kinds.size(); ++c, ++i)
-            if (job.kinds[c] != Channel::nearest)
-                zero_small(&values[i], 1, least_value);
+        return zero_small(values, pixels * channels, least_value);
+    for (size_t i = 0; i < pixels; ++i)
+        for (size_t c = 0; c < channels; ++c, ++values)
+            if (kind_of(job, int(c)) != Channel::nearest)
+                zero_small(values, 1, least_value);
 }
 
 } // namespace
@@ -72,22 +71,30 @@ Point local(const Tile& tile, const Position& p) {
     return {along(p.x, tile.pixels.x0, tile.pixels.x1), along(p.y, tile.pixels.y0, tile.pixels.y1)};
 }
 
-bool read_tile(Source& source, const Tile& tile, const Job& job, std::vector<float>& values,
-               std::vector<float>& guide, int& width, int& height) {
+size_t lattice_pixels(const Tile& tile) {
+    return size_t(std::max(tile.pixels.width(), 2)) * size_t(std::max(tile.pixels.height(), 2));
+}
+
+bool read_tile(Source& source, const Tile& tile, const Job& job, float* values, float* guide,
+               int& width, int& height) {
     const Rect& r = tile.pixels;
-    const int channels = job.channels;
-    values.resize(r.area() * size_t(channels));
-    guide.resize(r.area());
-    if (!source.read(r, values.data(), guide.data()))
+    if (!source.read(r, values, guide))
         return false;
-    zero_small(guide.data(), guide.size(), least_guide);
-    zero_small_blended(values, job);
+    zero_small(guide, r.area(), least_guide);
+    zero_small_blended(values, r.area(), job);
     width = r.width();
     height = r.height();
     int guide_width = width, guide_height = height;
     repeat_to_two(guide, guide_width, guide_height, 1);
-    repeat_to_two(values, width, height, channels);
+    repeat_to_two(values, width, height, job.channels);
     return true;
+}
+
+bool read_tile(Source& source, const Tile& tile, const Job& job, std::vector<float>& values,
+               std::vector<float>& guide, int& width, int& height) {
+    values.resize(lattice_pixels(tile) * size_t(job.channels));
+    guide.resize(lattice_pixels(tile));
+    return read_tile(source, tile, job, values.data(), guide.data(), width, height);
 }
 
 int group_count(int channels) {

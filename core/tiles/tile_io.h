@@ -34,9 +34,14 @@ void zero_small(float* values, size_t n, float least);
 
 /// Read the tile's pixels, small numbers zeroed as said above (but not in nearest channels). A
 /// picture one pixel wide or high is widened to two by repeating it: a lattice has at least 2 x 2;
-/// `width` and `height` receive its size.
+/// `width` and `height` receive its size. `values` and `guide` have room for as many pixels.
+bool read_tile(Source& source, const Tile& tile, const Job& job, float* values, float* guide,
+               int& width, int& height);
+/// The same into vectors that become as long as that.
 bool read_tile(Source& source, const Tile& tile, const Job& job, std::vector<float>& values,
                std::vector<float>& guide, int& width, int& height);
+/// Pixels of the lattice that a tile's become.
+size_t lattice_pixels(const Tile& tile);
 
 /// Channels are worked on in groups of group_size.
 int group_count(int channels);

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/tiles/tile_memory.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <utility>
 
+#include "core/guide/contour.h"
+#include "core/tiles/tile_io.h"
+#include "core/triangulate/start_gains.h"
 #include "ddt/job.h"
 
 namespace ddt {
@@ -15,7 +20,7 @@ size_t bytes_of(const std::vector<T>& v) {
     return v.capacity() * sizeof(T);
 }
 
-/// Without locks: a process that forks meanwhile may go on enlarging in its child.
+/// Thread-safe, without locks: a process that forks meanwhile may go on enlarging in its child.
 class IdleMemory {
 public:
     ~IdleMemory() { release(); }
@@ -47,7 +52,51 @@ private:
 
 IdleMemory idle;
 
+/// Pixels of the largest tile along an axis of a window; a lattice has at least 2.
+int largest_tile(int pixels) {
+    return std::clamp(pixels, 2, tile_size + 1 + 2 * tile_halo);
+}
+
+/// Of the largest tile of a job.
+size_t pixels_of(const Job& job) {
+    return size_t(largest_width(job)) * size_t(largest_height(job));
+}
+
 } // namespace
+
+int largest_width(const Job& job) {
+    return largest_tile(job.window.width());
+}
+
+int largest_height(const Job& job) {
+    return largest_tile(job.window.height());
+}
+
+size_t TileMemory::needed(const Job& job) {
+    const int width = largest_width(job);
+    const size_t pixels = pixels_of(job), sites = 4 * pixels;
+    const size_t meshes =
+        size_t(job.mesh.meshes) * TileMesh::memory(job, width, largest_height(job));
+    // Gains, where no mesh keeps them, and work lists, which are longest in noise.
+    const size_t workspace = (wants_gains(job.surface) ? 0 : sites * sizeof(float)) + pixels * 10 +
+                             start_gains_memory(width);
+    const size_t guides = job.mesh.meshes > 1 ? 2 : 0;
+    const size_t planes = pixels * sizeof(float) * (guides + size_t(job.channels));
+    return meshes + workspace + planes + ContourRows::memory(width);
+}
+
+void TileMemory::reserve(const Job& job) {
+    const size_t pixels = pixels_of(job), sites = 4 * pixels;
+    meshed.values.reserve(pixels * size_t(job.channels) + group_size);
+    guide.resize(job.mesh.meshes > 1 ? pixels : 0);
+    meshed.meshes.resize(size_t(job.mesh.meshes));
+    meshed.meshes[0].give_gain(workspace);
+    // Once for all tiles, since what a vector grows by is cleared.
+    if (workspace.gain.size() < sites)
+        workspace.gain.resize(sites);
+    for (TileMesh& mesh : meshed.meshes)
+        mesh.reserve(sites);
+}
 
 size_t TileMemory::bytes() const {
     const Workspace& w = workspace;
@@ -59,15 +108,14 @@ size_t TileMemory::bytes() const {
     return sum;
 }
 
-std::unique_ptr<TileMemory> take_idle_memory() {
-    if (std::unique_ptr<TileMemory> kept = idle.take())
-        return kept;
-    return std::make_unique<TileMemory>();
+KeptMemory::KeptMemory() : m_memory(idle.take()) {
+    if (!m_memory)
+        m_memory = std::make_unique<TileMemory>();
 }
 
-void keep_idle_memory(std::unique_ptr<TileMemory> memory) noexcept {
-    if (memory->bytes() <= most_idle_bytes)
-        idle.keep(memory);
+KeptMemory::~KeptMemory() {
+    if (m_memory->bytes() <= most_idle_bytes)
+        idle.keep(m_memory);
 }
 
 void release_memory() {

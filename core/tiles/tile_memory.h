@@ -10,14 +10,28 @@
 
 namespace ddt {
 
-/// What a worker makes a tile's meshes in, from one tile to the next.
+/// What a tile's meshes are made in, from one tile to the next.
 struct TileMemory {
-    std::vector<float> guide, blurred;
+    std::vector<float> guide, blurred; ///< of several meshes
     Workspace workspace;
     MeshedTile meshed;
 
+    /// About the bytes that this takes for a job.
+    static size_t needed(const Job& job);
+    /// Take what the largest tile of a job needs: a vector that grows from tile to tile would take
+    /// up to twice of it.
+    void reserve(const Job& job);
+    /// Those that it takes.
     size_t bytes() const;
+
+    /// Where the largest tile's guide has room. A lattice that was started needs it no more: that
+    /// of a single mesh lies where gains will.
+    float* guide_place() { return guide.empty() ? workspace.gain.data() : guide.data(); }
 };
+
+/// Width and height of the lattice of the largest tile of a job.
+int largest_width(const Job& job);
+int largest_height(const Job& job);
 
 /// A process that makes many small pictures would spend a quarter of its time on pages that it is
 /// given, cleared, for each and gives back: so some memory is kept. At most so many of these, none
@@ -25,9 +39,19 @@ struct TileMemory {
 constexpr size_t most_idle = 2;
 constexpr size_t most_idle_bytes = size_t(12) << 20;
 
-/// What was kept, or new and empty. Thread-safe, and so is the next.
-std::unique_ptr<TileMemory> take_idle_memory();
-/// Keep it for who takes next, unless there is enough.
-void keep_idle_memory(std::unique_ptr<TileMemory> memory) noexcept;
+/// What was kept, or new and empty; kept for who comes next, unless there is enough.
+class KeptMemory {
+public:
+    KeptMemory();
+    ~KeptMemory();
+    KeptMemory(const KeptMemory&) = delete;
+    KeptMemory& operator=(const KeptMemory&) = delete;
+
+    TileMemory& operator*() const { return *m_memory; }
+    TileMemory* operator->() const { return m_memory.get(); }
+
+private:
+    std::unique_ptr<TileMemory> m_memory;
+};
 
 } // namespace ddt

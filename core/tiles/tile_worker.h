@@ -2,9 +2,6 @@
 // Tiles from source pixels to output pixels.
 #pragma once
 
-#include <memory>
-#include <utility>
-
 #include "core/tiles/rows_left.h"
 #include "core/tiles/stage_clock.h"
 #include "core/tiles/tile_memory.h"
@@ -13,13 +10,13 @@
 
 namespace ddt {
 
-/// The memory a thread needs to work on tiles, kept from one tile to the next.
+/// What a thread needs to work on tiles beside the memory of their meshes, kept from one tile to
+/// the next.
 class TileWorker {
 public:
     TileWorker(Source& source, Sink& sink, const Mapping& mapping, const Job& job)
-        : m_source(source), m_mapping(mapping), m_job(job), m_memory(take_idle_memory()),
+        : m_source(source), m_mapping(mapping), m_job(job),
           m_writer(sink, mapping, job, m_statistics.times) {}
-    ~TileWorker() { keep_idle_memory(std::move(m_memory)); }
     TileWorker(const TileWorker&) = delete;
     TileWorker& operator=(const TileWorker&) = delete;
 
@@ -29,8 +26,8 @@ public:
 
     // The same in two steps, between which, and while the second is done, others may take rows.
 
-    /// Read the tile and triangulate it.
-    Outcome begin(const Tile& tile, int first_row);
+    /// Read the tile and triangulate it, in `memory`, which must stay until all of it is written.
+    Outcome begin(const Tile& tile, int first_row, TileMemory& memory);
     /// Write what is left of what was begun or taken.
     Outcome finish();
     /// Rows that are left, if they are enough for two; else 0.
@@ -45,11 +42,8 @@ public:
     static size_t memory(const Job& job, bool separable);
 
 private:
-    /// Take the memory that the largest tile needs: a vector that grows from tile to tile would
-    /// take up to twice of it.
-    void reserve();
-    bool read(const Tile& tile);
-    const float* guide_of(size_t mesh); ///< to be called in ascending order
+    bool read(const Tile& tile, TileMemory& memory);
+    void triangulate(const Tile& tile, TileMemory& memory);
 
     Source& m_source;
     const Mapping& m_mapping;
@@ -57,8 +51,6 @@ private:
     Statistics m_statistics;
     StageClock m_clock;
 
-    std::unique_ptr<TileMemory> m_memory;
-    bool m_reserved = false; ///< it is enough for the job
     RowsLeft m_left;
     TileWriter m_writer;
 };

@@ -8,10 +8,10 @@
 
 namespace ddt {
 
-/// Work on all tiles that are not done, by up to so many threads as their memory allows. Each works
-/// on a tile of its own; when none is left to begin, those without one take half of the rows that
-/// another's tile has left: the mesh is one thread's work, what is read off it anyone's. Adds to
-/// `statistics`.
+/// Work on all tiles that are not done, by up to so many threads, at as many tiles, as their memory
+/// allows (crew_size.h). Who finds no tile to begin, or no place for it, takes half of the rows
+/// that another's tile has left: the mesh is one thread's work, what is read off it anyone's. Adds
+/// to `statistics`.
 void work_on_cpu(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                  const Grid& grid, int threads, Run& run, Statistics& statistics);
 

@@ -43,7 +43,7 @@ void make_mesh(std::vector<float> guide, int width, int height, const MeshOption
     const DenormalsAreZero as_in_the_product;
     Workspace workspace;
     Statistics statistics;
-    blur_guide(guide, width, height, blur_share(options, 0));
+    blur_guide(guide.data(), width, height, blur_share(options, 0));
     start(lattice, width, height, guide.data(), options);
     triangulate(lattice, options, workspace, statistics);
 }

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "core/tiles/crew_size.h"
 #include "core/tiles/rows_left.h"
 #include "tests/core/gathering.h"
 #include "tests/core/job_helpers.h"
@@ -155,6 +156,29 @@ TEST(WorkOnCpu, WhatFailsWhileTheyShareEndsTheWork) {
     std::string error;
     EXPECT_EQ(enlarge(tile.source, sink, tile.mapping(), job, &error), Outcome::bad_job);
     EXPECT_NE(error.find("the disk fell down"), std::string::npos) << error;
+}
+
+TEST(WorkOnCpu, TilesWaitForAPlaceAndTheBitsAreThoseOfOne) {
+    // So many channels that eight threads have places for two tiles of four.
+    constexpr int channels = 24, many = 8;
+    const ManyThreads allowed(many);
+    TestSource source({0, 0, 400, 400}, channels, 41);
+    const Rect out{0, 0, 728, 728};
+    const ResizeMapping mapping = mapping_of(source.window(), out, out);
+    Job job = job_of(source, channels, many);
+    set_filter("ddt-sharp", job);
+    job.device = Device::cpu;
+    const Grid grid(job.window);
+    const CrewSize size = crew_size(mapping, job, grid, many);
+    ASSERT_EQ(size.members, size_t(many));
+    ASSERT_LT(size.places, size_t(grid.count()));
+    TestSink sink(out, channels), by_one(out, channels);
+    ASSERT_EQ(enlarge(source, sink, mapping, job), Outcome::done);
+    EXPECT_LE(size_t(source.most_running), size.places);
+    EXPECT_EQ(sink.written(1), int64_t(out.area()));
+    job.threads = 1;
+    ASSERT_EQ(enlarge(source, by_one, mapping, job), Outcome::done);
+    EXPECT_EQ(differing(sink.values(), by_one.values()), 0u);
 }
 
 TEST(WorkOnCpu, SmallResultsAreOneThreads) {

@@ -28,7 +28,7 @@ public:
         const Tile tile = Grid(job.window).tile(0);
         read_tile(m_source, tile, job, m_values, m_guide, m_width, m_height);
         if (const float share = blur_share(job.mesh, 0); share > 0)
-            blur_guide(m_guide, m_width, m_height, share);
+            blur_guide(m_guide.data(), m_width, m_height, share);
     }
 
     std::vector<StageResult> run() {

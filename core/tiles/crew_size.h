@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// How many threads work on how many tiles at once.
+#pragma once
+
+#include <cstddef>
+
+#include "core/tiles/grid.h"
+#include "ddt/core.h"
+
+namespace ddt {
+
+/// Threads, and tiles whose meshes are there at once. A mesh takes most of the memory and, with
+/// most filters, least of the time: where memory does not allow a tile for each thread, some share
+/// what others have meshed.
+struct CrewSize {
+    size_t members = 1;
+    size_t places = 1; ///< for tiles; no more than members
+};
+
+/// As many of up to `threads` as there is work for, within what ddt/job.h says of memory; one of
+/// each there is in any case. A result whose positions come in any order (not
+/// Mapping::separable()) has a place for each.
+CrewSize crew_size(const Mapping& mapping, const Job& job, const Grid& grid, size_t threads);
+
+} // namespace ddt

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/tiles/crew_size.h"
+
+#include "core/tiles/tile_memory.h"
+#include "core/tiles/tile_worker.h"
+#include "tests/core/job_helpers.h"
+
+namespace ddt::test {
+namespace {
+
+constexpr const char* filters[] = {"ddt", "ddt-linear", "ddt-sharp", "ddt-sharp,clipped=1"};
+constexpr size_t mib = size_t(1) << 20;
+
+struct Large {
+    explicit Large(const char* filter, int channels) {
+        job.window = {0, 0, 16384, 8192};
+        job.channels = channels;
+        set_filter(filter, job);
+    }
+    ResizeMapping mapping() const { return mapping_of(job.window, to, to); }
+    CrewSize of(size_t threads) const {
+        return crew_size(mapping(), job, Grid(job.window), threads);
+    }
+    size_t bytes(CrewSize size) const {
+        return size.members * TileWorker::memory(job, true) + size.places * TileMemory::needed(job);
+    }
+
+    Job job;
+    Rect to{0, 0, 32768, 16384};
+};
+
+TEST(CrewSize, AllThreadsWorkWithinTheirMemory) {
+    for (const char* filter : filters)
+        for (const int channels : {1, 3, 4}) {
+            const Large large(filter, channels);
+            for (const size_t threads : {1, 16, 33, 40, 64, 128, 1000}) {
+                SCOPED_TRACE(::testing::Message() << filter << ", " << channels << ", " << threads);
+                const CrewSize size = large.of(threads);
+                EXPECT_EQ(size.members, threads);
+                EXPECT_LE(size.places, threads);
+                EXPECT_GE(5 * size.places, threads);
+                EXPECT_LE(large.bytes(size), std::max(200 * mib, threads * 6 * mib));
+                // One more would be too many.
+                if (size.places < threads) {
+                    EXPECT_GT(large.bytes({threads, size.places + 1}),
+                              std::max(200 * mib, threads * 6 * mib));
+                }
+            }
+        }
+}
+
+TEST(CrewSize, AFewThreadsHaveATileEach) {
+    for (const char* filter : filters)
+        EXPECT_EQ(Large(filter, 4).of(16).places, 16u) << filter;
+}
+
+TEST(CrewSize, TilesThatAreNotSharedAreOnesOwn) {
+    const Large large("ddt-sharp", 3);
+    const ResizeMapping mapping = large.mapping();
+    for (const size_t threads : {16, 128}) {
+        const CrewSize size =
+            crew_size(Opaque(mapping), large.job, Grid(large.job.window), threads);
+        EXPECT_EQ(size.places, size.members);
+        EXPECT_LT(size.members, threads);
+    }
+}
+
+TEST(CrewSize, NoMoreThanThereIsWorkFor) {
+    Large one("ddt", 3);
+    one.job.window = {0, 0, 100, 100};
+    one.to = {0, 0, 512, 512};
+    EXPECT_EQ(one.of(64).places, 1u);
+    EXPECT_EQ(one.of(64).members, 4u);
+    one.to = {0, 0, 100, 100};
+    EXPECT_EQ(one.of(64).members, 1u);
+}
+
+TEST(CrewSize, OneOfEachWhateverItTakes) {
+    const CrewSize size = Large("ddt", 2000).of(64);
+    EXPECT_EQ(size.members, 1u);
+    EXPECT_EQ(size.places, 1u);
+}
+
+} // namespace
+} // namespace ddt::test
