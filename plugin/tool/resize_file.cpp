@@ -19,8 +19,12 @@ namespace {
 /// Of the whole, as progress tells: what is left is writing.
 constexpr float share_of_resizing = 0.8f;
 
-/// What enlarging takes at most beside input and output.
-constexpr int64_t memory_beside = int64_t(256) << 20;
+/// What enlarging takes at most beside input and output: as ddt/job.h says, and what a process has
+/// once.
+int64_t memory_beside(int threads) {
+    constexpr int64_t mib = int64_t(1) << 20;
+    return std::max(200 * mib, threads * 6 * mib) + 56 * mib;
+}
 
 /// Tiles for each thread in a strip that is resized while the one before is written: fewer, and
 /// threads would wait for the last tiles of each.
@@ -138,7 +142,8 @@ int64_t memory_to_resize(const std::string& in, const ResizeSettings& settings) 
     OIIO::ImageSpec spec;
     if (!file || !plan_result(file->spec(), settings, spec))
         return 0;
-    return int64_t(file->spec().image_bytes() + spec.image_bytes()) + memory_beside;
+    return int64_t(file->spec().image_bytes() + spec.image_bytes()) +
+           memory_beside(settings.threads);
 }
 
 } // namespace ddt::tool
