@@ -23,9 +23,18 @@ HWY_INLINE float grey(bool linear) {
     return linear ? 0.21404114f : 0.5f;
 }
 
-/// Luminance over mid-grey of n pixels.
-HWY_ATTR void luminance(const GuideRecipe& recipe, const float* pixels, size_t n, size_t stride,
-                        float* y) {
+/// Luminance of n pixels that begin with red, green and blue: loads a compiler makes vectors of.
+template <size_t stride>
+HWY_INLINE void luminance_of_first(const float (&weight)[3], const float* pixels, size_t n,
+                                   float* y) {
+    for (size_t i = 0; i < n; ++i) {
+        const float* pixel = pixels + i * stride;
+        y[i] = ((0.0f + weight[0] * pixel[0]) + weight[1] * pixel[1]) + weight[2] * pixel[2];
+    }
+}
+
+HWY_INLINE void luminance_of_any(const GuideRecipe& recipe, const float* pixels, size_t n,
+                                 size_t stride, float* y) {
     for (size_t i = 0; i < n; ++i)
         y[i] = 0.0f;
     for (int k = 0; k < 3; ++k) {
@@ -36,6 +45,19 @@ HWY_ATTR void luminance(const GuideRecipe& recipe, const float* pixels, size_t n
         for (size_t i = 0; i < n; ++i)
             y[i] = y[i] + weight * channel[i * stride];
     }
+}
+
+/// Luminance over mid-grey of n pixels.
+HWY_ATTR void luminance(const GuideRecipe& recipe, const float* pixels, size_t n, size_t stride,
+                        float* y) {
+    const int* k = recipe.channel;
+    const bool first = k[0] == 0 && k[1] == 1 && k[2] == 2;
+    if (first && stride == 3)
+        luminance_of_first<3>(recipe.weight, pixels, n, y);
+    else if (first && stride == 4)
+        luminance_of_first<4>(recipe.weight, pixels, n, y);
+    else
+        luminance_of_any(recipe, pixels, n, stride, y);
     if (recipe.alpha < 0)
         return;
     const float back = grey(recipe.linear);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/resize_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/guide/guide.h"
+#include "tests/core/helpers.h"
 
 namespace {
 
@@ -114,6 +115,31 @@ TEST(Guide, NoChannelsGiveNothing) {
     ddt::make_guide({}, pixels, 2, 1, guide);
     EXPECT_EQ(guide[0], 0.0f);
     EXPECT_EQ(guide[1], 0.0f);
+}
+
+TEST(Guide, IsTheSameWhereverAPixelHasItsChannels) {
+    constexpr size_t n = 700;
+    ddt::test::Random random(5);
+    std::vector<float> rgb;
+    for (size_t i = 0; i < 3 * n; ++i)
+        rgb.push_back(i % 97 ? random.unit() * 3 - 1 : -0.0f);
+    const auto guide_of = [&](int first, int step, int stride) {
+        std::vector<float> pixels(n * size_t(stride), 0.5f), guide(n);
+        ddt::GuideRecipe recipe = rgba(true);
+        recipe.alpha = -1;
+        recipe.weight[2] = 0.125f;
+        for (int c = 0; c < 3; ++c) {
+            recipe.channel[c] = first + c * step;
+            for (size_t i = 0; i < n; ++i)
+                pixels[i * size_t(stride) + size_t(recipe.channel[c])] = rgb[3 * i + size_t(c)];
+        }
+        ddt::make_guide(recipe, pixels.data(), n, stride, guide.data());
+        return guide;
+    };
+    const std::vector<float> any = guide_of(6, -2, 7);
+    EXPECT_EQ(ddt::test::differing(guide_of(0, 1, 3), any), 0u);
+    EXPECT_EQ(ddt::test::differing(guide_of(0, 1, 4), any), 0u);
+    EXPECT_EQ(ddt::test::differing(guide_of(2, -1, 3), any), 0u);
 }
 
 // The curve's bits, fixed: another machine or compiler that finds others breaks the promise.
