@@ -59,12 +59,6 @@ void locate_row(const Lattice& lattice, const Point* points, int n, Search& sear
 
 /// Positions in a cell, along x, that evaluate_phases() (phases.h) can be asked for.
 constexpr int least_phases = 2, most_phases = 4;
-/// Those that it is worth being asked for, of pictures with so many channels: more fill vectors of
-/// their own.
-inline int useful_phases(int channels) {
-    return channels < group_size ? most_phases : most_phases - 1;
-}
-
 /// Where the positions of all rows lie along x, for mappings whose axes are independent.
 struct Columns {
     /// Positions begin .. end - 1 lie in the cells with this first corner.
@@ -85,12 +79,11 @@ struct Columns {
     };
     Alike alike;
 
-    /// Of n positions in ascending order, on a lattice of `width` pixels; alike: none with more
-    /// than `phases`.
-    void find(const Point* points, int n, int width, int phases);
+    /// Of n positions in ascending order, on a lattice of `width` pixels.
+    void find(const Point* points, int n, int width);
 
 private:
-    void find_alike(int phases);
+    void find_alike();
 };
 
 /// The triangles and weights of neighbouring rows of positions within one row of cells. What cells

@@ -123,7 +123,7 @@ void locate_row(const Lattice& lattice, const Point* points, int n, Search& sear
     }
 }
 
-void Columns::find(const Point* points, int n, int width, int phases) {
+void Columns::find(const Point* points, int n, int width) {
     runs.clear();
     count = n;
     x.resize(size_t(n) + row_padding);
@@ -134,11 +134,11 @@ void Columns::find(const Point* points, int n, int width, int phases) {
         runs.back().end = i + 1;
         x[size_t(i)] = float(points[i].x - cell * position_one) * unit;
     }
-    find_alike(phases);
+    find_alike();
 }
 
 /// Find the longest stretch of such cells.
-void Columns::find_alike(int phases) {
+void Columns::find_alike() {
     // Fewer may not fill a vector.
     constexpr int least_cells = 16;
     const auto follows = [&](const Run& last, const Run& run) {
@@ -151,7 +151,7 @@ void Columns::find_alike(int phases) {
         for (end = i + 1; end < runs.size() && follows(runs[end - 1], runs[end]);)
             ++end;
         const Alike found{runs[i].cell, int(end - i), runs[i].begin, runs[i].end - runs[i].begin};
-        if (least_phases <= found.phases && found.phases <= phases &&
+        if (least_phases <= found.phases && found.phases <= most_phases &&
             found.cells >= std::max(least_cells, alike.cells + 1))
             alike = found;
     }

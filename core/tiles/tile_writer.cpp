@@ -132,8 +132,7 @@ void TileWriter::find_columns(const Tile& tile, const Rect& rows) {
     m_mapping.row(rows.y0, rows.x0, rows.x1, m_positions.data(), m_inside.data());
     for (size_t i = 0; i < m_points.size(); ++i)
         m_points[i] = local(tile, m_positions[i]);
-    m_columns.find(m_points.data(), int(m_points.size()), m_meshed->width,
-                   useful_phases(m_job.channels));
+    m_columns.find(m_points.data(), int(m_points.size()), m_meshed->width);
 }
 
 /// Call f(panel) for parts of r that are no wider than a panel, from left to right, until it

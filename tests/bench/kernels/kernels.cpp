@@ -198,7 +198,7 @@ void sample_blocks(benchmark::State& state) {
     for (int y = 0; y < rows; ++y)
         ys.push_back(tile().points(y)[0].y);
     Columns columns;
-    columns.find(points.data(), int(width), tile().mesh.width(), useful_phases(channels));
+    columns.find(points.data(), int(width), tile().mesh.width());
     LocatedBlock block;
     std::vector<float> out(width * channels * LocatedBlock::most_rows + row_padding);
     for (auto _ : state) {

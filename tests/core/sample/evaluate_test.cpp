@@ -68,7 +68,7 @@ public:
         for (const int32_t px : x)
             points.push_back({px, 0});
         Columns columns;
-        columns.find(points.data(), int(points.size()), m_scene.lattice.width(), most_phases);
+        columns.find(points.data(), int(points.size()), m_scene.lattice.width());
         m_alike = columns.alike;
         m_blocks = m_together = m_crossed = m_mixed = 0;
         const size_t width = x.size() * size_t(m_channels), row = width + 3;
@@ -615,12 +615,12 @@ TEST(Evaluate, PositionsThatLieAlikeInCellsHaveTheBitsOfRows) {
 }
 
 TEST(Columns, FindTheLongestStretchOfCellsThatAreAlike) {
-    const auto alike = [](const std::vector<int32_t>& x, int phases = most_phases) {
+    const auto alike = [](const std::vector<int32_t>& x) {
         std::vector<Point> points;
         for (const int32_t at : x)
             points.push_back({at, 0});
         Columns columns;
-        columns.find(points.data(), int(points.size()), 200, phases);
+        columns.find(points.data(), int(points.size()), 200);
         return columns.alike;
     };
     // 20 cells with three positions each, one with two, 30 with three.
@@ -634,13 +634,16 @@ TEST(Columns, FindTheLongestStretchOfCellsThatAreAlike) {
     EXPECT_EQ(found.begin, 20 * 3 + 2);
     EXPECT_EQ(found.phases, 3);
     EXPECT_EQ(found.end(), int(x.size()));
-    EXPECT_EQ(alike(x, 2).cells, 0);
-    // Elsewhere in every cell, or cells with none between.
+    // Elsewhere in every cell, cells with none between, or more in each than are any use.
     for (size_t i = 0; i < x.size(); ++i)
         x[i] = int32_t(i) * 21000;
     EXPECT_EQ(alike(x).cells, 0);
     for (size_t i = 0; i < x.size(); ++i)
         x[i] = int32_t(i) / 2 * 2 * position_one + int32_t(i) % 2 * 30000;
+    EXPECT_EQ(alike(x).cells, 0);
+    for (size_t i = 0; i < x.size(); ++i)
+        x[i] = int32_t(i) / (most_phases + 1) * position_one +
+               int32_t(i) % (most_phases + 1) * (position_one / (most_phases + 1));
     EXPECT_EQ(alike(x).cells, 0);
     EXPECT_EQ(alike({}).cells, 0);
 }
