@@ -2,7 +2,8 @@
 // Included inside a SIMD target's namespace, after lanes-inl.h: vectors of blocks of group_size
 // lanes, a lane a channel. A block is a vertex, an edge or a position.
 
-using D = hn::CappedTag<float, 4 * group_size>;
+constexpr int most_blocks = 4;
+using D = hn::CappedTag<float, most_blocks * group_size>;
 using Blocks = Lanes<D>;
 
 /// Blocks in a vector.
@@ -33,4 +34,26 @@ HWY_INLINE hn::Vec<D_> load_each(const float* const* p) {
 /// Every block filled with the group_size numbers at p.
 HWY_INLINE Blocks in_every_block(const float* p) {
     return Blocks(hn::LoadDup128(D(), p));
+}
+
+/// Lane i of channel[c] filled with row[places[i] + c].
+HWY_INLINE void load_channels(const float* row, const int64_t* places,
+                              Blocks (&channel)[group_size]) {
+    static_assert(group_size == 4, "the interleaving");
+    const D d;
+    hn::Vec<D> pixels[group_size];
+    for (int k = 0; k < group_size; ++k) {
+        const float* at[most_blocks];
+        for (int b = 0; b < blocks_in_vector(); ++b)
+            at[b] = row + places[b * group_size + k];
+        pixels[k] = load_each(at);
+    }
+    const auto first = hn::InterleaveLower(d, pixels[0], pixels[2]),
+               second = hn::InterleaveLower(d, pixels[1], pixels[3]),
+               third = hn::InterleaveUpper(d, pixels[0], pixels[2]),
+               fourth = hn::InterleaveUpper(d, pixels[1], pixels[3]);
+    channel[0] = hn::InterleaveLower(d, first, second);
+    channel[1] = hn::InterleaveUpper(d, first, second);
+    channel[2] = hn::InterleaveLower(d, third, fourth);
+    channel[3] = hn::InterleaveUpper(d, third, fourth);
 }
