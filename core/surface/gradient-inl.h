@@ -111,10 +111,9 @@ template <bool tame, class T>
 DDT_INLINE T edge_bend(T gix, T giy, T gjx, T gjy, T zi, T zj, T vx, T vy) {
     const T zero = T(0.0f);
     const T difference = zj - zi;
-    const T limit = if_less(difference, zero, zero - difference, difference);
+    const T limit = upper(difference, zero - difference);
     T e = T(bend_strength) * ((gix - gjx) * vx + (giy - gjy) * vy);
-    e = if_less(e, zero - limit, zero - limit, e);
-    e = if_less(limit, e, limit, e);
+    e = lower(upper(e, zero - limit), limit);
     return tame ? e : if_less_equal(limit, T(largest_float), e, zero);
 }
 
