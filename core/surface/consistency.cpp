@@ -102,18 +102,23 @@ HWY_INLINE void plain_means(const CellNumbers& values, const CellNumbers& softne
 }
 
 /// Add to the sums of vertices x0 .. x1 the means on either side of each, of cells x0 .. x1 - 1:
-/// those of the cell to the left first.
+/// those of the cell to the left first. begin: to sums that are 0, whatever is there.
+template <bool begin>
 HWY_INLINE void add_quadrants(const float* left, const float* right, int x0, int x1, int count,
                               float* sums) {
     const ptrdiff_t first = ptrdiff_t(x0) * count, last = ptrdiff_t(x1) * count;
-    for (int c = 0; c < count; ++c)
-        sums[first + c] += left[first + c];
+    const auto sum = [&](auto vector, ptrdiff_t at) HWY_ATTR {
+        using T = decltype(vector);
+        return begin ? T(0.0f) : T::load(sums + at);
+    };
+    for (ptrdiff_t at = first; at < first + count; ++at)
+        (sum(OneLane(), at) + OneLane::load(left + at)).store(sums + at);
     each_float_once(first + count, last, [&](auto vector, ptrdiff_t at) HWY_ATTR {
         using T = decltype(vector);
-        ((T::load(sums + at) + T::load(right + at - count)) + T::load(left + at)).store(sums + at);
+        ((sum(vector, at) + T::load(right + at - count)) + T::load(left + at)).store(sums + at);
     });
-    for (int c = 0; c < count; ++c)
-        sums[last + c] += right[last - count + c];
+    for (ptrdiff_t at = last; at < last + count; ++at)
+        (sum(OneLane(), at) + OneLane::load(right + at - count)).store(sums + at);
 }
 
 template <bool quadratic, bool soft>
@@ -150,10 +155,10 @@ HWY_INLINE void add_cells(const Lattice& lattice, const Net& net, int x0, int x1
     if (begin != end)
         CrossedMeans<quadratic, soft>(lattice, net, y, means, row)
             .find(&*begin, &*begin + (end - begin), crossed.triangles.data());
-    add_quadrants(means + size_t(upper_left) * row, means + size_t(upper_right) * row, x0, x1,
-                  count, upper);
-    add_quadrants(means + size_t(lower_left) * row, means + size_t(lower_right) * row, x0, x1,
-                  count, lower);
+    add_quadrants<false>(means + size_t(upper_left) * row, means + size_t(upper_right) * row, x0,
+                         x1, count, upper);
+    add_quadrants<true>(means + size_t(lower_left) * row, means + size_t(lower_right) * row, x0, x1,
+                        count, lower);
 }
 
 HWY_ATTR void add_means(const Lattice& lattice, Surface surface, const Net& net, int x0, int x1,
