@@ -67,7 +67,7 @@ private:
     };
     /// Triangles that each position is compared with, as long as they are there: usually as many
     /// as there are, or more.
-    static constexpr int usual = hn::MaxLanes(RowTag()) < 8 ? hn::MaxLanes(RowTag()) : 8;
+    static constexpr int usual = hn::MaxLanes(RowTag()) < 6 ? hn::MaxLanes(RowTag()) : 6;
 
     /// Load as many cells' triangles as there is room for; returns where these cells end.
     HWY_INLINE const CrossedRows::Cell* load(const CrossedRows::Cell* cells,
