@@ -2,7 +2,8 @@
 // Included inside a SIMD target's namespace, after lanes-inl.h: vectors of blocks of group_size
 // lanes, a lane a channel. A block is a vertex, an edge or a position.
 
-using D = hn::CappedTag<float, 4 * group_size>;
+constexpr int most_blocks = 4;
+using D = hn::CappedTag<float, most_blocks * group_size>;
 using Blocks = Lanes<D>;
 
 /// Blocks in a vector.
@@ -33,4 +34,32 @@ HWY_INLINE hn::Vec<D_> load_each(const float* const* p) {
 /// Every block filled with the group_size numbers at p.
 HWY_INLINE Blocks in_every_block(const float* p) {
     return Blocks(hn::LoadDup128(D(), p));
+}
+
+/// In each block, lane k of to[c] is lane c of from[k].
+template <class D_>
+HWY_INLINE void transpose(const Lanes<D_> (&from)[group_size], Lanes<D_> (&to)[group_size]) {
+    static_assert(group_size == 4, "the order");
+    const D_ d;
+    const auto first = hn::InterleaveLower(d, from[0].v, from[2].v),
+               second = hn::InterleaveLower(d, from[1].v, from[3].v),
+               third = hn::InterleaveUpper(d, from[0].v, from[2].v),
+               fourth = hn::InterleaveUpper(d, from[1].v, from[3].v);
+    to[0] = hn::InterleaveLower(d, first, second);
+    to[1] = hn::InterleaveUpper(d, first, second);
+    to[2] = hn::InterleaveLower(d, third, fourth);
+    to[3] = hn::InterleaveUpper(d, third, fourth);
+}
+
+/// Lane i of channel[c] filled with row[places[i] + c].
+HWY_INLINE void load_channels(const float* row, const int64_t* places,
+                              Blocks (&channel)[group_size]) {
+    Blocks pixels[group_size];
+    for (int k = 0; k < group_size; ++k) {
+        const float* at[most_blocks];
+        for (int b = 0; b < blocks_in_vector(); ++b)
+            at[b] = row + places[b * group_size + k];
+        pixels[k] = load_each(at);
+    }
+    transpose(pixels, channel);
 }

@@ -48,20 +48,34 @@ DDT_INLINE int next_crossed(int x, int begin, int end, Crossed&& crossed) {
     return end;
 }
 
+/// Which of cells_at_once bytes are not 0, one after the other, by a bit each.
+struct ListedBytes {
+    uint8_t of[1 << cells_at_once][cells_at_once] = {};
+    constexpr ListedBytes() {
+        for (int bits = 0; bits < 1 << cells_at_once; ++bits)
+            for (int i = 0, n = 0; i < cells_at_once; ++i)
+                if (bits >> i & 1)
+                    of[bits][n++] = uint8_t(i);
+    }
+};
+inline constexpr ListedBytes listed_bytes;
+
 /// List the columns from x0 to x1 - 1 that have a byte which is not 0, of crossed_cells(). Returns
 /// how many; as many as cells_at_once more may be written. For where they are many.
 template <class Crossed>
 DDT_INLINE int list_crossed(int x0, int x1, Crossed&& crossed, int* columns) {
     int n = 0;
     for (int x = x0; x < x1; x += cells_at_once) {
-        const uint64_t word = crossed(x);
+        const uint64_t word = crossed(x) >> 1;
         if (!word)
             continue;
-        // A branch on each could not be foretold.
-        for (int i = 0; i < cells_at_once; ++i) {
-            columns[n] = x + i;
-            n += int(word >> (8 * i + 1) & 1);
-        }
+        // A branch on each could not be foretold. The top byte of a product is a sum of bytes: of
+        // bit k of byte k, or of how many there are.
+        uint8_t listed[cells_at_once]; // a copy, which no column is in the way of
+        std::memcpy(listed, listed_bytes.of[word * 0x0102040810204080u >> 56], sizeof listed);
+        for (int i = 0; i < cells_at_once; ++i)
+            columns[n + i] = x + listed[i];
+        n += int(word * 0x0101010101010101u >> 56);
     }
     while (n > 0 && columns[n - 1] >= x1)
         --n;

@@ -40,7 +40,10 @@ Rect with_neighbours(const Lattice& lattice, const Rect& part) {
     };
     // An edge that touches the part and leaves it has its midpoint near the part's rim.
     for (int y = std::max(y0 - far, 0); y <= std::min(y1 + far, last_y); ++y) {
-        const bool beside_only = y > y0 + far && y < y1 - far;
+        const int down = lattice.longest_down(y);
+        if (y + down < y0 || y - down > y1)
+            continue;
+        const bool beside_only = y - down >= y0 && y + down <= y1;
         look_along(x0 - far, beside_only ? x0 + far : x1 + far, y);
         if (beside_only)
             look_along(x1 - far, x1 + far, y);

@@ -27,6 +27,7 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 #include "core/surface/for_surface-inl.h"
 #include "core/surface/patch-inl.h"
 
+#include "core/base/blocks-inl.h"
 #include "core/base/row_lanes-inl.h"
 
 #include "core/surface/triangle_numbers-inl.h"

@@ -48,11 +48,8 @@ template <class T>
 DDT_INLINE T corrected(T z, T source, T sum, T low, T high) {
     const T zero = T(0.0f);
     const T step = (source - z) - sum * T(0.25f);
-    const T size = if_less(step, zero, zero - step, step);
-    T moved = z + step;
-    moved = if_less(moved, low, low, moved);
-    moved = if_less(high, moved, high, moved);
-    return if_less_equal(size, T(largest_float), moved, z);
+    const T size = upper(step, zero - step);
+    return if_less_equal(size, T(largest_float), lower(upper(z + step, low), high), z);
 }
 
 /// The range a vertex may be moved in, from the range of its 3x3 source pixels and the share of
@@ -81,8 +78,8 @@ DDT_INLINE void find_limits(const Rect& near, T limit, T lowest, Tap tap, T& low
     for (int y = near.y0; y < near.y1; ++y)
         for (int x = near.x0; x < near.x1; ++x) {
             const T n = tap(x, y);
-            low = if_less(n, low, n, low);
-            high = if_less(high, n, n, high);
+            low = lower(low, n);
+            high = upper(high, n);
         }
     widen(limit, lowest, low, high);
 }

@@ -27,6 +27,7 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 #include "core/surface/consistency-inl.h"
 #include "core/surface/patch-inl.h"
 
+#include "core/base/blocks-inl.h"
 #include "core/base/row_lanes-inl.h"
 
 #include "core/surface/triangle_numbers-inl.h"
@@ -35,30 +36,6 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
 #include "core/surface/crossed_means-inl.h"
 #include "core/surface/for_surface-inl.h"
-
-HWY_ATTR void limits_in_row(int width, const NearRows& source, int count, int x0, int x1,
-                            const LaneLimits& limits, float* low_row, float* high_row) {
-    const float* const rows[3] = {source.above, source.here, source.below};
-    const ChannelLanes margin(limits.limit, count);
-    const float lowest = limits.lowest;
-    // left, right: how far neighbours reach.
-    const auto find = [&](auto vector, const RowPlace& place, int left, int right) HWY_ATTR {
-        using T = decltype(vector);
-        const auto tap = [&](int i, int j)
-                             HWY_ATTR { return T::load(rows[j + 1] + place.at + i * count); };
-        T low, high;
-        find_limits({left, rows[0] ? -1 : 0, right + 1, rows[2] ? 2 : 1}, margin.at<T>(place),
-                    T(lowest), tap, low, high);
-        low.store(low_row + place.at);
-        high.store(high_row + place.at);
-    };
-    const int begin = std::max(x0, 1), end = std::max(std::min(x1, width - 1), begin);
-    each_vector(begin, end, count,
-                [&](auto vector, const RowPlace& place) HWY_ATTR { find(vector, place, -1, 1); });
-    for (const int x : {0, width - 1})
-        for (int c = 0; x0 <= x && x < x1 && c < count; ++c)
-            find(OneLane(), {ptrdiff_t(x) * count + c, x, c}, x > 0 ? -1 : 0, x + 1 < width);
-}
 
 enum Quadrant : int { upper_left, upper_right, lower_left, lower_right };
 
@@ -101,18 +78,23 @@ HWY_INLINE void plain_means(const CellNumbers& values, const CellNumbers& softne
 }
 
 /// Add to the sums of vertices x0 .. x1 the means on either side of each, of cells x0 .. x1 - 1:
-/// those of the cell to the left first.
+/// those of the cell to the left first. begin: to sums that are 0, whatever is there.
+template <bool begin>
 HWY_INLINE void add_quadrants(const float* left, const float* right, int x0, int x1, int count,
                               float* sums) {
     const ptrdiff_t first = ptrdiff_t(x0) * count, last = ptrdiff_t(x1) * count;
-    for (int c = 0; c < count; ++c)
-        sums[first + c] += left[first + c];
+    const auto sum = [&](auto vector, ptrdiff_t at) HWY_ATTR {
+        using T = decltype(vector);
+        return begin ? T(0.0f) : T::load(sums + at);
+    };
+    for (ptrdiff_t at = first; at < first + count; ++at)
+        (sum(OneLane(), at) + OneLane::load(left + at)).store(sums + at);
     each_float_once(first + count, last, [&](auto vector, ptrdiff_t at) HWY_ATTR {
         using T = decltype(vector);
-        ((T::load(sums + at) + T::load(right + at - count)) + T::load(left + at)).store(sums + at);
+        ((sum(vector, at) + T::load(right + at - count)) + T::load(left + at)).store(sums + at);
     });
-    for (int c = 0; c < count; ++c)
-        sums[last + c] += right[last - count + c];
+    for (ptrdiff_t at = last; at < last + count; ++at)
+        (sum(OneLane(), at) + OneLane::load(right + at - count)).store(sums + at);
 }
 
 template <bool quadratic, bool soft>
@@ -149,10 +131,10 @@ HWY_INLINE void add_cells(const Lattice& lattice, const Net& net, int x0, int x1
     if (begin != end)
         CrossedMeans<quadratic, soft>(lattice, net, y, means, row)
             .find(&*begin, &*begin + (end - begin), crossed.triangles.data());
-    add_quadrants(means + size_t(upper_left) * row, means + size_t(upper_right) * row, x0, x1,
-                  count, upper);
-    add_quadrants(means + size_t(lower_left) * row, means + size_t(lower_right) * row, x0, x1,
-                  count, lower);
+    add_quadrants<false>(means + size_t(upper_left) * row, means + size_t(upper_right) * row, x0,
+                         x1, count, upper);
+    add_quadrants<true>(means + size_t(lower_left) * row, means + size_t(lower_right) * row, x0, x1,
+                        count, lower);
 }
 
 HWY_ATTR void add_means(const Lattice& lattice, Surface surface, const Net& net, int x0, int x1,
@@ -164,14 +146,19 @@ HWY_ATTR void add_means(const Lattice& lattice, Surface surface, const Net& net,
     });
 }
 
-/// The floats at first .. last - 1.
-HWY_ATTR void move_in_row(const float* z, ptrdiff_t first, ptrdiff_t last, const float* source,
-                          const float* sum, const float* low, const float* high, float* moved) {
-    each_float_once(first, last, [&](auto vector, ptrdiff_t at) HWY_ATTR {
+HWY_ATTR void move_in_row(const float* z, int x0, int x1, int count, const NearRows& source,
+                          const float* sum, const LaneLimits& limits, float* moved) {
+    const float* const rows[3] = {source.above, source.here, source.below};
+    const ChannelLanes margin(limits.limit, count);
+    const float lowest = limits.lowest;
+    each_vector(x0, x1, count, [&](auto vector, const RowPlace& place) HWY_ATTR {
         using T = decltype(vector);
-        corrected(T::load(z + at), T::load(source + at), T::load(sum + at), T::load(low + at),
-                  T::load(high + at))
-            .store(moved + at);
+        const auto tap = [&](int i, int j)
+                             HWY_ATTR { return T::load(rows[j + 1] + place.at + i * count); };
+        T low, high;
+        find_limits({-1, -1, 2, 2}, margin.at<T>(place), T(lowest), tap, low, high);
+        corrected(T::load(z + place.at), tap(0, 0), T::load(sum + place.at), low, high)
+            .store(moved + place.at);
     });
 }
 
@@ -182,7 +169,6 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ddt {
 
-HWY_EXPORT(limits_in_row);
 HWY_EXPORT(add_means);
 HWY_EXPORT(move_in_row);
 
@@ -212,21 +198,10 @@ LaneLimits::LaneLimits(const float* strict, float share, bool clipped)
     }
 }
 
-void find_limits(int width, const NearRows& source, int count, int x0, int x1,
-                 const LaneLimits& limits, LimitRow& row) {
-    const size_t floats = size_t(width) * size_t(count);
-    row.low.resize(floats);
-    row.high.resize(floats);
-    HWY_DYNAMIC_DISPATCH(limits_in_row)
-    (width, source, count, x0, x1, limits, row.low.data(), row.high.data());
-}
-
-void move_row(const Lattice& lattice, const Net& net, int x0, int x1, int y, const float* source,
-              const float* sum, const LimitRow& limits, float* moved) {
-    const ptrdiff_t count = net.count();
+void move_row(const Lattice& lattice, const Net& net, int x0, int x1, int y, const NearRows& source,
+              const float* sum, const LaneLimits& limits, float* moved) {
     HWY_DYNAMIC_DISPATCH(move_in_row)
-    (net.vertex(lattice.vertex_site(0, y)), x0 * count, x1 * count, source, sum, limits.low.data(),
-     limits.high.data(), moved);
+    (net.vertex(lattice.vertex_site(0, y)), x0, x1, net.count(), source, sum, limits, moved);
 }
 
 void Consistency::begin(const Lattice& lattice, const Net& net, float limit, bool clipped) {
@@ -235,14 +210,6 @@ void Consistency::begin(const Lattice& lattice, const Net& net, float limit, boo
     for (int y = 0; y < lattice.height(); ++y)
         std::copy_n(net.vertex(lattice.vertex_site(0, y)), row_size(lattice), row(lattice, y));
     m_limits = {net.strict, limit, clipped};
-}
-
-const LimitRow& Consistency::limits(const Lattice& lattice, int y) {
-    find_limits(lattice.width(),
-                {y > 0 ? row(lattice, y - 1) : nullptr, row(lattice, y),
-                 y + 1 < lattice.height() ? row(lattice, y + 1) : nullptr},
-                m_count, 0, lattice.width(), m_limits, m_row);
-    return m_row;
 }
 
 void Consistency::measure(const Lattice& lattice, Surface surface, const Net& net) {
@@ -257,10 +224,14 @@ void Consistency::measure(const Lattice& lattice, Surface surface, const Net& ne
 
 void Consistency::correct(const Lattice& lattice, Surface surface, Net& net) {
     measure(lattice, surface, net);
-    for (int y = 1; y + 1 < lattice.height(); ++y)
-        move_row(lattice, net, 1, lattice.width() - 1, y, row(lattice, y),
-                 sum.data() + size_t(y) * row_size(lattice), limits(lattice, y),
-                 net.vertex(lattice.vertex_site(0, y)));
+    std::vector<float> moved(row_size(lattice));
+    for (int y = 1; y + 1 < lattice.height(); ++y) {
+        move_row(lattice, net, 1, lattice.width() - 1, y,
+                 {row(lattice, y - 1), row(lattice, y), row(lattice, y + 1)},
+                 sum.data() + size_t(y) * row_size(lattice), m_limits, moved.data());
+        std::copy(moved.begin() + m_count, moved.end() - m_count,
+                  net.vertex(lattice.vertex_site(1, y)));
+    }
 }
 
 } // namespace ddt

@@ -28,7 +28,8 @@ struct MeanScratch {
 };
 
 /// Add what the cells of row y have, as far as the vertices of `part` need it, to the sums of
-/// quadrants' means of the vertices above and below them, Net::count() floats each. The edges that
+/// quadrants' means of the vertices above them, and begin those of the vertices below with it,
+/// Net::count() floats each. The edges that
 /// cross the row must have been bent (for Surface::patch) and softened (where the net has soft
 /// edges), the divisions been found. `crossed` has begun with mean_positions().
 void add_means(const Lattice& lattice, Surface surface, const Net& net, const Rect& part, int y,
@@ -44,25 +45,15 @@ struct LaneLimits {
     float lowest = 0;
 };
 
-/// What the vertices of a row may become, from column 0 on.
-struct LimitRow {
-    std::vector<float> low, high;
-};
-
-/// A picture's rows of pixels above, at and below one. Null: there is none.
+/// A picture's rows of pixels above, at and below one, from column 0 on.
 struct NearRows {
     const float *above, *here, *below;
 };
 
-/// Find the limits of columns x0 .. x1 - 1 of a row. source: `count` floats a pixel, `width`
-/// pixels.
-void find_limits(int width, const NearRows& source, int count, int x0, int x1,
-                 const LaneLimits& limits, LimitRow& row);
-
 /// Put where the vertices of a net in columns x0 .. x1 - 1 of row y go, none of which is on the
-/// rim, into `moved`, which may be the net's own. source, sum, moved: rows from column 0 on.
-void move_row(const Lattice& lattice, const Net& net, int x0, int x1, int y, const float* source,
-              const float* sum, const LimitRow& limits, float* moved);
+/// rim, into `moved`, which is not the net's own. sum, moved: rows from column 0 on.
+void move_row(const Lattice& lattice, const Net& net, int x0, int x1, int y, const NearRows& source,
+              const float* sum, const LaneLimits& limits, float* moved);
 
 /// One group's source values, and rounds on a whole lattice, whose edges must all be there: for
 /// what looks at the stages. Jobs are worked on by CorrectedRows.
@@ -78,9 +69,6 @@ public:
     /// One round.
     void correct(const Lattice& lattice, Surface surface, Net& net);
 
-    /// The row's limits.
-    const LimitRow& limits(const Lattice& lattice, int y);
-
     // Net::count() floats a pixel.
     std::vector<float> source;
     std::vector<float> sum; ///< of the quadrants' means
@@ -95,7 +83,6 @@ private:
 
     int m_count = 0; ///< of channels
     LaneLimits m_limits;
-    LimitRow m_row;
     CrossedRows m_crossed;
     MeanScratch m_scratch;
 };

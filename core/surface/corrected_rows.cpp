@@ -95,9 +95,8 @@ void CorrectedRows::Round::correct() {
     std::copy(source + float_of(x1), source + float_of(width), m_row.begin() + float_of(x1));
     if (x0 >= x1)
         return;
-    find_limits(width, {source_row(y - 1), source, source_row(y + 1)}, count(), x0, x1,
-                m_all->m_limits, m_limits);
-    move_row(lattice, m_means.net(), x0, x1, y, source, sum, m_limits, m_row.data());
+    move_row(lattice, m_means.net(), x0, x1, y, {source_row(y - 1), source, source_row(y + 1)}, sum,
+             m_all->m_limits, m_row.data());
     for (int c = 0; c < count(); ++c)
         for (int x = x0; m_all->m_recipe.kept_lanes >> c & 1u && x < x1; ++x)
             m_row[size_t(float_of(x) + c)] = source[float_of(x) + c];
@@ -112,8 +111,8 @@ int CorrectedRows::rows_ahead(const Lattice& lattice, int rounds) {
 }
 
 size_t CorrectedRows::memory(int width, int height, int count, const CorrectionRecipe& recipe) {
-    // Of the source, where it has more channels; what is made of it; its limits, low and high.
-    const size_t rows = (3 + 1 + 2) * size_t(width) * size_t(count) * sizeof(float);
+    // Of the source, where it has more channels; what is made of it.
+    const size_t rows = (3 + 1) * size_t(width) * size_t(count) * sizeof(float);
     return size_t(recipe.rounds) * (rows + MeanRows::memory(width, height, count, recipe.edges)) +
            CrossedRows::memory(width, usual_rounds_apart);
 }

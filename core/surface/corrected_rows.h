@@ -68,7 +68,6 @@ private:
         };
         SourceRow m_source_rows[3]; ///< row y at [y % 3]
         std::vector<float> m_row;   ///< what was made of the last row
-        LimitRow m_limits;
     };
 
     const Lattice* m_lattice = nullptr;

@@ -67,13 +67,16 @@ private:
     };
     /// Triangles that each position is compared with, as long as they are there: usually as many
     /// as there are, or more.
-    static constexpr int usual = hn::MaxLanes(RowTag()) < 8 ? hn::MaxLanes(RowTag()) : 8;
+    static constexpr int usual = hn::MaxLanes(RowTag()) < 6 ? hn::MaxLanes(RowTag()) : 6;
 
     /// Load as many cells' triangles as there is room for; returns where these cells end.
     HWY_INLINE const CrossedRows::Cell* load(const CrossedRows::Cell* cells,
                                              const CrossedRows::Cell* end,
                                              const CellTriangle* triangles) {
+        // How many triangles a cell has could not be foretold: as many as usual are filled in at
+        // once.
         int32_t columns[TriangleNumbers::most + most_row_lanes] = {};
+        int shifts[TriangleNumbers::most + usual];
         const CellTriangle* const first = triangles + cells->first;
         const int lanes = TriangleNumbers::lanes();
         int n = 0;
@@ -84,13 +87,16 @@ private:
                 (g->cells == m_positions.cells || g->triangles + cells->count > lanes))
                 *++g = {0, n, 0};
             const int shift = g->cells * m_positions.count;
-            for (int i = 0; i < cells->count; ++i, ++n) {
-                columns[n] = cells->x;
-                m_bits[n] = int32_t(first[n].positions) << shift;
+            for (int i = 0; i < cells->count; i += usual) {
+                std::fill_n(columns + n + i, usual, cells->x);
+                std::fill_n(shifts + n + i, usual, shift);
             }
+            n += cells->count;
             ++g->cells;
             g->triangles += cells->count;
         }
+        for (int t = 0; t < n; ++t)
+            m_bits[t] = int32_t(first[t].positions) << shifts[t];
         std::fill_n(m_bits + n, usual, 0);
         m_numbers.template load<quadratic, soft>(m_net, m_strict, m_site, m_stride, first, columns,
                                                  n);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included inside a SIMD target's namespace, after consistency-inl.h and crossed_cells-inl.h: the
-// means of the quadrants of cells that other edges cross.
+// Included inside a SIMD target's namespace, after consistency-inl.h, blocks-inl.h and
+// crossed_cells-inl.h: the means of the quadrants of cells that other edges cross.
 
 /// Of lane `lane`, which of all positions of means it is: the quadrants' first ones, their second
 /// ones, and so on, in the order back and forth through all positions.
@@ -33,15 +33,14 @@ private:
     using Values = typename CrossedCells<quadratic, soft>::Values;
 
     HWY_INLINE void store(int x, const Values& f) const {
-        const hn::CappedTag<float, most_in_pixel> d4;
         using Quadrants = PixelLanes;
         const CellNumbers values(m_net, m_net.values, m_site + 2 * x);
-        HWY_ALIGN float pixels[4 * most_in_pixel];
+        PixelLanes pixels[group_size];
         for (int k = 0; k < 4; ++k)
-            PixelLanes::load(values.corner(0, k & 1, k >> 1)).store(pixels + k * most_in_pixel);
-        Quadrants z[most_in_pixel], mean[most_in_pixel];
-        hn::LoadInterleaved4(d4, pixels, z[0].v, z[1].v, z[2].v, z[3].v);
-        for (int c = 0; c < most_in_pixel; ++c) {
+            pixels[k] = PixelLanes::load(values.corner(0, k & 1, k >> 1));
+        Quadrants z[group_size], mean[group_size];
+        transpose(pixels, z);
+        for (int c = 0; c < group_size; ++c) {
             mean[c] = Quadrants(0.0f);
             if (c >= int(m_net.count))
                 continue;
@@ -49,9 +48,9 @@ private:
                 mean[c] = mean[c] + (Quadrants::load(f[c] + 4 * turn) - z[c]);
             mean[c] = mean[c] * Quadrants(0.25f);
         }
-        hn::StoreInterleaved4(mean[0].v, mean[1].v, mean[2].v, mean[3].v, d4, pixels);
+        transpose(mean, pixels);
         for (int k = 0; k < 4; ++k)
-            store_pixel(PixelLanes::load(pixels + k * most_in_pixel), int(m_net.count),
+            store_pixel(pixels[k], int(m_net.count),
                         m_means + size_t(k) * m_row + ptrdiff_t(x) * m_net.count);
     }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/surface/crossed_rows.h"
 
+#include <algorithm>
+
 #include "core/lattice/crossed_columns.h"
 #include "core/lattice/crossed_search.h"
 
@@ -29,21 +31,22 @@ void find_crossed(const Lattice& lattice, const CellPositions& positions, int y,
     row.cells.clear();
     row.triangles.clear();
     const Division* divisions = lattice.divisions(y);
-    const auto next = [&](int x) {
-        return next_crossed(x, x0, x1, [&](int at) { return crossed_cells(divisions + at); });
-    };
     CrossedSearch search;
-    int cells[CrossedSearch::most_cells];
+    constexpr int listed_at_once = 512;
+    int columns[listed_at_once + cells_at_once];
     const int at_once = CrossedSearch::most_cells_with(positions.count());
-    for (int x = next(x0); x < x1;) {
-        int n = 0;
-        for (; n < at_once && x < x1; x = next(x + 1))
-            cells[n++] = x;
-        search.find(lattice, y, cells, n, positions);
-        const auto first = int(row.triangles.size());
-        for (int i = 0; i < n; ++i)
-            row.cells.push_back({cells[i], first + search.first(i), search.count(i)});
-        row.triangles.insert(row.triangles.end(), search.begin(0), search.end(n - 1));
+    for (int begin = x0; begin < x1; begin += listed_at_once) {
+        const int all = list_crossed(
+            begin, std::min(begin + listed_at_once, x1),
+            [&](int at) { return crossed_cells(divisions + at); }, columns);
+        for (int done = 0; done < all; done += at_once) {
+            const int n = std::min(at_once, all - done);
+            search.find(lattice, y, columns + done, n, positions);
+            const auto first = int(row.triangles.size());
+            for (int i = 0; i < n; ++i)
+                row.cells.push_back({columns[done + i], first + search.first(i), search.count(i)});
+            row.triangles.insert(row.triangles.end(), search.begin(0), search.end(n - 1));
+        }
     }
 }
 

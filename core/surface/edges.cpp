@@ -40,8 +40,7 @@ HWY_ATTR void soft_weights(const float* gain, int n, float reciprocal_tau, float
     const auto weigh = [&](auto g) HWY_ATTR {
         using T = decltype(g);
         const T zero(0.0f), one(1.0f), share(soft_share), r(reciprocal_tau);
-        const T w = one + if_less(g, zero, g, zero) * r;
-        return if_less(zero, w, share * w, zero);
+        return upper(zero, share * (one + lower(zero, g) * r));
     };
     const RowTag d;
     const int lanes = int(hn::Lanes(d));

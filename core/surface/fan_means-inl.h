@@ -30,7 +30,6 @@ template <bool tame>
 HWY_INLINE GradientMean<Blocks, tame> means_of_fans(const Fans::Group& group, int i,
                                                     const Spokes& spokes, const float* vertices,
                                                     int count) {
-    constexpr int most_blocks = fans_side_by_side;
     const int blocks = blocks_in_vector();
     const float* vertex[most_blocks];
     for (int b = 0; b < blocks; ++b)

@@ -42,12 +42,21 @@ struct GradientMean {
         T gx = dzj * ky - dzk * jy;
         T gy = dzk * jx - dzj * kx;
         const T w = weigh(gx, gy);
-        if (!begun) {
-            base_x = gx;
-            base_y = gy;
-            begun = true;
-        }
-        add(w, gx, gy);
+        if (begun)
+            return add(w, gx, gy);
+        begin(w, gx, gy, gx, gy);
+        begun = true;
+    }
+
+    /// Begin with a gradient that was weighed, and either is the base or has no weight. What is
+    /// tame adds nothing but 0 to the sums then.
+    DDT_INLINE void begin(T w, T gx, T gy, T base_gx, T base_gy) {
+        base_x = base_gx;
+        base_y = base_gy;
+        if (tame)
+            weight = w;
+        else
+            add(w, gx, gy);
     }
 
     /// Be what it was before the last was added, where not a < b.
@@ -85,9 +94,7 @@ DDT_INLINE GradientMean<T, tame> plain_mean(const Differences<T>& d, T nw, T ne,
     T first = either(nw, Mean::weigh(gx, gy), zero);
     T gx1 = either(ne, d.ne - d.n, d.e), gy1 = minus_n;
     const T second = Mean::weigh(gx1, gy1);
-    mean.base_x = either(nw, gx, gx1);
-    mean.base_y = either(nw, gy, gy1);
-    mean.add(first, gx, gy);
+    mean.begin(first, gx, gy, either(nw, gx, gx1), either(nw, gy, gy1));
     mean.add(second, gx1, gy1);
     const auto add = [&](T x, T y) {
         const T w = Mean::weigh(x, y);
@@ -111,10 +118,9 @@ template <bool tame, class T>
 DDT_INLINE T edge_bend(T gix, T giy, T gjx, T gjy, T zi, T zj, T vx, T vy) {
     const T zero = T(0.0f);
     const T difference = zj - zi;
-    const T limit = if_less(difference, zero, zero - difference, difference);
+    const T limit = upper(difference, zero - difference);
     T e = T(bend_strength) * ((gix - gjx) * vx + (giy - gjy) * vy);
-    e = if_less(e, zero - limit, zero - limit, e);
-    e = if_less(limit, e, limit, e);
+    e = lower(upper(e, zero - limit), limit);
     return tame ? e : if_less_equal(limit, T(largest_float), e, zero);
 }
 

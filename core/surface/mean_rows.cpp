@@ -40,7 +40,6 @@ const float* MeanRows::row(int y, int keep) {
     for (; m_cell_rows < std::min(y + 1, m_lattice->height() - 1); ++m_cell_rows) {
         const int cells = m_cell_rows;
         m_edges.to_cells(cells, std::min(cells, keep));
-        std::fill_n(sums(cells + 1), m_sums.size() / 2, 0.0f);
         add_means(*m_lattice, m_surface, m_net, m_wanted, cells, *m_crossed, m_scratch, sums(cells),
                   sums(cells + 1));
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included inside a SIMD target's namespace, after patch-inl.h and row_lanes-inl.h: triangles that
-// cross cells, a lane a triangle, of one channel.
+// Included inside a SIMD target's namespace, after patch-inl.h, blocks-inl.h and row_lanes-inl.h:
+// triangles that cross cells, a lane a triangle, of one channel.
 
 /// What triangles have, a number each.
 class TriangleNumbers {
@@ -8,18 +8,20 @@ public:
     static constexpr int most = 32;
 
     /// Of n triangles, at most so many, of cells in these columns of the row with its first corner
-    /// at this site.
+    /// at this site. As many columns more as fill a vector are read, and must be the row's.
     template <bool quadratic, bool soft>
     HWY_INLINE void load(const NetView& net, const float* strict, int site, int stride,
                          const CellTriangle* triangles, const int32_t* columns, int n) {
         static_assert(sizeof(CellTriangle) == 2 * sizeof(int32_t), "two words");
         std::memcpy(m_words, triangles, size_t(n) * sizeof(CellTriangle));
-        for (int i = 0; i < n; i += lanes())
-            place(i, columns + i, stride, int(net.count));
-        copy<quadratic, soft>(net, net.place(site), n);
+        std::fill_n(m_words + 2 * n, 2 * most_row_lanes, 0);
+        m_to_odd = floats_between(net.values.even, net.values.odd);
+        m_to_odd_soft = floats_between(net.soft.even, net.soft.odd);
         m_tame = true;
-        for (int i = 0; i < n; i += lanes())
-            separate<quadratic, soft>(int(net.count), i, n);
+        for (int i = 0; i < n; i += lanes()) {
+            place<quadratic, soft>(i, columns + i, stride, int(net.count));
+            separate<quadratic, soft>(net, net.place(site), i, n);
+        }
         for (int c = 0; c < int(net.count); ++c)
             for (int i = 0; i < n; i += lanes()) {
                 if (m_tame)
@@ -63,6 +65,11 @@ private:
     static constexpr int room = most + most_row_lanes;
     using IntTag = hn::RebindToSigned<RowTag>;
 
+    static ptrdiff_t floats_between(const float* from, const float* to) {
+        return (reinterpret_cast<intptr_t>(to) - reinterpret_cast<intptr_t>(from)) /
+               ptrdiff_t(sizeof(float));
+    }
+
     /// Byte k of each lane as a signed number.
     template <int k>
     static HWY_INLINE hn::Vec<IntTag> signed_byte(hn::Vec<IntTag> x) {
@@ -71,6 +78,7 @@ private:
 
     /// Where what the net has of triangles i, i + 1, ... is, and their planes, as CrossingTriangle
     /// has them.
+    template <bool quadratic, bool soft>
     HWY_INLINE void place(int i, const int32_t* columns, int stride, int count) {
         const RowTag d;
         const IntTag di;
@@ -84,12 +92,16 @@ private:
         hn::Vec<IntTag> vertex[3];
         for (int k = 0; k < 3; ++k) {
             vertex[k] = hn::Add(hn::Mul(y[k], hn::Set(di, stride)), hn::Add(x[k], column));
-            hn::StoreU(hn::Mul(vertex[k], floats), di, m_vertex[k] + i);
+            store_places(hn::Mul(vertex[k], floats), hn::Zero(di), 0, m_places[z + k]);
         }
         for (int k = 0; k < 3; ++k) {
-            const auto edge = hn::Add(vertex[k], vertex[(k + 1) % 3]);
-            hn::StoreU(hn::Mul(hn::ShiftRight<1>(edge), floats), di, m_edge[k] + i);
-            hn::StoreU(hn::And(edge, hn::Set(di, 1)), di, m_odd[k] + i);
+            const auto both = hn::Add(vertex[k], vertex[(k + 1) % 3]),
+                       edge = hn::Mul(hn::ShiftRight<1>(both), floats),
+                       odd = hn::And(both, hn::Set(di, 1));
+            if (quadratic)
+                store_places(edge, odd, m_to_odd, m_places[e + k]);
+            if (soft)
+                store_places(edge, odd, m_to_odd_soft, m_places[q + k]);
         }
         for (int k = 0; k < 2; ++k) {
             const int from = k + 1, to = (k + 2) % 3;
@@ -101,46 +113,40 @@ private:
         }
     }
 
-    /// Copy what the net has of the triangles; from: where the row is.
-    template <bool quadratic, bool soft>
-    HWY_INLINE void copy(const NetView& net, ptrdiff_t from, int n) {
-        const float* const vertices = net.values.even + from;
-        const float* const bends[] = {vertices, net.values.odd + from};
-        const float* softness[2] = {};
-        if (soft)
-            softness[0] = net.soft.even + from, softness[1] = net.soft.odd + from;
-        for (int t = 0; t < n; ++t) {
-            const auto put = [&](int k, const float* p) HWY_ATTR {
-                PixelLanes::load(p).store(m_pixels[k] + t * group_size);
-            };
-            for (int k = 0; k < 3; ++k) {
-                put(z + k, vertices + m_vertex[k][t]);
-                const int odd = m_odd[k][t];
-                if (quadratic)
-                    put(e + k, bends[odd] + m_edge[k][t]);
-                if (soft)
-                    put(q + k, softness[odd] + m_edge[k][t]);
-            }
-        }
+    /// Places, or where they are `odd`, so many floats on.
+    static HWY_INLINE void store_places(hn::Vec<IntTag> place, hn::Vec<IntTag> odd, ptrdiff_t on,
+                                        int64_t* to) {
+        const hn::Half<IntTag> half;
+        const hn::Rebind<int64_t, hn::Half<IntTag>> wide;
+        const auto store = [&](auto p, auto o, int64_t* at) HWY_ATTR {
+            const auto is_odd = hn::Sub(hn::Zero(wide), hn::PromoteTo(wide, o));
+            hn::StoreU(hn::Add(hn::PromoteTo(wide, p), hn::And(is_odd, hn::Set(wide, on))), wide,
+                       at);
+        };
+        store(hn::LowerHalf(half, place), hn::LowerHalf(half, odd), to);
+        store(hn::UpperHalf(half, place), hn::UpperHalf(half, odd), to + hn::Lanes(wide));
     }
 
-    /// The channels of triangles i, i + 1, ..., each by itself.
+    /// The channels of what the net has of triangles i, i + 1, ..., each by itself; from: where the
+    /// row is.
     template <bool quadratic, bool soft>
-    HWY_INLINE void separate(int count, int i, int n) {
+    HWY_INLINE void separate(const NetView& net, ptrdiff_t from, int i, int n) {
         const RowTag d;
-        RowLanes size[group_size];
-        for (int k = 0; k < low; ++k) {
-            if ((!quadratic && e <= k && k < q) || (!soft && q <= k))
+        const int count = int(net.count);
+        const float* const rows[] = {net.values.even + from, net.values.even + from,
+                                     soft ? net.soft.even + from : nullptr};
+        Blocks size[group_size];
+        for (Blocks& of_channel : size)
+            of_channel = Blocks(0.0f);
+        for (int number = z; number < low; ++number) {
+            if ((!quadratic && e <= number && number < q) || (!soft && q <= number))
                 continue;
-            hn::Vec<RowTag> channel[group_size];
-            hn::LoadInterleaved4(d, m_pixels[k] + i * group_size, channel[0], channel[1],
-                                 channel[2], channel[3]);
+            Blocks channel[group_size];
+            load_channels(rows[number / 3], m_places[number], channel);
             for (int c = 0; c < count; ++c) {
-                hn::StoreU(channel[c], d, m_numbers[c][k] + i);
-                if (k == z)
-                    size[c] = size_of(RowLanes(channel[c]));
-                else if (k < e)
-                    size[c] = size[c] + size_of(RowLanes(channel[c]));
+                channel[c].store(m_numbers[c][number] + i);
+                if (number < e)
+                    size[c] = size[c] + size_of(channel[c]);
             }
         }
         const auto here = hn::FirstN(d, size_t(std::min(n - i, lanes())));
@@ -162,9 +168,10 @@ private:
 
     bool m_tame = false;
     int32_t m_words[2 * room]; ///< the triangles, as they are kept
-    /// In floats from the row's first, in even or odd columns.
-    int32_t m_vertex[3][room], m_edge[3][room], m_odd[3][room];
+    /// From the row's first in even columns to each number of as many triangles as there are
+    /// lanes, in floats; and to the first in odd columns.
+    int64_t m_places[low][most_row_lanes];
+    ptrdiff_t m_to_odd = 0, m_to_odd_soft = 0;
     float m_planes[6][room];
-    float m_pixels[low][room * group_size]; ///< as they are in the net
     float m_numbers[group_size][all][room];
 };

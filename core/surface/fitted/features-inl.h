@@ -4,15 +4,6 @@
 // twins: shaders/fitted*.glsl. Pixels come through `tap`, a function of a vertex of the lattice or
 // beyond its rim. Sums are written so that an edge seen from its other end has the same bits.
 
-template <class T>
-DDT_INLINE T lower(T a, T b) {
-    return if_less(b, a, b, a);
-}
-template <class T>
-DDT_INLINE T upper(T a, T b) {
-    return if_less(a, b, b, a);
-}
-
 /// The pixel at (x, y), where the picture goes on past its rim as its odd mirror image: so does
 /// what varies along one axis only, and so do planes. `inside` reads it within.
 template <class T, class Inside>
@@ -155,8 +146,7 @@ DDT_INLINE T finite_or(T v, T otherwise) {
 /// v within a range; NaN stays.
 template <class T>
 DDT_INLINE T clamped(T v, T low, T high) {
-    const T above = if_less(v, low, low, v);
-    return if_less(high, above, high, above);
+    return lower(upper(v, low), high);
 }
 
 /// Where an index lies between the nodes: what each node's weights count.

@@ -18,6 +18,12 @@ inline float if_less(float a, float b, float yes, float no) {
 inline float if_less_equal(float a, float b, float yes, float no) {
     return a <= b ? yes : no;
 }
+inline float lower(float a, float b) {
+    return b < a ? b : a;
+}
+inline float upper(float a, float b) {
+    return a < b ? b : a;
+}
 
 #include "core/surface/consistency-inl.h"
 #include "core/surface/fitted/features-inl.h"

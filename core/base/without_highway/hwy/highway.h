@@ -383,6 +383,17 @@ HWY_INLINE Vec<D> Combine(D, V upper, V lower) {
     }
     return v;
 }
+/// The first, or last, two of four lanes of each, by turns.
+template <class D>
+HWY_INLINE Vec<D> InterleaveLower(D, Vec<D> a, Vec<D> b) {
+    static_assert(D::lanes == 4, "one block of 128 bits");
+    return Vec<D>{a[0], b[0], a[1], b[1]};
+}
+template <class D>
+HWY_INLINE Vec<D> InterleaveUpper(D, Vec<D> a, Vec<D> b) {
+    static_assert(D::lanes == 4, "one block of 128 bits");
+    return Vec<D>{a[2], b[2], a[3], b[3]};
+}
 /// The even, or odd, lanes of `lower`, then those of `upper`.
 template <class D>
 HWY_INLINE Vec<D> ConcatEven(D, Vec<D> upper, Vec<D> lower) {
