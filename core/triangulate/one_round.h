@@ -68,19 +68,28 @@ int64_t evaluate(const Mesh& mesh, const Criterion& criterion, float min_gain, D
 /// itself dirty.
 template <class Mesh>
 void wake_blocked(const Mesh& mesh, uint8_t iteration, Workspace& w) {
+    Workspace::Blocked again[256];
+    Workspace::Blocked* const all = w.blocked.data();
+    const size_t size = w.blocked.size();
     size_t kept = 0;
-    for (const auto b : w.blocked) {
-        const bool own = mesh.stamp(b.site) == iteration,
-                   others = mesh.stamp(b.blocker) == iteration;
-        w.blocked[kept] = b;
-        if (!(own | others)) // most, so one branch
-            ++kept;
-        else if (own)
-            continue; // evaluated, so among the candidates if it still is one
-        else if (goes_before(w.gain, b.blocker, b.site))
-            ++kept;
-        else
-            w.candidates.push_back(b.site);
+    for (size_t i = 0; i < size;) {
+        // Without branches, which would be guesses, and each of which would wait for its stamps.
+        const size_t end = std::min(size, i + std::size(again));
+        size_t number = 0;
+        for (; i < end; ++i) {
+            const auto b = all[i];
+            // Evaluated, so among the candidates if it still is one.
+            const bool own = mesh.stamp(b.site) == iteration;
+            const bool others = mesh.stamp(b.blocker) == iteration;
+            all[kept] = again[number] = b;
+            kept += !(own | others);
+            number += !own & others;
+        }
+        for (size_t k = 0; k < number; ++k)
+            if (goes_before(w.gain, again[k].blocker, again[k].site))
+                all[kept++] = again[k];
+            else
+                w.candidates.push_back(again[k].site);
     }
     w.blocked.resize(kept);
 }
