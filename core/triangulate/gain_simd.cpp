@@ -80,7 +80,8 @@ HWY_ATTR void gains(const Lattice& lattice, const Criterion& criterion, const in
 /// Some edges, divided into those that can be flipped and others, each in their order.
 class DividedEdges {
 public:
-    static constexpr size_t most = 1024;
+    /// What is known of as many leaves room in the nearest cache.
+    static constexpr size_t most = 256;
 
     HWY_INLINE DividedEdges(const SiteLanes& mesh, const int* sites, size_t count) : m_mesh(mesh) {
         divide(sites, count);
