@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "core/base/compress_lanes.h"
 #include "core/guide/contour.h"
 #include "core/lattice/crossed_columns.h"
 #include "core/lattice/lattice.h"

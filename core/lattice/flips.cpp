@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "core/base/compress_lanes.h"
 #include "core/guide/contour.h"
 #include "core/lattice/lattice.h"
 

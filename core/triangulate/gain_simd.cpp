@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SIMD twin of scalar::gain(): several edges at once, compiled for each instruction set.
+#include "core/base/compress_lanes.h"
 #include "core/triangulate/gain.h"
 
 #include <algorithm>

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <vector>
 
+#include "core/base/compress_lanes.h"
 #include "core/triangulate/gain.h"
 
 #undef HWY_TARGET_INCLUDE
