@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/base/arith.h"
+#include "core/base/compress_lanes.h"
 #include "core/guide/contour.h"
 
 #undef HWY_TARGET_INCLUDE

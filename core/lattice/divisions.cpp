@@ -17,19 +17,16 @@ namespace hn = hwy::HWY_NAMESPACE;
 using DI = hn::CappedTag<int32_t, 16>;
 using VI = hn::Vec<DI>;
 
-/// The two words of cells' central edges, a lane each: (v, left) and (right, stamp).
+#include "core/lattice/every_second-inl.h"
+
+/// The vectors of cells' central edges, a lane each: v and left, then right.
 struct Centres {
     VI first, second;
 
     HWY_INLINE explicit Centres(const Site* sites) {
-        const hn::Repartition<int64_t, DI> d64;
-        const size_t lanes = hn::Lanes(d64);
-        const auto* from = reinterpret_cast<const int64_t*>(sites);
-        const auto load = [&](size_t k) HWY_ATTR { return hn::LoadU(d64, from + k * lanes); };
-        const VI lower = hn::BitCast(DI(), hn::ConcatEven(d64, load(1), load(0))),
-                 upper = hn::BitCast(DI(), hn::ConcatEven(d64, load(3), load(2)));
-        first = hn::ConcatEven(DI(), upper, lower);
-        second = hn::And(hn::ConcatOdd(DI(), upper, lower), hn::Set(DI(), 0xffff));
+        const EverySecond edges(sites);
+        first = edges.first;
+        second = hn::And(edges.second, hn::Set(DI(), 0xffff)); // without the stamp
     }
     /// Where the edges' vectors are these.
     HWY_INLINE hn::Mask<DI> are(uint64_t vectors) const {

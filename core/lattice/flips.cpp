@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "core/base/compress_lanes.h"
 #include "core/guide/contour.h"
 #include "core/lattice/lattice.h"
 
@@ -39,6 +40,8 @@ using DI = hn::RebindToSigned<D>;
 #include "core/base/lanes-inl.h"
 #include "core/lattice/site_lanes-inl.h"
 
+#include "core/lattice/known_lanes-inl.h"
+
 /// The same of each edge in the lanes, on its way into records.
 struct Stored {
     HWY_ALIGN int32_t at[HWY_MAX_BYTES / sizeof(int32_t)];
@@ -63,12 +66,15 @@ HWY_ATTR void flip_edges(const Lattice& lattice, const int* edges, size_t n, cha
     const auto of_record = [](Ints m, size_t offset) HWY_ATTR -> Ints {
         return {hn::Add(hn::ShiftLeft<3>(m.i), hn::Set(DI(), int(offset)))};
     };
+    KnownEdges<flips_at_once> known;
+    known.find(mesh, edges, n);
     VI longest = hn::Zero(di);
     flips.steep = 0;
     for (size_t i = 0; i < n; i += lanes) {
         const size_t used = std::min(n - i, lanes);
         const Ints m = load_sites(edges + i, used);
-        const FlippableLanes e = mesh.flippable_edge(m);
+        const KnownLanes seen = known.mesh_at(mesh, i, used);
+        const FlippableLanes e = seen.flippable_edge(m);
         const QuadOf<VecLanes> q(e.v, e.left);
         const QuadSites<Ints> at(m, mesh.offset(q.w), mesh.offset(q.side[1]));
         const VecLanes c = e.left, d = -e.left;
@@ -76,7 +82,7 @@ HWY_ATTR void flip_edges(const Lattice& lattice, const int* edges, size_t n, cha
         const VecLanes came[4] = {d, d, c, c};
         for (int k = 0; k < 4; ++k) {
             const Ints side = at.middle[k];
-            const auto left = hn::Eq(mesh.apexes(side).left.xy, q.inner[k].xy);
+            const auto left = hn::Eq(seen.side(k, side).left.xy, q.inner[k].xy);
             const VI offset = hn::IfThenElse(left, hn::Set(di, int(offsetof(Edge, left))),
                                              hn::Set(di, int(offsetof(Edge, right))));
             store_bytes<2>({hn::Add(of_record(side, 0).i, offset)},

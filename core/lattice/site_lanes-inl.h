@@ -57,8 +57,8 @@ struct VecLanes {
     HWY_INLINE hn::Mask<DI> zero() const { return hn::Eq(xy, hn::Zero(DI())); }
 };
 
-/// A vector of n sites or, where there are fewer, n > 0, as many: lanes that are left over repeat
-/// the first.
+/// A vector of n sites, or what is known of each, or, where there are fewer, n > 0, as many: lanes
+/// that are left over repeat the first.
 HWY_INLINE Ints load_sites(const int* sites, size_t n) {
     const DI di;
     const size_t lanes = hn::Lanes(di);
@@ -75,13 +75,30 @@ HWY_INLINE Ints load_sites(const int* sites, size_t n) {
 /// Of an edge that can be flipped: the right apex is opposite to the left.
 struct FlippableLanes {
     VecLanes v, left;
+    /// From SiteLanes::flippable_word().
+    static HWY_INLINE FlippableLanes of(VI first) {
+        return {VecLanes::of_bytes<0>(first), VecLanes::of_bytes<2>(first)};
+    }
 };
 struct ApexLanes {
     VecLanes left, right;
+    /// From SiteLanes::apex_words().
+    static HWY_INLINE ApexLanes of(VI both) {
+        return {VecLanes::of_bytes<0>(both), VecLanes::of_bytes<2>(both)};
+    }
 };
 /// Twin of Edge.
 struct EdgeLanes {
     VecLanes v, left, right;
+    /// From both words of its record.
+    static HWY_INLINE EdgeLanes of(VI first, VI second) {
+        return {VecLanes::of_bytes<0>(first), VecLanes::of_bytes<2>(first),
+                VecLanes::of_bytes<0>(second)};
+    }
+};
+/// The two words of a record.
+struct RecordLanes {
+    VI first, second;
 };
 
 /// A lattice, no wider than widest_lanes, as neighbourhood() (core/triangulate/gain-inl.h) sees it,
@@ -95,16 +112,27 @@ struct SiteLanes {
           m_weights{hn::Set(DI(), lattice.stride() << 16 | 1)} {}
 
     HWY_INLINE FlippableLanes flippable_edge(Ints m) const {
+        return FlippableLanes::of(flippable_word(m));
+    }
+    HWY_INLINE VI flippable_word(Ints m) const {
         static_assert(offsetof(Edge, v) == 0 && offsetof(Edge, left) == 2, "the word's bytes");
-        const VI both = word(m, 0);
-        return {VecLanes::of_bytes<0>(both), VecLanes::of_bytes<2>(both)};
+        return word(m, 0);
     }
-    HWY_INLINE ApexLanes apexes(Ints m) const {
+    HWY_INLINE ApexLanes apexes(Ints m) const { return ApexLanes::of(apex_words(m)); }
+    HWY_INLINE VI apex_words(Ints m) const {
         static_assert(offsetof(Edge, left) == 2 && offsetof(Edge, right) == 4, "the word's bytes");
-        const VI both = word(m, 2);
-        return {VecLanes::of_bytes<0>(both), VecLanes::of_bytes<2>(both)};
+        return word(m, 2);
     }
+    /// Of the quads' sides k, whose midpoints are these.
+    HWY_INLINE ApexLanes side(int, Ints middle) const { return apexes(middle); }
     HWY_INLINE EdgeLanes edge(Ints m) const {
+        const RecordLanes both = record(m);
+        return EdgeLanes::of(both.first, both.second);
+    }
+    HWY_INLINE RecordLanes record(Ints m) const {
+        static_assert(offsetof(Edge, v) == 0 && offsetof(Edge, left) == 2 &&
+                          offsetof(Edge, right) == 4,
+                      "the words' bytes");
         // Whole records, since a gather takes as long as it has lanes.
         const hn::Repartition<int64_t, DI> d64;
         const hn::Half<DI> half;
@@ -113,10 +141,7 @@ struct SiteLanes {
             DI(), hn::GatherIndex(d64, records, hn::PromoteTo(d64, hn::LowerHalf(half, m.i))));
         const auto upper = hn::BitCast(
             DI(), hn::GatherIndex(d64, records, hn::PromoteTo(d64, hn::UpperHalf(half, m.i))));
-        const VI first = hn::ConcatEven(DI(), upper, lower),
-                 second = hn::ConcatOdd(DI(), upper, lower);
-        return {VecLanes::of_bytes<0>(first), VecLanes::of_bytes<2>(first),
-                VecLanes::of_bytes<0>(second)};
+        return {hn::ConcatEven(DI(), upper, lower), hn::ConcatOdd(DI(), upper, lower)};
     }
     HWY_INLINE Ints offset(VecLanes v) const {
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR

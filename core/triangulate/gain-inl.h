@@ -95,7 +95,7 @@ DDT_INLINE T flip_gain(const Neighbourhood<T>& n) {
 template <class T, class Mesh, class Quad_>
 DDT_INLINE typename Neighbourhood<T>::Outer look_beyond(const Mesh& mesh, const Quad_& q, int k,
                                                         typename Mesh::Sites middle, T first_end) {
-    const auto apex = apex_beyond(mesh.apexes(middle), q.inner[k]);
+    const auto apex = apex_beyond(mesh.side(k, middle), q.inner[k]);
     const auto outer = from_first_end(apex, q.side[k]);
     return {mesh.x(outer), mesh.y(outer), mesh.guide_beyond(middle, apex, first_end),
             mesh.present(apex)};

@@ -22,7 +22,7 @@ struct OneSite {
     const Lattice& lattice;
 
     const Edge& flippable_edge(int m) const { return lattice.edge(m); }
-    const Edge& apexes(int m) const { return lattice.edge(m); }
+    const Edge& side(int, int middle) const { return lattice.edge(middle); }
     int offset(Vec v) const { return lattice.offset(v); }
     float guide(int m) const { return lattice.guide(m); }
     float x(Vec v) const { return float(v.x); }

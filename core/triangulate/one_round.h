@@ -18,7 +18,7 @@ namespace one_round_steps {
 /// the mesh, and a few are still in the caches.
 constexpr size_t edges_at_once = 1024;
 /// What is touched between two looks at how many there are.
-constexpr size_t touched_at_once = size_t(regions_at_once) * most_in_region;
+constexpr size_t touched_at_once = regions_at_once * most_in_region;
 
 /// A list of edges to evaluate.
 class Dirty {
@@ -68,19 +68,28 @@ int64_t evaluate(const Mesh& mesh, const Criterion& criterion, float min_gain, D
 /// itself dirty.
 template <class Mesh>
 void wake_blocked(const Mesh& mesh, uint8_t iteration, Workspace& w) {
+    Workspace::Blocked again[256];
+    Workspace::Blocked* const all = w.blocked.data();
+    const size_t size = w.blocked.size();
     size_t kept = 0;
-    for (const auto b : w.blocked) {
-        const bool own = mesh.stamp(b.site) == iteration,
-                   others = mesh.stamp(b.blocker) == iteration;
-        w.blocked[kept] = b;
-        if (!(own | others)) // most, so one branch
-            ++kept;
-        else if (own)
-            continue; // evaluated, so among the candidates if it still is one
-        else if (goes_before(w.gain, b.blocker, b.site))
-            ++kept;
-        else
-            w.candidates.push_back(b.site);
+    for (size_t i = 0; i < size;) {
+        // Without branches, which would be guesses, and each of which would wait for its stamps.
+        const size_t end = std::min(size, i + std::size(again));
+        size_t number = 0;
+        for (; i < end; ++i) {
+            const auto b = all[i];
+            // Evaluated, so among the candidates if it still is one.
+            const bool own = mesh.stamp(b.site) == iteration;
+            const bool others = mesh.stamp(b.blocker) == iteration;
+            all[kept] = again[number] = b;
+            kept += !(own | others);
+            number += !own & others;
+        }
+        for (size_t k = 0; k < number; ++k)
+            if (goes_before(w.gain, again[k].blocker, again[k].site))
+                all[kept++] = again[k];
+            else
+                w.candidates.push_back(again[k].site);
     }
     w.blocked.resize(kept);
 }
@@ -97,11 +106,11 @@ void add_room(std::vector<T>& v, size_t n) {
 /// Divide the candidates into those that are the best of their regions, w.selected, and others.
 template <class Mesh>
 void select(const Mesh& mesh, Workspace& w) {
-    int blockers[64];
+    int blockers[regions_at_once];
     w.selected.clear();
-    for (size_t i = 0; i < w.candidates.size(); i += std::size(blockers)) {
+    for (size_t i = 0; i < w.candidates.size(); i += regions_at_once) {
         const int* sites = w.candidates.data() + i;
-        const size_t n = std::min(w.candidates.size() - i, std::size(blockers));
+        const size_t n = std::min(w.candidates.size() - i, regions_at_once);
         find_blockers(mesh, w.gain, sites, n, blockers);
         // Without branches, which would be guesses.
         size_t best = w.selected.size(), waiting = w.blocked.size();
@@ -144,10 +153,10 @@ int64_t flip_selected(Mesh& mesh, const Criterion& criterion, float min_gain,
     };
     flip_all(mesh, w.selected);
     int regions[touched_at_once];
-    for (size_t i = 0; i < w.selected.size();) {
-        const size_t n = find_regions(mesh, w.selected.data() + i, w.selected.size() - i, regions);
+    for (size_t i = 0; i < w.selected.size(); i += regions_at_once) {
+        const size_t n = std::min(w.selected.size() - i, regions_at_once);
+        find_regions(mesh, w.selected.data() + i, n, regions);
         dirty.add_unstamped(mesh, regions, n * most_in_region, next_iteration);
-        i += n;
         if (dirty.full())
             evaluate_dirty();
     }

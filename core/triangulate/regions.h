@@ -3,6 +3,7 @@
 // flips touch. A lattice's by the widest vectors this machine has, an edge a lane.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/lattice/lattice.h"
@@ -10,9 +11,9 @@
 namespace ddt {
 
 /// Edges in a 2-region, the edge itself among them, at most.
-constexpr int most_in_region = 13;
-/// Regions that find_regions() finds in a call, at most.
-constexpr int regions_at_once = 16;
+constexpr size_t most_in_region = 13;
+/// Of so many edges regions are best looked at together.
+constexpr size_t regions_at_once = 64;
 
 /// Whether the candidate at `other`, in the 2-region of the one at m, goes before it.
 inline bool goes_before(const std::vector<float>& gain, int other, int m) {
@@ -39,16 +40,16 @@ void find_blockers(const Mesh& mesh, const std::vector<float>& gain, const int* 
 void find_blockers(const Lattice& lattice, const std::vector<float>& gain, const int* sites,
                    size_t n, int* blockers);
 
-/// The edges of the 2-regions of the first of the flippable edges sites[0..n), n > 0, one region
-/// after the other, most_in_region sites each: where there are fewer, some twice. Returns how many
-/// regions these are.
+/// The edges of the 2-regions of the flippable edges sites[0..n), one region after the other,
+/// most_in_region sites each: where there are fewer, some twice.
 template <class Mesh>
-size_t find_regions(const Mesh& mesh, const int* sites, size_t /*n*/, int* regions) {
-    for (int i = 0; i < most_in_region; ++i)
-        regions[i] = sites[0];
-    mesh.each_of_region(sites[0], [&](int other) { *++regions = other; });
-    return 1;
+void find_regions(const Mesh& mesh, const int* sites, size_t n, int* regions) {
+    for (size_t i = 0; i < n; ++i, regions += most_in_region) {
+        std::fill_n(regions, most_in_region, sites[i]);
+        int* next = regions;
+        mesh.each_of_region(sites[i], [&](int other) { *++next = other; });
+    }
 }
-size_t find_regions(const Lattice& lattice, const int* sites, size_t n, int* regions);
+void find_regions(const Lattice& lattice, const int* sites, size_t n, int* regions);
 
 } // namespace ddt

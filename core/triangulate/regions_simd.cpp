@@ -16,11 +16,14 @@ namespace ddt {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using D = hn::CappedTag<float, regions_at_once>;
+constexpr size_t most_lanes = 16;
+using D = hn::CappedTag<float, most_lanes>;
 using DI = hn::RebindToSigned<D>;
 
 #include "core/base/lanes-inl.h"
 #include "core/lattice/site_lanes-inl.h"
+
+#include "core/lattice/known_lanes-inl.h"
 
 /// The best of the edges looked at, a lane.
 struct Best {
@@ -45,7 +48,7 @@ struct Best {
 /// Call f(sites) for each edge of the 2-regions of the edges at m, a lane; where there is none f is
 /// called with another of them once more. Twin of Lattice::any_of_region().
 template <class F>
-HWY_INLINE void each_of_region(const SiteLanes& mesh, Ints m, F&& f) {
+HWY_INLINE void each_of_region(const KnownLanes& mesh, Ints m, F&& f) {
     const FlippableLanes e = mesh.flippable_edge(m);
     const QuadOf<VecLanes> q(e.v, e.left);
     const Ints w = mesh.offset(q.w), u = mesh.offset(q.side[1]), none{hn::Zero(DI())};
@@ -55,7 +58,7 @@ HWY_INLINE void each_of_region(const SiteLanes& mesh, Ints m, F&& f) {
     for (int k = 0; k < 4; ++k) {
         const Ints middle = at.middle[k];
         f(middle);
-        const VecLanes apex = apex_beyond(mesh.apexes(middle), q.inner[k]);
+        const VecLanes apex = apex_beyond(mesh.side(k, middle), q.inner[k]);
         const Ints first = middle + mesh.offset(from_first_end(apex, q.side[k]));
         f(mesh.if_present(apex, first - sides[k], middle));
         f(mesh.if_present(apex, first, middle));
@@ -63,25 +66,29 @@ HWY_INLINE void each_of_region(const SiteLanes& mesh, Ints m, F&& f) {
 }
 
 /// Of each edge its best blocker, or the edge itself.
-HWY_INLINE VI best_of_region(const SiteLanes& mesh, const float* gains, Ints m) {
+HWY_INLINE VI best_of_region(const KnownLanes& mesh, const float* gains, Ints m) {
     Best best(gains, m);
     each_of_region(mesh, m, [&](Ints other) HWY_ATTR { best.look_at(other); });
     return best.site;
 }
 
-HWY_ATTR size_t find_regions(const Lattice& lattice, const int* sites, size_t n, int* regions) {
+HWY_ATTR void find_regions(const Lattice& lattice, const int* sites, size_t n, int* regions) {
     const DI di;
-    const size_t lanes = hn::Lanes(di), used = std::min(n, lanes);
-    HWY_ALIGN int32_t found[most_in_region][regions_at_once];
-    const Ints m = load_sites(sites, n);
-    hn::Store(m.i, di, found[0]);
-    int i = 0;
-    each_of_region(SiteLanes(lattice), m,
-                   [&](Ints other) HWY_ATTR { hn::Store(other.i, di, found[++i]); });
-    for (size_t k = 0; k < used; ++k)
-        for (int j = 0; j < most_in_region; ++j)
-            *regions++ = found[j][k];
-    return used;
+    const size_t lanes = hn::Lanes(di);
+    const SiteLanes mesh(lattice);
+    KnownEdges<regions_at_once> known;
+    known.find(mesh, sites, n);
+    HWY_ALIGN int32_t found[most_in_region][most_lanes];
+    for (size_t i = 0; i < n; i += lanes) {
+        const Ints m = load_sites(sites + i, n - i);
+        hn::Store(m.i, di, found[0]);
+        int in_region = 0;
+        each_of_region(known.mesh_at(mesh, i, n - i), m,
+                       [&](Ints other) HWY_ATTR { hn::Store(other.i, di, found[++in_region]); });
+        for (size_t k = 0; k < std::min(lanes, n - i); ++k)
+            for (size_t j = 0; j < most_in_region; ++j)
+                *regions++ = found[j][k];
+    }
 }
 
 HWY_ATTR void find_blockers(const Lattice& lattice, const float* gain, const int* sites, size_t n,
@@ -89,10 +96,12 @@ HWY_ATTR void find_blockers(const Lattice& lattice, const float* gain, const int
     const DI di;
     const size_t lanes = hn::Lanes(di);
     const SiteLanes mesh(lattice);
-    HWY_ALIGN int32_t found[regions_at_once];
+    KnownEdges<regions_at_once> known;
+    known.find(mesh, sites, n);
+    HWY_ALIGN int32_t found[most_lanes];
     for (size_t i = 0; i < n; i += lanes) {
         const Ints m = load_sites(sites + i, n - i);
-        const VI best = best_of_region(mesh, gain, m);
+        const VI best = best_of_region(known.mesh_at(mesh, i, n - i), gain, m);
         hn::Store(hn::IfThenElse(hn::Eq(best, m.i), hn::Set(di, -1), best), di, found);
         std::copy_n(found, std::min(lanes, n - i), blockers + i);
     }
@@ -112,13 +121,17 @@ void find_blockers(const Lattice& lattice, const std::vector<float>& gain, const
                    size_t n, int* blockers) {
     if (lattice.width() > widest_lanes)
         return find_blockers<Lattice>(lattice, gain, sites, n, blockers);
-    HWY_DYNAMIC_DISPATCH(find_blockers)(lattice, gain.data(), sites, n, blockers);
+    for (size_t i = 0; i < n; i += regions_at_once)
+        HWY_DYNAMIC_DISPATCH(find_blockers)
+    (lattice, gain.data(), sites + i, std::min(n - i, regions_at_once), blockers + i);
 }
 
-size_t find_regions(const Lattice& lattice, const int* sites, size_t n, int* regions) {
+void find_regions(const Lattice& lattice, const int* sites, size_t n, int* regions) {
     if (lattice.width() > widest_lanes)
         return find_regions<Lattice>(lattice, sites, n, regions);
-    return HWY_DYNAMIC_DISPATCH(find_regions)(lattice, sites, n, regions);
+    for (size_t i = 0; i < n; i += regions_at_once)
+        HWY_DYNAMIC_DISPATCH(find_regions)
+    (lattice, sites + i, std::min(n - i, regions_at_once), regions + i * most_in_region);
 }
 
 } // namespace ddt

@@ -8,10 +8,12 @@
 // taken, and the gains have the bits of scalar::gain().
 #include "core/triangulate/start_gains.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <vector>
 
+#include "core/base/compress_lanes.h"
 #include "core/triangulate/gain.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -43,6 +45,7 @@ using DI = hn::RebindToSigned<D>;
 
 using Floats = Lanes<D>;
 
+#include "core/lattice/every_second-inl.h"
 #include "core/triangulate/cell_rows-inl.h"
 
 /// Goes down the rows of cells of a lattice.
@@ -57,16 +60,18 @@ public:
         : m_lattice(lattice), m_contour(contour * contour_unit), m_min_gain(min_gain), m_w(w) {
         for (Cells& row : m_rows)
             row.resize(lattice.width());
+        m_found.resize(2 * size_t(lattice.width()) + 2 * most_lanes);
     }
 
     /// False if the guide is not in steps: then nothing is worth anything.
     HWY_ATTR bool run() {
         const int rows = m_lattice.height() - 1;
-        load_guide(0, m_rows[0].guide);
+        if (!load_vertices(0))
+            return false;
         for (int y = 0; y < rows; ++y) {
-            load_guide(y + 1, row(y + 1).guide);
-            if (!make_faces(y))
+            if (!load_vertices(y + 1))
                 return false;
+            make_faces(y);
             // In address order: what is stored past a row's end is overwritten by what follows.
             if (y > 1)
                 odd_row(y - 1);
@@ -82,33 +87,69 @@ private:
     static constexpr int ring = 4;
     Cells& row(int y) { return m_rows[y % ring]; }
 
-    void load_guide(int y, Row& guide) {
-        const int s = m_lattice.vertex_site(0, y);
-        for (int x = 0; x < m_lattice.width(); ++x)
-            *guide.at(x) = m_lattice.guide(s + 2 * x);
-        // What lies past the end is computed with, to no effect.
-        for (int x = m_lattice.width(); x < m_lattice.width() + int(hn::Lanes(D())) + 1; ++x)
-            *guide.at(x) = 0.0f;
-    }
-
-    void load_contours(int y, Cells& cells) {
-        const int s = m_lattice.vertex_site(0, y);
-        for (int x = 0; x < m_lattice.width() - 1; ++x) {
-            const uint32_t word = m_lattice.vertex(s + 2 * x).contour;
-            *cells.xx.at(x) = float(int(word) & contour_mask);
-            *cells.yy.at(x) = float(int(word >> contour_bits) & contour_mask);
-            *cells.xy.at(x) = float(contour_xy(word));
+    /// Call f(x, records) for vectors of n records, those of every second site, that begin at x and
+    /// cover 0 .. n - 1. Where n are not a vector, what lies past them is 0; else the last repeats
+    /// some of the one before.
+    template <class F>
+    static HWY_INLINE void each_record(const Site* sites, int n, F&& f) {
+        const int lanes = int(hn::Lanes(DI()));
+        if (n < lanes) {
+            Site few[2 * most_lanes];
+            std::copy_n(sites, 2 * n - 1, few);
+            f(0, EverySecond(few));
+            return;
+        }
+        for (int done = 0; done < n; done += lanes) {
+            const int x = std::min(done, n - lanes);
+            f(x, EverySecond(sites + 2 * x));
         }
     }
 
-    /// The gain of a flip with its midpoint between cell ax of row a and cell bx of row b.
-    HWY_INLINE Floats gain(const Edges& f, const Cells& a, int ax, const Cells& b, int bx) const {
+    /// Row y of vertices and what they know of the cells below. False if the guide is not in steps.
+    HWY_ATTR bool load_vertices(int y) {
+        Cells& cells = row(y);
+        bool exact = true;
+        each_record(m_lattice.sites() + m_lattice.vertex_site(0, y), m_lattice.width(),
+                    [&](int x, const EverySecond& vertices) HWY_ATTR {
+                        const Floats guide = hn::BitCast(D(), vertices.first);
+                        exact &= in_steps(guide);
+                        cells.guide.store(x, guide);
+                        if (m_contour != 0)
+                            store_contours(x, vertices.second, cells);
+                    });
+        return exact;
+    }
+
+    /// Twin of contour_xy() and its like.
+    static HWY_INLINE void store_contours(int x, hn::Vec<DI> words, Cells& cells) {
+        const D d;
+        const DI di;
+        const auto mask = hn::Set(di, contour_mask);
+        const auto yy = hn::And(hn::ShiftRight<contour_bits>(words), mask);
+        const auto xy =
+            hn::Sub(hn::ShiftRight<2 * contour_bits>(words), hn::Set(di, contour_steps / 2));
+        cells.xx.store(x, hn::ConvertTo(d, hn::And(words, mask)));
+        cells.yy.store(x, hn::ConvertTo(d, yy));
+        cells.xy.store(x, hn::ConvertTo(d, xy));
+    }
+
+    /// How row y of cells is divided: where the central edge's v.x, its first byte, is positive.
+    HWY_ATTR void load_divisions(int y, Row& down) {
+        const DI di;
+        each_record(m_lattice.sites() + m_lattice.site(1, 2 * y + 1), m_lattice.width() - 1,
+                    [&](int x, const EverySecond& edges) HWY_ATTR {
+                        const auto right = hn::Gt(hn::ShiftLeft<24>(edges.first), hn::Zero(di));
+                        down.store(
+                            x, hn::IfThenElseZero(hn::RebindMask(D(), right), hn::Set(D(), 1.0f)));
+                    });
+    }
+
+    /// The gain of a flip. along: what it lowers v' N v by, as contour_gain() says, asked for where
+    /// that counts.
+    template <class Along>
+    HWY_INLINE Floats gain(const Edges& f, Along&& along) const {
         const Floats by_cost = f.gain();
-        if (m_contour == 0)
-            return by_cost;
-        const Contours<Floats> n{a.xx.load(ax) + b.xx.load(bx), a.yy.load(ax) + b.yy.load(bx),
-                                 a.xy.load(ax) + b.xy.load(bx)};
-        return by_cost + Floats(m_contour) * contour_gain(n, f.wx, f.wy, f.ux, f.uy);
+        return m_contour == 0 ? by_cost : by_cost + Floats(m_contour) * along();
     }
 
     /// Whether all lanes are multiples of 2^-12 in -1024 to 1024.
@@ -122,19 +163,13 @@ private:
 
     /// The triangles of row y of cells; costs of its diagonals and of the edges on its top. From so
     /// far before the row that all vectors are aligned: what is there is 0.
-    HWY_ATTR bool make_faces(int y) {
+    HWY_ATTR void make_faces(int y) {
         Cells& cells = row(y);
+        const Cells& upper = row(y + ring - 1);
         const Row &above = cells.guide, &below = row(y + 1).guide;
         const int count = m_lattice.width() - 1, lanes = int(hn::Lanes(D()));
-        for (int x = 0; x < count; ++x)
-            *cells.down.at(x) = m_lattice.edge(m_lattice.site(2 * x + 1, 2 * y + 1)).v.x > 0;
-        if (m_contour != 0)
-            load_contours(y, cells);
-        bool exact = true;
-        for (int x = 1 - lanes; x <= count; x += lanes)
-            exact &= in_steps(above.load(x)) & in_steps(below.load(x));
-        if (!exact)
-            return false;
+        const Floats one(1.0f), zero(0.0f);
+        load_divisions(y, cells.down);
         for (int x = 1 - lanes; x < count; x += lanes) {
             const Floats z0 = above.load(x), z1 = above.load(x + 1), z2 = below.load(x),
                          z3 = below.load(x + 1);
@@ -149,17 +184,12 @@ private:
             cells.right.store(x, either(down, ur, lr));
             cells.other_top.store(x, either(down, ul, ur));
             cells.other_bottom.store(x, either(down, lr, ll));
-            cells.diagonal_cost.store(x, Cost::between(t, b, Floats(1.0f), Floats(1.0f)));
+            cells.diagonal_cost.store(x, Cost::between(t, b, one, one));
+            cells.top_cost.store(x, Cost::between(upper.bottom.load(x), t, one, zero));
         }
-        const Cells& upper = row(y + ring - 1);
-        const Floats one(1.0f), zero(0.0f);
-        for (int x = 1 - lanes; x < count && y > 0; x += lanes)
-            cells.top_cost.store(x,
-                                 Cost::between(upper.bottom.load(x), cells.top.load(x), one, zero));
         for (int x = 1; x < count; x += lanes)
             cells.left_cost.store(
                 x, Cost::between(cells.right.load(x - 1), cells.left.load(x), zero, one));
-        return true;
     }
 
     /// Gains of the edges on top of row y of cells. Such an edge ab can be flipped where the cells
@@ -210,11 +240,16 @@ private:
             f.ux = one - down;
             f.uy = zero - one;
             const Floats flippable = same(down, above.down.load(x));
-            const Floats level = either(flippable, gain(f, above, x, below, x), Floats(no_gain));
+            const auto along = [&]() HWY_ATTR {
+                return turned(down, above.xy.load(x) + below.xy.load(x)) -
+                       (above.yy.load(x) + below.yy.load(x));
+            };
+            const Floats level = either(flippable, gain(f, along), Floats(no_gain));
             hn::StoreInterleaved2(zero.v, level.v, D(), m_w.gain.data() + first + 2 * x);
             count(flippable, end - x);
             propose(level, first + 2 * x + 1, end - x);
         }
+        add_candidates();
     }
 
     /// Gains of the diagonals of row y of cells and of the vertical edges between them.
@@ -228,9 +263,10 @@ private:
             hn::StoreInterleaved2(upright.v, slanting.v, D(), m_w.gain.data() + first + 2 * x);
             count(flippable, end - x);
             propose(upright, first + 2 * x, end - x);
-            count(Floats(1.0f), end - 1 - x);
             propose(slanting, first + 2 * x + 1, end - 1 - x);
         }
+        m_evaluations += std::max(end - 2, 0); // all diagonals
+        add_candidates();
     }
 
     /// Gain of the edge ab on the left of cell x: the same turned.
@@ -275,7 +311,11 @@ private:
         f.wy = one - down;
         f.ux = one;
         f.uy = down;
-        return either(flippable, gain(f, cells, x - 1, cells, x), Floats(no_gain));
+        const auto along = [&]() HWY_ATTR {
+            return turned(down, cells.xy.load(x - 1) + cells.xy.load(x)) -
+                   (cells.xx.load(x - 1) + cells.xx.load(x));
+        };
+        return either(flippable, gain(f, along), Floats(no_gain));
     }
 
     /// Gain of the diagonal ab of cell x, whose flip needs nothing: a cell is a parallelogram.
@@ -310,7 +350,16 @@ private:
         f.wx = down - one;
         f.wy = f.ux = down;
         f.uy = one - down;
-        return gain(f, cells, x, cells, x);
+        return gain(f, [&]() HWY_ATTR {
+            const Floats xy = cells.xy.load(x);
+            return either(down, xy + xy, zero - (xy + xy));
+        });
+    }
+
+    /// xy or, where the diagonals are down, -xy. contour_gain() of the edges that there are, where
+    /// all products of w and u but two are 0; whole numbers, so in any order.
+    static HWY_INLINE Floats turned(Floats down, Floats xy) {
+        return either(down, Floats(0.0f) - xy, xy);
     }
 
     /// 1 where both flags are alike, else 0.
@@ -327,19 +376,20 @@ private:
         m_evaluations += int64_t(hn::CountTrue(d, set));
     }
 
-    /// Put the edges at `site`, site + 2, ... of the first n lanes that gain enough among the
-    /// candidates.
+    /// Note the edges at `site`, site + 2, ... of the first n lanes that gain enough.
     HWY_INLINE void propose(Floats gained, int site, int n) {
         const D d;
         const DI di;
         const auto good =
             hn::And(hn::FirstN(d, size_t(n < 0 ? 0 : n)), hn::Gt(gained.v, hn::Set(d, m_min_gain)));
-        if (hn::AllFalse(d, good))
-            return;
         const auto sites = hn::Add(hn::Set(di, site), hn::ShiftLeft<1>(hn::Iota(di, 0)));
-        HWY_ALIGN int32_t found[most_lanes];
-        const size_t number = store_compressed(sites, hn::RebindMask(di, good), found);
-        m_w.candidates.insert(m_w.candidates.end(), found, found + number);
+        // Without a branch, which would be a guess.
+        m_number += store_compressed(sites, hn::RebindMask(di, good), m_found.data() + m_number);
+    }
+
+    void add_candidates() {
+        m_w.candidates.insert(m_w.candidates.end(), m_found.data(), m_found.data() + m_number);
+        m_number = 0;
     }
 
     const Lattice& m_lattice;
@@ -348,6 +398,8 @@ private:
     Workspace& m_w;
     int64_t m_evaluations = 0;
     Cells m_rows[ring];
+    std::vector<int32_t> m_found; ///< a row's candidates, with room for whole vectors
+    size_t m_number = 0;          ///< of them
 };
 
 HWY_ATTR bool inner_gains(const Lattice& lattice, const Criterion& criterion, float min_gain,
@@ -401,8 +453,9 @@ void each_outer_edge(const Lattice& lattice, F&& f) {
 } // namespace
 
 size_t start_gains_memory(int width) {
-    // Four rows of DividedCells, whose faces have three numbers, and what a Row has beyond.
-    constexpr size_t rows = 4 * (8 + 6 * 3), beyond = 4 * most_lanes;
+    // Four rows of DividedCells, whose faces have three numbers, and what a Row has beyond; two of
+    // candidates.
+    constexpr size_t rows = 4 * (8 + 6 * 3) + 2, beyond = 4 * most_lanes;
     return rows * (size_t(width) + beyond) * sizeof(float);
 }
 
@@ -410,6 +463,7 @@ bool start_gains(const Lattice& lattice, const Criterion& criterion, float min_g
                  Statistics& statistics) {
     w.gain.resize(lattice.size() + padding);
     w.candidates.clear();
+    w.candidates.reserve(lattice.vertices() * 3 / 5); // noise, where most are, has fewer
     int64_t evaluations = 0;
     if (!lattice.fresh() ||
         !HWY_DYNAMIC_DISPATCH(inner_gains)(lattice, criterion, min_gain, w, evaluations))

@@ -63,8 +63,8 @@ TEST_P(WideLattice, IsWorkedOnAsAnyOther) {
         });
         ASSERT_EQ(blockers[i] < 0, best);
         ASSERT_TRUE(best || region.count(blockers[i]));
-        int regions[regions_at_once * most_in_region];
-        ASSERT_GE(find_regions(lattice, &m, 1, regions), 1u);
+        int regions[most_in_region];
+        find_regions(lattice, &m, 1, regions);
         ASSERT_EQ(std::set<int>(regions, regions + most_in_region), region);
     }
     EXPECT_EQ(good, found.candidates);

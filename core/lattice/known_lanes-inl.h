@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Included inside a SIMD target's namespace, after site_lanes-inl.h: flippable edges and the sides
+// of their quads. A gather that waits for another, which told it where, waits twice as long in a
+// lattice that is in no near cache. So of many edges the own records are gathered first, then those
+// of the sides, and what follows waits for neither.
+
+/// A lattice seen from flippable edges whose records are at hand, and those of their quads' sides.
+struct KnownLanes : SiteLanes {
+    VI own, sides[4]; ///< SiteLanes::flippable_word(), apex_words()
+
+    explicit HWY_INLINE KnownLanes(const SiteLanes& mesh) : SiteLanes(mesh) {}
+    HWY_INLINE FlippableLanes flippable_edge(Ints) const { return FlippableLanes::of(own); }
+    HWY_INLINE ApexLanes side(int k, Ints) const { return ApexLanes::of(sides[k]); }
+};
+
+/// The records of up to `most` flippable edges sites[0..n) and of their quads' sides.
+template <size_t most>
+struct KnownEdges {
+    static constexpr size_t room =
+        most + HWY_MAX_BYTES / sizeof(int); ///< whole vectors are written
+    int own[room], sides[4][room];
+
+    HWY_INLINE void find(const SiteLanes& mesh, const int* sites, size_t n) {
+        const DI di;
+        for (size_t i = 0; i < n; i += hn::Lanes(di))
+            hn::StoreU(mesh.flippable_word(load_sites(sites + i, n - i)), di, own + i);
+        find_sides(mesh, sites, n);
+    }
+    /// Where `own` is known.
+    HWY_INLINE void find_sides(const SiteLanes& mesh, const int* sites, size_t n) {
+        const DI di;
+        for (size_t i = 0; i < n; i += hn::Lanes(di)) {
+            const Ints m = load_sites(sites + i, n - i);
+            const FlippableLanes e = FlippableLanes::of(load_sites(own + i, n - i).i);
+            const QuadOf<VecLanes> q(e.v, e.left);
+            const QuadSites<Ints> at(m, mesh.offset(q.w), mesh.offset(q.side[1]));
+            for (int k = 0; k < 4; ++k)
+                hn::StoreU(mesh.apex_words(at.middle[k]), di, sides[k] + i);
+        }
+    }
+    /// The mesh as seen from edges i, i + 1, ..., of which there are n, by as many as a vector has.
+    HWY_INLINE KnownLanes mesh_at(const SiteLanes& mesh, size_t i, size_t n) const {
+        KnownLanes known(mesh);
+        known.own = load_sites(own + i, n).i;
+        for (int k = 0; k < 4; ++k)
+            known.sides[k] = hn::LoadU(DI(), sides[k] + i);
+        return known;
+    }
+};
