@@ -29,9 +29,9 @@ struct MeanScratch {
 
 /// Add what the cells of row y have, as far as the vertices of `part` need it, to the sums of
 /// quadrants' means of the vertices above them, and begin those of the vertices below with it,
-/// Net::count() floats each. The edges that
-/// cross the row must have been bent (for Surface::patch) and softened (where the net has soft
-/// edges), the divisions been found. `crossed` has begun with mean_positions().
+/// Net::count() floats each. The edges that cross the row must have been bent (for Surface::patch)
+/// and softened (where the net has soft edges), the divisions been found. `crossed` has begun with
+/// mean_positions().
 void add_means(const Lattice& lattice, Surface surface, const Net& net, const Rect& part, int y,
                CrossedRows& crossed, MeanScratch& scratch, float* upper, float* lower);
 
