@@ -32,7 +32,7 @@ FilterOptions filter_options() {
 void make_mesh(const std::vector<float>& pixels, int width, int height, bench::Light light,
                const FilterOptions& options, Workspace& workspace, Lattice& lattice) {
     std::vector<float> guide = bench::guide_of(pixels, light);
-    blur_guide(guide, width, height, blur_share(options.mesh, 0));
+    blur_guide(guide.data(), width, height, blur_share(options.mesh, 0));
     Statistics statistics;
     start(lattice, width, height, guide.data(), options.mesh);
     triangulate(lattice, options.mesh, workspace, statistics);
