@@ -2,6 +2,14 @@
 // Included inside a SIMD target's namespace, where hn is Highway's: a vector of floats with the
 // operators that the formulas are written in. D is a Highway tag of float.
 
+/// Whether hn::Min(b, a) is b < a ? b : a, of NaN and of zeros of two signs too, and hn::Max alike:
+/// x86's instructions are.
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR
+constexpr bool min_is_a_choice = true;
+#else
+constexpr bool min_is_a_choice = false;
+#endif
+
 template <class D>
 struct Lanes {
     hn::Vec<D> v;
@@ -30,25 +38,20 @@ struct Lanes {
     /// The smaller or larger, where neither is NaN; of zeros of two signs, either.
     friend HWY_INLINE Lanes lane_min(Lanes a, Lanes b) { return hn::Min(a.v, b.v); }
     friend HWY_INLINE Lanes lane_max(Lanes a, Lanes b) { return hn::Max(a.v, b.v); }
-    /// b where it is less, or more, than a, else a; a lane. One instruction, but on x86 alone it
-    /// does so of NaN and of zeros of two signs, too.
+    /// b where it is less, or more, than a, else a; a lane.
     friend HWY_INLINE Lanes lower(Lanes a, Lanes b) {
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR
-        return hn::Min(b.v, a.v);
-#else
-        return if_less(b, a, b, a);
-#endif
+        if constexpr (min_is_a_choice)
+            return hn::Min(b.v, a.v);
+        else
+            return if_less(b, a, b, a);
     }
     friend HWY_INLINE Lanes upper(Lanes a, Lanes b) {
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR
-        return hn::Max(b.v, a.v);
-#else
-        return if_less(a, b, b, a);
-#endif
+        if constexpr (min_is_a_choice)
+            return hn::Max(b.v, a.v);
+        else
+            return if_less(a, b, b, a);
     }
-    friend HWY_INLINE Lanes size_of(Lanes a) {
-        return hn::Abs(a.v);
-    }
+    friend HWY_INLINE Lanes size_of(Lanes a) { return hn::Abs(a.v); }
     /// Whether all lanes are from -limit to limit.
     static HWY_INLINE bool all_within(float limit, Lanes a) {
         return hn::AllTrue(D(), hn::Le(hn::Abs(a.v), hn::Set(D(), limit)));

@@ -48,7 +48,6 @@ public:
     KeptMemory& operator=(const KeptMemory&) = delete;
 
     TileMemory& operator*() const { return *m_memory; }
-    TileMemory* operator->() const { return m_memory.get(); }
 
 private:
     std::unique_ptr<TileMemory> m_memory;
