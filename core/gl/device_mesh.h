@@ -71,8 +71,8 @@ public:
     /// unpacked.
     size_t write_guide(int slot, const HostBuffer& from, size_t at, size_t bytes);
     void unpack_guides();
-    /// A slot's mesh as it is: shape.sites() records as Site has them, in rows of shape.stride().
-    /// Returns the bytes.
+    /// A slot's mesh as it is: shape.sites() records as shaders have them, in rows of
+    /// shape.stride(). Returns the bytes.
     size_t write_sites(int slot, const void* sites);
 
     /// Whether triangulate() knows the scheme; of others the finished mesh must be written.

@@ -22,18 +22,21 @@ void triangulate_here(const std::vector<float>& guide, const Job& job, const Slo
     workspace.origin_y = t.tile.pixels.y0 - job.window.y0;
     start(lattice, t.size.width, t.size.height, guide.data(), job.mesh);
     triangulate(lattice, job.mesh, workspace, t.statistics);
-    const size_t row = size_t(2 * t.size.width - 1);
-    for (int y = 0; y < 2 * t.size.height - 1; ++y)
-        std::memcpy(sites + size_t(y) * size_t(shape.stride()),
-                    lattice.sites() + lattice.site(0, y), row * sizeof(Site));
+    const auto at = [&](int x, int y) -> uint64_t& {
+        return sites[size_t(y) * size_t(shape.stride()) + size_t(x)];
+    };
+    lattice.each_edge([&](int m) {
+        at(m % lattice.stride(), m / lattice.stride()) = vectors_of(lattice.edge(m));
+    });
     // A vertex' second word: the key of one of its edges (edge_key in shaders/lattice.glsl).
     lattice.find_first_edges(lattice.all());
     for (int y = 0; y < t.size.height; ++y)
         for (int x = 0; x < t.size.width; ++x) {
             const Vertex& vertex = lattice.vertex(lattice.vertex_site(x, y));
             const auto key = unsigned(vertex.first.y + 128) << 8 | unsigned(vertex.first.x + 128);
-            uint64_t& site = sites[size_t(2 * y) * size_t(shape.stride()) + size_t(2 * x)];
-            site = (site & 0xffffffffu) | uint64_t(key) << 32;
+            uint32_t guide_bits;
+            std::memcpy(&guide_bits, &vertex.guide, sizeof guide_bits);
+            at(2 * x, 2 * y) = guide_bits | uint64_t(key) << 32;
         }
 }
 

@@ -95,20 +95,20 @@ struct Outcomes {
     Bits gains, result;
 };
 
-/// Call f(site) for every edge of the picture's lattice.
-template <class F>
-void each_edge(int stride, F&& f) {
-    for (int y = 0; y < 2 * height - 1; ++y)
-        for (int x = 1 - (y & 1), step = 2 - (y & 1); x < 2 * width - 1; x += step)
-            f(size_t(y) * size_t(stride) + size_t(x));
+/// vectors: vectors_of() an edge.
+void take_edge(uint64_t vectors, float gain, Outcomes& o) {
+    o.edges.push_back(vectors);
+    o.gains.push_back(bits_of(gain + 0.0f)); // whatever a zero's sign
 }
 
-/// `sites`, `gains`: as Lattice and Workspace have them, in rows of `stride`.
-void take_mesh(const Site* sites, const float* gains, int stride, Outcomes& o) {
-    each_edge(stride, [&](size_t m) {
-        o.edges.push_back(vectors_of(sites[m].edge));
-        o.gains.push_back(bits_of(gains[m] + 0.0f)); // whatever a zero's sign
-    });
+/// A device's mesh: the records and gains of its sites, in rows of `stride`.
+void take_mesh(const uint64_t* records, const float* gains, int stride, Outcomes& o) {
+    constexpr uint64_t vectors = 0xffffffffffffu; // what follows is scratch
+    for (int y = 0; y < 2 * height - 1; ++y)
+        for (int x = 1 - (y & 1), step = 2 - (y & 1); x < 2 * width - 1; x += step) {
+            const size_t m = size_t(y) * size_t(stride) + size_t(x);
+            take_edge(records[m] & vectors, gains[m], o);
+        }
 }
 
 Outcomes on_cpu(const Job& job, const Tile& tile) {
@@ -126,8 +126,9 @@ Outcomes on_cpu(const Job& job, const Tile& tile) {
         Statistics statistics;
         start(lattice, w, h, guide.data(), job.mesh);
         triangulate(lattice, job.mesh, workspace, statistics);
-        find_gains(lattice, criterion(job.mesh), workspace);
-        take_mesh(lattice.sites(), workspace.gain.data(), lattice.stride(), o);
+        find_all_gains(lattice, criterion(job.mesh));
+        lattice.each_edge(
+            [&](int m) { take_edge(vectors_of(lattice.edge(m)), lattice.gain(m), o); });
     }
     CheckSink sink(job.channels);
     const ResizeMapping mapping = check_mapping();
@@ -170,7 +171,7 @@ Outcomes on_gpu(Gpu& gpu, const Job& job, const Tile& tile) {
     surfaces.sample(mesh, strip.plan, memory);
     surfaces.download(count, Travel(), memory, results);
     Outcomes o;
-    std::vector<Site> sites(shape.sites());
+    std::vector<uint64_t> sites(shape.sites());
     std::vector<float> gains(shape.sites());
     mesh.read_sites(0, sites.data());
     mesh.read_gains(0, gains.data());

@@ -89,7 +89,7 @@ Outcomes on_cpu(Tin tin, const MeshOptions& options) {
     Outcomes o;
     o.triangles = words_of(tin.triangles);
     o.counts = words_of(statistics);
-    const TinMesh mesh(tin, options.cost);
+    TinMesh mesh(tin, options.cost);
     std::vector<TinFace> faces;
     for (size_t t = 0; t < tin.triangles.size(); ++t)
         faces.push_back(mesh.face(int(t)));
@@ -98,8 +98,10 @@ Outcomes on_cpu(Tin tin, const MeshOptions& options) {
     for (size_t m = 0; m < mesh.size(); ++m)
         if (mesh.flippable(int(m)))
             flippable.push_back(int(m));
-    std::vector<float> all(mesh.size(), no_gain);
-    gains(mesh, criterion(options), flippable.data(), flippable.size(), all.data());
+    find_gains(mesh, criterion(options), flippable.data(), flippable.size());
+    std::vector<float> all;
+    for (size_t m = 0; m < mesh.size(); ++m)
+        all.push_back(mesh.gain(int(m)));
     o.gains = words_of(std::move(all));
     return o;
 }

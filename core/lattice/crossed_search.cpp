@@ -160,7 +160,7 @@ public:
         VecLanes s = VecLanes::of_bytes<0>(side), t = VecLanes::of_bytes<2>(side);
         const VecLanes own = VecLanes::of_bytes<0>(rest);
         const VI positions = hn::And(hn::ShiftRight<16>(rest), hn::Set(di, m_all));
-        const ApexLanes edge = m_mesh.apexes(site(s + t, cell));
+        const RecordLanes edge = m_mesh.record(site(s + t, cell));
         const VecLanes apex = apex_beyond(edge, (own + own) - (s + t));
         VecLanes c = half((s + t) + apex);
         VI going = positions;

@@ -19,22 +19,13 @@ using VI = hn::Vec<DI>;
 
 #include "core/lattice/every_second-inl.h"
 
-/// The vectors of cells' central edges, a lane each: v and left, then right.
-struct Centres {
-    VI first, second;
-
-    HWY_INLINE explicit Centres(const Site* sites) {
-        const EverySecond edges(sites);
-        first = edges.first;
-        second = hn::And(edges.second, hn::Set(DI(), 0xffff)); // without the stamp
-    }
-    /// Where the edges' vectors are these.
-    HWY_INLINE hn::Mask<DI> are(uint64_t vectors) const {
-        const DI di;
-        return hn::And(hn::Eq(first, hn::Set(di, int32_t(uint32_t(vectors)))),
-                       hn::Eq(second, hn::Set(di, int32_t(vectors >> 32))));
-    }
-};
+/// The first words of cells' central edges that can be flipped, a lane each; 0 of others.
+HWY_INLINE VI diagonals(const Site* sites) {
+    const DI di;
+    const EverySecond edges(sites);
+    const auto rigid = hn::Eq(hn::ShiftRight<16>(edges.second), hn::Set(di, int16_t(rigid_mark)));
+    return hn::IfThenZeroElse(rigid, edges.first);
+}
 
 HWY_ATTR void find_divisions(const Site* centres, int n, Division* to) {
     static_assert(int(Division::down) == 0 && int(Division::up) == 1 && int(Division::other) == 2,
@@ -49,9 +40,11 @@ HWY_ATTR void find_divisions(const Site* centres, int n, Division* to) {
     }
     for (int done = 0; done < n; done += lanes) {
         const int k = std::min(done, n - lanes);
-        const Centres cells(centres + 2 * k);
-        const auto down = hn::Or(cells.are(down_vectors), cells.are(down_vectors_back));
-        const auto up = hn::Or(cells.are(up_vectors), cells.are(up_vectors_back));
+        const VI cells = diagonals(centres + 2 * k);
+        const auto are = [&](uint32_t word)
+                             HWY_ATTR { return hn::Eq(cells, hn::Set(di, int32_t(word))); };
+        const auto down = hn::Or(are(down_word), are(down_word_back));
+        const auto up = hn::Or(are(up_word), are(up_word_back));
         const VI which =
             hn::IfThenZeroElse(down, hn::IfThenElse(up, hn::Set(di, int(Division::up)),
                                                     hn::Set(di, int(Division::other))));

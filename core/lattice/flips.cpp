@@ -33,7 +33,8 @@ namespace ddt {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using D = hn::CappedTag<float, 16>;
+constexpr size_t most_lanes = 16;
+using D = hn::CappedTag<float, most_lanes>;
 using DI = hn::RebindToSigned<D>;
 
 #include "core/base/compress-inl.h"
@@ -42,38 +43,47 @@ using DI = hn::RebindToSigned<D>;
 
 #include "core/lattice/known_lanes-inl.h"
 
-/// The same of each edge in the lanes, on its way into records.
-struct Stored {
-    HWY_ALIGN int32_t at[HWY_MAX_BYTES / sizeof(int32_t)];
-    HWY_ALIGN int32_t bytes[HWY_MAX_BYTES / sizeof(int32_t)];
-};
-
-/// Store the low n bytes of each lane at so many bytes from the lattice's first site.
-template <size_t n>
-HWY_INLINE void store_bytes(Ints at, VI bytes, size_t lanes, char* sites) {
-    Stored s;
-    hn::Store(at.i, DI(), s.at);
-    hn::Store(bytes, DI(), s.bytes);
-    for (size_t k = 0; k < lanes; ++k)
-        std::memcpy(sites + s.at[k], &s.bytes[k], n);
+/// Store the records of n edges, a lane each.
+HWY_INLINE void store_records(Ints m, VI first, VI second, size_t n, Site* sites) {
+    HWY_ALIGN int32_t at[most_lanes], words[2][most_lanes];
+    hn::Store(m.i, DI(), at);
+    hn::Store(first, DI(), words[0]);
+    hn::Store(second, DI(), words[1]);
+    for (size_t k = 0; k < n; ++k) {
+        const int32_t record[2] = {words[0][k], words[1][k]};
+        std::memcpy(&sites[at[k]], record, sizeof record);
+    }
 }
 
-HWY_ATTR void flip_edges(const Lattice& lattice, const int* edges, size_t n, char* sites,
-                         LongFlips& flips) {
+/// The second word of an edge that can be flipped.
+HWY_INLINE VI unknown_gain() {
+    return hn::BitCast(DI(), hn::Set(D(), no_gain));
+}
+
+/// Twin of Edge's constructor: the second words of edges with these apexes.
+HWY_INLINE VI second_words(VecLanes left, VecLanes right) {
+    const DI di;
+    static_assert((longest_edge & (longest_edge + 1)) == 0, "longer ones have other bits");
+    const VI none = hn::Zero(di),
+             beyond_longest = hn::Set(di, ~(longest_edge << 16 | longest_edge));
+    const VI far = hn::And(hn::BitCast(di, hn::Abs(left.halves())), beyond_longest);
+    const auto can = hn::AndNot(left.zero(), hn::Eq(hn::Or((left + right).xy, far), none));
+    const VI rigid = hn::Or(hn::Set(di, int32_t(rigid_mark << 16)), right.bytes());
+    return hn::IfThenElse(can, unknown_gain(), rigid);
+}
+
+HWY_ATTR void flip_edges(Lattice& lattice, const int* edges, size_t n, LongFlips& flips) {
     const DI di;
     const SiteLanes mesh(lattice);
     const size_t lanes = hn::Lanes(di);
-    const auto of_record = [](Ints m, size_t offset) HWY_ATTR -> Ints {
-        return {hn::Add(hn::ShiftLeft<3>(m.i), hn::Set(DI(), int(offset)))};
-    };
-    KnownEdges<flips_at_once> known;
-    known.find(mesh, edges, n);
+    const VI v_bytes = hn::Set(di, 0xffff);
+    const KnownEdges<flips_at_once> known(mesh, edges, n);
     VI longest = hn::Zero(di);
     flips.steep = 0;
     for (size_t i = 0; i < n; i += lanes) {
         const size_t used = std::min(n - i, lanes);
         const Ints m = load_sites(edges + i, used);
-        const KnownLanes seen = known.mesh_at(mesh, i, used);
+        const KnownLanes seen = known.mesh_at(mesh, i);
         const FlippableLanes e = seen.flippable_edge(m);
         const QuadOf<VecLanes> q(e.v, e.left);
         const QuadSites<Ints> at(m, mesh.offset(q.w), mesh.offset(q.side[1]));
@@ -81,17 +91,16 @@ HWY_ATTR void flip_edges(const Lattice& lattice, const int* edges, size_t n, cha
         // Side ac loses apex b and gets d; cb: a -> d; bd: a -> c; da: b -> c.
         const VecLanes came[4] = {d, d, c, c};
         for (int k = 0; k < 4; ++k) {
-            const Ints side = at.middle[k];
-            const auto left = hn::Eq(seen.side(k, side).left.xy, q.inner[k].xy);
-            const VI offset = hn::IfThenElse(left, hn::Set(di, int(offsetof(Edge, left))),
-                                             hn::Set(di, int(offsetof(Edge, right))));
-            store_bytes<2>({hn::Add(of_record(side, 0).i, offset)},
-                           VecLanes(came[k] - q.middle[k]).bytes(), used, sites);
+            const RecordLanes& side = seen.sides[k];
+            const VecLanes inner = came[k] - q.middle[k], beyond = apex_beyond(side, q.inner[k]);
+            const auto on_left = hn::Eq(side.left().xy, q.inner[k].xy);
+            const VecLanes left{hn::IfThenElse(on_left, inner.xy, beyond.xy)},
+                right{hn::IfThenElse(on_left, beyond.xy, inner.xy)};
+            const VI first = hn::Or(hn::And(side.first, v_bytes), hn::ShiftLeft<16>(left.bytes()));
+            store_records(at.middle[k], first, second_words(left, right), used, lattice.sites());
         }
-        const VI v = e.v.bytes(), minus_v = VecLanes(-e.v).bytes();
-        store_bytes<4>(of_record(m, offsetof(Edge, v)),
-                       hn::Or(c.bytes(), hn::ShiftLeft<16>(minus_v)), used, sites);
-        store_bytes<2>(of_record(m, offsetof(Edge, right)), v, used, sites);
+        const VI first = hn::Or(c.bytes(), hn::ShiftLeft<16>(VecLanes(-e.v).bytes()));
+        store_records(m, first, unknown_gain(), used, lattice.sites()); // it can be flipped back
 
         const auto size = hn::Abs(c.halves());
         const VI down = hn::ShiftRight<16>(hn::BitCast(di, size));
@@ -125,8 +134,7 @@ void Lattice::flip_all(const int* edges, size_t n) {
     LongFlips flips;
     for (size_t i = 0; i < n; i += flips_at_once) {
         HWY_DYNAMIC_DISPATCH(flip_edges)
-        (*this, edges + i, std::min(n - i, flips_at_once), reinterpret_cast<char*>(m_sites.data()),
-         flips);
+        (*this, edges + i, std::min(n - i, flips_at_once), flips);
         m_longest = std::max(m_longest, flips.longest);
         for (size_t k = 0; k < flips.steep; ++k)
             note_down(flips.sites[k], std::abs(int(edge(flips.sites[k]).v.y)));

@@ -6,11 +6,12 @@
 
 /// A lattice seen from flippable edges whose records are at hand, and those of their quads' sides.
 struct KnownLanes : SiteLanes {
-    VI own, sides[4]; ///< SiteLanes::flippable_word(), apex_words()
+    VI own; ///< SiteLanes::first_word()
+    RecordLanes sides[4];
 
     explicit HWY_INLINE KnownLanes(const SiteLanes& mesh) : SiteLanes(mesh) {}
     HWY_INLINE FlippableLanes flippable_edge(Ints) const { return FlippableLanes::of(own); }
-    HWY_INLINE ApexLanes side(int k, Ints) const { return ApexLanes::of(sides[k]); }
+    HWY_INLINE RecordLanes side(int k, Ints) const { return sides[k]; }
 };
 
 /// The records of up to `most` flippable edges sites[0..n) and of their quads' sides.
@@ -18,32 +19,32 @@ template <size_t most>
 struct KnownEdges {
     static constexpr size_t room =
         most + HWY_MAX_BYTES / sizeof(int); ///< whole vectors are written
-    int own[room], sides[4][room];
+    int own[room], first[4][room], second[4][room];
 
-    HWY_INLINE void find(const SiteLanes& mesh, const int* sites, size_t n) {
+    HWY_INLINE KnownEdges(const SiteLanes& mesh, const int* sites, size_t n) {
         const DI di;
         for (size_t i = 0; i < n; i += hn::Lanes(di))
-            hn::StoreU(mesh.flippable_word(load_sites(sites + i, n - i)), di, own + i);
-        find_sides(mesh, sites, n);
-    }
-    /// Where `own` is known.
-    HWY_INLINE void find_sides(const SiteLanes& mesh, const int* sites, size_t n) {
-        const DI di;
+            hn::StoreU(mesh.first_word(load_sites(sites + i, n - i)), di, own + i);
         for (size_t i = 0; i < n; i += hn::Lanes(di)) {
             const Ints m = load_sites(sites + i, n - i);
-            const FlippableLanes e = FlippableLanes::of(load_sites(own + i, n - i).i);
+            const FlippableLanes e = FlippableLanes::of(hn::LoadU(di, own + i));
             const QuadOf<VecLanes> q(e.v, e.left);
             const QuadSites<Ints> at(m, mesh.offset(q.w), mesh.offset(q.side[1]));
-            for (int k = 0; k < 4; ++k)
-                hn::StoreU(mesh.apex_words(at.middle[k]), di, sides[k] + i);
+            for (int k = 0; k < 4; ++k) {
+                const RecordLanes side = mesh.record(at.middle[k]);
+                hn::StoreU(side.first, di, first[k] + i);
+                hn::StoreU(side.second, di, second[k] + i);
+            }
         }
     }
-    /// The mesh as seen from edges i, i + 1, ..., of which there are n, by as many as a vector has.
-    HWY_INLINE KnownLanes mesh_at(const SiteLanes& mesh, size_t i, size_t n) const {
+    /// The mesh as seen from the edges from i on, by as many as a vector has: where there are
+    /// fewer, as load_sites() fills up.
+    HWY_INLINE KnownLanes mesh_at(const SiteLanes& mesh, size_t i) const {
+        const DI di;
         KnownLanes known(mesh);
-        known.own = load_sites(own + i, n).i;
+        known.own = hn::LoadU(di, own + i);
         for (int k = 0; k < 4; ++k)
-            known.sides[k] = hn::LoadU(DI(), sides[k] + i);
+            known.sides[k] = {hn::LoadU(di, first[k] + i), hn::LoadU(di, second[k] + i)};
         return known;
     }
 };

@@ -18,7 +18,7 @@ namespace {
 
 Site edge_site(Vec v, Vec left, Vec right) {
     Site s;
-    s.edge = Edge{v, left, right, 0, 0};
+    s.edge = Edge(v, left, right);
     return s;
 }
 
@@ -67,10 +67,12 @@ void Lattice::start(int width, int height, const float* guide, bool flat, bool c
     for (size_t y = 0; y < m_longest_down.size(); ++y)
         m_longest_down[y] = y & 1;
     m_sites.resize(size_t(m_stride) * size_t(2 * height - 1));
-    const RecordOfTwo level(horizontal(0, 0, true, true), horizontal(0, 1, true, true),
-                            horizontal(1, 0, true, true)),
-        upright(vertical(0, 0, true, true), vertical(0, 1, true, true), vertical(1, 0, true, true)),
-        slanting(diagonal(0), diagonal(1), diagonal(0));
+    const auto of_two = [](auto&& edge) {
+        return RecordOfTwo(edge(0, 0), edge(0, 1), edge(1, 0), edge(1, 1));
+    };
+    const RecordOfTwo level = of_two([](int a, int b) { return horizontal(a, b, true, true); }),
+                      upright = of_two([](int a, int b) { return vertical(a, b, true, true); }),
+                      slanting = of_two([](int, int b) { return diagonal(b); });
 
     // How cells are divided: kept for two rows of them, since a level edge has its apexes in both.
     const int last = width - 1;
@@ -123,16 +125,15 @@ void Lattice::flip(int m) {
     m_fresh = false;
     Edge& e = edge(m);
     const Quad q(e);
-    const Vec c = e.left, d = e.right;
+    const Vec c = e.left, d = -e.left;
     // Side ac loses apex b and gets d; cb: a -> d; bd: a -> c; da: b -> c.
     const Vec came[4] = {d, d, c, c};
     for (int k = 0; k < 4; ++k) {
         Edge& side = edge(m + offset(q.middle[k]));
-        (side.left == q.inner[k] ? side.left : side.right) = came[k] - q.middle[k];
+        const Vec inner = came[k] - q.middle[k], beyond = apex_beyond(side, q.inner[k]);
+        side = side.left == q.inner[k] ? Edge(side.v, inner, beyond) : Edge(side.v, beyond, inner);
     }
-    e.left = -e.v;
-    e.right = e.v;
-    e.v = c;
+    e = Edge(c, -e.v, e.v);
     const int down = std::abs(int(c.y));
     m_longest = std::max({m_longest, std::abs(int(c.x)), down});
     if (down > 1) // start() knows of one row
@@ -143,8 +144,7 @@ void Lattice::flip_back(int m) {
     flip(m);
     // Flipped twice it runs the other way.
     Edge& e = edge(m);
-    e.v = -e.v;
-    std::swap(e.left, e.right);
+    e = Edge(-e.v, e.right(), e.left);
 }
 
 } // namespace ddt

@@ -60,20 +60,66 @@ inline int det(Vec v, Vec w) {
     return v.x * w.y - v.y * w.x;
 }
 
+/// What tells an edge that cannot be flipped, in the upper half of Edge::word. As a float such a
+/// word is less than no_gain.
+constexpr uint32_t rigid_mark = 0xff7f;
+/// Edge::word of an edge that can be flipped while its gain is about to be found: minus infinity.
+constexpr uint32_t touched_word = 0xff800000u;
+/// Those words and no gain are at least this.
+constexpr uint32_t least_unsettled = rigid_mark << 16;
+/// No gain that is stored is less: what is less than no_gain tells something else.
+constexpr float least_gain = -1e38f;
+
 /// An edge with midpoint m, ends a = m - v and b = m + v; vectors in doubled coordinates, which
 /// makes v also b - a in pixels. Apexes are relative to m; a zero apex: none, the hull's rim.
+///
+/// An edge can be flipped if it is the diagonal of a parallelogram, which makes one apex the
+/// opposite of the other, and its flipped state is no longer than longest_edge. So of an edge
+/// either its gain is told or its right apex.
 struct Edge {
     Vec v;
     Vec left;
-    Vec right;
-    uint8_t stamp = 0; ///< iteration of the last evaluation (scratch of the triangulation)
-    uint8_t unused = 0;
+    /// Of an edge that can be flipped its gain as a float, of others rigid_mark above the bytes of
+    /// the right apex.
+    uint32_t word = 0;
 
-    /// True for the diagonal of a parallelogram. Without branches, since half of all edges are.
-    bool flippable() const {
+    Edge() = default;
+    /// With a gain that is not known, which is told by no_gain.
+    Edge(Vec v_, Vec left_, Vec right) : v(v_), left(left_) {
+        if (is_diagonal(left_, right))
+            set_gain(no_gain);
+        else
+            word = rigid_mark << 16 | uint32_t(uint8_t(right.y)) << 8 | uint8_t(right.x);
+    }
+
+    bool flippable() const { return word >> 16 != rigid_mark; }
+    Vec right() const {
+        return flippable() ? -left : Vec(int8_t(word & 0xff), int8_t(word >> 8 & 0xff));
+    }
+    /// The sum of both apexes: zero of an edge that can be flipped.
+    Vec apexes() const { return left + right(); }
+
+    /// no_gain of an edge that cannot be flipped, or whose gain is not known.
+    float gain() const { return std::max(as_float(word), no_gain); }
+    /// Of an edge that can be flipped.
+    void set_gain(float gain) {
+        // Whatever is compared with a number that is not one is false.
+        gain = gain > least_gain ? gain : least_gain;
+        std::memcpy(&word, &gain, sizeof word);
+    }
+
+    /// Whether an edge with these apexes can be flipped. Without branches, since half of all can.
+    static bool is_diagonal(Vec left, Vec right) {
         const auto allowed = [](int n) { return unsigned(n + longest_edge) <= 2u * longest_edge; };
         return ((left.x | left.y) != 0) & (left.x + right.x == 0) & (left.y + right.y == 0) &
                allowed(left.x) & allowed(left.y);
+    }
+
+private:
+    static float as_float(uint32_t bits) {
+        float x;
+        std::memcpy(&x, &bits, sizeof x);
+        return x;
     }
 };
 
@@ -92,33 +138,32 @@ enum class Division : uint8_t {
     other, ///< edges that are not the cell's own cross it
 };
 
-/// An edge's vectors as one number: v in the low two bytes, then left, then right.
+/// An edge's vectors as one number: v in the low two bytes, then left, then right; the record of
+/// an edge as shaders have it (shaders/lattice.glsl).
 inline uint64_t vectors_of(const Edge& e) {
-    static_assert(offsetof(Edge, v) == 0 && offsetof(Edge, left) == 2 && offsetof(Edge, right) == 4,
-                  "v, left and right come first");
-    uint64_t record;
-    std::memcpy(&record, &e, sizeof record);
-    return record & 0xffffffffffffu;
+    const auto bytes = [](Vec v) { return uint64_t(uint8_t(v.x)) | uint64_t(uint8_t(v.y)) << 8; };
+    return bytes(e.v) | bytes(e.left) << 16 | bytes(e.right()) << 32;
 }
 
-/// The same of an edge with this v and left apex that is the diagonal of a parallelogram.
-constexpr uint64_t diagonal_vectors(int vx, int vy, int left_x, int left_y) {
-    const auto pack = [](int x, int y) { return uint64_t((x & 255) | (y & 255) << 8); };
-    return pack(vx, vy) | pack(left_x, left_y) << 16 | pack(-left_x, -left_y) << 32;
+/// v and left of an edge's record as one number.
+constexpr uint32_t first_word(int vx, int vy, int left_x, int left_y) {
+    const auto pack = [](int x, int y) { return uint32_t((x & 255) | (y & 255) << 8); };
+    return pack(vx, vy) | pack(left_x, left_y) << 16;
+}
+inline uint32_t first_word(const Edge& e) {
+    return first_word(e.v.x, e.v.y, e.left.x, e.left.y);
 }
 
-/// Vectors of the central edge of a cell that its own diagonal divides: the apexes are the cell's
-/// other corners, and the edge may run either way.
-constexpr uint64_t down_vectors = diagonal_vectors(1, 1, -1, 1),
-                   down_vectors_back = diagonal_vectors(-1, -1, 1, -1),
-                   up_vectors = diagonal_vectors(-1, 1, -1, -1),
-                   up_vectors_back = diagonal_vectors(1, -1, 1, 1);
+/// First words of the central edge of a cell that its own diagonal divides, which can always be
+/// flipped: the apexes are the cell's other corners, and the edge may run either way.
+constexpr uint32_t down_word = first_word(1, 1, -1, 1), down_word_back = first_word(-1, -1, 1, -1),
+                   up_word = first_word(-1, 1, -1, -1), up_word_back = first_word(1, -1, 1, 1);
 
 /// The division of the cell that `centre` is the central edge of.
 inline Division division(const Edge& centre) {
-    const uint64_t vectors = vectors_of(centre);
-    const bool down = (vectors == down_vectors) | (vectors == down_vectors_back);
-    const bool up = (vectors == up_vectors) | (vectors == up_vectors_back);
+    const uint32_t first = first_word(centre);
+    const bool down = centre.flippable() & ((first == down_word) | (first == down_word_back));
+    const bool up = centre.flippable() & ((first == up_word) | (first == up_word_back));
     return Division(2 - 2 * int(down) - int(up));
 }
 
@@ -184,6 +229,7 @@ public:
     const Edge& edge(int site) const { return m_sites[size_t(site)].edge; }
     Vertex& vertex(int site) { return m_sites[size_t(site)].vertex; }
     const Vertex& vertex(int site) const { return m_sites[size_t(site)].vertex; }
+    Site* sites() { return m_sites.data(); }
     const Site* sites() const { return m_sites.data(); }
     float guide(int site) const { return m_sites[size_t(site)].vertex.guide; }
 
@@ -196,8 +242,21 @@ public:
 
     // What schemes ask any mesh that they flip; twin: core/tin/tin_mesh.h.
     bool flippable(int m) const { return edge(m).flippable(); }
-    uint8_t& stamp(int m) { return edge(m).stamp; }
-    uint8_t stamp(int m) const { return edge(m).stamp; }
+    /// no_gain of an edge that cannot be flipped, or whose gain is not known: flips leave those
+    /// behind.
+    float gain(int m) const { return edge(m).gain(); }
+    void set_gain(int m, float gain) { edge(m).set_gain(gain); }
+    /// Whether an edge can be flipped and has not been touched since its gain was found.
+    bool settled(int m) const { return edge(m).word < least_unsettled; }
+    /// Say that the edge's gain is about to be found. False if it cannot be flipped, or was touched
+    /// before.
+    bool touch(int m) {
+        uint32_t& word = edge(m).word;
+        const bool is_new = word < least_unsettled;
+        // Without a branch, which compilers make of ?: here; it would be a guess.
+        word ^= (word ^ touched_word) & (0u - uint32_t(is_new));
+        return is_new;
+    }
     size_t vertices() const { return size_t(m_width) * size_t(m_height); }
     size_t edges() const { return size_t(2 * m_width - 1) * size_t(2 * m_height - 1) - vertices(); }
     /// Where in the image an edge is, as one number: its midpoint, in doubled coordinates, in an

@@ -22,7 +22,7 @@ void each_triangle(const Lattice& lattice, F&& f) {
                 f(a, b, c);
         };
         side(m - v, m + v, e.left);
-        side(m + v, m - v, e.right);
+        side(m + v, m - v, e.right());
     });
 }
 

@@ -34,7 +34,7 @@ Corners locate(const Lattice& lattice, int cx, int cy, Point in_cell) {
         const Corner swap = s;
         s = t;
         t = swap;
-        apex = diagonal.right;
+        apex = diagonal.right();
     }
     // Direction of the walk, from the cell's centre to p.
     const int32_t rx = fx - position_one / 2, ry = fy - position_one / 2;

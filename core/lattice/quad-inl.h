@@ -38,9 +38,9 @@ struct QuadSites {
 
 /// The apex beyond a side: one of the side's is `inner`, the sum leaves the other; no apex is zero
 /// but where there is none.
-template <class V, class ApexesOfV>
-DDT_INLINE V apex_beyond(const ApexesOfV& side, V inner) {
-    return (side.left + side.right) - inner;
+template <class V, class EdgeOfV>
+DDT_INLINE V apex_beyond(const EdgeOfV& side, V inner) {
+    return side.apexes() - inner;
 }
 
 /// The two other sides of the triangle between an edge and its apex, as vectors in pixels to the

@@ -75,30 +75,34 @@ HWY_INLINE Ints load_sites(const int* sites, size_t n) {
 /// Of an edge that can be flipped: the right apex is opposite to the left.
 struct FlippableLanes {
     VecLanes v, left;
-    /// From SiteLanes::flippable_word().
+    /// From SiteLanes::first_word().
     static HWY_INLINE FlippableLanes of(VI first) {
         return {VecLanes::of_bytes<0>(first), VecLanes::of_bytes<2>(first)};
-    }
-};
-struct ApexLanes {
-    VecLanes left, right;
-    /// From SiteLanes::apex_words().
-    static HWY_INLINE ApexLanes of(VI both) {
-        return {VecLanes::of_bytes<0>(both), VecLanes::of_bytes<2>(both)};
     }
 };
 /// Twin of Edge.
 struct EdgeLanes {
     VecLanes v, left, right;
-    /// From both words of its record.
-    static HWY_INLINE EdgeLanes of(VI first, VI second) {
-        return {VecLanes::of_bytes<0>(first), VecLanes::of_bytes<2>(first),
-                VecLanes::of_bytes<0>(second)};
-    }
 };
-/// The two words of a record.
+/// The two words of edges' records.
 struct RecordLanes {
     VI first, second;
+
+    HWY_INLINE hn::Mask<DI> rigid() const {
+        return hn::Eq(hn::ShiftRight<16>(second), hn::Set(DI(), int16_t(rigid_mark)));
+    }
+    HWY_INLINE VecLanes left() const { return VecLanes::of_bytes<2>(first); }
+    HWY_INLINE EdgeLanes edge() const {
+        const VecLanes l = left();
+        return {VecLanes::of_bytes<0>(first),
+                l,
+                {hn::IfThenElse(rigid(), VecLanes::of_bytes<0>(second).xy, VecLanes(-l).xy)}};
+    }
+    HWY_INLINE VecLanes apexes() const {
+        return {hn::IfThenElseZero(rigid(), VecLanes(left() + VecLanes::of_bytes<0>(second)).xy)};
+    }
+    /// Of flippable edges the gains; of others less.
+    HWY_INLINE Floats gain() const { return hn::BitCast(D(), second); }
 };
 
 /// A lattice, no wider than widest_lanes, as neighbourhood() (core/triangulate/gain-inl.h) sees it,
@@ -112,26 +116,20 @@ struct SiteLanes {
           m_weights{hn::Set(DI(), lattice.stride() << 16 | 1)} {}
 
     HWY_INLINE FlippableLanes flippable_edge(Ints m) const {
-        return FlippableLanes::of(flippable_word(m));
+        return FlippableLanes::of(first_word(m));
     }
-    HWY_INLINE VI flippable_word(Ints m) const {
+    HWY_INLINE VI first_word(Ints m) const {
         static_assert(offsetof(Edge, v) == 0 && offsetof(Edge, left) == 2, "the word's bytes");
         return word(m, 0);
     }
-    HWY_INLINE ApexLanes apexes(Ints m) const { return ApexLanes::of(apex_words(m)); }
-    HWY_INLINE VI apex_words(Ints m) const {
-        static_assert(offsetof(Edge, left) == 2 && offsetof(Edge, right) == 4, "the word's bytes");
-        return word(m, 2);
-    }
+    /// Of flippable edges the gains; of others less.
+    HWY_INLINE Floats gain(Ints m) const { return hn::BitCast(D(), word(m, offsetof(Edge, word))); }
     /// Of the quads' sides k, whose midpoints are these.
-    HWY_INLINE ApexLanes side(int, Ints middle) const { return apexes(middle); }
-    HWY_INLINE EdgeLanes edge(Ints m) const {
-        const RecordLanes both = record(m);
-        return EdgeLanes::of(both.first, both.second);
-    }
+    HWY_INLINE RecordLanes side(int, Ints middle) const { return record(middle); }
+    HWY_INLINE EdgeLanes edge(Ints m) const { return record(m).edge(); }
     HWY_INLINE RecordLanes record(Ints m) const {
         static_assert(offsetof(Edge, v) == 0 && offsetof(Edge, left) == 2 &&
-                          offsetof(Edge, right) == 4,
+                          offsetof(Edge, word) == 4,
                       "the words' bytes");
         // Whole records, since a gather takes as long as it has lanes.
         const hn::Repartition<int64_t, DI> d64;

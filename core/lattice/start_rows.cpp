@@ -58,9 +58,11 @@ HWY_INLINE hn::Vec<D64> records(const RecordOfTwo& of, const DownFlag* first,
     const auto masks = [&](const DownFlag* flags) HWY_ATTR {
         return hn::BitCast(d64, hn::PromoteTo(signed64, hn::LoadU(d32, flags)));
     };
-    const auto changes = hn::Or(hn::And(masks(first), hn::Set(d64, of.first_down)),
-                                hn::And(masks(second), hn::Set(d64, of.second_down)));
-    return hn::Xor(hn::Set(d64, of.both_up), changes);
+    const auto a = masks(first), b = masks(second);
+    const auto changes =
+        hn::Xor(hn::And(a, hn::Set(d64, of.first_down)), hn::And(b, hn::Set(d64, of.second_down)));
+    return hn::Xor(hn::Xor(hn::Set(d64, of.both_up), changes),
+                   hn::And(hn::And(a, b), hn::Set(d64, of.both_down)));
 }
 
 HWY_ATTR int make_level_row(const float* guide, const uint32_t* words, const DownFlag* above,

@@ -14,19 +14,24 @@ namespace ddt {
 using DownFlag = int32_t;
 constexpr DownFlag diagonal_down = -1;
 
-/// The record of an edge by how the two cells beside it are divided. As numbers the four differ in
-/// bits of their own for each cell.
+/// The record of an edge by how the two cells beside it are divided.
 class RecordOfTwo {
 public:
     /// up_down: where the first cell's diagonal goes up and the second's down, and so on.
-    RecordOfTwo(const Site& up_up, const Site& up_down, const Site& down_up)
+    RecordOfTwo(const Site& up_up, const Site& up_down, const Site& down_up, const Site& down_down)
         : both_up(number(up_up)), first_down(both_up ^ number(down_up)),
-          second_down(both_up ^ number(up_down)) {}
+          second_down(both_up ^ number(up_down)),
+          both_down(both_up ^ first_down ^ second_down ^ number(down_down)) {}
 
-    uint64_t both_up, first_down, second_down; ///< and what changes with a cell
+    /// And the bits that change with the first cell, with the second, and further if both go down.
+    uint64_t both_up, first_down, second_down, both_down;
 
 private:
-    static uint64_t number(const Site& site) { return vectors_of(site.edge); }
+    static uint64_t number(const Site& site) {
+        uint64_t record;
+        std::memcpy(&record, &site, sizeof record);
+        return record;
+    }
 };
 
 /// Divide n cells between two rows of the guide: down where that diagonal differs no more than the

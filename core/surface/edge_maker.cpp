@@ -54,11 +54,11 @@ void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe
         take_rows(lattice, count, part.y0, rows.edges, net.values.odd);
     }
     for (auto& weights : m_scratch.weights)
-        weights.resize(recipe.gain ? size_t(lattice.width()) + edge_padding : 0);
-    if (recipe.gain && few_edges) {
+        weights.resize(recipe.soft ? size_t(lattice.width()) + edge_padding : 0);
+    if (recipe.soft && few_edges) {
         take_rows(lattice, count, part.y0, rows.edges, net.soft.even);
         take_rows(lattice, count, part.y0, rows.edges, net.soft.odd);
-    } else if (recipe.gain) {
+    } else if (recipe.soft) {
         whole(lattice, count, net.soft);
     }
 }
@@ -154,7 +154,7 @@ void EdgeMaker::go_on(int y, int keep) {
                       std::min(top, m_reach.first_neighbour(std::min(edges, m_gradient_rows))));
         make_room_for_edges(m_net->values.odd);
     }
-    if (m_few_edges && m_recipe.gain) {
+    if (m_few_edges && m_recipe.soft) {
         make_room_for_edges(m_net->soft.even);
         make_room_for_edges(m_net->soft.odd);
     }
@@ -164,8 +164,8 @@ void EdgeMaker::go_on(int y, int keep) {
     if (m_recipe.bend)
         make_gradients(lattice, m_part, m_gradient_rows, gradients, *m_net, m_scratch);
     m_gradient_rows = std::max(m_gradient_rows, gradients);
-    if (m_recipe.bend || m_recipe.gain)
-        make_edges(lattice, m_part, m_edge_rows, 2 * last + 1, m_recipe.bend, m_recipe.gain,
+    if (m_recipe.bend || m_recipe.soft)
+        make_edges(lattice, m_part, m_edge_rows, 2 * last + 1, m_recipe.bend, m_recipe.soft,
                    1.0f / m_recipe.tau, m_scratch, *m_net);
     m_edge_rows = 2 * last + 1;
 }
@@ -177,7 +177,7 @@ size_t EdgeMaker::memory(int width, int height, int count, bool all_rows,
         return size_t(all_rows ? height : std::min(used + rows_to_go_on, height)) * row;
     };
     const size_t edges = kept(usual_edge_rows);
-    return kept(usual_vertex_rows) + edges + (recipe.gain ? 2 * edges : 0) +
+    return kept(usual_vertex_rows) + edges + (recipe.soft ? 2 * edges : 0) +
            (recipe.bend ? edges + FanRows::memory(width, 1) : 0);
 }
 

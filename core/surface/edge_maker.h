@@ -17,8 +17,8 @@ struct EdgeRecipe {
     /// Make e, for Surface::patch; the lattice's divisions and first edges must then have been
     /// found.
     bool bend = false;
-    /// Make q, by Workspace::gain of the finished mesh and tau > 0; null: do not.
-    const float* gain = nullptr;
+    /// Make q, by the gains of the finished mesh and tau > 0.
+    bool soft = false;
     float tau = 0;
     /// With bends: where the lattice's fans are kept, for others, too; null: they are not.
     FanRows* fans = nullptr;
@@ -31,9 +31,9 @@ public:
     /// Start on the edges of a net of the whole lattice whose ends both lie in `part`, a part of
     /// the lattice in pixels. What `recipe` has no need of stays as it is.
     void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe, Net& net);
-    void begin(const Lattice& lattice, const Rect& part, bool bend, const float* gain, float tau,
+    void begin(const Lattice& lattice, const Rect& part, bool bend, bool soft, float tau,
                Net& net) {
-        begin(lattice, part, EdgeRecipe{bend, gain, tau, nullptr}, net);
+        begin(lattice, part, EdgeRecipe{bend, soft, tau, nullptr}, net);
     }
     /// The same where q and the gradients, which begin() keeps for all rows, are kept for some.
     void begin_edge_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,

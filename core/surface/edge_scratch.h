@@ -66,9 +66,9 @@ constexpr size_t edge_padding = most_row_lanes;
 void make_gradients(const Lattice& lattice, const Rect& part, int y0, int y1, const Net& net,
                     EdgeScratch& scratch);
 
-/// Make e, if `bend`, and q, if there is a gain, of the edges with midpoints in rows y0 .. y1 - 1
+/// Make e, if `bend`, and q, if `soft`, of the edges with midpoints in rows y0 .. y1 - 1
 /// of the doubled lattice; those of the row before y0 were made last, if it is in the part.
-void make_edges(const Lattice& lattice, const Rect& part, int y0, int y1, bool bend,
-                const float* gain, float reciprocal_tau, EdgeScratch& scratch, Net& net);
+void make_edges(const Lattice& lattice, const Rect& part, int y0, int y1, bool bend, bool soft,
+                float reciprocal_tau, EdgeScratch& scratch, Net& net);
 
 } // namespace ddt

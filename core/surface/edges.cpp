@@ -33,9 +33,10 @@ using DI = hn::RebindToSigned<D>;
 
 #include "core/surface/crossed_edges-inl.h"
 
-/// Weights of the flipped states of edges with these gains (see net.h), 0 to 1/2, of n edges of
-/// either kind: those with the first, third, ... gain go to even[0], even[1], ...
-HWY_ATTR void soft_weights(const float* gain, int n, float reciprocal_tau, float* even,
+/// Weights of the flipped states (see net.h), 0 to 1/2, of edges at n pairs of sites of a row:
+/// those of the first, third, ... go to even[0], even[1], ... Edges that cannot be flipped have
+/// gains that are far below 0, and what vertices have is of no account.
+HWY_ATTR void soft_weights(const Site* sites, int n, float reciprocal_tau, float* even,
                            float* odd) {
     const auto weigh = [&](auto g) HWY_ATTR {
         using T = decltype(g);
@@ -46,14 +47,16 @@ HWY_ATTR void soft_weights(const float* gain, int n, float reciprocal_tau, float
     const int lanes = int(hn::Lanes(d));
     int i = 0;
     for (; i + lanes <= n; i += lanes) {
-        hn::Vec<RowTag> first, second;
-        hn::LoadInterleaved2(d, gain + 2 * i, first, second);
+        static_assert(sizeof(Site) == 8 && offsetof(Edge, word) == 4, "the second of two");
+        hn::Vec<RowTag> first, second, ignored;
+        hn::LoadInterleaved4(d, reinterpret_cast<const float*>(sites + 2 * i), ignored, first,
+                             ignored, second);
         weigh(RowLanes(first)).store(even + i);
         weigh(RowLanes(second)).store(odd + i);
     }
     for (; i < n; ++i) {
-        weigh(OneLane(gain[2 * i])).store(even + i);
-        weigh(OneLane(gain[2 * i + 1])).store(odd + i);
+        weigh(OneLane(sites[2 * i].edge.gain())).store(even + i);
+        weigh(OneLane(sites[2 * i + 1].edge.gain())).store(odd + i);
     }
 }
 
@@ -209,20 +212,21 @@ HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y, EdgeSc
 }
 
 HWY_ATTR void make_edges(const Lattice& lattice, const Rect& part, int y0, int y1, bool bend,
-                         const float* gain, float reciprocal_tau, EdgeScratch& scratch, Net& net) {
+                         bool soft, float reciprocal_tau, EdgeScratch& scratch, Net& net) {
     if (y0 == 2 * part.y0)
         scratch.edge_cells.begin(lattice, part, part.y0);
     for (int y = y0; y < y1; ++y) {
         if (y % 2 == 0)
             scratch.edge_cells.load_below(lattice, part, y / 2);
-        if (gain)
-            soft_weights(gain + lattice.site(2 * part.x0, y), part.width(), reciprocal_tau,
-                         scratch.weights[0].data() + part.x0, scratch.weights[1].data() + part.x0);
-        if (bend && gain)
+        if (soft)
+            soft_weights(lattice.sites() + lattice.site(2 * part.x0, y), part.width(),
+                         reciprocal_tau, scratch.weights[0].data() + part.x0,
+                         scratch.weights[1].data() + part.x0);
+        if (bend && soft)
             make_row<true, true>(lattice, part, y, scratch, net);
         else if (bend)
             make_row<true, false>(lattice, part, y, scratch, net);
-        else if (gain)
+        else if (soft)
             make_row<false, true>(lattice, part, y, scratch, net);
     }
 }
@@ -236,10 +240,10 @@ namespace ddt {
 
 HWY_EXPORT(make_edges);
 
-void make_edges(const Lattice& lattice, const Rect& part, int y0, int y1, bool bend,
-                const float* gain, float reciprocal_tau, EdgeScratch& scratch, Net& net) {
+void make_edges(const Lattice& lattice, const Rect& part, int y0, int y1, bool bend, bool soft,
+                float reciprocal_tau, EdgeScratch& scratch, Net& net) {
     HWY_DYNAMIC_DISPATCH(make_edges)
-    (lattice, part, y0, y1, bend, gain, reciprocal_tau, scratch, net);
+    (lattice, part, y0, y1, bend, soft, reciprocal_tau, scratch, net);
 }
 
 } // namespace ddt

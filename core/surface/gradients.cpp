@@ -40,18 +40,14 @@ struct Spoke {
           dz(PixelLanes::load(net + count * ptrdiff_t(y_ * stride + x_)) - z) {}
 };
 
-/// The next spoke to the left or right of one; false on the rim. On the record as one number, since
-/// steps wait for each other.
+/// The next spoke to the left or right of one; false on the rim.
 HWY_INLINE bool next_spoke(const Site* vertex, int stride, bool left, int& x, int& y) {
-    static_assert(offsetof(Edge, v) == 0 && offsetof(Edge, left) == 2 && offsetof(Edge, right) == 4,
-                  "the shifts below");
-    uint64_t record;
-    std::memcpy(&record, vertex + (ptrdiff_t(y) * stride + x), sizeof record);
-    const bool outwards = uint16_t(record) == uint16_t((x & 255) | (y & 255) << 8);
-    const auto apex = uint16_t(record >> (outwards == left ? 16 : 32));
-    x = (x + int8_t(apex)) >> 1;
-    y = (y + int8_t(apex >> 8)) >> 1;
-    return apex != 0;
+    const Edge& e = vertex[ptrdiff_t(y) * stride + x].edge;
+    const bool outwards = e.v == Vec(x, y);
+    const Vec apex = outwards == left ? e.left : e.right();
+    x = (x + apex.x) >> 1;
+    y = (y + apex.y) >> 1;
+    return !apex.zero();
 }
 
 /// The mean gradient at a vertex on the rim, or any: over its triangles in a fixed order, from the

@@ -74,13 +74,11 @@ int largest_height(const Job& job) {
 
 size_t TileMemory::needed(const Job& job) {
     const int width = largest_width(job);
-    const size_t pixels = pixels_of(job), sites = 4 * pixels;
-    const size_t meshes =
-        size_t(job.mesh.meshes) * TileMesh::memory(job, width, largest_height(job));
-    // Gains, where no mesh keeps them, and work lists, which are longest in noise.
-    const size_t workspace = (wants_gains(job.surface) ? 0 : sites * sizeof(float)) + pixels * 10 +
-                             start_gains_memory(width);
-    const size_t guides = job.mesh.meshes > 1 ? 2 : 0;
+    const size_t pixels = pixels_of(job);
+    const size_t meshes = size_t(job.mesh.meshes) * TileMesh::memory(width, largest_height(job));
+    // Work lists, which are longest in noise.
+    const size_t workspace = pixels * 10 + start_gains_memory(width);
+    const size_t guides = job.mesh.meshes > 1 ? 2 : 1;
     const size_t planes = pixels * sizeof(float) * (guides + size_t(job.channels));
     return meshes + workspace + planes + ContourRows::memory(width);
 }
@@ -88,21 +86,17 @@ size_t TileMemory::needed(const Job& job) {
 void TileMemory::reserve(const Job& job) {
     const size_t pixels = pixels_of(job), sites = 4 * pixels;
     meshed.values.reserve(pixels * size_t(job.channels) + group_size);
-    guide.resize(job.mesh.meshes > 1 ? pixels : 0);
+    guide.resize(pixels);
     meshed.meshes.resize(size_t(job.mesh.meshes));
-    meshed.meshes[0].give_gain(workspace);
-    // Once for all tiles, since what a vector grows by is cleared.
-    if (workspace.gain.size() < sites)
-        workspace.gain.resize(sites);
     for (TileMesh& mesh : meshed.meshes)
         mesh.reserve(sites);
 }
 
 size_t TileMemory::bytes() const {
     const Workspace& w = workspace;
-    size_t sum = bytes_of(guide) + bytes_of(blurred) + bytes_of(meshed.values) + bytes_of(w.gain) +
-                 bytes_of(w.dirty) + bytes_of(w.flippable) + bytes_of(w.candidates) +
-                 bytes_of(w.selected) + bytes_of(w.blocked);
+    size_t sum = bytes_of(guide) + bytes_of(blurred) + bytes_of(meshed.values) + bytes_of(w.dirty) +
+                 bytes_of(w.flippable) + bytes_of(w.candidates) + bytes_of(w.selected) +
+                 bytes_of(w.blocked);
     for (const TileMesh& mesh : meshed.meshes)
         sum += mesh.bytes();
     return sum;

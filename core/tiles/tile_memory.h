@@ -23,10 +23,6 @@ struct TileMemory {
     void reserve(const Job& job);
     /// Those that it takes.
     size_t bytes() const;
-
-    /// Where the largest tile's guide has room. A lattice that was started needs it no more: that
-    /// of a single mesh lies where gains will.
-    float* guide_place() { return guide.empty() ? workspace.gain.data() : guide.data(); }
 };
 
 /// Width and height of the lattice of the largest tile of a job.

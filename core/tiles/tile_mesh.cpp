@@ -21,24 +21,18 @@ Rect sampled_part(const Lattice& lattice, const Tile& tile) {
     return with_neighbours(lattice, grown(lattice, sampled, 0));
 }
 
-size_t TileMesh::memory(const Job& job, int width, int height) {
+size_t TileMesh::memory(int width, int height) {
     const size_t pixels = size_t(width) * size_t(height), sites = 4 * pixels;
-    const size_t gains = wants_gains(job.surface) ? sites * sizeof(float) : 0;
-    return sites * sizeof(Site) + pixels * sizeof(Division) + gains;
+    return sites * sizeof(Site) + pixels * sizeof(Division);
 }
 
 void TileMesh::triangulate(const Job& job, const float* guide, int width, int height,
                            Workspace& workspace, Statistics& statistics) {
     const DenormalsAreZero as_on_gpus;
-    if (wants_gains(job.surface))
-        give_gain(workspace);
     start(m_lattice, width, height, guide, job.mesh);
     ddt::triangulate(m_lattice, job.mesh, workspace, statistics);
-    if (!wants_gains(job.surface))
-        return;
-    if (job.mesh.scheme != Scheme::one_round)
-        find_gains(m_lattice, criterion(job.mesh), workspace);
-    m_gain.swap(workspace.gain);
+    if (wants_gains(job.surface) && job.mesh.scheme != Scheme::one_round)
+        find_all_gains(m_lattice, criterion(job.mesh));
 }
 
 void TileMesh::find_cells(const Job& job, const Tile& tile) {

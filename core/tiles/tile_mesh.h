@@ -25,17 +25,13 @@ public:
     /// Take the memory that a lattice of so many sites needs: a vector that grows from tile to tile
     /// would take up to twice of it.
     void reserve(size_t sites) { m_lattice.reserve(sites); }
-    /// Let the memory of gains that were kept be that of the next.
-    void give_gain(Workspace& workspace) {
-        if (m_gain.capacity() > workspace.gain.capacity())
-            m_gain.swap(workspace.gain);
-    }
     /// About the bytes that this takes for a lattice of width x height pixels.
-    static size_t memory(const Job& job, int width, int height);
+    static size_t memory(int width, int height);
     /// Those that it takes.
-    size_t bytes() const { return m_lattice.bytes() + m_gain.capacity() * sizeof(float); }
+    size_t bytes() const { return m_lattice.bytes(); }
 
-    /// Make the mesh of a width x height guide. Adds to `statistics`.
+    /// Make the mesh of a width x height guide, and find its gains if the job's surface wants them.
+    /// Adds to `statistics`.
     void triangulate(const Job& job, const float* guide, int width, int height,
                      Workspace& workspace, Statistics& statistics);
     /// Find what surfaces over the tile, or parts of it, ask the lattice for. Nothing changes from
@@ -43,12 +39,9 @@ public:
     void find_cells(const Job& job, const Tile& tile);
 
     const Lattice& lattice() const { return m_lattice; }
-    /// Workspace::gain of the finished mesh, if the job's surface wants it.
-    const float* gain() const { return m_gain.data(); }
 
 private:
     Lattice m_lattice;
-    std::vector<float> m_gain;
 };
 
 /// A tile that was read and triangulated: what its output is made from.

@@ -11,10 +11,8 @@ namespace ddt {
 
 namespace {
 
-/// A recipe that takes the memory of the surface's.
-EdgeRecipe recipe_of(const SurfaceOptions& surface) {
-    static const float some_gain = 0;
-    return {surface.kind != Surface::linear, surface.soft > 0 ? &some_gain : nullptr, surface.soft};
+EdgeRecipe recipe_of(const SurfaceOptions& surface, FanRows* fans) {
+    return {surface.kind != Surface::linear, surface.soft > 0, surface.soft, fans};
 }
 
 /// Rows of fans that are worth being kept for who asks for them again: later rounds of corrections,
@@ -33,7 +31,7 @@ TileSurface::TileSurface(const Job& job) : m_job(job), m_nets(size_t(group_count
 }
 
 size_t TileSurface::memory(const Job& job, int width, int height, bool rows) {
-    const EdgeRecipe recipe = recipe_of(job.surface);
+    const EdgeRecipe recipe = recipe_of(job.surface, nullptr);
     const int groups = group_count(job.channels);
     size_t kept = 0;
     for (int g = 0; g < groups; ++g) {
@@ -88,9 +86,7 @@ GroupValues TileSurface::group_values(const float* values, int group) const {
 }
 
 EdgeRecipe TileSurface::recipe() {
-    const SurfaceOptions& surface = m_job.surface;
-    return {surface.kind != Surface::linear, surface.soft > 0 ? m_mesh->gain() : nullptr,
-            surface.soft, &m_fans};
+    return recipe_of(m_job.surface, &m_fans);
 }
 
 void TileSurface::set_strictness(int group, Net& net) const {
@@ -126,7 +122,7 @@ void TileSurface::correct_all(int group) {
 
 void TileSurface::begin_fitted(int group, const float* values, const Rect& part) {
     const SurfaceOptions& surface = m_job.surface;
-    const FittedRecipe recipe{m_mesh->gain(), surface.soft, surface.limit, surface.clipped,
+    const FittedRecipe recipe{surface.soft, surface.limit, surface.clipped,
                               nearest_mask(m_job, group)};
     m_fitted[size_t(group)].begin(m_mesh->lattice(), part, recipe, group_values(values, group),
                                   m_nets[size_t(group)]);

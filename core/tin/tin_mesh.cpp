@@ -8,7 +8,7 @@
 namespace ddt {
 
 TinMesh::TinMesh(Tin& tin, Cost cost)
-    : m_tin(tin), m_cost(cost), m_faces(tin.triangles.size()), m_stamps(tin.edges.size()) {
+    : m_tin(tin), m_cost(cost), m_faces(tin.triangles.size()), m_gains(tin.edges.size(), no_gain) {
     for (size_t t = 0; t < m_faces.size(); ++t)
         find_face(int32_t(t));
 }
@@ -54,13 +54,6 @@ void TinMesh::flip_back(int m) {
     // Flipped twice it runs the other way.
     Tin::Edge& e = m_tin.edges[size_t(m)];
     std::swap(e.left, e.right);
-}
-
-void gains(const TinMesh& mesh, const Criterion& by, const int* edges, size_t n, float* gains) {
-    dispatch(by.cost, [&](auto which) {
-        for (size_t i = 0; i < n; ++i)
-            gains[edges[i]] = mesh.gain<decltype(which)>(edges[i]);
-    });
 }
 
 double total_cost(const TinMesh& mesh) {

@@ -3,8 +3,10 @@
 // Lattice.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/tin/face.h"
@@ -35,8 +37,17 @@ public:
         return orientation(at(q.d), at(q.c), at(q.a)) > 0 &&
                orientation(at(q.c), at(q.d), at(q.b)) > 0;
     }
-    uint8_t& stamp(int m) { return m_stamps[size_t(m)]; }
-    uint8_t stamp(int m) const { return m_stamps[size_t(m)]; }
+    /// Twins of Lattice's.
+    float gain(int m) const { return std::max(m_gains[size_t(m)], no_gain); }
+    void set_gain(int m, float gain) { m_gains[size_t(m)] = std::max(gain, least_gain); }
+    bool settled(int m) const { return m_gains[size_t(m)] > no_gain; }
+    bool touch(int m) {
+        constexpr float touched = -std::numeric_limits<float>::infinity();
+        float& gain = m_gains[size_t(m)];
+        const bool can = flippable(m), is_new = can && gain != touched;
+        gain = can ? touched : no_gain;
+        return is_new;
+    }
     /// The edge's midpoint when this was called first, as places_of() has it.
     uint64_t place(int m, int origin_x, int origin_y) const;
     std::array<int, 4> sides(int m) const {
@@ -106,8 +117,8 @@ private:
 
     Tin& m_tin;
     const Cost m_cost;
-    std::vector<TinFace> m_faces;  ///< a triangle
-    std::vector<uint8_t> m_stamps; ///< an edge
+    std::vector<TinFace> m_faces; ///< a triangle
+    std::vector<float> m_gains;   ///< an edge
     mutable std::vector<uint64_t> m_places;
 };
 
@@ -153,10 +164,6 @@ template <class CostOfFloat>
 float gain_of(const TinMesh& mesh, int m, float /*contour*/) {
     return mesh.gain<CostOfFloat>(m);
 }
-
-/// Gains of the flippable edges edges[0..n): gains[edges[i]] receives the gain of edges[i]. The
-/// criterion's cost is the mesh's own.
-void gains(const TinMesh& mesh, const Criterion& by, const int* edges, size_t n, float* gains);
 
 /// The cost of the whole mesh: each edge between two triangles, summed in double.
 double total_cost(const TinMesh& mesh);

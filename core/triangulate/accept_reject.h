@@ -14,8 +14,7 @@ public:
     AcceptReject(Mesh& mesh, const Criterion& criterion, float min_gain, const Rules& rules,
                  Workspace& w, Statistics& statistics)
         : m_mesh(mesh), m_criterion(criterion), m_min_gain(min_gain), m_rules(rules), m_w(w),
-          m_statistics(statistics) {
-        m_w.gain.resize(mesh.size());
+          m_statistics(statistics), m_marks(mesh.size(), idle) {
         m_w.candidates.clear();
         m_w.dirty.clear();
         mesh.each_edge([&](int m) { touch(m); });
@@ -33,9 +32,8 @@ public:
     }
 
 private:
-    /// What an edge's stamp says while the scheme runs.
     enum Mark : uint8_t { idle, dirty, untreated, accepted, rejected };
-    uint8_t& mark(int m) { return m_mesh.stamp(m); }
+    Mark& mark(int m) { return m_marks[size_t(m)]; }
 
     void touch(int m) {
         if (mark(m) != dirty) {
@@ -57,10 +55,10 @@ private:
             if (m_mesh.flippable(m))
                 m_w.flippable.push_back(m);
         }
-        gains(m_mesh, m_criterion, m_w.flippable.data(), m_w.flippable.size(), m_w.gain.data());
+        find_gains(m_mesh, m_criterion, m_w.flippable.data(), m_w.flippable.size());
         m_statistics.evaluations += int64_t(m_w.flippable.size());
         for (const int m : m_w.flippable)
-            if (m_w.gain[size_t(m)] > m_min_gain)
+            if (m_mesh.gain(m) > m_min_gain)
                 m_w.candidates.push_back(m);
     }
 
@@ -72,7 +70,7 @@ private:
     /// Whether candidate m comes before n.
     bool before(int m, int n) const {
         if (m_rules.by_gain) {
-            const float a = m_w.gain[size_t(m)], b = m_w.gain[size_t(n)];
+            const float a = m_mesh.gain(m), b = m_mesh.gain(n);
             if (a != b)
                 return a > b;
         }
@@ -155,6 +153,7 @@ private:
     bool m_wide = false; ///< in this iteration
     Workspace& m_w;
     Statistics& m_statistics;
+    std::vector<Mark> m_marks; ///< an edge
 };
 
 template <class Mesh>

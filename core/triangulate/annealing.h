@@ -57,11 +57,11 @@ public:
         shuffle(annealing_salt(m_seed, iteration));
         for (uint32_t part = 0; part < parts; ++part) {
             select(part);
-            gains(m_mesh, m_criterion, m_w.selected.data(), m_w.selected.size(), m_w.gain.data());
+            find_gains(m_mesh, m_criterion, m_w.selected.data(), m_w.selected.size());
             m_statistics.evaluations += int64_t(m_w.selected.size());
             for (const int m : m_w.selected)
                 // Metropolis' u < exp(gain / t), with u = exp(-e).
-                if (m_w.gain[size_t(m)] > 0.0f - temperature * exponential(more_bits(m))) {
+                if (m_mesh.gain(m) > 0.0f - temperature * exponential(more_bits(m))) {
                     m_mesh.flip(m);
                     ++m_statistics.flips;
                 }
@@ -130,8 +130,6 @@ void annealing(Mesh& mesh, const Criterion& criterion, float min_gain, int itera
         if (!w.go_on(size_t(iterations - i), size_t(iterations)))
             return;
     }
-    // Stamps of the first one_round would be taken for those of the second.
-    mesh.each_edge([&](int m) { mesh.stamp(m) = 0; });
     settle();
 }
 

@@ -55,42 +55,37 @@ inline float gain_of(const Lattice& lattice, int m, float contour) {
     return scalar::gain<CostOfFloat>(lattice, m, contour);
 }
 
-/// Gains of the flippable edges sites[0..n): gains[sites[i]] receives the gain of sites[i]. By the
-/// widest vectors this machine has; the bits are those of scalar::gain().
-void gains(const Lattice& lattice, const Criterion& criterion, const int* sites, size_t n,
-           float* gains);
+/// Find the gains of the flippable edges sites[0..n), which the mesh then has.
+template <class Mesh>
+void find_gains(Mesh& mesh, const Criterion& criterion, const int* sites, size_t n) {
+    dispatch(criterion.cost, [&](auto cost) {
+        for (size_t i = 0; i < n; ++i)
+            mesh.set_gain(sites[i], gain_of<decltype(cost)>(mesh, sites[i], criterion.contour));
+    });
+}
+/// By the widest vectors this machine has; the bits are those of scalar::gain().
+void find_gains(Lattice& lattice, const Criterion& criterion, const int* sites, size_t n);
 
-/// How many of some edges can be flipped, and how many of these gain enough.
-struct Evaluated {
-    size_t flippable = 0, candidates = 0;
-};
-/// Numbers that may be written past the last candidate.
+/// Sites that may be written past the last.
 constexpr size_t candidate_padding = 64;
 
-/// Find the gains of the edges sites[0..n), no_gain of those that cannot be flipped; those above
-/// min_gain go to `candidates`, in their order. Without branches, since half of the edges can be
-/// flipped; `candidates` holds those that can before it holds those that gain.
+/// The same, and moves those that gain more than min_gain to the front, in their order. Returns how
+/// many these are.
 template <class Mesh>
-Evaluated find_candidates(const Mesh& mesh, const Criterion& criterion, float min_gain,
-                          const int* sites, size_t n, std::vector<float>& gain, int* candidates) {
-    Evaluated found;
+size_t find_candidates(Mesh& mesh, const Criterion& criterion, float min_gain, int* sites,
+                       size_t n) {
+    find_gains(mesh, criterion, sites, n);
+    size_t found = 0;
     for (size_t i = 0; i < n; ++i) {
-        gain[size_t(sites[i])] = no_gain;
-        candidates[found.flippable] = sites[i];
-        found.flippable += mesh.flippable(sites[i]);
-    }
-    gains(mesh, criterion, candidates, found.flippable, gain.data());
-    for (size_t i = 0; i < found.flippable; ++i) {
-        const int m = candidates[i];
-        candidates[found.candidates] = m;
-        found.candidates += gain[size_t(m)] > min_gain;
+        const int m = sites[i];
+        sites[found] = m;
+        found += mesh.gain(m) > min_gain;
     }
     return found;
 }
-
-/// The same by the widest vectors this machine has.
-Evaluated find_candidates(const Lattice& lattice, const Criterion& criterion, float min_gain,
-                          const int* sites, size_t n, std::vector<float>& gain, int* candidates);
+/// By the widest vectors this machine has.
+size_t find_candidates(Lattice& lattice, const Criterion& criterion, float min_gain, int* sites,
+                       size_t n);
 
 /// The cost of the whole mesh: each edge between two triangles, summed in double.
 double total_cost(const Lattice& lattice, Cost cost);

@@ -12,18 +12,17 @@ template <class CostOfFloat, class Mesh>
 class LookAhead {
 public:
     LookAhead(Mesh& mesh, float contour, float min_gain, Statistics& statistics)
-        : m_mesh(mesh), m_contour(contour), m_min_gain(min_gain), m_statistics(statistics) {
-        mesh.each_edge([&](int m) { mesh.stamp(m) = 1; });
-    }
+        : m_mesh(mesh), m_contour(contour), m_min_gain(min_gain), m_statistics(statistics),
+          m_changed(mesh.size(), 1) {}
 
-    /// Treat every edge to which something has changed since it was last looked at (its stamp is
-    /// 1). Returns the number of flips.
+    /// Treat every edge to which something has changed since it was last looked at. Returns the
+    /// number of flips.
     int64_t sweep() {
         const int64_t before = m_statistics.flips;
         m_mesh.each_edge([&](int m) {
-            if (m_mesh.stamp(m) == 0)
+            if (!m_changed[size_t(m)])
                 return;
-            m_mesh.stamp(m) = 0;
+            m_changed[size_t(m)] = 0;
             if (m_mesh.flippable(m))
                 treat(m);
         });
@@ -73,9 +72,9 @@ private:
     /// those that have m in their region of degree 3. Right after the flip, while m is flippable.
     void flipped(int m) {
         ++m_statistics.flips;
-        m_mesh.stamp(m) = 1;
+        m_changed[size_t(m)] = 1;
         any_of_wide_region(m_mesh, m, [&](int other) {
-            m_mesh.stamp(other) = 1;
+            m_changed[size_t(other)] = 1;
             return false;
         });
     }
@@ -83,6 +82,7 @@ private:
     Mesh& m_mesh;
     const float m_contour, m_min_gain;
     Statistics& m_statistics;
+    std::vector<uint8_t> m_changed; ///< an edge
 };
 
 template <class Mesh>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/base/compress_lanes.h"
 #include "core/guide/contour.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -20,6 +21,7 @@ constexpr size_t most_lanes = 16;
 using D = hn::CappedTag<float, most_lanes>;
 using DI = hn::RebindToSigned<D>;
 
+#include "core/base/compress-inl.h"
 #include "core/base/lanes-inl.h"
 #include "core/lattice/site_lanes-inl.h"
 
@@ -27,17 +29,13 @@ using DI = hn::RebindToSigned<D>;
 
 /// The best of the edges looked at, a lane.
 struct Best {
-    const float* all_gains;
     VI site;
     hn::Vec<D> gain;
 
-    HWY_INLINE Best(const float* gains, Ints m)
-        : all_gains(gains), site(m.i), gain(hn::GatherIndex(D(), gains, m.i)) {}
-
     /// Twin of goes_before().
-    HWY_INLINE void look_at(Ints other) {
+    HWY_INLINE void look_at(Ints other, Floats gains) {
         const D d;
-        const auto g = hn::GatherIndex(d, all_gains, other.i);
+        const auto g = gains.v;
         const auto first = hn::RebindMask(d, hn::Lt(other.i, site));
         const auto better = hn::Or(hn::Gt(g, gain), hn::And(hn::Eq(g, gain), first));
         gain = hn::IfThenElse(better, g, gain);
@@ -45,10 +43,11 @@ struct Best {
     }
 };
 
-/// Call f(sites) for each edge of the 2-regions of the edges at m, a lane; where there is none f is
-/// called with another of them once more. Twin of Lattice::any_of_region().
-template <class F>
-HWY_INLINE void each_of_region(const KnownLanes& mesh, Ints m, F&& f) {
+/// Call side(k, sites) for the sides of the quads round the edges at m, a lane, and other(sites)
+/// for each other edge of their 2-regions; where there is none, with a side once more. Twin of
+/// Lattice::any_of_region().
+template <class Side, class Other>
+HWY_INLINE void each_of_region(const KnownLanes& mesh, Ints m, Side&& side, Other&& other) {
     const FlippableLanes e = mesh.flippable_edge(m);
     const QuadOf<VecLanes> q(e.v, e.left);
     const Ints w = mesh.offset(q.w), u = mesh.offset(q.side[1]), none{hn::Zero(DI())};
@@ -57,51 +56,55 @@ HWY_INLINE void each_of_region(const KnownLanes& mesh, Ints m, F&& f) {
     const Ints sides[4] = {w, u, none - w, none - u};
     for (int k = 0; k < 4; ++k) {
         const Ints middle = at.middle[k];
-        f(middle);
-        const VecLanes apex = apex_beyond(mesh.side(k, middle), q.inner[k]);
+        side(k, middle);
+        const VecLanes apex = apex_beyond(mesh.sides[k], q.inner[k]);
         const Ints first = middle + mesh.offset(from_first_end(apex, q.side[k]));
-        f(mesh.if_present(apex, first - sides[k], middle));
-        f(mesh.if_present(apex, first, middle));
+        other(mesh.if_present(apex, first - sides[k], middle));
+        other(mesh.if_present(apex, first, middle));
     }
 }
 
 /// Of each edge its best blocker, or the edge itself.
-HWY_INLINE VI best_of_region(const KnownLanes& mesh, const float* gains, Ints m) {
-    Best best(gains, m);
-    each_of_region(mesh, m, [&](Ints other) HWY_ATTR { best.look_at(other); });
+HWY_INLINE VI best_of_region(const KnownLanes& mesh, Ints m) {
+    Best best{m.i, mesh.gain(m).v};
+    each_of_region(
+        mesh, m, [&](int k, Ints side) HWY_ATTR { best.look_at(side, mesh.sides[k].gain()); },
+        [&](Ints other) HWY_ATTR { best.look_at(other, mesh.gain(other)); });
     return best.site;
 }
 
-HWY_ATTR void find_regions(const Lattice& lattice, const int* sites, size_t n, int* regions) {
+HWY_ATTR size_t find_settled(const Lattice& lattice, const int* sites, size_t n, int* regions) {
     const DI di;
     const size_t lanes = hn::Lanes(di);
     const SiteLanes mesh(lattice);
-    KnownEdges<regions_at_once> known;
-    known.find(mesh, sites, n);
-    HWY_ALIGN int32_t found[most_in_region][most_lanes];
+    const KnownEdges<regions_at_once> known(mesh, sites, n);
+    size_t found = 0;
     for (size_t i = 0; i < n; i += lanes) {
         const Ints m = load_sites(sites + i, n - i);
-        hn::Store(m.i, di, found[0]);
-        int in_region = 0;
-        each_of_region(known.mesh_at(mesh, i, n - i), m,
-                       [&](Ints other) HWY_ATTR { hn::Store(other.i, di, found[++in_region]); });
-        for (size_t k = 0; k < std::min(lanes, n - i); ++k)
-            for (size_t j = 0; j < most_in_region; ++j)
-                *regions++ = found[j][k];
+        const auto here = hn::FirstN(di, n - i);
+        const auto add = [&](Ints edge, Floats gain) HWY_ATTR {
+            // Twin of Lattice::settled(): the words that are not are below as floats.
+            const auto settled = hn::RebindMask(di, hn::Ge(gain.v, hn::Set(D(), least_gain)));
+            found += store_compressed(edge.i, hn::And(settled, here), regions + found);
+        };
+        const KnownLanes seen = known.mesh_at(mesh, i);
+        add(m, mesh.gain(m));
+        each_of_region(
+            seen, m, [&](int k, Ints side) HWY_ATTR { add(side, seen.sides[k].gain()); },
+            [&](Ints other) HWY_ATTR { add(other, mesh.gain(other)); });
     }
+    return found;
 }
 
-HWY_ATTR void find_blockers(const Lattice& lattice, const float* gain, const int* sites, size_t n,
-                            int* blockers) {
+HWY_ATTR void find_blockers(const Lattice& lattice, const int* sites, size_t n, int* blockers) {
     const DI di;
     const size_t lanes = hn::Lanes(di);
     const SiteLanes mesh(lattice);
-    KnownEdges<regions_at_once> known;
-    known.find(mesh, sites, n);
+    const KnownEdges<regions_at_once> known(mesh, sites, n);
     HWY_ALIGN int32_t found[most_lanes];
     for (size_t i = 0; i < n; i += lanes) {
         const Ints m = load_sites(sites + i, n - i);
-        const VI best = best_of_region(known.mesh_at(mesh, i, n - i), gain, m);
+        const VI best = best_of_region(known.mesh_at(mesh, i), m);
         hn::Store(hn::IfThenElse(hn::Eq(best, m.i), hn::Set(di, -1), best), di, found);
         std::copy_n(found, std::min(lanes, n - i), blockers + i);
     }
@@ -115,23 +118,24 @@ HWY_AFTER_NAMESPACE();
 namespace ddt {
 
 HWY_EXPORT(find_blockers);
-HWY_EXPORT(find_regions);
+HWY_EXPORT(find_settled);
 
-void find_blockers(const Lattice& lattice, const std::vector<float>& gain, const int* sites,
-                   size_t n, int* blockers) {
+void find_blockers(const Lattice& lattice, const int* sites, size_t n, int* blockers) {
     if (lattice.width() > widest_lanes)
-        return find_blockers<Lattice>(lattice, gain, sites, n, blockers);
+        return find_blockers<Lattice>(lattice, sites, n, blockers);
     for (size_t i = 0; i < n; i += regions_at_once)
         HWY_DYNAMIC_DISPATCH(find_blockers)
-    (lattice, gain.data(), sites + i, std::min(n - i, regions_at_once), blockers + i);
+    (lattice, sites + i, std::min(n - i, regions_at_once), blockers + i);
 }
 
-void find_regions(const Lattice& lattice, const int* sites, size_t n, int* regions) {
+size_t find_settled(const Lattice& lattice, const int* sites, size_t n, int* regions) {
     if (lattice.width() > widest_lanes)
-        return find_regions<Lattice>(lattice, sites, n, regions);
+        return find_settled<Lattice>(lattice, sites, n, regions);
+    size_t found = 0;
     for (size_t i = 0; i < n; i += regions_at_once)
-        HWY_DYNAMIC_DISPATCH(find_regions)
-    (lattice, sites + i, std::min(n - i, regions_at_once), regions + i * most_in_region);
+        found += HWY_DYNAMIC_DISPATCH(find_settled)(
+            lattice, sites + i, std::min(n - i, regions_at_once), regions + found);
+    return found;
 }
 
 } // namespace ddt

@@ -23,7 +23,7 @@ void lawson(Mesh& mesh, const Criterion& criterion, float min_gain, int max_swee
 ///
 /// Two edges outside each other's 2-region never write the same record, nor does one's flip change
 /// the other's gain, so the order of flips within an iteration is immaterial, and every flip lowers
-/// the total cost by its gain. Leaves workspace.gain as find_gains() would.
+/// the total cost by its gain. Leaves all edges with their gains.
 template <class Mesh>
 void one_round(Mesh& mesh, const Criterion& criterion, float min_gain, int max_iterations,
                Workspace& workspace, Statistics& statistics);

@@ -36,6 +36,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using D = hn::CappedTag<float, most_lanes>;
 using DI = hn::RebindToSigned<D>;
+using D64 = hn::Repartition<uint64_t, D>;
 
 #include "core/base/compress-inl.h"
 #include "core/base/lanes-inl.h"
@@ -56,7 +57,7 @@ public:
     using Cells = DividedCells<Face>;
     using Edges = Flip<Cost, Floats, Always>;
 
-    HWY_ATTR StartGains(const Lattice& lattice, float contour, float min_gain, Workspace& w)
+    HWY_ATTR StartGains(Lattice& lattice, float contour, float min_gain, Workspace& w)
         : m_lattice(lattice), m_contour(contour * contour_unit), m_min_gain(min_gain), m_w(w) {
         for (Cells& row : m_rows)
             row.resize(lattice.width());
@@ -72,7 +73,6 @@ public:
             if (!load_vertices(y + 1))
                 return false;
             make_faces(y);
-            // In address order: what is stored past a row's end is overwritten by what follows.
             if (y > 1)
                 odd_row(y - 1);
             if (y > 0)
@@ -245,7 +245,7 @@ private:
                        (above.yy.load(x) + below.yy.load(x));
             };
             const Floats level = either(flippable, gain(f, along), Floats(no_gain));
-            hn::StoreInterleaved2(zero.v, level.v, D(), m_w.gain.data() + first + 2 * x);
+            store_gains(first + 2 * x, end - x, Floats(no_gain), level);
             count(flippable, end - x);
             propose(level, first + 2 * x + 1, end - x);
         }
@@ -260,7 +260,7 @@ private:
             Floats flippable;
             const Floats upright = vertical(y, x, flippable);
             const Floats slanting = diagonal(y, x);
-            hn::StoreInterleaved2(upright.v, slanting.v, D(), m_w.gain.data() + first + 2 * x);
+            store_gains(first + 2 * x, end - x, upright, slanting);
             count(flippable, end - x);
             propose(upright, first + 2 * x, end - x);
             propose(slanting, first + 2 * x + 1, end - 1 - x);
@@ -356,6 +356,32 @@ private:
         });
     }
 
+    /// Store gains in the records of the edges at `site`, site + 2, ... and of those beside them,
+    /// of the first n lanes. What has none, no_gain, keeps its record. As many sites are read as
+    /// two vectors have lanes.
+    HWY_INLINE void store_gains(int site, int n, Floats first, Floats second) {
+        const D d;
+        const D64 d64;
+        const hn::Rebind<uint32_t, D64> d32;
+        const auto here = hn::FirstN(d, size_t(n));
+        // Of a guide in steps all are far above least_gain.
+        const auto none = hn::Set(d, no_gain);
+        HWY_ALIGN float gains[2 * most_lanes];
+        hn::StoreInterleaved2(hn::IfThenElse(here, first.v, none),
+                              hn::IfThenElse(here, second.v, none), d, gains);
+        auto* const records = reinterpret_cast<uint64_t*>(m_lattice.sites() + site);
+        const auto low = hn::Set(d64, 0xffffffffu);
+        const auto no =
+            hn::PromoteTo(d64, hn::BitCast(d32, hn::Set(hn::Rebind<float, D64>(), no_gain)));
+        for (size_t k = 0; k < 2 * hn::Lanes(d); k += hn::Lanes(d64)) {
+            const auto gain =
+                hn::PromoteTo(d64, hn::LoadU(d32, reinterpret_cast<const uint32_t*>(gains + k)));
+            const auto record = hn::LoadU(d64, records + k);
+            const auto changed = hn::Or(hn::And(record, low), hn::ShiftLeft<32>(gain));
+            hn::StoreU(hn::IfThenElse(hn::Eq(gain, no), record, changed), d64, records + k);
+        }
+    }
+
     /// xy or, where the diagonals are down, -xy. contour_gain() of the edges that there are, where
     /// all products of w and u but two are 0; whole numbers, so in any order.
     static HWY_INLINE Floats turned(Floats down, Floats xy) {
@@ -392,7 +418,7 @@ private:
         m_number = 0;
     }
 
-    const Lattice& m_lattice;
+    Lattice& m_lattice;
     float m_contour; ///< as in gain_with_contours()
     float m_min_gain;
     Workspace& m_w;
@@ -402,7 +428,7 @@ private:
     size_t m_number = 0;          ///< of them
 };
 
-HWY_ATTR bool inner_gains(const Lattice& lattice, const Criterion& criterion, float min_gain,
+HWY_ATTR bool inner_gains(Lattice& lattice, const Criterion& criterion, float min_gain,
                           Workspace& w, int64_t& evaluations) {
     const auto run = [&](auto which) HWY_ATTR {
         StartGains<decltype(which)> gains(lattice, criterion.contour, min_gain, w);
@@ -431,9 +457,6 @@ HWY_EXPORT(inner_gains);
 
 namespace {
 
-/// Numbers that may be stored past the last edge of a row.
-constexpr size_t padding = 2 * most_lanes;
-
 /// Call f(site) for the edges whose gains StartGains does not find: near the rim, where triangles
 /// are missing.
 template <class F>
@@ -459,9 +482,8 @@ size_t start_gains_memory(int width) {
     return rows * (size_t(width) + beyond) * sizeof(float);
 }
 
-bool start_gains(const Lattice& lattice, const Criterion& criterion, float min_gain, Workspace& w,
+bool start_gains(Lattice& lattice, const Criterion& criterion, float min_gain, Workspace& w,
                  Statistics& statistics) {
-    w.gain.resize(lattice.size() + padding);
     w.candidates.clear();
     w.candidates.reserve(lattice.vertices() * 3 / 5); // noise, where most are, has fewer
     int64_t evaluations = 0;
@@ -470,13 +492,12 @@ bool start_gains(const Lattice& lattice, const Criterion& criterion, float min_g
         return false;
     w.flippable.clear();
     each_outer_edge(lattice, [&](int m) {
-        w.gain[size_t(m)] = no_gain;
-        if (lattice.edge(m).flippable())
+        if (lattice.flippable(m))
             w.flippable.push_back(m);
     });
-    gains(lattice, criterion, w.flippable.data(), w.flippable.size(), w.gain.data());
+    find_gains(lattice, criterion, w.flippable.data(), w.flippable.size());
     for (const int m : w.flippable)
-        if (w.gain[size_t(m)] > min_gain)
+        if (lattice.gain(m) > min_gain)
             w.candidates.push_back(m);
     statistics.evaluations += evaluations + int64_t(w.flippable.size());
     return true;

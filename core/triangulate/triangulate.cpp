@@ -78,15 +78,21 @@ void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& worksp
     run_scheme(lattice, options, workspace, statistics);
 }
 
-void find_gains(const Lattice& lattice, const Criterion& criterion, Workspace& w) {
-    w.gain.resize(lattice.size());
-    w.flippable.clear();
+void find_all_gains(Lattice& lattice, const Criterion& criterion) {
+    constexpr size_t at_once = 1024;
+    std::vector<int> some;
+    some.reserve(at_once);
+    const auto find = [&] {
+        find_gains(lattice, criterion, some.data(), some.size());
+        some.clear();
+    };
     lattice.each_edge([&](int m) {
-        w.gain[size_t(m)] = no_gain;
         if (lattice.flippable(m))
-            w.flippable.push_back(m);
+            some.push_back(m);
+        if (some.size() == at_once)
+            find();
     });
-    gains(lattice, criterion, w.flippable.data(), w.flippable.size(), w.gain.data());
+    find();
 }
 
 } // namespace ddt

@@ -17,12 +17,12 @@ struct Workspace {
         int site;    ///< a candidate that was not the best of its region,
         int blocker; ///< and a better one in it
     };
-    std::vector<float> gain;             ///< a site; only meaningful for edges
     std::vector<int> dirty;              ///< edges to evaluate in this iteration
     std::vector<int> flippable;          ///< those of them that can be flipped
     std::vector<int> candidates;         ///< edges to look at in this iteration's selection
     std::vector<int> selected;           ///< edges to flip
     std::vector<Blocked> blocked;        ///< candidates that wait
+    std::vector<Blocked> again;          ///< those whose blockers are evaluated again
     std::function<bool(float)> progress; ///< see go_on(); may be empty
     int origin_x = 0, origin_y = 0; ///< the lattice's first pixel in the image: chance is drawn by
                                     ///< an edge's place in the image, whatever tile it is in
@@ -51,8 +51,7 @@ void start(Lattice& lattice, int width, int height, const float* guide, const Me
 void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& workspace,
                  Statistics& statistics);
 
-/// Fill workspace.gain with the gains of all flippable edges of a finished mesh, no_gain (gain.h)
-/// at the others.
-void find_gains(const Lattice& lattice, const Criterion& criterion, Workspace& workspace);
+/// Find the gains of all edges that can be flipped.
+void find_all_gains(Lattice& lattice, const Criterion& criterion);
 
 } // namespace ddt

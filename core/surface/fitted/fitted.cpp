@@ -81,13 +81,13 @@ struct NullWeights {
     static constexpr int count = fitted_nodes * fitted_edge_null;
     HWY_ALIGN float w[count];
 
-    HWY_INLINE NullWeights(const Edge& e, float gain, const FittedTable& table) {
+    HWY_INLINE NullWeights(const Edge& e, const FittedTable& table) {
         const auto& kinds = table.null[fitted_length(e.v.x, e.v.y)];
         if (!e.flippable()) {
             std::copy_n(&kinds[0][0][0], count, w);
             return;
         }
-        const float loss = gain < 0.0f ? gain : 0.0f;
+        const float loss = std::min(e.gain(), 0.0f);
         const float t = 1.0f + loss * table.gain_scale;
         const PixelLanes near(t > 0.0f ? t : 0.0f);
         for (int k = 0; k < fitted_nodes; ++k)
@@ -104,12 +104,12 @@ HWY_INLINE bool reaches_inside(const Edge& e, int mx, int my, int width, int hei
         const int far = std::max(5 * along, 3 * aside + 2 * along);
         return m >= far && m + far <= 2 * (size - 1);
     };
-    return fits(mx, e.v.x, e.left.x, e.right.x, width) &&
-           fits(my, e.v.y, e.left.y, e.right.y, height);
+    const Vec right = e.right();
+    return fits(mx, e.v.x, e.left.x, right.x, width) && fits(my, e.v.y, e.left.y, right.y, height);
 }
 
-HWY_ATTR void bend_row(const FittedSource& source, int x0, int x1, int my, const float* gain,
-                       const IndexRows& index, const Net& plain_net, Net& net) {
+HWY_ATTR void bend_row(const FittedSource& source, int x0, int x1, int my, const IndexRows& index,
+                       const Net& plain_net, Net& net) {
     const FittedTable& table = fitted_table();
     const Lattice& lattice = source.lattice;
     const int width = lattice.width(), height = lattice.height();
@@ -127,8 +127,8 @@ HWY_ATTR void bend_row(const FittedSource& source, int x0, int x1, int my, const
         const int m = lattice.site(mx, my);
         const Edge& edge = lattice.edge(m);
         // A missing apex mirrors the other.
-        const Vec v = edge.v, l = edge.left.zero() ? -edge.right : edge.left,
-                  r = edge.right.zero() ? -edge.left : edge.right;
+        const Vec right = edge.right(), v = edge.v, l = edge.left.zero() ? -right : edge.left,
+                  r = right.zero() ? -edge.left : right;
         const Place a{(mx - v.x) / 2, (my - v.y) / 2};
         const PixelLanes plain = PixelLanes::load(plain_net.at(m));
         EdgeFeatures<PixelLanes> f;
@@ -140,7 +140,7 @@ HWY_ATTR void bend_row(const FittedSource& source, int x0, int x1, int my, const
         const PixelLanes mean = (PixelLanes::load(index.at(a.x, a.y)) +
                                  PixelLanes::load(index.at(a.x + v.x, a.y + v.y))) *
                                 PixelLanes(0.5f);
-        const NullWeights null(edge, gain[m], table);
+        const NullWeights null(edge, table);
         store_pixel(fitted_bend(f, mean, strict, null.w, table), count, net.at(m));
     }
 }
@@ -160,9 +160,9 @@ void move_fitted(const FittedSource& source, int x0, int x1, int y, const LaneLi
     HWY_DYNAMIC_DISPATCH(move_row)(source, x0, x1, y, limits, sum, index, net);
 }
 
-void bend_fitted(const FittedSource& source, int x0, int x1, int y, const float* gain,
-                 const IndexRows& index, const Net& plain, Net& net) {
-    HWY_DYNAMIC_DISPATCH(bend_row)(source, x0, x1, y, gain, index, plain, net);
+void bend_fitted(const FittedSource& source, int x0, int x1, int y, const IndexRows& index,
+                 const Net& plain, Net& net) {
+    HWY_DYNAMIC_DISPATCH(bend_row)(source, x0, x1, y, index, plain, net);
 }
 
 } // namespace ddt

@@ -70,9 +70,8 @@ struct IndexRows {
 };
 
 /// Put e of the edges with midpoints in row y of the doubled lattice whose ends both lie in columns
-/// x0 .. x1 - 1 of pixels into the net, made from `plain`'s. gain: Workspace::gain of the finished
-/// mesh.
-void bend_fitted(const FittedSource& source, int x0, int x1, int y, const float* gain,
-                 const IndexRows& index, const Net& plain, Net& net);
+/// x0 .. x1 - 1 of pixels into the net, made from `plain`'s and the finished mesh's gains.
+void bend_fitted(const FittedSource& source, int x0, int x1, int y, const IndexRows& index,
+                 const Net& plain, Net& net);
 
 } // namespace ddt

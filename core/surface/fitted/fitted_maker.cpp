@@ -50,7 +50,7 @@ void FittedMaker::begin(const Lattice& lattice, const Rect& part, const FittedRe
     net.stride = lattice.stride();
     take_rows(lattice, count, m_moved.y0, usual_vertex_rows, net.values.even);
     take_rows(lattice, count, part.y0, usual_edge_rows, net.values.odd);
-    EdgeRecipe edges{true, recipe.tau > 0 ? recipe.gain : nullptr, recipe.tau};
+    EdgeRecipe edges{true, recipe.tau > 0, recipe.tau};
     m_crossed.begin(lattice, mean_positions(), 1);
     m_plain.begin(lattice, m_moved, Surface::patch, edges, values, net.strict, m_crossed);
     // They are bent here.
@@ -117,18 +117,15 @@ void FittedMaker::make_row() {
     const int end = bent_end(m_vertex_rows);
     const IndexRows index{m_index.data(), m_index_rows, row_size(), m_values.count};
     for (; m_edge_rows < end; ++m_edge_rows)
-        bend_fitted(source, m_part.x0, m_part.x1, m_edge_rows, m_recipe.gain, index, m_plain.net(),
-                    *m_net);
+        bend_fitted(source, m_part.x0, m_part.x1, m_edge_rows, index, m_plain.net(), *m_net);
 }
 
 size_t FittedMaker::memory(int width, int height, const GroupValues& values, bool all_rows,
                            bool soft) {
-    static const float some_gain = 0;
-    const float* gain = soft ? &some_gain : nullptr;
     const size_t row = size_t(width) * size_t(values.count) * sizeof(float);
     const size_t copied = values.count < values.channels ? size_t(height) : 0;
-    return MeanRows::memory(width, height, values.count, {true, gain, 1}) +
-           EdgeMaker::memory(width, height, values.count, all_rows, {false, gain, 1}) +
+    return MeanRows::memory(width, height, values.count, {true, soft, 1}) +
+           EdgeMaker::memory(width, height, values.count, all_rows, {false, soft, 1}) +
            row * (copied + usual_index_rows);
 }
 

@@ -12,8 +12,6 @@ namespace ddt {
 
 /// What a fitted net is made from.
 struct FittedRecipe {
-    /// Workspace::gain of the finished mesh.
-    const float* gain = nullptr;
     /// EdgeRecipe::tau, or 0: no soft edges.
     float tau = 0;
     /// SurfaceOptions::limit and clipped.
