@@ -60,9 +60,9 @@ inline std::vector<SurfaceOptions> surfaces_with(std::initializer_list<int> roun
 }
 
 /// All edges of a part at once: see EdgeMaker.
-inline void make_edges(const Lattice& lattice, const Rect& part, bool bend, const float* gain,
-                       float tau, EdgeMaker& edges, Net& net) {
-    edges.begin(lattice, part, bend, gain, tau, net);
+inline void make_edges(const Lattice& lattice, const Rect& part, bool bend, bool soft, float tau,
+                       EdgeMaker& edges, Net& net) {
+    edges.begin(lattice, part, bend, soft, tau, net);
     edges.finish();
 }
 
@@ -184,8 +184,8 @@ inline EdgeView view(const Lattice& lattice, int site) {
     const Edge& e = lattice.edge(site);
     const int x = site % lattice.stride(), y = site / lattice.stride();
     const auto at = [&](int dx, int dy) { return Pixel{(x + dx) / 2, (y + dy) / 2}; };
-    return {at(-e.v.x, -e.v.y),       at(e.v.x, e.v.y), at(e.left.x, e.left.y),
-            at(e.right.x, e.right.y), !e.left.zero(),   !e.right.zero()};
+    return {at(-e.v.x, -e.v.y),           at(e.v.x, e.v.y), at(e.left.x, e.left.y),
+            at(e.right().x, e.right().y), !e.left.zero(),   !e.right().zero()};
 }
 
 /// All triangles of a lattice, each once.
@@ -209,7 +209,7 @@ inline std::vector<int> records(const Lattice& lattice) {
     std::vector<int> r;
     lattice.each_edge([&](int m) {
         const Edge& e = lattice.edge(m);
-        for (const Vec v : {e.v, e.left, e.right})
+        for (const Vec v : {e.v, e.left, e.right()})
             r.insert(r.end(), {v.x, v.y});
     });
     return r;
@@ -274,7 +274,7 @@ inline ::testing::AssertionResult is_triangulation(const Lattice& lattice) {
             if (std::abs(e.v.x) > longest_edge || std::abs(e.v.y) > longest_edge)
                 return fail("too long");
             for (const int sign : {1, -1}) {
-                const Vec apex = sign > 0 ? e.left : e.right;
+                const Vec apex = sign > 0 ? e.left : e.right();
                 // Nothing of the hull lies on this side of an edge along the rim.
                 const int nx = -e.v.y * sign, ny = e.v.x * sign;
                 const bool rim =
@@ -297,7 +297,8 @@ inline ::testing::AssertionResult is_triangulation(const Lattice& lattice) {
                     if (half != v && half != Pixel{-v.x, -v.y})
                         return fail("a triangle's other edge does not exist");
                     const Pixel back{other.x - mx, other.y - my};
-                    if (back != Pixel{f.left.x, f.left.y} && back != Pixel{f.right.x, f.right.y})
+                    if (back != Pixel{f.left.x, f.left.y} &&
+                        back != Pixel{f.right().x, f.right().y})
                         return fail("a triangle's other edge does not point back");
                 }
                 ++sides;

@@ -40,14 +40,14 @@ void make_mesh(const std::vector<float>& pixels, int width, int height, bench::L
     lattice.find_first_edges(lattice.all());
 }
 
-void find_kinds(Scene& scene, const std::vector<float>& gain, float tau) {
+void find_kinds(Scene& scene, float tau) {
     const Lattice& lattice = scene.lattice;
     scene.kinds.resize(lattice.size());
     lattice.each_edge([&](int m) {
         const Edge& e = lattice.edge(m);
         EdgeKind& k = scene.kinds[size_t(m)];
-        const float g = std::min(gain[size_t(m)], 0.0f);
-        const bool can = gain[size_t(m)] != no_gain;
+        const float g = std::min(e.gain(), 0.0f);
+        const bool can = e.flippable();
         k.length = fitted_length(e.v.x, e.v.y);
         k.kind = can ? 1 : 0;
         k.near = can ? std::max(0.0f, 1 + g / fitted_gain_scale) : 0.0f;
@@ -55,7 +55,7 @@ void find_kinds(Scene& scene, const std::vector<float>& gain, float tau) {
         k.a = m - lattice.offset(e.v);
         k.b = m + lattice.offset(e.v);
         k.c = m + lattice.offset(e.left);
-        k.d = m + lattice.offset(e.right);
+        k.d = m + lattice.offset(e.right());
     });
 }
 
@@ -154,7 +154,7 @@ bool make_scene(const std::string& file, int scale, bench::Light light, Scene& s
     Workspace workspace;
     Lattice& lattice = scene.lattice;
     make_mesh(pixels, small.width(), small.height(), light, options, workspace, lattice);
-    find_kinds(scene, workspace.gain, options.surface.soft);
+    find_kinds(scene, options.surface.soft);
     locate_samples(scene);
 
     Net net;
@@ -162,7 +162,7 @@ bool make_scene(const std::string& file, int scale, bench::Light light, Scene& s
     Consistency consistency;
     consistency.begin(lattice, net, options.surface.limit, true);
     EdgeMaker edges;
-    edges.begin(lattice, {0, 0, lattice.width(), lattice.height()}, true, workspace.gain.data(),
+    edges.begin(lattice, {0, 0, lattice.width(), lattice.height()}, true, true,
                 options.surface.soft, net);
     edges.finish();
     consistency.measure(lattice, Surface::patch, net);

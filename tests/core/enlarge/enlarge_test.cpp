@@ -178,11 +178,10 @@ std::vector<float> untiled(const TestSource& source, const Job& job, const Resiz
     lattice.find_first_edges(lattice.all());
     set_vertices(lattice, source.values().data(), 1, 0, 1, net);
     if (job.surface.soft > 0)
-        find_gains(lattice, job.mesh.cost, workspace);
+        find_all_gains(lattice, job.mesh.cost);
     const auto shape = [&] {
-        make_edges(lattice, {0, 0, w.width(), w.height()}, true,
-                   job.surface.soft > 0 ? workspace.gain.data() : nullptr, job.surface.soft, edges,
-                   net);
+        make_edges(lattice, {0, 0, w.width(), w.height()}, true, job.surface.soft > 0,
+                   job.surface.soft, edges, net);
     };
     Consistency consistency;
     consistency.begin(lattice, net, job.surface.limit);

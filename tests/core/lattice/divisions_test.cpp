@@ -13,20 +13,18 @@ TEST(Divisions, EachCellsIsThatOfItsCentralEdge) {
         int seen[3] = {};
         for (int n = 0; n <= most; ++n) {
             // Edges of cells divided either way, by an edge either way round, and of flipped ones;
-            // the stamp beside the vectors is of no account.
+            // gains beside the vectors are of no account.
             std::vector<Site> sites(size_t(2 * most));
             for (Site& s : sites) {
                 const int way = random.below(2) ? 1 : -1, up = random.below(2) ? -1 : 1;
-                Edge& e = s.edge;
-                e.v = {int8_t(way * up), int8_t(way)};
-                e.left = {int8_t(-way), int8_t(way * up)};
-                e.right = -e.left;
-                Vec* const vectors[] = {&e.v, &e.left, &e.right};
-                Vec& other = *vectors[random.below(3)];
+                const Vec left(-way, way * up);
+                Vec vectors[] = {Vec(way * up, way), left, -left};
+                Vec& other = vectors[random.below(3)];
                 if (!random.below(3))
                     (random.below(2) ? other.x : other.y) = int8_t(random.between(-127, 127));
-                e.stamp = uint8_t(random.bits());
-                e.unused = uint8_t(random.bits());
+                s.edge = Edge(vectors[0], vectors[1], vectors[2]);
+                if (s.edge.flippable())
+                    s.edge.set_gain(random.unit() - 0.5f);
             }
             constexpr auto canary = Division(77);
             std::vector<Division> found(size_t(most) + 1, canary);

@@ -13,7 +13,7 @@ std::vector<Vec> walk_round(const Lattice& lattice, int vertex) {
     do {
         spokes.push_back(at);
         const Edge& e = lattice.edge(vertex + lattice.offset(at));
-        at = half(at + (e.v == at ? e.left : e.right));
+        at = half(at + (e.v == at ? e.left : e.right()));
     } while (at != spokes[0]);
     return spokes;
 }

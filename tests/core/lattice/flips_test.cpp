@@ -21,11 +21,11 @@ std::vector<int> edges_apart(const Lattice& lattice, Random& random) {
     return apart;
 }
 
-/// Whether two lattices of one size have the same edges, stamps among them.
+/// Whether two lattices of one size have the same edges, gains among them.
 bool same_edges(const Lattice& a, const Lattice& b) {
     bool same = true;
     a.each_edge([&](int m) {
-        same &= vectors_of(a.edge(m)) == vectors_of(b.edge(m)) && a.stamp(m) == b.stamp(m);
+        same &= vectors_of(a.edge(m)) == vectors_of(b.edge(m)) && a.gain(m) == b.gain(m);
     });
     return same;
 }
@@ -34,8 +34,9 @@ TEST(Flips, ManyAtOnceAreThoseOneByOne) {
     size_t flips = 0, steep = 0, longest = 0;
     each_mesh([&](Lattice& lattice) {
         Random random(lattice.size());
-        int stamp = 0;
-        lattice.each_edge([&](int m) { lattice.stamp(m) = uint8_t(++stamp); });
+        float gain = 0;
+        for (const int m : flippable_edges(lattice))
+            lattice.set_gain(m, ++gain);
         const std::vector<int> all = edges_apart(lattice, random);
         on_each_target([&] {
             // From every number of edges that are left over by vectors.

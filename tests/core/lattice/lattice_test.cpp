@@ -68,7 +68,7 @@ TEST(Lattice, StartForgetsWhatWasBefore) {
     fresh.start(7, 9, small.data(), true);
     EXPECT_EQ(used.size(), fresh.size());
     EXPECT_EQ(records(used), records(fresh));
-    used.each_edge([&](int m) { EXPECT_EQ(used.edge(m).stamp, 0); });
+    used.each_edge([&](int m) { EXPECT_EQ(used.gain(m), no_gain); });
 }
 
 TEST(Lattice, EachEdgeVisitsEveryHalfIntegerPointOnceInAddressOrder) {
@@ -213,7 +213,7 @@ TEST(Lattice, OuterApexIsTheOtherEndBeyondTheSide) {
                 const bool left = e.has_left && e.left == inner;
                 ASSERT_TRUE(left || (e.has_right && e.right == inner));
                 const Vec outer = lattice.outer_apex(m, q, k);
-                ASSERT_EQ(outer, left ? lattice.edge(middle).right : lattice.edge(middle).left);
+                ASSERT_EQ(outer, left ? lattice.edge(middle).right() : lattice.edge(middle).left);
                 ASSERT_TRUE(outer.zero() || det(q.side[k], outer) > 0);
             }
         }
@@ -317,7 +317,7 @@ TEST(Lattice, EdgesEndAtTheLongestThatFits) {
         lattice.each_edge([&](int m) {
             const Edge& e = lattice.edge(m);
             longest = std::max({longest, std::abs(int(e.v.x)), std::abs(int(e.v.y))});
-            refused += !e.left.zero() && e.left == -e.right && !e.flippable();
+            refused += !e.left.zero() && e.left == -e.right() && !e.flippable();
         });
         EXPECT_GE(longest, longest_edge - 1);
         EXPECT_GT(refused, 0);

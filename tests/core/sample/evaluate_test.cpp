@@ -18,8 +18,7 @@ constexpr Surface surfaces[] = {Surface::linear, Surface::patch};
 class Reader {
 public:
     Reader(const Scene& scene, Surface surface, const std::vector<float>& values, int channels = 1,
-           NearestMask nearest = 0, const std::vector<float>& gain = {}, float tau = 0,
-           bool strict = false)
+           NearestMask nearest = 0, float tau = 0, bool strict = false)
         : m_scene(scene), m_surface(surface), m_channels(channels), m_nearest(nearest) {
         const DenormalsAreZero zero;
         EdgeMaker edges;
@@ -28,10 +27,9 @@ public:
             set_vertices(scene.lattice, values.data(), channels, c,
                          std::min(group_size, channels - c), m_nets.back());
             if (surface == Surface::patch)
-                make_edges(scene.lattice, scene.all(), true, nullptr, 0, edges, m_nets.back());
+                make_edges(scene.lattice, scene.all(), true, false, 0, edges, m_nets.back());
             if (tau > 0)
-                make_edges(scene.lattice, scene.all(), false, gain.data(), tau, edges,
-                           m_nets.back());
+                make_edges(scene.lattice, scene.all(), false, true, tau, edges, m_nets.back());
             std::fill_n(m_nets.back().strict, group_size, strict ? 1.0f : 0.0f);
         }
         m_search.begin();
@@ -184,18 +182,16 @@ TEST(Evaluate, SoftEdgesHaveTheBitsOfTheFormulas) {
         int different = 0;
         each_scene([&](const Scene& scene, Random& random) {
             const Lattice& l = scene.lattice;
-            Workspace workspace;
-            find_gains(l, Cost::abn, workspace);
             for (const Surface surface : surfaces)
                 for (const Values kind : all_values)
                     for (const bool strict : {false, true}) {
                         const float tau = 1.0f;
                         const auto values = make_values(kind, scene.pixels(), random);
-                        Reader reader(scene, surface, values, 1, 0, workspace.gain, tau, strict);
+                        Reader reader(scene, surface, values, 1, 0, tau, strict);
                         const DenormalsAreZero zero;
                         SlowSurface slow(scene.faces, l.width(), l.height(), surface, values);
                         const SlowSurface hard = slow;
-                        slow.soften(l, workspace.gain, tau, strict);
+                        slow.soften(l, tau, strict);
                         for (const Point p : make_points(l, 100, random)) {
                             const Face f = face_at(scene, p);
                             int32_t w[3];
@@ -215,20 +211,18 @@ TEST(Evaluate, SoftEdgesAtNoGainShowBothDiagonalsAlike) {
     // The middle of a cell: the mean of its four corners.
     Random random(3);
     Scene scene(2, 2, 0, random);
-    const std::vector<float> gain(scene.lattice.size(), 0.0f);
-    Reader reader(scene, Surface::linear, {1, 2, 4, 16}, 1, 0, gain, 0.3f);
+    scene.lattice.set_gain(scene.lattice.site(1, 1), 0.0f);
+    Reader reader(scene, Surface::linear, {1, 2, 4, 16}, 1, 0, 0.3f);
     EXPECT_EQ(reader.at({position_one / 2, position_one / 2}), 5.75f);
 }
 
 TEST(Evaluate, AtAPixelThePixelComesBackWithSoftEdgesToo) {
     each_scene([](const Scene& scene, Random& random) {
-        Workspace workspace;
-        find_gains(scene.lattice, Cost::abn, workspace);
         for (const Surface surface : surfaces) {
             auto values = make_values(Values::nonfinite, scene.pixels(), random);
             for (size_t i = 0; i < values.size(); i += 2)
                 values[i] = -values[i];
-            Reader reader(scene, surface, values, 1, 0, workspace.gain, 10.0f);
+            Reader reader(scene, surface, values, 1, 0, 10.0f);
             for (int y = 0; y < scene.lattice.height(); ++y)
                 for (int x = 0; x < scene.lattice.width(); ++x) {
                     const float z = values[size_t(y * scene.lattice.width() + x)];
@@ -303,15 +297,13 @@ TEST(Evaluate, BlocksHaveTheBitsOfRows) {
                 p.push_back(last);
                 return p;
             };
-            Workspace workspace;
-            find_gains(l, Cost::abn, workspace);
             for (const Surface surface : surfaces)
                 for (const int channels : {1, 2, 3, 4, 7})
                     for (const float tau : {0.0f, 0.5f}) {
                         const auto values =
                             make_values(all_values[size_t(channels) % std::size(all_values)],
                                         scene.pixels() * channels, random);
-                        Reader reader(scene, surface, values, channels, 0, workspace.gain, tau);
+                        Reader reader(scene, surface, values, channels, 0, tau);
                         const auto x = positions(l.width(), channels * 20000);
                         const auto y = positions(l.height(), 30000);
                         expect_rows(reader, x, y);
@@ -577,8 +569,6 @@ TEST(Evaluate, PositionsThatLieAlikeInCellsHaveTheBitsOfRows) {
         for (const int flips : {0, few, 6000}) {
             const Scene scene(29, 13, flips, random);
             const Lattice& l = scene.lattice;
-            Workspace workspace;
-            find_gains(l, Cost::abn, workspace);
             for (int phases = least_phases; phases <= most_phases; ++phases)
                 for (const int channels : {1, 2, 3, 4, 7})
                     for (const float tau : {0.0f, 0.5f}) {
@@ -588,8 +578,8 @@ TEST(Evaluate, PositionsThatLieAlikeInCellsHaveTheBitsOfRows) {
                                      << channels << ", " << tau);
                         const auto kind = all_values[size_t(channels) % std::size(all_values)];
                         const auto values = make_values(kind, scene.pixels() * channels, random);
-                        Reader reader(scene, surfaces[random.below(2)], values, channels, 0,
-                                      workspace.gain, tau, random.below(2) == 1);
+                        Reader reader(scene, surfaces[random.below(2)], values, channels, 0, tau,
+                                      random.below(2) == 1);
                         // From anywhere in a cell to anywhere in another; on ties too.
                         const int32_t step = position_one / phases;
                         const int32_t shift = random.below(2) * random.below(step);

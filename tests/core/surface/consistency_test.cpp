@@ -23,17 +23,15 @@ std::vector<float> corrected(const Scene& scene, const std::vector<float>& value
     const Lattice& l = scene.lattice;
     Net net;
     EdgeMaker edges;
-    Workspace workspace;
     Consistency consistency;
     set_vertices(l, values.data(), count, 0, count, net);
     std::fill_n(net.strict, group_size, shape.strict ? 1.0f : 0.0f);
-    find_gains(l, Cost::abn, workspace);
     consistency.begin(l, net, shape.limit, shape.clipped);
     for (int i = 0; i < rounds; ++i) {
         if (shape.surface == Surface::patch)
-            make_edges(l, scene.all(), true, nullptr, 0, edges, net);
+            make_edges(l, scene.all(), true, false, 0, edges, net);
         if (shape.tau > 0)
-            make_edges(l, scene.all(), false, workspace.gain.data(), shape.tau, edges, net);
+            make_edges(l, scene.all(), false, true, shape.tau, edges, net);
         consistency.correct(l, shape.surface, net);
     }
     std::vector<float> result;
@@ -51,9 +49,7 @@ std::vector<float> slow_round(const Scene& scene, const std::vector<float>& sour
     const Lattice& l = scene.lattice;
     SlowSurface slow(scene.faces, l.width(), l.height(), shape.surface, values);
     if (shape.tau > 0) {
-        Workspace workspace;
-        find_gains(l, Cost::abn, workspace);
-        slow.soften(l, workspace.gain, shape.tau, shape.strict);
+        slow.soften(l, shape.tau, shape.strict);
     }
     auto result = values;
     for (int y = 1; y + 1 < l.height(); ++y)

@@ -91,14 +91,11 @@ Result fitted(const Scene& scene, const std::vector<float>& values, Setting sett
     const DenormalsAreZero zero;
     const Lattice& l = scene.lattice;
     Net net;
-    Workspace workspace;
     FittedMaker maker;
     std::fill_n(net.strict, group_size, setting.strict ? 1.0f : 0.0f);
-    find_gains(l, {Cost::abn}, workspace);
     auto padded = values;
     padded.resize(values.size() + group_size);
-    maker.begin(l, scene.all(), {workspace.gain.data(), 0, 0.25f, setting.clipped},
-                {padded.data(), 1, 0, 1}, net);
+    maker.begin(l, scene.all(), {0, 0.25f, setting.clipped}, {padded.data(), 1, 0, 1}, net);
     maker.finish();
     Result r;
     for (int y = 0; y < l.height(); ++y)
@@ -116,13 +113,11 @@ Result slow(const Scene& scene, const std::vector<float>& values, Setting settin
     const int w = l.width(), h = l.height();
     Net net;
     EdgeMaker edges;
-    Workspace workspace;
     Consistency consistency;
     set_vertices(l, values.data(), 1, 0, 1, net);
     std::fill_n(net.strict, group_size, setting.strict ? 1.0f : 0.0f);
-    find_gains(l, {Cost::abn}, workspace);
     consistency.begin(l, net, 0.25f, setting.clipped);
-    make_edges(l, scene.all(), true, nullptr, 0, edges, net);
+    make_edges(l, scene.all(), true, false, 0, edges, net);
     consistency.measure(l, Surface::patch, net);
     const auto inside = [&](int x, int y) { return values[size_t(y * w + x)]; };
     const auto tap = [&](int x, int y) {
@@ -150,14 +145,14 @@ Result slow(const Scene& scene, const std::vector<float>& values, Setting settin
     l.each_edge([&](int m) {
         const Edge& e = l.edge(m);
         const EdgeView ends = view(l, m);
-        const Vec left = e.left.zero() ? -e.right : e.left,
-                  right = e.right.zero() ? -e.left : e.right;
+        const Vec other = e.right(), left = e.left.zero() ? -other : e.left,
+                  right = other.zero() ? -e.left : other;
         Edge1 f;
         f.find(Place{ends.a.x, ends.a.y}, {e.v.x, e.v.y}, {left.x, left.y}, {right.x, right.y},
                net.at(m)[0], [&](Place p) { return tap(p.x, p.y); });
         float null[fitted_nodes][fitted_edge_null];
         const auto& kinds = table.null[fitted_length(e.v.x, e.v.y)];
-        const float gain = workspace.gain[size_t(m)];
+        const float gain = l.gain(m);
         const float t = 1.0f + (gain < 0.0f ? gain : 0.0f) * table.gain_scale;
         const float near = t > 0.0f ? t : 0.0f;
         for (int k = 0; k < fitted_nodes; ++k)

@@ -15,7 +15,7 @@ Net make(const Scene& scene, Surface surface, const std::vector<float>& values, 
     EdgeMaker edges;
     set_vertices(scene.lattice, values.data(), channels, first, count, net);
     if (surface == Surface::patch)
-        make_edges(scene.lattice, scene.all(), true, nullptr, 0, edges, net);
+        make_edges(scene.lattice, scene.all(), true, false, 0, edges, net);
     return net;
 }
 
@@ -65,16 +65,14 @@ TEST(Net, SoftEdgesHaveTheBitsOfTheFormulas) {
                 for (const float tau : {0.3f, 100.0f}) {
                     const Lattice& l = scene.lattice;
                     const auto values = make_values(kind, scene.pixels(), random);
-                    Workspace workspace;
-                    find_gains(l, Cost::abn, workspace);
                     Net net = make(scene, Surface::linear, values);
                     for (SiteRows* rows : {&net.soft.even, &net.soft.odd})
                         rows->numbers.assign(l.size(), 99.0f);
                     const DenormalsAreZero zero;
                     EdgeMaker edges;
-                    make_edges(l, scene.all(), false, workspace.gain.data(), tau, edges, net);
+                    make_edges(l, scene.all(), false, true, tau, edges, net);
                     SlowSurface slow(scene.faces, l.width(), l.height(), Surface::linear, values);
-                    slow.soften(l, workspace.gain, tau, false);
+                    slow.soften(l, tau, false);
                     l.each_edge([&](int m) {
                         const EdgeView e = view(l, m);
                         ASSERT_EQ(net.soft_at(m)[0], slow.q(e.a, e.b));
@@ -192,7 +190,7 @@ TEST(Net, APartsEdgesBendAsInTheWhole) {
         Net net;
         EdgeMaker edges;
         set_vertices(scene.lattice, values.data(), 1, 0, 1, net);
-        make_edges(scene.lattice, part, true, nullptr, 0, edges, net);
+        make_edges(scene.lattice, part, true, false, 0, edges, net);
         const auto inside = [&](Pixel p) {
             return p.x >= part.x0 && p.x < part.x1 && p.y >= part.y0 && p.y < part.y1;
         };
@@ -212,9 +210,7 @@ TEST(Net, RowsThatComeAsTheyAreNeededHaveTheBitsOfTheWhole) {
     on_each_target([] {
         each_scene([](const Scene& scene, Random& random) {
             Lattice l = scene.lattice;
-            Workspace workspace;
-            find_gains(l, Cost::abn, workspace);
-            const EdgeRecipe recipe{true, workspace.gain.data(), 0.3f};
+            const EdgeRecipe recipe{true, true, 0.3f};
             for (const Values kind : all_values)
                 for (const float last : {0.5f, 0x1p70f, std::nanf("")}) {
                     // What is made before a value that is not tame turns up need not know of it.
@@ -254,7 +250,7 @@ TEST(Net, WhatTheMemoryHeldBeforeDoesNotMatter) {
         Scene scene(size.x, size.y, 100, random);
         const auto values = make_values(Values::unit, scene.pixels(), random);
         set_vertices(scene.lattice, values.data(), 1, 0, 1, net);
-        make_edges(scene.lattice, scene.all(), true, nullptr, 0, edges, net);
+        make_edges(scene.lattice, scene.all(), true, false, 0, edges, net);
         const Net fresh = make(scene, Surface::patch, values);
         scene.lattice.each_edge(
             [&](int m) { ASSERT_EQ(bits_of(net.at(m)[0]), bits_of(fresh.at(m)[0])); });

@@ -8,6 +8,7 @@
 
 #include "core/base/arith.h"
 #include "core/surface/net.h"
+#include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"
 
 namespace ddt::test {
@@ -45,14 +46,14 @@ public:
         return found == m_bends.end() ? 0.0f : found->second;
     }
 
-    /// Blend the edges with their flipped state (SurfaceOptions::soft); `gain` as find_gains() has
-    /// it. `strict`: the range of the three values holds all the same.
-    void soften(const Lattice& lattice, const std::vector<float>& gain, float tau, bool strict) {
+    /// Blend the edges with their flipped state (SurfaceOptions::soft) by their gains. `strict`:
+    /// the range of the three values holds all the same.
+    void soften(const Lattice& lattice, float tau, bool strict) {
         m_soft = true;
         m_strict = strict;
         for (const int m : flippable_edges(lattice)) {
             const EdgeView v = view(lattice, m);
-            const float g = gain[size_t(m)], w = 1.0f + (g < 0 ? g : 0.0f) * (1.0f / tau);
+            const float g = lattice.gain(m), w = 1.0f + (g < 0 ? g : 0.0f) * (1.0f / tau);
             const float d = (z(v.left) + z(v.right)) - (z(v.a) + z(v.b));
             const float q = (w > 0 ? 0.5f * w : 0.0f) * d;
             m_softness[v.a + v.b] = w > 0 && std::fabs(q) <= FLT_MAX ? q : 0.0f;
@@ -169,6 +170,7 @@ struct Scene {
         faces = faces_of(lattice);
         lattice.find_divisions(lattice.all());
         lattice.find_first_edges(lattice.all());
+        find_all_gains(lattice, Cost::abn);
     }
     Rect all() const { return lattice.all(); }
     size_t pixels() const { return size_t(lattice.width()) * size_t(lattice.height()); }

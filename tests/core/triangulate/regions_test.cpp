@@ -17,10 +17,10 @@ std::vector<int> region_of(const Lattice& lattice, int m) {
 }
 
 /// Of the edge at m and its region the one that no other goes before.
-int best_of(const Lattice& lattice, const std::vector<float>& gain, int m) {
+int best_of(const Lattice& lattice, int m) {
     int best = m;
     for (const int other : region_of(lattice, m))
-        if (goes_before(gain, other, best))
+        if (goes_before(lattice, other, best))
             best = other;
     return best;
 }
@@ -28,25 +28,24 @@ int best_of(const Lattice& lattice, const std::vector<float>& gain, int m) {
 TEST(Regions, BlockAllCandidatesButTheBest) {
     size_t blocked = 0, free = 0, ties = 0;
     each_mesh([&](Lattice& lattice) {
-        Workspace w;
-        find_gains(lattice, Criterion(Cost::abn), w);
-        // Few different ones, so that some are equal.
-        for (float& gain : w.gain)
-            gain = gain == no_gain ? no_gain : std::round(4 * gain) / 4;
+        find_all_gains(lattice, Cost::abn);
         const std::vector<int> sites = flippable_edges(lattice);
+        // Few different ones, so that some are equal.
+        for (const int m : sites)
+            lattice.set_gain(m, std::round(4 * lattice.gain(m)) / 4);
         on_each_target([&] {
             // From every number of edges that are left over by vectors.
             for (size_t n = sites.size() - std::min<size_t>(sites.size(), 17); n <= sites.size();
                  ++n) {
                 std::vector<int> blockers(n + 1, -7);
-                find_blockers(lattice, w.gain, sites.data(), n, blockers.data());
+                find_blockers(lattice, sites.data(), n, blockers.data());
                 ASSERT_EQ(blockers[n], -7);
                 for (size_t i = 0; i < n; ++i) {
-                    const int m = sites[i], best = best_of(lattice, w.gain, m);
+                    const int m = sites[i], best = best_of(lattice, m);
                     ASSERT_EQ(blockers[i], best == m ? -1 : best) << "edge " << m;
                     blocked += best != m;
                     free += best == m;
-                    ties += best != m && w.gain[size_t(best)] == w.gain[size_t(m)];
+                    ties += best != m && lattice.gain(best) == lattice.gain(m);
                 }
             }
         });
@@ -56,32 +55,39 @@ TEST(Regions, BlockAllCandidatesButTheBest) {
     EXPECT_GT(ties, 100u);
 }
 
-TEST(Regions, AreThoseThatTheLatticeTells) {
-    size_t regions_found = 0, fewer = 0;
+TEST(Regions, SettledEdgesAreFoundAndThoseThatTheLatticeTells) {
+    size_t regions_found = 0, touched = 0;
     each_mesh([&](Lattice& lattice) {
         const std::vector<int> sites = flippable_edges(lattice);
+        find_all_gains(lattice, Cost::abn);
+        Random random(lattice.size());
+        for (const int m : sites)
+            touched += random.below(3) == 0 && lattice.touch(m);
         on_each_target([&] {
             size_t n = 0;
             for (size_t i = 0; i < sites.size(); i += n) {
                 // Some vectors, whole or not, and more than are looked at together.
                 n = std::min(sites.size() - i, i % (2 * regions_at_once) + 1);
-                std::vector<int> found(n * most_in_region + 1, -7);
-                find_regions(lattice, &sites[i], n, found.data());
+                std::vector<int> found(n * most_in_region + region_padding + 1, -7);
+                const size_t number = find_settled(lattice, &sites[i], n, found.data());
                 ASSERT_EQ(found.back(), -7);
+                ASSERT_LE(number, n * most_in_region);
+                std::set<int> wanted;
+                const auto want = [&](int m) {
+                    if (lattice.settled(m))
+                        wanted.insert(m);
+                };
                 for (size_t k = 0; k < n; ++k) {
-                    const int* begin = found.data() + k * most_in_region;
-                    const std::set<int> region(begin, begin + most_in_region);
-                    std::vector<int> all = region_of(lattice, sites[i + k]);
-                    all.push_back(sites[i + k]);
-                    ASSERT_EQ(region, std::set<int>(all.begin(), all.end())) << sites[i + k];
-                    fewer += region.size() < most_in_region;
+                    want(sites[i + k]);
+                    lattice.each_of_region(sites[i + k], want);
                 }
+                ASSERT_EQ(std::set<int>(found.begin(), found.begin() + ptrdiff_t(number)), wanted);
                 regions_found += n;
             }
         });
     });
     EXPECT_GT(regions_found, 1000u);
-    EXPECT_GT(fewer, 100u);
+    EXPECT_GT(touched, 100u);
 }
 
 } // namespace

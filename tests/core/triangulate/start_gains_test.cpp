@@ -18,7 +18,7 @@ std::vector<float> stepped(std::vector<float> guide, float scale) {
 }
 
 /// Compare with the scalar twin, edge by edge.
-void check(const Lattice& lattice, const Criterion& by, float min_gain) {
+void check(Lattice lattice, const Criterion& by, float min_gain) {
     Workspace w;
     Statistics statistics;
     ASSERT_TRUE(start_gains(lattice, by, min_gain, w, statistics));
@@ -33,7 +33,7 @@ void check(const Lattice& lattice, const Criterion& by, float min_gain) {
             if (gain > min_gain)
                 candidates.push_back(m);
         }
-        ASSERT_EQ(bits_of(w.gain[size_t(m)]), bits_of(gain))
+        ASSERT_EQ(bits_of(lattice.gain(m)), bits_of(gain))
             << "edge at " << m % lattice.stride() << ", " << m / lattice.stride();
     });
     std::sort(w.candidates.begin(), w.candidates.end());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lattices wider than those whose sites are worked on several at a time.
+#include <algorithm>
 #include <set>
 
 #include "core/triangulate/gain.h"
@@ -33,25 +34,21 @@ TEST_P(WideLattice, IsWorkedOnAsAnyOther) {
         const auto ends = edges_at_the_ends(lattice);
         const int m = ends[size_t(random.below(int(ends.size())))];
         lattice.flip_all(&m, 1);
-        ASSERT_EQ(lattice.edge(m).left, -lattice.edge(m).right);
+        ASSERT_TRUE(lattice.flippable(m));
     }
     const Criterion by(Cost::abn, 0.8f);
-    Workspace w;
-    find_gains(lattice, by, w);
     const std::vector<int> ends = edges_at_the_ends(lattice);
-    std::vector<int> candidates(ends.size() + candidate_padding), blockers(ends.size());
-    std::vector<float> gain(lattice.size());
-    const Evaluated found =
-        find_candidates(lattice, by, 0, ends.data(), ends.size(), gain, candidates.data());
-    EXPECT_EQ(found.flippable, ends.size());
-    EXPECT_GT(found.candidates, 10u);
-    find_blockers(lattice, w.gain, ends.data(), ends.size(), blockers.data());
+    std::vector<int> candidates = ends, blockers(ends.size());
+    candidates.resize(ends.size() + candidate_padding);
+    const size_t found = find_candidates(lattice, by, 0, candidates.data(), ends.size());
+    EXPECT_GT(found, 10u);
+    find_all_gains(lattice, by);
+    find_blockers(lattice, ends.data(), ends.size(), blockers.data());
     size_t good = 0;
     for (size_t i = 0; i < ends.size(); ++i) {
         const int m = ends[i];
         const float g = scalar::gain<scalar::Abn<float>>(lattice, m, by.contour);
-        ASSERT_EQ(bits_of(gain[size_t(m)]), bits_of(g));
-        ASSERT_EQ(bits_of(w.gain[size_t(m)]), bits_of(g));
+        ASSERT_EQ(bits_of(lattice.gain(m)), bits_of(g));
         if (g > 0) {
             ASSERT_EQ(candidates[good++], m);
         }
@@ -59,15 +56,19 @@ TEST_P(WideLattice, IsWorkedOnAsAnyOther) {
         bool best = true;
         lattice.each_of_region(m, [&](int other) {
             region.insert(other);
-            best &= !goes_before(w.gain, other, m);
+            best &= !goes_before(lattice, other, m);
         });
         ASSERT_EQ(blockers[i] < 0, best);
         ASSERT_TRUE(best || region.count(blockers[i]));
-        int regions[most_in_region];
-        find_regions(lattice, &m, 1, regions);
-        ASSERT_EQ(std::set<int>(regions, regions + most_in_region), region);
+        int settled[most_in_region + region_padding];
+        const size_t number = find_settled(lattice, &m, 1, settled);
+        for (const int other : region)
+            ASSERT_TRUE(!lattice.settled(other) ||
+                        std::count(settled, settled + number, other) > 0);
+        for (size_t k = 0; k < number; ++k)
+            ASSERT_TRUE(region.count(settled[k]));
     }
-    EXPECT_EQ(good, found.candidates);
+    EXPECT_EQ(good, found);
     EXPECT_TRUE(is_triangulation(lattice));
 }
 

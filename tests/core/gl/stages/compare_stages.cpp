@@ -70,7 +70,7 @@ private:
     bool compare_mesh(const std::string& name, const MeshStage& cpu, const MeshStage& gpu) {
         StageResult& edges = begin(name, "edges");
         each_edge([&](int x, int y, size_t m) {
-            const uint64_t a = vectors_of(cpu.sites[m].edge), b = vectors_of(gpu.sites[m].edge);
+            const uint64_t a = cpu.sites[m], b = gpu.sites[m];
             const int word = uint32_t(a) == uint32_t(b) ? 32 : 0;
             count(edges, a == b, x, y, 0, uint32_t(a >> word), uint32_t(b >> word));
         });
@@ -104,9 +104,7 @@ private:
             const std::string name = "after iteration " + std::to_string(i);
             const bool same = compare_mesh(name, cpu, gpu);
             compare_gains(name, cpu, gpu);
-            const bool flipped =
-                std::memcmp(before.sites.data(), cpu.sites.data(),
-                            cpu.sites.size() * sizeof(Site)) != 0; // stamps tell, too
+            const bool flipped = before.sites != cpu.sites;
             if (!flipped || !same)
                 break;
             before = cpu;

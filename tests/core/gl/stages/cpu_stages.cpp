@@ -11,13 +11,14 @@ namespace ddt::test {
 
 namespace {
 
-/// A finished mesh with its gains in w.gain.
+/// A finished mesh with its gains.
 void make_mesh(const std::vector<float>& guide, int width, int height, const MeshOptions& options,
-               Lattice& lattice, Workspace& w) {
+               Lattice& lattice) {
     Statistics statistics;
+    Workspace w;
     start(lattice, width, height, guide.data(), options);
     triangulate(lattice, options, w, statistics);
-    find_gains(lattice, criterion(options), w);
+    find_all_gains(lattice, criterion(options));
 }
 
 } // namespace
@@ -28,10 +29,14 @@ MeshStage cpu_mesh(const std::vector<float>& guide, int width, int height,
     MeshOptions some = options;
     some.max_iterations = iterations;
     Lattice lattice;
-    Workspace w;
-    make_mesh(guide, width, height, some, lattice, w);
-    w.gain.resize(lattice.size());
-    return {{lattice.sites(), lattice.sites() + lattice.size()}, w.gain, lattice.stride()};
+    make_mesh(guide, width, height, some, lattice);
+    MeshStage stage{std::vector<uint64_t>(lattice.size()), std::vector<float>(lattice.size()),
+                    lattice.stride()};
+    lattice.each_edge([&](int m) {
+        stage.sites[size_t(m)] = vectors_of(lattice.edge(m));
+        stage.gains[size_t(m)] = lattice.gain(m);
+    });
+    return stage;
 }
 
 SurfaceStage cpu_surface(const std::vector<float>& guide, const std::vector<float>& values,
@@ -39,8 +44,7 @@ SurfaceStage cpu_surface(const std::vector<float>& guide, const std::vector<floa
     const DenormalsAreZero as_on_gpus;
     const SurfaceOptions& surface = job.surface;
     Lattice lattice;
-    Workspace w;
-    make_mesh(guide, width, height, job.mesh, lattice, w);
+    make_mesh(guide, width, height, job.mesh, lattice);
     lattice.find_divisions(lattice.all());
     lattice.find_first_edges(lattice.all());
     Net net;
@@ -48,10 +52,10 @@ SurfaceStage cpu_surface(const std::vector<float>& guide, const std::vector<floa
     for (int c = 0; c < group_size; ++c)
         net.strict[c] = is_strict(job, c) ? 1.0f : 0.0f;
     const bool bend = surface.kind != Surface::linear;
-    const float* gain = surface.soft > 0 ? w.gain.data() : nullptr;
+    const bool soft = surface.soft > 0;
     EdgeMaker edges;
     const auto make_edges = [&] {
-        edges.begin(lattice, {0, 0, width, height}, bend, gain, surface.soft, net);
+        edges.begin(lattice, {0, 0, width, height}, bend, soft, surface.soft, net);
         edges.finish();
     };
     Consistency consistency;
@@ -80,7 +84,7 @@ SurfaceStage cpu_surface(const std::vector<float>& guide, const std::vector<floa
     for (int s = 0; s < int(lattice.size()); ++s) {
         if (bend)
             append(net.at(s), stage.bends);
-        if (gain)
+        if (soft)
             append(net.soft_at(s), stage.softness);
     }
     return stage;

@@ -11,7 +11,7 @@ namespace ddt::test {
 
 /// A mesh: a site each.
 struct MeshStage {
-    std::vector<Site> sites;
+    std::vector<uint64_t> sites; ///< vectors_of() edges
     std::vector<float> gains;
     int stride = 0;
 };

@@ -58,6 +58,8 @@ MeshStage GpuStages::mesh(const MeshOptions& options, int iterations, bool gains
     m_mesh.triangulate(some);
     gl::finish(m_gpu.context->gl, "triangulation");
     m_mesh.read_sites(0, stage.sites.data());
+    for (uint64_t& site : stage.sites)
+        site &= 0xffffffffffffu; // what follows the vectors is scratch
     if (gains_alone)
         m_mesh.forget_gains();
     m_mesh.find_gains(criterion(options));
