@@ -57,6 +57,15 @@ void divide(const float* upper, const float* lower, const uint32_t* words, int n
 
 } // namespace
 
+float* Lattice::guide_place(int width, int height) {
+    // At the end. start() goes down row by row: where n rows of pixels are left their sites take 32
+    // n bytes a column and their guide 4 n, and where one is left its sites take 16 and end before
+    // what was read of it.
+    const size_t pixels = size_t(width) * size_t(height);
+    m_sites.resize(4 * pixels);
+    return reinterpret_cast<float*>(m_sites.data() + m_sites.size()) - pixels;
+}
+
 void Lattice::start(int width, int height, const float* guide, bool flat, bool contours) {
     m_width = width;
     m_height = height;

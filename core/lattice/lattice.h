@@ -203,6 +203,10 @@ public:
     /// Memory is kept from one use to the next.
     void start(int width, int height, const float* guide, bool flat, bool contours = false);
 
+    /// Room for the guide of a lattice of width x height pixels, within what that lattice is to be
+    /// made in: start() may be given it.
+    float* guide_place(int width, int height);
+
     /// Take the memory for so many sites: 4 a pixel are enough.
     void reserve(size_t sites) {
         reserve_large(m_sites, sites);

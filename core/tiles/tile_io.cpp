@@ -71,8 +71,12 @@ Point local(const Tile& tile, const Position& p) {
     return {along(p.x, tile.pixels.x0, tile.pixels.x1), along(p.y, tile.pixels.y0, tile.pixels.y1)};
 }
 
-size_t lattice_pixels(const Tile& tile) {
-    return size_t(std::max(tile.pixels.width(), 2)) * size_t(std::max(tile.pixels.height(), 2));
+int lattice_width(const Tile& tile) {
+    return std::max(tile.pixels.width(), 2);
+}
+
+int lattice_height(const Tile& tile) {
+    return std::max(tile.pixels.height(), 2);
 }
 
 bool read_tile(Source& source, const Tile& tile, const Job& job, float* values, float* guide,
@@ -92,8 +96,9 @@ bool read_tile(Source& source, const Tile& tile, const Job& job, float* values, 
 
 bool read_tile(Source& source, const Tile& tile, const Job& job, std::vector<float>& values,
                std::vector<float>& guide, int& width, int& height) {
-    values.resize(lattice_pixels(tile) * size_t(job.channels));
-    guide.resize(lattice_pixels(tile));
+    const size_t pixels = size_t(lattice_width(tile)) * size_t(lattice_height(tile));
+    values.resize(pixels * size_t(job.channels));
+    guide.resize(pixels);
     return read_tile(source, tile, job, values.data(), guide.data(), width, height);
 }
 

@@ -40,8 +40,9 @@ bool read_tile(Source& source, const Tile& tile, const Job& job, float* values, 
 /// The same into vectors that become as long as that.
 bool read_tile(Source& source, const Tile& tile, const Job& job, std::vector<float>& values,
                std::vector<float>& guide, int& width, int& height);
-/// Pixels of the lattice that a tile's become.
-size_t lattice_pixels(const Tile& tile);
+/// Size of the lattice that a tile's pixels become.
+int lattice_width(const Tile& tile);
+int lattice_height(const Tile& tile);
 
 /// Channels are worked on in groups of group_size.
 int group_count(int channels);

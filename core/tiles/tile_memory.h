@@ -23,6 +23,12 @@ struct TileMemory {
     void reserve(const Job& job);
     /// Those that it takes.
     size_t bytes() const;
+
+    /// Where the guide has room. A lattice that was started needs it no more: that of a single mesh
+    /// lies where the lattice will.
+    float* guide_place(int width, int height) {
+        return guide.empty() ? meshed.meshes[0].guide_place(width, height) : guide.data();
+    }
 };
 
 /// Width and height of the lattice of the largest tile of a job.

@@ -25,6 +25,8 @@ public:
     /// Take the memory that a lattice of so many sites needs: a vector that grows from tile to tile
     /// would take up to twice of it.
     void reserve(size_t sites) { m_lattice.reserve(sites); }
+    /// Room for the guide of the next mesh, within its own memory.
+    float* guide_place(int width, int height) { return m_lattice.guide_place(width, height); }
     /// About the bytes that this takes for a lattice of width x height pixels.
     static size_t memory(int width, int height);
     /// Those that it takes.

@@ -17,7 +17,8 @@ const float* guide_of(size_t mesh, const Job& job, TileMemory& memory) {
     const bool last = mesh + 1 == meshed.meshes.size();
     if (!last)
         memory.blurred = memory.guide;
-    float* const guide = last ? memory.guide.data() : memory.blurred.data();
+    float* const guide =
+        last ? memory.guide_place(meshed.width, meshed.height) : memory.blurred.data();
     if (share > 0)
         blur_guide(guide, meshed.width, meshed.height, share);
     return guide;
@@ -64,9 +65,10 @@ bool TileWorker::read(const Tile& tile, TileMemory& memory) {
     memory.workspace.origin_y = tile.pixels.y0 - m_job.window.y0;
     MeshedTile& meshed = memory.meshed;
     meshed.tile = tile;
-    meshed.values.resize(lattice_pixels(tile) * size_t(m_job.channels) + group_size);
-    if (!read_tile(m_source, tile, m_job, meshed.values.data(), memory.guide.data(), meshed.width,
-                   meshed.height))
+    const int width = lattice_width(tile), height = lattice_height(tile);
+    meshed.values.resize(size_t(width) * size_t(height) * size_t(m_job.channels) + group_size);
+    if (!read_tile(m_source, tile, m_job, meshed.values.data(), memory.guide_place(width, height),
+                   meshed.width, meshed.height))
         return false;
     m_clock.lap(m_statistics.times.read);
     return true;
