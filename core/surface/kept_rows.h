@@ -18,7 +18,7 @@ constexpr int rows_at_once = 4;
 constexpr int rows_to_go_on = 4;
 
 /// Rows of vertices and of what belongs to edges that are in use at a time in most tiles, at most.
-constexpr int usual_vertex_rows = 24, usual_edge_rows = 16;
+constexpr int usual_vertex_rows = 20, usual_edge_rows = 14;
 
 /// Floats of SiteRows in a row of pixels, which is two of the doubled lattice.
 constexpr size_t site_row(int width, int count) {

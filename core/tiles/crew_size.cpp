@@ -11,17 +11,16 @@ namespace ddt {
 
 namespace {
 
-/// All together take no more than this for a few threads, times the meshes.
-constexpr size_t least_limit = size_t(200) << 20;
-/// Where parts of tiles are shared, as much for each thread if that is more.
-constexpr size_t limit_per_thread = size_t(6) << 20;
-/// Where they are not, so much more for each thread beyond a few.
-constexpr size_t few_threads = 16, limit_per_own_tile = size_t(22) << 20;
+/// All together take no more than this for a few threads, times the meshes, and so much more for
+/// each further one: less where parts of tiles are shared.
+constexpr size_t few_limit = size_t(200) << 20;
+constexpr size_t few_shared = 40, limit_per_thread = size_t(6) << 20;
+constexpr size_t few_unshared = 16, limit_per_own_tile = size_t(22) << 20;
 
 size_t memory_limit(size_t threads, bool shared) {
-    if (shared)
-        return std::max(least_limit, threads * limit_per_thread);
-    return least_limit + (threads - std::min(threads, few_threads)) * limit_per_own_tile;
+    const size_t few = shared ? few_shared : few_unshared;
+    return few_limit +
+           (threads - std::min(threads, few)) * (shared ? limit_per_thread : limit_per_own_tile);
 }
 
 /// With fewer places than members by this factor, meshes would be what they wait for: they are a

@@ -77,7 +77,7 @@ size_t TileMemory::needed(const Job& job) {
     const size_t pixels = pixels_of(job);
     const size_t meshes = size_t(job.mesh.meshes) * TileMesh::memory(width, largest_height(job));
     // Work lists, which are longest in noise.
-    const size_t workspace = pixels * 10 + start_gains_memory(width);
+    const size_t workspace = pixels * 12 + start_gains_memory(width);
     const size_t guides = job.mesh.meshes > 1 ? 2 : 0;
     const size_t planes = pixels * sizeof(float) * (guides + size_t(job.channels));
     return meshes + workspace + planes + ContourRows::memory(width);
@@ -90,6 +90,7 @@ void TileMemory::reserve(const Job& job) {
     meshed.meshes.resize(size_t(job.mesh.meshes));
     for (TileMesh& mesh : meshed.meshes)
         mesh.reserve(sites);
+    workspace.reserve(pixels);
 }
 
 size_t TileMemory::bytes() const {

@@ -485,7 +485,6 @@ size_t start_gains_memory(int width) {
 bool start_gains(Lattice& lattice, const Criterion& criterion, float min_gain, Workspace& w,
                  Statistics& statistics) {
     w.candidates.clear();
-    w.candidates.reserve(lattice.vertices() * 3 / 5); // noise, where most are, has fewer
     int64_t evaluations = 0;
     if (!lattice.fresh() ||
         !HWY_DYNAMIC_DISPATCH(inner_gains)(lattice, criterion, min_gain, w, evaluations))
