@@ -34,9 +34,7 @@ void triangulate_here(const std::vector<float>& guide, const Job& job, const Slo
         for (int x = 0; x < t.size.width; ++x) {
             const Vertex& vertex = lattice.vertex(lattice.vertex_site(x, y));
             const auto key = unsigned(vertex.first.y + 128) << 8 | unsigned(vertex.first.x + 128);
-            uint32_t guide_bits;
-            std::memcpy(&guide_bits, &vertex.guide, sizeof guide_bits);
-            at(2 * x, 2 * y) = guide_bits | uint64_t(key) << 32;
+            at(2 * x, 2 * y) = bits_of(vertex.guide) | uint64_t(key) << 32;
         }
 }
 

@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "core/base/arith.h"
+#include "core/base/float_bits.h"
 #include "core/base/large_pages.h"
 #include "ddt/mapping.h"
 
@@ -100,12 +101,11 @@ struct Edge {
     Vec apexes() const { return left + right(); }
 
     /// no_gain of an edge that cannot be flipped, or whose gain is not known.
-    float gain() const { return std::max(as_float(word), no_gain); }
+    float gain() const { return std::max(float_of(word), no_gain); }
     /// Of an edge that can be flipped.
     void set_gain(float gain) {
         // Whatever is compared with a number that is not one is false.
-        gain = gain > least_gain ? gain : least_gain;
-        std::memcpy(&word, &gain, sizeof word);
+        word = bits_of(gain > least_gain ? gain : least_gain);
     }
 
     /// Whether an edge with these apexes can be flipped. Without branches, since half of all can.
@@ -113,13 +113,6 @@ struct Edge {
         const auto allowed = [](int n) { return unsigned(n + longest_edge) <= 2u * longest_edge; };
         return ((left.x | left.y) != 0) & (left.x + right.x == 0) & (left.y + right.y == 0) &
                allowed(left.x) & allowed(left.y);
-    }
-
-private:
-    static float as_float(uint32_t bits) {
-        float x;
-        std::memcpy(&x, &bits, sizeof x);
-        return x;
     }
 };
 

@@ -97,7 +97,7 @@ size_t TileMemory::bytes() const {
     const Workspace& w = workspace;
     size_t sum = bytes_of(guide) + bytes_of(blurred) + bytes_of(meshed.values) + bytes_of(w.dirty) +
                  bytes_of(w.flippable) + bytes_of(w.candidates) + bytes_of(w.selected) +
-                 bytes_of(w.blocked);
+                 bytes_of(w.blocked) + bytes_of(w.again);
     for (const TileMesh& mesh : meshed.meshes)
         sum += mesh.bytes();
     return sum;

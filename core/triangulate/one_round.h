@@ -14,16 +14,10 @@ namespace ddt {
 
 namespace one_round_steps {
 
-/// What is touched between two looks at how much room there is.
-constexpr size_t touched_at_once = regions_at_once * most_in_region;
-
-/// Make a vector longer by n; its memory grows by a quarter, not by what resize() thinks of.
+/// Add the first n of some numbers to a list.
 template <class T>
-void add_room(std::vector<T>& v, size_t n) {
-    const size_t size = v.size() + n;
-    if (size > v.capacity())
-        v.reserve(std::max(size, v.capacity() + v.capacity() / 4));
-    v.resize(size);
+void append(std::vector<T>& list, const T* numbers, size_t n) {
+    list.insert(list.end(), numbers, numbers + n);
 }
 
 /// Find the gains of the edges w.candidates[first..); those above min_gain stay candidates. Returns
@@ -61,25 +55,24 @@ int64_t evaluate_all(Mesh& mesh, const Criterion& criterion, float min_gain, Wor
 /// Divide the candidates into those that are the best of their regions, w.selected, and others.
 template <class Mesh>
 void select(const Mesh& mesh, Workspace& w) {
-    int blockers[regions_at_once];
+    int blockers[regions_at_once], best[regions_at_once];
+    Workspace::Blocked others[regions_at_once];
     w.selected.clear();
     for (size_t i = 0; i < w.candidates.size(); i += regions_at_once) {
         const int* sites = w.candidates.data() + i;
         const size_t n = std::min(w.candidates.size() - i, regions_at_once);
         find_blockers(mesh, sites, n, blockers);
         // Without branches, which would be guesses.
-        size_t best = w.selected.size(), waiting = w.blocked.size();
-        add_room(w.selected, n);
-        add_room(w.blocked, n);
+        size_t selected = 0, blocked = 0;
         for (size_t k = 0; k < n; ++k) {
-            const bool blocked = blockers[k] >= 0;
-            w.selected[best] = sites[k];
-            w.blocked[waiting] = {sites[k], blockers[k]};
-            best += !blocked;
-            waiting += blocked;
+            const bool waits = blockers[k] >= 0;
+            best[selected] = sites[k];
+            others[blocked] = {sites[k], blockers[k]};
+            selected += !waits;
+            blocked += waits;
         }
-        w.selected.resize(best);
-        w.blocked.resize(waiting);
+        append(w.selected, best, selected);
+        append(w.blocked, others, blocked);
     }
 }
 
@@ -93,30 +86,24 @@ inline void flip_all(Lattice& lattice, const std::vector<int>& edges) {
     lattice.flip_all(edges.data(), edges.size());
 }
 
-/// Add those of no more than touched_at_once edges to w.candidates that have not been touched.
-template <class Mesh>
-void add_untouched(Mesh& mesh, const int* edges, size_t n, Workspace& w) {
-    size_t size = w.candidates.size();
-    add_room(w.candidates, n);
-    // Without a branch: whether an edge was met before is anyone's guess.
-    int* const to = w.candidates.data();
-    for (size_t i = 0; i < n; ++i) {
-        to[size] = edges[i];
-        size += mesh.touch(edges[i]);
-    }
-    w.candidates.resize(size);
-}
-
 /// Flip the selected edges; w.candidates receives what must be evaluated again, their 2-regions,
 /// which are touched.
 template <class Mesh>
 void flip_selected(Mesh& mesh, Workspace& w) {
     w.candidates.clear();
     flip_all(mesh, w.selected);
-    int regions[touched_at_once + region_padding];
+    int edges[regions_at_once * most_in_region + region_padding];
     for (size_t i = 0; i < w.selected.size(); i += regions_at_once) {
         const size_t n = std::min(w.selected.size() - i, regions_at_once);
-        add_untouched(mesh, regions, find_settled(mesh, w.selected.data() + i, n, regions), w);
+        const size_t found = find_settled(mesh, w.selected.data() + i, n, edges);
+        // Without branches: whether an edge was met before is anyone's guess.
+        size_t touched = 0;
+        for (size_t k = 0; k < found; ++k) {
+            const int m = edges[k];
+            edges[touched] = m;
+            touched += mesh.touch(m);
+        }
+        append(w.candidates, edges, touched);
     }
 }
 
@@ -128,22 +115,20 @@ void flip_selected(Mesh& mesh, Workspace& w) {
 /// whose blockers are to w.again.
 template <class Mesh>
 void sort_blocked(const Mesh& mesh, Workspace& w) {
-    constexpr size_t at_once = 1024;
+    Workspace::Blocked again[256];
     size_t kept = 0;
-    w.again.clear();
     for (size_t i = 0; i < w.blocked.size();) {
+        const size_t end = std::min(w.blocked.size(), i + std::size(again));
         // Without branches, which would be guesses.
-        const size_t end = std::min(w.blocked.size(), i + at_once);
-        size_t again = w.again.size();
-        add_room(w.again, end - i);
+        size_t number = 0;
         for (; i < end; ++i) {
             const Workspace::Blocked b = w.blocked[i];
             const bool own = mesh.settled(b.site), blocker = mesh.settled(b.blocker);
-            w.blocked[kept] = w.again[again] = b;
+            w.blocked[kept] = again[number] = b;
             kept += own & blocker;
-            again += own & !blocker;
+            number += own & !blocker;
         }
-        w.again.resize(again);
+        append(w.again, again, number);
     }
     w.blocked.resize(kept);
 }

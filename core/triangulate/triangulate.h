@@ -27,11 +27,13 @@ struct Workspace {
     int origin_x = 0, origin_y = 0; ///< the lattice's first pixel in the image: chance is drawn by
                                     ///< an edge's place in the image, whatever tile it is in
 
-    /// Take the memory for the longest lists of most meshes of so many vertices: of what is touched,
-    /// and waits, in noise.
+    /// Take the memory for the lists of most meshes of so many vertices: as long as they get in
+    /// noise.
     void reserve(size_t vertices) {
-        candidates.reserve(vertices * 4 / 3);
-        blocked.reserve(vertices * 2 / 3);
+        candidates.reserve(vertices * 5 / 4); // all that is touched
+        selected.reserve(vertices / 4);
+        blocked.reserve(vertices * 9 / 16);
+        again.reserve(vertices / 8);
     }
 
     /// Called once an iteration by schemes: tells progress() the share that is not among the `left`
