@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -68,7 +69,8 @@ constexpr uint32_t rigid_mark = 0xff7f;
 constexpr uint32_t touched_word = 0xff800000u;
 /// Those words and no gain are at least this.
 constexpr uint32_t least_unsettled = rigid_mark << 16;
-/// No gain that is stored is less: what is less than no_gain tells something else.
+/// No gain that is stored is less, and none that is not a number is negative: such words tell
+/// something else.
 constexpr float least_gain = -1e38f;
 
 /// An edge with midpoint m, ends a = m - v and b = m + v; vectors in doubled coordinates, which
@@ -104,8 +106,8 @@ struct Edge {
     float gain() const { return std::max(float_of(word), no_gain); }
     /// Of an edge that can be flipped.
     void set_gain(float gain) {
-        // Whatever is compared with a number that is not one is false.
-        word = bits_of(gain > least_gain ? gain : least_gain);
+        gain = gain < least_gain ? least_gain : gain;
+        word = bits_of(gain != gain ? std::fabs(gain) : gain);
     }
 
     /// Whether an edge with these apexes can be flipped. Without branches, since half of all can.

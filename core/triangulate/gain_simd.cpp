@@ -57,9 +57,10 @@ HWY_INLINE void each_block(Lattice& lattice, float contour, const int* sites, si
             const size_t used = std::min(n - i, lanes);
             const Ints m = load_sites(some + i, used);
             const auto found = gains_of<Cost_>(known.mesh_at(mesh, i), contour, m);
-            // As Edge::set_gain(): a number that is not one is on the left.
+            // As Edge::set_gain().
             const auto least = hn::Set(d, least_gain);
-            const auto gain = hn::IfThenElse(hn::Gt(found, least), found, least);
+            const auto bounded = hn::IfThenElse(hn::Lt(found, least), least, found);
+            const auto gain = hn::IfThenElse(hn::Eq(bounded, bounded), bounded, hn::Abs(bounded));
             hn::Store(hn::BitCast(hn::RebindToUnsigned<D>(), gain), hn::RebindToUnsigned<D>(),
                       words);
             for (size_t k = 0; k < used; ++k)

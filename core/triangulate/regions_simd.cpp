@@ -84,8 +84,8 @@ HWY_ATTR size_t find_settled(const Lattice& lattice, const int* sites, size_t n,
         const auto here = hn::FirstN(di, n - i);
         const auto add = [&](Ints edge, Floats gain) HWY_ATTR {
             // Twin of Lattice::settled(): the words that are not are below as floats.
-            const auto settled = hn::RebindMask(di, hn::Ge(gain.v, hn::Set(D(), least_gain)));
-            found += store_compressed(edge.i, hn::And(settled, here), regions + found);
+            const auto unsettled = hn::RebindMask(di, hn::Lt(gain.v, hn::Set(D(), least_gain)));
+            found += store_compressed(edge.i, hn::AndNot(unsettled, here), regions + found);
         };
         const KnownLanes seen = known.mesh_at(mesh, i);
         add(m, mesh.gain(m));

@@ -122,7 +122,7 @@ void find_features(Scene& scene, const SurfaceOptions& options, const Net& net,
         ddt::scalar::EdgeFeatures<float> found;
         const ddt::scalar::Place a{(m % lattice.stride() - e.v.x) / 2,
                                    (m / lattice.stride() - e.v.y) / 2};
-        Vec l = e.left, r = e.right;
+        Vec l = e.left, r = e.right();
         if (l.zero())
             l = -r;
         if (r.zero())

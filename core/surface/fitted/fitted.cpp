@@ -87,7 +87,7 @@ struct NullWeights {
             std::copy_n(&kinds[0][0][0], count, w);
             return;
         }
-        const float loss = std::min(e.gain(), 0.0f);
+        const float gain = e.gain(), loss = gain < 0.0f ? gain : 0.0f;
         const float t = 1.0f + loss * table.gain_scale;
         const PixelLanes near(t > 0.0f ? t : 0.0f);
         for (int k = 0; k < fitted_nodes; ++k)

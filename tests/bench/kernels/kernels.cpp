@@ -52,7 +52,7 @@ struct Tile {
         mesh.find_divisions(mesh.all());
         mesh.find_first_edges(mesh.all());
         set_vertices(mesh, values.data(), channels, 0, channels, net);
-        edges.begin(mesh, {0, 0, side, side}, true, nullptr, 0, net);
+        edges.begin(mesh, {0, 0, side, side}, true, false, 0, net);
         edges.finish();
     }
 
@@ -146,7 +146,7 @@ void make_edges_whole(benchmark::State& state) {
     Net net = tile().net;
     EdgeMaker edges;
     for (auto _ : state) {
-        edges.begin(tile().mesh, {0, 0, side, side}, true, nullptr, 0, net);
+        edges.begin(tile().mesh, {0, 0, side, side}, true, false, 0, net);
         edges.finish();
     }
     count(state, side * side);

@@ -170,10 +170,12 @@ TEST(Gain, NoNumberThatIsStoredIsTakenForSomethingElse) {
         EXPECT_TRUE(e.flippable());
         EXPECT_LT(e.word, least_unsettled);
         EXPECT_EQ(e.right(), Vec(1, -1));
-        if (gain > least_gain) {
+        if (gain < least_gain) {
+            EXPECT_EQ(e.gain(), no_gain);
+        } else if (gain == gain) {
             EXPECT_EQ(bits_of(e.gain()), bits_of(gain));
         } else {
-            EXPECT_EQ(e.gain(), no_gain);
+            EXPECT_TRUE(std::isnan(e.gain()));
         }
     }
 }
