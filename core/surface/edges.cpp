@@ -48,9 +48,11 @@ HWY_ATTR void soft_weights(const Site* sites, int n, float reciprocal_tau, float
     int i = 0;
     for (; i + lanes <= n; i += lanes) {
         static_assert(sizeof(Site) == 8 && offsetof(Edge, word) == 4, "the second of two");
-        hn::Vec<RowTag> first, second, ignored;
-        hn::LoadInterleaved4(d, reinterpret_cast<const float*>(sites + 2 * i), ignored, first,
-                             ignored, second);
+        const auto* words = reinterpret_cast<const float*>(sites + 2 * i);
+        const auto load = [&](int k) HWY_ATTR { return hn::LoadU(d, words + k * lanes); };
+        const auto gains = hn::ConcatOdd(d, load(1), load(0)),
+                   more = hn::ConcatOdd(d, load(3), load(2));
+        const auto first = hn::ConcatEven(d, more, gains), second = hn::ConcatOdd(d, more, gains);
         weigh(RowLanes(first)).store(even + i);
         weigh(RowLanes(second)).store(odd + i);
     }

@@ -146,16 +146,6 @@ HWY_INLINE void StoreInterleaved4(Vec<D> a, Vec<D> b, Vec<D> c, Vec<D> e, D, typ
         p[4 * i + 3] = e[i];
     }
 }
-template <class D>
-HWY_INLINE void LoadInterleaved4(D, const typename D::T* p, Vec<D>& a, Vec<D>& b, Vec<D>& c,
-                                 Vec<D>& e) {
-    for (size_t i = 0; i < D::lanes; ++i) {
-        a[i] = p[4 * i];
-        b[i] = p[4 * i + 1];
-        c[i] = p[4 * i + 2];
-        e[i] = p[4 * i + 3];
-    }
-}
 template <class D, class I>
 HWY_INLINE Vec<D> GatherIndex(D, const typename D::T* p, I index) {
     Vec<D> v{};
