@@ -67,7 +67,7 @@ inline int det(Vec v, Vec w) {
 constexpr uint32_t rigid_mark = 0xff7f;
 /// Edge::word of an edge that can be flipped while its gain is about to be found: minus infinity.
 constexpr uint32_t touched_word = 0xff800000u;
-/// Those words and no gain are at least this.
+/// Both are at least this, and the words of gains are less.
 constexpr uint32_t least_unsettled = rigid_mark << 16;
 /// No gain that is stored is less, and none that is not a number is negative: such words tell
 /// something else.
