@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "core/guide/contour.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/lattice/divisions.cpp"
 #include <hwy/foreach_target.h>
@@ -14,17 +16,18 @@ namespace ddt {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using DI = hn::CappedTag<int32_t, 16>;
-using VI = hn::Vec<DI>;
+using D = hn::CappedTag<float, 16>;
+using DI = hn::RebindToSigned<D>;
+
+#include "core/base/lanes-inl.h"
 
 #include "core/lattice/every_second-inl.h"
+#include "core/lattice/site_lanes-inl.h"
 
 /// The first words of cells' central edges that can be flipped, a lane each; 0 of others.
 HWY_INLINE VI diagonals(const Site* sites) {
-    const DI di;
     const EverySecond edges(sites);
-    const auto rigid = hn::Eq(hn::ShiftRight<16>(edges.second), hn::Set(di, int16_t(rigid_mark)));
-    return hn::IfThenZeroElse(rigid, edges.first);
+    return hn::IfThenZeroElse(RecordLanes{edges.first, edges.second}.rigid(), edges.first);
 }
 
 HWY_ATTR void find_divisions(const Site* centres, int n, Division* to) {

@@ -95,10 +95,6 @@ bool precedes(Vec a, Vec b) {
     return a.y < b.y || (a.y == b.y && a.x < b.x);
 }
 
-Vec vec_of(int bytes) {
-    return {int8_t(bytes), int8_t(bytes >> 8)};
-}
-
 /// The first of the edges from pixel (x, y) to its neighbours; zero: none.
 Vec first_short_edge(const Lattice& lattice, int x, int y) {
     const int vertex = lattice.vertex_site(x, y);
@@ -169,7 +165,7 @@ void Lattice::find_short_first_edges(const Rect& part) {
             vertices[size_t(i)] = vertex_site(vertices[size_t(i)], y);
         HWY_DYNAMIC_DISPATCH(first_short_edges)(*this, vertices.data(), size_t(n), first.data());
         for (int i = 0; i < n; ++i)
-            vertex(vertices[size_t(i)]).first = vec_of(first[size_t(i)]);
+            vertex(vertices[size_t(i)]).first = vec_of(uint32_t(first[size_t(i)]));
     }
 }
 
@@ -211,7 +207,7 @@ void Lattice::find_long_first_edges(const Rect& part) {
         const size_t found =
             HWY_DYNAMIC_DISPATCH(long_edges)(*this, edges.data(), n, sites.data(), vectors.data());
         for (size_t i = 0; i < found; ++i) {
-            const Vec v = vec_of(vectors[i]);
+            const Vec v = vec_of(uint32_t(vectors[i]));
             add(sites[i] - offset(v), v);
             add(sites[i] + offset(v), -v);
         }

@@ -22,7 +22,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 #include "core/base/arith.h"
@@ -44,6 +43,14 @@ struct Vec {
     Vec operator-(Vec o) const { return {x - o.x, y - o.y}; }
     bool zero() const { return x == 0 && y == 0; }
 };
+
+/// A vector's two bytes, x in the low one, and back.
+constexpr uint32_t bytes_of(int x, int y) {
+    return uint32_t((x & 255) | (y & 255) << 8);
+}
+inline Vec vec_of(uint32_t bytes) {
+    return {int8_t(bytes & 255), int8_t(bytes >> 8 & 255)};
+}
 
 /// Of a vector with even coordinates.
 inline Vec half(Vec v) {
@@ -92,13 +99,11 @@ struct Edge {
         if (is_diagonal(left_, right))
             set_gain(no_gain);
         else
-            word = rigid_mark << 16 | uint32_t(uint8_t(right.y)) << 8 | uint8_t(right.x);
+            word = rigid_mark << 16 | bytes_of(right.x, right.y);
     }
 
     bool flippable() const { return word >> 16 != rigid_mark; }
-    Vec right() const {
-        return flippable() ? -left : Vec(int8_t(word & 0xff), int8_t(word >> 8 & 0xff));
-    }
+    Vec right() const { return flippable() ? -left : vec_of(word); }
     /// The sum of both apexes: zero of an edge that can be flipped.
     Vec apexes() const { return left + right(); }
 
@@ -133,20 +138,19 @@ enum class Division : uint8_t {
     other, ///< edges that are not the cell's own cross it
 };
 
-/// An edge's vectors as one number: v in the low two bytes, then left, then right; the record of
-/// an edge as shaders have it (shaders/lattice.glsl).
-inline uint64_t vectors_of(const Edge& e) {
-    const auto bytes = [](Vec v) { return uint64_t(uint8_t(v.x)) | uint64_t(uint8_t(v.y)) << 8; };
-    return bytes(e.v) | bytes(e.left) << 16 | bytes(e.right()) << 32;
-}
-
 /// v and left of an edge's record as one number.
 constexpr uint32_t first_word(int vx, int vy, int left_x, int left_y) {
-    const auto pack = [](int x, int y) { return uint32_t((x & 255) | (y & 255) << 8); };
-    return pack(vx, vy) | pack(left_x, left_y) << 16;
+    return bytes_of(vx, vy) | bytes_of(left_x, left_y) << 16;
 }
 inline uint32_t first_word(const Edge& e) {
     return first_word(e.v.x, e.v.y, e.left.x, e.left.y);
+}
+
+/// An edge's vectors as one number: v in the low two bytes, then left, then right; the record of
+/// an edge as shaders have it (shaders/lattice.glsl).
+inline uint64_t vectors_of(const Edge& e) {
+    const Vec right = e.right();
+    return first_word(e) | uint64_t(bytes_of(right.x, right.y)) << 32;
 }
 
 /// First words of the central edge of a cell that its own diagonal divides, which can always be

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/triangulate/gain.h"
+#include "core/triangulate/evaluate.h"
 #include "core/triangulate/regions.h"
 #include "core/triangulate/schemes.h"
 #include "core/triangulate/start_gains.h"
@@ -18,38 +18,6 @@ namespace one_round_steps {
 template <class T>
 void append(std::vector<T>& list, const T* numbers, size_t n) {
     list.insert(list.end(), numbers, numbers + n);
-}
-
-/// Find the gains of the edges w.candidates[first..); those above min_gain stay candidates. Returns
-/// how many they were.
-template <class Mesh>
-int64_t evaluate(Mesh& mesh, const Criterion& criterion, float min_gain, size_t first,
-                 Workspace& w) {
-    const size_t n = w.candidates.size() - first;
-    w.candidates.resize(first + n + candidate_padding);
-    const size_t found = find_candidates(mesh, criterion, min_gain, w.candidates.data() + first, n);
-    w.candidates.resize(first + found);
-    return int64_t(n);
-}
-
-/// Evaluate all edges.
-template <class Mesh>
-int64_t evaluate_all(Mesh& mesh, const Criterion& criterion, float min_gain, Workspace& w) {
-    constexpr size_t at_once = 1024; // a list of all would be as long as the mesh
-    int64_t evaluated = 0;
-    w.candidates.clear();
-    size_t first = 0;
-    mesh.each_edge([&](int m) {
-        mesh.touch(m); // those that cannot be flipped any more have a gain no longer
-        if (!mesh.flippable(m))
-            return;
-        w.candidates.push_back(m);
-        if (w.candidates.size() - first < at_once)
-            return;
-        evaluated += evaluate(mesh, criterion, min_gain, first, w);
-        first = w.candidates.size();
-    });
-    return evaluated + evaluate(mesh, criterion, min_gain, first, w);
 }
 
 /// Divide the candidates into those that are the best of their regions, w.selected, and others.
@@ -165,12 +133,11 @@ void one_round(Mesh& mesh, const Criterion& criterion, float min_gain, int max_i
         select(mesh, w);
         flip_selected(mesh, w);
         sort_blocked(mesh, w);
-        const size_t touched = w.candidates.size();
         evaluated = evaluate(mesh, criterion, min_gain, 0, w);
         statistics.flips += int64_t(w.selected.size());
         if (statistics.iterations < iteration)
             statistics.iterations = iteration;
-        if (!w.go_on(touched, mesh.size()))
+        if (!w.go_on(size_t(evaluated), mesh.size()))
             break;
     }
 }

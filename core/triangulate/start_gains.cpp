@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/base/compress_lanes.h"
-#include "core/triangulate/gain.h"
+#include "core/triangulate/evaluate.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/triangulate/start_gains.cpp"
@@ -489,16 +489,12 @@ bool start_gains(Lattice& lattice, const Criterion& criterion, float min_gain, W
     if (!lattice.fresh() ||
         !HWY_DYNAMIC_DISPATCH(inner_gains)(lattice, criterion, min_gain, w, evaluations))
         return false;
-    w.flippable.clear();
+    const size_t inner = w.candidates.size();
     each_outer_edge(lattice, [&](int m) {
         if (lattice.flippable(m))
-            w.flippable.push_back(m);
-    });
-    find_gains(lattice, criterion, w.flippable.data(), w.flippable.size());
-    for (const int m : w.flippable)
-        if (lattice.gain(m) > min_gain)
             w.candidates.push_back(m);
-    statistics.evaluations += evaluations + int64_t(w.flippable.size());
+    });
+    statistics.evaluations += evaluations + evaluate(lattice, criterion, min_gain, inner, w);
     return true;
 }
 

@@ -2,6 +2,7 @@
 #include "core/triangulate/triangulate.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/cost/cost.h"
 #include "core/triangulate/run_scheme.h"
@@ -79,20 +80,8 @@ void triangulate(Lattice& lattice, const MeshOptions& options, Workspace& worksp
 }
 
 void find_all_gains(Lattice& lattice, const Criterion& criterion) {
-    constexpr size_t at_once = 1024;
-    std::vector<int> some;
-    some.reserve(at_once);
-    const auto find = [&] {
-        find_gains(lattice, criterion, some.data(), some.size());
-        some.clear();
-    };
-    lattice.each_edge([&](int m) {
-        if (lattice.flippable(m))
-            some.push_back(m);
-        if (some.size() == at_once)
-            find();
-    });
-    find();
+    Workspace workspace;
+    evaluate_all(lattice, criterion, std::numeric_limits<float>::infinity(), workspace);
 }
 
 } // namespace ddt
