@@ -203,7 +203,8 @@ bool find_ranges(const Lattice& lattice, const Columns& columns, int cy, Located
         block.down.resize(size_t(alike.cells) + row_padding);
         flag_down(alike_divisions, 0, alike.cells, block.down.data());
     }
-    block.ranges.resize(columns.runs.size());
+    std::vector<LocatedBlock::Range>& ranges = block.ranges;
+    ranges.clear();
     block.crossing.clear();
     CellPositions positions;
     const bool crossed_found = find_crossed_alike(lattice, columns, cy, block);
@@ -211,8 +212,6 @@ bool find_ranges(const Lattice& lattice, const Columns& columns, int cy, Located
         return crossed_found && alike.cell <= cell && cell < alike.cell + alike.cells;
     };
     bool any_in_rows = false;
-    LocatedBlock::Range* const first = block.ranges.data();
-    LocatedBlock::Range* range = first;
     // Of alike cells that are evaluated together, those alone that are crossed.
     const int alike_end = block.phases ? alike.cell + alike.cells : 0;
     const auto crossed = [&](int x) { return crossed_cells(divisions + x); };
@@ -226,25 +225,25 @@ bool find_ranges(const Lattice& lattice, const Columns& columns, int cy, Located
     };
     for (const Columns::Run* at = next(columns.runs.data()); at != end; at = next(at + 1)) {
         const Columns::Run& run = *at;
-        *range = {kind_of(divisions[run.cell]), run.begin, run.end, first_site + 2 * run.cell};
+        LocatedBlock::Range range{kind_of(divisions[run.cell]), run.begin, run.end,
+                                  first_site + 2 * run.cell};
         const int n = run.end - run.begin;
-        if (range->kind == Span::triangle && is_found(run.cell))
+        if (range.kind == Span::triangle && is_found(run.cell))
             continue;
-        if (range->kind == Span::triangle && n * block.count <= CellPositions::most) {
+        if (range.kind == Span::triangle && n * block.count <= CellPositions::most) {
             positions.set(columns.x.data() + run.begin, n, block.y, block.count);
-            range->triangle = int(block.crossing.size());
+            range.triangle = int(block.crossing.size());
             find_crossing_triangles(lattice, run.cell, cy, positions, block.crossing);
-            range->triangles = int(block.crossing.size()) - range->triangle;
-        } else if (range->kind == Span::triangle) {
+            range.triangles = int(block.crossing.size()) - range.triangle;
+        } else if (range.kind == Span::triangle) {
             any_in_rows = true;
-            if (range > first && is_in_rows(range[-1]) && range[-1].end == run.begin) {
-                range[-1].end = run.end;
+            if (!ranges.empty() && is_in_rows(ranges.back()) && ranges.back().end == run.begin) {
+                ranges.back().end = run.end;
                 continue;
             }
         }
-        ++range;
+        ranges.push_back(range);
     }
-    block.ranges.resize(size_t(range - first));
     return any_in_rows;
 }
 

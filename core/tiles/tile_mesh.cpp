@@ -7,18 +7,24 @@
 
 namespace ddt {
 
+namespace {
+
+/// The part of a tile's lattice whose edges are sampled: triangles of its cells reach into the
+/// halo.
+Rect sampled_part(const Lattice& lattice, const Tile& tile) {
+    const Rect &c = tile.cells, &p = tile.pixels;
+    const Rect sampled{c.x0 - p.x0, c.y0 - p.y0, c.x1 + 1 - p.x0, c.y1 + 1 - p.y0};
+    return with_neighbours(lattice, grown(lattice, sampled, 0));
+}
+
+} // namespace
+
 bool wants_gains(const SurfaceOptions& surface) {
     return surface.soft > 0 || is_fitted(surface);
 }
 
 bool is_corrected(const SurfaceOptions& surface) {
     return surface.consistency > 0 && !is_fitted(surface);
-}
-
-Rect sampled_part(const Lattice& lattice, const Tile& tile) {
-    const Rect &c = tile.cells, &p = tile.pixels;
-    const Rect sampled{c.x0 - p.x0, c.y0 - p.y0, c.x1 + 1 - p.x0, c.y1 + 1 - p.y0};
-    return with_neighbours(lattice, grown(lattice, sampled, 0));
 }
 
 size_t TileMesh::memory(int width, int height) {
@@ -35,11 +41,17 @@ void TileMesh::triangulate(const Job& job, const float* guide, int width, int he
         find_all_gains(m_lattice, criterion(job.mesh));
 }
 
+Rect TileMesh::sampled(const Tile& part) const {
+    return part.cells == m_cells ? m_sampled : sampled_part(m_lattice, part);
+}
+
 void TileMesh::find_cells(const Job& job, const Tile& tile) {
     const SurfaceOptions& surface = job.surface;
     // Rounds see further than the part that is sampled.
     const bool all = is_corrected(surface) || is_fitted(surface);
-    const Rect seen = all ? m_lattice.all() : sampled_part(m_lattice, tile);
+    m_cells = tile.cells;
+    m_sampled = sampled_part(m_lattice, tile);
+    const Rect seen = all ? m_lattice.all() : m_sampled;
     m_lattice.find_divisions(seen);
     if (surface.kind != Surface::linear)
         m_lattice.find_walked_first_edges(seen);

@@ -15,10 +15,6 @@ bool wants_gains(const SurfaceOptions& surface);
 /// Whether vertices are corrected before edges are made.
 bool is_corrected(const SurfaceOptions& surface);
 
-/// The part of a tile's lattice whose edges are sampled: triangles of its cells reach into the
-/// halo.
-Rect sampled_part(const Lattice& lattice, const Tile& tile);
-
 /// A mesh and its memory, kept from one tile to the next, and from job to job.
 class TileMesh {
 public:
@@ -39,11 +35,15 @@ public:
     /// Find what surfaces over the tile, or parts of it, ask the lattice for. Nothing changes from
     /// here on, whoever reads it.
     void find_cells(const Job& job, const Tile& tile);
+    /// The part of the lattice whose edges are sampled in the tile's cells, or in those of one that
+    /// has some of them: their triangles reach into the halo.
+    Rect sampled(const Tile& part) const;
 
     const Lattice& lattice() const { return m_lattice; }
 
 private:
     Lattice m_lattice;
+    Rect m_cells, m_sampled; ///< the tile's, and sampled() of them
 };
 
 /// A tile that was read and triangulated: what its output is made from.

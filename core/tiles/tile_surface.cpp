@@ -59,7 +59,7 @@ void TileSurface::begin(const TileMesh& mesh, const Tile& tile, const float* val
     const DenormalsAreZero as_on_gpus;
     const SurfaceOptions& surface = m_job.surface;
     m_mesh = &mesh;
-    const Rect part = sampled_part(mesh.lattice(), tile);
+    const Rect part = mesh.sampled(tile);
     if (is_corrected(surface) && m_nets.size() > 1)
         m_corrected.resize(mesh.lattice().vertices() * size_t(m_job.channels));
     const int ahead =

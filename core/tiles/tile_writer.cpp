@@ -33,7 +33,7 @@ bool follows(const Point& a, const Point& b) {
 constexpr size_t shared_pixels = size_t(1) << 15;
 
 /// Floats of a result that is larger than what a core has of the caches, by far.
-constexpr size_t least_past_caches = size_t(1) << 24;
+constexpr size_t least_past_caches = size_t(1) << 23;
 
 } // namespace
 

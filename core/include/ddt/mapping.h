@@ -18,6 +18,9 @@ struct Rect {
     int height() const { return y1 - y0; }
     bool empty() const { return x1 <= x0 || y1 <= y0; }
     size_t area() const { return empty() ? 0 : size_t(width()) * size_t(height()); }
+    bool operator==(const Rect& o) const {
+        return x0 == o.x0 && y0 == o.y0 && x1 == o.x1 && y1 == o.y1;
+    }
 };
 
 /// One position in the source: pixel centres at integers, in units of 2^-16 pixel.
