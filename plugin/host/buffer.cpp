@@ -104,6 +104,12 @@ bool is_floats(const Buffer& b, int channels) {
     return size_of(b.sample) == sizeof(float) && is_dense(b, channels);
 }
 
+/// Whether they are a row of halfs.
+bool is_halfs(const Buffer& b, const char* p, int channels) {
+    return b.sample == Sample::half && is_dense(b, channels) &&
+           reinterpret_cast<uintptr_t>(p) % alignof(uint16_t) == 0;
+}
+
 /// Call copy(in the buffer, in the row, bytes) for as many numbers at once as have no gaps.
 template <class Byte, class Copy>
 void each_piece(const Buffer& b, int x, int y, size_t count, int channels, Byte* numbers,
@@ -130,6 +136,8 @@ void load(const Buffer& b, int x, int y, size_t count, int channels, float* valu
     // Also because bits that are no number must stay the bits they are.
     if (is_floats(b, channels))
         std::memcpy(values, p, count * size_t(channels) * sizeof(float));
+    else if (is_halfs(b, p, channels))
+        floats_of_halfs(reinterpret_cast<const uint16_t*>(p), count * size_t(channels), values);
     else
         with_kind(b.sample,
                   [&](auto kind) { load_as<decltype(kind)>(b, p, count, channels, values); });
@@ -139,6 +147,8 @@ void store(const Buffer& b, int x, int y, size_t count, int channels, const floa
     char* p = b.at(x, y);
     if (is_floats(b, channels))
         std::memcpy(p, values, count * size_t(channels) * sizeof(float));
+    else if (is_halfs(b, p, channels))
+        halfs_of_floats(values, count * size_t(channels), reinterpret_cast<uint16_t*>(p));
     else
         with_kind(b.sample,
                   [&](auto kind) { store_as<decltype(kind)>(b, p, count, channels, values); });

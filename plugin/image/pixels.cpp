@@ -7,6 +7,7 @@
 #include <OpenImageIO/imagecache.h>
 #include <OpenImageIO/imageio.h>
 
+#include "core/base/half.h"
 #include "plugin/colour/codes.h"
 #include "plugin/image/channels.h"
 
@@ -21,8 +22,26 @@ void write_strided(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend,
                         image.pixel_stride(), image.scanline_stride(), OIIO::AutoStride);
 }
 
-/// OpenImageIO does the same several times slower, which enlarging, with its many output pixels,
-/// would feel.
+// OpenImageIO does the same several times slower, which enlarging, with its many output pixels,
+// would feel.
+
+/// Whether the image has `channels` numbers a pixel and no gaps between pixels.
+bool is_dense(const OIIO::ImageBuf& image, int channels) {
+    return image.pixel_stride() == OIIO::stride_t(image.spec().format.size()) * channels;
+}
+
+/// The image's own, as they are.
+void read_halfs(const OIIO::ImageBuf& image, const Rect& r, float* out) {
+    const size_t row = size_t(r.width()) * size_t(image.nchannels());
+    for (int y = r.y0; y < r.y1; ++y, out += row)
+        floats_of_halfs(static_cast<const uint16_t*>(image.pixeladdr(r.x0, y)), row, out);
+}
+void write_halfs(OIIO::ImageBuf& image, const Rect& r, const float* values) {
+    const size_t row = size_t(r.width()) * size_t(image.nchannels());
+    for (int y = r.y0; y < r.y1; ++y, values += row)
+        halfs_of_floats(values, row, static_cast<uint16_t*>(image.pixeladdr(r.x0, y)));
+}
+
 template <class Code>
 void write_codes(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, const float* values,
                  int stride) {
@@ -30,7 +49,7 @@ void write_codes(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, c
     for (int y = r.y0; y < r.y1; ++y, values += size_t(stride) * size_t(r.width())) {
         auto* row = static_cast<char*>(image.pixeladdr(r.x0, y, 0, chbegin));
         const OIIO::stride_t pixel = image.pixel_stride();
-        if (stride == channels && pixel == OIIO::stride_t(sizeof(Code)) * channels) {
+        if (stride == channels && is_dense(image, channels)) {
             auto* codes = reinterpret_cast<Code*>(row);
             for (int i = 0; i < r.width() * channels; ++i)
                 codes[i] = code_of<Code>(values[i]);
@@ -66,6 +85,12 @@ bool read_pixels(const OIIO::ImageBuf& image, const Rect& r, int chbegin, int ch
                  OIIO::TypeDesc type, void* out, std::string& error) {
     const int channels = chend - chbegin;
     const auto pixel = OIIO::stride_t(type.size()) * channels;
+    const bool all = channels == image.nchannels() && is_dense(image, channels);
+    if (image.localpixels() && all && image.spec().format == OIIO::TypeHalf &&
+        type == OIIO::TypeFloat) {
+        read_halfs(image, r, static_cast<float*>(out));
+        return true;
+    }
     if (image.localpixels())
         return OIIO::convert_image(channels, r.width(), r.height(), 1,
                                    image.pixeladdr(r.x0, r.y0, 0, chbegin), image.spec().format,
@@ -101,6 +126,9 @@ void write_floats(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, 
         write_codes<uint8_t>(image, r, chbegin, chend, values, stride);
     } else if (type == OIIO::TypeUInt16) {
         write_codes<uint16_t>(image, r, chbegin, chend, values, stride);
+    } else if (type == OIIO::TypeHalf && chend - chbegin == stride && stride == image.nchannels() &&
+               is_dense(image, stride)) {
+        write_halfs(image, r, values);
     } else {
         // Converting NaN to an integer is undefined.
         if (!type.is_floating_point())

@@ -27,6 +27,8 @@ public:
     bool open(const OIIO::ImageSpec& spec, Failure& failure);
     /// create() and open() for scanlines, as ImageBuf::write() by name does.
     bool begin(const std::string& path, OIIO::ImageSpec spec, Failure& failure);
+    /// Let what was written so far go to the disk meanwhile.
+    void begin_writeback() { m_whole.begin_writeback(); }
     /// Close the writer, check, and give the file its name.
     bool commit(Failure& failure);
     /// What the writer said, as a failure.

@@ -86,8 +86,11 @@ void RowWriter::work() {
 bool RowWriter::write(int begin, int end) {
     if (m_tiles)
         return m_file.output().write_image(m_format, m_pixels);
-    return m_file.output().write_scanlines(begin, end, 0, m_format,
-                                           m_pixels + m_row * size_t(begin - m_begin));
+    if (!m_file.output().write_scanlines(begin, end, 0, m_format,
+                                         m_pixels + m_row * size_t(begin - m_begin)))
+        return false;
+    m_file.begin_writeback();
+    return true;
 }
 
 bool RowWriter::finish(const std::function<void(float)>& progress, Failure& failure) {

@@ -20,6 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr int most_writers = 100; ///< of one file at a time
 constexpr size_t longest_name = 255;
+/// Bytes that are handed to the system at once: a C library's own few are a call for every row.
+constexpr size_t buffered = size_t(1) << 18;
 
 /// Where a name leads to; the last link's target need not exist.
 fs::path followed(fs::path path) {
@@ -121,7 +123,17 @@ bool WholeFile::open(const std::string& path, Failure& failure) {
         if (open_temporary())
             m_listed = list_unfinished(m_temporary);
     }
-    return m_file || refuse(errno, failure);
+    if (!m_file)
+        return refuse(errno, failure);
+    m_buffer.resize(buffered);
+    std::setvbuf(m_file, m_buffer.data(), _IOFBF, m_buffer.size());
+    return true;
+}
+
+void WholeFile::begin_writeback() {
+    // That it fails, of a pipe or where there is no such thing, is no matter.
+    if (!m_direct)
+        sync_file_range(fileno(m_file), 0, 0, SYNC_FILE_RANGE_WRITE);
 }
 
 bool WholeFile::commit(Failure& failure) {

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "plugin/tool/exit_code.h"
 
@@ -34,6 +35,9 @@ public:
     /// Open for writing and reading.
     std::FILE* file() const { return m_file; }
 
+    /// Let what was written so far go to the disk meanwhile, so that commit() waits for less.
+    void begin_writeback();
+
     /// All of it on the disk, then under its name. False with a failure, and no file, if a write to
     /// file() failed at any time, or one of these does.
     bool commit(Failure& failure);
@@ -46,6 +50,7 @@ private:
 
     std::string m_path, m_target, m_temporary;
     std::FILE* m_file = nullptr;
+    std::vector<char> m_buffer; ///< the stream's
     int m_listed = -1;
     bool m_direct = false;
 };

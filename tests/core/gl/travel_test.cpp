@@ -290,7 +290,7 @@ TEST_P(Travel, AWrongProgramIsNotUsed) {
                    {"unpack.comp CODES_16", "SURFACE_GROUP_Y", "2"},
                    {"unpack.comp", "word", "0; ++slot"},
                    {"unpack_guide.comp", "steps", "7u"},
-                   {"pack.comp HALFS", "middle", "0u"},
+                   {"pack.comp HALFS", "small", "0u"},
                    {"pack.comp HALFS", "odd", "0u"},
                    {"pack.comp CODES", "is_nan", "false"},
                    {"pack.comp CODES", "within", "0u"}};
