@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "plugin/tool/commands.h"
+#include "plugin/tool/compression.h"
 #include "plugin/tool/filter_flag.h"
 #include "plugin/tool/part_file.h"
 #include "plugin/tool/progress.h"
@@ -12,6 +13,13 @@
 namespace ddt::tool {
 
 namespace {
+
+/// Of the file's name; empty: none that is known, which is said where it is to be written.
+std::string format_of(const std::string& path) {
+    const auto output = OIIO::ImageOutput::create(path);
+    OIIO::geterror();
+    return output ? output->format_name() : "";
+}
 
 class ResizeCommand final : public Command {
 public:
@@ -35,6 +43,9 @@ public:
                         m_settings.options, m_filter_error),
             choice_flag("--type", {"uint8", "uint16", "half", "float"},
                         "pixel type of the result (default: the image's)", m_settings.type),
+            text_flag("--compression", "NAME",
+                      "how OUT is compressed: none, zip, dwaa:45 (default: as the image was)",
+                      m_settings.compression),
             whole_flag("--threads", "N", "threads to use (default: all cores)", 0, 4096, m_threads),
             text_flag("--frames", "LIST", "frames of a sequence: 1-100, 1-100x2, -5--1, 1,4,9",
                       m_frames),
@@ -64,6 +75,11 @@ public:
         // Text that is no size is so of every frame.
         if (OIIO::ImageSpec some(1024, 1024, 1), result; !plan_result(some, m_settings, result))
             return fail(refused_size(m_settings.size));
+
+        if (!m_settings.compression.empty() &&
+            !check_compression(m_settings.compression,
+                               m_part.count > 0 ? "" : format_of(tasks.front().out), failure.why))
+            return fail(failure.why, exit_usage);
 
         m_settings.threads = share_threads(m_threads);
         m_run.run = [this](const FrameTask& task, const std::function<bool(float)>& progress,

@@ -78,6 +78,8 @@ bool plan_result(const OIIO::ImageSpec& from, const ResizeSettings& settings,
         spec.set_format(OIIO::TypeDesc(settings.type));
         spec.channelformats.clear();
     }
+    if (!settings.compression.empty())
+        spec.attribute("compression", settings.compression);
     return true;
 }
 

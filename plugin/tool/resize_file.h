@@ -15,8 +15,9 @@ namespace ddt::tool {
 struct ResizeSettings {
     std::string size; ///< see size.h
     Options options;
-    std::string type; ///< of the result's pixels; empty: the image's
-    int threads = 1;  ///< at least 1
+    std::string type;        ///< of the result's pixels; empty: the image's
+    std::string compression; ///< of the result's file; empty: the image's, or the format's usual
+    int threads = 1;         ///< at least 1
 };
 
 /// What an image of spec `from` becomes: the windows that oiiotool makes. The size is the display

@@ -25,3 +25,17 @@ compare() {
 }
 compare window.exr 50% 333% 33.3%x120% 1.7 0x77 100x0 64x48+10-20 130x99+10-20
 compare scene.png 333% 64x48+10-20
+
+# Compressed as it is told, or not at all.
+compression() { iinfo -v "$1" | sed -n 's/^ *compression: "\(.*\)"/\1/p'; }
+for given in none piz; do
+    "$bin/ddt" resize "$testimages/scene.png" 200% "$scratch/$given.exr" --type half --compression $given
+    [ "$(compression "$scratch/$given.exr")" = $given ] || { echo "FAILED: compression $given"; exit 1; }
+done
+idiff -q "$scratch/none.exr" "$scratch/piz.exr" || { echo "FAILED: pixels by compression"; exit 1; }
+if "$bin/ddt" resize "$testimages/scene.png" 200% "$scratch/refused.tif" --compression piz 2>"$scratch/said"; then
+    echo "FAILED: a TIFF by piz"
+    exit 1
+fi
+grep -q 'ddt: compression "piz" is not allowed in tiff; allowed are none, lzw' "$scratch/said"
+[ ! -e "$scratch/refused.tif" ]

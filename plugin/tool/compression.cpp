@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/compression.h"
+
+#include <charconv>
+
+namespace ddt::tool {
+
+namespace {
+
+struct Compression {
+    const char *format, *name;
+    int highest; ///< the level's, from 1 on; 0: it has none
+};
+constexpr int highest_dwa = 100000; // OpenEXR has no bound
+constexpr Compression compressions[] = {
+    {"openexr", "none", 0},
+    {"openexr", "rle", 0},
+    {"openexr", "zip", 9},
+    {"openexr", "zips", 9},
+    {"openexr", "piz", 0},
+    {"openexr", "pxr24", 0},
+    {"openexr", "b44", 0},
+    {"openexr", "b44a", 0},
+    {"openexr", "dwaa", highest_dwa},
+    {"openexr", "dwab", highest_dwa},
+    {"tiff", "none", 0},
+    {"tiff", "lzw", 0},
+    {"tiff", "zip", 9},
+    {"tiff", "packbits", 0},
+    {"tiff", "jpeg", 100},
+    {"jpeg", "jpeg", 100},
+};
+
+bool is_level(const std::string& text, int highest) {
+    int level = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, bad] = std::from_chars(text.data(), end, level);
+    return bad == std::errc() && stop == end && level >= 1 && level <= highest;
+}
+
+} // namespace
+
+bool check_compression(const std::string& given, const std::string& format, std::string& error) {
+    const size_t colon = given.find(':');
+    const std::string name = given.substr(0, colon);
+    std::string allowed;
+    for (const Compression& c : compressions) {
+        if (!format.empty() && format != c.format)
+            continue;
+        if (name == c.name &&
+            (colon == std::string::npos || is_level(given.substr(colon + 1), c.highest)))
+            return true;
+        if (const std::string word = c.name + std::string(c.highest > 0 ? "[:LEVEL]" : "");
+            (", " + allowed + ",").find(", " + word + ",") == std::string::npos)
+            allowed += (allowed.empty() ? "" : ", ") + word;
+    }
+    error = allowed.empty()
+                ? "files of the format " + format + " are compressed in one way alone"
+                : "compression \"" + given + "\" is not allowed" +
+                      (format.empty() ? "" : " in " + format) + "; allowed are " + allowed;
+    return false;
+}
+
+} // namespace ddt::tool
