@@ -19,4 +19,9 @@ inline float float_of(uint32_t bits) {
     return v;
 }
 
+/// `first ? a : b`, which compilers may make a branch of, and then no vectors of what is beside it.
+inline uint32_t choose(bool first, uint32_t a, uint32_t b) {
+    return b ^ ((a ^ b) & (0u - uint32_t(first)));
+}
+
 } // namespace ddt

@@ -12,11 +12,6 @@ namespace ddt {
 // Compilers make vectors of loops over these (half.cpp). What floating point there is needs no
 // denormal floats, which some callers' processors take for zero.
 
-/// `first ? a : b`, which compilers may make a branch of, and then no vectors of what is beside it.
-inline uint32_t choose(bool first, uint32_t a, uint32_t b) {
-    return b ^ ((a ^ b) & (0u - uint32_t(first)));
-}
-
 inline float float_of_half(uint16_t h) {
     const uint32_t sign = uint32_t(h & 0x8000u) << 16, size = h & 0x7fffu;
     const uint32_t normal = (size << 13) + 0x38000000u;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "plugin/colour/codes.h"
+#include "core/base/codes.h"
 
 namespace ddt {
 

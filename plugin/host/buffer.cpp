@@ -6,8 +6,8 @@
 #include <cstring>
 #include <limits>
 
+#include "core/base/codes.h"
 #include "core/base/half.h"
-#include "plugin/colour/codes.h"
 
 namespace ddt::host {
 namespace {
@@ -27,7 +27,7 @@ void write(char* p, Number n) {
 template <class Code>
 struct Unsigned {
     using Stored = Code;
-    static float to(Code c) { return float(c) * (1.0f / std::numeric_limits<Code>::max()); }
+    static float to(Code c) { return float_of_code(c); }
     static Code from(float v) { return code_of<Code>(v); }
 };
 template <class Code>
@@ -104,10 +104,34 @@ bool is_floats(const Buffer& b, int channels) {
     return size_of(b.sample) == sizeof(float) && is_dense(b, channels);
 }
 
-/// Whether they are a row of halfs.
-bool is_halfs(const Buffer& b, const char* p, int channels) {
-    return b.sample == Sample::half && is_dense(b, channels) &&
-           reinterpret_cast<uintptr_t>(p) % alignof(uint16_t) == 0;
+/// Load n numbers without gaps of types whose rows convert at once; false of others.
+bool load_row(Sample sample, const char* p, size_t n, float* values) {
+    if (sample == Sample::uint8)
+        floats_of_codes(reinterpret_cast<const uint8_t*>(p), n, values);
+    else if (reinterpret_cast<uintptr_t>(p) % alignof(uint16_t) != 0)
+        return false;
+    else if (sample == Sample::uint16)
+        floats_of_codes(reinterpret_cast<const uint16_t*>(p), n, values);
+    else if (sample == Sample::half)
+        floats_of_halfs(reinterpret_cast<const uint16_t*>(p), n, values);
+    else
+        return false;
+    return true;
+}
+
+/// The way back.
+bool store_row(Sample sample, char* p, size_t n, const float* values) {
+    if (sample == Sample::uint8)
+        codes_of_floats(values, n, reinterpret_cast<uint8_t*>(p));
+    else if (reinterpret_cast<uintptr_t>(p) % alignof(uint16_t) != 0)
+        return false;
+    else if (sample == Sample::uint16)
+        codes_of_floats(values, n, reinterpret_cast<uint16_t*>(p));
+    else if (sample == Sample::half)
+        halfs_of_floats(values, n, reinterpret_cast<uint16_t*>(p));
+    else
+        return false;
+    return true;
 }
 
 /// Call copy(in the buffer, in the row, bytes) for as many numbers at once as have no gaps.
@@ -136,9 +160,7 @@ void load(const Buffer& b, int x, int y, size_t count, int channels, float* valu
     // Also because bits that are no number must stay the bits they are.
     if (is_floats(b, channels))
         std::memcpy(values, p, count * size_t(channels) * sizeof(float));
-    else if (is_halfs(b, p, channels))
-        floats_of_halfs(reinterpret_cast<const uint16_t*>(p), count * size_t(channels), values);
-    else
+    else if (!is_dense(b, channels) || !load_row(b.sample, p, count * size_t(channels), values))
         with_kind(b.sample,
                   [&](auto kind) { load_as<decltype(kind)>(b, p, count, channels, values); });
 }
@@ -147,9 +169,7 @@ void store(const Buffer& b, int x, int y, size_t count, int channels, const floa
     char* p = b.at(x, y);
     if (is_floats(b, channels))
         std::memcpy(p, values, count * size_t(channels) * sizeof(float));
-    else if (is_halfs(b, p, channels))
-        halfs_of_floats(values, count * size_t(channels), reinterpret_cast<uint16_t*>(p));
-    else
+    else if (!is_dense(b, channels) || !store_row(b.sample, p, count * size_t(channels), values))
         with_kind(b.sample,
                   [&](auto kind) { store_as<decltype(kind)>(b, p, count, channels, values); });
 }

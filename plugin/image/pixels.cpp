@@ -7,8 +7,8 @@
 #include <OpenImageIO/imagecache.h>
 #include <OpenImageIO/imageio.h>
 
+#include "core/base/codes.h"
 #include "core/base/half.h"
-#include "plugin/colour/codes.h"
 #include "plugin/image/channels.h"
 
 namespace ddt {
@@ -27,40 +27,63 @@ void write_strided(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend,
 
 /// Whether the image has `channels` numbers a pixel and no gaps between pixels.
 bool is_dense(const OIIO::ImageBuf& image, int channels) {
-    return image.pixel_stride() == OIIO::stride_t(image.spec().format.size()) * channels;
+    return channels == image.nchannels() &&
+           image.pixel_stride() == OIIO::stride_t(image.spec().format.size()) * channels;
 }
 
-/// The image's own, as they are.
-void read_halfs(const OIIO::ImageBuf& image, const Rect& r, float* out) {
-    const size_t row = size_t(r.width()) * size_t(image.nchannels());
-    for (int y = r.y0; y < r.y1; ++y, out += row)
-        floats_of_halfs(static_cast<const uint16_t*>(image.pixeladdr(r.x0, y)), row, out);
-}
-void write_halfs(OIIO::ImageBuf& image, const Rect& r, const float* values) {
-    const size_t row = size_t(r.width()) * size_t(image.nchannels());
-    for (int y = r.y0; y < r.y1; ++y, values += row)
-        halfs_of_floats(values, row, static_cast<uint16_t*>(image.pixeladdr(r.x0, y)));
+/// Call f(the first number in the image, of this type, of n, the first float) for each row of r.
+template <class Number, class Image, class Float, class F>
+void each_row(Image& image, const Rect& r, int chbegin, Float* floats, size_t n, F&& f) {
+    for (int y = r.y0; y < r.y1; ++y, floats += n)
+        f(static_cast<Number*>(image.pixeladdr(r.x0, y, 0, chbegin)), floats);
 }
 
+/// All channels, of images of these types; false of others.
+bool read_rows(const OIIO::ImageBuf& image, const Rect& r, float* out) {
+    const size_t n = size_t(r.width()) * size_t(image.nchannels());
+    const OIIO::TypeDesc type = image.spec().format;
+    const auto codes = [n](const auto* from, float* to) { floats_of_codes(from, n, to); };
+    if (type == OIIO::TypeUInt8)
+        each_row<const uint8_t>(image, r, 0, out, n, codes);
+    else if (type == OIIO::TypeUInt16)
+        each_row<const uint16_t>(image, r, 0, out, n, codes);
+    else if (type == OIIO::TypeHalf)
+        each_row<const uint16_t>(image, r, 0, out, n, [n](const uint16_t* from, float* to) {
+            floats_of_halfs(from, n, to);
+        });
+    else
+        return false;
+    return true;
+}
+
+/// The way back.
+bool write_rows(OIIO::ImageBuf& image, const Rect& r, const float* values) {
+    const size_t n = size_t(r.width()) * size_t(image.nchannels());
+    const OIIO::TypeDesc type = image.spec().format;
+    const auto codes = [n](auto* to, const float* from) { codes_of_floats(from, n, to); };
+    if (type == OIIO::TypeUInt8)
+        each_row<uint8_t>(image, r, 0, values, n, codes);
+    else if (type == OIIO::TypeUInt16)
+        each_row<uint16_t>(image, r, 0, values, n, codes);
+    else if (type == OIIO::TypeHalf)
+        each_row<uint16_t>(image, r, 0, values, n,
+                           [n](uint16_t* to, const float* from) { halfs_of_floats(from, n, to); });
+    else
+        return false;
+    return true;
+}
+
+/// Some channels of images of 8 or 16 bits.
 template <class Code>
 void write_codes(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, const float* values,
                  int stride) {
-    const int channels = chend - chbegin;
-    for (int y = r.y0; y < r.y1; ++y, values += size_t(stride) * size_t(r.width())) {
-        auto* row = static_cast<char*>(image.pixeladdr(r.x0, y, 0, chbegin));
-        const OIIO::stride_t pixel = image.pixel_stride();
-        if (stride == channels && is_dense(image, channels)) {
-            auto* codes = reinterpret_cast<Code*>(row);
-            for (int i = 0; i < r.width() * channels; ++i)
-                codes[i] = code_of<Code>(values[i]);
-            continue;
-        }
-        for (int x = 0; x < r.width(); ++x) {
-            auto* codes = reinterpret_cast<Code*>(row + x * pixel);
-            for (int c = 0; c < channels; ++c)
-                codes[c] = code_of<Code>(values[size_t(x) * size_t(stride) + size_t(c)]);
-        }
-    }
+    const OIIO::stride_t pixel = image.pixel_stride();
+    each_row<char>(image, r, chbegin, values, size_t(stride) * size_t(r.width()),
+                   [&](char* row, const float* from) {
+                       for (int x = 0; x < r.width(); ++x, row += pixel, from += stride)
+                           for (int c = 0; c < chend - chbegin; ++c)
+                               reinterpret_cast<Code*>(row)[c] = code_of<Code>(from[c]);
+                   });
 }
 
 /// Pixels of a file, through OpenImageIO's cache. Not by ImageBuf::get_pixels(), which does not
@@ -85,12 +108,9 @@ bool read_pixels(const OIIO::ImageBuf& image, const Rect& r, int chbegin, int ch
                  OIIO::TypeDesc type, void* out, std::string& error) {
     const int channels = chend - chbegin;
     const auto pixel = OIIO::stride_t(type.size()) * channels;
-    const bool all = channels == image.nchannels() && is_dense(image, channels);
-    if (image.localpixels() && all && image.spec().format == OIIO::TypeHalf &&
-        type == OIIO::TypeFloat) {
-        read_halfs(image, r, static_cast<float*>(out));
+    if (image.localpixels() && type == OIIO::TypeFloat && is_dense(image, channels) &&
+        read_rows(image, r, static_cast<float*>(out)))
         return true;
-    }
     if (image.localpixels())
         return OIIO::convert_image(channels, r.width(), r.height(), 1,
                                    image.pixeladdr(r.x0, r.y0, 0, chbegin), image.spec().format,
@@ -122,13 +142,12 @@ void write_pixels(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, 
 void write_floats(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, float* values,
                   int stride) {
     const OIIO::TypeDesc type = image.spec().format;
+    if (chend - chbegin == stride && is_dense(image, stride) && write_rows(image, r, values))
+        return;
     if (type == OIIO::TypeUInt8) {
         write_codes<uint8_t>(image, r, chbegin, chend, values, stride);
     } else if (type == OIIO::TypeUInt16) {
         write_codes<uint16_t>(image, r, chbegin, chend, values, stride);
-    } else if (type == OIIO::TypeHalf && chend - chbegin == stride && stride == image.nchannels() &&
-               is_dense(image, stride)) {
-        write_halfs(image, r, values);
     } else {
         // Converting NaN to an integer is undefined.
         if (!type.is_floating_point())
