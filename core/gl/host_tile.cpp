@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/base/arith.h"
+#include "core/base/zero_small.h"
 #include "core/guide/guide.h"
 #include "core/tiles/tile_io.h"
 #include "core/triangulate/triangulate.h"

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <limits>
 
-#include "core/base/float_bits.h"
+#include "core/base/zero_small.h"
 
 namespace ddt {
 
@@ -37,12 +37,6 @@ void zero_small_blended(float* values, size_t pixels, const Job& job) {
 }
 
 } // namespace
-
-void zero_small(float* values, size_t n, float least) {
-    const uint32_t limit = bits_of(least);
-    for (size_t i = 0; i < n; ++i)
-        values[i] = (bits_of(values[i]) & 0x7fffffffu) < limit ? 0.0f : values[i];
-}
 
 Rect output_of(const Mapping& mapping) {
     constexpr double all = std::numeric_limits<double>::infinity();

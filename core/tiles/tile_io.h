@@ -29,9 +29,6 @@ Point local(const Tile& tile, const Position& p);
 /// take for zero, unless terms of that size cancel.
 constexpr float least_value = 0x1p-80f, least_guide = 0x1p-24f;
 
-/// Make those of n numbers nearer to zero than `least` zero.
-void zero_small(float* values, size_t n, float least);
-
 /// Read the tile's pixels, small numbers zeroed as said above (but not in nearest channels). A
 /// picture one pixel wide or high is widened to two by repeating it: a lattice has at least 2 x 2;
 /// `width` and `height` receive its size. `values` and `guide` have room for as many pixels.

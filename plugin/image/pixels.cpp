@@ -108,15 +108,16 @@ bool read_pixels(const OIIO::ImageBuf& image, const Rect& r, int chbegin, int ch
                  OIIO::TypeDesc type, void* out, std::string& error) {
     const int channels = chend - chbegin;
     const auto pixel = OIIO::stride_t(type.size()) * channels;
-    if (image.localpixels() && type == OIIO::TypeFloat && is_dense(image, channels) &&
+    const OIIO::TypeDesc from = image.spec().format;
+    if (!image.localpixels())
+        return read_cached(image, {r.x0, r.x1, r.y0, r.y1, 0, 1, chbegin, chend}, type, out, error);
+    if (type == OIIO::TypeFloat && from != type && is_dense(image, channels) &&
         read_rows(image, r, static_cast<float*>(out)))
         return true;
-    if (image.localpixels())
-        return OIIO::convert_image(channels, r.width(), r.height(), 1,
-                                   image.pixeladdr(r.x0, r.y0, 0, chbegin), image.spec().format,
-                                   image.pixel_stride(), image.scanline_stride(), OIIO::AutoStride,
-                                   out, type, pixel, pixel * r.width(), OIIO::AutoStride);
-    return read_cached(image, {r.x0, r.x1, r.y0, r.y1, 0, 1, chbegin, chend}, type, out, error);
+    return OIIO::convert_image(channels, r.width(), r.height(), 1,
+                               image.pixeladdr(r.x0, r.y0, 0, chbegin), from, image.pixel_stride(),
+                               image.scanline_stride(), OIIO::AutoStride, out, type, pixel,
+                               pixel * r.width(), OIIO::AutoStride);
 }
 
 bool read_ids(const OIIO::ImageBuf& src, OIIO::ImageBuf& ids) {

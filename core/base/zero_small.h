@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers that are next to nothing.
+#pragma once
+
+#include <cstddef>
+
+namespace ddt {
+
+/// Make those of n numbers nearer to zero than `least` zero.
+void zero_small(float* values, size_t n, float least);
+
+} // namespace ddt
