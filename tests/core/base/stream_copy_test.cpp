@@ -49,9 +49,9 @@ private:
 };
 
 TEST(StreamCopy, LargeResultsHaveTheBitsThatAreHandedOver) {
-    // 2^24 floats and more go past the caches.
+    // 2^23 floats and more go past the caches.
     constexpr int width = 700, height = 401, scale = 8;
-    static_assert(scale * width * scale * height > 1 << 24, "large");
+    static_assert(scale * width * scale * height > 1 << 23, "large");
     TestSource source({0, 0, width, height}, 1, 7);
     const Rect to{0, 0, scale * width, scale * height};
     Job job;
