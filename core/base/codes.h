@@ -36,4 +36,18 @@ void codes_of_floats(const float* floats, size_t n, uint16_t* codes);
 void floats_of_codes(const uint8_t* codes, size_t n, float* floats);
 void floats_of_codes(const uint16_t* codes, size_t n, float* floats);
 
+/// All of it under the names that other kinds of numbers have, too: twin Halfs in half.h.
+template <class Code>
+struct Codes {
+    using Stored = Code;
+    static float to(Code code) { return float_of_code(code); }
+    static Code from(float v) { return code_of<Code>(v); }
+    static void row_to(const Code* row, size_t n, float* floats) {
+        floats_of_codes(row, n, floats);
+    }
+    static void row_from(const float* floats, size_t n, Code* row) {
+        codes_of_floats(floats, n, row);
+    }
+};
+
 } // namespace ddt

@@ -40,4 +40,17 @@ inline uint16_t half_of_float(float f) {
 void floats_of_halfs(const uint16_t* halfs, size_t n, float* floats);
 void halfs_of_floats(const float* floats, size_t n, uint16_t* halfs);
 
+/// All of it under the names that other kinds of numbers have, too: twin Codes in codes.h.
+struct Halfs {
+    using Stored = uint16_t;
+    static float to(uint16_t half) { return float_of_half(half); }
+    static uint16_t from(float v) { return half_of_float(v); }
+    static void row_to(const uint16_t* row, size_t n, float* floats) {
+        floats_of_halfs(row, n, floats);
+    }
+    static void row_from(const float* floats, size_t n, uint16_t* row) {
+        halfs_of_floats(floats, n, row);
+    }
+};
+
 } // namespace ddt

@@ -257,7 +257,7 @@ public:
         uint32_t& word = edge(m).word;
         const bool is_new = word < least_unsettled;
         // Without a branch, which compilers make of ?: here; it would be a guess.
-        word ^= (word ^ touched_word) & (0u - uint32_t(is_new));
+        word = choose(is_new, touched_word, word);
         return is_new;
     }
     size_t vertices() const { return size_t(m_width) * size_t(m_height); }

@@ -23,13 +23,7 @@ void write(char* p, Number n) {
     std::memcpy(p, &n, sizeof n);
 }
 
-/// Memory holds Stored; to() and from() convert.
-template <class Code>
-struct Unsigned {
-    using Stored = Code;
-    static float to(Code c) { return float_of_code(c); }
-    static Code from(float v) { return code_of<Code>(v); }
-};
+// Kinds of numbers: memory holds Stored; to() and from() convert. As Codes and Halfs, but for rows.
 template <class Code>
 struct Signed {
     using Stored = Code;
@@ -42,11 +36,6 @@ struct Signed {
         return Code(std::clamp(scaled, float(std::numeric_limits<Code>::min()), most));
     }
 };
-struct Half {
-    using Stored = uint16_t;
-    static float to(uint16_t h) { return float_of_half(h); }
-    static uint16_t from(float v) { return half_of_float(v); }
-};
 template <class Number>
 struct Plain {
     using Stored = Number;
@@ -54,20 +43,50 @@ struct Plain {
     static Number from(float v) { return v; }
 };
 
+/// Whether a row's numbers have no gaps between them.
+bool is_dense(const Buffer& b, int channels) {
+    const auto size = ptrdiff_t(size_of(b.sample));
+    return b.channel == size && b.pixel == size * channels;
+}
+
+/// The kinds whose rows convert at once.
+template <class Kind>
+constexpr bool has_rows = false;
+template <class Code>
+constexpr bool has_rows<Codes<Code>> = true;
+template <>
+constexpr bool has_rows<Halfs> = true;
+
+/// Whether numbers at p are a row that does.
+template <class Kind>
+bool is_row(const Buffer& b, const char* p, int channels) {
+    return is_dense(b, channels) &&
+           reinterpret_cast<uintptr_t>(p) % alignof(typename Kind::Stored) == 0;
+}
+
 template <class Kind>
 void load_as(const Buffer& b, const char* p, size_t count, int channels, float* values) {
+    using Stored = typename Kind::Stored;
+    if constexpr (has_rows<Kind>)
+        if (is_row<Kind>(b, p, channels))
+            return Kind::row_to(reinterpret_cast<const Stored*>(p), count * size_t(channels),
+                                values);
     for (size_t i = 0; i < count; ++i, p += b.pixel) {
         const char* number = p;
         for (int c = 0; c < channels; ++c, number += b.channel)
-            *values++ = Kind::to(read<typename Kind::Stored>(number));
+            *values++ = Kind::to(read<Stored>(number));
     }
 }
 template <class Kind>
 void store_as(const Buffer& b, char* p, size_t count, int channels, const float* values) {
+    using Stored = typename Kind::Stored;
+    if constexpr (has_rows<Kind>)
+        if (is_row<Kind>(b, p, channels))
+            return Kind::row_from(values, count * size_t(channels), reinterpret_cast<Stored*>(p));
     for (size_t i = 0; i < count; ++i, p += b.pixel) {
         char* number = p;
         for (int c = 0; c < channels; ++c, number += b.channel)
-            write<typename Kind::Stored>(number, Kind::from(*values++));
+            write<Stored>(number, Kind::from(*values++));
     }
 }
 
@@ -76,15 +95,15 @@ template <class F>
 void with_kind(Sample sample, F&& f) {
     switch (sample) {
     case Sample::uint8:
-        return f(Unsigned<uint8_t>());
+        return f(Codes<uint8_t>());
     case Sample::int8:
         return f(Signed<int8_t>());
     case Sample::uint16:
-        return f(Unsigned<uint16_t>());
+        return f(Codes<uint16_t>());
     case Sample::int16:
         return f(Signed<int16_t>());
     case Sample::half:
-        return f(Half());
+        return f(Halfs());
     case Sample::float64:
         return f(Plain<double>());
     case Sample::float32:
@@ -93,45 +112,9 @@ void with_kind(Sample sample, F&& f) {
     }
 }
 
-/// Whether a row's numbers have no gaps between them.
-bool is_dense(const Buffer& b, int channels) {
-    const auto size = ptrdiff_t(size_of(b.sample));
-    return b.channel == size && b.pixel == size * channels;
-}
-
 /// Whether they are a row of floats, or of as many bits that are none.
 bool is_floats(const Buffer& b, int channels) {
     return size_of(b.sample) == sizeof(float) && is_dense(b, channels);
-}
-
-/// Load n numbers without gaps of types whose rows convert at once; false of others.
-bool load_row(Sample sample, const char* p, size_t n, float* values) {
-    if (sample == Sample::uint8)
-        floats_of_codes(reinterpret_cast<const uint8_t*>(p), n, values);
-    else if (reinterpret_cast<uintptr_t>(p) % alignof(uint16_t) != 0)
-        return false;
-    else if (sample == Sample::uint16)
-        floats_of_codes(reinterpret_cast<const uint16_t*>(p), n, values);
-    else if (sample == Sample::half)
-        floats_of_halfs(reinterpret_cast<const uint16_t*>(p), n, values);
-    else
-        return false;
-    return true;
-}
-
-/// The way back.
-bool store_row(Sample sample, char* p, size_t n, const float* values) {
-    if (sample == Sample::uint8)
-        codes_of_floats(values, n, reinterpret_cast<uint8_t*>(p));
-    else if (reinterpret_cast<uintptr_t>(p) % alignof(uint16_t) != 0)
-        return false;
-    else if (sample == Sample::uint16)
-        codes_of_floats(values, n, reinterpret_cast<uint16_t*>(p));
-    else if (sample == Sample::half)
-        halfs_of_floats(values, n, reinterpret_cast<uint16_t*>(p));
-    else
-        return false;
-    return true;
 }
 
 /// Call copy(in the buffer, in the row, bytes) for as many numbers at once as have no gaps.
@@ -160,7 +143,7 @@ void load(const Buffer& b, int x, int y, size_t count, int channels, float* valu
     // Also because bits that are no number must stay the bits they are.
     if (is_floats(b, channels))
         std::memcpy(values, p, count * size_t(channels) * sizeof(float));
-    else if (!is_dense(b, channels) || !load_row(b.sample, p, count * size_t(channels), values))
+    else
         with_kind(b.sample,
                   [&](auto kind) { load_as<decltype(kind)>(b, p, count, channels, values); });
 }
@@ -169,7 +152,7 @@ void store(const Buffer& b, int x, int y, size_t count, int channels, const floa
     char* p = b.at(x, y);
     if (is_floats(b, channels))
         std::memcpy(p, values, count * size_t(channels) * sizeof(float));
-    else if (!is_dense(b, channels) || !store_row(b.sample, p, count * size_t(channels), values))
+    else
         with_kind(b.sample,
                   [&](auto kind) { store_as<decltype(kind)>(b, p, count, channels, values); });
 }

@@ -31,46 +31,45 @@ bool is_dense(const OIIO::ImageBuf& image, int channels) {
            image.pixel_stride() == OIIO::stride_t(image.spec().format.size()) * channels;
 }
 
-/// Call f(the first number in the image, of this type, of n, the first float) for each row of r.
+/// Call f(the first number in the image, the first float) for each row of r, of n floats.
 template <class Number, class Image, class Float, class F>
 void each_row(Image& image, const Rect& r, int chbegin, Float* floats, size_t n, F&& f) {
     for (int y = r.y0; y < r.y1; ++y, floats += n)
         f(static_cast<Number*>(image.pixeladdr(r.x0, y, 0, chbegin)), floats);
 }
 
-/// All channels, of images of these types; false of others.
-bool read_rows(const OIIO::ImageBuf& image, const Rect& r, float* out) {
-    const size_t n = size_t(r.width()) * size_t(image.nchannels());
-    const OIIO::TypeDesc type = image.spec().format;
-    const auto codes = [n](const auto* from, float* to) { floats_of_codes(from, n, to); };
+/// Call f with the kind of number whose rows convert at once; false if this type has none.
+template <class F>
+bool with_kind(OIIO::TypeDesc type, F&& f) {
     if (type == OIIO::TypeUInt8)
-        each_row<const uint8_t>(image, r, 0, out, n, codes);
+        f(Codes<uint8_t>());
     else if (type == OIIO::TypeUInt16)
-        each_row<const uint16_t>(image, r, 0, out, n, codes);
+        f(Codes<uint16_t>());
     else if (type == OIIO::TypeHalf)
-        each_row<const uint16_t>(image, r, 0, out, n, [n](const uint16_t* from, float* to) {
-            floats_of_halfs(from, n, to);
-        });
+        f(Halfs());
     else
         return false;
     return true;
 }
 
-/// The way back.
+/// All channels, of images of such types; false of others.
+bool read_rows(const OIIO::ImageBuf& image, const Rect& r, float* out) {
+    const size_t n = size_t(r.width()) * size_t(image.nchannels());
+    return with_kind(image.spec().format, [&](auto kind) {
+        using Stored = typename decltype(kind)::Stored;
+        each_row<const Stored>(image, r, 0, out, n, [n](const Stored* from, float* to) {
+            decltype(kind)::row_to(from, n, to);
+        });
+    });
+}
 bool write_rows(OIIO::ImageBuf& image, const Rect& r, const float* values) {
     const size_t n = size_t(r.width()) * size_t(image.nchannels());
-    const OIIO::TypeDesc type = image.spec().format;
-    const auto codes = [n](auto* to, const float* from) { codes_of_floats(from, n, to); };
-    if (type == OIIO::TypeUInt8)
-        each_row<uint8_t>(image, r, 0, values, n, codes);
-    else if (type == OIIO::TypeUInt16)
-        each_row<uint16_t>(image, r, 0, values, n, codes);
-    else if (type == OIIO::TypeHalf)
-        each_row<uint16_t>(image, r, 0, values, n,
-                           [n](uint16_t* to, const float* from) { halfs_of_floats(from, n, to); });
-    else
-        return false;
-    return true;
+    return with_kind(image.spec().format, [&](auto kind) {
+        using Stored = typename decltype(kind)::Stored;
+        each_row<Stored>(image, r, 0, values, n, [n](Stored* to, const float* from) {
+            decltype(kind)::row_from(from, n, to);
+        });
+    });
 }
 
 /// Some channels of images of 8 or 16 bits.

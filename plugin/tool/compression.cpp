@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/compression.h"
 
-#include <charconv>
+#include "core/base/parse_number.h"
 
 namespace ddt::tool {
 
@@ -33,9 +33,7 @@ constexpr Compression compressions[] = {
 
 bool is_level(const std::string& text, int highest) {
     int level = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, bad] = std::from_chars(text.data(), end, level);
-    return bad == std::errc() && stop == end && level >= 1 && level <= highest;
+    return parse_number(text, 1, highest, level);
 }
 
 } // namespace

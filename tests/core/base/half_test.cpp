@@ -67,7 +67,6 @@ TEST(Half, NanStaysNanWithWhatFitsOfItsPayload) {
 
 TEST(Half, RowsAreTheSameOnEveryInstructionSet) {
     const std::vector<uint16_t> halfs = all_halfs();
-    std::vector<uint32_t> expected;
     std::vector<float> floats;
     std::vector<uint16_t> back;
     std::mt19937 random(16);
