@@ -11,6 +11,8 @@
 #include <OpenImageIO/argparse.h>
 #include <OpenImageIO/strutil.h>
 #include <OpenImageIO/sysutil.h>
+#include <hwy/highway.h>
+#include <hwy/targets.h>
 
 #include "ddt/resize.h"
 #include "tables.h"
@@ -28,6 +30,20 @@ bool check_names(const std::vector<std::string>& names, const std::vector<std::s
     return true;
 }
 
+/// Have ddt use this instruction set ("": the best there is). False, with a line on stderr, if it
+/// was not compiled or the machine has it not.
+bool use_simd(const std::string& wanted) {
+    std::vector<std::string> names;
+    for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        names.emplace_back(hwy::TargetName(target));
+        if (OIIO::Strutil::iequals(names.back(), wanted)) {
+            hwy::SetSupportedTargetsForTest(target);
+            hwy::GetChosenTarget().Update(target);
+        }
+    }
+    return wanted.empty() || check_names({OIIO::Strutil::upper(wanted)}, names);
+}
+
 bool has(const std::vector<std::string>& names, const char* name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -42,7 +58,8 @@ int main(int argc, char** argv) {
     const int all = int(OIIO::Sysutil::hardware_concurrency());
     std::string path, scales = "1.5,2,4,8", threads = all > 1 ? "1,0" : "1", format = "float,8bit",
                       filters = OIIO::Strutil::join(ddt::filter_names(), "+"),
-                      tables = "small,ratios,stages,threads,cores,growth", memory = "warm,fresh";
+                      tables = "small,ratios,stages,threads,cores,growth", memory = "warm,fresh",
+                      simd;
     OIIO::ArgParse args;
     args.intro("speed: ddt against other ways to enlarge\n").usage("speed [IMAGE] [options]");
     args.arg("image").hidden().action([&](OIIO::cspan<const char*> a) { path = a[0]; });
@@ -59,6 +76,8 @@ int main(int argc, char** argv) {
         .help("of the result: warm (written to before), fresh (default: both)");
     args.arg("--tables %s:LIST", &tables)
         .help("small, ratios, stages, threads, cores, growth (default: all)");
+    args.arg("--simd %s:NAME", &simd)
+        .help("instruction set that ddt uses, AVX2 say (default: the best there is)");
     args.arg("--no-programs", &no_programs).help("without ImageMagick and libvips");
     if (args.parse_args(argc, const_cast<const char**>(argv)) < 0 || plan.rounds < 1 ||
         !(megapixels > 0)) {
@@ -76,7 +95,8 @@ int main(int argc, char** argv) {
     const auto wanted = splits(tables, ","), formats = splits(format, ","),
                memories = splits(memory, ",");
     if (!check_names(wanted, {"small", "ratios", "stages", "threads", "cores", "growth"}) ||
-        !check_names(formats, {"float", "8bit"}) || !check_names(memories, {"warm", "fresh"}))
+        !check_names(formats, {"float", "8bit"}) || !check_names(memories, {"warm", "fresh"}) ||
+        !use_simd(simd))
         return 2;
     for (const std::string& name : memories)
         plan.memory.push_back(name == "warm" ? speed::Memory::warm : speed::Memory::fresh);
