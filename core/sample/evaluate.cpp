@@ -322,7 +322,7 @@ void evaluate_block(const Net& net, Surface surface, const Columns& columns,
                     const LocatedBlock& block, int channels, int first, int count, float* out,
                     size_t row) {
     if (block.phases)
-        evaluate_phases(net, surface, columns, block, channels, first, count, out, row);
+        evaluate_phases(net, surface, columns, block, channels, first, out, row);
     HWY_DYNAMIC_DISPATCH(evaluate_rows)
     (net, surface, columns, block, channels, first, count, out, row);
     if (!block.crossed.cells.empty())
