@@ -10,6 +10,16 @@ constexpr bool min_is_a_choice = true;
 constexpr bool min_is_a_choice = false;
 #endif
 
+/// Whether vectors are compared and blended by the compiler's operators. GCC 12 does not know that
+/// what Highway's comparisons return has all bits of a lane alike, and finds its sign in a step of
+/// its own before it blends; with masks (AVX-512) there is none.
+#if HWY_ARCH_X86 && defined(__GNUC__) && !defined(__clang__) &&                                    \
+    (HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3)
+constexpr bool choose_by_operators = true;
+#else
+constexpr bool choose_by_operators = false;
+#endif
+
 template <class D>
 struct Lanes {
     hn::Vec<D> v;
@@ -33,7 +43,10 @@ struct Lanes {
     }
     /// a < b ? yes : no, a lane.
     friend HWY_INLINE Lanes if_less(Lanes a, Lanes b, Lanes yes, Lanes no) {
-        return hn::IfThenElse(hn::Lt(a.v, b.v), yes.v, no.v);
+        if constexpr (choose_by_operators)
+            return hn::Vec<D>{a.v.raw < b.v.raw ? yes.v.raw : no.v.raw};
+        else
+            return hn::IfThenElse(hn::Lt(a.v, b.v), yes.v, no.v);
     }
     /// The smaller or larger, where neither is NaN; of zeros of two signs, either.
     friend HWY_INLINE Lanes lane_min(Lanes a, Lanes b) { return hn::Min(a.v, b.v); }
@@ -58,6 +71,9 @@ struct Lanes {
     }
     /// a <= b ? yes : no, a lane.
     friend HWY_INLINE Lanes if_less_equal(Lanes a, Lanes b, Lanes yes, Lanes no) {
-        return hn::IfThenElse(hn::Le(a.v, b.v), yes.v, no.v);
+        if constexpr (choose_by_operators)
+            return hn::Vec<D>{a.v.raw <= b.v.raw ? yes.v.raw : no.v.raw};
+        else
+            return hn::IfThenElse(hn::Le(a.v, b.v), yes.v, no.v);
     }
 };
