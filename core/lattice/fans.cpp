@@ -103,6 +103,9 @@ HWY_ATTR void find_fans(const Lattice& lattice, int y, const int* columns, int n
                         std::vector<Vec>& walked, Fans& fans) {
     fans.groups.clear();
     fans.spokes.clear();
+    // Vectors that grow by themselves would take up to twice of it.
+    fans.groups.reserve(size_t(n + fans_side_by_side - 1) / fans_side_by_side);
+    fans.spokes.reserve(size_t(n) * usual_spokes + Fans::padding);
     const SiteLanes lanes(lattice);
     const int at_once = walked_at_once();
     for (int done = 0; done < n; done += at_once) {

@@ -15,6 +15,10 @@ namespace ddt {
 /// Vertices whose fans lie side by side, so that they can be worked on at once.
 constexpr int fans_side_by_side = 4;
 
+/// Spokes of such vertices, each: the most of them has eight or nine edges in noise, and its first
+/// is there twice.
+constexpr size_t usual_spokes = 10;
+
 /// The fans of some vertices of a row, in the order in which these were given.
 struct Fans {
     struct Group {

@@ -205,6 +205,7 @@ bool find_ranges(const Lattice& lattice, const Columns& columns, int cy, Located
     }
     std::vector<LocatedBlock::Range>& ranges = block.ranges;
     ranges.clear();
+    ranges.reserve(columns.runs.size());
     block.crossing.clear();
     CellPositions positions;
     const bool crossed_found = find_crossed_alike(lattice, columns, cy, block);
@@ -233,6 +234,9 @@ bool find_ranges(const Lattice& lattice, const Columns& columns, int cy, Located
         if (range.kind == Span::triangle && n * block.count <= CellPositions::most) {
             positions.set(columns.x.data() + run.begin, n, block.y, block.count);
             range.triangle = int(block.crossing.size());
+            // A vector that grows by itself would take up to twice of it.
+            if (block.crossing.capacity() == 0)
+                block.crossing.reserve(usual_crossing_triangles * size_t(lattice.width()));
             find_crossing_triangles(lattice, run.cell, cy, positions, block.crossing);
             range.triangles = int(block.crossing.size()) - range.triangle;
         } else if (range.kind == Span::triangle) {

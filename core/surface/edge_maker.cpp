@@ -177,8 +177,10 @@ size_t EdgeMaker::memory(int width, int height, int count, bool all_rows,
         return size_t(all_rows ? height : std::min(used + rows_to_go_on, height)) * row;
     };
     const size_t edges = kept(usual_edge_rows);
+    // Flags of four rows of cells, two rows of weights, one of columns; what each row reaches.
+    const size_t scratch = 7 * size_t(width) * sizeof(float) + 4 * size_t(height) * sizeof(int);
     return kept(usual_vertex_rows) + edges + (recipe.soft ? 2 * edges : 0) +
-           (recipe.bend ? edges + FanRows::memory(width, 1) : 0);
+           (recipe.bend ? edges + FanRows::memory(width, 1) : 0) + scratch;
 }
 
 } // namespace ddt

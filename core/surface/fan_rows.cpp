@@ -33,8 +33,6 @@ void FanRows::find(int y, int x0, int x1, Row& row) {
 }
 
 size_t FanRows::memory(int width, int rows) {
-    // Of four side by side the most has seven or eight edges, and the first is there twice.
-    constexpr size_t usual_spokes = 9;
     return size_t(rows) * size_t(width) *
            (usual_spokes * sizeof(Vec) + sizeof(Fans::Group) / fans_side_by_side);
 }

@@ -76,11 +76,12 @@ size_t TileMemory::needed(const Job& job) {
     const int width = largest_width(job);
     const size_t pixels = pixels_of(job);
     const size_t meshes = size_t(job.mesh.meshes) * TileMesh::memory(width, largest_height(job));
-    // Work lists, which are longest in noise.
-    const size_t workspace = pixels * 12 + start_gains_memory(width);
+    // Contours are found before gains.
+    const size_t workspace =
+        Workspace::memory(pixels) + std::max(ContourRows::memory(width), start_gains_memory(width));
     const size_t guides = job.mesh.meshes > 1 ? 2 : 0;
     const size_t planes = pixels * sizeof(float) * (guides + size_t(job.channels));
-    return meshes + workspace + planes + ContourRows::memory(width);
+    return meshes + workspace + planes;
 }
 
 void TileMemory::reserve(const Job& job) {

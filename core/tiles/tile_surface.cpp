@@ -47,8 +47,10 @@ size_t TileSurface::memory(const Job& job, int width, int height, bool rows) {
                                           {job.surface.kind, recipe, job.surface.consistency});
     if (is_corrected(job.surface) && groups > 1)
         corrected += size_t(width) * size_t(height) * sizeof(float) * size_t(job.channels);
-    // Of a row of cells that are all crossed, in a vector that grows by doubling.
-    const size_t located = 2 * usual_crossing_triangles * size_t(width) * sizeof(CrossingTriangle);
+    // Of a row of cells that are all crossed.
+    const size_t located = size_t(width) * (sizeof(LocatedBlock::Range) +
+                                            usual_crossing_triangles * sizeof(CrossingTriangle)) +
+                           CrossedRows::memory(width, 1);
     const int ahead =
         is_corrected(job.surface) ? CorrectedRows::usual_rows_ahead(job.surface.consistency) : 0;
     const size_t fans = FanRows::memory(width, std::min(fan_rows(ahead, size_t(groups)), height));

@@ -12,8 +12,10 @@ namespace ddt {
 
 namespace {
 
-/// Floats of output that are handed to the sink at once, about: a quarter of a megabyte.
+/// Floats of output that are taken to be made at once, about,
 constexpr size_t strip_floats = size_t(1) << 16;
+/// and that are handed to the sink where it has no place for them: 64 KiB.
+constexpr size_t handed_floats = size_t(1) << 14;
 
 /// Columns of output that are worked on at once: what is kept for each column stays small however
 /// long the rows are.
@@ -28,9 +30,14 @@ bool follows(const Point& a, const Point& b) {
     return std::abs(b.x - a.x) <= longest && std::abs(b.y - a.y) <= longest;
 }
 
+/// Rows of so many floats, at least one, that take no more than `floats`.
+int rows_of(size_t floats, size_t row) {
+    return int(std::max<size_t>(1, floats / row));
+}
+
 /// Output pixels that are worth being made by a thread of its own, about: what a tile's surface
 /// needs round any part of it is made for each part.
-constexpr size_t shared_pixels = size_t(1) << 15;
+constexpr size_t shared_pixels = size_t(3) << 13;
 
 /// Floats of a result that is larger than what a core has of the caches, by far.
 constexpr size_t least_past_caches = size_t(1) << 23;
@@ -38,8 +45,10 @@ constexpr size_t least_past_caches = size_t(1) << 23;
 } // namespace
 
 size_t TileWriter::memory(const Job& job, int width, int height, bool rows) {
+    // Where columns lie, of a result of twice the size.
+    const size_t columns = 2 * size_t(width) * (sizeof(Position) + sizeof(Point) + sizeof(float));
     return size_t(job.mesh.meshes) * TileSurface::memory(job, width, height, rows) +
-           (job.mesh.meshes > 1 ? 2 : 1) * strip_floats * sizeof(float);
+           (job.mesh.meshes > 1 ? 2 : 1) * handed_floats * sizeof(float) + columns;
 }
 
 TileWriter::TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times)
@@ -116,6 +125,10 @@ void TileWriter::take_memory(const Rect& pixels) {
     m_positions.resize(width);
     m_inside.resize(width);
     m_points.resize(width);
+    // Vectors that grow by themselves would take up to twice of it.
+    m_out.reserve(handed_floats + row_padding);
+    if (m_job.mesh.meshes > 1)
+        m_last.reserve(handed_floats + row_padding);
 }
 
 /// Where a row of a separable mapping lies in the tile's lattice.
@@ -171,11 +184,22 @@ Outcome TileWriter::write(RowsLeft& left) {
     else if (!panels)
         find_columns(meshed.tile, all);
     const size_t row = size_t(width) * size_t(m_job.channels);
-    const int strip = grid ? int(std::max<size_t>(1, strip_floats / row)) : 1;
+    const int strip = grid ? whole_cells(all, rows_of(strip_floats, row)) : 1;
     for (Rect rows = left.take(strip); !rows.empty(); rows = left.take(strip))
         if (const Outcome outcome = write_strip(rows, grid, panels); outcome != Outcome::done)
             return outcome;
     return Outcome::done;
+}
+
+/// The most rows of a grid, but no more than `rows` or 1, that are those of whole rows of cells
+/// where as many lie in each.
+int TileWriter::whole_cells(const Rect& pixels, int rows) const {
+    if (pixels.height() < 2)
+        return rows;
+    const Tile& tile = m_meshed->tile;
+    const int32_t step = y_of(tile, pixels.y0 + 1, pixels.x0) - y_of(tile, pixels.y0, pixels.x0);
+    const int in_cell = step > 0 && position_one % step == 0 ? position_one / step : 1;
+    return rows < in_cell ? rows : rows - rows % in_cell;
 }
 
 /// Write some rows, or one where they are no grid.
@@ -249,20 +273,29 @@ Outcome TileWriter::write_rows(const Tile& tile, const Rect& rows, bool panels) 
         return Outcome::done;
     }
     row = size_t(rows.width()) * channels;
-    m_out.resize(rows.area() * channels + row_padding);
-    for (int y = 0; y < rows.height();) {
-        float* out = m_out.data() + size_t(y) * row;
+    const int height = rows.height(), most = std::min(rows_of(handed_floats, row), height);
+    m_out.resize(size_t(most) * row + row_padding);
+    int handed = 0, made = 1; // rows: all that were, and what was made last
+    const auto hand_over_to = [&](int y) {
+        const Rect r{rows.x0, rows.y0 + handed, rows.x1, rows.y0 + y};
+        handed = y;
+        return hand_over(r);
+    };
+    for (int y = 0; y < height; y += made) {
+        // Before a row of cells is divided.
+        if (y > handed && y + made > handed + most && !hand_over_to(y))
+            return Outcome::sink_failed;
+        float* out = m_out.data() + size_t(y - handed) * row;
         make_edges_for_row(y, panels);
         if (blocks) {
-            y += sample_block(m_ys.data() + y, rows.height() - y, out, row);
+            made = sample_block(m_ys.data() + y, std::min(height, handed + most) - y, out, row);
             continue;
         }
         for (Point& p : m_points)
             p.y = m_ys[size_t(y)];
         sample(rows.width(), out);
-        ++y;
     }
-    return hand_over(rows) ? Outcome::done : Outcome::sink_failed;
+    return hand_over_to(height) ? Outcome::done : Outcome::sink_failed;
 }
 
 /// The same of rows that the sink has a place for, `row` floats apart.

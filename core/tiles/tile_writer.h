@@ -34,6 +34,7 @@ public:
 private:
     void take_memory(const Rect& pixels);
     int32_t y_of(const Tile& tile, int y, int x) const;
+    int whole_cells(const Rect& pixels, int rows) const;
     Tile part_of(const Tile& tile, const Rect& pixels) const;
     void make_edges_for(int32_t y, int32_t keep);
     void make_edges_for_row(int y, bool panels);

@@ -35,6 +35,10 @@ struct Workspace {
         blocked.reserve(vertices * 9 / 16);
         again.reserve(vertices / 8);
     }
+    /// The bytes of that.
+    static constexpr size_t memory(size_t vertices) {
+        return vertices * (5 + 1) / 4 * sizeof(int) + vertices * (9 + 2) / 16 * sizeof(Blocked);
+    }
 
     /// Called once an iteration by schemes: tells progress() the share that is not among the `left`
     /// of `all` things to do. False: flip no more.

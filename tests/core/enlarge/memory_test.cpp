@@ -238,6 +238,7 @@ TEST(Memory, AllThreadsThatAreAskedForWork) {
     all_work(16, 3);
     all_work(16, 4);
     all_work(40, 3);
+    all_work(40, 4);
     all_work(128, 4);
 }
 

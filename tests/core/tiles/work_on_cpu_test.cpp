@@ -159,8 +159,8 @@ TEST(WorkOnCpu, WhatFailsWhileTheyShareEndsTheWork) {
 }
 
 TEST(WorkOnCpu, TilesWaitForAPlaceAndTheBitsAreThoseOfOne) {
-    // So many channels that eight threads have places for two tiles of four.
-    constexpr int channels = 24, many = 8;
+    // So many channels that eight threads have places for fewer tiles than there are.
+    constexpr int channels = 28, many = 8;
     const ManyThreads allowed(many);
     TestSource source({0, 0, 400, 400}, channels, 41);
     const Rect out{0, 0, 728, 728};
