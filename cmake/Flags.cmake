@@ -15,6 +15,13 @@ endif()
 
 # For code that takes no time to run, tests and the command line: less to compile.
 set(DDT_BRIEFLY $<$<CONFIG:Release>:-O1>)
+# For code that does. With -O2, which RelWithDebInfo and distributions compile with, loops over channels
+# stay loops and less is inlined: ddt takes 1.4 to 1.6 times as long (kodim23 at 2x, 17.1 and 28.1 ns a
+# pixel).
+set(DDT_FAST $<$<CONFIG:RelWithDebInfo>:-O3>)
+if(CMAKE_CXX_FLAGS MATCHES "-O2( |$)")
+  set(DDT_FAST -O3)
+endif()
 
 # -DCMAKE_BUILD_TYPE=Sanitize: address and undefined-behaviour sanitizers for the unit tests.
 # -g1: enough for file and line in their reports, and a quarter of the time to compile.
