@@ -30,6 +30,8 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 /// Of the quarters of a cell, between both diagonals, number 2 * i + j lies in triangle i of cells
 /// divided down and in triangle j of those divided up.
 constexpr int quarters = 4;
+/// Which weight a quarter's positions have the same in both (DividedWeights); 3: none.
+constexpr int same_weight[quarters] = {1, 0, 2, 3};
 
 /// A position in plain cells, whichever way these are divided.
 struct PlainPosition {
@@ -105,6 +107,14 @@ struct PlainCells {
         return p;
     }
 
+    template <int quarter, int k>
+    HWY_INLINE T weight(const PlainPosition& position) const {
+        if constexpr (k == same_weight[quarter])
+            return T(position.down[k]);
+        else
+            return either(T(position.down[k]), T(position.up[k]));
+    }
+
     /// The surface at the positions of a quarter, from float `at` on of their rows.
     template <int quarter, bool tame>
     HWY_INLINE void make(const PlainPositions& positions, T strict, bool all_strict, ptrdiff_t at,
@@ -115,10 +125,9 @@ struct PlainCells {
         const Patch<T> p = triangles<quarter, tame>(strict, all_strict);
         for (int i = 0; i < count; ++i) {
             const PlainPosition& position = positions.of_quarter[quarter][i];
-            const auto weight = [&](int k) HWY_ATTR {
-                return either(T(position.down[k]), T(position.up[k]));
-            };
-            p.template at<quadratic, soft, tame>(weight(0), weight(1), weight(2))
+            p.template at<quadratic, soft, tame>(weight<quarter, 0>(position),
+                                                 weight<quarter, 1>(position),
+                                                 weight<quarter, 2>(position))
                 .store(made.at(position.number) + at);
         }
     }
