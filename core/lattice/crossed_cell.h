@@ -59,7 +59,7 @@ constexpr size_t usual_crossing_triangles = 5;
 
 /// A triangle that some of a cell's positions belong to.
 struct CrossingTriangle {
-    int vertex[3], edge[3]; ///< as in Triangle
+    int vertex[3]; ///< as in Triangle
     CellPlanes planes;
     uint64_t positions; ///< bit i: position i belongs to it
 
@@ -68,9 +68,6 @@ struct CrossingTriangle {
         : planes(corners), positions(positions_) {
         for (int k = 0; k < 3; ++k)
             vertex[k] = site + 2 * (corners.p[k].y * stride + corners.p[k].x);
-        // A midpoint is the mean of the ends.
-        for (int k = 0; k < 3; ++k)
-            edge[k] = (vertex[k] + vertex[(k + 1) % 3]) / 2;
     }
 };
 

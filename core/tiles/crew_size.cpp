@@ -35,7 +35,7 @@ constexpr size_t pixels_a_thread = size_t(1) << 16;
 CrewSize crew_size(const Mapping& mapping, const Job& job, const Grid& grid, size_t threads) {
     const bool shared = mapping.separable();
     const size_t bytes = memory_limit(threads, shared) * size_t(job.mesh.meshes);
-    const size_t worker = TileWorker::memory(job, shared), place = TileMemory::needed(job);
+    const size_t worker = TileWorker::memory(job, mapping), place = TileMemory::needed(job);
     const auto tiles = size_t(grid.count());
     const size_t useful = std::max(tiles, output_of(mapping).area() / pixels_a_thread);
     const size_t least_share = shared ? members_a_place : 1;

@@ -26,8 +26,8 @@ const float* guide_of(size_t mesh, const Job& job, TileMemory& memory) {
 
 } // namespace
 
-size_t TileWorker::memory(const Job& job, bool separable) {
-    return TileWriter::memory(job, largest_width(job), largest_height(job), separable);
+size_t TileWorker::memory(const Job& job, const Mapping& mapping) {
+    return TileWriter::memory(job, mapping, largest_width(job), largest_height(job));
 }
 
 Outcome TileWorker::work(const Tile& tile, int first_row) {

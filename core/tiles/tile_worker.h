@@ -38,8 +38,8 @@ public:
 
     const Statistics& statistics() const { return m_statistics; }
 
-    /// About the bytes that a worker takes for a job; `separable`: Mapping::separable().
-    static size_t memory(const Job& job, bool separable);
+    /// About the bytes that a worker takes for a job.
+    static size_t memory(const Job& job, const Mapping& mapping);
 
 private:
     bool read(const Tile& tile, TileMemory& memory);

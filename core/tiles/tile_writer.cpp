@@ -14,7 +14,8 @@ namespace {
 
 /// Floats of output that are taken to be made at once, about,
 constexpr size_t strip_floats = size_t(1) << 16;
-/// and that are handed to the sink where it has no place for them: 64 KiB.
+/// and that are handed to the sink where it has no place for them: 64 KiB, or as many as lie in a
+/// row of cells.
 constexpr size_t handed_floats = size_t(1) << 14;
 
 /// Columns of output that are worked on at once: what is kept for each column stays small however
@@ -35,6 +36,30 @@ int rows_of(size_t floats, size_t row) {
     return int(std::max<size_t>(1, floats / row));
 }
 
+/// Output pixels in a cell, about: those in the middle of a result.
+struct InCell {
+    int columns = 1, rows = 1; ///< these no more than are sampled together
+};
+
+InCell in_cell(const Mapping& mapping) {
+    InCell found;
+    const Rect out = output_of(mapping);
+    if (!mapping.separable() || out.width() < 2 || out.height() < 2)
+        return found;
+    const int x = out.x0 + out.width() / 2 - 1, y = out.y0 + out.height() / 2 - 1;
+    Position here[2], below;
+    uint8_t inside[2];
+    mapping.row(y, x, x + 2, here, inside);
+    mapping.row(y + 1, x, x + 1, &below, inside);
+    const auto in_step = [](int64_t from, int64_t to, int most) {
+        const int64_t step = to - from;
+        return step > 0 ? int(std::clamp<int64_t>((position_one + step / 2) / step, 1, most)) : 1;
+    };
+    found.columns = in_step(here[0].x, here[1].x, position_one);
+    found.rows = in_step(here[0].y, below.y, LocatedBlock::most_rows);
+    return found;
+}
+
 /// Output pixels that are worth being made by a thread of its own, about: what a tile's surface
 /// needs round any part of it is made for each part.
 constexpr size_t shared_pixels = size_t(3) << 13;
@@ -44,16 +69,21 @@ constexpr size_t least_past_caches = size_t(1) << 23;
 
 } // namespace
 
-size_t TileWriter::memory(const Job& job, int width, int height, bool rows) {
-    // Where columns lie, of a result of twice the size.
-    const size_t columns = 2 * size_t(width) * (sizeof(Position) + sizeof(Point) + sizeof(float));
-    return size_t(job.mesh.meshes) * TileSurface::memory(job, width, height, rows) +
-           (job.mesh.meshes > 1 ? 2 : 1) * handed_floats * sizeof(float) + columns;
+size_t TileWriter::memory(const Job& job, const Mapping& mapping, int width, int height) {
+    const InCell pixels = in_cell(mapping);
+    const size_t cells = size_t(std::min(width, tile_size));
+    const size_t columns = std::min(cells * size_t(pixels.columns), size_t(panel_columns(job)));
+    const size_t out =
+        std::max(handed_floats, size_t(pixels.rows) * columns * size_t(job.channels)) + row_padding;
+    return size_t(job.mesh.meshes) * TileSurface::memory(job, width, height, mapping.separable()) +
+           (job.mesh.meshes > 1 ? 2 : 1) * out * sizeof(float) +
+           columns * (sizeof(Position) + sizeof(Point) + sizeof(float));
 }
 
 TileWriter::TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times)
     : m_sink(sink), m_mapping(mapping), m_job(job), m_times(times) {
     m_past_caches = output_of(mapping).area() * size_t(job.channels) >= least_past_caches;
+    m_rows_in_cell = in_cell(mapping).rows;
 }
 
 int TileWriter::least_shared_rows(const Rect& pixels) {
@@ -184,22 +214,27 @@ Outcome TileWriter::write(RowsLeft& left) {
     else if (!panels)
         find_columns(meshed.tile, all);
     const size_t row = size_t(width) * size_t(m_job.channels);
-    const int strip = grid ? whole_cells(all, rows_of(strip_floats, row)) : 1;
-    for (Rect rows = left.take(strip); !rows.empty(); rows = left.take(strip))
+    const auto take = [&](int y) {
+        return left.take(grid ? whole_cells(all, y, rows_of(strip_floats, row)) : 1);
+    };
+    for (Rect rows = take(all.y0); !rows.empty(); rows = take(rows.y1))
         if (const Outcome outcome = write_strip(rows, grid, panels); outcome != Outcome::done)
             return outcome;
     return Outcome::done;
 }
 
-/// The most rows of a grid, but no more than `rows` or 1, that are those of whole rows of cells
-/// where as many lie in each.
-int TileWriter::whole_cells(const Rect& pixels, int rows) const {
-    if (pixels.height() < 2)
-        return rows;
-    const Tile& tile = m_meshed->tile;
-    const int32_t step = y_of(tile, pixels.y0 + 1, pixels.x0) - y_of(tile, pixels.y0, pixels.x0);
-    const int in_cell = step > 0 && position_one % step == 0 ? position_one / step : 1;
-    return rows < in_cell ? rows : rows - rows % in_cell;
+/// So many of a grid's rows from y on, or fewer that end where a row of cells does.
+int TileWriter::whole_cells(const Rect& grid, int y, int rows) const {
+    const auto cell = [&](int at) { return y_of(m_meshed->tile, at, grid.x0) >> position_bits; };
+    for (int n = rows; n > 0 && y + n < grid.y1; --n)
+        if (cell(y + n) != cell(y + n - 1))
+            return n;
+    return rows;
+}
+
+/// Rows of so many floats, of `height`, that are in m_out at a time.
+int TileWriter::rows_together(int height, size_t row) const {
+    return std::min(height, std::max(rows_of(handed_floats, row), m_rows_in_cell));
 }
 
 /// Write some rows, or one where they are no grid.
@@ -273,7 +308,7 @@ Outcome TileWriter::write_rows(const Tile& tile, const Rect& rows, bool panels) 
         return Outcome::done;
     }
     row = size_t(rows.width()) * channels;
-    const int height = rows.height(), most = std::min(rows_of(handed_floats, row), height);
+    const int height = rows.height(), most = rows_together(height, row);
     m_out.resize(size_t(most) * row + row_padding);
     int handed = 0, made = 1; // rows: all that were, and what was made last
     const auto hand_over_to = [&](int y) {
@@ -302,8 +337,9 @@ Outcome TileWriter::write_rows(const Tile& tile, const Rect& rows, bool panels) 
 void TileWriter::place_rows(const Rect& rows, bool panels, float* place, size_t row) {
     const int height = rows.height();
     const size_t own_row = size_t(rows.width()) * size_t(m_job.channels);
+    const int most = rows_together(height, own_row);
     if (m_past_caches)
-        m_out.resize(size_t(std::min(height, LocatedBlock::most_rows)) * own_row + row_padding);
+        m_out.resize(size_t(most) * own_row + row_padding);
     for (int y = 0; y < height;) {
         make_edges_for_row(y, panels);
         const int32_t* ys = m_ys.data() + y;
@@ -312,7 +348,7 @@ void TileWriter::place_rows(const Rect& rows, bool panels, float* place, size_t 
             y += sample_block(ys, height - y, to, row);
             continue;
         }
-        const int made = sample_block(ys, height - y, m_out.data(), own_row);
+        const int made = sample_block(ys, std::min(height - y, most), m_out.data(), own_row);
         for (int r = 0; r < made; ++r)
             stream_copy(m_out.data() + size_t(r) * own_row, own_row, to + size_t(r) * row);
         y += made;

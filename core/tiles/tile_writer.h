@@ -28,13 +28,14 @@ public:
     /// Rows of a grid, as wide as these pixels, that are worth being made by a thread of its own.
     static int least_shared_rows(const Rect& pixels);
 
-    /// About the bytes that this takes for a job; `rows`: TileSurface::memory().
-    static size_t memory(const Job& job, int width, int height, bool rows);
+    /// About the bytes that this takes for a job, for lattices of width x height pixels.
+    static size_t memory(const Job& job, const Mapping& mapping, int width, int height);
 
 private:
     void take_memory(const Rect& pixels);
     int32_t y_of(const Tile& tile, int y, int x) const;
-    int whole_cells(const Rect& pixels, int rows) const;
+    int whole_cells(const Rect& grid, int y, int rows) const;
+    int rows_together(int height, size_t row) const;
     Tile part_of(const Tile& tile, const Rect& pixels) const;
     void make_edges_for(int32_t y, int32_t keep);
     void make_edges_for_row(int y, bool panels);
@@ -58,6 +59,7 @@ private:
     StageClock m_clock;
 
     bool m_past_caches; ///< results are put where the sink has a place for them
+    int m_rows_in_cell; ///< output rows in a row of cells, about
     const MeshedTile* m_meshed = nullptr;
     std::vector<TileSurface> m_surfaces; ///< one a mesh
     std::vector<Position> m_positions;

@@ -419,7 +419,7 @@ TEST(Enlarge, ManyChannelsWorkOnFewerTilesAtOnce) {
     const Rect to{0, 0, 400, 280};
     const auto mapping = mapping_of(source.window(), to, to);
     const Job job = job_of(source, channels, 7);
-    ASSERT_GT(TileWorker::memory(job, true) + TileMemory::needed(job), size_t(100) << 20);
+    ASSERT_GT(TileWorker::memory(job, mapping) + TileMemory::needed(job), size_t(100) << 20);
     const auto values = run(source, job, mapping, to);
     EXPECT_EQ(source.reads.size(), 4u);
     EXPECT_EQ(source.most_running, 1);

@@ -22,7 +22,8 @@ struct Large {
         return crew_size(mapping(), job, Grid(job.window), threads);
     }
     size_t bytes(CrewSize size) const {
-        return size.members * TileWorker::memory(job, true) + size.places * TileMemory::needed(job);
+        return size.members * TileWorker::memory(job, mapping()) +
+               size.places * TileMemory::needed(job);
     }
 
     Job job;
@@ -41,10 +42,7 @@ TEST(CrewSize, AllThreadsWorkWithinTheirMemory) {
             for (const size_t threads : {1, 16, 33, 40, 64, 128, 1000}) {
                 SCOPED_TRACE(::testing::Message() << filter << ", " << channels << ", " << threads);
                 const CrewSize size = large.of(threads);
-                if (channels < 4)
-                    EXPECT_EQ(size.members, threads);
-                else
-                    EXPECT_GE(size.members, threads - threads / 10);
+                EXPECT_EQ(size.members, threads);
                 EXPECT_LE(size.places, threads);
                 EXPECT_GE(5 * size.places, threads);
                 EXPECT_LE(large.bytes(size), limit(threads));
