@@ -69,6 +69,8 @@ struct CrossingTriangle {
         for (int k = 0; k < 3; ++k)
             vertex[k] = site + 2 * (corners.p[k].y * stride + corners.p[k].x);
     }
+    /// As in Triangle: a midpoint is the mean of the ends.
+    int edge(int k) const { return (vertex[k] + vertex[(k + 1) % 3]) / 2; }
 };
 
 /// The same as it is kept: vertices in Triangle's order relative to the cell's first corner, in

@@ -41,11 +41,9 @@ template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_crossing(const NetView& net, Blocks strict, bool all_strict,
                                   const CrossingTriangle& triangle, const CellPositions& positions,
                                   float* f) {
-    const int* v = triangle.vertex;
-    // A midpoint is the mean of the ends.
-    const int edge[3] = {(v[0] + v[1]) / 2, (v[1] + v[2]) / 2, (v[2] + v[0]) / 2};
+    const int edge[3] = {triangle.edge(0), triangle.edge(1), triangle.edge(2)};
     Patch<Blocks> patch;
-    load_patch<quadratic, soft>(net, v, edge, patch);
+    load_patch<quadratic, soft>(net, triangle.vertex, edge, patch);
     if (patch.is_tame()) {
         patch.template find_range<soft, true>(strict, all_strict);
         evaluate_positions<quadratic, soft, true>(patch, triangle, positions, f);

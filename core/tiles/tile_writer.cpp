@@ -73,9 +73,11 @@ size_t TileWriter::memory(const Job& job, const Mapping& mapping, int width, int
     const InCell pixels = in_cell(mapping);
     const size_t cells = size_t(std::min(width, tile_size));
     const size_t columns = std::min(cells * size_t(pixels.columns), size_t(panel_columns(job)));
-    const size_t out =
-        std::max(handed_floats, size_t(pixels.rows) * columns * size_t(job.channels)) + row_padding;
-    return size_t(job.mesh.meshes) * TileSurface::memory(job, width, height, mapping.separable()) +
+    const bool rows = mapping.separable();
+    // Where positions come in any order, a run of them may be as long as a panel.
+    const size_t made = rows ? size_t(pixels.rows) * columns * size_t(job.channels) : strip_floats;
+    const size_t out = std::max(handed_floats, made) + row_padding;
+    return size_t(job.mesh.meshes) * TileSurface::memory(job, width, height, rows) +
            (job.mesh.meshes > 1 ? 2 : 1) * out * sizeof(float) +
            columns * (sizeof(Position) + sizeof(Point) + sizeof(float));
 }

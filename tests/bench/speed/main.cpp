@@ -33,15 +33,18 @@ bool check_names(const std::vector<std::string>& names, const std::vector<std::s
 /// Have ddt use this instruction set ("": the best there is). False, with a line on stderr, if it
 /// was not compiled or the machine has it not.
 bool use_simd(const std::string& wanted) {
+    if (wanted.empty())
+        return true;
+    const std::string name = OIIO::Strutil::upper(wanted);
     std::vector<std::string> names;
     for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
         names.emplace_back(hwy::TargetName(target));
-        if (OIIO::Strutil::iequals(names.back(), wanted)) {
+        if (names.back() == name) {
             hwy::SetSupportedTargetsForTest(target);
             hwy::GetChosenTarget().Update(target);
         }
     }
-    return wanted.empty() || check_names({OIIO::Strutil::upper(wanted)}, names);
+    return check_names({name}, names);
 }
 
 bool has(const std::vector<std::string>& names, const char* name) {

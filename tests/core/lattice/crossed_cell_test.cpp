@@ -36,8 +36,10 @@ void check_cell(const Lattice& lattice, int cx, int cy, const CellPositions& pos
             const Point p{int32_t((float(cx) + x) * position_one),
                           int32_t((float(cy) + y) * position_one)};
             const Triangle expected = locate(lattice, p);
-            for (int k = 0; k < 3; ++k)
+            for (int k = 0; k < 3; ++k) {
                 ASSERT_EQ(t.vertex[k], expected.vertex[k]) << p.x << ' ' << p.y;
+                ASSERT_EQ(t.edge(k), expected.edge[k]);
+            }
             int32_t w[3];
             expected.weights(p, w);
             const CrossingWeights<float> b(t.planes, x, y);

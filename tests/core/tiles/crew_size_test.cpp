@@ -54,6 +54,20 @@ TEST(CrewSize, AllThreadsWorkWithinTheirMemory) {
         }
 }
 
+TEST(CrewSize, NineTenthsOrMoreWorkAtEightTimesTheSize) {
+    for (const char* filter : filters)
+        for (const int channels : {1, 3, 4}) {
+            Large large(filter, channels);
+            large.to = {0, 0, 131072, 65536};
+            for (const size_t threads : {16, 40, 128}) {
+                SCOPED_TRACE(::testing::Message() << filter << ", " << channels << ", " << threads);
+                const CrewSize size = large.of(threads);
+                EXPECT_GE(size.members, threads - threads / 10);
+                EXPECT_LE(large.bytes(size), limit(threads));
+            }
+        }
+}
+
 TEST(CrewSize, AFewThreadsHaveATileEach) {
     for (const char* filter : filters)
         EXPECT_EQ(Large(filter, 4).of(16).places, 16u) << filter;
