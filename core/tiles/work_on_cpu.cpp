@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/tiles/work_on_cpu.h"
 
+#include <array>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -10,6 +11,7 @@
 #include "core/base/parallel.h"
 #include "core/tiles/crew_size.h"
 #include "core/tiles/tile_memory.h"
+#include "core/tiles/tile_order.h"
 #include "core/tiles/tile_worker.h"
 
 namespace ddt {
@@ -20,9 +22,10 @@ namespace {
 class Crew {
 public:
     Crew(Source& source, Sink& sink, const Mapping& mapping, const Job& job, const Grid& grid,
-         Run& run, CrewSize size)
+         Run& run, CrewSize size, NodeOfThread node)
         : m_source(source), m_sink(sink), m_mapping(mapping), m_job(job), m_grid(grid), m_run(run),
-          m_places(size.places), m_members(size.members) {}
+          m_node(node), m_places(size.places), m_members(size.members),
+          m_order(grid.count(), grid.columns()) {}
 
     void work() {
         const int members = int(m_members.size());
@@ -41,8 +44,10 @@ private:
     /// Where a tile is meshed, and stays until all of it is written.
     struct Place {
         std::optional<KeptMemory> memory;
+        int node = -1; ///< of memory, that of whoever worked here first; -1: nobody did
         int tile = 0;
-        int parts = 0; ///< members that work on it; 0: it is free
+        int number = 0; ///< of the tile, in the order in which tiles were begun
+        int parts = 0;  ///< members that work on it; 0: it is free
     };
     struct Member {
         std::unique_ptr<TileWorker> worker;
@@ -68,15 +73,19 @@ private:
 
     /// Begin a tile if there is a place for it, else take a part of another's; wait for either.
     Next find_work(Member& self) {
+        const int node = m_node();
         std::unique_lock<std::mutex> lock(m_mutex);
         while (m_run.going()) {
-            const bool tiles = tiles_left();
-            if (Place* place = tiles ? free_place() : nullptr) {
-                place->tile = m_next_tile++;
+            Place* const place = free_place(node);
+            if (place && find_tile(node, place->tile)) {
+                place->number = m_begun++;
+                if (place->node < 0)
+                    place->node = node;
                 start_working(self, *place);
                 return Next::begin;
             }
-            if (Member* other = whom_to_help(tiles)) {
+            const bool tiles = !m_order.empty();
+            if (Member* other = whom_to_help(tiles, node)) {
                 // It may have gone on meanwhile, but not to another place.
                 if (!self.worker->take_from(*other->worker))
                     continue;
@@ -90,17 +99,24 @@ private:
         return Next::none;
     }
 
-    bool tiles_left() {
-        while (m_next_tile < m_grid.count() && m_run.is_done(m_next_tile))
-            ++m_next_tile;
-        return m_next_tile < m_grid.count();
+    /// The next tile that is not done; false: all are.
+    bool find_tile(int node, int& tile) {
+        while (!m_order.empty()) {
+            tile = m_order.next(node);
+            if (!m_run.is_done(tile))
+                return true;
+        }
+        return false;
     }
 
-    Place* free_place() {
+    /// Whose memory is near, if there is one, else where there is none yet.
+    Place* free_place(int node) {
+        Place* found = nullptr;
+        const auto near = [&](const Place& p) { return p.node == node ? 2 : p.node < 0 ? 1 : 0; };
         for (Place& place : m_places)
-            if (place.parts == 0)
-                return &place;
-        return nullptr;
+            if (place.parts == 0 && (!found || near(place) > near(*found)))
+                found = &place;
+        return found;
     }
 
     void begin(Member& self) {
@@ -116,19 +132,21 @@ private:
         m_changed.notify_all();
     }
 
-    /// Who has the most rows to give away, if anybody has; where a tile waits for a place, of those
-    /// at the tile that was begun first, so that places are free one after the other: were all at
-    /// once, meshes would be all there is to do next, for fewer than there are.
-    Member* whom_to_help(bool tile_waits) {
+    /// Who has the most rows to give away, if anybody has, of those whose memory is near if any of
+    /// them have; where a tile waits for a place, of those at the tile that was begun first, so
+    /// that places are free one after the other: were all at once, meshes would be all there is to
+    /// do next, for fewer than there are.
+    Member* whom_to_help(bool tile_waits, int node) {
         Member* found = nullptr;
-        int most = 0;
+        std::array<int, 3> least{};
         for (Member& other : m_members) {
             const int rows = other.place ? other.worker->rows_to_share() : 0;
             if (rows == 0)
                 continue;
-            const int later = found && tile_waits ? other.place->tile - found->place->tile : 0;
-            if (later < 0 || (later == 0 && rows > most)) {
-                most = rows;
+            const std::array<int, 3> rank{other.place->node != node,
+                                          tile_waits ? other.place->number : 0, -rows};
+            if (!found || rank < least) {
+                least = rank;
                 found = &other;
             }
         }
@@ -171,20 +189,23 @@ private:
     const Job& m_job;
     const Grid& m_grid;
     Run& m_run;
+    const NodeOfThread m_node;
     std::mutex m_mutex; ///< of all that follows
     std::condition_variable m_changed;
     std::vector<Place> m_places;
     std::vector<Member> m_members;
-    int m_next_tile = 0;
+    TileOrder m_order;
+    int m_begun = 0;   ///< tiles
     int m_working = 0; ///< members
 };
 
 } // namespace
 
 void work_on_cpu(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
-                 const Grid& grid, int threads, Run& run, Statistics& statistics) {
-    Crew crew(source, sink, mapping, job, grid, run,
-              crew_size(mapping, job, grid, size_t(threads)));
+                 const Grid& grid, int threads, Run& run, Statistics& statistics,
+                 NodeOfThread node) {
+    Crew crew(source, sink, mapping, job, grid, run, crew_size(mapping, job, grid, size_t(threads)),
+              node);
     crew.work();
     statistics += crew.statistics();
 }

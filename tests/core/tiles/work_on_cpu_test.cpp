@@ -181,6 +181,56 @@ TEST(WorkOnCpu, TilesWaitForAPlaceAndTheBitsAreThoseOfOne) {
     EXPECT_EQ(differing(sink.values(), by_one.values()), 0u);
 }
 
+/// Every other thread that asks is said to be near the second of two nodes.
+int some_node() {
+    static std::atomic<int> asked{0};
+    thread_local const int node = asked++ % 2;
+    return node;
+}
+
+/// Remembers which node's threads read which tile of a column of them.
+class NodesSource final : public TestSource {
+public:
+    explicit NodesSource(int tiles_)
+        : TestSource({0, 0, 8, tiles_ * tile_size + 1}, 1, 3), nodes(size_t(tiles_), -1) {}
+    bool read(const Rect& r, float* values, float* guide) override {
+        const int tile = (r.y0 + tile_halo) / tile_size;
+        nodes[size_t(tile)] = some_node();
+        return TestSource::read(r, values, guide);
+    }
+    std::vector<int> nodes; ///< a tile
+};
+
+TEST(WorkOnCpu, NodesOfMemoryHaveNeighbouringTiles) {
+    constexpr int tiles = 96;
+    const ManyThreads allowed;
+    NodesSource source(tiles);
+    const Rect out{0, 0, 32, 4 * source.window().height()};
+    const Job job = job_of(source, 1, threads);
+    const ResizeMapping mapping = mapping_of(source.window(), out, out);
+    const Grid grid(job.window);
+    ASSERT_EQ(grid.count(), tiles);
+    ddt::Run run(job, tiles);
+    Statistics statistics;
+    TestSink sink(out, 1), by_one(out, 1);
+    work_on_cpu(source, sink, mapping, job, grid, threads, run, statistics, some_node);
+    ASSERT_EQ(run.outcome(), Outcome::done);
+    EXPECT_EQ(sink.written(1), int64_t(out.area()));
+    // However unlike their paces: when one has nothing left, what the other has is halved, which
+    // can happen seven times before it is one tile, and each time two runs of tiles more begin at
+    // most.
+    EXPECT_EQ(std::count(source.nodes.begin(), source.nodes.end(), -1), 0);
+    int runs = 1;
+    for (size_t i = 1; i < tiles; ++i)
+        runs += source.nodes[i] != source.nodes[i - 1];
+    EXPECT_LE(runs, 1 + 2 * 7);
+
+    Job alone = job;
+    alone.threads = 1;
+    ASSERT_EQ(enlarge(source, by_one, mapping, alone), Outcome::done);
+    EXPECT_EQ(differing(sink.values(), by_one.values()), 0u);
+}
+
 TEST(WorkOnCpu, SmallResultsAreOneThreads) {
     const ManyThreads allowed;
     TestSource source({0, 0, 64, 64}, 1, 5);
