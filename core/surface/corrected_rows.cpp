@@ -110,11 +110,11 @@ int CorrectedRows::rows_ahead(const Lattice& lattice, int rounds) {
     return rounds * rounds_apart(lattice) + 2 * rows_at_once;
 }
 
-size_t CorrectedRows::memory(int width, int height, int count, const CorrectionRecipe& recipe) {
+Taken CorrectedRows::memory(int width, int height, int count, const CorrectionRecipe& recipe) {
     // Of the source, where it has more channels; what is made of it.
     const size_t rows = (3 + 1) * size_t(width) * size_t(count) * sizeof(float);
-    return size_t(recipe.rounds) * (rows + MeanRows::memory(width, height, count, recipe.edges)) +
-           CrossedRows::memory(width, usual_rounds_apart);
+    const Taken round = Taken{0, rows} + MeanRows::memory(width, height, count, recipe.edges);
+    return size_t(recipe.rounds) * round + Taken{0, CrossedRows::memory(width, usual_rounds_apart)};
 }
 
 } // namespace ddt

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/surface/kept_rows.h"
 #include "core/surface/tame.h"
 
 namespace ddt {
@@ -46,18 +45,18 @@ void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe
     const int top = few_edges ? m_reach.first_neighbour(part.y0) : 0;
     if (recipe.bend)
         take_rows(lattice, count, few_edges ? top : 0, few_edges ? rows.edges : lattice.height(),
-                  m_scratch.gradients);
+                  recipe.arena, m_scratch.gradients);
     if (few_values) {
         net.stride = lattice.stride();
         m_vertex_rows = top;
-        take_rows(lattice, count, top, rows.vertices, net.values.even);
-        take_rows(lattice, count, part.y0, rows.edges, net.values.odd);
+        take_rows(lattice, count, top, rows.vertices, recipe.arena, net.values.even);
+        take_rows(lattice, count, part.y0, rows.edges, recipe.arena, net.values.odd);
     }
     for (auto& weights : m_scratch.weights)
         weights.resize(recipe.soft ? size_t(lattice.width()) + edge_padding : 0);
     if (recipe.soft && few_edges) {
-        take_rows(lattice, count, part.y0, rows.edges, net.soft.even);
-        take_rows(lattice, count, part.y0, rows.edges, net.soft.odd);
+        take_rows(lattice, count, part.y0, rows.edges, recipe.arena, net.soft.even);
+        take_rows(lattice, count, part.y0, rows.edges, recipe.arena, net.soft.odd);
     } else if (recipe.soft) {
         whole(lattice, count, net.soft);
     }
@@ -170,17 +169,18 @@ void EdgeMaker::go_on(int y, int keep) {
     m_edge_rows = 2 * last + 1;
 }
 
-size_t EdgeMaker::memory(int width, int height, int count, bool all_rows,
-                         const EdgeRecipe& recipe) {
-    const size_t row = site_row(width, count) * sizeof(float);
+Taken EdgeMaker::memory(int width, int height, int count, bool all_rows, const EdgeRecipe& recipe) {
     const auto kept = [&](int used) {
-        return size_t(all_rows ? height : std::min(used + rows_to_go_on, height)) * row;
+        return rows_memory(width, height, count, all_rows ? height : used);
     };
+    Taken taken;
     const size_t edges = kept(usual_edge_rows);
+    taken.rows =
+        kept(usual_vertex_rows) + edges + (recipe.soft ? 2 * edges : 0) + (recipe.bend ? edges : 0);
     // Flags of four rows of cells, two rows of weights, one of columns; what each row reaches.
-    const size_t scratch = 7 * size_t(width) * sizeof(float) + 4 * size_t(height) * sizeof(int);
-    return kept(usual_vertex_rows) + edges + (recipe.soft ? 2 * edges : 0) +
-           (recipe.bend ? edges + FanRows::memory(width, 1) : 0) + scratch;
+    taken.other = 7 * size_t(width) * sizeof(float) + 4 * size_t(height) * sizeof(int) +
+                  (recipe.bend ? FanRows::memory(width, 1) : 0);
+    return taken;
 }
 
 } // namespace ddt

@@ -4,6 +4,7 @@
 
 #include "core/lattice/row_reach.h"
 #include "core/surface/edge_scratch.h"
+#include "core/surface/kept_rows.h"
 
 namespace ddt {
 
@@ -22,6 +23,8 @@ struct EdgeRecipe {
     float tau = 0;
     /// With bends: where the lattice's fans are kept, for others, too; null: they are not.
     FanRows* fans = nullptr;
+    /// Where rows are kept, as take_rows() says; null: on the heap.
+    Arena* arena = nullptr;
 };
 
 /// Makes a net's edges from the top row downwards, so that rows can be used while they are in the
@@ -33,7 +36,7 @@ public:
     void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe, Net& net);
     void begin(const Lattice& lattice, const Rect& part, bool bend, bool soft, float tau,
                Net& net) {
-        begin(lattice, part, EdgeRecipe{bend, soft, tau, nullptr}, net);
+        begin(lattice, part, EdgeRecipe{bend, soft, tau}, net);
     }
     /// The same where q and the gradients, which begin() keeps for all rows, are kept for some.
     void begin_edge_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
@@ -64,7 +67,7 @@ public:
 
     /// About the bytes that this and a net of `count` channels usually take; all_rows: where all
     /// rows are kept.
-    static size_t memory(int width, int height, int count, bool all_rows, const EdgeRecipe& recipe);
+    static Taken memory(int width, int height, int count, bool all_rows, const EdgeRecipe& recipe);
 
 private:
     void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe, bool few_values,

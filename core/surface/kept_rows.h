@@ -25,12 +25,25 @@ constexpr size_t site_row(int width, int count) {
     return 2 * size_t(width) * size_t(count);
 }
 
+/// About the bytes that something takes.
+struct Taken {
+    size_t rows = 0;  ///< of SiteRows, by take_rows(): in an arena, if there is one
+    size_t other = 0; ///< on the heap
+    size_t all() const { return rows + other; }
+    friend Taken operator+(Taken a, Taken b) { return {a.rows + b.rows, a.other + b.other}; }
+    friend Taken operator*(size_t n, Taken a) { return {n * a.rows, n * a.other}; }
+};
+
 /// Take the memory for so many floats.
 void take_memory(std::vector<float>& kept, size_t floats);
 
 /// Take the memory for so many rows of pixels, beside those to go on by, of `count` channels, and
-/// begin with row `first`.
-void take_rows(const Lattice& lattice, int count, int first, int rows, SiteRows& kept);
+/// begin with row `first`. In an arena, which was cleared since it was last asked for such rows; or
+/// else, null, on the heap.
+void take_rows(const Lattice& lattice, int count, int first, int rows, Arena* arena,
+               SiteRows& kept);
+/// The bytes of that.
+size_t rows_memory(int width, int height, int count, int rows);
 
 /// Make room for the rows of pixels before `end`. Of the rows before `made`, which are of use,
 /// those before `keep` may go.

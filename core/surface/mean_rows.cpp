@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/lattice/neighbours.h"
-#include "core/surface/kept_rows.h"
 
 namespace ddt {
 
@@ -46,10 +45,10 @@ const float* MeanRows::row(int y, int keep) {
     return sums(y);
 }
 
-size_t MeanRows::memory(int width, int height, int count, const EdgeRecipe& recipe) {
+Taken MeanRows::memory(int width, int height, int count, const EdgeRecipe& recipe) {
     // Two rows of sums, four of quadrants' means.
     return EdgeMaker::memory(width, height, count, false, recipe) +
-           6 * size_t(width) * size_t(count) * sizeof(float);
+           Taken{0, 6 * size_t(width) * size_t(count) * sizeof(float)};
 }
 
 } // namespace ddt

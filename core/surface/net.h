@@ -26,6 +26,7 @@
 
 #include <vector>
 
+#include "core/base/arena.h"
 #include "core/base/row_lanes.h"
 #include "core/lattice/lattice.h"
 #include "ddt/core.h"
@@ -39,7 +40,7 @@ constexpr int group_size = most_in_pixel;
 /// ones, in some rows of it or in all. What follows a site's may be read as if it were its own, up
 /// to group_size numbers.
 struct SiteRows {
-    std::vector<float> numbers;
+    ArenaVector<float> numbers;
     int count = group_size; ///< of channels
     int first = 0; ///< the site, in column 0 and an even row, at or beside which they begin
     const float* at(int site) const {

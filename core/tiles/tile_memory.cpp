@@ -77,11 +77,10 @@ size_t TileMemory::needed(const Job& job) {
     const size_t pixels = pixels_of(job);
     const size_t meshes = size_t(job.mesh.meshes) * TileMesh::memory(width, largest_height(job));
     // Contours are found before gains.
-    const size_t workspace =
-        Workspace::memory(pixels) + std::max(ContourRows::memory(width), start_gains_memory(width));
+    const size_t scratch = std::max(ContourRows::memory(width), start_gains_memory(width));
     const size_t guides = job.mesh.meshes > 1 ? 2 : 0;
     const size_t planes = pixels * sizeof(float) * (guides + size_t(job.channels));
-    return meshes + workspace + planes;
+    return meshes + scratch + planes;
 }
 
 void TileMemory::reserve(const Job& job) {
@@ -91,14 +90,10 @@ void TileMemory::reserve(const Job& job) {
     meshed.meshes.resize(size_t(job.mesh.meshes));
     for (TileMesh& mesh : meshed.meshes)
         mesh.reserve(sites);
-    workspace.reserve(pixels);
 }
 
 size_t TileMemory::bytes() const {
-    const Workspace& w = workspace;
-    size_t sum = bytes_of(guide) + bytes_of(blurred) + bytes_of(meshed.values) + bytes_of(w.dirty) +
-                 bytes_of(w.flippable) + bytes_of(w.candidates) + bytes_of(w.selected) +
-                 bytes_of(w.blocked) + bytes_of(w.again);
+    size_t sum = bytes_of(guide) + bytes_of(blurred) + bytes_of(meshed.values);
     for (const TileMesh& mesh : meshed.meshes)
         sum += mesh.bytes();
     return sum;

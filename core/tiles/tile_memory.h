@@ -13,7 +13,6 @@ namespace ddt {
 /// What a tile's meshes are made in, from one tile to the next.
 struct TileMemory {
     std::vector<float> guide, blurred; ///< of several meshes
-    Workspace workspace;
     MeshedTile meshed;
 
     /// About the bytes that this takes for a job.

@@ -11,8 +11,8 @@ namespace ddt {
 
 namespace {
 
-EdgeRecipe recipe_of(const SurfaceOptions& surface, FanRows* fans) {
-    return {surface.kind != Surface::linear, surface.soft > 0, surface.soft, fans};
+EdgeRecipe recipe_of(const SurfaceOptions& surface, FanRows* fans, Arena* arena) {
+    return {surface.kind != Surface::linear, surface.soft > 0, surface.soft, fans, arena};
 }
 
 /// Rows of fans that are worth being kept for who asks for them again: later rounds of corrections,
@@ -30,37 +30,42 @@ TileSurface::TileSurface(const Job& job) : m_job(job), m_nets(size_t(group_count
         m_edges.resize(m_nets.size());
 }
 
-size_t TileSurface::memory(const Job& job, int width, int height, bool rows) {
-    const EdgeRecipe recipe = recipe_of(job.surface, nullptr);
+Taken TileSurface::memory(const Job& job, int width, int height, bool rows) {
+    const EdgeRecipe recipe = recipe_of(job.surface, nullptr, nullptr);
     const int groups = group_count(job.channels);
-    size_t kept = 0;
+    Taken taken;
     for (int g = 0; g < groups; ++g) {
         const int count = channels_in_group(job.channels, g);
-        kept += is_fitted(job.surface)
-                    ? FittedMaker::memory(width, height, {nullptr, job.channels, 0, count}, !rows,
-                                          job.surface.soft > 0)
-                    : EdgeMaker::memory(width, height, count, !rows, recipe);
+        taken = taken + (is_fitted(job.surface)
+                             ? FittedMaker::memory(width, height, {nullptr, job.channels, 0, count},
+                                                   !rows, job.surface.soft > 0)
+                             : EdgeMaker::memory(width, height, count, !rows, recipe));
     }
-    size_t corrected = 0;
-    if (is_corrected(job.surface))
-        corrected = CorrectedRows::memory(width, height, channels_in_group(job.channels, 0),
-                                          {job.surface.kind, recipe, job.surface.consistency});
-    if (is_corrected(job.surface) && groups > 1)
-        corrected += size_t(width) * size_t(height) * sizeof(float) * size_t(job.channels);
+    if (is_corrected(job.surface)) {
+        const Taken rounds =
+            CorrectedRows::memory(width, height, channels_in_group(job.channels, 0),
+                                  {job.surface.kind, recipe, job.surface.consistency});
+        if (groups == 1)
+            taken = taken + rounds;
+        else
+            taken.other += rounds.all() +
+                           size_t(width) * size_t(height) * sizeof(float) * size_t(job.channels);
+    }
     // Of a row of cells that are all crossed.
-    const size_t located = size_t(width) * (sizeof(LocatedBlock::Range) +
-                                            usual_crossing_triangles * sizeof(CrossingTriangle)) +
-                           CrossedRows::memory(width, 1);
+    taken.other += size_t(width) * (sizeof(LocatedBlock::Range) +
+                                    usual_crossing_triangles * sizeof(CrossingTriangle)) +
+                   CrossedRows::memory(width, 1);
     const int ahead =
         is_corrected(job.surface) ? CorrectedRows::usual_rows_ahead(job.surface.consistency) : 0;
-    const size_t fans = FanRows::memory(width, std::min(fan_rows(ahead, size_t(groups)), height));
-    return kept + corrected + located + fans;
+    taken.other += FanRows::memory(width, std::min(fan_rows(ahead, size_t(groups)), height));
+    return taken;
 }
 
-void TileSurface::begin(const TileMesh& mesh, const Tile& tile, const float* values) {
+void TileSurface::begin(const TileMesh& mesh, const Tile& tile, const float* values, Arena* arena) {
     const DenormalsAreZero as_on_gpus;
     const SurfaceOptions& surface = m_job.surface;
     m_mesh = &mesh;
+    m_arena = arena;
     const Rect part = mesh.sampled(tile);
     if (is_corrected(surface) && m_nets.size() > 1)
         m_corrected.resize(mesh.lattice().vertices() * size_t(m_job.channels));
@@ -88,7 +93,7 @@ GroupValues TileSurface::group_values(const float* values, int group) const {
 }
 
 EdgeRecipe TileSurface::recipe() {
-    return recipe_of(m_job.surface, &m_fans);
+    return recipe_of(m_job.surface, &m_fans, m_arena);
 }
 
 void TileSurface::set_strictness(int group, Net& net) const {
@@ -98,15 +103,18 @@ void TileSurface::set_strictness(int group, Net& net) const {
 
 void TileSurface::begin_corrected(int group, const float* values, const Rect& part) {
     const SurfaceOptions& surface = m_job.surface;
-    const CorrectionRecipe correction{surface.kind,  recipe(),        surface.consistency,
-                                      surface.limit, surface.clipped, nearest_mask(m_job, group)};
+    CorrectionRecipe correction{surface.kind,  recipe(),        surface.consistency,
+                                surface.limit, surface.clipped, nearest_mask(m_job, group)};
+    // Of many channels one group after the other, in the same memory.
+    const bool alone = m_nets.size() == 1;
+    if (!alone)
+        correction.edges.arena = nullptr;
     Net& net = m_nets[size_t(group)];
     EdgeMaker& edges = m_edges[size_t(group)];
     const Lattice& lattice = m_mesh->lattice();
     m_rounds.begin(lattice, part, correction, group_values(values, group), net.strict);
-    if (m_nets.size() == 1)
+    if (alone)
         return edges.begin_rows(lattice, part, recipe(), m_rounds, net);
-    // Of many channels one group after the other, in the same memory.
     correct_all(group);
     edges.begin_rows(lattice, part, recipe(), group_values(m_corrected.data(), group), net);
 }
@@ -125,7 +133,7 @@ void TileSurface::correct_all(int group) {
 void TileSurface::begin_fitted(int group, const float* values, const Rect& part) {
     const SurfaceOptions& surface = m_job.surface;
     const FittedRecipe recipe{surface.soft, surface.limit, surface.clipped,
-                              nearest_mask(m_job, group)};
+                              nearest_mask(m_job, group), m_arena};
     m_fitted[size_t(group)].begin(m_mesh->lattice(), part, recipe, group_values(values, group),
                                   m_nets[size_t(group)]);
 }

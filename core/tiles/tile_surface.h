@@ -21,12 +21,12 @@ public:
 
     /// About the bytes that this takes for a lattice of width x height pixels; `rows`: where only
     /// rows of it are kept (finish_edges() is not called).
-    static size_t memory(const Job& job, int width, int height, bool rows);
+    static Taken memory(const Job& job, int width, int height, bool rows);
 
     /// Lay the surface over a mesh, through `values`, the job's channels for each pixel, to sample
     /// it in the cells of `part`, the mesh's tile or one with some of its cells. Mesh and values
-    /// must stay there while it is in use.
-    void begin(const TileMesh& mesh, const Tile& part, const float* values);
+    /// must stay there while it is in use. arena: see take_rows().
+    void begin(const TileMesh& mesh, const Tile& part, const float* values, Arena* arena);
 
     /// Edges are made as they are needed: before what needs them is sampled, make_edges_for() its
     /// y, in ascending order, or finish_edges(), is to be called. What is above `keep` may be gone
@@ -54,6 +54,7 @@ private:
 
     const Job& m_job;
     const TileMesh* m_mesh = nullptr;
+    Arena* m_arena = nullptr;
     std::vector<Net> m_nets; ///< one a group of channels
     std::vector<EdgeMaker> m_edges;
     std::vector<FittedMaker> m_fitted; ///< in their place

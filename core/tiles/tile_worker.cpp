@@ -10,6 +10,11 @@ namespace ddt {
 
 namespace {
 
+/// Of a mesh of the largest tile.
+size_t lists_memory(const Job& job) {
+    return Workspace::memory(size_t(largest_width(job)) * size_t(largest_height(job)));
+}
+
 /// The guide of a mesh; to be called in ascending order.
 const float* guide_of(size_t mesh, const Job& job, TileMemory& memory) {
     const float share = blur_share(job.mesh, int(mesh));
@@ -27,7 +32,9 @@ const float* guide_of(size_t mesh, const Job& job, TileMemory& memory) {
 } // namespace
 
 size_t TileWorker::memory(const Job& job, const Mapping& mapping) {
-    return TileWriter::memory(job, mapping, largest_width(job), largest_height(job));
+    const Taken taken = TileWriter::memory(job, mapping, largest_width(job), largest_height(job));
+    const size_t lists = lists_memory(job);
+    return taken.other + (mapping.separable() ? std::max(lists, taken.rows) : lists + taken.rows);
 }
 
 Outcome TileWorker::work(const Tile& tile, int first_row) {
@@ -61,8 +68,6 @@ Outcome TileWorker::finish() {
 }
 
 bool TileWorker::read(const Tile& tile, TileMemory& memory) {
-    memory.workspace.origin_x = tile.pixels.x0 - m_job.window.x0;
-    memory.workspace.origin_y = tile.pixels.y0 - m_job.window.y0;
     MeshedTile& meshed = memory.meshed;
     meshed.tile = tile;
     const int width = lattice_width(tile), height = lattice_height(tile);
@@ -76,10 +81,15 @@ bool TileWorker::read(const Tile& tile, TileMemory& memory) {
 
 void TileWorker::triangulate(const Tile& tile, TileMemory& memory) {
     MeshedTile& meshed = memory.meshed;
+    m_arena.clear();
+    m_arena.reserve(lists_memory(m_job));
+    Workspace workspace(m_arena);
+    workspace.origin_x = tile.pixels.x0 - m_job.window.x0;
+    workspace.origin_y = tile.pixels.y0 - m_job.window.y0;
     for (size_t k = 0; k < meshed.meshes.size(); ++k) {
         TileMesh& mesh = meshed.meshes[k];
-        mesh.triangulate(m_job, guide_of(k, m_job, memory), meshed.width, meshed.height,
-                         memory.workspace, m_statistics);
+        mesh.triangulate(m_job, guide_of(k, m_job, memory), meshed.width, meshed.height, workspace,
+                         m_statistics);
         m_clock.lap(m_statistics.times.triangulate);
         mesh.find_cells(m_job, tile);
         m_clock.lap(m_statistics.times.surface);

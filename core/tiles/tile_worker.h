@@ -16,7 +16,7 @@ class TileWorker {
 public:
     TileWorker(Source& source, Sink& sink, const Mapping& mapping, const Job& job)
         : m_source(source), m_mapping(mapping), m_job(job),
-          m_writer(sink, mapping, job, m_statistics.times) {}
+          m_writer(sink, mapping, job, m_statistics.times, m_arena) {}
     TileWorker(const TileWorker&) = delete;
     TileWorker& operator=(const TileWorker&) = delete;
 
@@ -51,6 +51,7 @@ private:
     Statistics m_statistics;
     StageClock m_clock;
 
+    Arena m_arena; ///< the lists of triangulate(), and then the rows of m_writer
     RowsLeft m_left;
     TileWriter m_writer;
 };

@@ -69,7 +69,7 @@ constexpr size_t least_past_caches = size_t(1) << 23;
 
 } // namespace
 
-size_t TileWriter::memory(const Job& job, const Mapping& mapping, int width, int height) {
+Taken TileWriter::memory(const Job& job, const Mapping& mapping, int width, int height) {
     const InCell pixels = in_cell(mapping);
     const size_t cells = size_t(std::min(width, tile_size));
     const size_t columns = std::min(cells * size_t(pixels.columns), size_t(panel_columns(job)));
@@ -78,12 +78,13 @@ size_t TileWriter::memory(const Job& job, const Mapping& mapping, int width, int
     const size_t made = rows ? size_t(pixels.rows) * columns * size_t(job.channels) : strip_floats;
     const size_t out = std::max(handed_floats, made) + row_padding;
     return size_t(job.mesh.meshes) * TileSurface::memory(job, width, height, rows) +
-           (job.mesh.meshes > 1 ? 2 : 1) * out * sizeof(float) +
-           columns * (sizeof(Position) + sizeof(Point) + sizeof(float));
+           Taken{0, (job.mesh.meshes > 1 ? 2 : 1) * out * sizeof(float) +
+                        columns * (sizeof(Position) + sizeof(Point) + sizeof(float))};
 }
 
-TileWriter::TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times)
-    : m_sink(sink), m_mapping(mapping), m_job(job), m_times(times) {
+TileWriter::TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times,
+                       Arena& arena)
+    : m_sink(sink), m_mapping(mapping), m_job(job), m_times(times), m_arena(arena) {
     m_past_caches = output_of(mapping).area() * size_t(job.channels) >= least_past_caches;
     m_rows_in_cell = in_cell(mapping).rows;
 }
@@ -203,8 +204,11 @@ Outcome TileWriter::write(RowsLeft& left) {
     const Tile part = grid ? part_of(meshed.tile, all) : meshed.tile;
     while (m_surfaces.size() < meshed.meshes.size())
         m_surfaces.emplace_back(m_job);
+    // Where all rows are kept they grow by more than an arena has.
+    m_arena.clear();
     for (size_t k = 0; k < m_surfaces.size(); ++k)
-        m_surfaces[k].begin(meshed.meshes[k], part, meshed.values.data());
+        m_surfaces[k].begin(meshed.meshes[k], part, meshed.values.data(),
+                            grid ? &m_arena : nullptr);
     m_clock.lap(m_times.surface);
 
     take_memory(all);

@@ -17,7 +17,8 @@ namespace ddt {
 /// tile to the next.
 class TileWriter {
 public:
-    TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times);
+    /// arena: for rows of a tile's surface, which clear it.
+    TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times, Arena& arena);
 
     /// Write what is left of a tile.
     Outcome write(RowsLeft& left);
@@ -29,7 +30,7 @@ public:
     static int least_shared_rows(const Rect& pixels);
 
     /// About the bytes that this takes for a job, for lattices of width x height pixels.
-    static size_t memory(const Job& job, const Mapping& mapping, int width, int height);
+    static Taken memory(const Job& job, const Mapping& mapping, int width, int height);
 
 private:
     void take_memory(const Rect& pixels);
@@ -56,6 +57,7 @@ private:
     const Mapping& m_mapping;
     const Job& m_job;
     StageTimes& m_times;
+    Arena& m_arena;
     StageClock m_clock;
 
     bool m_past_caches; ///< results are put where the sink has a place for them

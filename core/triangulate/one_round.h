@@ -14,12 +14,6 @@ namespace ddt {
 
 namespace one_round_steps {
 
-/// Add the first n of some numbers to a list.
-template <class T>
-void append(std::vector<T>& list, const T* numbers, size_t n) {
-    list.insert(list.end(), numbers, numbers + n);
-}
-
 /// Divide the candidates into those that are the best of their regions, w.selected, and others.
 template <class Mesh>
 void select(const Mesh& mesh, Workspace& w) {
@@ -46,11 +40,11 @@ void select(const Mesh& mesh, Workspace& w) {
 
 /// Flip edges outside each other's 2-regions.
 template <class Mesh>
-void flip_all(Mesh& mesh, const std::vector<int>& edges) {
+void flip_all(Mesh& mesh, const ArenaVector<int>& edges) {
     for (const int m : edges)
         mesh.flip(m);
 }
-inline void flip_all(Lattice& lattice, const std::vector<int>& edges) {
+inline void flip_all(Lattice& lattice, const ArenaVector<int>& edges) {
     lattice.flip_all(edges.data(), edges.size());
 }
 

@@ -414,7 +414,7 @@ private:
     }
 
     void add_candidates() {
-        m_w.candidates.insert(m_w.candidates.end(), m_found.data(), m_found.data() + m_number);
+        append(m_w.candidates, m_found.data(), m_number);
         m_number = 0;
     }
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <functional>
-#include <vector>
 
+#include "core/base/arena.h"
 #include "core/cost/criterion.h"
 #include "core/lattice/lattice.h"
 #include "ddt/core.h"
@@ -17,15 +17,21 @@ struct Workspace {
         int site;    ///< a candidate that was not the best of its region,
         int blocker; ///< and a better one in it
     };
-    std::vector<int> dirty;              ///< edges to evaluate in this iteration
-    std::vector<int> flippable;          ///< those of them that can be flipped
-    std::vector<int> candidates;         ///< edges to look at in this iteration's selection
-    std::vector<int> selected;           ///< edges to flip
-    std::vector<Blocked> blocked;        ///< candidates that wait
-    std::vector<Blocked> again;          ///< those whose blockers are evaluated again
+    ArenaVector<int> dirty;              ///< edges to evaluate in this iteration
+    ArenaVector<int> flippable;          ///< those of them that can be flipped
+    ArenaVector<int> candidates;         ///< edges to look at in this iteration's selection
+    ArenaVector<int> selected;           ///< edges to flip
+    ArenaVector<Blocked> blocked;        ///< candidates that wait
+    ArenaVector<Blocked> again;          ///< those whose blockers are evaluated again
     std::function<bool(float)> progress; ///< see go_on(); may be empty
     int origin_x = 0, origin_y = 0; ///< the lattice's first pixel in the image: chance is drawn by
                                     ///< an edge's place in the image, whatever tile it is in
+
+    Workspace() = default;
+    /// With lists in an arena, which is not cleared while this is there.
+    explicit Workspace(Arena& arena)
+        : dirty(&arena), flippable(&arena), candidates(&arena), selected(&arena), blocked(&arena),
+          again(&arena) {}
 
     /// Take the memory for the lists of most meshes of so many vertices: as long as they get in
     /// noise.
@@ -37,7 +43,8 @@ struct Workspace {
     }
     /// The bytes of that.
     static constexpr size_t memory(size_t vertices) {
-        return vertices * (5 + 1) / 4 * sizeof(int) + vertices * (9 + 2) / 16 * sizeof(Blocked);
+        return vertices * (5 + 1) / 4 * sizeof(int) + vertices * (9 + 2) / 16 * sizeof(Blocked) +
+               4 * Arena::line;
     }
 
     /// Called once an iteration by schemes: tells progress() the share that is not among the `left`

@@ -122,14 +122,14 @@ enum class Outcome {
 
 /// Read the source tile by tile, triangulate, and write every output pixel the mapping gives.
 /// Memory beside what source and sink hold: 200 MiB and 6 MiB for each thread beyond 40; times
-/// MeshOptions::meshes. Of up to 4 channels all threads work within it up to 4 times the size, and
-/// nine tenths or more beyond: a mesh of a tile takes 5 to 6 MiB, what a thread reads off it 1 to
-/// 4, and as many tiles are there at once as have room; of more channels, fewer threads. Where
-/// positions come in any order, and threads share no tiles, it is 200 MiB and 22 MiB for each
-/// thread beyond 16. Never throws: what source, sink, mapping or progress throw is
-/// Outcome::out_of_memory or bad_job. They may use oneTBB themselves. `error`, when not null,
-/// receives one line if the outcome is not `done`. ddt/log.h tells the device, the iterations and
-/// where the time went.
+/// MeshOptions::meshes. All threads work within it up to 8 times the size, of up to 4 channels, or
+/// 12 without corrections: a mesh of a tile takes 4 to 5 MiB of up to 4, what a thread makes it by
+/// and reads off it 1.3 to 4, and as many tiles are there at once as have room. Of more channels or
+/// larger results, fewer threads. Where positions come in any order, and threads share no tiles, it
+/// is 200 MiB and 22 MiB for each thread beyond 16. Never throws: what source, sink, mapping or
+/// progress throw is Outcome::out_of_memory or bad_job. They may use oneTBB themselves. `error`,
+/// when not null, receives one line if the outcome is not `done`. ddt/log.h tells the device, the
+/// iterations and where the time went.
 Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                 std::string* error = nullptr);
 

@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "core/lattice/neighbours.h"
-#include "core/surface/kept_rows.h"
 
 namespace ddt {
 
@@ -48,9 +47,9 @@ void FittedMaker::begin(const Lattice& lattice, const Rect& part, const FittedRe
     // Softness is made from what is round the ends of edges.
     m_moved = with_neighbours(lattice, part);
     net.stride = lattice.stride();
-    take_rows(lattice, count, m_moved.y0, usual_vertex_rows, net.values.even);
-    take_rows(lattice, count, part.y0, usual_edge_rows, net.values.odd);
-    EdgeRecipe edges{true, recipe.tau > 0, recipe.tau};
+    take_rows(lattice, count, m_moved.y0, usual_vertex_rows, recipe.arena, net.values.even);
+    take_rows(lattice, count, part.y0, usual_edge_rows, recipe.arena, net.values.odd);
+    EdgeRecipe edges{true, recipe.tau > 0, recipe.tau, nullptr, recipe.arena};
     m_crossed.begin(lattice, mean_positions(), 1);
     m_plain.begin(lattice, m_moved, Surface::patch, edges, values, net.strict, m_crossed);
     // They are bent here.
@@ -120,13 +119,13 @@ void FittedMaker::make_row() {
         bend_fitted(source, m_part.x0, m_part.x1, m_edge_rows, index, m_plain.net(), *m_net);
 }
 
-size_t FittedMaker::memory(int width, int height, const GroupValues& values, bool all_rows,
-                           bool soft) {
+Taken FittedMaker::memory(int width, int height, const GroupValues& values, bool all_rows,
+                          bool soft) {
     const size_t row = size_t(width) * size_t(values.count) * sizeof(float);
     const size_t copied = values.count < values.channels ? size_t(height) : 0;
     return MeanRows::memory(width, height, values.count, {true, soft, 1}) +
            EdgeMaker::memory(width, height, values.count, all_rows, {false, soft, 1}) +
-           row * (copied + usual_index_rows);
+           Taken{0, row * (copied + usual_index_rows)};
 }
 
 } // namespace ddt

@@ -19,6 +19,8 @@ struct FittedRecipe {
     bool clipped = false;
     /// Lanes whose bit is set keep their source values: identifiers are nothing to correct.
     unsigned kept_lanes = 0;
+    /// EdgeRecipe::arena
+    Arena* arena = nullptr;
 };
 
 /// Makes one group's net from the top row downwards, as EdgeMaker does: the plain edges through the
@@ -41,8 +43,7 @@ public:
 
     /// About the bytes that this and the net take where edges are of the usual length. values: what
     /// is told of their channels; all_rows: of a net that is kept whole.
-    static size_t memory(int width, int height, const GroupValues& values, bool all_rows,
-                         bool soft);
+    static Taken memory(int width, int height, const GroupValues& values, bool all_rows, bool soft);
 
 private:
     void go_on(int y, int keep);

@@ -193,10 +193,12 @@ TEST(Memory, AWorkerTakesWhatIsSaidOfIt) {
             EXPECT_LE(peak_of(job, resized), memory_said(job, resized)) << filter;
             EXPECT_LE(peak_of(job, turned), memory_said(job, turned)) << filter;
         }
-    // As ddt/job.h says.
-    EXPECT_LE(peak_of(job_of("ddt", window, 3, 1), resized), 10 * mib);
-    EXPECT_LE(peak_of(job_of("ddt-sharp", window, 3, 1), resized), 13 * mib);
-    EXPECT_LE(peak_of(job_of("ddt-sharp,clipped=1", window, 3, 1), resized), 11 * mib);
+    // As docs/scale.md says.
+    EXPECT_LE(peak_of(job_of("ddt", window, 3, 1), resized), 6 * mib);
+    EXPECT_LE(peak_of(job_of("ddt-linear", window, 3, 1), resized), 6 * mib);
+    EXPECT_LE(peak_of(job_of("ddt-sharp", window, 1, 1), resized), 6 * mib);
+    EXPECT_LE(peak_of(job_of("ddt-sharp,clipped=1", window, 3, 1), resized), 6.2 * mib);
+    EXPECT_LE(peak_of(job_of("ddt-sharp", window, 3, 1), resized), 7.7 * mib);
 }
 
 /// Noise, until so many threads write at once, or for a minute; fails then.

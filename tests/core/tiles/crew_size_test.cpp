@@ -54,17 +54,29 @@ TEST(CrewSize, AllThreadsWorkWithinTheirMemory) {
         }
 }
 
-TEST(CrewSize, NineTenthsOrMoreWorkAtEightTimesTheSize) {
-    for (const char* filter : filters)
-        for (const int channels : {1, 3, 4}) {
-            Large large(filter, channels);
-            large.to = {0, 0, 131072, 65536};
-            for (const size_t threads : {16, 40, 128}) {
-                SCOPED_TRACE(::testing::Message() << filter << ", " << channels << ", " << threads);
-                const CrewSize size = large.of(threads);
-                EXPECT_GE(size.members, threads - threads / 10);
-                EXPECT_LE(large.bytes(size), limit(threads));
+TEST(CrewSize, AllThreadsWorkAtEightTimesTheSizeAndNineTenthsAtSixteen) {
+    for (const int scale : {8, 16})
+        for (const char* filter : filters)
+            for (const int channels : {1, 3, 4}) {
+                Large large(filter, channels);
+                large.to = {0, 0, 16384 * scale, 8192 * scale};
+                for (const size_t threads : {16, 40, 128}) {
+                    SCOPED_TRACE(::testing::Message()
+                                 << scale << ", " << filter << ", " << channels << ", " << threads);
+                    const CrewSize size = large.of(threads);
+                    EXPECT_GE(size.members, scale == 8 ? threads : threads - threads / 10);
+                    EXPECT_LE(large.bytes(size), limit(threads));
+                }
             }
+}
+
+TEST(CrewSize, AllThreadsWorkOnTwelveChannelsOfPlainFilters) {
+    for (const char* filter : {"ddt", "ddt-linear"})
+        for (const size_t threads : {40, 128}) {
+            const Large large(filter, 12);
+            const CrewSize size = large.of(threads);
+            EXPECT_EQ(size.members, threads) << filter;
+            EXPECT_LE(large.bytes(size), limit(threads)) << filter;
         }
 }
 

@@ -23,7 +23,7 @@ void check(Lattice lattice, const Criterion& by, float min_gain) {
     Statistics statistics;
     ASSERT_TRUE(start_gains(lattice, by, min_gain, w, statistics));
     int64_t flippable = 0;
-    std::vector<int> candidates;
+    ArenaVector<int> candidates;
     lattice.each_edge([&](int m) {
         float gain = no_gain;
         if (lattice.edge(m).flippable()) {
