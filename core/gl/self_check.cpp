@@ -103,11 +103,10 @@ void take_edge(uint64_t vectors, float gain, Outcomes& o) {
 
 /// A device's mesh: the records and gains of its sites, in rows of `stride`.
 void take_mesh(const uint64_t* records, const float* gains, int stride, Outcomes& o) {
-    constexpr uint64_t vectors = 0xffffffffffffu; // what follows is scratch
     for (int y = 0; y < 2 * height - 1; ++y)
         for (int x = 1 - (y & 1), step = 2 - (y & 1); x < 2 * width - 1; x += step) {
             const size_t m = size_t(y) * size_t(stride) + size_t(x);
-            take_edge(records[m] & vectors, gains[m], o);
+            take_edge(records[m] & vectors_mask, gains[m], o);
         }
 }
 

@@ -152,6 +152,8 @@ inline uint64_t vectors_of(const Edge& e) {
     const Vec right = e.right();
     return first_word(e) | uint64_t(bytes_of(right.x, right.y)) << 32;
 }
+/// The bits of a shader's record that are those; the others are scratch.
+constexpr uint64_t vectors_mask = 0xffffffffffffu;
 
 /// First words of the central edge of a cell that its own diagonal divides, which can always be
 /// flipped: the apexes are the cell's other corners, and the edge may run either way.

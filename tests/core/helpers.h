@@ -14,7 +14,6 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <hwy/highway.h>
 
 #include "core/base/float_bits.h"
 #include "core/lattice/lattice.h"
@@ -23,6 +22,7 @@
 #include "ddt/core.h"
 #include "tests/core/plain.h"
 #include "tests/core/random.h"
+#include "tests/use_simd.h"
 
 namespace ddt::test {
 
@@ -384,13 +384,11 @@ void on_each_target(F&& f) {
     if (std::find(targets.begin(), targets.end(), HWY_STATIC_TARGET) == targets.end())
         targets.push_back(HWY_STATIC_TARGET);
     for (const int64_t target : targets) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(target);
+        use_simd(target);
         SCOPED_TRACE(hwy::TargetName(target));
         f();
     }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    use_simd(0);
 }
 
 } // namespace ddt::test

@@ -5,10 +5,9 @@
 #include <cmath>
 #include <cstring>
 
-#include <hwy/highway.h>
-
 #include "core/base/half.h"
 #include "ddt/names.h"
+#include "tests/use_simd.h"
 
 namespace ddt::test {
 
@@ -106,8 +105,7 @@ std::vector<Way> other_ways(const std::vector<Device>& devices) {
 }
 
 Done run(const RandomJob& job, const Way& way) {
-    hwy::SetSupportedTargetsForTest(way.target);
-    hwy::GetChosenTarget().Update(way.target ? way.target : hwy::SupportedTargets());
+    test::use_simd(way.target);
     const Rect& out = way.part ? job.part : job.out;
     const std::unique_ptr<Mapping> mapping = mapping_of_part(job, out);
     PictureSource source(job);

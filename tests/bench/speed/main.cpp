@@ -11,11 +11,11 @@
 #include <OpenImageIO/argparse.h>
 #include <OpenImageIO/strutil.h>
 #include <OpenImageIO/sysutil.h>
-#include <hwy/highway.h>
 #include <hwy/targets.h>
 
 #include "ddt/resize.h"
 #include "tables.h"
+#include "tests/use_simd.h"
 
 namespace {
 
@@ -39,10 +39,8 @@ bool use_simd(const std::string& wanted) {
     std::vector<std::string> names;
     for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
         names.emplace_back(hwy::TargetName(target));
-        if (names.back() == name) {
-            hwy::SetSupportedTargetsForTest(target);
-            hwy::GetChosenTarget().Update(target);
-        }
+        if (names.back() == name)
+            ddt::test::use_simd(target);
     }
     return check_names({name}, names);
 }

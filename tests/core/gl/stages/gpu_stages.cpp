@@ -59,7 +59,7 @@ MeshStage GpuStages::mesh(const MeshOptions& options, int iterations, bool gains
     gl::finish(m_gpu.context->gl, "triangulation");
     m_mesh.read_sites(0, stage.sites.data());
     for (uint64_t& site : stage.sites)
-        site &= 0xffffffffffffu; // what follows the vectors is scratch
+        site &= vectors_mask;
     if (gains_alone)
         m_mesh.forget_gains();
     m_mesh.find_gains(criterion(options));
