@@ -10,8 +10,8 @@
 
 namespace ddt {
 
-ImageSource::ImageSource(const OIIO::ImageBuf& image, const Reading& reading)
-    : m_image(image), m_reading(reading) {
+ImageSource::ImageSource(const OIIO::ImageBuf& image, const Reading& reading, Arrival* arrival)
+    : m_image(image), m_reading(reading), m_arrival(arrival) {
     m_all = int(reading.selected.size()) == image.nchannels();
     for (size_t i = 0; i < reading.selected.size(); ++i)
         m_all &= reading.selected[i] == int(i);
@@ -27,6 +27,12 @@ bool ImageSource::fail(const std::string& error) {
     if (m_error.empty())
         m_error = error;
     return false;
+}
+
+/// Wait for the rows above `end`.
+bool ImageSource::wait_for(int end) {
+    std::string error;
+    return !m_arrival || m_arrival->wait_for(end, error) || fail(error);
 }
 
 /// The image's numbers to linear light.
@@ -72,6 +78,8 @@ bool ImageSource::read_codes(const Rect& r, void* codes, float* guide) {
     const int channels = m_image.nchannels();
     const OIIO::TypeDesc type = m_image.spec().format;
     std::string error;
+    if (!wait_for(r.y1))
+        return false;
     if (!read_pixels(m_image, r, 0, channels, type, codes, error))
         return fail(error);
     const size_t width = size_t(r.width()), row = width * size_t(channels);
@@ -88,6 +96,8 @@ bool ImageSource::read_codes(const Rect& r, void* codes, float* guide) {
 bool ImageSource::read(const Rect& r, float* values, float* guide) {
     const size_t width = size_t(r.width()), channels = size_t(m_image.nchannels());
     const size_t selected = m_reading.selected.size();
+    if (!wait_for(r.y1))
+        return false;
     std::vector<float> row(m_all ? 0 : width * channels);
     for (int y = r.y0; y < r.y1; ++y, values += width * selected, guide += width) {
         float* pixels = m_all ? values : row.data();

@@ -9,13 +9,15 @@
 #include <OpenImageIO/imagebuf.h>
 
 #include "ddt/core.h"
+#include "plugin/image/arrival.h"
 #include "plugin/image/reading.h"
 
 namespace ddt {
 
 class ImageSource final : public Source {
 public:
-    ImageSource(const OIIO::ImageBuf& image, const Reading& reading);
+    /// arrival: of the image's pixels; null: all are there.
+    ImageSource(const OIIO::ImageBuf& image, const Reading& reading, Arrival* arrival = nullptr);
     bool read(const Rect& r, float* values, float* guide) override;
     /// Of images of 8 bits and of halfs, all channels of which are wanted and convert alike.
     std::vector<float> codes() override;
@@ -26,10 +28,12 @@ public:
 private:
     bool read_row(int y, const Rect& r, float* pixels, float* guide);
     bool fail(const std::string& error);
+    bool wait_for(int end);
     void convert(float* pixels, size_t count, int channels) const;
 
     const OIIO::ImageBuf& m_image;
     const Reading& m_reading;
+    Arrival* const m_arrival;
     bool m_all; ///< every channel is selected, in order
     mutable std::mutex m_mutex;
     std::string m_error;

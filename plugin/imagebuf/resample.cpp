@@ -48,13 +48,14 @@ int thread_count(int nthreads) {
 } // namespace
 
 bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& mapping,
-              const OIIO::ROI& roi, const Options& options, int nthreads, std::string& error) {
+              const OIIO::ROI& roi, const Options& options, int nthreads, std::string& error,
+              Arrival* arrival) {
     const OIIO::Timer timer;
     Reading reading;
     if (!plan_reading(src, options, roi, reading, error))
         return false;
     const Writing writing = plan_writing(reading, src, roi);
-    ImageSource source(src, reading);
+    ImageSource source(src, reading, arrival);
     ImageSink sink(dst, writing);
 
     Statistics statistics;

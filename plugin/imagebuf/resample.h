@@ -7,13 +7,20 @@
 #include <OpenImageIO/imagebuf.h>
 
 #include "ddt/resize.h"
+#include "plugin/image/arrival.h"
 
 namespace ddt {
 
 /// Write those pixels of `roi` that `mapping` gives, in the roi's channels, from src's mesh. Both
-/// images have passed check_source() and prepare(). False with one line in `error`.
+/// images have passed check_source() and prepare(). arrival: of src's pixels; null: all are there.
+/// False with one line in `error`.
 bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& mapping,
-              const OIIO::ROI& roi, const Options& options, int nthreads, std::string& error);
+              const OIIO::ROI& roi, const Options& options, int nthreads, std::string& error,
+              Arrival* arrival = nullptr);
+
+/// resize() of ddt/resize.h while src's pixels are coming, which is in local memory and not dst.
+bool resize_arriving(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, Arrival& arrival,
+                     const Options& options, OIIO::ROI roi, int nthreads);
 
 /// OpenImageIO's default filter for the pixels and channels of `roi` (its own resize writes all
 /// channels).

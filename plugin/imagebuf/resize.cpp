@@ -98,8 +98,9 @@ bool check_shrinking(const OIIO::ROI& from, const OIIO::ROI& to, const OIIO::ROI
     return false;
 }
 
-bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& given, const Options& options,
-                    OIIO::ROI roi, int nthreads, OIIO::ROI& touched, std::string& error) {
+bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& given, Arrival* arrival,
+                    const Options& options, OIIO::ROI roi, int nthreads, OIIO::ROI& touched,
+                    std::string& error) {
     using namespace OIIO::ImageBufAlgo;
     if (!prepare(dst, given, roi, IBAprep_NO_SUPPORT_VOLUME | IBAprep_NO_COPY_ROI_FULL, error))
         return false;
@@ -120,8 +121,10 @@ bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& given, const Opti
     if ((grow_x || grow_y) && !shrink_x && !shrink_y) {
         const ResizeMapping mapping(x_axis(given.spec(), dst.spec(), roi),
                                     y_axis(given.spec(), dst.spec(), roi));
-        return resample(dst, given, mapping, roi, options, nthreads, error);
+        return resample(dst, given, mapping, roi, options, nthreads, error, arrival);
     }
+    if (arrival && !arrival->wait_for(given.roi().yend, error))
+        return false;
     OIIO::ImageBuf filled;
     if (!fill_image(given, options, options.holes, filled, error))
         return false;
@@ -142,7 +145,14 @@ bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& given, const Opti
 bool resize(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options, OIIO::ROI roi,
             int nthreads) {
     return guarded_from(dst, src, [&](const auto& from, OIIO::ROI& touched, std::string& error) {
-        return resize_checked(dst, from, options, roi, nthreads, touched, error);
+        return resize_checked(dst, from, nullptr, options, roi, nthreads, touched, error);
+    });
+}
+
+bool resize_arriving(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, Arrival& arrival,
+                     const Options& options, OIIO::ROI roi, int nthreads) {
+    return guarded_from(dst, src, [&](const auto& from, OIIO::ROI& touched, std::string& error) {
+        return resize_checked(dst, from, &arrival, options, roi, nthreads, touched, error);
     });
 }
 

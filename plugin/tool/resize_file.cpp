@@ -7,9 +7,10 @@
 
 #include "core/tiles/grid.h"
 #include "plugin/image/windows.h"
+#include "plugin/imagebuf/resample.h"
 #include "plugin/tool/image_file.h"
 #include "plugin/tool/part.h"
-#include "plugin/tool/picture.h"
+#include "plugin/tool/row_reader.h"
 #include "plugin/tool/row_writer.h"
 #include "plugin/tool/size.h"
 
@@ -90,7 +91,8 @@ Failure refused_size(const std::string& size) {
 bool resize_file(const std::string& in, const std::string& out, const ResizeSettings& settings,
                  const std::function<bool(float)>& progress, Failure& failure) {
     OIIO::ImageBuf image;
-    if (!open_image(in, image, failure.why)) {
+    RowReader reader;
+    if (!reader.begin(in, image, failure.why)) {
         failure.code = code_of_message(failure.why);
         return false;
     }
@@ -122,7 +124,8 @@ bool resize_file(const std::string& in, const std::string& out, const ResizeSett
         OIIO::ROI roi = result.roi();
         roi.ybegin = begin;
         roi.yend = end;
-        if (!resize(result, image, options, roi, settings.threads) && !writer.has_failed()) {
+        if (!resize_arriving(result, image, reader, options, roi, settings.threads) &&
+            !writer.has_failed()) {
             failure.why = result.geterror();
             failure.code = code_of_message(failure.why);
             return false;
