@@ -17,6 +17,8 @@
 
 /// For the small functions of the -inl.h files: a call would pass vectors through memory.
 #define DDT_INLINE inline __attribute__((always_inline))
+/// The same of a lambda, after its parameters.
+#define DDT_INLINED __attribute__((always_inline))
 
 namespace ddt {
 

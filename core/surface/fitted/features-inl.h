@@ -99,14 +99,20 @@ struct EdgeFeatures {
     /// ptrdiff_t. e: the plain bend.
     template <class P, class Tap>
     DDT_INLINE void find(P a, P v, P l, P r, T e, Tap tap) {
-        const P first = a + half_of(v + l), second = a + half_of(v + r);
-        const auto on = [&](int i) { return tap(a + i * v); };
-        const auto c = [&](int i) { return tap(first + i * v); };
-        const auto d = [&](int i) { return tap(second + i * v); };
-        const auto ac = [&](int i) { return tap(a + l + i * v); };
-        const auto ad = [&](int i) { return tap(a + r + i * v); };
-        const auto cc = [&](int i) { return tap(first + l + i * v); };
-        const auto dd = [&](int i) { return tap(second + r + i * v); };
+        find_any(a, v, l, r, e, tap);
+    }
+    /// The same of addresses of several kinds.
+    template <class A, class V, class L, class R, class Tap>
+    DDT_INLINE void find_any(A a, V v, L l, R r, T e, Tap tap) {
+        const auto first = a + half_of(v + l);
+        const auto second = a + half_of(v + r);
+        const auto on = [&](int i) DDT_INLINED { return tap(a + i * v); };
+        const auto c = [&](int i) DDT_INLINED { return tap(first + i * v); };
+        const auto d = [&](int i) DDT_INLINED { return tap(second + i * v); };
+        const auto ac = [&](int i) DDT_INLINED { return tap(a + l + i * v); };
+        const auto ad = [&](int i) DDT_INLINED { return tap(a + r + i * v); };
+        const auto cc = [&](int i) DDT_INLINED { return tap(first + l + i * v); };
+        const auto dd = [&](int i) DDT_INLINED { return tap(second + r + i * v); };
         const T half = T(0.5f), quarter = T(0.25f), zero = T(0.0f);
         const T za = on(0), zb = on(1), zc = c(0), zd = d(0);
         const T middle = (za + zb) * half;
@@ -188,19 +194,19 @@ DDT_INLINE T fitted_vertex(T z, T low, T high, const VertexFeatures<T>& v,
     return finite_or(clamped(z + finite_or(step, zero), low, high), z);
 }
 
-/// The bend of an edge with these weights of its null features, node after node. In lanes where
+/// The bend of an edge; null(k, i): what node k's weight of its null feature i is. In lanes where
 /// `strict` is not 0 it stays within the edge's rise.
-template <class T>
-DDT_INLINE T fitted_bend(const EdgeFeatures<T>& edge, T index, T strict, const float* null,
+template <class T, class Null>
+DDT_INLINE T fitted_bend(const EdgeFeatures<T>& edge, T index, T strict, Null&& null,
                          const FittedTable& table) {
     const T zero = T(0.0f);
     T share[fitted_nodes];
     find_shares(index, table, share);
     T e = zero;
     for (int k = 0; k < fitted_nodes; ++k) {
-        const float *w = null + k * fitted_edge_null, *s = table.shared[k];
-        const T sum = ((T(w[0]) * edge.null[0] + T(w[1]) * edge.null[1]) +
-                       (T(w[2]) * edge.null[2] + T(w[3]) * edge.null[3])) +
+        const float* const s = table.shared[k];
+        const T sum = ((null(k, 0) * edge.null[0] + null(k, 1) * edge.null[1]) +
+                       (null(k, 2) * edge.null[2] + null(k, 3) * edge.null[3])) +
                       ((T(s[0]) * edge.shared[0] + T(s[1]) * edge.shared[1]) +
                        (T(s[2]) * edge.shared[2] + T(s[3]) * edge.shared[3]));
         e = k == 0 ? sum : e + share[k] * sum;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 
 #include "core/base/arith.h"
 
@@ -76,75 +75,6 @@ HWY_ATTR void move_row(const FittedSource& source, int x0, int x1, int y, const 
             one(x);
 }
 
-/// The weights of an edge's null features, node after node.
-struct NullWeights {
-    static constexpr int count = fitted_nodes * fitted_edge_null;
-    HWY_ALIGN float w[count];
-
-    HWY_INLINE NullWeights(const Edge& e, const FittedTable& table) {
-        const auto& kinds = table.null[fitted_length(e.v.x, e.v.y)];
-        if (!e.flippable()) {
-            std::copy_n(&kinds[0][0][0], count, w);
-            return;
-        }
-        const float gain = e.gain(), loss = gain < 0.0f ? gain : 0.0f;
-        const float t = 1.0f + loss * table.gain_scale;
-        const PixelLanes near(t > 0.0f ? t : 0.0f);
-        for (int k = 0; k < fitted_nodes; ++k)
-            (PixelLanes::load(kinds[1][k]) + near * PixelLanes::load(kinds[2][k]))
-                .store(w + k * fitted_edge_null);
-    }
-};
-
-/// Whether all pixels that the features of the edge with midpoint (mx, my), in doubled coordinates,
-/// are made of lie within the picture.
-HWY_INLINE bool reaches_inside(const Edge& e, int mx, int my, int width, int height) {
-    const auto fits = [](int m, int v, int left, int right, int size) {
-        const int along = std::abs(v), aside = std::max(std::abs(left), std::abs(right));
-        const int far = std::max(5 * along, 3 * aside + 2 * along);
-        return m >= far && m + far <= 2 * (size - 1);
-    };
-    const Vec right = e.right();
-    return fits(mx, e.v.x, e.left.x, right.x, width) && fits(my, e.v.y, e.left.y, right.y, height);
-}
-
-HWY_ATTR void bend_row(const FittedSource& source, int x0, int x1, int my, const IndexRows& index,
-                       const Net& plain_net, Net& net) {
-    const FittedTable& table = fitted_table();
-    const Lattice& lattice = source.lattice;
-    const int width = lattice.width(), height = lattice.height();
-    const int count = source.count;
-    const ptrdiff_t row = ptrdiff_t(width) * count;
-    const auto inside = [&](int i, int j) HWY_ATTR { return PixelLanes::load(source.at(i, j)); };
-    const auto mirrored = [&](Place p) HWY_ATTR {
-        return odd_mirror_tap<PixelLanes>(p.x, p.y, width, height, inside);
-    };
-    const auto plain_tap = [&](ptrdiff_t at)
-                               HWY_ATTR { return PixelLanes::load(source.pixels + at); };
-    const auto address = [&](int x, int y) { return y * row + ptrdiff_t(x) * count; };
-    const PixelLanes strict = PixelLanes::load(net.strict);
-    for (int mx = 2 * x0 + 1 - (my & 1); mx < 2 * x1 - 1; mx += 2 - (my & 1)) {
-        const int m = lattice.site(mx, my);
-        const Edge& edge = lattice.edge(m);
-        // A missing apex mirrors the other.
-        const Vec right = edge.right(), v = edge.v, l = edge.left.zero() ? -right : edge.left,
-                  r = right.zero() ? -edge.left : right;
-        const Place a{(mx - v.x) / 2, (my - v.y) / 2};
-        const PixelLanes plain = PixelLanes::load(plain_net.at(m));
-        EdgeFeatures<PixelLanes> f;
-        if (reaches_inside(edge, mx, my, width, height))
-            f.find(address(a.x, a.y), address(v.x, v.y), address(l.x, l.y), address(r.x, r.y),
-                   plain, plain_tap);
-        else
-            f.find(a, {v.x, v.y}, {l.x, l.y}, {r.x, r.y}, plain, mirrored);
-        const PixelLanes mean = (PixelLanes::load(index.at(a.x, a.y)) +
-                                 PixelLanes::load(index.at(a.x + v.x, a.y + v.y))) *
-                                PixelLanes(0.5f);
-        const NullWeights null(edge, table);
-        store_pixel(fitted_bend(f, mean, strict, null.w, table), count, net.at(m));
-    }
-}
-
 } // namespace HWY_NAMESPACE
 } // namespace ddt
 HWY_AFTER_NAMESPACE();
@@ -153,16 +83,10 @@ HWY_AFTER_NAMESPACE();
 namespace ddt {
 
 HWY_EXPORT(move_row);
-HWY_EXPORT(bend_row);
 
 void move_fitted(const FittedSource& source, int x0, int x1, int y, const LaneLimits& limits,
                  const float* sum, float* index, Net& net) {
     HWY_DYNAMIC_DISPATCH(move_row)(source, x0, x1, y, limits, sum, index, net);
-}
-
-void bend_fitted(const FittedSource& source, int x0, int x1, int y, const IndexRows& index,
-                 const Net& plain, Net& net) {
-    HWY_DYNAMIC_DISPATCH(bend_row)(source, x0, x1, y, index, plain, net);
 }
 
 } // namespace ddt

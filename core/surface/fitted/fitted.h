@@ -31,8 +31,10 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "core/surface/consistency.h"
+#include "core/surface/edge_scratch.h"
 #include "core/surface/fitted/weights.h"
 
 namespace ddt {
@@ -69,9 +71,19 @@ struct IndexRows {
     }
 };
 
-/// Put e of the edges with midpoints in row y of the doubled lattice whose ends both lie in columns
-/// x0 .. x1 - 1 of pixels into the net, made from `plain`'s and the finished mesh's gains.
-void bend_fitted(const FittedSource& source, int x0, int x1, int y, const IndexRows& index,
-                 const Net& plain, Net& net);
+/// Kept from one row to the next.
+struct BendScratch {
+    NearCells cells;
+    /// Of the edges of a row of the doubled lattice, of even and of odd columns: how nearly a flip
+    /// would pay, 0 to 1, and 1 where it can be flipped, else 0.
+    std::vector<float> near[2], flippable[2];
+    std::vector<int> columns; ///< of edges that are made one by one
+};
+
+/// Put e of the edges with midpoints in row y of the doubled lattice whose ends both lie in `part`,
+/// in pixels, into the net, made from `plain`'s and the finished mesh's gains. Those of the row
+/// before were made last, if it is in the part.
+void bend_fitted(const FittedSource& source, const Rect& part, int y, const IndexRows& index,
+                 const Net& plain, BendScratch& scratch, Net& net);
 
 } // namespace ddt

@@ -116,7 +116,7 @@ void FittedMaker::make_row() {
     const int end = bent_end(m_vertex_rows);
     const IndexRows index{m_index.data(), m_index_rows, row_size(), m_values.count};
     for (; m_edge_rows < end; ++m_edge_rows)
-        bend_fitted(source, m_part.x0, m_part.x1, m_edge_rows, index, m_plain.net(), *m_net);
+        bend_fitted(source, m_part, m_edge_rows, index, m_plain.net(), m_bends, *m_net);
 }
 
 Taken FittedMaker::memory(int width, int height, const GroupValues& values, bool all_rows,
@@ -125,7 +125,7 @@ Taken FittedMaker::memory(int width, int height, const GroupValues& values, bool
     const size_t copied = values.count < values.channels ? size_t(height) : 0;
     return MeanRows::memory(width, height, values.count, {true, soft, 1}) +
            EdgeMaker::memory(width, height, values.count, all_rows, {false, soft, 1}) +
-           Taken{0, row * (copied + usual_index_rows)};
+           Taken{0, row * (copied + usual_index_rows) + 7 * size_t(width) * sizeof(float)};
 }
 
 } // namespace ddt

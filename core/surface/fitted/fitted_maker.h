@@ -64,6 +64,7 @@ private:
     CrossedRows m_crossed;
     MeanRows m_plain; ///< of the plain surface
     EdgeMaker m_soft;
+    BendScratch m_bends;
     std::vector<float> m_index; ///< row y at [y % m_index_rows]
     int m_index_rows = 1;
     int m_vertex_rows = 0; ///< rows of pixels above this one have their vertices

@@ -87,22 +87,34 @@ struct Setting {
     bool strict = false, clipped = true;
 };
 
-Result fitted(const Scene& scene, const std::vector<float>& values, Setting setting) {
+/// Of each of some channels, which are made together.
+std::vector<Result> fitted(const Scene& scene, const std::vector<std::vector<float>>& channels,
+                           Setting setting) {
     const DenormalsAreZero zero;
     const Lattice& l = scene.lattice;
     Net net;
     FittedMaker maker;
     std::fill_n(net.strict, group_size, setting.strict ? 1.0f : 0.0f);
-    auto padded = values;
-    padded.resize(values.size() + group_size);
-    maker.begin(l, scene.all(), {0, 0.25f, setting.clipped}, {padded.data(), 1, 0, 1}, net);
+    const auto count = int(channels.size());
+    std::vector<float> values;
+    for (size_t i = 0; i < scene.pixels(); ++i)
+        for (const auto& channel : channels)
+            values.push_back(channel[i]);
+    values.resize(values.size() + group_size);
+    maker.begin(l, scene.all(), {0, 0.25f, setting.clipped}, {values.data(), count, 0, count}, net);
     maker.finish();
-    Result r;
-    for (int y = 0; y < l.height(); ++y)
-        for (int x = 0; x < l.width(); ++x)
-            r.z.push_back(net.at(l.vertex_site(x, y))[0]);
-    l.each_edge([&](int m) { r.e.push_back(net.at(m)[0]); });
-    return r;
+    std::vector<Result> results(channels.size());
+    for (size_t c = 0; c < channels.size(); ++c) {
+        for (int y = 0; y < l.height(); ++y)
+            for (int x = 0; x < l.width(); ++x)
+                results[c].z.push_back(net.at(l.vertex_site(x, y))[c]);
+        l.each_edge([&](int m) { results[c].e.push_back(net.at(m)[c]); });
+    }
+    return results;
+}
+
+Result fitted(const Scene& scene, const std::vector<float>& values, Setting setting) {
+    return fitted(scene, std::vector<std::vector<float>>{values}, setting)[0];
 }
 
 /// The same one number after the other, from the formulas for scalars.
@@ -150,19 +162,17 @@ Result slow(const Scene& scene, const std::vector<float>& values, Setting settin
         Edge1 f;
         f.find(Place{ends.a.x, ends.a.y}, {e.v.x, e.v.y}, {left.x, left.y}, {right.x, right.y},
                net.at(m)[0], [&](Place p) { return tap(p.x, p.y); });
-        float null[fitted_nodes][fitted_edge_null];
         const auto& kinds = table.null[fitted_length(e.v.x, e.v.y)];
         const float gain = l.gain(m);
         const float t = 1.0f + (gain < 0.0f ? gain : 0.0f) * table.gain_scale;
         const float near = t > 0.0f ? t : 0.0f;
-        for (int k = 0; k < fitted_nodes; ++k)
-            for (int i = 0; i < fitted_edge_null; ++i)
-                null[k][i] =
-                    e.flippable() ? kinds[1][k][i] + near * kinds[2][k][i] : kinds[0][k][i];
+        const auto null = [&](int k, int i) {
+            return e.flippable() ? kinds[1][k][i] + near * kinds[2][k][i] : kinds[0][k][i];
+        };
         const float mean =
             (index[size_t(ends.a.y * w + ends.a.x)] + index[size_t(ends.b.y * w + ends.b.x)]) *
             0.5f;
-        r.e.push_back(scalar::fitted_bend(f, mean, setting.strict ? 1.0f : 0.0f, null[0], table));
+        r.e.push_back(scalar::fitted_bend(f, mean, setting.strict ? 1.0f : 0.0f, null, table));
     });
     return r;
 }
@@ -181,6 +191,29 @@ TEST(Fitted, EveryInstructionSetGivesTheBitsOfTheDefinition) {
                 });
             }
     });
+}
+
+TEST(Fitted, NeighbouringEdgesThatAreMadeTogetherHaveTheBitsOfTheDefinition) {
+    Random random(17);
+    for (const int flips : {0, 40, 2000})
+        for (const size_t count : {1, 2, 3, 4})
+            for (const Values kind : all_values) {
+                SCOPED_TRACE(::testing::Message() << flips << " flips, " << count << " channels");
+                const Scene scene(61, 15, flips, random);
+                std::vector<std::vector<float>> channels;
+                std::vector<Result> expected;
+                for (size_t c = 0; c < count; ++c) {
+                    channels.push_back(make_values(kind, scene.pixels(), random));
+                    expected.push_back(slow(scene, channels[c], {}));
+                }
+                on_each_target([&] {
+                    const auto got = fitted(scene, channels, {});
+                    for (size_t c = 0; c < count; ++c) {
+                        ASSERT_EQ(differing(got[c].z, expected[c].z), 0u);
+                        ASSERT_EQ(differing(got[c].e, expected[c].e), 0u);
+                    }
+                });
+            }
 }
 
 TEST(Fitted, WhatIsNotFiniteKeepsThePlainValue) {

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fitted bends. Edges between cells that are divided by their own diagonals lie alike, and are made
+// several beside each other; others one by one.
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+
+#include "core/base/arith.h"
+#include "core/lattice/crossed_columns.h"
+#include "core/surface/fitted/fitted.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/surface/fitted/bends.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ddt {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+#include "core/base/lanes-inl.h"
+#include "core/base/rsqrt-inl.h"
+#include "core/surface/consistency-inl.h"
+#include "core/surface/fitted/features-inl.h"
+
+#include "core/base/row_lanes-inl.h"
+
+#include "core/surface/fitted/any_bends-inl.h"
+#include "core/surface/fitted/plain_bends-inl.h"
+
+/// Edges of a kind at or beside the vertices in columns x0 .. x1 - 1 of row y of pixels.
+template <Kind kind>
+HWY_INLINE void bend_kind(const FittedSource& source, int x0, int x1, int y, const AnyBends& any,
+                          const PlainBends& plain, BendScratch& scratch, Net& net) {
+    const Lattice& lattice = source.lattice;
+    constexpr int margin = PlainBends::margin;
+    const bool inner = y >= margin && y + margin < lattice.height();
+    const int begin = inner ? std::max(x0, margin) : x1,
+              end = std::max(std::min(x1, lattice.width() - margin), begin);
+    const int first = lattice.vertex_site(0, y) + (kind != upright ? 1 : 0) +
+                      (kind != level ? lattice.stride() : 0);
+    float* const e = net.at(first);
+    each_vector(begin, end, source.count, [&](auto vector, const RowPlace& place) HWY_ATTR {
+        plain.at<kind, decltype(vector)>(place, first).store(e + place.at);
+    });
+    const NearDivisions divisions(lattice, y);
+    const auto crossed = [&](int x) {
+        const uint64_t here = crossed_cells(divisions.below + x);
+        return kind == level     ? here | crossed_cells(divisions.above + x)
+               : kind == upright ? here | crossed_cells(divisions.below + x - 1)
+                                 : here;
+    };
+    int* const columns = scratch.columns.data();
+    int n = 0;
+    for (int x = x0; x < std::min(begin, x1); ++x)
+        columns[n++] = x;
+    n += list_crossed(begin, end, crossed, columns + n);
+    for (int x = end; x < x1; ++x)
+        columns[n++] = x;
+    for (int i = 0; i < n; ++i)
+        any.bend(2 * columns[i] + (kind != upright), 2 * y + (kind != level));
+}
+
+/// What BendScratch has of the edges of row y of the doubled lattice.
+HWY_INLINE void load_edges(const Lattice& lattice, const Rect& part, int y, BendScratch& scratch) {
+    const FittedTable& table = fitted_table();
+    for (int odd = 1 - (y & 1); odd < 2; ++odd)
+        for (int x = part.x0; x < part.x1 - odd; ++x) {
+            const Edge& e = lattice.edge(lattice.site(2 * x + odd, y));
+            scratch.near[odd][size_t(x)] = nearness(e, table);
+            scratch.flippable[odd][size_t(x)] = e.flippable() ? 1.0f : 0.0f;
+        }
+}
+
+HWY_ATTR void bend_row(const FittedSource& source, const Rect& part, int my, const IndexRows& index,
+                       const Net& plain_net, BendScratch& scratch, Net& net) {
+    const int x0 = part.x0, x1 = part.x1, y = my / 2;
+    load_edges(source.lattice, part, my, scratch);
+    const AnyBends any(source, index, plain_net, net);
+    const PlainBends plain(source, index, plain_net, scratch, net, y);
+    if (my & 1) {
+        bend_kind<upright>(source, x0, x1, y, any, plain, scratch, net);
+        bend_kind<diagonal>(source, x0, x1 - 1, y, any, plain, scratch, net);
+    } else {
+        bend_kind<level>(source, x0, x1 - 1, y, any, plain, scratch, net);
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace ddt
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ddt {
+
+HWY_EXPORT(bend_row);
+
+void bend_fitted(const FittedSource& source, const Rect& part, int y, const IndexRows& index,
+                 const Net& plain, BendScratch& scratch, Net& net) {
+    const Lattice& lattice = source.lattice;
+    if (y == 2 * part.y0) {
+        const size_t padded = size_t(lattice.width()) + edge_padding;
+        scratch.cells.resize(lattice.width());
+        for (auto* rows : {scratch.near, scratch.flippable})
+            for (int odd = 0; odd < 2; ++odd)
+                rows[odd].resize(padded);
+        scratch.columns.resize(padded + cells_at_once);
+        scratch.cells.begin(lattice, part, part.y0);
+    }
+    if (y % 2 == 0)
+        scratch.cells.load_below(lattice, part, y / 2);
+    HWY_DYNAMIC_DISPATCH(bend_row)(source, part, y, index, plain, scratch, net);
+}
+
+} // namespace ddt
+#endif

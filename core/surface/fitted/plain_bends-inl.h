@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Included inside a SIMD target's namespace, after features-inl.h and row_lanes-inl.h: fitted bends
+// of edges between cells that are divided by their own diagonals.
+
+/// An address that in each lane is one of two: by flag `k`, `yes` where it is 1.
+template <int k>
+struct Either {
+    ptrdiff_t yes, no;
+    friend HWY_INLINE Either operator+(Either a, Either b) { return {a.yes + b.yes, a.no + b.no}; }
+    friend HWY_INLINE Either operator+(ptrdiff_t a, Either b) { return {a + b.yes, a + b.no}; }
+    friend HWY_INLINE Either operator+(Either a, ptrdiff_t b) { return b + a; }
+    friend HWY_INLINE Either operator*(int i, Either a) { return {i * a.yes, i * a.no}; }
+    friend HWY_INLINE Either half_of(Either a) { return {a.yes / 2, a.no / 2}; }
+};
+
+/// Reads what lies in lanes at an address.
+template <class T>
+struct Tap {
+    const float* first;
+    T flag[2];
+
+    HWY_INLINE T operator()(ptrdiff_t at) const { return T::load(first + at); }
+    template <int k>
+    HWY_INLINE T operator()(Either<k> at) const {
+        return if_less(T(0.0f), flag[k], T::load(first + at.yes), T::load(first + at.no));
+    }
+};
+
+enum Kind { level, upright, diagonal };
+
+/// What edges of a kind at or beside the vertices of row y of pixels are made from, from column 0
+/// on: those between plain cells that are this far from the rim at least.
+class PlainBends {
+public:
+    static constexpr int margin = 3;
+
+    HWY_INLINE PlainBends(const FittedSource& source, const IndexRows& index, const Net& plain,
+                          const BendScratch& scratch, const Net& net, int y)
+        : m_here(source.at(0, y)), m_down{scratch.cells.above(y), scratch.cells.below(y)},
+          m_index{index.at(0, y), index.at(0, y + 1)}, m_plain(plain), m_scratch(scratch),
+          m_strict(net.strict, source.count), m_count(source.count),
+          m_row(ptrdiff_t(source.lattice.width()) * source.count) {}
+
+    /// first: the site of the one in column 0.
+    template <Kind kind, class T>
+    HWY_INLINE T at(const RowPlace& place, int first) const {
+        const FittedTable& table = fitted_table();
+        const auto down = [&](int dx, int dy)
+                              HWY_ATTR { return spread<T>(m_down[dy + 1] + dx, place, m_count); };
+        const auto index = [&](int dx, int dy)
+                               HWY_ATTR { return T::load(m_index[dy] + place.at + dx * m_count); };
+        const ptrdiff_t right = m_count, below = m_row;
+        const T plain = T::load(m_plain.at(first) + place.at);
+        const float* const here = m_here + place.at;
+        EdgeFeatures<T> f;
+        T both; // ends' indices
+        // As PlainRow::edges() of edges.cpp has them; apexes are relative to the midpoint in
+        // doubled coordinates.
+        if constexpr (kind == level) {
+            f.find_any(ptrdiff_t(0), right, Either<0>{right + 2 * below, 2 * below - right},
+                       Either<1>{-right - 2 * below, right - 2 * below}, plain,
+                       Tap<T>{here, {down(0, 0), down(0, -1)}});
+            both = index(0, 0) + index(1, 0);
+        } else if constexpr (kind == upright) {
+            f.find_any(ptrdiff_t(0), below, Either<0>{-below - 2 * right, below - 2 * right},
+                       Either<1>{below + 2 * right, 2 * right - below}, plain,
+                       Tap<T>{here, {down(-1, 0), down(0, 0)}});
+            both = index(0, 0) + index(0, 1);
+        } else {
+            const T flag = down(0, 0);
+            f.find_any(Either<0>{0, right}, Either<0>{right + below, below - right},
+                       Either<0>{below - right, -right - below},
+                       Either<0>{right - below, right + below}, plain, Tap<T>{here, {flag, flag}});
+            both = if_less(T(0.0f), flag, index(0, 0) + index(1, 1), index(1, 0) + index(0, 1));
+        }
+        const bool odd_column = kind != upright;
+        const T near = spread<T>(m_scratch.near[odd_column].data(), place, m_count);
+        const T flippable = spread<T>(m_scratch.flippable[odd_column].data(), place, m_count);
+        const auto& kinds = table.null[kind == diagonal];
+        const auto null = [&](int k, int i) HWY_ATTR {
+            return if_less(T(0.0f), flippable, T(kinds[1][k][i]) + near * T(kinds[2][k][i]),
+                           T(kinds[0][k][i]));
+        };
+        return fitted_bend(f, both * T(0.5f), m_strict.at<T>(place), null, table);
+    }
+
+private:
+    const float* m_here;
+    const float* m_down[2];
+    const float* m_index[2];
+    const Net& m_plain;
+    const BendScratch& m_scratch;
+    const ChannelLanes m_strict;
+    const int m_count;
+    const ptrdiff_t m_row;
+};
