@@ -78,8 +78,10 @@ public:
         const T flippable = spread<T>(m_scratch.flippable[odd_column].data(), place, m_count);
         const auto& kinds = table.null[kind == diagonal];
         const auto null = [&](int k, int i) HWY_ATTR {
-            return if_less(T(0.0f), flippable, T(kinds[1][k][i]) + near * T(kinds[2][k][i]),
-                           T(kinds[0][k][i]));
+            const T weight = T(kinds[1][k][i]) + near * T(kinds[2][k][i]);
+            // A cell's own diagonal can be flipped.
+            return kind == diagonal ? weight
+                                    : if_less(T(0.0f), flippable, weight, T(kinds[0][k][i]));
         };
         return fitted_bend(f, both * T(0.5f), m_strict.at<T>(place), null, table);
     }
