@@ -7,7 +7,7 @@
 #include "core/base/arith.h"
 #include "core/base/row_lanes.h"
 #include "core/guide/contour.h"
-#include "core/lattice/crossed_columns.h"
+#include "core/surface/edge_kinds.h"
 #include "core/surface/edge_scratch.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -74,8 +74,6 @@ struct PlainEdges {
     T zi, zj, zc, zd, gix, giy, gjx, gjy, vx, vy;
 };
 
-enum Kind { level, upright, diagonal };
-
 /// What plain edges at or beside the vertices of a row are made from, from column 0 on.
 struct PlainRow {
     const float* vertices[3];  ///< of the rows above, at and below
@@ -93,7 +91,7 @@ struct PlainRow {
           to_y(ptrdiff_t(lattice.width()) * net.count()), count(net.count()) {}
 
     /// Edges of a kind at a place, as T has.
-    template <Kind kind, bool bend, class T>
+    template <EdgeKind kind, bool bend, class T>
     HWY_INLINE PlainEdges<T> edges(const RowPlace& place) const {
         const auto z = [&](int dx, int dy)
                            HWY_ATTR { return T::load(vertices[dy + 1] + place.at + dx * count); };
@@ -107,14 +105,14 @@ struct PlainRow {
         const auto down = [&](int dx, int dy)
                               HWY_ATTR { return spread<T>(down_rows[dy + 1] + dx, place, count); };
         PlainEdges<T> e;
-        if constexpr (kind == level) { // from (x, y) to (x + 1, y)
+        if constexpr (kind == EdgeKind::level) { // from (x, y) to (x + 1, y)
             e.zi = z(0, 0), e.zj = z(1, 0);
             e.zc = either(down(0, 0), z(1, 1), z(0, 1));
             e.zd = either(down(0, -1), z(0, -1), z(1, -1));
             if (bend)
                 e.gix = gx(0, 0), e.giy = gy(0, 0), e.gjx = gx(1, 0), e.gjy = gy(1, 0);
             e.vx = T(1.0f), e.vy = T(0.0f);
-        } else if constexpr (kind == upright) { // from (x, y) to (x, y + 1)
+        } else if constexpr (kind == EdgeKind::upright) { // from (x, y) to (x, y + 1)
             e.zi = z(0, 0), e.zj = z(0, 1);
             e.zc = either(down(-1, 0), z(-1, 0), z(-1, 1));
             e.zd = either(down(0, 0), z(1, 1), z(1, 0));
@@ -138,16 +136,12 @@ struct PlainRow {
 
 /// Edges of a kind at or beside the vertices in columns x0 .. x1 - 1 of row y of pixels. From
 /// column `begin` to `end` those between plain cells are made as vectors.
-template <Kind kind, bool bend, bool soft, bool tame>
+template <EdgeKind kind, bool bend, bool soft, bool tame>
 HWY_INLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, int end, int y,
                           EdgeScratch& scratch, Net& net) {
     const int count = net.count();
-    // From the row's first vertex to the edge in column 0.
-    const int to_first = kind == level     ? 1
-                         : kind == upright ? lattice.stride()
-                                           : lattice.stride() + 1;
-    const int row = lattice.vertex_site(0, y), first = row + to_first;
-    const float* weights = scratch.weights[kind != upright].data();
+    const int row = lattice.vertex_site(0, y), first = row + to_first<kind>(lattice);
+    const float* weights = scratch.weights[in_odd_column(kind)].data();
     float* const e = bend ? net.at(first) : nullptr;
     float* const q = soft ? net.soft_at(first) : nullptr;
     const PlainRow plain(lattice, net, scratch.edge_cells, y,
@@ -166,26 +160,15 @@ HWY_INLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, int
                             edges.vx, edges.vy)
                 .store(e + place.at);
     });
-    const NearDivisions divisions(lattice, y);
-    const auto crossed = [&](int x) {
-        const uint64_t here = crossed_cells(divisions.below + x);
-        return kind == level     ? here | crossed_cells(divisions.above + x)
-               : kind == upright ? here | crossed_cells(divisions.below + x - 1)
-                                 : here;
-    };
     const size_t most = size_t(x1 - x0) + cells_at_once + most_row_lanes;
     if (scratch.columns.size() < most)
         scratch.columns.resize(most);
     int* const columns = scratch.columns.data();
-    int n = 0;
-    for (int x = x0; x < std::min(begin, x1); ++x)
-        columns[n++] = x;
-    n += list_crossed(begin, end, crossed, columns + n);
-    for (int x = end; x < x1; ++x)
-        columns[n++] = x;
+    const int n = list_others<kind>(lattice, x0, x1, begin, end, y, columns);
     if (n > 0)
         std::fill_n(columns + n, most_row_lanes, columns[n - 1]);
-    const AnyEdges any{net.vertex(row), plain.gradients, plain.to_y, row, to_first, weights, count};
+    const AnyEdges any{net.vertex(row), plain.gradients, plain.to_y, row,
+                       first - row,     weights,         count};
     make_listed<bend, soft>(SiteLanes(lattice), any, columns, n, e, q);
 }
 
@@ -195,12 +178,14 @@ HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y, EdgeSc
                          Net& net) {
     const int x0 = part.x0, x1 = part.x1, last = lattice.width() - 1, pixel_y = y / 2;
     if (y & 1) {
-        make_kind<upright, bend, soft, tame>(lattice, x0, x1, 1, last, pixel_y, scratch, net);
-        make_kind<diagonal, bend, soft, tame>(lattice, x0, x1 - 1, 0, last, pixel_y, scratch, net);
+        make_kind<EdgeKind::upright, bend, soft, tame>(lattice, x0, x1, 1, last, pixel_y, scratch,
+                                                       net);
+        make_kind<EdgeKind::diagonal, bend, soft, tame>(lattice, x0, x1 - 1, 0, last, pixel_y,
+                                                        scratch, net);
     } else {
         const bool rim = y == 0 || pixel_y == lattice.height() - 1;
-        make_kind<level, bend, soft, tame>(lattice, x0, x1 - 1, rim ? last : 0, last, pixel_y,
-                                           scratch, net);
+        make_kind<EdgeKind::level, bend, soft, tame>(lattice, x0, x1 - 1, rim ? last : 0, last,
+                                                     pixel_y, scratch, net);
     }
 }
 

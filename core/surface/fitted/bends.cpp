@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "core/base/arith.h"
-#include "core/lattice/crossed_columns.h"
+#include "core/surface/edge_kinds.h"
 #include "core/surface/fitted/fitted.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -30,7 +30,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 #include "core/surface/fitted/plain_bends-inl.h"
 
 /// Edges of a kind at or beside the vertices in columns x0 .. x1 - 1 of row y of pixels.
-template <Kind kind>
+template <EdgeKind kind>
 HWY_INLINE void bend_kind(const FittedSource& source, int x0, int x1, int y, const AnyBends& any,
                           const PlainBends& plain, BendScratch& scratch, Net& net) {
     const Lattice& lattice = source.lattice;
@@ -38,28 +38,15 @@ HWY_INLINE void bend_kind(const FittedSource& source, int x0, int x1, int y, con
     const bool inner = y >= margin && y + margin < lattice.height();
     const int begin = inner ? std::max(x0, margin) : x1,
               end = std::max(std::min(x1, lattice.width() - margin), begin);
-    const int first = lattice.vertex_site(0, y) + (kind != upright ? 1 : 0) +
-                      (kind != level ? lattice.stride() : 0);
+    const int first = lattice.vertex_site(0, y) + to_first<kind>(lattice);
     float* const e = net.at(first);
     each_vector(begin, end, source.count, [&](auto vector, const RowPlace& place) HWY_ATTR {
         plain.at<kind, decltype(vector)>(place, first).store(e + place.at);
     });
-    const NearDivisions divisions(lattice, y);
-    const auto crossed = [&](int x) {
-        const uint64_t here = crossed_cells(divisions.below + x);
-        return kind == level     ? here | crossed_cells(divisions.above + x)
-               : kind == upright ? here | crossed_cells(divisions.below + x - 1)
-                                 : here;
-    };
     int* const columns = scratch.columns.data();
-    int n = 0;
-    for (int x = x0; x < std::min(begin, x1); ++x)
-        columns[n++] = x;
-    n += list_crossed(begin, end, crossed, columns + n);
-    for (int x = end; x < x1; ++x)
-        columns[n++] = x;
+    const int n = list_others<kind>(lattice, x0, x1, begin, end, y, columns);
     for (int i = 0; i < n; ++i)
-        any.bend(2 * columns[i] + (kind != upright), 2 * y + (kind != level));
+        any.bend(2 * columns[i] + in_odd_column(kind), 2 * y + in_odd_row(kind));
 }
 
 /// What BendScratch has of the edges of row y of the doubled lattice.
@@ -80,10 +67,10 @@ HWY_ATTR void bend_row(const FittedSource& source, const Rect& part, int my, con
     const AnyBends any(source, index, plain_net, net);
     const PlainBends plain(source, index, plain_net, scratch, net, y);
     if (my & 1) {
-        bend_kind<upright>(source, x0, x1, y, any, plain, scratch, net);
-        bend_kind<diagonal>(source, x0, x1 - 1, y, any, plain, scratch, net);
+        bend_kind<EdgeKind::upright>(source, x0, x1, y, any, plain, scratch, net);
+        bend_kind<EdgeKind::diagonal>(source, x0, x1 - 1, y, any, plain, scratch, net);
     } else {
-        bend_kind<level>(source, x0, x1 - 1, y, any, plain, scratch, net);
+        bend_kind<EdgeKind::level>(source, x0, x1 - 1, y, any, plain, scratch, net);
     }
 }
 

@@ -26,8 +26,6 @@ struct Tap {
     }
 };
 
-enum Kind { level, upright, diagonal };
-
 /// What edges of a kind at or beside the vertices of row y of pixels are made from, from column 0
 /// on: those between plain cells that are this far from the rim at least.
 class PlainBends {
@@ -42,7 +40,7 @@ public:
           m_row(ptrdiff_t(source.lattice.width()) * source.count) {}
 
     /// first: the site of the one in column 0.
-    template <Kind kind, class T>
+    template <EdgeKind kind, class T>
     HWY_INLINE T at(const RowPlace& place, int first) const {
         const FittedTable& table = fitted_table();
         const auto down = [&](int dx, int dy)
@@ -56,12 +54,12 @@ public:
         T both; // ends' indices
         // As PlainRow::edges() of edges.cpp has them; apexes are relative to the midpoint in
         // doubled coordinates.
-        if constexpr (kind == level) {
+        if constexpr (kind == EdgeKind::level) {
             f.find_any(ptrdiff_t(0), right, Either<0>{right + 2 * below, 2 * below - right},
                        Either<1>{-right - 2 * below, right - 2 * below}, plain,
                        Tap<T>{here, {down(0, 0), down(0, -1)}});
             both = index(0, 0) + index(1, 0);
-        } else if constexpr (kind == upright) {
+        } else if constexpr (kind == EdgeKind::upright) {
             f.find_any(ptrdiff_t(0), below, Either<0>{-below - 2 * right, below - 2 * right},
                        Either<1>{below + 2 * right, 2 * right - below}, plain,
                        Tap<T>{here, {down(-1, 0), down(0, 0)}});
@@ -73,15 +71,14 @@ public:
                        Either<0>{right - below, right + below}, plain, Tap<T>{here, {flag, flag}});
             both = if_less(T(0.0f), flag, index(0, 0) + index(1, 1), index(1, 0) + index(0, 1));
         }
-        const bool odd_column = kind != upright;
-        const T near = spread<T>(m_scratch.near[odd_column].data(), place, m_count);
-        const T flippable = spread<T>(m_scratch.flippable[odd_column].data(), place, m_count);
-        const auto& kinds = table.null[kind == diagonal];
+        constexpr bool odd = in_odd_column(kind), diagonal = kind == EdgeKind::diagonal;
+        const T near = spread<T>(m_scratch.near[odd].data(), place, m_count);
+        const T flippable = spread<T>(m_scratch.flippable[odd].data(), place, m_count);
+        const auto& kinds = table.null[fitted_length(1, diagonal)];
         const auto null = [&](int k, int i) HWY_ATTR {
             const T weight = T(kinds[1][k][i]) + near * T(kinds[2][k][i]);
             // A cell's own diagonal can be flipped.
-            return kind == diagonal ? weight
-                                    : if_less(T(0.0f), flippable, weight, T(kinds[0][k][i]));
+            return diagonal ? weight : if_less(T(0.0f), flippable, weight, T(kinds[0][k][i]));
         };
         return fitted_bend(f, both * T(0.5f), m_strict.at<T>(place), null, table);
     }

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Edges between cells that are divided by their own diagonals, which lie alike along a row.
+#pragma once
+
+#include <algorithm>
+
+#include "core/lattice/crossed_columns.h"
+
+namespace ddt {
+
+/// Edges at or beside the vertices of a row of pixels: to the next vertex on the right or below, or
+/// within the cell between.
+enum class EdgeKind { level, upright, diagonal };
+
+/// Whether their midpoints are in odd columns, or rows, of the doubled lattice.
+constexpr bool in_odd_column(EdgeKind kind) {
+    return kind != EdgeKind::upright;
+}
+constexpr bool in_odd_row(EdgeKind kind) {
+    return kind != EdgeKind::level;
+}
+
+/// From the site of the row's first vertex to that of the edge in column 0.
+template <EdgeKind kind>
+int to_first(const Lattice& lattice) {
+    return int(in_odd_column(kind)) + (in_odd_row(kind) ? lattice.stride() : 0);
+}
+
+/// List the columns from x0 to x1 - 1 whose edges of a kind, of row y of pixels, may be any: those
+/// outside begin .. end - 1 and those beside cells that other edges cross. Returns how many; as
+/// many as cells_at_once more may be written.
+template <EdgeKind kind>
+DDT_INLINE int list_others(const Lattice& lattice, int x0, int x1, int begin, int end, int y,
+                           int* columns) {
+    const NearDivisions divisions(lattice, y);
+    const auto crossed = [&](int x) {
+        const uint64_t here = crossed_cells(divisions.below + x);
+        return kind == EdgeKind::level     ? here | crossed_cells(divisions.above + x)
+               : kind == EdgeKind::upright ? here | crossed_cells(divisions.below + x - 1)
+                                           : here;
+    };
+    int n = 0;
+    for (int x = x0; x < std::min(begin, x1); ++x)
+        columns[n++] = x;
+    n += list_crossed(begin, end, crossed, columns + n);
+    for (int x = end; x < x1; ++x)
+        columns[n++] = x;
+    return n;
+}
+
+} // namespace ddt
