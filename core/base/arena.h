@@ -11,6 +11,18 @@
 #include <utility>
 #include <vector>
 
+#ifdef __has_feature // clang's way to tell
+#if __has_feature(address_sanitizer)
+#define DDT_PIECES_APART true
+#endif
+#endif
+#if !defined(DDT_PIECES_APART) && defined(__SANITIZE_ADDRESS__)
+#define DDT_PIECES_APART true
+#endif
+#ifndef DDT_PIECES_APART
+#define DDT_PIECES_APART false
+#endif
+
 namespace ddt {
 
 /// Memory that is taken piece by piece, and given back all at once to be taken for something else.
@@ -53,20 +65,14 @@ public:
 
     /// Pieces are rounded up to this many bytes.
     static constexpr size_t line = 64;
+    /// Where it is watched who writes past the end of what, pieces do not follow one another, and
+    /// there is no block.
+    static constexpr bool apart = DDT_PIECES_APART;
 
 private:
     using Block = std::unique_ptr<char[]>;
 
-    // Where it is watched who writes past the end of what, pieces do not follow one another.
-#ifdef __SANITIZE_ADDRESS__
-    static constexpr bool apart = true;
-#else
-    static constexpr bool apart = false;
-#endif
-
-    static Block block_of(size_t bytes) {
-        return Block(new char[bytes + line - 1]);
-    }
+    static Block block_of(size_t bytes) { return Block(new char[bytes + line - 1]); }
     static char* on_line(char* p) {
         return p + (line - reinterpret_cast<uintptr_t>(p) % line) % line;
     }
@@ -95,8 +101,6 @@ struct InArena {
 
     T* allocate(size_t n) {
         static_assert(std::is_trivial_v<T> && alignof(T) <= Arena::line, "numbers");
-        if (n > SIZE_MAX / 2 / sizeof(T))
-            throw std::bad_alloc();
         return static_cast<T*>(arena ? arena->take(n * sizeof(T)) : ::operator new(n * sizeof(T)));
     }
     void deallocate(T* p, size_t) {
