@@ -25,7 +25,7 @@ endif()
 
 # -DCMAKE_BUILD_TYPE=Sanitize: address and undefined-behaviour sanitizers for the unit tests.
 # -g1: enough for file and line in their reports, and a quarter of the time to compile.
-set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all")
+set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -DDDT_ADDRESS_SANITIZER")
 # What the address sanitizer or the processor finds as well need not be checked at every access: a
 # quarter of the time to compile.
 string(APPEND CMAKE_CXX_FLAGS_SANITIZE " -fno-sanitize=null,object-size,alignment")

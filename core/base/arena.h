@@ -8,20 +8,7 @@
 #include <memory>
 #include <new>
 #include <type_traits>
-#include <utility>
 #include <vector>
-
-#ifdef __has_feature // clang's way to tell
-#if __has_feature(address_sanitizer)
-#define DDT_PIECES_APART true
-#endif
-#endif
-#if !defined(DDT_PIECES_APART) && defined(__SANITIZE_ADDRESS__)
-#define DDT_PIECES_APART true
-#endif
-#ifndef DDT_PIECES_APART
-#define DDT_PIECES_APART false
-#endif
 
 namespace ddt {
 
@@ -33,7 +20,7 @@ public:
     void* take(size_t bytes) {
         bytes = (bytes + line - 1) / line * line;
         m_taken += bytes;
-        if (!apart && bytes <= m_size - m_used) {
+        if (bytes <= m_size - m_used) {
             m_used += bytes;
             return on_line(m_block.get()) + (m_used - bytes);
         }
@@ -67,12 +54,18 @@ public:
     static constexpr size_t line = 64;
     /// Where it is watched who writes past the end of what, pieces do not follow one another, and
     /// there is no block.
-    static constexpr bool apart = DDT_PIECES_APART;
+#ifdef DDT_ADDRESS_SANITIZER
+    static constexpr bool apart = true;
+#else
+    static constexpr bool apart = false;
+#endif
 
 private:
     using Block = std::unique_ptr<char[]>;
 
-    static Block block_of(size_t bytes) { return Block(new char[bytes + line - 1]); }
+    static Block block_of(size_t bytes) {
+        return Block(new char[bytes + line - 1]);
+    }
     static char* on_line(char* p) {
         return p + (line - reinterpret_cast<uintptr_t>(p) % line) % line;
     }
@@ -91,7 +84,6 @@ struct InArena {
     using propagate_on_container_copy_assignment = std::true_type;
     using propagate_on_container_move_assignment = std::true_type;
     using propagate_on_container_swap = std::true_type;
-    using is_always_equal = std::false_type;
 
     Arena* arena = nullptr;
 
@@ -110,10 +102,6 @@ struct InArena {
     template <class U>
     void construct(U* p) {
         ::new (static_cast<void*>(p)) U;
-    }
-    template <class U, class... Args>
-    void construct(U* p, Args&&... args) {
-        ::new (static_cast<void*>(p)) U(std::forward<Args>(args)...);
     }
     friend bool operator==(InArena a, InArena b) { return a.arena == b.arena; }
     friend bool operator!=(InArena a, InArena b) { return a.arena != b.arena; }

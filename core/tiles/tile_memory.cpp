@@ -57,11 +57,6 @@ int largest_tile(int pixels) {
     return std::clamp(pixels, 2, tile_size + 1 + 2 * tile_halo);
 }
 
-/// Of the largest tile of a job.
-size_t pixels_of(const Job& job) {
-    return size_t(largest_width(job)) * size_t(largest_height(job));
-}
-
 } // namespace
 
 int largest_width(const Job& job) {
@@ -72,9 +67,13 @@ int largest_height(const Job& job) {
     return largest_tile(job.window.height());
 }
 
+size_t largest_pixels(const Job& job) {
+    return size_t(largest_width(job)) * size_t(largest_height(job));
+}
+
 size_t TileMemory::needed(const Job& job) {
     const int width = largest_width(job);
-    const size_t pixels = pixels_of(job);
+    const size_t pixels = largest_pixels(job);
     const size_t meshes = size_t(job.mesh.meshes) * TileMesh::memory(width, largest_height(job));
     // Contours are found before gains.
     const size_t scratch = std::max(ContourRows::memory(width), start_gains_memory(width));
@@ -84,7 +83,7 @@ size_t TileMemory::needed(const Job& job) {
 }
 
 void TileMemory::reserve(const Job& job) {
-    const size_t pixels = pixels_of(job), sites = 4 * pixels;
+    const size_t pixels = largest_pixels(job), sites = 4 * pixels;
     meshed.values.reserve(pixels * size_t(job.channels) + group_size);
     guide.resize(job.mesh.meshes > 1 ? pixels : 0);
     meshed.meshes.resize(size_t(job.mesh.meshes));

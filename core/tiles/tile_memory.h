@@ -30,9 +30,10 @@ struct TileMemory {
     }
 };
 
-/// Width and height of the lattice of the largest tile of a job.
+/// Width, height and pixels of the lattice of the largest tile of a job.
 int largest_width(const Job& job);
 int largest_height(const Job& job);
+size_t largest_pixels(const Job& job);
 
 /// A process that makes many small pictures would spend a quarter of its time on pages that it is
 /// given, cleared, for each and gives back: so some memory is kept. At most so many of these, none

@@ -12,7 +12,7 @@ namespace {
 
 /// Of a mesh of the largest tile.
 size_t lists_memory(const Job& job) {
-    return Workspace::memory(size_t(largest_width(job)) * size_t(largest_height(job)));
+    return Workspace::memory(largest_pixels(job));
 }
 
 /// The guide of a mesh; to be called in ascending order.

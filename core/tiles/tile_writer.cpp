@@ -204,8 +204,8 @@ Outcome TileWriter::write(RowsLeft& left) {
     const Tile part = grid ? part_of(meshed.tile, all) : meshed.tile;
     while (m_surfaces.size() < meshed.meshes.size())
         m_surfaces.emplace_back(m_job);
-    // Where all rows are kept they grow by more than an arena has.
     m_arena.clear();
+    // Not for rows that are all kept: they grow to more than an arena has.
     for (size_t k = 0; k < m_surfaces.size(); ++k)
         m_surfaces[k].begin(meshed.meshes[k], part, meshed.values.data(),
                             grid ? &m_arena : nullptr);

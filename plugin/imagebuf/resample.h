@@ -18,8 +18,9 @@ bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& map
               const OIIO::ROI& roi, const Options& options, int nthreads, std::string& error,
               Arrival* arrival = nullptr);
 
-/// resize() of ddt/resize.h while src's pixels are coming, which is in local memory and not dst.
-bool resize_arriving(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, Arrival& arrival,
+/// resize() of ddt/resize.h, if there is an arrival while pixels of src are coming, which is then
+/// in local memory and not dst.
+bool resize_arriving(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, Arrival* arrival,
                      const Options& options, OIIO::ROI roi, int nthreads);
 
 /// OpenImageIO's default filter for the pixels and channels of `roi` (its own resize writes all

@@ -144,15 +144,13 @@ bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& given, Arrival* a
 
 bool resize(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options, OIIO::ROI roi,
             int nthreads) {
-    return guarded_from(dst, src, [&](const auto& from, OIIO::ROI& touched, std::string& error) {
-        return resize_checked(dst, from, nullptr, options, roi, nthreads, touched, error);
-    });
+    return resize_arriving(dst, src, nullptr, options, roi, nthreads);
 }
 
-bool resize_arriving(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, Arrival& arrival,
+bool resize_arriving(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, Arrival* arrival,
                      const Options& options, OIIO::ROI roi, int nthreads) {
     return guarded_from(dst, src, [&](const auto& from, OIIO::ROI& touched, std::string& error) {
-        return resize_checked(dst, from, &arrival, options, roi, nthreads, touched, error);
+        return resize_checked(dst, from, arrival, options, roi, nthreads, touched, error);
     });
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/image_file.h"
 
+#include <algorithm>
+
 #include <vector>
 
 #include <OpenImageIO/strutil.h>
@@ -92,6 +94,10 @@ bool ImageFile::commit(Failure& failure) {
     m_output.reset();
     m_stream.reset();
     return m_whole.commit(failure);
+}
+
+int rows_in_strip(const OIIO::ImageSpec& spec) {
+    return std::clamp(spec.get_int_attribute("tiff:RowsPerStrip", 1), 1, 1 << 20);
 }
 
 bool write_image(const OIIO::ImageBuf& image, const std::string& path,

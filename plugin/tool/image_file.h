@@ -42,6 +42,9 @@ private:
     std::unique_ptr<OIIO::ImageOutput> m_output;
 };
 
+/// Scanlines that a file of this spec keeps together, as far as it says so (TIFF); 1 to 2^20.
+int rows_in_strip(const OIIO::ImageSpec& spec);
+
 /// Write an image in local memory. `progress` is called with the share done.
 bool write_image(const OIIO::ImageBuf& image, const std::string& path,
                  const std::function<void(float)>& progress, Failure& failure);

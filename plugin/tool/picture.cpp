@@ -41,7 +41,11 @@ private:
 } // namespace
 
 std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path) {
-    const std::string why = image.has_error() ? image.geterror() : "cannot read \"" + path + "\"";
+    return why_unreadable(image.has_error() ? image.geterror() : "", path);
+}
+
+std::string why_unreadable(const std::string& said, const std::string& path) {
+    const std::string why = said.empty() ? "cannot read \"" + path + "\"" : said;
     return why.find(path) == std::string::npos ? "\"" + path + "\": " + why : why;
 }
 

@@ -25,7 +25,8 @@ struct Picture {
     std::vector<float> guide;
 };
 
-/// One line that says why the image of a file cannot be read.
+/// One line that says why the image of a file cannot be read; said: by OpenImageIO, or nothing.
+std::string why_unreadable(const std::string& said, const std::string& path);
 std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path);
 
 /// Read the first image of a file, its pixels included. False with one line in `error`.

@@ -124,7 +124,7 @@ bool resize_file(const std::string& in, const std::string& out, const ResizeSett
         OIIO::ROI roi = result.roi();
         roi.ybegin = begin;
         roi.yend = end;
-        if (!resize_arriving(result, image, reader, options, roi, settings.threads) &&
+        if (!resize_arriving(result, image, &reader, options, roi, settings.threads) &&
             !writer.has_failed()) {
             failure.why = result.geterror();
             failure.code = code_of_message(failure.why);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "plugin/image/windows.h"
+#include "plugin/tool/image_file.h"
 #include "plugin/tool/picture.h"
 
 namespace ddt::tool {
@@ -18,9 +19,7 @@ constexpr size_t bytes_at_once = size_t(8) << 20;
 
 /// A multiple of those that the format keeps together.
 int rows_at_once(const OIIO::ImageSpec& spec) {
-    const int together = spec.tile_width > 0
-                             ? spec.tile_height
-                             : std::clamp(spec.get_int_attribute("tiff:RowsPerStrip", 1), 1, 4096);
+    const int together = spec.tile_width > 0 ? spec.tile_height : rows_in_strip(spec);
     const int wanted =
         std::max(least_rows, int(bytes_at_once / std::max<size_t>(spec.scanline_bytes(), 1)));
     return (wanted + together - 1) / together * together;
@@ -94,11 +93,8 @@ bool RowReader::read(int begin, int end, std::string& error) {
                                       m_spec.format, to);
     if (done)
         return true;
-    error = m_input->geterror(); // which only the thread that read is told
-    if (error.empty())
-        error = "cannot read \"" + m_path + "\"";
-    if (error.find(m_path) == std::string::npos)
-        error = "\"" + m_path + "\": " + error;
+    // Which only the thread that read is told.
+    error = why_unreadable(m_input->geterror(), m_path);
     return false;
 }
 

@@ -13,9 +13,7 @@ constexpr int rows_together = 64;
 
 /// Of formats that want tiles whatever they are asked for (IFF): all rows.
 int step_of(const OIIO::ImageSpec& spec, bool tiles) {
-    return tiles ? spec.height
-                 : rows_together *
-                       std::clamp(spec.get_int_attribute("tiff:RowsPerStrip", 1), 1, 1 << 20);
+    return tiles ? spec.height : rows_together * rows_in_strip(spec);
 }
 
 } // namespace

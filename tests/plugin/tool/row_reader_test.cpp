@@ -178,7 +178,7 @@ TEST(Arriving, PixelsAreWaitedForAsTheyAreNeededAndTheBitsAreTheSame) {
         ImageBuf expected, result, arriving(source.spec());
         ASSERT_TRUE(ddt::resize(expected, source, {}, roi, 2)) << expected.geterror();
         OnDemand rows(arriving, source, source.yend());
-        ASSERT_TRUE(resize_arriving(result, arriving, rows, {}, roi, 2)) << result.geterror();
+        ASSERT_TRUE(resize_arriving(result, arriving, &rows, {}, roi, 2)) << result.geterror();
         EXPECT_GE(rows.asked, 1);
         EXPECT_EQ(rows.first < source.yend(), size.by_rows) << size.width;
         EXPECT_TRUE(pixels_of(result) == pixels_of(expected)) << size.width;
@@ -191,7 +191,7 @@ TEST(Arriving, WhatDoesNotComeIsAFailure) {
         ImageBuf result, arriving(source.spec());
         OnDemand rows(arriving, source, source.ybegin() + 700);
         EXPECT_FALSE(
-            resize_arriving(result, arriving, rows, {}, OIIO::ROI(0, columns, 0, 2500), 2));
+            resize_arriving(result, arriving, &rows, {}, OIIO::ROI(0, columns, 0, 2500), 2));
         EXPECT_NE(result.geterror().find("the wire was cut"), std::string::npos);
         EXPECT_FALSE(result.initialized());
     }
