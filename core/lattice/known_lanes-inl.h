@@ -19,23 +19,26 @@ template <size_t most>
 struct KnownEdges {
     static constexpr size_t room =
         most + HWY_MAX_BYTES / sizeof(int); ///< whole vectors are written
-    int own[room], first[4][room], second[4][room];
+    int own[room];                          ///< SiteLanes::first_word()
+    int64_t sides[4][room];                 ///< records, as SiteLanes::copy_records() has them
 
     HWY_INLINE KnownEdges(const SiteLanes& mesh, const int* sites, size_t n) {
         const DI di;
-        for (size_t i = 0; i < n; i += hn::Lanes(di))
+        const size_t lanes = hn::Lanes(di);
+        for (size_t i = 0; i < n; i += lanes)
             hn::StoreU(mesh.first_word(load_sites(sites + i, n - i)), di, own + i);
-        for (size_t i = 0; i < n; i += hn::Lanes(di)) {
+        int middle[4][room];
+        for (size_t i = 0; i < n; i += lanes) {
             const Ints m = load_sites(sites + i, n - i);
             const FlippableLanes e = FlippableLanes::of(hn::LoadU(di, own + i));
             const QuadOf<VecLanes> q(e.v, e.left);
             const QuadSites<Ints> at(m, mesh.offset(q.w), mesh.offset(q.side[1]));
-            for (int k = 0; k < 4; ++k) {
-                const RecordLanes side = mesh.record(at.middle[k]);
-                hn::StoreU(side.first, di, first[k] + i);
-                hn::StoreU(side.second, di, second[k] + i);
-            }
+            for (int k = 0; k < 4; ++k)
+                hn::StoreU(at.middle[k].i, di, middle[k] + i);
         }
+        const size_t whole = (n + lanes - 1) / lanes * lanes; // as load_sites() fills up
+        for (int k = 0; k < 4; ++k)
+            mesh.copy_records(middle[k], whole, sides[k]);
     }
     /// The mesh as seen from the edges from i on, by as many as a vector has: where there are
     /// fewer, as load_sites() fills up.
@@ -44,7 +47,7 @@ struct KnownEdges {
         KnownLanes known(mesh);
         known.own = hn::LoadU(di, own + i);
         for (int k = 0; k < 4; ++k)
-            known.sides[k] = {hn::LoadU(di, first[k] + i), hn::LoadU(di, second[k] + i)};
+            known.sides[k] = RecordLanes::load(sides[k] + i);
         return known;
     }
 };
