@@ -106,11 +106,12 @@ void EdgeMaker::load_vertices(int end, int keep) {
 }
 
 void EdgeMaker::to_row(int y, int keep) {
-    // What is far above is made in steps, or all of it would have to be kept.
+    // Or all of what is far above would have to be kept, and of what is asked for at once what
+    // edges are made from.
     for (int next = m_edge_rows / 2 + rows_at_once;
-         m_few_edges && next < std::min({y, keep, m_part.y1 - rows_at_once});
+         m_few_edges && next < std::min(y, m_part.y1 - rows_at_once);
          next = m_edge_rows / 2 + rows_at_once)
-        go_on(next, next);
+        go_on(next, std::min(next, keep));
     go_on(y, keep);
 }
 
@@ -125,11 +126,13 @@ int EdgeMaker::values_end(int y) const {
     return m_reach.last_neighbour(m_recipe.bend ? m_reach.last_end(last) : last) + 1;
 }
 
-/// Where to_cells() is asked for each row of cells, and none above it is kept.
+/// Where to_cells() is asked for some rows of cells after the others, and none above them is kept.
 RowsInUse EdgeMaker::most_in_use() const {
-    RowsInUse most{usual_vertex_rows, usual_edge_rows};
+    const int more = m_recipe.cells - 1;
+    RowsInUse most{usual_vertex_rows + more, usual_edge_rows + more};
     for (int cells = m_part.y0; cells < m_part.y1; ++cells) {
-        const int first = m_reach.first_neighbour(cells), to = m_reach.last_neighbour(cells);
+        const int first = m_reach.first_neighbour(cells),
+                  to = m_reach.last_neighbour(std::min(cells + more, m_part.y1 - 1));
         most.vertices = std::max(most.vertices, values_end(to) - first);
         most.edges = std::max(most.edges, last_row(to) + 1 - first);
     }
@@ -169,9 +172,9 @@ void EdgeMaker::go_on(int y, int keep) {
     m_edge_rows = 2 * last + 1;
 }
 
-Taken EdgeMaker::memory(int width, int height, int count, bool all_rows, const EdgeRecipe& recipe) {
+Taken EdgeMaker::memory(int width, int height, int count, const EdgeRecipe& recipe) {
     const auto kept = [&](int used) {
-        return rows_memory(width, height, count, all_rows ? height : used);
+        return rows_memory(width, height, count, used + recipe.cells - 1);
     };
     Taken taken;
     const size_t edges = kept(usual_edge_rows);

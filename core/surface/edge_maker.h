@@ -25,6 +25,8 @@ struct EdgeRecipe {
     FanRows* fans = nullptr;
     /// Where rows are kept, as take_rows() says; null: on the heap.
     Arena* arena = nullptr;
+    /// Rows of cells that to_cells() is asked for at once, at most.
+    int cells = 1;
 };
 
 /// Makes a net's edges from the top row downwards, so that rows can be used while they are in the
@@ -49,8 +51,9 @@ public:
     void begin_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
                     ValueRows& values, Net& net);
 
-    /// Make the edges with midpoints in row y of pixels or further up, as far as they are not made.
-    /// Of a net of some rows, those that no triangle at or below row `keep` of cells has may go.
+    /// Make the edges with midpoints in row y of pixels or further up, as far as they are not made,
+    /// in steps. Of a net of some rows, those that no triangle at or below row `keep` of cells has
+    /// may go.
     void to_row(int y, int keep);
     /// The same of what triangles that meet row y of cells have.
     void to_cells(int y, int keep) { to_row(m_reach.last_neighbour(y), keep); }
@@ -65,9 +68,8 @@ public:
     /// Once all are made, with bends: the gradients, as EdgeScratch has them.
     const SiteRows& gradients() const { return m_scratch.gradients; }
 
-    /// About the bytes that this and a net of `count` channels usually take; all_rows: where all
-    /// rows are kept.
-    static Taken memory(int width, int height, int count, bool all_rows, const EdgeRecipe& recipe);
+    /// About the bytes that this and a net of some rows of `count` channels usually take.
+    static Taken memory(int width, int height, int count, const EdgeRecipe& recipe);
 
 private:
     void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe, bool few_values,

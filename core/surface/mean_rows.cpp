@@ -47,7 +47,7 @@ const float* MeanRows::row(int y, int keep) {
 
 Taken MeanRows::memory(int width, int height, int count, const EdgeRecipe& recipe) {
     // Two rows of sums, four of quadrants' means.
-    return EdgeMaker::memory(width, height, count, false, recipe) +
+    return EdgeMaker::memory(width, height, count, recipe) +
            Taken{0, 6 * size_t(width) * size_t(count) * sizeof(float)};
 }
 

@@ -18,8 +18,7 @@ struct CrewSize {
 };
 
 /// As many of up to `threads` as there is work for, within what ddt/job.h says of memory; one of
-/// each there is in any case. A result whose positions come in any order (not
-/// Mapping::separable()) has a place for each.
+/// each there is in any case.
 CrewSize crew_size(const Mapping& mapping, const Job& job, const Grid& grid, size_t threads);
 
 } // namespace ddt

@@ -51,10 +51,25 @@ Rect reach_of(const Tile& tile, const Rect& window, const Mapping& mapping) {
                          tile.last_y ? beyond : tile.cells.y1);
 }
 
+namespace {
+
+bool in_columns(const Tile& tile, const Position& p) {
+    const int64_t x = p.x >> position_bits;
+    return x >= tile.cells.x0 && (tile.last_x || x < tile.cells.x1);
+}
+
+bool is_below(const Tile& tile, const Position& p) {
+    return !tile.last_y && p.y >> position_bits >= tile.cells.y1;
+}
+
+} // namespace
+
 bool serves(const Tile& tile, const Position& p) {
-    const int64_t x = p.x >> position_bits, y = p.y >> position_bits;
-    return x >= tile.cells.x0 && y >= tile.cells.y0 && (tile.last_x || x < tile.cells.x1) &&
-           (tile.last_y || y < tile.cells.y1);
+    return in_columns(tile, p) && p.y >> position_bits >= tile.cells.y0 && !is_below(tile, p);
+}
+
+bool serves_below(const Tile& tile, const Position& p) {
+    return in_columns(tile, p) && is_below(tile, p);
 }
 
 Point local(const Tile& tile, const Position& p) {

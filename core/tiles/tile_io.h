@@ -19,6 +19,8 @@ Rect reach_of(const Tile& tile, const Rect& window, const Mapping& mapping);
 
 /// Whether a position, not outside the window, is the tile's to sample.
 bool serves(const Tile& tile, const Position& p);
+/// Whether it lies in the tile's columns, below its rows.
+bool serves_below(const Tile& tile, const Position& p);
 
 /// A position in the lattice of the tile; one outside its pixels is moved to the nearest inside, so
 /// that no mapping leads out of the lattice.

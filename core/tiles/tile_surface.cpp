@@ -11,14 +11,15 @@ namespace ddt {
 
 namespace {
 
-EdgeRecipe recipe_of(const SurfaceOptions& surface, FanRows* fans, Arena* arena) {
-    return {surface.kind != Surface::linear, surface.soft > 0, surface.soft, fans, arena};
+EdgeRecipe recipe_of(const SurfaceOptions& surface, FanRows* fans, Arena* arena, int cells) {
+    return {surface.kind != Surface::linear, surface.soft > 0, surface.soft, fans, arena, cells};
 }
 
 /// Rows of fans that are worth being kept for who asks for them again: later rounds of corrections,
-/// or groups of channels. ahead: CorrectedRows::rows_ahead(), if there are rounds.
-int fan_rows(int ahead, size_t groups) {
-    return ahead > 0 ? ahead : groups > 1 ? 4 * rows_at_once : 1;
+/// or groups of channels, each of which asks for so many rows of cells. ahead:
+/// CorrectedRows::rows_ahead(), if there are rounds.
+int fan_rows(int ahead, size_t groups, int cells) {
+    return ahead > 0 ? ahead : groups > 1 ? 4 * rows_at_once + cells - 1 : 1;
 }
 
 } // namespace
@@ -30,21 +31,23 @@ TileSurface::TileSurface(const Job& job) : m_job(job), m_nets(size_t(group_count
         m_edges.resize(m_nets.size());
 }
 
-Taken TileSurface::memory(const Job& job, int width, int height, bool rows) {
-    const EdgeRecipe recipe = recipe_of(job.surface, nullptr, nullptr);
+Taken TileSurface::memory(const Job& job, int width, int height, int cells) {
+    const EdgeRecipe recipe = recipe_of(job.surface, nullptr, nullptr, cells);
+    EdgeRecipe row_by_row = recipe;
+    row_by_row.cells = 1;
     const int groups = group_count(job.channels);
     Taken taken;
     for (int g = 0; g < groups; ++g) {
         const int count = channels_in_group(job.channels, g);
         taken = taken + (is_fitted(job.surface)
                              ? FittedMaker::memory(width, height, {nullptr, job.channels, 0, count},
-                                                   !rows, job.surface.soft > 0)
-                             : EdgeMaker::memory(width, height, count, !rows, recipe));
+                                                   job.surface.soft > 0, cells)
+                             : EdgeMaker::memory(width, height, count, recipe));
     }
     if (is_corrected(job.surface)) {
         const Taken rounds =
             CorrectedRows::memory(width, height, channels_in_group(job.channels, 0),
-                                  {job.surface.kind, recipe, job.surface.consistency});
+                                  {job.surface.kind, row_by_row, job.surface.consistency});
         if (groups == 1)
             taken = taken + rounds;
         else
@@ -57,33 +60,34 @@ Taken TileSurface::memory(const Job& job, int width, int height, bool rows) {
                    CrossedRows::memory(width, 1);
     const int ahead =
         is_corrected(job.surface) ? CorrectedRows::usual_rows_ahead(job.surface.consistency) : 0;
-    taken.other += FanRows::memory(width, std::min(fan_rows(ahead, size_t(groups)), height));
+    taken.other += FanRows::memory(width, std::min(fan_rows(ahead, size_t(groups), cells), height));
     return taken;
 }
 
-void TileSurface::begin(const TileMesh& mesh, const Tile& tile, const float* values, Arena* arena) {
+void TileSurface::begin(const TileMesh& mesh, const Tile& tile, int cells, const float* values,
+                        Arena& arena) {
     const DenormalsAreZero as_on_gpus;
     const SurfaceOptions& surface = m_job.surface;
     m_mesh = &mesh;
-    m_arena = arena;
+    m_arena = &arena;
     const Rect part = mesh.sampled(tile);
     if (is_corrected(surface) && m_nets.size() > 1)
         m_corrected.resize(mesh.lattice().vertices() * size_t(m_job.channels));
     const int ahead =
         is_corrected(surface) ? CorrectedRows::rows_ahead(mesh.lattice(), surface.consistency) : 0;
-    m_fans.begin(mesh.lattice(), fan_rows(ahead, m_nets.size()));
+    m_fans.begin(mesh.lattice(), fan_rows(ahead, m_nets.size(), cells));
     for (int g = 0; g < int(m_nets.size()); ++g) {
         Net& net = m_nets[size_t(g)];
         set_strictness(g, net);
         if (is_fitted(surface)) {
-            begin_fitted(g, values, part);
+            begin_fitted(g, values, part, cells);
             continue;
         }
         if (is_corrected(surface))
-            begin_corrected(g, values, part);
+            begin_corrected(g, values, part, cells);
         else
-            m_edges[size_t(g)].begin_rows(mesh.lattice(), part, recipe(), group_values(values, g),
-                                          net);
+            m_edges[size_t(g)].begin_rows(mesh.lattice(), part, recipe(cells),
+                                          group_values(values, g), net);
     }
     m_search.begin();
 }
@@ -92,8 +96,8 @@ GroupValues TileSurface::group_values(const float* values, int group) const {
     return {values, m_job.channels, group * group_size, channels_in_group(m_job.channels, group)};
 }
 
-EdgeRecipe TileSurface::recipe() {
-    return recipe_of(m_job.surface, &m_fans, m_arena);
+EdgeRecipe TileSurface::recipe(int cells) {
+    return recipe_of(m_job.surface, &m_fans, m_arena, cells);
 }
 
 void TileSurface::set_strictness(int group, Net& net) const {
@@ -101,9 +105,9 @@ void TileSurface::set_strictness(int group, Net& net) const {
         net.strict[c] = is_strict(m_job, group * group_size + c) ? 1.0f : 0.0f;
 }
 
-void TileSurface::begin_corrected(int group, const float* values, const Rect& part) {
+void TileSurface::begin_corrected(int group, const float* values, const Rect& part, int cells) {
     const SurfaceOptions& surface = m_job.surface;
-    CorrectionRecipe correction{surface.kind,  recipe(),        surface.consistency,
+    CorrectionRecipe correction{surface.kind,  recipe(1),       surface.consistency,
                                 surface.limit, surface.clipped, nearest_mask(m_job, group)};
     // Of many channels one group after the other, in the same memory.
     const bool alone = m_nets.size() == 1;
@@ -114,9 +118,9 @@ void TileSurface::begin_corrected(int group, const float* values, const Rect& pa
     const Lattice& lattice = m_mesh->lattice();
     m_rounds.begin(lattice, part, correction, group_values(values, group), net.strict);
     if (alone)
-        return edges.begin_rows(lattice, part, recipe(), m_rounds, net);
+        return edges.begin_rows(lattice, part, recipe(cells), m_rounds, net);
     correct_all(group);
-    edges.begin_rows(lattice, part, recipe(), group_values(m_corrected.data(), group), net);
+    edges.begin_rows(lattice, part, recipe(cells), group_values(m_corrected.data(), group), net);
 }
 
 void TileSurface::correct_all(int group) {
@@ -130,10 +134,10 @@ void TileSurface::correct_all(int group) {
     }
 }
 
-void TileSurface::begin_fitted(int group, const float* values, const Rect& part) {
+void TileSurface::begin_fitted(int group, const float* values, const Rect& part, int cells) {
     const SurfaceOptions& surface = m_job.surface;
-    const FittedRecipe recipe{surface.soft, surface.limit, surface.clipped,
-                              nearest_mask(m_job, group), m_arena};
+    const FittedRecipe recipe{
+        surface.soft, surface.limit, surface.clipped, nearest_mask(m_job, group), m_arena, cells};
     m_fitted[size_t(group)].begin(m_mesh->lattice(), part, recipe, group_values(values, group),
                                   m_nets[size_t(group)]);
 }
@@ -145,14 +149,6 @@ void TileSurface::make_edges_for(int32_t y, int32_t keep) {
         edges.to_cells(cells, from);
     for (FittedMaker& fitted : m_fitted)
         fitted.to_cells(cells, from);
-}
-
-void TileSurface::finish_edges() {
-    const DenormalsAreZero as_on_gpus;
-    for (EdgeMaker& edges : m_edges)
-        edges.finish();
-    for (FittedMaker& fitted : m_fitted)
-        fitted.finish();
 }
 
 void TileSurface::sample(const Point* points, int n, float* out) {

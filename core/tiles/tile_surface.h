@@ -19,20 +19,19 @@ class TileSurface {
 public:
     explicit TileSurface(const Job& job);
 
-    /// About the bytes that this takes for a lattice of width x height pixels; `rows`: where only
-    /// rows of it are kept (finish_edges() is not called).
-    static Taken memory(const Job& job, int width, int height, bool rows);
+    /// About the bytes that this takes for a lattice of width x height pixels; cells: of begin().
+    static Taken memory(const Job& job, int width, int height, int cells);
 
     /// Lay the surface over a mesh, through `values`, the job's channels for each pixel, to sample
-    /// it in the cells of `part`, the mesh's tile or one with some of its cells. Mesh and values
-    /// must stay there while it is in use. arena: see take_rows().
-    void begin(const TileMesh& mesh, const Tile& part, const float* values, Arena* arena);
+    /// it in the cells of `part`, the mesh's tile or one with some of its cells, no more than so
+    /// many rows of cells at once. Mesh and values must stay there while it is in use. arena: for
+    /// its rows, which clear it.
+    void begin(const TileMesh& mesh, const Tile& part, int cells, const float* values,
+               Arena& arena);
 
     /// Edges are made as they are needed: before what needs them is sampled, make_edges_for() its
-    /// y, in ascending order, or finish_edges(), is to be called. What is above `keep` may be gone
-    /// then.
+    /// y, in ascending order, is to be called. What is above `keep` may be gone then.
     void make_edges_for(int32_t y, int32_t keep);
-    void finish_edges();
 
     /// To be called before positions are sampled that are not those of the columns before.
     void begin_panel() { m_search.begin(); }
@@ -46,11 +45,11 @@ public:
 
 private:
     GroupValues group_values(const float* values, int group) const;
-    EdgeRecipe recipe();
+    EdgeRecipe recipe(int cells);
     void set_strictness(int group, Net& net) const;
-    void begin_corrected(int group, const float* values, const Rect& part);
+    void begin_corrected(int group, const float* values, const Rect& part, int cells);
     void correct_all(int group);
-    void begin_fitted(int group, const float* values, const Rect& part);
+    void begin_fitted(int group, const float* values, const Rect& part, int cells);
 
     const Job& m_job;
     const TileMesh* m_mesh = nullptr;

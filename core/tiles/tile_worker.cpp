@@ -33,8 +33,7 @@ const float* guide_of(size_t mesh, const Job& job, TileMemory& memory) {
 
 size_t TileWorker::memory(const Job& job, const Mapping& mapping) {
     const Taken taken = TileWriter::memory(job, mapping, largest_width(job), largest_height(job));
-    const size_t lists = lists_memory(job);
-    return taken.other + (mapping.separable() ? std::max(lists, taken.rows) : lists + taken.rows);
+    return taken.other + std::max(lists_memory(job), taken.rows);
 }
 
 Outcome TileWorker::work(const Tile& tile, int first_row) {
@@ -46,7 +45,7 @@ Outcome TileWorker::work(const Tile& tile, int first_row) {
 Outcome TileWorker::begin(const Tile& tile, int first_row, TileMemory& memory) {
     Rect reach = reach_of(tile, m_job.window, m_mapping);
     reach.y0 = std::max(reach.y0, first_row);
-    const MeshedTile& meshed = memory.meshed;
+    MeshedTile& meshed = memory.meshed;
     m_left.begin(meshed, {}, false, 0);
     if (reach.empty())
         return Outcome::done;
@@ -55,16 +54,16 @@ Outcome TileWorker::begin(const Tile& tile, int first_row, TileMemory& memory) {
     if (!read(tile, memory))
         return Outcome::source_failed;
     triangulate(tile, memory);
-    // Where positions come in any order all of a tile's surface is made before any of it is
-    // sampled.
+    meshed.output = reach;
     const bool grid = m_writer.is_grid(tile, reach);
-    m_left.begin(meshed, reach, grid, grid ? TileWriter::least_shared_rows(reach) : 0);
+    const Rect& rows = grid ? reach : tile.cells;
+    m_left.begin(meshed, rows, grid, TileWriter::least_shared_rows(rows.height(), reach));
     m_clock.lap(m_statistics.times.sample);
     return Outcome::done;
 }
 
 Outcome TileWorker::finish() {
-    return m_left.pixels().empty() ? Outcome::done : m_writer.write(m_left);
+    return m_left.all().empty() ? Outcome::done : m_writer.write(m_left);
 }
 
 bool TileWorker::read(const Tile& tile, TileMemory& memory) {

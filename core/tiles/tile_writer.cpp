@@ -18,6 +18,12 @@ constexpr size_t strip_floats = size_t(1) << 16;
 /// row of cells.
 constexpr size_t handed_floats = size_t(1) << 14;
 
+/// Rows of cells that are worked on together where positions come in any order: with more of them
+/// runs of positions are longer, and more rows of the surface are kept.
+int cells_in_band(int channels) {
+    return std::clamp(96 / channels, 8, 32);
+}
+
 /// Columns of output that are worked on at once: what is kept for each column stays small however
 /// long the rows are.
 int panel_columns(const Job& job) {
@@ -73,11 +79,12 @@ Taken TileWriter::memory(const Job& job, const Mapping& mapping, int width, int 
     const InCell pixels = in_cell(mapping);
     const size_t cells = size_t(std::min(width, tile_size));
     const size_t columns = std::min(cells * size_t(pixels.columns), size_t(panel_columns(job)));
-    const bool rows = mapping.separable();
+    const bool grid = mapping.separable();
     // Where positions come in any order, a run of them may be as long as a panel.
-    const size_t made = rows ? size_t(pixels.rows) * columns * size_t(job.channels) : strip_floats;
+    const size_t made = grid ? size_t(pixels.rows) * columns * size_t(job.channels) : strip_floats;
     const size_t out = std::max(handed_floats, made) + row_padding;
-    return size_t(job.mesh.meshes) * TileSurface::memory(job, width, height, rows) +
+    return size_t(job.mesh.meshes) *
+               TileSurface::memory(job, width, height, grid ? 1 : cells_in_band(job.channels)) +
            Taken{0, (job.mesh.meshes > 1 ? 2 : 1) * out * sizeof(float) +
                         columns * (sizeof(Position) + sizeof(Point) + sizeof(float))};
 }
@@ -89,8 +96,8 @@ TileWriter::TileWriter(Sink& sink, const Mapping& mapping, const Job& job, Stage
     m_rows_in_cell = in_cell(mapping).rows;
 }
 
-int TileWriter::least_shared_rows(const Rect& pixels) {
-    return int(std::max<size_t>(1, shared_pixels / size_t(pixels.width())));
+int TileWriter::least_shared_rows(int rows, const Rect& pixels) {
+    return int(std::max<size_t>(1, shared_pixels * size_t(rows) / pixels.area()));
 }
 
 /// The tile with those of its cells alone that pixels of a grid lie in.
@@ -198,33 +205,35 @@ Outcome TileWriter::each_panel(const Rect& r, F&& f) const {
 Outcome TileWriter::write(RowsLeft& left) {
     m_clock.start();
     m_meshed = &left.of();
-    const MeshedTile& meshed = *m_meshed;
-    const Rect all = left.pixels();
-    const bool grid = left.grid();
-    const Tile part = grid ? part_of(meshed.tile, all) : meshed.tile;
-    while (m_surfaces.size() < meshed.meshes.size())
+    while (m_surfaces.size() < m_meshed->meshes.size())
         m_surfaces.emplace_back(m_job);
-    m_arena.clear();
-    // Not for rows that are all kept: they grow to more than an arena has.
-    for (size_t k = 0; k < m_surfaces.size(); ++k)
-        m_surfaces[k].begin(meshed.meshes[k], part, meshed.values.data(),
-                            grid ? &m_arena : nullptr);
-    m_clock.lap(m_times.surface);
+    return left.grid() ? write_grid(left) : write_bands(left);
+}
 
+/// Lay the surfaces over the cells of a part of the tile, of which so many rows are sampled at
+/// once.
+void TileWriter::begin_surfaces(const Tile& part, int cells) {
+    m_arena.clear();
+    for (size_t k = 0; k < m_surfaces.size(); ++k)
+        m_surfaces[k].begin(m_meshed->meshes[k], part, cells, m_meshed->values.data(), m_arena);
+    m_clock.lap(m_times.surface);
+}
+
+Outcome TileWriter::write_grid(RowsLeft& left) {
+    const Tile& tile = m_meshed->tile;
+    const Rect all = left.all();
+    begin_surfaces(part_of(tile, all), 1);
     take_memory(all);
     const int width = int(m_points.size());
     const bool panels = all.width() > width;
-    if (!grid)
-        for (TileSurface& surface : m_surfaces)
-            surface.finish_edges();
-    else if (!panels)
-        find_columns(meshed.tile, all);
+    if (!panels)
+        find_columns(tile, all);
     const size_t row = size_t(width) * size_t(m_job.channels);
     const auto take = [&](int y) {
-        return left.take(grid ? whole_cells(all, y, rows_of(strip_floats, row)) : 1);
+        return left.take(whole_cells(all, y, rows_of(strip_floats, row)));
     };
     for (Rect rows = take(all.y0); !rows.empty(); rows = take(rows.y1))
-        if (const Outcome outcome = write_strip(rows, grid, panels); outcome != Outcome::done)
+        if (const Outcome outcome = write_strip(rows, panels); outcome != Outcome::done)
             return outcome;
     return Outcome::done;
 }
@@ -243,17 +252,15 @@ int TileWriter::rows_together(int height, size_t row) const {
     return std::min(height, std::max(rows_of(handed_floats, row), m_rows_in_cell));
 }
 
-/// Write some rows, or one where they are no grid.
-Outcome TileWriter::write_strip(const Rect& rows, bool grid, bool panels) {
+/// Write some rows of a grid.
+Outcome TileWriter::write_strip(const Rect& rows, bool panels) {
     const Tile& tile = m_meshed->tile;
     return each_panel(rows, [&](const Rect& part) {
-        if (panels)
+        if (panels) {
             for (TileSurface& surface : m_surfaces)
                 surface.begin_panel();
-        if (!grid)
-            return write_runs(tile, part);
-        if (panels)
             find_columns(tile, part);
+        }
         return write_rows(tile, part, panels);
     });
 }
@@ -364,20 +371,69 @@ void TileWriter::place_rows(const Rect& rows, bool panels, float* place, size_t 
     m_clock.lap(m_times.sample);
 }
 
-Outcome TileWriter::write_runs(const Tile& tile, const Rect& row) {
+Outcome TileWriter::write_bands(RowsLeft& left) {
+    const Tile& tile = m_meshed->tile;
+    const auto band_of = [&](const Rect& cells) {
+        Tile band = tile;
+        band.cells.y0 = cells.y0;
+        band.cells.y1 = cells.y1;
+        band.last_y = tile.last_y && cells.y1 == tile.cells.y1;
+        return band;
+    };
+    const Rect all = left.all();
+    if (all.empty())
+        return Outcome::done;
+    const int rows = cells_in_band(m_job.channels);
+    begin_surfaces(band_of(all), rows);
+    take_memory(m_meshed->output);
+    m_spans.begin(m_meshed->output);
+    for (Rect cells = left.take(rows); !cells.empty(); cells = left.take(rows))
+        if (const Outcome outcome = write_band(band_of(cells)); outcome != Outcome::done)
+            return outcome;
+    return Outcome::done;
+}
+
+Outcome TileWriter::write_band(const Tile& band) {
+    const auto y_of_cells = [&](int y) { return (y - band.pixels.y0) * int32_t(position_one); };
+    make_edges_for(y_of_cells(band.cells.y1 - 1), y_of_cells(band.cells.y0));
+    m_spans.find(band, m_job.window, m_mapping);
+    for (int y = m_spans.y0(); y < m_spans.y1(); ++y) {
+        const BandSpans::Span span = m_spans.row(y);
+        if (span.empty())
+            continue;
+        const bool rest = m_spans.holds_rest(y);
+        BandSpans::Span later{span.x1, span.x0};
+        const Outcome outcome = each_panel({span.x0, y, span.x1, y + 1}, [&](const Rect& panel) {
+            return write_runs(band, panel, rest ? &later : nullptr);
+        });
+        if (outcome != Outcome::done)
+            return outcome;
+        if (rest)
+            m_spans.leave(y, later);
+    }
+    m_clock.lap(m_times.sample);
+    return Outcome::done;
+}
+
+/// Write those of a row's pixels that are the band's. later: not null: receives those of bands
+/// below too.
+Outcome TileWriter::write_runs(const Tile& band, const Rect& row, BandSpans::Span* later) {
     const int width = row.width();
     m_mapping.row(row.y0, row.x0, row.x1, m_positions.data(), m_inside.data());
     const auto serves = [&](int i) {
-        return m_inside[size_t(i)] && ddt::serves(tile, m_positions[size_t(i)]);
+        return m_inside[size_t(i)] && ddt::serves(band, m_positions[size_t(i)]);
     };
     for (int i = 0; i < width;) {
         if (!serves(i)) {
+            const int x = row.x0 + i;
+            if (later && m_inside[size_t(i)] && serves_below(band, m_positions[size_t(i)]))
+                *later = {std::min(later->x0, x), std::max(later->x1, x + 1)};
             ++i;
             continue;
         }
         const int begin = i;
         for (; i < width && serves(i); ++i) {
-            m_points[size_t(i - begin)] = local(tile, m_positions[size_t(i)]);
+            m_points[size_t(i - begin)] = local(band, m_positions[size_t(i)]);
             if (i > begin && !follows(m_points[size_t(i - begin) - 1], m_points[size_t(i - begin)]))
                 break;
         }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/sample/evaluate.h"
+#include "core/tiles/band_spans.h"
 #include "core/tiles/rows_left.h"
 #include "core/tiles/stage_clock.h"
 #include "core/tiles/tile_mesh.h"
@@ -26,8 +27,9 @@ public:
     /// Whether the positions of a tile's output pixels are the points of a grid: y the same in a
     /// row, x in a column, both ascending, neighbours in a row so near that they can be followed.
     bool is_grid(const Tile& tile, const Rect& pixels);
-    /// Rows of a grid, as wide as these pixels, that are worth being made by a thread of its own.
-    static int least_shared_rows(const Rect& pixels);
+    /// Of as many rows, in which these pixels are made, those that are worth being made by a thread
+    /// of its own.
+    static int least_shared_rows(int rows, const Rect& pixels);
 
     /// About the bytes that this takes for a job, for lattices of width x height pixels.
     static Taken memory(const Job& job, const Mapping& mapping, int width, int height);
@@ -44,10 +46,14 @@ private:
     void find_columns(const Tile& tile, const Rect& rows);
     template <class F>
     Outcome each_panel(const Rect& r, F&& f) const;
-    Outcome write_strip(const Rect& rows, bool grid, bool panels);
+    void begin_surfaces(const Tile& part, int cells);
+    Outcome write_grid(RowsLeft& left);
+    Outcome write_strip(const Rect& rows, bool panels);
     Outcome write_rows(const Tile& tile, const Rect& rows, bool panels);
     void place_rows(const Rect& rows, bool panels, float* place, size_t row);
-    Outcome write_runs(const Tile& tile, const Rect& row);
+    Outcome write_bands(RowsLeft& left);
+    Outcome write_band(const Tile& band);
+    Outcome write_runs(const Tile& band, const Rect& row, BandSpans::Span* later);
     void sample(int n, float* out);
     int sample_block(const int32_t* y, int n, float* out, size_t row);
     void join(size_t mesh, const float* last, size_t positions, float* mean) const;
@@ -68,6 +74,7 @@ private:
     std::vector<uint8_t> m_inside;
     std::vector<Point> m_points;
     Columns m_columns; ///< where write_rows() is
+    BandSpans m_spans;
     std::vector<int32_t> m_ys;
     std::vector<float> m_out;
     std::vector<float> m_last; ///< what a mesh adds to the mean

@@ -47,13 +47,15 @@ void FittedMaker::begin(const Lattice& lattice, const Rect& part, const FittedRe
     // Softness is made from what is round the ends of edges.
     m_moved = with_neighbours(lattice, part);
     net.stride = lattice.stride();
-    take_rows(lattice, count, m_moved.y0, usual_vertex_rows, recipe.arena, net.values.even);
-    take_rows(lattice, count, part.y0, usual_edge_rows, recipe.arena, net.values.odd);
+    const int more = recipe.cells - 1;
+    take_rows(lattice, count, m_moved.y0, usual_vertex_rows + more, recipe.arena, net.values.even);
+    take_rows(lattice, count, part.y0, usual_edge_rows + more, recipe.arena, net.values.odd);
     EdgeRecipe edges{true, recipe.tau > 0, recipe.tau, nullptr, recipe.arena};
     m_crossed.begin(lattice, mean_positions(), 1);
     m_plain.begin(lattice, m_moved, Surface::patch, edges, values, net.strict, m_crossed);
     // They are bent here.
     edges.bend = false;
+    edges.cells = recipe.cells;
     m_soft.begin_edge_rows(lattice, part, edges, net);
 
     m_index_rows = most_index_rows(m_reach, height);
@@ -63,10 +65,10 @@ void FittedMaker::begin(const Lattice& lattice, const Rect& part, const FittedRe
 }
 
 void FittedMaker::to_row(int y, int keep) {
-    // What is far above is made in steps, or all of it would have to be kept.
-    for (int next = m_soft.rows() + rows_at_once;
-         next < std::min({y, keep, m_part.y1 - rows_at_once}); next = m_soft.rows() + rows_at_once)
-        go_on(next, next);
+    // As EdgeMaker's.
+    for (int next = m_soft.rows() + rows_at_once; next < std::min(y, m_part.y1 - rows_at_once);
+         next = m_soft.rows() + rows_at_once)
+        go_on(next, std::min(next, keep));
     go_on(y, keep);
 }
 
@@ -119,12 +121,12 @@ void FittedMaker::make_row() {
         bend_fitted(source, m_part, m_edge_rows, index, m_plain.net(), m_bends, *m_net);
 }
 
-Taken FittedMaker::memory(int width, int height, const GroupValues& values, bool all_rows,
-                          bool soft) {
+Taken FittedMaker::memory(int width, int height, const GroupValues& values, bool soft, int cells) {
     const size_t row = size_t(width) * size_t(values.count) * sizeof(float);
     const size_t copied = values.count < values.channels ? size_t(height) : 0;
     return MeanRows::memory(width, height, values.count, {true, soft, 1}) +
-           EdgeMaker::memory(width, height, values.count, all_rows, {false, soft, 1}) +
+           EdgeMaker::memory(width, height, values.count,
+                             {false, soft, 1, nullptr, nullptr, cells}) +
            Taken{0, row * (copied + usual_index_rows) + 7 * size_t(width) * sizeof(float)};
 }
 

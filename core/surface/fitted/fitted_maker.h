@@ -19,8 +19,9 @@ struct FittedRecipe {
     bool clipped = false;
     /// Lanes whose bit is set keep their source values: identifiers are nothing to correct.
     unsigned kept_lanes = 0;
-    /// EdgeRecipe::arena
+    /// EdgeRecipe::arena and cells
     Arena* arena = nullptr;
+    int cells = 1;
 };
 
 /// Makes one group's net from the top row downwards, as EdgeMaker does: the plain edges through the
@@ -42,8 +43,8 @@ public:
     void finish() { to_row(m_part.y1, 0); }
 
     /// About the bytes that this and the net take where edges are of the usual length. values: what
-    /// is told of their channels; all_rows: of a net that is kept whole.
-    static Taken memory(int width, int height, const GroupValues& values, bool all_rows, bool soft);
+    /// is told of their channels; soft, cells: of the recipe.
+    static Taken memory(int width, int height, const GroupValues& values, bool soft, int cells);
 
 private:
     void go_on(int y, int keep);
