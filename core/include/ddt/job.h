@@ -125,11 +125,11 @@ enum class Outcome {
 /// MeshOptions::meshes. All threads work within it up to 8 times the size, of up to 4 channels, or
 /// 12 without corrections: a mesh of a tile takes 4 to 5 MiB of up to 4, what a thread makes it by
 /// and reads off it 1.3 to 4, and as many tiles are there at once as have room. Of more channels or
-/// larger results, fewer threads. Where positions come in any order, and threads share no tiles, it
-/// is 200 MiB and 22 MiB for each thread beyond 16. Never throws: what source, sink, mapping or
-/// progress throw is Outcome::out_of_memory or bad_job. They may use oneTBB themselves. `error`,
-/// when not null, receives one line if the outcome is not `done`. ddt/log.h tells the device, the
-/// iterations and where the time went.
+/// larger results, fewer threads; and where positions come in any order and there are corrections,
+/// three quarters of them: there it is 1.5 to 5.5 MiB. Never throws:
+/// what source, sink, mapping or progress throw is Outcome::out_of_memory or bad_job. They may use
+/// oneTBB themselves. `error`, when not null, receives one line if the outcome is not `done`.
+/// ddt/log.h tells the device, the iterations and where the time went.
 Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                 std::string* error = nullptr);
 

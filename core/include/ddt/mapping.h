@@ -39,7 +39,9 @@ class Mapping {
 public:
     virtual ~Mapping() = default;
     /// A rectangle that holds every output pixel whose position lies in the source rectangle
-    /// [x0, x1) x [y0, y1) (pixel centres at integers). It may hold others too.
+    /// [x0, x1) x [y0, y1) (pixel centres at integers). It may hold others too, which row() is then
+    /// asked for in vain. Asked for tiles of 256 x 256 pixels and, unless separable(), for parts of
+    /// them, which are 32 wide.
     virtual Rect reach(double x0, double y0, double x1, double y1) const = 0;
     /// Positions of the output pixels x0 <= x < x1 of row y. inside[i] = 0 marks a pixel that shows
     /// nothing of the source: it is not written.

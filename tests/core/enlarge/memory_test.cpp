@@ -166,7 +166,7 @@ TEST(Memory, ManyChannelsTakeWhatIsPromised) {
     EXPECT_LE(peak_of(job_of("ddt-sharp,clipped=1", window, 64, 1), to, out), promised);
 }
 
-/// Positions far apart or in any order: the whole surface of a tile is made.
+/// Positions that come in any order, as far as can be told.
 class Turned final : public Mapping {
 public:
     explicit Turned(const ResizeMapping& other) : m_other(other) {}
@@ -199,6 +199,8 @@ TEST(Memory, AWorkerTakesWhatIsSaidOfIt) {
     EXPECT_LE(peak_of(job_of("ddt-sharp", window, 1, 1), resized), 6 * mib);
     EXPECT_LE(peak_of(job_of("ddt-sharp,clipped=1", window, 3, 1), resized), 6.2 * mib);
     EXPECT_LE(peak_of(job_of("ddt-sharp", window, 3, 1), resized), 7.7 * mib);
+    EXPECT_LE(peak_of(job_of("ddt", window, 3, 1), turned), 7 * mib);
+    EXPECT_LE(peak_of(job_of("ddt-sharp", window, 3, 1), turned), 9 * mib);
 }
 
 /// Noise, until so many threads write at once, or for a minute; fails then.
@@ -222,27 +224,31 @@ private:
 TEST(Memory, AllThreadsThatAreAskedForWork) {
     const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 128);
     const Rect to{0, 0, 32768, 16384};
-    const auto all_work = [&](int threads, int channels) {
+    const Rect window{0, 0, 16384, 8192};
+    const ResizeMapping resized = mapping_of(window, to, to);
+    const Turned turned(resized);
+    const auto all_work = [&](int threads, int channels, const Mapping& mapping) {
         for (const char* filter : {"ddt", "ddt-linear", "ddt-sharp", "ddt-sharp,clipped=1"}) {
-            const Job job = job_of(filter, {0, 0, 16384, 8192}, channels, threads);
+            const Job job = job_of(filter, window, channels, threads);
             Crowd crowd(channels, threads);
             warm_up(threads);
             release_memory();
             const int64_t before = heap_now;
             heap_peak = before;
-            EXPECT_EQ(enlarge(crowd, crowd, mapping_of(job.window, to, to), job),
-                      Outcome::sink_failed);
+            EXPECT_EQ(enlarge(crowd, crowd, mapping, job), Outcome::sink_failed);
             EXPECT_EQ(crowd.writing.most(), threads) << filter;
             // As ddt/job.h says.
             EXPECT_LE(heap_peak - before, 200 * mib + (std::max(threads, 40) - 40) * 6 * mib)
                 << filter;
         }
     };
-    all_work(16, 3);
-    all_work(16, 4);
-    all_work(40, 3);
-    all_work(40, 4);
-    all_work(128, 4);
+    all_work(16, 3, resized);
+    all_work(16, 4, resized);
+    all_work(40, 3, resized);
+    all_work(40, 4, resized);
+    all_work(128, 4, resized);
+    all_work(16, 4, turned);
+    all_work(128, 3, turned);
 }
 
 TEST(Memory, StaysForTheNextJobAndNoMoreThanIsSaid) {

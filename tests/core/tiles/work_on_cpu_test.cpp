@@ -114,14 +114,19 @@ TEST(WorkOnCpu, IdentifiersAreSharedToo) {
     EXPECT_EQ(differing(sink.sink().values(), tile.by_one_thread(job)), 0u);
 }
 
-TEST(WorkOnCpu, PositionsInAnyOrderStayWithOneThread) {
-    OneTile tile;
-    const Job job = tile.job("ddt");
-    Meeting sink(tile.out, 3, 1);
-    const ResizeMapping mapping = tile.mapping();
-    ASSERT_EQ(enlarge(tile.source, sink, Opaque(mapping), job), Outcome::done);
-    EXPECT_EQ(sink.writing.most(), 1);
-    EXPECT_EQ(differing(sink.sink().values(), tile.by_one_thread(job)), 0u);
+TEST(WorkOnCpu, PositionsInAnyOrderAreSharedToo) {
+    for (const char* filter : {"ddt", "ddt-sharp", "ddt-sharp,clipped=1", "ddt,meshes=2"})
+        for (const int channels : {3, 5}) {
+            SCOPED_TRACE(::testing::Message() << filter << ", " << channels);
+            OneTile tile(channels);
+            const Job job = tile.job(filter);
+            Meeting sink(tile.out, channels, threads);
+            const ResizeMapping mapping = tile.mapping();
+            ASSERT_EQ(enlarge(tile.source, sink, Opaque(mapping), job), Outcome::done);
+            EXPECT_EQ(sink.writing.most(), threads);
+            EXPECT_EQ(sink.sink().written(1), int64_t(tile.out.area()));
+            EXPECT_EQ(differing(sink.sink().values(), tile.by_one_thread(job)), 0u);
+        }
 }
 
 TEST(WorkOnCpu, ATileIsDoneWhenTheLastPartIs) {
