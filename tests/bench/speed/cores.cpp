@@ -69,7 +69,8 @@ TileTimes time_tiles(const std::string& filter, Task task, int rounds) {
         const ddt::Rect pixels = ddt::reach_of(grid.tile(i), window, mapping);
         task.part = {pixels.x0, pixels.x1, pixels.y0, pixels.y1, 0, 1, 0, 3};
         TileTime least;
-        least.parts = std::max(1, pixels.height() / ddt::TileWriter::least_shared_rows(pixels));
+        least.parts = std::max(1, pixels.height() /
+                                      ddt::TileWriter::least_shared_rows(pixels.height(), pixels));
         for (int round = 0; round < rounds; ++round) {
             if (way.run(task) < 0)
                 return {};
