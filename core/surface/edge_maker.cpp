@@ -106,8 +106,8 @@ void EdgeMaker::load_vertices(int end, int keep) {
 }
 
 void EdgeMaker::to_row(int y, int keep) {
-    // Or all of what is far above would have to be kept, and of what is asked for at once what
-    // edges are made from.
+    // In steps, or all of what is far above would have to be kept, and all that edges which are
+    // asked for together are made from.
     for (int next = m_edge_rows / 2 + rows_at_once;
          m_few_edges && next < std::min(y, m_part.y1 - rows_at_once);
          next = m_edge_rows / 2 + rows_at_once)

@@ -2,6 +2,7 @@
 #include "core/tiles/tile_io.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 
@@ -36,6 +37,15 @@ void zero_small_blended(float* values, size_t pixels, const Job& job) {
                 zero_small(values, 1, least_value);
 }
 
+bool in_columns(const Tile& tile, const Position& p) {
+    const int64_t x = p.x >> position_bits;
+    return x >= tile.cells.x0 && (tile.last_x || x < tile.cells.x1);
+}
+
+bool is_below(const Tile& tile, const Position& p) {
+    return !tile.last_y && p.y >> position_bits >= tile.cells.y1;
+}
+
 } // namespace
 
 Rect output_of(const Mapping& mapping) {
@@ -51,19 +61,6 @@ Rect reach_of(const Tile& tile, const Rect& window, const Mapping& mapping) {
                          tile.last_y ? beyond : tile.cells.y1);
 }
 
-namespace {
-
-bool in_columns(const Tile& tile, const Position& p) {
-    const int64_t x = p.x >> position_bits;
-    return x >= tile.cells.x0 && (tile.last_x || x < tile.cells.x1);
-}
-
-bool is_below(const Tile& tile, const Position& p) {
-    return !tile.last_y && p.y >> position_bits >= tile.cells.y1;
-}
-
-} // namespace
-
 bool serves(const Tile& tile, const Position& p) {
     return in_columns(tile, p) && p.y >> position_bits >= tile.cells.y0 && !is_below(tile, p);
 }
@@ -78,6 +75,11 @@ Point local(const Tile& tile, const Position& p) {
                                   int64_t(end - 1 - begin) * position_one));
     };
     return {along(p.x, tile.pixels.x0, tile.pixels.x1), along(p.y, tile.pixels.y0, tile.pixels.y1)};
+}
+
+bool follows(const Point& a, const Point& b) {
+    constexpr int32_t longest = 2 * position_one;
+    return std::abs(b.x - a.x) <= longest && std::abs(b.y - a.y) <= longest;
 }
 
 int lattice_width(const Tile& tile) {

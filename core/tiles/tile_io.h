@@ -25,6 +25,9 @@ bool serves_below(const Tile& tile, const Position& p);
 /// A position in the lattice of the tile; one outside its pixels is moved to the nearest inside, so
 /// that no mapping leads out of the lattice.
 Point local(const Tile& tile, const Position& p);
+/// Whether b is so near to `a` that sampling can follow a row from the one to the other, by exact
+/// arithmetic in 32 bits.
+bool follows(const Point& a, const Point& b);
 
 /// Numbers nearer to zero than these become zero when a tile is read. So nothing
 /// that is computed from them comes near the denormal floats, which some devices keep and others

@@ -25,7 +25,7 @@ public:
     /// Lay the surface over a mesh, through `values`, the job's channels for each pixel, to sample
     /// it in the cells of `part`, the mesh's tile or one with some of its cells, no more than so
     /// many rows of cells at once. Mesh and values must stay there while it is in use. arena: for
-    /// its rows, which clear it.
+    /// its rows, see take_rows().
     void begin(const TileMesh& mesh, const Tile& part, int cells, const float* values,
                Arena& arena);
 

@@ -2,7 +2,6 @@
 #include "core/tiles/tile_writer.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "core/base/arith.h"
 #include "core/base/stream_copy.h"
@@ -17,25 +16,6 @@ constexpr size_t strip_floats = size_t(1) << 16;
 /// and that are handed to the sink where it has no place for them: 64 KiB, or as many as lie in a
 /// row of cells.
 constexpr size_t handed_floats = size_t(1) << 14;
-
-/// Rows of cells that are worked on together where positions come in any order: with more of them
-/// runs of positions are longer, and more rows of the surface are kept.
-int cells_in_band(int channels) {
-    return std::clamp(96 / channels, 8, 32);
-}
-
-/// Columns of output that are worked on at once: what is kept for each column stays small however
-/// long the rows are.
-int panel_columns(const Job& job) {
-    constexpr size_t most = size_t(1) << 14;
-    return int(std::clamp<size_t>(strip_floats / size_t(job.channels), 1, most));
-}
-
-/// Sampling follows a row from position to position, by exact arithmetic in 32 bits.
-bool follows(const Point& a, const Point& b) {
-    constexpr int32_t longest = 2 * position_one;
-    return std::abs(b.x - a.x) <= longest && std::abs(b.y - a.y) <= longest;
-}
 
 /// Rows of so many floats, at least one, that take no more than `floats`.
 int rows_of(size_t floats, size_t row) {
@@ -94,6 +74,11 @@ TileWriter::TileWriter(Sink& sink, const Mapping& mapping, const Job& job, Stage
     : m_sink(sink), m_mapping(mapping), m_job(job), m_times(times), m_arena(arena) {
     m_past_caches = output_of(mapping).area() * size_t(job.channels) >= least_past_caches;
     m_rows_in_cell = in_cell(mapping).rows;
+}
+
+int TileWriter::panel_columns(const Job& job) {
+    constexpr size_t most = size_t(1) << 14;
+    return int(std::clamp<size_t>(strip_floats / size_t(job.channels), 1, most));
 }
 
 int TileWriter::least_shared_rows(int rows, const Rect& pixels) {
@@ -186,20 +171,6 @@ void TileWriter::find_columns(const Tile& tile, const Rect& rows) {
     for (size_t i = 0; i < m_points.size(); ++i)
         m_points[i] = local(tile, m_positions[i]);
     m_columns.find(m_points.data(), int(m_points.size()), m_meshed->width);
-}
-
-/// Call f(panel) for parts of r that are no wider than a panel, from left to right, until it
-/// returns something else than `done`.
-template <class F>
-Outcome TileWriter::each_panel(const Rect& r, F&& f) const {
-    const int columns = panel_columns(m_job);
-    for (int x = r.x0; x < r.x1; x += columns) {
-        const Outcome outcome =
-            f(Rect{x, r.y0, r.x0 + std::min(x - r.x0 + columns, r.width()), r.y1});
-        if (outcome != Outcome::done)
-            return outcome;
-    }
-    return Outcome::done;
 }
 
 Outcome TileWriter::write(RowsLeft& left) {
@@ -369,81 +340,6 @@ void TileWriter::place_rows(const Rect& rows, bool panels, float* place, size_t 
     if (m_past_caches)
         finish_streams();
     m_clock.lap(m_times.sample);
-}
-
-Outcome TileWriter::write_bands(RowsLeft& left) {
-    const Tile& tile = m_meshed->tile;
-    const auto band_of = [&](const Rect& cells) {
-        Tile band = tile;
-        band.cells.y0 = cells.y0;
-        band.cells.y1 = cells.y1;
-        band.last_y = tile.last_y && cells.y1 == tile.cells.y1;
-        return band;
-    };
-    const Rect all = left.all();
-    if (all.empty())
-        return Outcome::done;
-    const int rows = cells_in_band(m_job.channels);
-    begin_surfaces(band_of(all), rows);
-    take_memory(m_meshed->output);
-    m_spans.begin(m_meshed->output);
-    for (Rect cells = left.take(rows); !cells.empty(); cells = left.take(rows))
-        if (const Outcome outcome = write_band(band_of(cells)); outcome != Outcome::done)
-            return outcome;
-    return Outcome::done;
-}
-
-Outcome TileWriter::write_band(const Tile& band) {
-    const auto y_of_cells = [&](int y) { return (y - band.pixels.y0) * int32_t(position_one); };
-    make_edges_for(y_of_cells(band.cells.y1 - 1), y_of_cells(band.cells.y0));
-    m_spans.find(band, m_job.window, m_mapping);
-    for (int y = m_spans.y0(); y < m_spans.y1(); ++y) {
-        const BandSpans::Span span = m_spans.row(y);
-        if (span.empty())
-            continue;
-        const bool rest = m_spans.holds_rest(y);
-        BandSpans::Span later{span.x1, span.x0};
-        const Outcome outcome = each_panel({span.x0, y, span.x1, y + 1}, [&](const Rect& panel) {
-            return write_runs(band, panel, rest ? &later : nullptr);
-        });
-        if (outcome != Outcome::done)
-            return outcome;
-        if (rest)
-            m_spans.leave(y, later);
-    }
-    m_clock.lap(m_times.sample);
-    return Outcome::done;
-}
-
-/// Write those of a row's pixels that are the band's. later: not null: receives those of bands
-/// below too.
-Outcome TileWriter::write_runs(const Tile& band, const Rect& row, BandSpans::Span* later) {
-    const int width = row.width();
-    m_mapping.row(row.y0, row.x0, row.x1, m_positions.data(), m_inside.data());
-    const auto serves = [&](int i) {
-        return m_inside[size_t(i)] && ddt::serves(band, m_positions[size_t(i)]);
-    };
-    for (int i = 0; i < width;) {
-        if (!serves(i)) {
-            const int x = row.x0 + i;
-            if (later && m_inside[size_t(i)] && serves_below(band, m_positions[size_t(i)]))
-                *later = {std::min(later->x0, x), std::max(later->x1, x + 1)};
-            ++i;
-            continue;
-        }
-        const int begin = i;
-        for (; i < width && serves(i); ++i) {
-            m_points[size_t(i - begin)] = local(band, m_positions[size_t(i)]);
-            if (i > begin && !follows(m_points[size_t(i - begin) - 1], m_points[size_t(i - begin)]))
-                break;
-        }
-        const int n = i - begin;
-        m_out.resize(size_t(n) * size_t(m_job.channels) + row_padding);
-        sample(n, m_out.data());
-        if (!hand_over({row.x0 + begin, row.y0, row.x0 + i, row.y1}))
-            return Outcome::sink_failed;
-    }
-    return Outcome::done;
 }
 
 } // namespace ddt

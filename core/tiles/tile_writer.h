@@ -2,6 +2,7 @@
 // The output rows of a tile that was triangulated.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/sample/evaluate.h"
@@ -31,6 +32,10 @@ public:
     /// of its own.
     static int least_shared_rows(int rows, const Rect& pixels);
 
+    /// Rows of cells that are worked on together where the output is no grid: with more of them
+    /// runs of positions are longer, and more rows of the surface are kept.
+    static int cells_in_band(int channels);
+
     /// About the bytes that this takes for a job, for lattices of width x height pixels.
     static Taken memory(const Job& job, const Mapping& mapping, int width, int height);
 
@@ -44,8 +49,22 @@ private:
     void make_edges_for_row(int y, bool panels);
     bool ascends(const Tile& tile, const Rect& row);
     void find_columns(const Tile& tile, const Rect& rows);
+    /// Columns of output that are worked on at once: what is kept for each column stays small
+    /// however long the rows are.
+    static int panel_columns(const Job& job);
+    /// Call f(panel) for parts of r that are no wider than a panel, from left to right, until it
+    /// returns something else than `done`.
     template <class F>
-    Outcome each_panel(const Rect& r, F&& f) const;
+    Outcome each_panel(const Rect& r, F&& f) const {
+        const int columns = panel_columns(m_job);
+        for (int x = r.x0; x < r.x1; x += columns) {
+            const Outcome outcome =
+                f(Rect{x, r.y0, r.x0 + std::min(x - r.x0 + columns, r.width()), r.y1});
+            if (outcome != Outcome::done)
+                return outcome;
+        }
+        return Outcome::done;
+    }
     void begin_surfaces(const Tile& part, int cells);
     Outcome write_grid(RowsLeft& left);
     Outcome write_strip(const Rect& rows, bool panels);
