@@ -13,15 +13,6 @@ namespace {
 /// of it would hold far more.
 constexpr int columns_at_once = 32;
 
-/// The tile with the columns of its cells from x0 on.
-Tile columns_of(const Tile& tile, int x0) {
-    Tile part = tile;
-    part.cells.x0 = x0;
-    part.cells.x1 = std::min(x0 + columns_at_once, tile.cells.x1);
-    part.last_x = tile.last_x && part.cells.x1 == tile.cells.x1;
-    return part;
-}
-
 } // namespace
 
 void BandSpans::begin(const Rect& all) {
@@ -35,8 +26,10 @@ void BandSpans::find(const Tile& band, const Rect& window, const Mapping& mappin
     std::fill(m_found.begin(), m_found.end(), Span{m_all.x1, m_all.x0});
     m_y0 = m_all.y1;
     m_y1 = m_all.y0;
-    for (int x = band.cells.x0; x < band.cells.x1; x += columns_at_once) {
-        const Rect r = reach_of(columns_of(band, x), window, mapping);
+    const Rect& c = band.cells;
+    for (int x = c.x0; x < c.x1; x += columns_at_once) {
+        const Rect columns{x, c.y0, std::min(x + columns_at_once, c.x1), c.y1};
+        const Rect r = reach_of(with_cells(band, columns), window, mapping);
         if (r.empty())
             continue;
         const int y0 = std::max(r.y0, m_all.y0), y1 = std::min(r.y1, m_all.y1);

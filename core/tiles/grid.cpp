@@ -28,6 +28,11 @@ void axis(int window0, int window1, int index, int& cell0, int& cell1, int& pixe
 
 } // namespace
 
+Tile with_cells(const Tile& tile, const Rect& cells) {
+    return {cells, tile.pixels, tile.last_x && cells.x1 == tile.cells.x1,
+            tile.last_y && cells.y1 == tile.cells.y1};
+}
+
 Grid::Grid(const Rect& window)
     : m_window(window), m_columns(tiles_along(window.width())),
       m_rows(tiles_along(window.height())) {}

@@ -22,6 +22,9 @@ struct Tile {
     bool last_x, last_y; ///< serves the positions on the window's last column or row too
 };
 
+/// The tile with those of its cells alone.
+Tile with_cells(const Tile& tile, const Rect& cells);
+
 class Grid {
 public:
     explicit Grid(const Rect& window);

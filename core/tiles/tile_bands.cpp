@@ -13,22 +13,12 @@ int TileWriter::cells_in_band(int channels) {
 
 Outcome TileWriter::write_bands(RowsLeft& left) {
     const Tile& tile = m_meshed->tile;
-    const auto band_of = [&](const Rect& cells) {
-        Tile band = tile;
-        band.cells.y0 = cells.y0;
-        band.cells.y1 = cells.y1;
-        band.last_y = tile.last_y && cells.y1 == tile.cells.y1;
-        return band;
-    };
-    const Rect all = left.all();
-    if (all.empty())
-        return Outcome::done;
     const int rows = cells_in_band(m_job.channels);
-    begin_surfaces(band_of(all), rows);
+    begin_surfaces(with_cells(tile, left.all()), rows);
     take_memory(m_meshed->output);
     m_spans.begin(m_meshed->output);
     for (Rect cells = left.take(rows); !cells.empty(); cells = left.take(rows))
-        if (const Outcome outcome = write_band(band_of(cells)); outcome != Outcome::done)
+        if (const Outcome outcome = write_band(with_cells(tile, cells)); outcome != Outcome::done)
             return outcome;
     return Outcome::done;
 }

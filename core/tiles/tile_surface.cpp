@@ -33,8 +33,7 @@ TileSurface::TileSurface(const Job& job) : m_job(job), m_nets(size_t(group_count
 
 Taken TileSurface::memory(const Job& job, int width, int height, int cells) {
     const EdgeRecipe recipe = recipe_of(job.surface, nullptr, nullptr, cells);
-    EdgeRecipe row_by_row = recipe;
-    row_by_row.cells = 1;
+    const EdgeRecipe row_by_row = recipe_of(job.surface, nullptr, nullptr, 1);
     const int groups = group_count(job.channels);
     Taken taken;
     for (int g = 0; g < groups; ++g) {

@@ -94,11 +94,9 @@ Tile TileWriter::part_of(const Tile& tile, const Rect& pixels) const {
     const auto cell = [](int64_t position, int begin, int end) {
         return int(std::clamp<int64_t>(position >> position_bits, begin, end - 1));
     };
-    Tile part = tile;
     const Rect& c = tile.cells;
-    part.cells = {cell(first.x, c.x0, c.x1), cell(first.y, c.y0, c.y1), //
-                  cell(last.x, c.x0, c.x1) + 1, cell(last.y, c.y0, c.y1) + 1};
-    return part;
+    return with_cells(tile, {cell(first.x, c.x0, c.x1), cell(first.y, c.y0, c.y1), //
+                             cell(last.x, c.x0, c.x1) + 1, cell(last.y, c.y0, c.y1) + 1});
 }
 
 /// Make the edges that positions at this y need; positions above `keep` are not asked for again.

@@ -126,10 +126,10 @@ enum class Outcome {
 /// 12 without corrections: a mesh of a tile takes 4 to 5 MiB of up to 4, what a thread makes it by
 /// and reads off it 1.3 to 4, and as many tiles are there at once as have room. Of more channels or
 /// larger results, fewer threads; and where positions come in any order and there are corrections,
-/// three quarters of them: there it is 1.5 to 5.5 MiB. Never throws:
-/// what source, sink, mapping or progress throw is Outcome::out_of_memory or bad_job. They may use
-/// oneTBB themselves. `error`, when not null, receives one line if the outcome is not `done`.
-/// ddt/log.h tells the device, the iterations and where the time went.
+/// three quarters of them: there it is 1.5 to 5.5 MiB. Never throws: what source, sink, mapping or
+/// progress throw is Outcome::out_of_memory or bad_job. They may use oneTBB themselves. `error`,
+/// when not null, receives one line if the outcome is not `done`. ddt/log.h tells the device, the
+/// iterations and where the time went.
 Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                 std::string* error = nullptr);
 

@@ -57,14 +57,6 @@ private:
     bool m_tight;
 };
 
-Tile band_of(const Tile& tile, int y0, int rows) {
-    Tile band = tile;
-    band.cells.y0 = y0;
-    band.cells.y1 = std::min(y0 + rows, tile.cells.y1);
-    band.last_y = tile.last_y && band.cells.y1 == tile.cells.y1;
-    return band;
-}
-
 struct Counts {
     int64_t looked_at = 0, served = 0;
 };
@@ -76,8 +68,9 @@ Counts count(const Turn& mapping, int rows) {
     BandSpans spans;
     spans.begin(mapping.out());
     Counts counts;
-    for (int y0 = tile.cells.y0; y0 < tile.cells.y1; y0 += rows) {
-        const Tile band = band_of(tile, y0, rows);
+    const Rect& c = tile.cells;
+    for (int y0 = c.y0; y0 < c.y1; y0 += rows) {
+        const Tile band = with_cells(tile, {c.x0, y0, c.x1, std::min(y0 + rows, c.y1)});
         spans.find(band, window, mapping);
         for (int y = spans.y0(); y < spans.y1(); ++y) {
             const BandSpans::Span span = spans.row(y);
