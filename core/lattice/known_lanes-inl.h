@@ -20,7 +20,7 @@ struct KnownEdges {
     static constexpr size_t room =
         most + HWY_MAX_BYTES / sizeof(int); ///< whole vectors are written
     int own[room];                          ///< SiteLanes::first_word()
-    int64_t sides[4][room];                 ///< records, as SiteLanes::copy_records() has them
+    uint64_t sides[4][room];                ///< records, as SiteLanes::copy_records() has them
 
     HWY_INLINE KnownEdges(const SiteLanes& mesh, const int* sites, size_t n) {
         const DI di;
@@ -47,7 +47,7 @@ struct KnownEdges {
         KnownLanes known(mesh);
         known.own = hn::LoadU(di, own + i);
         for (int k = 0; k < 4; ++k)
-            known.sides[k] = RecordLanes::load(sides[k] + i);
+            known.sides[k] = RecordLanes::of(load_copied(sides[k] + i));
         return known;
     }
 };

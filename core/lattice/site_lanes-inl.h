@@ -3,6 +3,8 @@
 // tags D of float and DI of int32_t, and core/guide/contour.h: a lattice's sites and vectors, one a
 // lane.
 
+#include "core/base/places-inl.h"
+
 using VI = hn::Vec<DI>;
 using Floats = Lanes<D>;
 
@@ -88,13 +90,8 @@ struct EdgeLanes {
 struct RecordLanes {
     VI first, second;
 
-    /// From as many records, side by side.
-    static HWY_INLINE RecordLanes load(const int64_t* records) {
-        const DI di;
-        const hn::Repartition<int64_t, DI> d64;
-        const auto lower = hn::BitCast(di, hn::LoadU(d64, records)),
-                   upper = hn::BitCast(di, hn::LoadU(d64, records + hn::Lanes(d64)));
-        return {hn::ConcatEven(di, upper, lower), hn::ConcatOdd(di, upper, lower)};
+    static HWY_INLINE RecordLanes of(const TwoWords& records) {
+        return {records.first(), records.second()};
     }
 
     HWY_INLINE hn::Mask<DI> rigid() const {
@@ -141,25 +138,11 @@ struct SiteLanes {
                           offsetof(Edge, word) == 4,
                       "the words' bytes");
         // Whole records, since a gather takes as long as it has lanes.
-        const hn::Repartition<int64_t, DI> d64;
-        const hn::Half<DI> half;
-        const auto* records = reinterpret_cast<const int64_t*>(m_sites);
-        const auto lower = hn::BitCast(
-            DI(), hn::GatherIndex(d64, records, hn::PromoteTo(d64, hn::LowerHalf(half, m.i))));
-        const auto upper = hn::BitCast(
-            DI(), hn::GatherIndex(d64, records, hn::PromoteTo(d64, hn::UpperHalf(half, m.i))));
-        return {hn::ConcatEven(DI(), upper, lower), hn::ConcatOdd(DI(), upper, lower)};
+        return RecordLanes::of(records_at(m_sites, m.i));
     }
-    /// The records of n sites, an even number: each by a load of its own, since a gather of
-    /// records takes half as long again on a Zen 5.
-    HWY_INLINE void copy_records(const int* sites, size_t n, int64_t* to) const {
-        const auto* records = reinterpret_cast<const int64_t*>(m_sites);
-        const hn::CappedTag<int64_t, 2> d2;
-        const hn::Half<decltype(d2)> d1;
-        for (size_t i = 0; i < n; i += 2)
-            hn::StoreU(hn::Combine(d2, hn::LoadU(d1, records + sites[i + 1]),
-                                   hn::LoadU(d1, records + sites[i])),
-                       d2, to + i);
+    /// Of n sites, whole vectors, for RecordLanes::of(load_copied()).
+    HWY_INLINE void copy_records(const int* sites, size_t n, uint64_t* to) const {
+        HWY_NAMESPACE::copy_records(m_sites, sites, n, to);
     }
     HWY_INLINE Ints offset(VecLanes v) const {
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR
@@ -208,8 +191,7 @@ private:
     /// The four bytes from `byte` on of each site.
     HWY_INLINE VI word(Ints m, int byte) const {
         static_assert(sizeof(Site) == 8, "the shift");
-        return hn::GatherOffset(DI(), reinterpret_cast<const int32_t*>(m_sites + byte),
-                                hn::ShiftLeft<3>(m.i));
+        return words_at(m_sites + byte, m.i);
     }
     static HWY_INLINE hn::Mask<D> absent(VecLanes apex) {
         return hn::RebindMask(D(), apex.zero());

@@ -349,6 +349,10 @@ template <class V>
 HWY_INLINE auto GetLane(V v) {
     return v[0];
 }
+template <class V>
+HWY_INLINE auto ExtractLane(V v, size_t i) {
+    return v[i];
+}
 template <class H, class V>
 HWY_INLINE Vec<H> LowerHalf(H, V v) {
     Vec<H> half{};
@@ -398,6 +402,13 @@ HWY_INLINE Vec<D> ConcatOdd(D, Vec<D> upper, Vec<D> lower) {
     for (size_t i = 0; i < D::lanes; ++i)
         v[i] = 2 * i < D::lanes ? lower[2 * i + 1] : upper[2 * i + 1 - D::lanes];
     return v;
+}
+/// The odd lanes of one, the even ones of the other.
+template <class V>
+HWY_INLINE V OddEven(V odd, V even) {
+    for (size_t i = 1; i < sizeof(V) / sizeof(odd[0]); i += 2)
+        even[i] = odd[i];
+    return even;
 }
 template <class D, class I>
 HWY_INLINE I IndicesFromVec(D, I index) {
