@@ -11,7 +11,6 @@ constexpr bool loads_beat_gathers = true;
 constexpr bool loads_beat_gathers = false;
 #endif
 
-/// The int32_t at from + 8 * place, a lane each.
 template <class Tag>
 HWY_INLINE hn::Vec<Tag> load_words(const char* from, Tag, hn::Vec<Tag> places) {
     if constexpr (hn::MaxLanes(Tag()) == 2) {
@@ -27,6 +26,7 @@ HWY_INLINE hn::Vec<Tag> load_words(const char* from, Tag, hn::Vec<Tag> places) {
         return hn::Combine(Tag(), load_words(from, half, hn::UpperHalf(half, places)), lower);
     }
 }
+/// The int32_t at from + 8 * place, a lane each.
 HWY_INLINE hn::Vec<DI> words_at(const char* from, hn::Vec<DI> places) {
     if constexpr (loads_beat_gathers)
         return load_words(from, DI(), places);
@@ -58,7 +58,7 @@ HWY_INLINE auto load_two(const char* from, int64_t a, int64_t b) {
     return hn::Combine(hn::CappedTag<uint64_t, 2>(), at(b), at(a));
 }
 
-/// places: two a lane.
+/// Of places that are two a lane: the records of all lower halves, and those of all upper ones.
 template <class Tag>
 HWY_INLINE void load_records(const char* from, Tag, hn::Vec<Tag> places, hn::Vec<Tag>& even,
                              hn::Vec<Tag>& odd) {
