@@ -23,6 +23,7 @@
 
 #include "light.h"
 #include "reference.h"
+#include "speed/times.h"
 #include "turn.h"
 
 namespace {
@@ -33,7 +34,7 @@ constexpr size_t stage_count = std::size(stages);
 struct Build {
     std::string path;
     turns::Take* take = nullptr;
-    std::vector<double> times[stage_count]; ///< ns an output pixel, a round each
+    speed::Times times[stage_count]; ///< ns an output pixel, a round each
 };
 
 /// False, with a line on stderr, if a module cannot be loaded.
@@ -63,21 +64,13 @@ struct Subject {
     }
 };
 
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 void print(const Build& build, const Build& first) {
     std::printf("%s\n", build.path.c_str());
     for (size_t stage = 0; stage < stage_count; ++stage) {
-        const std::vector<double>& times = build.times[stage];
-        std::vector<double> ratios;
-        for (size_t round = 0; round < times.size(); ++round)
-            ratios.push_back(times[round] / first.times[stage][round]);
-        std::printf("  %-12s %8.2f %8.2f   x %.3f\n", stages[stage], median(times),
-                    *std::min_element(times.begin(), times.end()), median(ratios));
+        const speed::Times& times = build.times[stage];
+        std::printf("  %-12s %8.2f %8.2f   x %.3f\n", stages[stage], speed::median(times),
+                    *std::min_element(times.begin(), times.end()),
+                    speed::ratio(times, first.times[stage]));
     }
 }
 
