@@ -151,11 +151,15 @@ DDT_INLINE T contour_gain(const Contours<T>& n, T wx, T wy, T ux, T uy) {
     return ((n.xx * (wx * ux)) + (n.yy * (wy * uy))) + (n.xy * ((wx * uy) + (wy * ux)));
 }
 
-/// The gain of flipping the flippable edges at m, `contour` times contour_unit of the contours'.
+/// The gain of flipping the flippable edges at m; `contour` times contour_unit of the contours', if
+/// any.
 template <class Cost, class T, class Mesh>
-DDT_INLINE T gain_with_contours(const Mesh& mesh, typename Mesh::Sites m, float contour) {
+DDT_INLINE T gain_at(const Mesh& mesh, typename Mesh::Sites m, float contour) {
     const Neighbourhood<T> n = neighbourhood<T>(mesh, m);
+    const T gain = flip_gain<Cost>(n);
+    if (contour == 0)
+        return gain;
     const T along = contour_gain(contours_at<T>(mesh, m, mesh.flippable_edge(m).v), n.wx, n.wy,
                                  n.vx - n.wx, n.vy - n.wy);
-    return flip_gain<Cost>(n) + T(contour) * along;
+    return gain + T(contour) * along;
 }

@@ -41,10 +41,7 @@ struct OneSite {
 /// The gain of flipping the flippable edge at m; `contour` as in Criterion.
 template <class CostOfFloat>
 inline float gain(const Lattice& lattice, int m, float contour = 0.0f) {
-    const OneSite mesh{lattice};
-    if (contour == 0)
-        return flip_gain<CostOfFloat>(neighbourhood<float>(mesh, m));
-    return gain_with_contours<CostOfFloat, float>(mesh, m, contour * contour_unit);
+    return gain_at<CostOfFloat, float>(OneSite{lattice}, m, contour * contour_unit);
 }
 
 } // namespace scalar

@@ -28,77 +28,78 @@ using DI = hn::RebindToSigned<D>;
 #include "core/lattice/known_lanes-inl.h"
 #include "core/triangulate/gain-inl.h"
 
-/// Gains of the flippable edges at m, one a lane; `contour` times contour_unit of the contours', if
-/// any.
-template <class Cost_>
-HWY_INLINE hn::Vec<D> gains_of(const KnownLanes& mesh, float contour, Ints m) {
-    if (contour == 0)
-        return flip_gain<Cost_>(neighbourhood<Floats>(mesh, m)).v;
-    return gain_with_contours<Cost_, Floats>(mesh, m, contour).v;
-}
+/// What is known of as many edges leaves room in the nearest cache.
+constexpr size_t at_once = 256;
 
-/// Store the gains of flippable edges in their records; call each(sites, gains, n) for every
-/// vector, of which n lanes count.
-template <class Cost_, class Each>
-HWY_INLINE void each_block(Lattice& lattice, float contour, const int* sites, size_t count,
-                           Each&& each) {
-    /// What is known of as many leaves room in the nearest cache.
-    constexpr size_t at_once = 256;
-    const D d;
-    const size_t lanes = hn::Lanes(d);
-    const SiteLanes mesh(lattice);
-    Site* const records = lattice.sites();
-    HWY_ALIGN uint32_t words[HWY_MAX_BYTES / sizeof(uint32_t)];
-    for (size_t done = 0; done < count; done += at_once) {
-        const int* const some = sites + done;
-        const size_t n = std::min(count - done, at_once);
-        const KnownEdges<at_once> known(mesh, some, n);
-        for (size_t i = 0; i < n; i += lanes) {
-            const size_t used = std::min(n - i, lanes);
-            const Ints m = load_sites(some + i, used);
-            const auto found = gains_of<Cost_>(known.mesh_at(mesh, i), contour, m);
-            // As Edge::set_gain().
-            const auto least = hn::Set(d, least_gain);
-            const auto bounded = hn::IfThenElse(hn::Lt(found, least), least, found);
-            const auto gain = hn::IfThenElse(hn::Eq(bounded, bounded), bounded, hn::Abs(bounded));
-            hn::Store(hn::BitCast(hn::RebindToUnsigned<D>(), gain), hn::RebindToUnsigned<D>(),
-                      words);
-            for (size_t k = 0; k < used; ++k)
-                records[some[i + k]].edge.word = words[k];
-            each(m, gain, used);
-        }
+/// Gains that vectors of up to at_once edges have.
+constexpr size_t gains_room = KnownEdges<at_once>::room;
+
+/// Gains of the flippable edges sites[0..n), n at most at_once, and of lanes that are left over.
+/// `contour` as for gain_at().
+template <class Cost_>
+HWY_INLINE void gains_by(const SiteLanes& mesh, const KnownEdges<at_once>& known, float contour,
+                         const int* sites, size_t n, float* gains) {
+    for (size_t i = 0; i < n; i += hn::Lanes(D())) {
+        const Ints m = load_sites(sites + i, n - i);
+        gain_at<Cost_, Floats>(known.mesh_at(mesh, i), m, contour).store(gains + i);
     }
 }
 
-/// The same of the criterion's cost.
-template <class Each>
-HWY_INLINE void each_gain(Lattice& lattice, const Criterion& criterion, const int* sites,
-                          size_t count, Each&& each) {
+/// The same of the criterion's cost, which the lattice then has. In a function of its own: most of
+/// what a compiler does here, and the same for all that follows.
+HWY_NOINLINE HWY_ATTR void gains_of_some(Lattice& lattice, const Criterion& criterion,
+                                         const int* sites, size_t n, float* gains) {
+    const SiteLanes mesh(lattice);
+    const KnownEdges<at_once> known(mesh, sites, n);
     const float contour = criterion.contour * contour_unit;
     switch (criterion.cost) {
 #define DDT_CALL(name, Class, ...)                                                                 \
     case Cost::name:                                                                               \
-        return each_block<Class<Floats>>(lattice, contour, sites, count, each);
+        gains_by<Class<Floats>>(mesh, known, contour, sites, n, gains);                            \
+        break;
         DDT_COSTS(DDT_CALL)
 #undef DDT_CALL
     }
+    const D d;
+    // As Edge::set_gain().
+    const auto least = hn::Set(d, least_gain);
+    for (size_t i = 0; i < n; i += hn::Lanes(d)) {
+        const auto found = hn::LoadU(d, gains + i);
+        const auto bounded = hn::IfThenElse(hn::Lt(found, least), least, found);
+        const auto gain = hn::IfThenElse(hn::Eq(bounded, bounded), bounded, hn::Abs(bounded));
+        hn::StoreU(gain, d, gains + i);
+    }
+    Site* const records = lattice.sites();
+    for (size_t i = 0; i < n; ++i)
+        records[sites[i]].edge.word = bits_of(gains[i]);
 }
 
 HWY_ATTR void find_gains(Lattice& lattice, const Criterion& criterion, const int* sites,
                          size_t count) {
-    each_gain(lattice, criterion, sites, count, [](Ints, hn::Vec<D>, size_t) HWY_ATTR {});
+    float gains[gains_room];
+    for (size_t done = 0; done < count; done += at_once)
+        gains_of_some(lattice, criterion, sites + done, std::min(count - done, at_once), gains);
 }
 
 HWY_ATTR size_t find_candidates(Lattice& lattice, const Criterion& criterion, float min_gain,
                                 int* sites, size_t count) {
-    const auto least = hn::Set(D(), min_gain);
+    const D d;
+    const DI di;
+    const size_t lanes = hn::Lanes(d);
+    const auto least = hn::Set(d, min_gain);
+    float gains[gains_room];
     size_t found = 0;
-    // Not behind what has been read: a vector at a time.
-    each_gain(lattice, criterion, sites, count, [&](Ints m, hn::Vec<D> g, size_t used) HWY_ATTR {
-        const DI di;
-        const auto good = hn::RebindMask(di, hn::Gt(g, least));
-        found += store_compressed(m.i, hn::And(good, hn::FirstN(di, used)), sites + found);
-    });
+    for (size_t done = 0; done < count; done += at_once) {
+        const int* const some = sites + done;
+        const size_t n = std::min(count - done, at_once);
+        gains_of_some(lattice, criterion, some, n, gains);
+        // Not behind what has been read: a vector at a time.
+        for (size_t i = 0; i < n; i += lanes) {
+            const auto good = hn::RebindMask(di, hn::Gt(hn::LoadU(d, gains + i), least));
+            const auto there = hn::FirstN(di, std::min(n - i, lanes));
+            found += store_compressed(hn::LoadU(di, some + i), hn::And(good, there), sites + found);
+        }
+    }
     return found;
 }
 

@@ -373,7 +373,7 @@ private:
     }
 
     Lattice& m_lattice;
-    float m_contour; ///< as in gain_with_contours()
+    float m_contour; ///< as in gain_at()
     float m_min_gain;
     Workspace& m_w;
     int64_t m_evaluations = 0;
