@@ -140,6 +140,11 @@ struct PlainCells {
         make<2, tame>(positions, strict, all_strict, at, made);
         make<3, tame>(positions, strict, all_strict, at, made);
     }
+    /// Of values that are not tame: rare, so out of the way.
+    HWY_NOINLINE void make_wild(const PlainPositions& positions, T strict, bool all_strict,
+                                ptrdiff_t at, MadeCells& made) const {
+        make<false>(positions, strict, all_strict, at, made);
+    }
 };
 
 /// Where results go.
@@ -198,8 +203,7 @@ HWY_INLINE void evaluate_cells(const Net& whole, const LocatedBlock& block,
                 cells.template make<true>(positions, strict.at<T>(place), all_strict, at - begin,
                                           made);
             else
-                cells.template make<false>(positions, strict.at<T>(place), all_strict, at - begin,
-                                           made);
+                cells.make_wild(positions, strict.at<T>(place), all_strict, at - begin, made);
         }
         float* to = out.first + ptrdiff_t(x) * alike.phases * out.channels;
         for (int r = 0; r < block.count; ++r, to += out.row) {

@@ -61,9 +61,9 @@ struct AnyEdges {
 };
 
 /// e, if `bend`, and q, if `soft`, of the edges in n columns; what follows these, as many as a
-/// vector has lanes, may be any of them. e, q: from column 0 on.
+/// vector has lanes, may be any of them. e, q: from column 0 on. Compiled once for all kinds.
 template <bool bend, bool soft>
-HWY_INLINE void make_listed(const SiteLanes& lattice, const AnyEdges& from, const int* columns,
+HWY_NOINLINE void make_listed(const SiteLanes& lattice, const AnyEdges& from, const int* columns,
                             int n, float* e, float* q) {
     const int lanes = int(hn::Lanes(D())), blocks = blocks_in_vector();
     EdgeList<soft> list;

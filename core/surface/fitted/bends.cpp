@@ -29,9 +29,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 #include "core/surface/fitted/any_bends-inl.h"
 #include "core/surface/fitted/plain_bends-inl.h"
 
-/// Edges of a kind at or beside the vertices in columns x0 .. x1 - 1 of row y of pixels.
+/// Edges of a kind at or beside the vertices in columns x0 .. x1 - 1 of row y of pixels. A function
+/// each: compilers take far longer over one of all.
 template <EdgeKind kind>
-HWY_INLINE void bend_kind(const FittedSource& source, int x0, int x1, int y, const AnyBends& any,
+HWY_NOINLINE void bend_kind(const FittedSource& source, int x0, int x1, int y, const AnyBends& any,
                           const PlainBends& plain, BendScratch& scratch, Net& net) {
     const Lattice& lattice = source.lattice;
     constexpr int margin = PlainBends::margin;
