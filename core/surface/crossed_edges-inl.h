@@ -64,7 +64,7 @@ struct AnyEdges {
 /// vector has lanes, may be any of them. e, q: from column 0 on. Compiled once for all kinds.
 template <bool bend, bool soft>
 HWY_NOINLINE void make_listed(const SiteLanes& lattice, const AnyEdges& from, const int* columns,
-                            int n, float* e, float* q) {
+                              int n, float* e, float* q) {
     const int lanes = int(hn::Lanes(D())), blocks = blocks_in_vector();
     EdgeList<soft> list;
     for (int done = 0; done < n; done += lanes) {

@@ -135,11 +135,11 @@ struct PlainRow {
 };
 
 /// Edges of a kind at or beside the vertices in columns x0 .. x1 - 1 of row y of pixels. From
-/// column `begin` to `end` those between plain cells are made as vectors. A function each: compilers
-/// take far longer over one of all.
+/// column `begin` to `end` those between plain cells are made as vectors. A function each:
+/// compilers take far longer over one of all.
 template <EdgeKind kind, bool bend, bool soft, bool tame>
 HWY_NOINLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, int end, int y,
-                          EdgeScratch& scratch, Net& net) {
+                            EdgeScratch& scratch, Net& net) {
     const int count = net.count();
     const int row = lattice.vertex_site(0, y), first = row + to_first<kind>(lattice);
     const float* weights = scratch.weights[in_odd_column(kind)].data();

@@ -33,7 +33,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// each: compilers take far longer over one of all.
 template <EdgeKind kind>
 HWY_NOINLINE void bend_kind(const FittedSource& source, int x0, int x1, int y, const AnyBends& any,
-                          const PlainBends& plain, BendScratch& scratch, Net& net) {
+                            const PlainBends& plain, BendScratch& scratch, Net& net) {
     const Lattice& lattice = source.lattice;
     constexpr int margin = PlainBends::margin;
     const bool inner = y >= margin && y + margin < lattice.height();

@@ -21,6 +21,7 @@
 #define HWY_ONCE 1
 #define HWY_ATTR
 #define HWY_INLINE inline __attribute__((always_inline))
+#define HWY_NOINLINE __attribute__((noinline))
 #define HWY_ALIGN alignas(16)
 #define HWY_MAX_BYTES 16
 #define HWY_EXPORT(function) static_assert(true, "")
