@@ -45,8 +45,8 @@ HWY_INLINE void gains_by(const SiteLanes& mesh, const KnownEdges<at_once>& known
     }
 }
 
-/// The same of the criterion's cost, which the lattice then has. In a function of its own: most of
-/// what a compiler does here, and the same for all that follows.
+/// The same by the criterion's cost; the lattice then has them. A function of its own for all who
+/// ask for gains: most of what a compiler does here.
 HWY_NOINLINE HWY_ATTR void gains_of_some(Lattice& lattice, const Criterion& criterion,
                                          const int* sites, size_t n, float* gains) {
     const SiteLanes mesh(lattice);
