@@ -97,7 +97,8 @@ HWY_ATTR size_t find_candidates(Lattice& lattice, const Criterion& criterion, fl
         for (size_t i = 0; i < n; i += lanes) {
             const auto good = hn::RebindMask(di, hn::Gt(hn::LoadU(d, gains + i), least));
             const auto there = hn::FirstN(di, std::min(n - i, lanes));
-            found += store_compressed(hn::LoadU(di, some + i), hn::And(good, there), sites + found);
+            const Ints m = load_sites(some + i, n - i);
+            found += store_compressed(m.i, hn::And(good, there), sites + found);
         }
     }
     return found;
