@@ -11,7 +11,7 @@
 #include <OpenImageIO/argparse.h>
 #include <OpenImageIO/strutil.h>
 #include <OpenImageIO/sysutil.h>
-#include <hwy/targets.h>
+#include <hwy/highway.h>
 
 #include "ddt/resize.h"
 #include "tables.h"
