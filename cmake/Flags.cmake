@@ -34,7 +34,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   string(APPEND CMAKE_CXX_FLAGS_SANITIZE " -Wno-maybe-uninitialized")
 endif()
 # Of the instruction sets one narrow and one wide: compiling each takes a while when every step is
-# checked, and Highway's emulation for machines without SSSE3 takes minutes.
+# checked.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   string(APPEND CMAKE_CXX_FLAGS_SANITIZE
     " -mssse3 '-DHWY_DISABLED_TARGETS=~(HWY_SSSE3|HWY_AVX2)'")

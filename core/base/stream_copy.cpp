@@ -8,12 +8,13 @@
 #define HWY_TARGET_INCLUDE "core/base/stream_copy.cpp"
 #include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+
+#include "core/base/vectors.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ddt {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
+#include "core/base/vectors-inl.h"
 
 HWY_ATTR void stream_copy(const float* from, size_t n, float* to) {
     // Lines of 64 bytes, whatever a vector is: those written in part are read.

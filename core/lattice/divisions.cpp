@@ -9,12 +9,13 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/lattice/divisions.cpp"
 #include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+
+#include "core/base/vectors.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ddt {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
+#include "core/base/vectors-inl.h"
 
 using D = hn::CappedTag<float, 16>;
 using DI = hn::RebindToSigned<D>;

@@ -13,7 +13,8 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/lattice/first_edges.cpp"
 #include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+
+#include "core/base/vectors.h"
 
 #ifndef DDT_FIRST_EDGES_ONCE
 #define DDT_FIRST_EDGES_ONCE
@@ -30,7 +31,7 @@ constexpr size_t list_padding = 16;
 HWY_BEFORE_NAMESPACE();
 namespace ddt {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
+#include "core/base/vectors-inl.h"
 
 using D = hn::CappedTag<float, list_padding>;
 using DI = hn::RebindToSigned<D>;

@@ -11,7 +11,8 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/lattice/flips.cpp"
 #include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+
+#include "core/base/vectors.h"
 
 #ifndef DDT_FLIPS_ONCE
 #define DDT_FLIPS_ONCE
@@ -31,7 +32,7 @@ struct LongFlips {
 HWY_BEFORE_NAMESPACE();
 namespace ddt {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
+#include "core/base/vectors-inl.h"
 
 constexpr size_t most_lanes = 16;
 using D = hn::CappedTag<float, most_lanes>;

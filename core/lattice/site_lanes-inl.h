@@ -15,6 +15,24 @@ struct Ints {
     friend HWY_INLINE Ints operator-(Ints a, Ints b) { return {hn::Sub(a.i, b.i)}; }
 };
 
+/// Bytes k and k + 1 of each lane as the upper ones of its two 16 bits; what is below goes.
+template <int k>
+HWY_INLINE VI upper_bytes(VI word) {
+#if HWY_TARGET == HWY_EMU128
+    // Nothing puts bytes in any order there.
+    static_assert(k == 0 || k == 2, "one shift or another");
+    const VI x = k == 0 ? hn::ShiftLeft<8>(word) : hn::ShiftRight<8>(word),
+             y = k == 0 ? hn::ShiftLeft<16>(word) : word;
+    return hn::Or(hn::And(x, hn::Set(DI(), 0xff00)), hn::AndNot(hn::Set(DI(), 0xffffff), y));
+#else
+    const hn::Repartition<uint8_t, DI> d8;
+    HWY_ALIGN static constexpr uint8_t from[16] = {k,      k,      k,      k + 1, k + 4, k + 4,
+                                                   k + 4,  k + 5,  k + 8,  k + 8, k + 8, k + 9,
+                                                   k + 12, k + 12, k + 12, k + 13};
+    return hn::BitCast(DI(), hn::TableLookupBytes(hn::BitCast(d8, word), hn::LoadDup128(d8, from)));
+#endif
+}
+
 /// Twin of Vec: x in the lower, y in the upper 16 bits of a lane, which leave room for sums, so
 /// that both are added at once.
 struct VecLanes {
@@ -40,13 +58,7 @@ struct VecLanes {
     /// Bytes k and k + 1 of each lane, which are a vector's.
     template <int k>
     static HWY_INLINE VecLanes of_bytes(VI word) {
-        // To the upper bytes of 16 bits; what is below goes.
-        const hn::Repartition<uint8_t, DI> d8;
-        HWY_ALIGN static constexpr uint8_t from[16] = {k,      k,      k,      k + 1, k + 4, k + 4,
-                                                       k + 4,  k + 5,  k + 8,  k + 8, k + 8, k + 9,
-                                                       k + 12, k + 12, k + 12, k + 13};
-        const auto up = hn::TableLookupBytes(hn::BitCast(d8, word), hn::LoadDup128(d8, from));
-        return of(hn::ShiftRight<8>(hn::BitCast(D16(), up)));
+        return of(hn::ShiftRight<8>(hn::BitCast(D16(), upper_bytes<k>(word))));
     }
 
     HWY_INLINE VI x() const { return hn::ShiftRight<16>(hn::ShiftLeft<16>(xy)); }

@@ -14,12 +14,13 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/sample/evaluate.cpp"
 #include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+
+#include "core/base/vectors.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ddt {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
+#include "core/base/vectors-inl.h"
 
 constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
