@@ -4,7 +4,7 @@
 
 /// Whether hn::Min(b, a) is b < a ? b : a, of NaN and of zeros of two signs too, and hn::Max alike:
 /// x86's instructions are.
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR
+#if HWY_ARCH_X86 && !DDT_PLAIN_VECTORS
 constexpr bool min_is_a_choice = true;
 #else
 constexpr bool min_is_a_choice = false;

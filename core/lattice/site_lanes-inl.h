@@ -18,7 +18,7 @@ struct Ints {
 /// Bytes k and k + 1 of each lane as the upper ones of its two 16 bits; what is below goes.
 template <int k>
 HWY_INLINE VI upper_bytes(VI word) {
-#if HWY_TARGET == HWY_EMU128
+#if DDT_PLAIN_VECTORS
     // Nothing puts bytes in any order there.
     static_assert(k == 0 || k == 2, "one shift or another");
     const VI x = k == 0 ? hn::ShiftLeft<8>(word) : hn::ShiftRight<8>(word),
@@ -157,7 +157,7 @@ struct SiteLanes {
         HWY_NAMESPACE::copy_records(m_sites, sites, n, to);
     }
     HWY_INLINE Ints offset(VecLanes v) const {
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR
+#if HWY_ARCH_X86 && !DDT_PLAIN_VECTORS
         // One instruction, but on x86 alone it adds products that are beside one another.
         const VI zero = hn::Zero(DI());
         VI none = zero;
