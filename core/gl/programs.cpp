@@ -101,6 +101,8 @@ void Programs::use(const std::string& file, const std::string& defines) {
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
                 .count();
     }
+    if (before_use)
+        before_use(file);
     m_gl.UseProgram(program);
     ++m_uses[file];
 }

@@ -2,6 +2,7 @@
 // Compute programs from the embedded shaders.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -52,6 +53,9 @@ public:
     /// The programs compiled, by file and macros.
     std::vector<std::string> names() const;
     double milliseconds() const { return m_milliseconds; }
+
+    /// Called with the shader's file before a program is used, for a clock.
+    std::function<void(const std::string& file)> before_use;
 
 private:
     const Functions& m_gl;

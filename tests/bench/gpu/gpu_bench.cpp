@@ -7,7 +7,7 @@
 //
 // --cases: only the first N of 1080p to 4K, 4K to 8K, 8K to 16K; --size: one case of that source
 // size instead; --filter: a filter and its options as in ddt-sharp,clipped=1 (one mesh, made on the
-// device), ddt unless given; --lists: bytes and dispatches by kernel, and the work lists' sizes by
+// device), ddt unless given; --lists: bytes, dispatches and time by kernel, and the work lists' sizes by
 // iteration; --picture: a photograph, mirrored to the size, in place of the drawn picture.
 #include <climits>
 #include <cstdio>
@@ -120,7 +120,7 @@ size_t differing_bytes(gl::Gpu& gpu, const Options& o) {
     const Grid grid(job.window);
     for (int i = 0; i < grid.count(); ++i)
         worker.work(grid.tile(i), INT_MIN);
-    const Measured m = measure(gpu, picture, job, 1, true);
+    const Measured m = measure(gpu, picture, job, 1, true, false);
     size_t differing = 0;
     const auto* a = reinterpret_cast<const char*>(sink.result.data());
     const auto* b = reinterpret_cast<const char*>(m.result.data());
@@ -137,13 +137,18 @@ size_t flipping_iterations(const Workload& work) {
 }
 
 void print_lists(const Measured& m, const std::map<std::string, double>& traffic_by_kernel) {
-    std::printf("  kernel                MB  dispatches\n");
+    std::printf("  kernel                MB  dispatches        ms    GB/s\n");
     for (const auto& [kernel, times] : m.dispatches) {
+        if (times == 0)
+            continue;
+        const auto took = m.kernels.find(kernel);
+        const double ms = took == m.kernels.end() ? 0 : took->second;
         const auto bytes = traffic_by_kernel.find(kernel);
         if (bytes != traffic_by_kernel.end())
-            std::printf("  %-16s  %6.1f  %10d\n", kernel.c_str(), bytes->second * 1e-6, times);
-        else if (times > 0)
-            std::printf("  %-16s       ?  %10d\n", kernel.c_str(), times);
+            std::printf("  %-16s  %6.1f  %10d  %8.3f  %6.0f\n", kernel.c_str(),
+                        bytes->second * 1e-6, times, ms, bytes->second * 1e-6 / ms);
+        else
+            std::printf("  %-16s       ?  %10d  %8.3f       ?\n", kernel.c_str(), times, ms);
     }
     std::printf("  %.1f MB to the device, %.1f MB from it\n", double(m.uploaded) * 1e-6,
                 double(m.downloaded) * 1e-6);
@@ -160,7 +165,7 @@ void measure_case(gl::Gpu& gpu, const Options& o, const char* name, int width, i
                   double bandwidth) {
     Picture picture = make_picture(o, width, height);
     const Job job = job_of(o, width, height);
-    const Measured m = measure(gpu, picture, job, o.runs, false);
+    const Measured m = measure(gpu, picture, job, o.runs, false, o.lists);
     const double* ms = m.milliseconds;
     const double mesh = ms[int(gl::Stage::triangulate)], surface = ms[int(gl::Stage::surface)],
                  sample = ms[int(gl::Stage::sample)];

@@ -10,6 +10,7 @@
 #include "core/gl/strip.h"
 #include "core/tiles/tile_io.h"
 #include "core/triangulate/triangulate.h"
+#include "tests/bench/gpu/kernel_clock.h"
 
 namespace ddt::bench {
 
@@ -75,6 +76,13 @@ private:
         }
     }
 
+    /// What comes until the next stage is no kernel's.
+    void end(gl::Stages& stages) {
+        if (m_gpu.programs->before_use)
+            m_gpu.programs->before_use("");
+        stages.end();
+    }
+
     void batch(gl::Stages& stages, Measured& m, bool keep) {
         std::vector<gl::TileSize> sizes;
         for (const BenchTile& t : m_tiles)
@@ -84,14 +92,14 @@ private:
         for (size_t i = 0; i < m_tiles.size(); ++i)
             m.uploaded += gl::upload(m_tiles[i], m_job, int(i), m_mesh, m_surfaces);
         gl::unpack(m_job, m_mesh, m_surfaces);
-        stages.end();
+        end(stages);
         gl::finish(m_gpu.context->gl, "upload");
         stages.begin(Stage::triangulate);
         m_mesh.triangulate(m_job.mesh);
-        stages.end();
+        end(stages);
         stages.begin(Stage::surface);
         m_surfaces.make(m_mesh, criterion(m_job.mesh));
-        stages.end();
+        end(stages);
         gl::finish(m_gpu.context->gl, "triangulation");
         count(m);
         sample(stages, m, keep);
@@ -113,10 +121,10 @@ private:
             stages.begin(Stage::sample);
             for (const gl::Strip& s : strips)
                 m_surfaces.sample(m_mesh, s.plan, m_memory);
-            stages.end();
+            end(stages);
             stages.begin(Stage::download);
             m.downloaded += m_surfaces.download(numbers, gl::Travel(), m_memory, *m_download);
-            stages.end();
+            end(stages);
             gl::finish(m_gpu.context->gl, "sampling");
             if (keep)
                 for (const gl::Strip& s : strips)
@@ -190,7 +198,8 @@ private:
 
 } // namespace
 
-Measured measure(gl::Gpu& gpu, Picture& picture, const Job& job, int runs, bool keep_result) {
+Measured measure(gl::Gpu& gpu, Picture& picture, const Job& job, int runs, bool keep_result,
+                 bool by_kernel) {
     Measured best;
     double least = 0;
     const auto work = [&] {
@@ -208,6 +217,15 @@ Measured measure(gl::Gpu& gpu, Picture& picture, const Job& job, int runs, bool 
                 least = kernels;
                 best = std::move(m);
             }
+        }
+        if (by_kernel) {
+            KernelClock clock(gpu.context->gl);
+            gpu.programs->before_use = [&](const std::string& kernel) { clock.next(kernel); };
+            gl::Stages stages(gpu.context->gl, false);
+            Measured m;
+            bench.run(stages, m, false);
+            gpu.programs->before_use = nullptr;
+            best.kernels = clock.milliseconds();
         }
     };
     gpu.thread.post(work).get();

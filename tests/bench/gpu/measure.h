@@ -17,6 +17,7 @@ namespace ddt::bench {
 struct Measured {
     double milliseconds[int(gl::Stage::count)] = {}; ///< of the fastest run, by kernels
     std::map<std::string, int> dispatches;           ///< by kernel
+    std::map<std::string, double> kernels; ///< where asked for: milliseconds, of a run of their own
     int batches = 0;
     size_t uploaded = 0, downloaded = 0; ///< bytes
     Workload work;
@@ -24,8 +25,10 @@ struct Measured {
 };
 
 /// Works on the context's thread. Of the job the window, the channels, mesh and surface count.
-/// `keep_result`: for comparison.
-Measured measure(gl::Gpu& gpu, Picture& picture, const Job& job, int runs, bool keep_result);
+/// `keep_result`: for comparison. `by_kernel`: with
+/// Measured::kernels.
+Measured measure(gl::Gpu& gpu, Picture& picture, const Job& job, int runs, bool keep_result,
+                 bool by_kernel);
 
 /// Bytes a second that the device copies, counting those read and those written.
 double copy_bandwidth(gl::Gpu& gpu);
