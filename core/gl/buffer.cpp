@@ -9,19 +9,45 @@
 
 namespace ddt::gl {
 
-Buffer::Buffer(const Functions& gl, size_t bytes) : m_gl(gl), m_bytes(std::max<size_t>(bytes, 16)) {
-    check(gl, "before glBufferData");
+namespace {
+
+/// A buffer on its way from or to the host.
+class Passing {
+public:
+    Passing(const Functions& gl, size_t bytes, const void* data, GLenum usage) : m_gl(gl) {
+        gl.GenBuffers(1, &name);
+        gl.BindBuffer(GL_COPY_READ_BUFFER, name);
+        gl.BufferData(GL_COPY_READ_BUFFER, GLsizeiptr(bytes), data, usage);
+    }
+    ~Passing() { m_gl.DeleteBuffers(1, &name); }
+    Passing(const Passing&) = delete;
+    Passing& operator=(const Passing&) = delete;
+
+    GLuint name = 0;
+
+private:
+    const Functions& m_gl;
+};
+
+} // namespace
+
+Buffer::Buffer(const Functions& gl, size_t bytes)
+    : m_gl(gl), m_bytes(std::max<size_t>(bytes, 16)), m_out_of_reach(gl.BufferStorage != nullptr) {
+    check(gl, "before a buffer is made");
     if (strikes(Fault::allocation))
         throw OutOfMemory("glBufferData: out of memory");
     gl.GenBuffers(1, &m_name);
     gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, m_name);
-    gl.BufferData(GL_SHADER_STORAGE_BUFFER, GLsizeiptr(m_bytes), nullptr, GL_DYNAMIC_COPY);
+    const auto size = GLsizeiptr(m_bytes);
+    if (m_out_of_reach)
+        gl.BufferStorage(GL_SHADER_STORAGE_BUFFER, size, nullptr, 0);
+    else
+        gl.BufferData(GL_SHADER_STORAGE_BUFFER, size, nullptr, GL_DYNAMIC_COPY);
     const GLenum error = gl.GetError();
     if (error == GL_NO_ERROR)
         return;
     gl.DeleteBuffers(1, &m_name);
-    throw OutOfMemory("glBufferData of " + std::to_string(m_bytes) +
-                      " bytes: " + error_name(error));
+    throw OutOfMemory("a buffer of " + std::to_string(m_bytes) + " bytes: " + error_name(error));
 }
 
 Buffer::~Buffer() {
@@ -37,11 +63,22 @@ void Buffer::bind_uniform(GLuint binding) const {
 }
 
 void Buffer::write(size_t offset, size_t bytes, const void* data) const {
+    if (m_out_of_reach) {
+        const Passing from(m_gl, bytes, data, GL_STREAM_DRAW);
+        return copy(m_gl, from.name, 0, m_name, offset, bytes);
+    }
     m_gl.BindBuffer(GL_COPY_WRITE_BUFFER, m_name);
     m_gl.BufferSubData(GL_COPY_WRITE_BUFFER, GLintptr(offset), GLsizeiptr(bytes), data);
 }
 
 void Buffer::read(size_t offset, size_t bytes, void* data) const {
+    m_gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    if (m_out_of_reach) {
+        const Passing to(m_gl, bytes, nullptr, GL_STREAM_READ);
+        copy(m_gl, m_name, offset, to.name, 0, bytes);
+        m_gl.GetBufferSubData(GL_COPY_WRITE_BUFFER, 0, GLsizeiptr(bytes), data);
+        return;
+    }
     m_gl.BindBuffer(GL_COPY_READ_BUFFER, m_name);
     m_gl.GetBufferSubData(GL_COPY_READ_BUFFER, GLintptr(offset), GLsizeiptr(bytes), data);
 }

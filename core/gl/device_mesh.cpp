@@ -80,7 +80,6 @@ void DeviceMesh::unpack_guides() {
 
 void DeviceMesh::read_guide(int slot, float* guide) {
     const size_t bytes = m_shape.pixels() * sizeof(float);
-    m_gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     m_guide.read(size_t(slot) * bytes, bytes, guide);
 }
 
@@ -129,7 +128,6 @@ std::vector<std::vector<IterationCounts>> DeviceMesh::read_counts() {
     if (m_iterations == 0)
         return result;
     std::vector<IterationCounts> counts(size_t(m_tiles) * size_t(m_iterations + 1));
-    m_gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     m_work.read(counts_offset, counts.size() * sizeof(IterationCounts), counts.data());
     for (size_t i = 0; i <= size_t(m_iterations); ++i)
         for (size_t t = 0; t < result.size(); ++t)
@@ -155,7 +153,6 @@ std::vector<Statistics> DeviceMesh::read_statistics() {
 
 std::vector<Reach> DeviceMesh::read_reach() {
     std::vector<Reach> reach(static_cast<size_t>(m_tiles));
-    m_gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     m_work.read(reach_offset, reach.size() * sizeof(Reach), reach.data());
     return reach;
 }

@@ -45,9 +45,9 @@ void HostBuffer::upload(size_t from, size_t bytes, const Buffer& to, size_t at) 
 }
 
 void HostBuffer::download(const Functions& gl, const Buffer& from, size_t bytes) {
-    gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     if (!m_name)
         return from.read(0, bytes, m_data);
+    gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     copy(gl, from.name(), 0, m_name, 0, bytes);
 }
 

@@ -149,7 +149,6 @@ void DeviceMesh::accept_reject(const Rules& rules) {
     m_gl.Uniform2i(9, GLint(stamps), in_parts ? 40000 : INT_MAX);
     std::vector<uint32_t> progress(size_t(progress_size) * size_t(m_tiles));
     const auto goes_on = [&] {
-        m_gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         m_stamps->read(stamps * word, progress.size() * word, progress.data());
         for (size_t t = 0; t < progress.size(); t += size_t(progress_size))
             if (progress[t] != progress_ended)

@@ -102,6 +102,21 @@ std::vector<Candidate> candidates(const Egl& egl, Wanted wanted, bool& known) {
     return all;
 }
 
+/// Of an OpenGL 4.`minor` core context; `robust`: one that says when it is lost.
+std::vector<EGLint> context_attributes(EGLint minor, bool robust) {
+    std::vector<EGLint> all = {EGL_CONTEXT_MAJOR_VERSION_KHR,
+                               4,
+                               EGL_CONTEXT_MINOR_VERSION_KHR,
+                               minor,
+                               EGL_CONTEXT_OPENGL_PROFILE_MASK_KHR,
+                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT_KHR};
+    if (robust)
+        all.insert(all.end(), {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_KHR,
+                               EGL_LOSE_CONTEXT_ON_RESET_KHR});
+    all.push_back(EGL_NONE);
+    return all;
+}
+
 /// Make a context on the candidate's display and make it current.
 std::unique_ptr<Context> try_candidate(const Egl& egl, const Candidate& candidate, Wanted wanted,
                                        std::string& why) {
@@ -128,22 +143,15 @@ std::unique_ptr<Context> try_candidate(const Egl& egl, const Candidate& candidat
     }
     if (!egl.BindAPI(EGL_OPENGL_API))
         return failed("eglBindAPI(EGL_OPENGL_API)");
-    // A context that says when it is lost, else one that does not.
-    constexpr EGLint plain[] = {EGL_CONTEXT_MAJOR_VERSION_KHR,
-                                4,
-                                EGL_CONTEXT_MINOR_VERSION_KHR,
-                                3,
-                                EGL_CONTEXT_OPENGL_PROFILE_MASK_KHR,
-                                EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT_KHR,
-                                EGL_NONE};
-    std::vector<EGLint> robust(std::begin(plain), std::end(plain) - 1);
-    robust.insert(robust.end(), {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_KHR,
-                                 EGL_LOSE_CONTEXT_ON_RESET_KHR, EGL_NONE});
     EGLContext handle = EGL_NO_CONTEXT;
     const bool refused = strikes(Fault::context);
-    for (const EGLint* attributes : std::initializer_list<const EGLint*>{robust.data(), plain})
-        if (handle == EGL_NO_CONTEXT && !refused)
-            handle = egl.CreateContext(display, EGLConfig(nullptr), EGL_NO_CONTEXT, attributes);
+    // 4.4 has host memory that stays mapped; some drivers give what is asked for and no more. Of
+    // each a context that says when it is lost, else one that does not.
+    for (const EGLint of_four : {4, 3})
+        for (const bool robust : {true, false})
+            if (handle == EGL_NO_CONTEXT && !refused)
+                handle = egl.CreateContext(display, EGLConfig(nullptr), EGL_NO_CONTEXT,
+                                           context_attributes(of_four, robust).data());
     if (handle == EGL_NO_CONTEXT)
         return failed("eglCreateContext(OpenGL 4.3 core)");
     auto context = std::make_unique<Context>();

@@ -3,22 +3,27 @@
 // to a bare machine with a driver (see CMakeLists.txt beside it).
 //
 //   gpu_bench [--device egl|osmesa] [--cases N] [--runs N] [--size WxH]
-//             [--filter FILTER] [--lists] [--picture FILE.ppm]
+//             [--filter FILTER] [--lists] [--jobs] [--picture FILE.ppm]
 //
 // --cases: only the first N of 1080p to 4K, 4K to 8K, 8K to 16K; --size: one case of that source
 // size instead; --filter: a filter and its options as in ddt-sharp,clipped=1 (one mesh, made on the
 // device), ddt unless given; --lists: bytes, dispatches and time by kernel, and the work lists' sizes by
-// iteration; --picture: a photograph, mirrored to the size, in place of the drawn picture.
+// iteration; --jobs: whole jobs from memory to memory, on the device and on 1, 2, 4 ... threads;
+// --picture: a photograph, mirrored to the size, in place of the drawn picture.
+#include <algorithm>
 #include <climits>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 #include "core/base/arith.h"
 #include "core/tiles/tile_worker.h"
+#include "ddt/names.h"
 #include "ddt/option_table.h"
+#include "tests/bench/gpu/jobs.h"
 #include "tests/bench/gpu/measure.h"
 
 namespace ddt::bench {
@@ -27,7 +32,7 @@ namespace {
 struct Options {
     Device device = Device::egl;
     int cases = 3, runs = 10, width = 0, height = 0;
-    bool lists = false;
+    bool lists = false, jobs = false;
     std::string filter = "ddt", picture;
     FilterOptions parsed; ///< filter
 };
@@ -36,8 +41,8 @@ bool parse(int argc, char** argv, Options& o) {
     for (int i = 1; i < argc; ++i) {
         const std::string name = argv[i];
         const char* value = i + 1 < argc ? argv[i + 1] : "";
-        if (name == "--lists") {
-            o.lists = true;
+        if (name == "--lists" || name == "--jobs") {
+            (name == "--lists" ? o.lists : o.jobs) = true;
             continue;
         }
         ++i;
@@ -161,6 +166,29 @@ void print_lists(const Measured& m, const std::map<std::string, double>& traffic
     }
 }
 
+/// The first job, which may begin with what is not there yet, and the quickest and the median of the
+/// others.
+void print_job(const char* name, int threads, Picture& picture, const Job& job, int runs) {
+    std::vector<double> times = time_jobs(picture, job, runs + 1);
+    const double first = times[0];
+    times.erase(times.begin());
+    std::sort(times.begin(), times.end());
+    std::printf("  %-8s %7d %9.1f %9.1f %9.1f\n", name, threads, first, times[0],
+                times[times.size() / 2]);
+    std::fflush(stdout);
+}
+
+void print_jobs(const Options& o, Picture& picture, Job job) {
+    std::printf("  a job's  threads  first ms  least ms    median\n");
+    const int cores = int(std::thread::hardware_concurrency());
+    job.device = o.device;
+    job.threads = cores;
+    print_job(device_name(o.device), cores, picture, job, o.runs);
+    job.device = Device::cpu;
+    for (job.threads = 1; job.threads <= cores; job.threads *= 2)
+        print_job("cpu", job.threads, picture, job, o.runs);
+}
+
 void measure_case(gl::Gpu& gpu, const Options& o, const char* name, int width, int height,
                   double bandwidth) {
     Picture picture = make_picture(o, width, height);
@@ -184,6 +212,8 @@ void measure_case(gl::Gpu& gpu, const Options& o, const char* name, int width, i
     std::fflush(stdout);
     if (o.lists)
         print_lists(m, traffic_by_kernel);
+    if (o.jobs)
+        print_jobs(o, picture, job);
 }
 
 int run(const Options& o) {
@@ -224,7 +254,7 @@ int main(int argc, char** argv) {
     if (!ddt::bench::parse(argc, argv, options)) {
         std::fprintf(stderr, "usage: gpu_bench [--device egl|osmesa] [--cases N] [--runs N] "
                              "[--size WxH] [--filter FILTER[,OPTION=VALUE...]] [--lists] "
-                             "[--picture FILE.ppm]\n");
+                             "[--jobs] [--picture FILE.ppm]\n");
         return 1;
     }
     // Failures on the device arrive as exceptions.
