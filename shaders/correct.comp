@@ -9,7 +9,6 @@
 #include "fitted.glsl"
 #include "fitted_index.glsl"
 #include "fitted_vertex.glsl"
-#include "fitted_bend.glsl"
 #endif
 
 layout(local_size_x = SURFACE_GROUP_X, local_size_y = SURFACE_GROUP_Y) in; // z: a tile
@@ -17,10 +16,10 @@ layout(local_size_x = SURFACE_GROUP_X, local_size_y = SURFACE_GROUP_Y) in; // z:
 layout(std430, binding = 4) readonly buffer Source { uvec4 source[]; };
 layout(std430, binding = 5) writeonly buffer Corrected { uvec4 corrected_value[]; };
 
-// FITTED: vertices go where their features' weights say, and within an edge less edges are bent so
-// (C++ twins: core/surface/fitted/fitted.cpp).
+// FITTED: vertices go where their features' weights say (C++ twin: move_fitted() in
+// core/surface/fitted/fitted.cpp).
 #ifdef FITTED
-layout(std430, binding = 6) buffer Bends { vec4 bends[]; }; // a site; at vertices their indices
+layout(std430, binding = 6) readonly buffer Bends { vec4 bends[]; }; // a site; at vertices indices
 #endif
 
 layout(location = 2) uniform vec4 limit;
@@ -109,20 +108,49 @@ vec4 mean_by_position(int tile, ivec2 cell, ivec2 v) {
     return quarter;
 }
 
-vec4 mean_of(int tile, ivec2 cell, ivec2 v) {
+// Quadrants of the group's vertices in cells that other edges cross. They take many times as long as
+// others and are few: the group shares them, or most of it would wait for some at every vertex.
+const int group_vertices = SURFACE_GROUP_X * SURFACE_GROUP_Y;
+shared uint crossed_count;
+shared uint crossed[4 * group_vertices];      // 4 times the vertex' invocation, and its quadrant
+shared vec4 crossed_mean[4 * group_vertices]; // in that place
+
+// The cell of a vertex' quadrant, in the order of rows.
+ivec2 cell_of(ivec2 p, int quadrant) {
+    return p - 1 + ivec2(quadrant & 1, quadrant >> 1);
+}
+
+void list_crossed(ivec2 p) {
+    for (int i = 0; i < 4; ++i)
+        if (division(first_site, cell_of(p, i)) == division_other)
+            crossed[atomicAdd(crossed_count, 1)] = 4 * gl_LocalInvocationIndex + uint(i);
+}
+
+void share_crossed(int tile) {
+    ivec2 corner = ivec2(gl_WorkGroupID.xy) * ivec2(SURFACE_GROUP_X, SURFACE_GROUP_Y);
+    for (uint i = gl_LocalInvocationIndex; i < crossed_count; i += group_vertices) {
+        int which = int(crossed[i]), vertex = which >> 2;
+        ivec2 p = corner + ivec2(vertex % SURFACE_GROUP_X, vertex / SURFACE_GROUP_X);
+        crossed_mean[which] = mean_by_position(tile, cell_of(p, which & 3), p);
+    }
+}
+
+// After share_crossed().
+vec4 mean_of(ivec2 v, int quadrant) {
+    ivec2 cell = cell_of(v, quadrant);
     int how = division(first_site, cell);
     if (how == division_other)
-        return mean_by_position(tile, cell, v);
+        return crossed_mean[4 * int(gl_LocalInvocationIndex) + quadrant];
     bool v_to_d = (how == division_down) == ((v.x == cell.x) == (v.y == cell.y));
     QuadrantCell c = quadrant_cell(cell, v, v_to_d);
     return v_to_d ? through(c) : across(c);
 }
 
 // The sum of the quadrants' means of a vertex that is not on the rim, and the range of its pixels.
-void measure(int tile, ivec2 p, out vec4 sum_, out vec4 low, out vec4 high) {
+void measure(ivec2 p, out vec4 sum_, out vec4 low, out vec4 high) {
     precise vec4 sum = vec4(0.0);
     for (int i = 0; i < 4; ++i)
-        sum = sum + mean_of(tile, p - 1 + ivec2(i & 1, i >> 1), p);
+        sum = sum + mean_of(p, i);
     sum_ = sum;
     low = source_at(p);
     high = low;
@@ -133,46 +161,39 @@ void measure(int tile, ivec2 p, out vec4 sum_, out vec4 low, out vec4 high) {
     }
 }
 
-#ifdef FITTED
-// Bend the edges to the right of the pixel p, below it and in its cell: sites 1, 2 and 3 of its four.
-void bend_edges(ivec2 p, ivec2 size) {
-    for (int k = p.x + 1 < size.x ? 1 : 2; k < 4; ++k) {
-        ivec2 m = 2 * p + ivec2(k & 1, k >> 1);
-        if (m.x > 2 * size.x - 2 || m.y > 2 * size.y - 2)
-            continue;
-        int s = first_site + offset(m);
-        Edge e = edge_at(s);
-        precise vec4 both = bends[s - offset(e.v)] + bends[s + offset(e.v)];
-        precise vec4 index = both * 0.5;
-        bends[s] = fitted_bend(e, m, gain[s], index, size);
-    }
-}
-#endif
-
 void main() {
     int tile = int(gl_GlobalInvocationID.z);
     ivec2 p = ivec2(gl_GlobalInvocationID.xy), size = extent[tile].xy;
-    if (p.x >= size.x || p.y >= size.y || !is_needed(tile, p))
-        return;
     first_site = tile * slot_sites;
     first_pixel = tile * slot_pixels;
+    bool needed = p.x < size.x && p.y < size.y && is_needed(tile, p);
+    bool within = needed && p.x > 0 && p.y > 0 && p.x + 1 < size.x && p.y + 1 < size.y;
+    if (gl_LocalInvocationIndex == 0)
+        crossed_count = 0;
+#ifdef FITTED
+    read_near(size);
+#endif
+    barrier();
+    if (within)
+        list_crossed(p);
+    barrier();
+    share_crossed(tile);
+    barrier();
+    if (!needed)
+        return;
     vec4 z = value_at(p);
-    if (p.x > 0 && p.y > 0 && p.x + 1 < size.x && p.y + 1 < size.y) {
+    if (within) {
         precise vec4 sum;
         vec4 low, high;
-        measure(tile, p, sum, low, high);
+        measure(p, sum, low, high);
 #ifdef FITTED
         precise vec4 move = vec4(0.0) - sum * 0.25;
-        z = fitted_vertex(surroundings(p, size), bends[first_site + offset(2 * p)], move, limit,
-                          lowest, low, high);
+        z = fitted_vertex(surroundings(), bends[first_site + offset(2 * p)], move, limit, lowest,
+                          low, high);
 #else
         widen(limit, lowest, low, high);
         z = corrected(z, source_at(p), sum, low, high);
 #endif
     }
-#ifdef FITTED
-    if (is_within(tile, p, margin - 1))
-        bend_edges(p, size);
-#endif
     corrected_value[pixel_of(p)] = floatBitsToUint(z);
 }

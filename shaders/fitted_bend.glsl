@@ -2,31 +2,51 @@
 // The bend of a fitted edge. C++ twin: core/surface/fitted/features-inl.h, whose sums are in
 // the same order. After fitted.glsl.
 
+// The mean of the pixels `along` times the edge's vector v away from m, both ways, and `far` times
+// either apex (l, r) off it, in doubled coordinates.
+vec4 mean_of_taps(ivec2 m, ivec2 v, ivec2 l, ivec2 r, int along, int far, ivec2 size) {
+    ivec2 first = m + far * l, second = along == 0 ? m + far * r : first;
+    precise vec4 sum =
+        tap((first - along * v) / 2, size) + tap((second + along * v) / 2, size);
+    if (along == 0 || far == 0) {
+        precise vec4 half_ = sum * 0.5;
+        return half_;
+    }
+    second = m + far * r;
+    precise vec4 others = tap((second - along * v) / 2, size) + tap((second + along * v) / 2, size);
+    precise vec4 quarter = (sum + others) * 0.25;
+    return quarter;
+}
+
 // The bend of the edge e with midpoint m (in doubled coordinates) and gain g. index: the mean of
 // its ends'.
 vec4 fitted_bend(Edge e, ivec2 m, float g, vec4 index, ivec2 size) {
     const vec4 zero = vec4(0.0);
     ivec2 l = is_zero(e.left) ? -e.right : e.left, r = is_zero(e.right) ? -e.left : e.right;
-    // Row by row: through the midpoint, and one, two and three times as far as either apex.
-    vec4 t[30];
-    int n = 0;
-    for (int row = 0; row < 7; ++row) {
-        ivec2 d = (row + 1) / 2 * ((row & 1) != 0 ? l : r);
-        int far = 5 - (row + 1) / 2;
-        for (int k = -far; k <= far; k += 2)
-            t[n++] = tap((m + d + k * e.v) / 2, size);
-    }
-    vec4 za = t[2], zb = t[3], zc = t[8], zd = t[13];
+    vec4 za = value_at((m - e.v) / 2), zb = value_at((m + e.v) / 2);
+    vec4 zc = tap((m + l) / 2, size), zd = tap((m + r) / 2, size);
     precise vec4 middle = (za + zb) * 0.5;
-    precise vec4 o0 = (t[1] + t[4]) * 0.5 - middle;
-    precise vec4 o1 = (t[0] + t[5]) * 0.5 - middle;
     precise vec4 o2 = (zc + zd) * 0.5 - middle;
-    precise vec4 o3 = ((t[7] + t[9]) + (t[12] + t[14])) * 0.25 - middle;
-    precise vec4 o4 = ((t[6] + t[10]) + (t[11] + t[15])) * 0.25 - middle;
-    precise vec4 o5 = ((t[17] + t[18]) + (t[21] + t[22])) * 0.25 - middle;
-    precise vec4 o6 = ((t[16] + t[19]) + (t[20] + t[23])) * 0.25 - middle;
-    precise vec4 o7 = (t[25] + t[28]) * 0.5 - middle;
-    precise vec4 o8 = ((t[24] + t[26]) + (t[27] + t[29])) * 0.25 - middle;
+    // The means through the midpoint, and one, two and three times as far as either apex, the last
+    // put last in the row (see Side in lattice.glsl; an array would be in memory).
+    vec4 o0, o1, o3, o4, o5, o6, o7, o8;
+    int along = 3, far = 0; // 3 0, 5 0, 2 1, 4 1, 1 2, 3 2, 0 3, 2 3
+    do {
+        o0 = o1;
+        o1 = o3;
+        o3 = o4;
+        o4 = o5;
+        o5 = o6;
+        o6 = o7;
+        o7 = o8;
+        precise vec4 mean = mean_of_taps(m, e.v, l, r, along, far, size) - middle;
+        o8 = mean;
+        along += 2;
+        if (along + far > 5) {
+            ++far;
+            along = far == 1 ? 2 : far == 2 ? 1 : 0;
+        }
+    } while (far < 4);
     precise vec4 null0 = (o3 - o2) - 0.5 * o0;
     precise vec4 null1 = (o4 - o2) - 0.5 * (o0 + o1);
     precise vec4 null2 = (o5 - o6) - 0.5 * (o0 - o1);

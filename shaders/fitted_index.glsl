@@ -2,20 +2,37 @@
 // What a vertex' pixels are like. C++ twin: core/surface/fitted/features-inl.h, whose sums are in
 // the same order. After fitted.glsl.
 
-// The 5x5 pixels about a vertex, row by row, their range, and 1 / (25 times that).
+// The pixels of a group and two about them. (An array of its own for each invocation would be in
+// memory on GPUs: registers have no indices.)
+const int near_width = SURFACE_GROUP_X + 4, near_height = SURFACE_GROUP_Y + 4;
+shared vec4 near_pixel[near_width * near_height];
+
+// By all of a group, before a barrier.
+void read_near(ivec2 size) {
+    ivec2 corner = ivec2(gl_WorkGroupID.xy) * ivec2(SURFACE_GROUP_X, SURFACE_GROUP_Y) - 2;
+    for (int i = int(gl_LocalInvocationIndex); i < near_width * near_height;
+         i += SURFACE_GROUP_X * SURFACE_GROUP_Y)
+        near_pixel[i] = tap(corner + ivec2(i % near_width, i / near_width), size);
+}
+
+// The 5x5 pixels about the vertex of this invocation, row by row.
+vec4 near(int i) {
+    return near_pixel[(int(gl_LocalInvocationID.y) + i / 5) * near_width +
+                      int(gl_LocalInvocationID.x) + i % 5];
+}
+
+// Their range, and 1 / (25 times that).
 struct Surroundings {
-    vec4 w[25], least, most, reciprocal;
+    vec4 least, most, reciprocal;
 };
 
-Surroundings surroundings(ivec2 p, ivec2 size) {
+Surroundings surroundings() {
     Surroundings s;
-    for (int i = 0; i < 25; ++i)
-        s.w[i] = tap(p + ivec2(i % 5, i / 5) - 2, size);
-    s.least = s.w[12];
-    s.most = s.w[12];
+    s.least = near(12);
+    s.most = s.least;
     for (int i = 0; i < 25; ++i) {
-        s.least = lower(s.least, s.w[i]);
-        s.most = upper(s.most, s.w[i]);
+        s.least = lower(s.least, near(i));
+        s.most = upper(s.most, near(i));
     }
     precise vec4 spread = (s.most - s.least) * 25.0 + index_epsilon;
     precise vec4 r = rsqrt(3, spread);
@@ -26,16 +43,16 @@ Surroundings surroundings(ivec2 p, ivec2 size) {
 
 // What the weights at a vertex and along its edges depend on.
 vec4 index_of(Surroundings s) {
-    precise vec4 near = vec4(0.0);
+    precise vec4 sum = vec4(0.0);
     for (int y = 0; y < 25; y += 5) {
         precise vec4 row = vec4(0.0);
         for (int i = y; i < y + 5; ++i) {
-            precise vec4 above = s.w[i] - s.least;
-            precise vec4 below = s.most - s.w[i];
+            precise vec4 above = near(i) - s.least;
+            precise vec4 below = s.most - near(i);
             row = row + lower(above, below);
         }
-        near = near + row;
+        sum = sum + row;
     }
-    precise vec4 index = near * s.reciprocal;
+    precise vec4 index = sum * s.reciprocal;
     return index;
 }

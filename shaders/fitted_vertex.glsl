@@ -12,13 +12,13 @@ vec4 at_bound(vec4 distance) {
 vec4 fitted_vertex(Surroundings s, vec4 index, vec4 step_, vec4 limit, float lowest, vec4 low,
                    vec4 high) {
     const vec4 zero = vec4(0.0);
-    vec4 z = s.w[12];
-    precise vec4 sum0 = (s.w[11] + s.w[13]) + (s.w[7] + s.w[17]);
-    precise vec4 sum1 = (s.w[6] + s.w[18]) + (s.w[8] + s.w[16]);
-    precise vec4 sum2 = (s.w[10] + s.w[14]) + (s.w[2] + s.w[22]);
+    vec4 z = near(12);
+    precise vec4 sum0 = (near(11) + near(13)) + (near(7) + near(17));
+    precise vec4 sum1 = (near(6) + near(18)) + (near(8) + near(16));
+    precise vec4 sum2 = (near(10) + near(14)) + (near(2) + near(22));
     precise vec4 sum3 =
-        ((s.w[5] + s.w[19]) + (s.w[9] + s.w[15])) + ((s.w[1] + s.w[23]) + (s.w[3] + s.w[21]));
-    precise vec4 sum4 = (s.w[0] + s.w[24]) + (s.w[4] + s.w[20]);
+        ((near(5) + near(19)) + (near(9) + near(15))) + ((near(1) + near(23)) + (near(3) + near(21)));
+    precise vec4 sum4 = (near(0) + near(24)) + (near(4) + near(20));
     precise vec4 f0 = sum0 * 0.25 - z;
     precise vec4 f1 = sum1 * 0.25 - z;
     precise vec4 f2 = sum2 * 0.25 - z;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gradients at the vertices, one invocation a pixel. C++ twin: make_gradients in
-// core/surface/net.cpp. FITTED: their indices too, which correct.comp wants within an edge less.
+// core/surface/net.cpp. FITTED: their indices too, which are wanted within an edge less.
 #include "lattice.glsl"
 #include "served.glsl"
 #include "surface.glsl"
@@ -58,6 +58,11 @@ ivec2 first_edge(int s, ivec2 any_edge) {
 void main() {
     int tile = int(gl_GlobalInvocationID.z);
     int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
+#ifdef FITTED
+    first_pixel = tile * slot_pixels;
+    read_near(extent[tile].xy);
+    barrier();
+#endif
     if (x >= extent[tile].x || y >= extent[tile].y || !is_needed(tile, ivec2(x, y)))
         return;
     int s = tile * slot_sites + 2 * y * stride + 2 * x;
@@ -96,8 +101,7 @@ void main() {
     gradient[2 * pixel] = gx;
     gradient[2 * pixel + 1] = gy;
 #ifdef FITTED
-    first_pixel = tile * slot_pixels;
     if (is_within(tile, ivec2(x, y), margin - 1))
-        index_at[s] = index_of(surroundings(ivec2(x, y), extent[tile].xy));
+        index_at[s] = index_of(surroundings());
 #endif
 }

@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// The control net over the meshes, its edges made where they are read: a few numbers a lane from
-// vertices that are in the cache cost less than arrays of 48 bytes a pixel through memory. C++ twin:
-// core/surface/net.h. QUADRATIC, SOFT: edges bend, are soft.
+// The control net over the meshes. Its edges are made where they are read, or STORED_EDGES: were
+// made by net_edges.comp. C++ twin: core/surface/net.h. QUADRATIC, SOFT: edges bend, are soft.
 #include "lattice.glsl"
 #include "surface.glsl"
 
 layout(std430, binding = 1) readonly buffer Values { uvec4 value[]; };      // a pixel
-#ifdef STORED_BENDS
+#if defined(STORED_EDGES)
+layout(std430, binding = 2) readonly buffer Edges { vec4 stored_edge[]; }; // edge_numbers a site
+#elif defined(STORED_BENDS)
 layout(std430, binding = 2) readonly buffer Bends { vec4 stored_bend[]; }; // a site: fitted ones
 #else
 layout(std430, binding = 2) readonly buffer Gradients { vec4 gradient[]; }; // two a pixel: x, y
 #endif
+#ifndef STORED_EDGES
 layout(std430, binding = 3) readonly buffer Gains { float gain[]; };        // a site
+#endif
+
+#if defined(QUADRATIC) && defined(SOFT)
+const int edge_numbers = 2; // of an edge: its bend, its softness
+#else
+const int edge_numbers = 1;
+#endif
 
 layout(location = 0) uniform float reciprocal_tau;
 layout(location = 1) uniform vec4 strict;
@@ -27,7 +36,9 @@ vec4 value_at(ivec2 p) {
 
 // e of the edge between i and j; seen from either end the same, but for the sign of zero.
 vec4 bend(ivec2 i, ivec2 j) {
-#ifdef STORED_BENDS
+#if defined(STORED_EDGES)
+    return stored_edge[edge_numbers * (first_site + offset(i + j))];
+#elif defined(STORED_BENDS)
     return stored_bend[first_site + offset(i + j)];
 #else
     int at_i = 2 * pixel_of(i), at_j = 2 * pixel_of(j);
@@ -40,12 +51,16 @@ vec4 bend(ivec2 i, ivec2 j) {
 vec4 softness(ivec2 i, ivec2 j) {
     ivec2 m = i + j;
     int s = first_site + offset(m);
+#ifdef STORED_EDGES
+    return stored_edge[edge_numbers * s + edge_numbers - 1];
+#else
     Edge e = edge_at(s);
     float w = flippable(e) ? soft_weight(gain[s], reciprocal_tau) : 0.0;
     if (w == 0.0)
         return vec4(0.0);
     return edge_softness(w, value_at(i), value_at(j), value_at((m + e.left) / 2),
                          value_at((m - e.left) / 2));
+#endif
 }
 
 Patch patch_of(ivec2 p0, ivec2 p1, ivec2 p2) {

@@ -28,6 +28,11 @@ int corrected_buffers(const SurfaceOptions& options) {
 size_t bend_bytes(const SlotShape& shape, const SurfaceOptions& options) {
     return is_fitted(options) ? shape.sites() * group_size * sizeof(float) : 0;
 }
+// A site has group_size floats for its edge's bend, and as many for its softness.
+size_t edge_bytes(const SlotShape& shape, const SurfaceOptions& options) {
+    const auto numbers = size_t(options.kind != Surface::linear) + size_t(options.soft > 0);
+    return options.consistency > 0 ? numbers * shape.sites() * group_size * sizeof(float) : 0;
+}
 
 /// Groups of invocations that go over n things.
 GLuint groups(int n, int size) {
@@ -55,6 +60,8 @@ Surfaces::Surfaces(Gpu& gpu, const SlotShape& shape, int tiles,
             g.bends = std::make_unique<Buffer>(m_gl, bend_bytes(shape, options) * n);
         m_groups.push_back(std::move(g));
     }
+    if (const size_t bytes = edge_bytes(shape, options); bytes > 0)
+        m_edges = std::make_unique<Buffer>(m_gl, bytes * n);
     if (is_fitted(options)) {
         m_table = std::make_unique<Buffer>(m_gl, sizeof(FittedTable));
         m_table->write(0, sizeof(FittedTable), &fitted_table());
@@ -62,13 +69,14 @@ Surfaces::Surfaces(Gpu& gpu, const SlotShape& shape, int tiles,
 }
 
 size_t Surfaces::bytes(const SlotShape& shape, size_t groups, const SurfaceOptions& options) {
-    return groups * (value_bytes(shape) * size_t(1 + corrected_buffers(options)) +
+    return edge_bytes(shape, options) +
+           groups * (value_bytes(shape) * size_t(1 + corrected_buffers(options)) +
                      gradient_bytes(shape, options) + bend_bytes(shape, options));
 }
 
 size_t Surfaces::largest_bytes(const SlotShape& shape, const SurfaceOptions& options) {
-    return std::max(
-        {value_bytes(shape), gradient_bytes(shape, options), bend_bytes(shape, options)});
+    return std::max({value_bytes(shape), gradient_bytes(shape, options),
+                     bend_bytes(shape, options), edge_bytes(shape, options)});
 }
 
 size_t Surfaces::tile_bytes() const {
@@ -140,6 +148,7 @@ void Surfaces::make(DeviceMesh& mesh, const Criterion& by) {
             // each later round reads as far again round those.
             const int later = m_options.consistency - 1 - round;
             find_gradients(mesh, group, 3 + 2 * later);
+            find_edges(mesh, group, 3 + 2 * later);
             correct(mesh, group, round, 2 + 2 * later);
         }
         find_gradients(mesh, group, 1);
@@ -179,15 +188,39 @@ void Surfaces::fit(DeviceMesh& mesh, Group& group) {
     m_table->bind_uniform(1);
     group.bends->bind(5);
     find_gradients(mesh, group, 3, "FITTED");
+    find_edges(mesh, group, 3);
     group.bends->bind(6);
+    bend_edges(mesh, group, 1);
     correct(mesh, group, 0, 2, " FITTED");
+}
+
+void Surfaces::dispatch_over_sites(DeviceMesh& mesh) const {
+    mesh.dispatch_over(2 * m_shape.width - 1, 2 * m_shape.height - 1, gains_group_x, gains_group_y);
+    m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void Surfaces::find_edges(DeviceMesh& mesh, const Group& group, int margin) {
+    if (!has_edges())
+        return;
+    m_gpu.programs->use("net_edges.comp", defines());
+    bind_net(mesh, group, *group.gradients);
+    m_edges->bind(4);
+    m_gl.Uniform1i(9, margin);
+    dispatch_over_sites(mesh);
+}
+
+void Surfaces::bend_edges(DeviceMesh& mesh, const Group& group, int margin) {
+    m_gpu.programs->use("fitted_bends.comp", defines() + " STORED_EDGES");
+    bind_net(mesh, group, *m_edges);
+    m_gl.Uniform1i(9, margin);
+    dispatch_over_sites(mesh);
 }
 
 void Surfaces::correct(DeviceMesh& mesh, Group& group, int round, int margin,
                        const std::string& more) {
     const Buffer* to = group.corrected[round & 1].get();
-    m_gpu.programs->use("correct.comp", defines() + more);
-    bind_net(mesh, group, *group.gradients);
+    m_gpu.programs->use("correct.comp", defines() + " STORED_EDGES" + more);
+    bind_net(mesh, group, has_edges() ? *m_edges : *group.gradients);
     group.source->bind(4);
     to->bind(5);
     const auto limit = [&](int i) { return lane(~group.kinds.strict, i) * m_options.limit; };

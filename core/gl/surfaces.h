@@ -99,6 +99,11 @@ private:
     void correct(DeviceMesh& mesh, Group& group, int round, int margin,
                  const std::string& more = "");
     void fit(DeviceMesh& mesh, Group& group);
+    bool has_edges() const { return m_edges != nullptr; }
+    void find_edges(DeviceMesh& mesh, const Group& group, int margin);
+    void bend_edges(DeviceMesh& mesh, const Group& group, int margin);
+    /// One invocation a site of every tile.
+    void dispatch_over_sites(DeviceMesh& mesh) const;
     void pack(size_t count, const Travel& travel, SampleMemory& memory);
     void bind_channels(int group) const;
     size_t tile_bytes() const; ///< of its numbers
@@ -117,6 +122,7 @@ private:
     std::unique_ptr<Buffer> m_numbers, m_codes; ///< as they travel; what codes stand for
     std::unique_ptr<Buffer> m_code_table;       ///< CodeTable::entries
     std::unique_ptr<Buffer> m_table;            ///< FittedTable, if the surface is fitted
+    std::unique_ptr<Buffer> m_edges;            ///< of the group that is corrected, if they are more
 };
 
 } // namespace ddt::gl

@@ -44,7 +44,11 @@ std::vector<Variant> variants() {
     all.push_back({"gradients.comp", "FITTED"});
     for (const char* net :
          {"", "QUADRATIC", "SOFT", "QUADRATIC SOFT", "QUADRATIC FITTED", "QUADRATIC SOFT FITTED"})
-        all.push_back({"correct.comp", net});
+        all.push_back({"correct.comp", std::string("STORED_EDGES ") + net});
+    for (const char* net : {"QUADRATIC", "SOFT", "QUADRATIC SOFT"})
+        all.push_back({"net_edges.comp", net});
+    for (const char* net : {"QUADRATIC", "QUADRATIC SOFT"})
+        all.push_back({"fitted_bends.comp", std::string("STORED_EDGES ") + net});
     for (const char* net : {"", "QUADRATIC", "SOFT", "QUADRATIC SOFT", "QUADRATIC STORED_BENDS",
                             "QUADRATIC SOFT STORED_BENDS"})
         for (const char* result : {"", " WHOLE_GROUPS", " MEAN", " WHOLE_GROUPS MEAN"})
