@@ -29,65 +29,29 @@ vec4 source_at(ivec2 p) {
     return uintBitsToFloat(source[pixel_of(p)]);
 }
 
-// The cell seen from its corner v; its diagonal goes from v or from one of v's neighbours.
-QuadrantCell quadrant_cell(ivec2 cell, ivec2 v, bool v_to_d) {
+// The cell seen from its corner v.
+QuadrantCell quadrant_cell(ivec2 cell, ivec2 v) {
     ivec2 d = 2 * cell + 1 - v, x = ivec2(d.x, v.y), y = ivec2(v.x, d.y);
     QuadrantCell c;
     c.v = value_at(v);
     c.x = value_at(x);
     c.y = value_at(y);
     c.d = value_at(d);
-    // The edges one after the other, each put last in the row: vx, vy, xd, yd, diagonal. Loops that
-    // compilers do not unroll (see Side in lattice.glsl), here and below.
-    ivec2 from = v_to_d ? v : x, to = v_to_d ? d : y, i, j;
-    int k = 0;
-    do {
-        i = k < 2 ? v : k == 2 ? x : k == 3 ? y : from;
-        j = k == 0 ? x : k == 1 ? y : k < 4 ? d : to;
 #ifdef QUADRATIC
-        c.vx = c.vy;
-        c.vy = c.xd;
-        c.xd = c.yd;
-        c.yd = c.diagonal;
-        c.diagonal = bend(i, j);
+    c.vx = bend(v, x);
+    c.vy = bend(v, y);
+    c.xd = bend(x, d);
+    c.yd = bend(y, d);
+    c.diagonal = bend(v, d); // or x to y: its site is the same
 #endif
 #ifdef SOFT
-        c.qvx = c.qvy;
-        c.qvy = c.qxd;
-        c.qxd = c.qyd;
-        c.qyd = c.q_diagonal;
-        c.q_diagonal = softness(i, j);
+    c.qvx = softness(v, x);
+    c.qvy = softness(v, y);
+    c.qxd = softness(x, d);
+    c.qyd = softness(y, d);
+    c.q_diagonal = softness(v, d);
 #endif
-        ++k;
-    } while (i != from || j != to);
     return c;
-}
-
-// As patch_of, an edge after the other.
-Patch patch_by_edges(ivec2 p0, ivec2 p1, ivec2 p2) {
-    Patch p;
-    p.z0 = value_at(p0);
-    p.z1 = value_at(p1);
-    p.z2 = value_at(p2);
-    ivec2 i = p0, j = p1, k = p2;
-    do {
-#ifdef QUADRATIC
-        p.e01 = p.e12;
-        p.e12 = p.e20;
-        p.e20 = bend(i, j);
-#endif
-#ifdef SOFT
-        p.q01 = p.q12;
-        p.q12 = p.q20;
-        p.q20 = softness(i, j);
-#endif
-        ivec2 last = i;
-        i = j;
-        j = k;
-        k = last;
-    } while (i != p0);
-    find_range(p, strict);
-    return p;
 }
 
 // The mean over the quadrant of the cell at its corner v where other edges cross the cell.
@@ -99,7 +63,7 @@ vec4 mean_by_position(int tile, ivec2 cell, ivec2 v) {
         // From left to right, and back in the row below.
         ivec2 at_eighth = 4 * quadrant + ivec2(i == 1 || i == 2 ? 3 : 1, i < 2 ? 1 : 3);
         Triangle t = locate(tile, cell * position_one + at_eighth * (position_one / 8));
-        Patch p = patch_by_edges(t.vertex[0], t.vertex[1], t.vertex[2]);
+        Patch p = patch_of(t.vertex[0], t.vertex[1], t.vertex[2]);
         vec3 b = weights(t);
         vec4 f = uintBitsToFloat(result_bits(at(p, b.x, b.y, b.z)));
         mean = mean + (f - z);
@@ -142,7 +106,7 @@ vec4 mean_of(ivec2 v, int quadrant) {
     if (how == division_other)
         return crossed_mean[4 * int(gl_LocalInvocationIndex) + quadrant];
     bool v_to_d = (how == division_down) == ((v.x == cell.x) == (v.y == cell.y));
-    QuadrantCell c = quadrant_cell(cell, v, v_to_d);
+    QuadrantCell c = quadrant_cell(cell, v);
     return v_to_d ? through(c) : across(c);
 }
 

@@ -28,24 +28,21 @@ vec4 fitted_bend(Edge e, ivec2 m, float g, vec4 index, ivec2 size) {
     precise vec4 middle = (za + zb) * 0.5;
     precise vec4 o2 = (zc + zd) * 0.5 - middle;
     // The means through the midpoint, and one, two and three times as far as either apex, the last
-    // put last in the row (see Side in lattice.glsl; an array would be in memory).
+    // two put last in the row (see Side in lattice.glsl; an array would be in memory).
     vec4 o0, o1, o3, o4, o5, o6, o7, o8;
-    int along = 3, far = 0; // 3 0, 5 0, 2 1, 4 1, 1 2, 3 2, 0 3, 2 3
+    int far = 0;
     do {
-        o0 = o1;
-        o1 = o3;
-        o3 = o4;
-        o4 = o5;
-        o5 = o6;
-        o6 = o7;
-        o7 = o8;
-        precise vec4 mean = mean_of_taps(m, e.v, l, r, along, far, size) - middle;
-        o8 = mean;
-        along += 2;
-        if (along + far > 5) {
-            ++far;
-            along = far == 1 ? 2 : far == 2 ? 1 : 0;
-        }
+        o0 = o3;
+        o1 = o4;
+        o3 = o5;
+        o4 = o6;
+        o5 = o7;
+        o6 = o8;
+        precise vec4 nearer = mean_of_taps(m, e.v, l, r, 3 - far, far, size) - middle;
+        precise vec4 further = mean_of_taps(m, e.v, l, r, 5 - far, far, size) - middle;
+        o7 = nearer;
+        o8 = further;
+        ++far;
     } while (far < 4);
     precise vec4 null0 = (o3 - o2) - 0.5 * o0;
     precise vec4 null1 = (o4 - o2) - 0.5 * (o0 + o1);

@@ -12,7 +12,7 @@ namespace ddt::gl {
 namespace {
 
 /// Device memory for tiles in flight. A software renderer's is the machine's own.
-constexpr size_t hardware_budget = size_t(3) << 29, software_budget = size_t(256) << 20;
+constexpr size_t hardware_budget = size_t(2) << 30, software_budget = size_t(256) << 20;
 
 } // namespace
 

@@ -11,6 +11,8 @@ namespace ddt::gl {
 
 namespace {
 
+thread_local bool g_filled = false; ///< new buffers are (FilledBuffers)
+
 /// A buffer on its way from or to the host.
 class Passing {
 public:
@@ -44,8 +46,11 @@ Buffer::Buffer(const Functions& gl, size_t bytes)
     else
         gl.BufferData(GL_SHADER_STORAGE_BUFFER, size, nullptr, GL_DYNAMIC_COPY);
     const GLenum error = gl.GetError();
-    if (error == GL_NO_ERROR)
+    if (error == GL_NO_ERROR) {
+        if (g_filled)
+            fill(FilledBuffers::word);
         return;
+    }
     gl.DeleteBuffers(1, &m_name);
     throw OutOfMemory("a buffer of " + std::to_string(m_bytes) + " bytes: " + error_name(error));
 }
@@ -83,9 +88,17 @@ void Buffer::read(size_t offset, size_t bytes, void* data) const {
     m_gl.GetBufferSubData(GL_COPY_READ_BUFFER, GLintptr(offset), GLsizeiptr(bytes), data);
 }
 
-void Buffer::clear() const {
+void Buffer::fill(GLuint word) const {
     m_gl.BindBuffer(GL_COPY_WRITE_BUFFER, m_name);
-    m_gl.ClearBufferData(GL_COPY_WRITE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+    m_gl.ClearBufferData(GL_COPY_WRITE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &word);
+}
+
+FilledBuffers::FilledBuffers() : m_before(g_filled) {
+    g_filled = true;
+}
+
+FilledBuffers::~FilledBuffers() {
+    g_filled = m_before;
 }
 
 void copy(const Functions& gl, GLuint from, size_t from_offset, GLuint to, size_t to_offset,

@@ -8,10 +8,10 @@
 
 namespace ddt::gl {
 
-/// A buffer of a fixed size in the device's own memory. Where the driver can (OpenGL 4.4), it is one
-/// that the host cannot touch, and what is written and read goes by way of another: a driver that
-/// sees the host read a buffer may move it to the host's memory for good, and every shader after
-/// that goes over the bus. To be made, used and destroyed on the context's thread.
+/// A buffer of a fixed size in the device's own memory. Where the driver can (OpenGL 4.4), it is
+/// one that the host cannot touch, and what is written and read goes by way of another: a driver
+/// that sees the host read a buffer may move it to the host's memory for good, and every shader
+/// after that goes over the bus. To be made, used and destroyed on the context's thread.
 class Buffer {
 public:
     /// Throws OutOfMemory if it cannot be had. A size of 0 is rounded up.
@@ -28,13 +28,28 @@ public:
     void write(size_t offset, size_t bytes, const void* data) const;
     /// What shaders wrote, too. Waits for the device to be done with the buffer.
     void read(size_t offset, size_t bytes, void* data) const;
-    void clear() const;
+    void clear() const { fill(0); }
 
 private:
+    void fill(GLuint word) const;
     const Functions& m_gl;
     GLuint m_name = 0;
     size_t m_bytes;
     bool m_out_of_reach; ///< of the host
+};
+
+/// While there is one on a thread, buffers made there begin with NaN everywhere: a check must not
+/// find what the same program wrote into the same memory before.
+class FilledBuffers {
+public:
+    static constexpr GLuint word = 0xffd1d1d1u;
+    FilledBuffers();
+    ~FilledBuffers();
+    FilledBuffers(const FilledBuffers&) = delete;
+    FilledBuffers& operator=(const FilledBuffers&) = delete;
+
+private:
+    bool m_before;
 };
 
 /// Have the device copy `bytes` from one buffer, told by its name, to another.

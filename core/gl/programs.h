@@ -27,10 +27,10 @@ namespace ddt::gl {
     LAYOUT(FINISH_GROUP, finish_group, 512)                                                        \
     LAYOUT(START_GROUP_X, start_group_x, 32)                                                       \
     LAYOUT(START_GROUP_Y, start_group_y, 8)                                                        \
-    LAYOUT(GAINS_GROUP_X, gains_group_x, 64)                                                       \
-    LAYOUT(GAINS_GROUP_Y, gains_group_y, 2)                                                        \
-    LAYOUT(SURFACE_GROUP_X, surface_group_x, 32)                                                   \
-    LAYOUT(SURFACE_GROUP_Y, surface_group_y, 4)                                                    \
+    LAYOUT(GAINS_GROUP_X, gains_group_x, 32)                                                       \
+    LAYOUT(GAINS_GROUP_Y, gains_group_y, 4)                                                        \
+    LAYOUT(SURFACE_GROUP_X, surface_group_x, 16)                                                   \
+    LAYOUT(SURFACE_GROUP_Y, surface_group_y, 8)                                                    \
     LAYOUT(SAMPLE_GROUP_X, sample_group_x, 16)                                                     \
     LAYOUT(SAMPLE_GROUP_Y, sample_group_y, 8)
 

@@ -260,6 +260,7 @@ const std::string& SelfChecks::differs(Gpu& gpu, const std::string& key,
     if (known != m_differences.end())
         return known->second;
     const auto begin = std::chrono::steady_clock::now();
+    const FilledBuffers filled;
     std::string difference = check();
     m_milliseconds +=
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();

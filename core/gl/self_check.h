@@ -30,6 +30,9 @@ public:
     const std::string& differs(Gpu& gpu, const Job& job, const Travel& travel = {});
     /// tin_differs_from_cpu() of core/gl/tin_check.h alike.
     const std::string& differs(Gpu& gpu, const MeshOptions& of_points);
+    /// What `check` says, the first time that the key is wanted. Its buffers are FilledBuffers.
+    const std::string& differs(Gpu& gpu, const std::string& key,
+                               const std::function<std::string()>& check);
     double milliseconds() const { return m_milliseconds; }
 
     /// Software renderers are asked for by name only, and tests compare them with the CPU: they are
@@ -37,9 +40,6 @@ public:
     bool software_too = false;
 
 private:
-    const std::string& differs(Gpu& gpu, const std::string& key,
-                               const std::function<std::string()>& check);
-
     std::map<std::string, std::string> m_differences;
     double m_milliseconds = 0;
 };

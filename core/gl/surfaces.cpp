@@ -75,8 +75,8 @@ size_t Surfaces::bytes(const SlotShape& shape, size_t groups, const SurfaceOptio
 }
 
 size_t Surfaces::largest_bytes(const SlotShape& shape, const SurfaceOptions& options) {
-    return std::max({value_bytes(shape), gradient_bytes(shape, options),
-                     bend_bytes(shape, options), edge_bytes(shape, options)});
+    return std::max({value_bytes(shape), gradient_bytes(shape, options), bend_bytes(shape, options),
+                     edge_bytes(shape, options)});
 }
 
 size_t Surfaces::tile_bytes() const {

@@ -104,12 +104,10 @@ std::vector<Candidate> candidates(const Egl& egl, Wanted wanted, bool& known) {
 
 /// Of an OpenGL 4.`minor` core context; `robust`: one that says when it is lost.
 std::vector<EGLint> context_attributes(EGLint minor, bool robust) {
-    std::vector<EGLint> all = {EGL_CONTEXT_MAJOR_VERSION_KHR,
-                               4,
-                               EGL_CONTEXT_MINOR_VERSION_KHR,
-                               minor,
-                               EGL_CONTEXT_OPENGL_PROFILE_MASK_KHR,
-                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT_KHR};
+    std::vector<EGLint> all = {
+        EGL_CONTEXT_MAJOR_VERSION_KHR,       4,
+        EGL_CONTEXT_MINOR_VERSION_KHR,       minor,
+        EGL_CONTEXT_OPENGL_PROFILE_MASK_KHR, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT_KHR};
     if (robust)
         all.insert(all.end(), {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_KHR,
                                EGL_LOSE_CONTEXT_ON_RESET_KHR});

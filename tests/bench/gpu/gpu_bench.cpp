@@ -7,8 +7,9 @@
 //
 // --cases: only the first N of 1080p to 4K, 4K to 8K, 8K to 16K; --size: one case of that source
 // size instead; --filter: a filter and its options as in ddt-sharp,clipped=1 (one mesh, made on the
-// device), ddt unless given; --lists: bytes, dispatches and time by kernel, and the work lists' sizes by
-// iteration; --jobs: whole jobs from memory to memory, on the device and on 1, 2, 4 ... threads;
+// device), ddt unless given; --lists: bytes, dispatches and time by kernel, and the work lists'
+// sizes by iteration; --jobs: whole jobs from memory to memory, on the device and on 1, 2, 4 ...
+// threads;
 // --picture: a photograph, mirrored to the size, in place of the drawn picture.
 #include <algorithm>
 #include <climits>
@@ -166,8 +167,8 @@ void print_lists(const Measured& m, const std::map<std::string, double>& traffic
     }
 }
 
-/// The first job, which may begin with what is not there yet, and the quickest and the median of the
-/// others.
+/// The first job, which may begin with what is not there yet, and the quickest and the median of
+/// the others.
 void print_job(const char* name, int threads, Picture& picture, const Job& job, int runs) {
     std::vector<double> times = time_jobs(picture, job, runs + 1);
     const double first = times[0];

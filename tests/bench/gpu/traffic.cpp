@@ -11,9 +11,9 @@ namespace ddt::bench {
 namespace {
 
 // Bytes a pixel: its guide, its cell's contour word, four sites, their gains, RGBA and its
-// gradients, its index, three edges' bends.
+// gradients, its index, its three edges' bends or their softness.
 constexpr double guide = 4, contour_word = 4, sites = 32, gains = 16, values = 16,
-                 two_gradients = 32, index = values, bends = 3 * values;
+                 two_gradients = 32, index = values, of_edges = 3 * values;
 // Bytes of an entry: of a list of edges, of the list of those that wait.
 constexpr double entry = 4, waiting_entry = 8;
 
@@ -37,6 +37,7 @@ void add_tile(const gl::TileSize& tile, double positions, const gl::Reach& reach
     // The margins of Surfaces::make and fit.
     if (is_fitted(surface)) {
         work.gradients += needed(tile, reach, 3);
+        work.edges += needed(tile, reach, 3);
         work.corrections += needed(tile, reach, 2);
         work.bends += needed(tile, reach, 1);
         return;
@@ -45,8 +46,11 @@ void add_tile(const gl::TileSize& tile, double positions, const gl::Reach& reach
         work.gradients += needed(tile, reach, 1);
     for (int later = 0; later < surface.consistency; ++later) {
         const double corrected = needed(tile, reach, 2 + 2 * later);
+        const double before = needed(tile, reach, 3 + 2 * later);
         if (surface.kind != Surface::linear)
-            work.gradients += needed(tile, reach, 3 + 2 * later);
+            work.gradients += before;
+        if (surface.kind != Surface::linear || surface.soft > 0)
+            work.edges += before;
         work.corrections += corrected;
         if (later + 1 < surface.consistency)
             work.later_corrections += corrected;
@@ -111,11 +115,19 @@ void add_surface(const Workload& w, const SurfaceOptions& surface,
     // Indices are made where vertices are corrected.
     if (fitted)
         bytes["gradients.comp"] += w.corrections * index;
+    const double edges =
+        (surface.kind != Surface::linear ? of_edges : 0) + (surface.soft > 0 ? of_edges : 0);
+    if (w.edges > 0)
+        bytes["net_edges.comp"] = w.edges * (net + gradients + edges);
     // Only later rounds read the source beside values that are no longer the same.
     if (w.corrections > 0)
-        bytes["correct.comp"] = w.corrections * (net + gradients + values + (fitted ? index : 0)) +
-                                w.later_corrections * values + w.bends * (bends + gains - soft);
-    bytes["sample.comp"] = w.served * (net + (fitted ? bends : gradients)) + w.out * values;
+        bytes["correct.comp"] =
+            w.corrections * (sites + values + edges + values + (fitted ? index : 0)) +
+            w.later_corrections * values;
+    if (w.bends > 0)
+        bytes["fitted_bends.comp"] =
+            w.bends * (sites + values + gains + of_edges + index + of_edges);
+    bytes["sample.comp"] = w.served * (net + (fitted ? of_edges : gradients)) + w.out * values;
 }
 
 } // namespace

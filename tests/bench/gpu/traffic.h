@@ -16,9 +16,10 @@ struct Workload {
     double pixels = 0; ///< of tiles with their halos
     double served = 0; ///< of tiles alone
     double out = 0;    ///< positions sampled
-    /// Pixels at which gradients were made, and corrections, in all rounds; of these the rounds
-    /// that read the source beside corrected values; pixels whose edges' fitted bends were made.
-    double gradients = 0, corrections = 0, later_corrections = 0, bends = 0;
+    /// Pixels at which gradients were made, the net's edges, and corrections, in all rounds; of the
+    /// last the rounds that read the source beside corrected values; pixels whose edges' fitted
+    /// bends were made.
+    double gradients = 0, edges = 0, corrections = 0, later_corrections = 0, bends = 0;
     std::vector<gl::IterationCounts> iterations;
     /// Times that the group of finish.comp goes over its lists for the tile with most of them: each
     /// waits for what it reads, as a dispatch does.

@@ -227,7 +227,7 @@ TEST_P(Travel, IdentifiersAndSinglePixelsTravelAsFloats) {
 // Without pinned memory, as before OpenGL 4.4.
 TEST_P(Travel, WithoutPinnedMemoryToo) {
     gl::Functions& gl = fresh_device().context->gl;
-    EXPECT_NE(gl.BufferStorage, nullptr) << "Mesa has it";
+    EXPECT_NE(gl.BufferStorage, nullptr) << "Mesa has it, and so have drivers of hardware";
     gl.BufferStorage = nullptr;
     expect_same(16, job_of(300, 270, 3), true);
 }
@@ -286,7 +286,7 @@ TEST_P(Travel, BytesAreThoseOfTheNumbers) {
 TEST_P(Travel, AWrongProgramIsNotUsed) {
     const struct {
         const char *program, *name, *value;
-    } changes[] = {{"unpack.comp CODES_8", "SURFACE_GROUP_X", "16"},
+    } changes[] = {{"unpack.comp CODES_8", "SURFACE_GROUP_X", "8"},
                    {"unpack.comp CODES_16", "SURFACE_GROUP_Y", "2"},
                    {"unpack.comp", "word", "0; ++slot"},
                    {"unpack_guide.comp", "steps", "7u"},

@@ -107,7 +107,13 @@ TEST_P(Process, AutomaticNeverPicksASoftwareRenderer) {
         gl::look_for_hardware_in(folder);
         const Result result = enlarge_on(Device::automatic, large, o);
         EXPECT_EQ(result.outcome, Outcome::done);
-        EXPECT_EQ(result.statistics.device, Device::cpu);
+        if (result.statistics.device == Device::cpu)
+            continue;
+        std::string why;
+        bool forked = false;
+        const gl::Gpu* gpu = gl::open(Device::automatic, why, forked);
+        ASSERT_NE(gpu, nullptr) << why;
+        EXPECT_FALSE(gpu->context->software) << gpu->context->renderer;
     }
     gl::look_for_hardware_in("/dev");
     gl::forget_devices();

@@ -78,7 +78,7 @@ TEST_P(Stages, NameWhereAFaultIs) {
         {"flip.comp", "longest_edge", "1", "after iteration 1: gains"},
         {"gradients.comp", "gradient_epsilon", "0.000401", "surface: gradients"},
         {"edges.comp QUADRATIC SOFT", "bend_strength", "1.76", "surface: bends"},
-        {"correct.comp QUADRATIC SOFT", "across_beside", "0.2501",
+        {"correct.comp QUADRATIC SOFT STORED_EDGES", "across_beside", "0.2501",
          "surface after 1 corrections: vertices"},
         {"sample.comp QUADRATIC SOFT WHOLE_GROUPS", "bend_strength", "1.76", "result: samples"},
     };

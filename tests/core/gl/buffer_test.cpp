@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/gl/buffer.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "tests/core/gl/devices.h"
+
+namespace ddt::test {
+namespace {
+
+class Buffers : public OnDevice {
+protected:
+    void TearDown() override { gl::forget_devices(); }
+
+    /// Do it on the device's thread, twice: with OpenGL 4.4's buffers, and as before it.
+    template <class F>
+    void on_both_kinds(F f) {
+        for (const bool storage : {true, false}) {
+            SCOPED_TRACE(storage ? "out of the host's reach" : "plain");
+            gl::Gpu& gpu = fresh_device();
+            gpu.thread
+                .post([&] {
+                    gl::Functions& gl = gpu.context->gl;
+                    EXPECT_NE(gl.BufferStorage, nullptr);
+                    if (!storage)
+                        gl.BufferStorage = nullptr;
+                    f(gl);
+                    gl::check(gl, "a test");
+                })
+                .get();
+        }
+    }
+
+    static std::vector<uint32_t> words_of(const gl::Buffer& buffer) {
+        std::vector<uint32_t> words(buffer.bytes() / sizeof(uint32_t));
+        buffer.read(0, buffer.bytes(), words.data());
+        return words;
+    }
+};
+
+TEST_P(Buffers, KeepWhatIsWritten) {
+    on_both_kinds([](const gl::Functions& gl) {
+        const gl::Buffer buffer(gl, 400);
+        buffer.clear();
+        std::vector<uint32_t> expected(100, 0), part(30);
+        std::iota(part.begin(), part.end(), 1000u);
+        buffer.write(20 * sizeof(uint32_t), part.size() * sizeof(uint32_t), part.data());
+        std::copy(part.begin(), part.end(), expected.begin() + 20);
+        EXPECT_EQ(words_of(buffer), expected);
+        std::vector<uint32_t> middle(10);
+        buffer.read(45 * sizeof(uint32_t), middle.size() * sizeof(uint32_t), middle.data());
+        EXPECT_EQ(middle, std::vector<uint32_t>(expected.begin() + 45, expected.begin() + 55));
+    });
+}
+
+TEST_P(Buffers, AreFilledWhereAskedFor) {
+    on_both_kinds([](const gl::Functions& gl) {
+        const std::vector<uint32_t> filled(100, gl::FilledBuffers::word);
+        {
+            const gl::FilledBuffers outer;
+            { const gl::FilledBuffers inner; }
+            EXPECT_EQ(words_of(gl::Buffer(gl, 400)), filled);
+        }
+        const gl::Buffer later(gl, 400);
+        later.clear(); // what it begins with is the driver's affair
+        EXPECT_EQ(words_of(later), std::vector<uint32_t>(100, 0));
+    });
+}
+
+// Memory that a driver hands out again may hold what the same program wrote there before.
+TEST_P(Buffers, AreFilledInChecks) {
+    gl::Gpu& gpu = fresh_device();
+    gpu.thread
+        .post([&] {
+            Job job;
+            job.channels = 4;
+            std::vector<uint32_t> found;
+            gpu.checks.differs(gpu, "a check", [&] {
+                found = words_of(gl::Buffer(gpu.context->gl, 400));
+                return std::string();
+            });
+            EXPECT_EQ(found, std::vector<uint32_t>(100, gl::FilledBuffers::word));
+        })
+        .get();
+}
+
+INSTANTIATE_TEST_SUITE_P(Devices, Buffers, testing::Values(Device::egl, Device::osmesa),
+                         device_name);
+
+} // namespace
+} // namespace ddt::test
