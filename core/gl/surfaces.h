@@ -122,7 +122,7 @@ private:
     std::unique_ptr<Buffer> m_numbers, m_codes; ///< as they travel; what codes stand for
     std::unique_ptr<Buffer> m_code_table;       ///< CodeTable::entries
     std::unique_ptr<Buffer> m_table;            ///< FittedTable, if the surface is fitted
-    std::unique_ptr<Buffer> m_edges; ///< of the group that is corrected, if they are more
+    std::unique_ptr<Buffer> m_edges; ///< by net_edges.comp, of the group that is corrected
 };
 
 } // namespace ddt::gl
