@@ -107,6 +107,8 @@ public:
 
     /// One invocation a pixel or site of every tile, in groups of x times y.
     void dispatch_over(int width, int height, int group_x, int group_y);
+    /// One a site, in groups of gains_group_x times gains_group_y.
+    void dispatch_over_sites();
 
 private:
     // The steps of triangulate(), in schemes.cpp.
@@ -122,7 +124,6 @@ private:
     void step(const char* shader, int iteration, Step step, const std::string& defines);
     void use(const char* shader, int first_iteration, int last_iteration,
              const std::string& defines);
-    void dispatch_over_sites();
     void barrier(bool with_arguments = false);
 
     Gpu& m_gpu;

@@ -194,11 +194,6 @@ void Surfaces::fit(DeviceMesh& mesh, Group& group) {
     correct(mesh, group, 0, 2, " FITTED");
 }
 
-void Surfaces::dispatch_over_sites(DeviceMesh& mesh) const {
-    mesh.dispatch_over(2 * m_shape.width - 1, 2 * m_shape.height - 1, gains_group_x, gains_group_y);
-    m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-}
-
 void Surfaces::find_edges(DeviceMesh& mesh, const Group& group, int margin) {
     if (!has_edges())
         return;
@@ -206,14 +201,16 @@ void Surfaces::find_edges(DeviceMesh& mesh, const Group& group, int margin) {
     bind_net(mesh, group, *group.gradients);
     m_edges->bind(4);
     m_gl.Uniform1i(9, margin);
-    dispatch_over_sites(mesh);
+    mesh.dispatch_over_sites();
+    m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void Surfaces::bend_edges(DeviceMesh& mesh, const Group& group, int margin) {
     m_gpu.programs->use("fitted_bends.comp", defines() + " STORED_EDGES");
     bind_net(mesh, group, *m_edges);
     m_gl.Uniform1i(9, margin);
-    dispatch_over_sites(mesh);
+    mesh.dispatch_over_sites();
+    m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void Surfaces::correct(DeviceMesh& mesh, Group& group, int round, int margin,

@@ -102,8 +102,6 @@ private:
     bool has_edges() const { return m_edges != nullptr; }
     void find_edges(DeviceMesh& mesh, const Group& group, int margin);
     void bend_edges(DeviceMesh& mesh, const Group& group, int margin);
-    /// One invocation a site of every tile.
-    void dispatch_over_sites(DeviceMesh& mesh) const;
     void pack(size_t count, const Travel& travel, SampleMemory& memory);
     void bind_channels(int group) const;
     size_t tile_bytes() const; ///< of its numbers

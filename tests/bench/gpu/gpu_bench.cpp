@@ -90,37 +90,11 @@ Picture make_picture(const Options& o, int width, int height) {
     return picture;
 }
 
-/// The bits of the CPU's output.
-class CpuSink final : public Sink {
-public:
-    CpuSink(int width, int height) : m_width(width), result(size_t(width) * size_t(height) * 4) {}
-    bool write(const Rect& r, float* values) override {
-        for (int y = r.y0; y < r.y1; ++y) {
-            const size_t first = (size_t(y) * size_t(m_width) + size_t(r.x0)) * 4;
-            std::memcpy(&result[first], values, size_t(r.width()) * 4 * sizeof(float));
-            values += size_t(r.width()) * 4;
-        }
-        return true;
-    }
-
-private:
-    int m_width;
-
-public:
-    std::vector<uint32_t> result;
-};
-
 /// Bytes that differ between the device and the CPU on a picture of several tiles.
 size_t differing_bytes(gl::Gpu& gpu, const Options& o) {
     Picture picture = make_picture(o, 700, 530);
-    const auto axis = [](int n) {
-        ResizeMapping::Axis a;
-        a.from_size = a.window1 = n;
-        a.to_size = a.out1 = 2 * n;
-        return a;
-    };
-    const ResizeMapping mapping(axis(700), axis(530));
-    CpuSink sink(1400, 1060);
+    const ResizeMapping mapping = picture.twofold();
+    TwiceTheSize sink(picture);
     const Job job = job_of(o, 700, 530);
     TileWorker worker(picture, sink, mapping, job);
     const Grid grid(job.window);
@@ -128,9 +102,9 @@ size_t differing_bytes(gl::Gpu& gpu, const Options& o) {
         worker.work(grid.tile(i), INT_MIN);
     const Measured m = measure(gpu, picture, job, 1, true, false);
     size_t differing = 0;
-    const auto* a = reinterpret_cast<const char*>(sink.result.data());
+    const auto* a = reinterpret_cast<const char*>(sink.values().data());
     const auto* b = reinterpret_cast<const char*>(m.result.data());
-    for (size_t i = 0; i < sink.result.size() * 4; ++i)
+    for (size_t i = 0; i < sink.values().size() * 4; ++i)
         differing += a[i] != b[i];
     return differing;
 }

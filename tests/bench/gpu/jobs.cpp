@@ -2,48 +2,13 @@
 #include "tests/bench/gpu/jobs.h"
 
 #include <chrono>
-#include <cstring>
 #include <stdexcept>
 
 namespace ddt::bench {
 
-namespace {
-
-/// RGBA floats. Devices hand rows over, the CPU may write into their place.
-class MemorySink final : public Sink {
-public:
-    MemorySink(int width, int height)
-        : m_row(size_t(width) * 4), m_values(m_row * size_t(height), 1.0f) {}
-    bool write(const Rect& r, float* values) override {
-        const size_t n = size_t(r.width()) * 4;
-        for (int y = r.y0; y < r.y1; ++y, values += n)
-            std::memcpy(at(r.x0, y), values, n * sizeof(float));
-        return true;
-    }
-    float* place(const Rect& r, size_t& row) override {
-        row = m_row;
-        return at(r.x0, r.y0);
-    }
-
-private:
-    float* at(int x, int y) { return &m_values[size_t(y) * m_row + size_t(x) * 4]; }
-
-    size_t m_row;
-    std::vector<float> m_values;
-};
-
-ResizeMapping::Axis twofold(int pixels) {
-    ResizeMapping::Axis a;
-    a.from_size = a.window1 = pixels;
-    a.to_size = a.out1 = 2 * pixels;
-    return a;
-}
-
-} // namespace
-
 std::vector<double> time_jobs(Picture& picture, const Job& job, int runs) {
-    const ResizeMapping mapping(twofold(picture.width()), twofold(picture.height()));
-    MemorySink sink(2 * picture.width(), 2 * picture.height());
+    const ResizeMapping mapping = picture.twofold();
+    TwiceTheSize sink(picture);
     Statistics statistics;
     Job j = job;
     j.statistics = &statistics;

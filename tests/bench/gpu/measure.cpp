@@ -30,7 +30,7 @@ public:
         : m_gpu(gpu), m_picture(picture), m_job(job),
           m_grid({0, 0, picture.width(), picture.height()}),
           m_shape(gl::shape_for({0, 0, picture.width(), picture.height()})),
-          m_mapping(axis(picture.width()), axis(picture.height())),
+          m_mapping(picture.twofold()),
           m_in_flight(gl::affordable_tiles(gpu, m_shape, 1, job.surface, m_grid.count())),
           m_mesh(gpu, m_shape, int(m_in_flight)),
           m_surfaces(gpu, m_shape, int(m_in_flight), gl::kinds_of(job), job.surface) {
@@ -56,13 +56,6 @@ public:
     }
 
 private:
-    static ResizeMapping::Axis axis(int pixels) {
-        ResizeMapping::Axis a;
-        a.from_size = a.window1 = pixels;
-        a.to_size = a.out1 = 2 * pixels;
-        return a;
-    }
-
     void read(int first, int end) {
         m_tiles.clear();
         for (int i = first; i < end; ++i) {

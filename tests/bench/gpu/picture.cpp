@@ -2,6 +2,7 @@
 #include "tests/bench/gpu/picture.h"
 
 #include <cmath>
+#include <cstring>
 #include <fstream>
 
 namespace ddt::bench {
@@ -78,6 +79,34 @@ bool Picture::read(const Rect& r, float* values, float* guide) {
             *guide++ = m_guide[i];
         }
     return true;
+}
+
+ResizeMapping Picture::twofold() const {
+    const auto axis = [](int pixels) {
+        ResizeMapping::Axis a;
+        a.from_size = a.window1 = pixels;
+        a.to_size = a.out1 = 2 * pixels;
+        return a;
+    };
+    return {axis(m_width), axis(m_height)};
+}
+
+// Not zeros, which would be pages that are not there before they are written.
+TwiceTheSize::TwiceTheSize(const Picture& picture)
+    : m_row(2 * size_t(picture.width()) * 4), m_values(m_row * 2 * size_t(picture.height()), 1.0f) {
+}
+
+bool TwiceTheSize::write(const Rect& r, float* values) {
+    const size_t n = size_t(r.width()) * 4;
+    size_t row;
+    for (int y = r.y0; y < r.y1; ++y, values += n)
+        std::memcpy(place({r.x0, y, r.x1, y + 1}, row), values, n * sizeof(float));
+    return true;
+}
+
+float* TwiceTheSize::place(const Rect& r, size_t& row) {
+    row = m_row;
+    return &m_values[size_t(r.y0) * m_row + size_t(r.x0) * 4];
 }
 
 } // namespace ddt::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The picture that is measured.
+// The picture that is measured, and where it goes.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +20,8 @@ public:
 
     int width() const { return m_width; }
     int height() const { return m_height; }
+    /// To twice its size.
+    ResizeMapping twofold() const;
     bool read(const Rect& r, float* values, float* guide) override;
 
 private:
@@ -28,6 +30,19 @@ private:
     int m_width, m_height;
     std::vector<float> m_values; ///< 4 a pixel
     std::vector<float> m_guide;
+};
+
+/// Twice the picture: RGBA floats. Devices hand rows over, the CPU may write into their place.
+class TwiceTheSize final : public Sink {
+public:
+    explicit TwiceTheSize(const Picture& picture);
+    bool write(const Rect& r, float* values) override;
+    float* place(const Rect& r, size_t& row) override;
+    const std::vector<float>& values() const { return m_values; }
+
+private:
+    size_t m_row; ///< floats
+    std::vector<float> m_values;
 };
 
 } // namespace ddt::bench

@@ -73,8 +73,6 @@ TEST_P(Buffers, AreFilledInChecks) {
     gl::Gpu& gpu = fresh_device();
     gpu.thread
         .post([&] {
-            Job job;
-            job.channels = 4;
             std::vector<uint32_t> found;
             gpu.checks.differs(gpu, "a check", [&] {
                 found = words_of(gl::Buffer(gpu.context->gl, 400));

@@ -113,7 +113,6 @@ SurfaceStage GpuStages::surface(int rounds) {
     gl.DeleteProgram(program);
 
     SurfaceStage stage;
-    gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     const size_t pixels = m_shape.pixels() * group_size;
     const auto read = [](const gl::Buffer& buffer, size_t floats, std::vector<float>& out) {
         out.resize(floats);
