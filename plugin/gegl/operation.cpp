@@ -318,7 +318,7 @@ const char* property_name(const char* key) {
 GParamSpec* spec_of(const Parameter& p) {
     const char *key = property_name(p.option->key), *label = p.label.c_str(),
                *help = p.help.c_str();
-    switch (p.option->kind) {
+    switch (p.kind) {
     case ddt::OptionKind::real:
         return gegl_param_spec_double(key, label, help, p.low, p.high, p.initial, p.low,
                                       p.shown_high, 1.0, flags);

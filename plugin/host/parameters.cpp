@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "ddt/names.h"
 
@@ -23,16 +24,29 @@ std::string plain(std::string text) {
     return text;
 }
 
+/// True if what the option is untouched depends on the filter or on other options.
+bool is_preset(const Option& option) {
+    return !option.presets.empty() || option.holds;
+}
+
+Parameter parameter(const Option& option) {
+    return {&option, option.kind, label_of(option.key), plain(option.help), 0, 0, 0, 0, {}};
+}
+
 Parameter number(const Option& option, const std::string& initial) {
-    Parameter p{&option, label_of(option.key), plain(option.help), 0, 0, 0, 0, {}};
+    Parameter p = parameter(option);
     // Hosts have signed numbers.
     p.high = std::min(option.high, double(std::numeric_limits<int>::max()));
-    if (option.presets.empty() && !option.holds) {
+    if (!is_preset(option)) {
         p.low = option.low;
         p.initial = std::stod(initial);
     } else {
         p.low = p.initial = filters_own;
         p.help += " -1: as the filter has it.";
+        if (!option.values.empty()) {
+            p.low = by_name;
+            p.help += std::string(" -2: ") + option.values.front().name + ".";
+        }
     }
     p.shown_high = std::min(p.high, 256.0);
     if (option.kind == OptionKind::real)
@@ -40,14 +54,28 @@ Parameter number(const Option& option, const std::string& initial) {
     return p;
 }
 
-Parameter choice(const Option& option, const std::string& initial) {
-    Parameter p{&option, label_of(option.key), plain(option.help), 0, 0, 0, 0, {}};
-    for (const NamedValue& value : option.values) {
-        if (value.name == initial)
-            p.initial = double(p.names.size());
-        p.names.emplace_back(value.name);
-    }
+Parameter choice(const Option& option, std::vector<std::string> names, const std::string& initial) {
+    Parameter p = parameter(option);
+    p.kind = OptionKind::choice;
+    p.names = std::move(names);
+    p.initial = double(std::find(p.names.begin(), p.names.end(), initial) - p.names.begin());
     p.high = p.shown_high = double(p.names.size()) - 1;
+    return p;
+}
+
+std::vector<std::string> names_of(const Option& option) {
+    std::vector<std::string> names;
+    for (const NamedValue& value : option.values)
+        names.emplace_back(value.name);
+    return names;
+}
+
+Parameter toggle(const Option& option, const std::string& initial) {
+    if (is_preset(option))
+        return choice(option, {"preset", "0", "1"}, "preset");
+    Parameter p = parameter(option);
+    p.high = p.shown_high = 1;
+    p.initial = initial == "1" ? 1 : 0;
     return p;
 }
 
@@ -62,17 +90,10 @@ std::vector<Parameter> make() {
             all.push_back(number(option, initial));
             break;
         case OptionKind::toggle:
-            all.push_back({&option,
-                           label_of(option.key),
-                           plain(option.help),
-                           0,
-                           1,
-                           1,
-                           initial == "1" ? 1.0 : 0.0,
-                           {}});
+            all.push_back(toggle(option, initial));
             break;
         case OptionKind::choice:
-            all.push_back(choice(option, initial));
+            all.push_back(choice(option, names_of(option), initial));
             break;
         case OptionKind::text:
             break;
@@ -96,9 +117,10 @@ std::string item(const Parameter& p, double value) {
     if (value == p.initial)
         return "";
     std::string text;
-    switch (p.option->kind) {
+    switch (p.kind) {
     case OptionKind::real:
-        text = number_text(float(value));
+        text = value == by_name && p.low == by_name ? p.option->values.front().name
+                                                    : number_text(float(value));
         break;
     case OptionKind::choice:
         text = p.names[size_t(std::clamp(value, p.low, p.high))];

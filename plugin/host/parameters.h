@@ -11,13 +11,18 @@ namespace ddt::host {
 
 /// What a number that a filter presets is while the user has not touched it.
 constexpr double filters_own = -1;
+/// What it is for the name that it may have in place of a number: `auto` of `min_gain`.
+constexpr double by_name = -2;
 
 /// An option as a parameter. `light` is not among them: what a host's numbers mean the host knows.
 struct Parameter {
     const Option* option;
+    /// The option's own, but choice for a toggle that a filter presets: "preset", "0" or "1".
+    OptionKind kind;
     std::string label; ///< "Min gain"
     std::string help;
-    /// real and whole: the range, from filters_own on where the filter presets the number;
+    /// real and whole: the range, from filters_own or by_name on where the filter presets the
+    /// number;
     /// toggle: 0 and 1; choice: indices of `names`.
     double low, high;
     double shown_high; ///< what a slider should end at

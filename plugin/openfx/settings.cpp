@@ -51,7 +51,7 @@ void define_choice(ParamSet set_, const char* name, const char* label, const std
 void define_option(ParamSet set_, const host::Parameter& q) {
     const char *key = q.option->key, *label = q.label.c_str();
     const char* parent = q.is_main() ? nullptr : advanced;
-    switch (q.option->kind) {
+    switch (q.kind) {
     case OptionKind::real:
         return set_range(define(set_, "OfxParamTypeDouble", key, label, q.help, parent), q.initial,
                          q.low, q.high, q.shown_high);
@@ -136,7 +136,7 @@ Settings settings_at(Effect effect, double time) {
     s.light = name_at(host::meaning_names(), value(set_, "light", time, 0));
     s.premultiplication = value(set_, "premultiplication", time, 0);
     for (const host::Parameter& p : host::parameters())
-        s.filter += host::item(p, p.option->kind == OptionKind::real
+        s.filter += host::item(p, p.kind == OptionKind::real
                                       ? value(set_, p.option->key, time, p.initial)
                                       : double(value(set_, p.option->key, time, int(p.initial))));
     return s;

@@ -48,8 +48,12 @@ class Gegl(support.Case):
 
     def test_the_filters_bits(self):
         for name in ("float.exr", "alpha.exr", "large.exr"):
-            for spec, properties in (("ddt", ()), ("ddt-sharp,cost=scf,meshes=2",
-                                                   ("filter=ddt-sharp", "cost=scf", "meshes=2"))):
+            for spec, properties in (("ddt", ()),
+                                     ("ddt-sharp,cost=scf,meshes=2",
+                                      ("filter=ddt-sharp", "cost=scf", "meshes=2")),
+                                     ("ddt-sharp,clipped=1,fitted=0,min_gain=auto",
+                                      ("filter=ddt-sharp", "clipped=1", "fitted=0",
+                                       "min-gain=-2"))):
                 said = self.gegl(name, "out.exr", "scale=3", *properties)
                 self.assertEqual(said, "", name)
                 self.succeed("oiiotool", name, f"--resize:filter={spec},light=linear", "300%",

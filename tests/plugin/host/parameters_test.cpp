@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/host/parameters.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "ddt/names.h"
+
+namespace {
+
+using namespace ddt::host;
+using ddt::FilterOptions;
+using ddt::OptionKind;
+
+FilterOptions parsed(const std::string& text) {
+    FilterOptions options;
+    std::string error;
+    EXPECT_TRUE(ddt::parse_filter(text, options, error)) << error;
+    return options;
+}
+
+/// What hosts can say of an option: all, or of numbers those at the ends and those with a name.
+std::vector<double> values_of(const Parameter& p) {
+    std::vector<double> values;
+    if (p.kind == OptionKind::real || p.kind == OptionKind::whole)
+        return {p.low, p.initial, p.option->low, p.high};
+    for (double value = p.low; value <= p.high; ++value)
+        values.push_back(value);
+    return values;
+}
+
+/// What an option can be: the same of its texts.
+std::vector<std::string> texts_of(const Parameter& p) {
+    std::vector<std::string> texts;
+    for (const ddt::NamedValue& value : p.option->values)
+        texts.emplace_back(value.name);
+    if (p.option->kind == OptionKind::toggle)
+        texts = {"0", "1"};
+    if (p.kind == OptionKind::real || p.kind == OptionKind::whole)
+        texts.push_back(ddt::number_text(float(p.option->low)));
+    return texts;
+}
+
+TEST(Parameters, UntouchedTheySayNothing) {
+    for (const Parameter& p : parameters())
+        EXPECT_EQ(item(p, p.initial), "") << p.option->key;
+}
+
+TEST(Parameters, EveryValueOfAnOptionCanBeSaidOfEveryFilter) {
+    for (const Parameter& p : parameters())
+        for (const std::string& filter : ddt::filter_names())
+            for (const std::string& start : {filter, filter + ",clipped=1"}) {
+                if (start.find(std::string(p.option->key) + "=") != start.npos)
+                    continue; // untouched it would be what the start says
+                std::vector<std::string> reached;
+                for (const double value : values_of(p))
+                    reached.push_back(p.option->get(parsed(start + item(p, value))));
+                for (const std::string& text : texts_of(p))
+                    EXPECT_NE(std::find(reached.begin(), reached.end(), text), reached.end())
+                        << start << " " << p.option->key << "=" << text;
+            }
+}
+
+} // namespace
