@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/codes.h"
 
+#include "core/base/arith.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/base/codes.cpp"
 #include <hwy/foreach_target.h>
@@ -45,18 +47,22 @@ HWY_EXPORT(floats_of_bytes);
 HWY_EXPORT(floats_of_shorts);
 
 void codes_of_floats(const float* floats, size_t n, uint8_t* codes) {
+    const DenormalsAreZero as_on_gpus;
     HWY_DYNAMIC_DISPATCH(bytes_of_floats)(floats, n, codes);
 }
 
 void codes_of_floats(const float* floats, size_t n, uint16_t* codes) {
+    const DenormalsAreZero as_on_gpus;
     HWY_DYNAMIC_DISPATCH(shorts_of_floats)(floats, n, codes);
 }
 
 void floats_of_codes(const uint8_t* codes, size_t n, float* floats) {
+    const DenormalsAreZero as_on_gpus;
     HWY_DYNAMIC_DISPATCH(floats_of_bytes)(codes, n, floats);
 }
 
 void floats_of_codes(const uint16_t* codes, size_t n, float* floats) {
+    const DenormalsAreZero as_on_gpus;
     HWY_DYNAMIC_DISPATCH(floats_of_shorts)(codes, n, floats);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/half.h"
 
+#include "core/base/arith.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/base/half.cpp"
 #include <hwy/foreach_target.h>
@@ -31,10 +33,12 @@ HWY_EXPORT(floats_of_halfs);
 HWY_EXPORT(halfs_of_floats);
 
 void floats_of_halfs(const uint16_t* halfs, size_t n, float* floats) {
+    const DenormalsAreZero as_on_gpus;
     HWY_DYNAMIC_DISPATCH(floats_of_halfs)(halfs, n, floats);
 }
 
 void halfs_of_floats(const float* floats, size_t n, uint16_t* halfs) {
+    const DenormalsAreZero as_on_gpus;
     HWY_DYNAMIC_DISPATCH(halfs_of_floats)(floats, n, halfs);
 }
 

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -51,7 +50,7 @@ void for_each_index(int threads, int count, const std::function<void(int, int)>&
     try {
         while (others.size() < others.capacity())
             others.emplace_back(work, int(others.size()) + 1);
-    } catch (const std::system_error&) {
+    } catch (...) { // no thread, or no memory for one
     }
     work(0);
     for (std::thread& other : others)

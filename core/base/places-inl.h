@@ -31,8 +31,10 @@ HWY_INLINE hn::Vec<DI> words_at(const char* from, hn::Vec<DI> places) {
     if constexpr (loads_beat_gathers)
         return load_words(from, DI(), places);
     else
-        return hn::GatherOffset(DI(), reinterpret_cast<const int32_t*>(from),
-                                hn::ShiftLeft<3>(places));
+        // By an index: 32 bits have no room for the offset in bytes of more than 2^26 pixels'
+        // sites.
+        return hn::GatherIndex(DI(), reinterpret_cast<const int32_t*>(from),
+                               hn::ShiftLeft<1>(places));
 }
 
 /// Records of two words, a lane each: those of even lanes side by side, and those of odd lanes,

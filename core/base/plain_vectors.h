@@ -126,15 +126,6 @@ template <class D, class I>
 DDT_INLINE Vec<D> GatherIndex(D, const typename D::T* p, I index) {
     return of_lanes<Vec<D>>([&](size_t i) DDT_INLINED { return p[index[i]]; });
 }
-/// Offsets are bytes.
-template <class D, class I>
-DDT_INLINE Vec<D> GatherOffset(D, const typename D::T* p, I offset) {
-    return of_lanes<Vec<D>>([&](size_t i) DDT_INLINED {
-        typename D::T x;
-        std::memcpy(&x, reinterpret_cast<const char*>(p) + offset[i], sizeof x);
-        return x;
-    });
-}
 /// The lanes of the mask side by side, then any.
 template <class V, class M>
 DDT_INLINE V Compress(V v, M mask) {

@@ -21,6 +21,10 @@ HWY_ATTR void stream_copy(const float* from, size_t n, float* to) {
     constexpr size_t line = 64, floats = line / sizeof(float);
     const hn::CappedTag<float, floats> d;
     const size_t lanes = hn::Lanes(d);
+    if (reinterpret_cast<uintptr_t>(to) % sizeof(float) != 0) { // no float begins a line
+        std::copy_n(from, n, to);
+        return;
+    }
     const size_t head = std::min(n, (0 - reinterpret_cast<uintptr_t>(to)) % line / sizeof(float));
     std::copy_n(from, head, to);
     size_t i = head;

@@ -2,14 +2,15 @@
 // enlarge() from and to plain buffers.
 #include "core/enlarge/buffers.h"
 
+#include "core/base/guarded.h"
+
 namespace ddt {
 
 Outcome enlarge(const float* src, int width, int height, int channels, const float* guide,
                 float* dst, int dst_width, int dst_height, const SurfaceOptions& surface,
                 const MeshOptions& mesh, int threads, std::string* error) {
     if (dst_width < width || dst_height < height || !src || !dst) {
-        if (error)
-            *error = "ddt: the output must not be smaller than the input, nor a buffer null";
+        tell(error, "ddt: the output must not be smaller than the input, nor a buffer null");
         return Outcome::bad_job;
     }
     Job job;
@@ -20,7 +21,8 @@ Outcome enlarge(const float* src, int width, int height, int channels, const flo
     job.threads = threads;
     BufferSource source(src, guide, width, channels);
     BufferSink sink(dst, dst_width, channels);
-    const ResizeMapping mapping(whole_axis(width, dst_width), whole_axis(height, dst_height));
+    const ResizeMapping mapping(ResizeMapping::Axis::whole(width, dst_width),
+                                ResizeMapping::Axis::whole(height, dst_height));
     return enlarge(source, sink, mapping, job, error);
 }
 

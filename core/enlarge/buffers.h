@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "core/base/arith.h"
 #include "ddt/core.h"
 
 namespace ddt {
@@ -14,6 +15,7 @@ public:
         : m_pixels(pixels), m_guide(guide), m_width(size_t(width)), m_channels(size_t(channels)) {}
 
     bool read(const Rect& r, float* values, float* guide) override {
+        const DenormalsAreZero as_on_gpus;
         const auto width = size_t(r.width());
         for (int y = r.y0; y < r.y1; ++y, values += width * m_channels, guide += width) {
             const size_t first = size_t(y) * m_width + size_t(r.x0);
@@ -61,13 +63,5 @@ private:
     float* m_pixels;
     size_t m_width, m_channels;
 };
-
-/// All of `from` pixels made all of `to`.
-inline ResizeMapping::Axis whole_axis(int from, int to) {
-    ResizeMapping::Axis a;
-    a.from_size = a.window1 = from;
-    a.to_size = a.out1 = to;
-    return a;
-}
 
 } // namespace ddt

@@ -9,6 +9,7 @@
 #include "core/gl/offload.h"
 #include "core/tiles/grid.h"
 #include "core/tiles/run.h"
+#include "core/tiles/tile_io.h"
 #include "core/tiles/work_on_cpu.h"
 #include "ddt/core.h"
 #include "ddt/option_table.h"
@@ -20,14 +21,21 @@ namespace {
 /// Largest number of pixels of a window, so that its tiles can be counted.
 constexpr double largest_area = double(int64_t(1) << 45);
 
-bool check(const Job& job, std::string& error) {
+bool within_coordinates(const Rect& r) {
+    return std::min(r.x0, r.y0) >= -largest_coordinate &&
+           std::max(r.x1, r.y1) <= largest_coordinate;
+}
+
+bool check(const Job& job, const Mapping& mapping, std::string& error) {
     const Rect& w = job.window;
-    if (w.empty() || std::min(w.x0, w.y0) < -largest_coordinate ||
-        std::max(w.x1, w.y1) > largest_coordinate)
+    if (w.empty() || !within_coordinates(w))
         error = "ddt: the source window must not be empty, its coordinates within +-" +
                 std::to_string(largest_coordinate);
     else if (double(w.width()) * double(w.height()) > largest_area)
         error = "ddt: the source window must not have more than 2^45 pixels";
+    else if (const Rect out = output_of(mapping); !out.empty() && !within_coordinates(out))
+        error =
+            "ddt: the output's coordinates must be within +-" + std::to_string(largest_coordinate);
     else if (job.channels < 1)
         error = "ddt: there must be at least 1 channel";
     else if (!job.kinds.empty() && job.kinds.size() != size_t(job.channels))
@@ -112,7 +120,7 @@ Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& j
     Outcome outcome = Outcome::bad_job;
     const Caught caught = guarded_call(error, [&] {
         std::string why;
-        if (check(job, why))
+        if (check(job, mapping, why))
             outcome = run(source, sink, mapping, job, why);
         if (outcome != Outcome::done && why.empty())
             why = describe(outcome);

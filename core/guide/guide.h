@@ -2,8 +2,6 @@
 // The arithmetic of the guide beside ddt/guide.h.
 #pragma once
 
-#include <vector>
-
 #include "ddt/guide.h"
 
 namespace ddt {

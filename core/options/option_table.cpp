@@ -192,8 +192,8 @@ std::vector<Option> make_table() {
                "The diagonal that each cell of four pixels starts with."),
         toggle("clipped", surface, &SurfaceOptions::clipped,
                "1: what leaves 0 to 1 will be cut off afterwards, as in a PNG. `ddt-sharp` may "
-               "then make such values, and outlines get sharper. Integer buffers in memory count "
-               "as 1."),
+               "then make such values, and outlines get sharper. ImageBufs and Python's arrays of "
+               "unsigned integers of 8 or 16 bits count as 1."),
         number(
             "consistency", surface, &SurfaceOptions::consistency, 0, most_consistency,
             "Rounds that correct the surface so that its mean over each source pixel comes back.")

@@ -9,20 +9,6 @@
 
 namespace ddt {
 
-const char* group_name(OptionGroup group) {
-    switch (group) {
-    case OptionGroup::colour:
-        return "colour";
-    case OptionGroup::mesh:
-        return "mesh";
-    case OptionGroup::surface:
-        return "surface";
-    case OptionGroup::device:
-        return "device";
-    }
-    return "";
-}
-
 std::string number_text(float number) {
     // The standard library takes them for 0 in threads that do.
     if (is_subnormal(number))

@@ -19,7 +19,7 @@ public:
     /// A cell that other edges cross, and its triangles.
     struct Cell {
         int x;
-        int first, count; ///< in CrossedRow::triangles
+        int first, count; ///< in Row::triangles
     };
     struct Row {
         int y = -1, x0 = 0, x1 = 0; ///< cells x0 .. x1 - 1 of row y

@@ -3,7 +3,6 @@
 // used.
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
 #include "core/surface/edge_scratch.h"

@@ -17,10 +17,14 @@ Outcome TileWriter::write_bands(RowsLeft& left) {
     begin_surfaces(with_cells(tile, left.all()), rows);
     take_memory(m_meshed->output);
     m_spans.begin(m_meshed->output);
-    for (Rect cells = left.take(rows); !cells.empty(); cells = left.take(rows))
-        if (const Outcome outcome = write_band(with_cells(tile, cells)); outcome != Outcome::done)
-            return outcome;
-    return Outcome::done;
+    Outcome so_far = outcome();
+    for (Rect cells = left.take(rows); so_far == Outcome::done && !cells.empty();
+         cells = left.take(rows)) {
+        so_far = write_band(with_cells(tile, cells));
+        if (so_far == Outcome::done)
+            so_far = outcome();
+    }
+    return so_far;
 }
 
 Outcome TileWriter::write_band(const Tile& band) {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/guide/contour.h"
-#include "core/tiles/tile_io.h"
+#include "core/surface/net.h"
 #include "core/triangulate/start_gains.h"
 #include "ddt/job.h"
 

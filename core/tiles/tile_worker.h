@@ -14,9 +14,11 @@ namespace ddt {
 /// the next.
 class TileWorker {
 public:
-    TileWorker(Source& source, Sink& sink, const Mapping& mapping, const Job& job)
+    /// run: where it ends, nothing more is written; null: there is none.
+    TileWorker(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
+               const Run* run = nullptr)
         : m_source(source), m_mapping(mapping), m_job(job),
-          m_writer(sink, mapping, job, m_statistics.times, m_arena) {}
+          m_writer(sink, mapping, job, m_statistics.times, m_arena, run) {}
     TileWorker(const TileWorker&) = delete;
     TileWorker& operator=(const TileWorker&) = delete;
 

@@ -70,8 +70,8 @@ Taken TileWriter::memory(const Job& job, const Mapping& mapping, int width, int 
 }
 
 TileWriter::TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times,
-                       Arena& arena)
-    : m_sink(sink), m_mapping(mapping), m_job(job), m_times(times), m_arena(arena) {
+                       Arena& arena, const Run* run)
+    : m_sink(sink), m_mapping(mapping), m_job(job), m_times(times), m_arena(arena), m_run(run) {
     m_past_caches = output_of(mapping).area() * size_t(job.channels) >= least_past_caches;
     m_rows_in_cell = in_cell(mapping).rows;
 }
@@ -201,10 +201,13 @@ Outcome TileWriter::write_grid(RowsLeft& left) {
     const auto take = [&](int y) {
         return left.take(whole_cells(all, y, rows_of(strip_floats, row)));
     };
-    for (Rect rows = take(all.y0); !rows.empty(); rows = take(rows.y1))
-        if (const Outcome outcome = write_strip(rows, panels); outcome != Outcome::done)
-            return outcome;
-    return Outcome::done;
+    Outcome so_far = outcome();
+    for (Rect rows = take(all.y0); so_far == Outcome::done && !rows.empty(); rows = take(rows.y1)) {
+        so_far = write_strip(rows, panels);
+        if (so_far == Outcome::done)
+            so_far = outcome();
+    }
+    return so_far;
 }
 
 /// So many of a grid's rows from y on, or fewer that end where a row of cells does.

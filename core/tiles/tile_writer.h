@@ -8,6 +8,7 @@
 #include "core/sample/evaluate.h"
 #include "core/tiles/band_spans.h"
 #include "core/tiles/rows_left.h"
+#include "core/tiles/run.h"
 #include "core/tiles/stage_clock.h"
 #include "core/tiles/tile_mesh.h"
 #include "core/tiles/tile_surface.h"
@@ -19,10 +20,12 @@ namespace ddt {
 /// tile to the next.
 class TileWriter {
 public:
-    /// arena: for rows of a tile's surface, which clear it.
-    TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times, Arena& arena);
+    /// arena: for rows of a tile's surface, which clear it. run: whose end is this one's too, or
+    /// null.
+    TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times, Arena& arena,
+               const Run* run);
 
-    /// Write what is left of a tile.
+    /// Write what is left of a tile. Where the run ends meanwhile, its outcome.
     Outcome write(RowsLeft& left);
 
     /// Whether the positions of a tile's output pixels are the points of a grid: y the same in a
@@ -77,12 +80,14 @@ private:
     int sample_block(const int32_t* y, int n, float* out, size_t row);
     void join(size_t mesh, const float* last, size_t positions, float* mean) const;
     bool hand_over(const Rect& r); ///< m_out to the sink
+    Outcome outcome() const { return m_run ? m_run->outcome() : Outcome::done; }
 
     Sink& m_sink;
     const Mapping& m_mapping;
     const Job& m_job;
     StageTimes& m_times;
     Arena& m_arena;
+    const Run* m_run;
     StageClock m_clock;
 
     bool m_past_caches; ///< results are put where the sink has a place for them

@@ -58,7 +58,8 @@ private:
     void work(Member& self) {
         try {
             if (!self.worker)
-                self.worker = std::make_unique<TileWorker>(m_source, m_sink, m_mapping, m_job);
+                self.worker =
+                    std::make_unique<TileWorker>(m_source, m_sink, m_mapping, m_job, &m_run);
             for (Next next = find_work(self); next != Next::none; next = find_work(self)) {
                 if (next == Next::begin)
                     begin(self);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What costs need to know of a triangle of any shape. GLSL twin: shaders/tin/face.glsl.
+// What costs need to know of a triangle of any shape. GLSL twin: shaders/tin.glsl.
 #pragma once
 
 #include "core/cost/cost.h"

@@ -27,7 +27,7 @@ bool StepGrid::fit(const std::vector<double>& x, const std::vector<double>& y, s
         error = "ddt: the points' positions are too far apart";
         return false;
     }
-    // The extent is then from 2^29 to 2^30 steps.
+    // The extent is then from 2^29 steps to most_steps.
     m_scale = extent > 0 ? std::ldexp(1.0, 29 - std::ilogb(extent)) : 1;
     if (!std::isfinite(m_scale)) {
         error = "ddt: the points' positions are too close together";

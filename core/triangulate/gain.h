@@ -2,8 +2,6 @@
 // The gain of flipping an edge: what the mesh's total cost falls by.
 #pragma once
 
-#include <vector>
-
 #include "core/cost/cost.h"
 #include "core/cost/criterion.h"
 #include "core/guide/contour.h"

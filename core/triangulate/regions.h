@@ -3,9 +3,6 @@
 // flips touch. A lattice's by the widest vectors this machine has, an edge a lane.
 #pragma once
 
-#include <algorithm>
-#include <vector>
-
 #include "core/lattice/lattice.h"
 
 namespace ddt {

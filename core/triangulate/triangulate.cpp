@@ -31,6 +31,7 @@ float min_gain(const MeshOptions& options) {
 }
 
 float blur_share(const MeshOptions& options, int index) {
+    const DenormalsAreZero as_on_gpus;
     if (options.meshes == 1)
         return options.blur;
     const float least = std::max(options.blur - mesh_spread, 0.0f);

@@ -2,7 +2,6 @@
 #include "tools/fit/scene.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/guide/guide.h"
 #include "core/lattice/locate.h"

@@ -10,6 +10,8 @@ namespace ddt {
 /// Coordinates of windows, of sources and results, lie within +- this, so that positions and sites
 /// stay far from overflow.
 constexpr int largest_coordinate = 1 << 29;
+/// A side that a command, a file name or a stream's header may ask for: more than any image has.
+constexpr int largest_side = 1 << 24;
 
 /// Pixels x0 <= x < x1, y0 <= y < y1.
 struct Rect {
@@ -64,6 +66,8 @@ public:
         int64_t position(int i) const;
         /// First output pixel of [out0, out1) whose position is >= limit (a pixel coordinate).
         int first_at_or_after(int limit) const;
+        /// All of `from` pixels made all of `to`.
+        static Axis whole(int from, int to) { return {0, from, 0, to, 0, from, 0, to}; }
     };
     ResizeMapping(const Axis& x, const Axis& y) : m_x(x), m_y(y) {}
     Rect reach(double x0, double y0, double x1, double y1) const override;

@@ -33,9 +33,6 @@ enum class OptionKind : uint8_t {
 /// What an option is about, for hosts that show options in groups.
 enum class OptionGroup : uint8_t { colour, mesh, surface, device };
 
-/// "colour", "mesh", "surface" or "device".
-const char* group_name(OptionGroup group);
-
 /// A name that an option can be set to.
 struct NamedValue {
     const char* name;

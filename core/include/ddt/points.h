@@ -36,11 +36,11 @@ bool has_delaunay();
 bool delaunay(PointMesh& mesh, std::string* error = nullptr);
 
 /// Flip edges of the mesh's triangles, which together may have any shape, by options.scheme and
-/// options.cost (blur, meshes, start and a guide in several channels mean nothing here). `guide`: a
-/// float a point, about 0 to 1. Triangles come out with the orientation from x towards y. False
-/// also where the triangles are no triangulation: one without area, an edge of more than two; and
-/// where a `device` that is named cannot be had. The paper's schemes and one_round run on GPUs, the
-/// others on the CPU whatever is named; no choice changes the result.
+/// options.cost (blur, contour, meshes and start mean nothing here). `guide`: a float a point,
+/// about 0 to 1. Triangles come out with the orientation from x towards y. False also where the
+/// triangles are no triangulation: one without area, an edge of more than two; and where a `device`
+/// that is named cannot be had. The paper's schemes and one_round run on GPUs, the others on the
+/// CPU whatever is named; no choice changes the result.
 bool optimise(PointMesh& mesh, const float* guide, const MeshOptions& options,
               MeshReport* report = nullptr, std::string* error = nullptr,
               const std::function<bool(float)>& progress = {}, Device device = Device::automatic);

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <fstream>
 
+#include "ddt/guide.h"
+
 namespace ddt::bench {
 
 namespace {
@@ -45,7 +47,10 @@ void Picture::set(int x, int y, float r, float g, float b) {
     const float rgba[] = {r, g, b, 1.0f};
     for (size_t c = 0; c < 4; ++c)
         m_values[4 * i + c] = rgba[c];
-    m_guide[i] = std::round((0.2126f * r + 0.7152f * g + 0.0722f * b) * 4096.0f) / 4096.0f;
+    m_guide[i] = std::round((luminance_weights[0] * r + luminance_weights[1] * g +
+                             luminance_weights[2] * b) *
+                            4096.0f) /
+                 4096.0f;
 }
 
 bool Picture::paint(const std::string& file) {
@@ -82,13 +87,8 @@ bool Picture::read(const Rect& r, float* values, float* guide) {
 }
 
 ResizeMapping Picture::twofold() const {
-    const auto axis = [](int pixels) {
-        ResizeMapping::Axis a;
-        a.from_size = a.window1 = pixels;
-        a.to_size = a.out1 = 2 * pixels;
-        return a;
-    };
-    return {axis(m_width), axis(m_height)};
+    return {ResizeMapping::Axis::whole(m_width, 2 * m_width),
+            ResizeMapping::Axis::whole(m_height, 2 * m_height)};
 }
 
 // Not zeros, which would be pages that are not there before they are written.

@@ -67,10 +67,7 @@ double enlarge_on(ddt::Device device, int threads, double (*clock)(), const Subj
                   const std::vector<float>& guide, const ddt::MeshOptions& o) {
     Plain picture(guide, s.width());
     const auto axis = [&](int size) {
-        ddt::ResizeMapping::Axis a;
-        a.from_size = a.window1 = size;
-        a.to_size = a.out1 = size * s.factor;
-        return a;
+        return ddt::ResizeMapping::Axis::whole(size, size * s.factor);
     };
     const ddt::ResizeMapping mapping(axis(s.width()), axis(s.height()));
     ddt::Statistics statistics;

@@ -28,16 +28,10 @@ struct TileTime {
 };
 using TileTimes = std::vector<TileTime>;
 
-ddt::ResizeMapping::Axis along(int size, int enlarged) {
-    ddt::ResizeMapping::Axis axis;
-    axis.from_size = axis.window1 = size;
-    axis.to_size = axis.out1 = enlarged;
-    return axis;
-}
-
 ddt::ResizeMapping mapping_of(const Task& task) {
     const OIIO::ImageSpec& spec = task.image.spec();
-    return {along(spec.width, task.width()), along(spec.height, task.height())};
+    return {ddt::ResizeMapping::Axis::whole(spec.width, task.width()),
+            ddt::ResizeMapping::Axis::whole(spec.height, task.height())};
 }
 
 ddt::Rect window_of(const Task& task) {

@@ -23,8 +23,9 @@ extern "C" __attribute__((visibility("default"))) const char* ddt_take_turn(cons
     job.statistics = &statistics;
     ddt::BufferSource source(turn.pixels, turn.guide, turn.width, job.channels);
     ddt::BufferSink sink(turn.to, turn.width * turn.scale, job.channels);
-    const ddt::ResizeMapping mapping(ddt::whole_axis(turn.width, turn.width * turn.scale),
-                                     ddt::whole_axis(turn.height, turn.height * turn.scale));
+    const ddt::ResizeMapping mapping(
+        ddt::ResizeMapping::Axis::whole(turn.width, turn.width * turn.scale),
+        ddt::ResizeMapping::Axis::whole(turn.height, turn.height * turn.scale));
     if (ddt::enlarge(source, sink, mapping, job, &error) != ddt::Outcome::done)
         return error.c_str();
     const ddt::StageTimes& t = statistics.times;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/stream_copy.h"
 
+#include <cstring>
+
 #include "tests/core/helpers.h"
 #include "tests/core/job_helpers.h"
 
@@ -21,6 +23,19 @@ TEST(StreamCopy, CopiesEveryNumberFromAnywhereToAnywhere) {
                 std::copy_n(from.data() + n % 5, n, expected.data() + begin);
                 ASSERT_EQ(differing(to, expected), 0u) << begin << ' ' << n;
             }
+    });
+}
+
+// Memory of a caller, who may have it where no float lies by itself.
+TEST(StreamCopy, CopiesToPlacesThatAreNotAligned) {
+    on_each_target([] {
+        std::vector<float> from(100, 0.25f);
+        for (size_t shift = 1; shift < sizeof(float); ++shift) {
+            std::vector<char> to(from.size() * sizeof(float) + sizeof(float));
+            stream_copy(from.data(), from.size(), reinterpret_cast<float*>(to.data() + shift));
+            finish_streams();
+            EXPECT_EQ(std::memcmp(to.data() + shift, from.data(), from.size() * sizeof(float)), 0);
+        }
     });
 }
 

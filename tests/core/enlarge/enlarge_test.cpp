@@ -590,6 +590,24 @@ TEST(Enlarge, BadJobsAreToldFromGoodOnes) {
               Outcome::bad_job);
 }
 
+TEST(Enlarge, ResultsLieWithinTheCoordinatesToo) {
+    TestSource source({0, 0, 8, 8}, 1, 19);
+    constexpr int far = largest_coordinate;
+    TestSink sink({0, 0, 16, 16}, 1);
+    const auto outcome = [&](Rect to, Rect out) {
+        std::string error;
+        const Outcome o =
+            enlarge(source, sink, mapping_of(source.window(), to, out), job_of(source, 1), &error);
+        EXPECT_EQ(o == Outcome::done, error.find("output's coordinates") == error.npos) << error;
+        return o;
+    };
+    EXPECT_EQ(outcome({0, 0, 2147483647, 16}, {2147443647, 0, 2147483647, 1}), Outcome::bad_job);
+    EXPECT_EQ(outcome({0, 0, 16, 2147483647}, {0, far, 16, far + 1}), Outcome::bad_job);
+    EXPECT_EQ(outcome({-far - 1, 0, 16, 16}, {-far - 1, 0, 1 - far, 1}), Outcome::bad_job);
+    EXPECT_EQ(sink.writes, 0);
+    EXPECT_EQ(outcome({0, 0, 16, far}, {0, far - 2, 16, far}), Outcome::done);
+}
+
 TEST(Enlarge, PixelsOfAnyKindAreWorkedOn) {
     const float inf = std::numeric_limits<float>::infinity();
     const float odd[] = {inf, -inf, std::nanf(""), 1e38f, -1e38f, 3.4e38f, 1e-40f, 0.0f, 1.0f};

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/base/arith.h"
+#include "core/base/codes.h"
+#include "core/base/half.h"
 #include "tests/core/helpers.h"
 #include "tests/core/job_helpers.h"
 
@@ -30,6 +32,43 @@ std::vector<float> result(const SurfaceOptions& surface, bool one_by_one) {
     return sink.values();
 }
 
+/// Plain buffers, with a guide that is made of their channels, and several meshes.
+std::vector<float> result_of_buffers() {
+    constexpr int width = 20, height = 15, channels = 3;
+    std::vector<float> src(size_t(width * height * channels)), dst(9 * src.size());
+    Random random(12);
+    for (float& v : src)
+        v = random.unit();
+    MeshOptions mesh;
+    mesh.meshes = 4;
+    EXPECT_EQ(enlarge(src.data(), width, height, channels, nullptr, dst.data(), 3 * width,
+                      3 * height, SurfaceOptions(), mesh),
+              Outcome::done);
+    return dst;
+}
+
+/// Numbers in files, there and back.
+template <class Number, class There, class Back>
+std::vector<float> result_of_numbers(There there, Back back) {
+    std::vector<float> floats(1000), again(floats.size());
+    Random random(13);
+    for (float& v : floats)
+        v = random.unit();
+    std::vector<Number> numbers(floats.size());
+    there(floats.data(), floats.size(), numbers.data());
+    back(numbers.data(), numbers.size(), again.data());
+    again.insert(again.end(), numbers.begin(), numbers.end());
+    return again;
+}
+std::vector<float> result_of_bytes() {
+    using There = void (*)(const float*, size_t, uint8_t*);
+    using Back = void (*)(const uint8_t*, size_t, float*);
+    return result_of_numbers<uint8_t, There, Back>(codes_of_floats, floats_of_codes);
+}
+std::vector<float> result_of_halfs() {
+    return result_of_numbers<uint16_t>(halfs_of_floats, floats_of_halfs);
+}
+
 class HostsMode : public testing::Test {
 protected:
     void TearDown() override { std::fesetround(FE_TONEAREST); }
@@ -47,6 +86,19 @@ TEST_F(HostsMode, NeitherMattersNorChanges) {
             const DenormalsAreZero as_some_hosts;
             EXPECT_EQ(hash(usual), hash(result(surface, one_by_one)));
         }
+}
+
+TEST_F(HostsMode, NorDoesItOfWhatComesBeforeAndAfter) {
+    for (auto* const result : {result_of_buffers, result_of_bytes, result_of_halfs}) {
+        const std::vector<float> usual = result();
+        for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+            std::fesetround(mode);
+            const std::vector<float> other = result();
+            EXPECT_EQ(std::fegetround(), mode);
+            std::fesetround(FE_TONEAREST);
+            EXPECT_EQ(hash(usual), hash(other)) << mode;
+        }
+    }
 }
 
 } // namespace

@@ -104,14 +104,8 @@ inline Result enlarge_on(Device device, const Picture& picture, const Order& ord
     job.statistics = &result.statistics;
     PictureSource source(picture);
     BitsSink sink(order.out_width, order.out_height, picture.channels);
-    const auto axis = [](int from, int to) {
-        ResizeMapping::Axis a;
-        a.from_size = a.window1 = from;
-        a.to_size = a.out1 = to;
-        return a;
-    };
-    const ResizeMapping whole(axis(picture.width, order.out_width),
-                              axis(picture.height, order.out_height));
+    const ResizeMapping whole(ResizeMapping::Axis::whole(picture.width, order.out_width),
+                              ResizeMapping::Axis::whole(picture.height, order.out_height));
     result.outcome =
         enlarge(source, sink, order.mapping ? *order.mapping : whole, job, &result.error);
     result.bits = std::move(sink.bits);

@@ -135,13 +135,8 @@ protected:
     }
 
     static ResizeMapping mapping(int width, int height) {
-        const auto axis = [](int n) {
-            ResizeMapping::Axis a;
-            a.from_size = a.window1 = n;
-            a.to_size = a.out1 = 2 * n;
-            return a;
-        };
-        return {axis(width), axis(height)};
+        return {ResizeMapping::Axis::whole(width, 2 * width),
+                ResizeMapping::Axis::whole(height, 2 * height)};
     }
 
     /// Enlarge twofold; the device that did it.

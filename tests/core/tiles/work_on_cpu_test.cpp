@@ -163,6 +163,38 @@ TEST(WorkOnCpu, WhatFailsWhileTheyShareEndsTheWork) {
     EXPECT_NE(error.find("the disk fell down"), std::string::npos) << error;
 }
 
+// What a sink that failed is handed afterwards is what others had in hand.
+TEST(WorkOnCpu, NobodyGoesOnForLongOnceTheSinkHasFailed) {
+    class Failing final : public Sink {
+    public:
+        bool write(const Rect& r, float*) override {
+            if (m_failed)
+                after += int64_t(r.area());
+            else if (++m_calls == 20)
+                m_failed = true;
+            return !m_failed;
+        }
+        std::atomic<int64_t> after{0};
+
+    private:
+        std::atomic<bool> m_failed{false};
+        std::atomic<int> m_calls{0};
+    };
+    OneTile tile(1);
+    Job job = tile.job("ddt");
+    job.threads = 2;
+    for (const bool grid : {true, false}) {
+        Failing sink;
+        const Rect to{0, 0, 16 * tile.source.window().width(), 16 * tile.source.window().height()};
+        const ResizeMapping mapping = mapping_of(tile.source.window(), to, to);
+        const Opaque opaque(mapping);
+        EXPECT_EQ(
+            enlarge(tile.source, sink, grid ? static_cast<const Mapping&>(mapping) : opaque, job),
+            Outcome::sink_failed);
+        EXPECT_LT(sink.after, int64_t(to.area() / 4)) << grid;
+    }
+}
+
 TEST(WorkOnCpu, TilesWaitForAPlaceAndTheBitsAreThoseOfOne) {
     // So many channels that eight threads have places for fewer tiles than there are.
     constexpr int channels = 28, many = 8;

@@ -39,12 +39,6 @@ public:
 /// Twice as large; true if that was done.
 bool twice(Source& source, Holes holes, Device device, std::vector<float>& result,
            std::string& error) {
-    const auto axis = [](int n) {
-        ResizeMapping::Axis a;
-        a.from_size = a.window1 = n;
-        a.to_size = a.out1 = 2 * n;
-        return a;
-    };
     Job job;
     job.window = {0, 0, width, height};
     job.channels = channels;
@@ -52,8 +46,10 @@ bool twice(Source& source, Holes holes, Device device, std::vector<float>& resul
     job.holes = holes;
     job.device = device;
     Kept sink;
-    const bool done = enlarge(source, sink, ResizeMapping(axis(width), axis(height)), job,
-                              &error) == Outcome::done;
+    const bool done = enlarge(source, sink,
+                              ResizeMapping(ResizeMapping::Axis::whole(width, 2 * width),
+                                            ResizeMapping::Axis::whole(height, 2 * height)),
+                              job, &error) == Outcome::done;
     result = sink.values;
     return done;
 }

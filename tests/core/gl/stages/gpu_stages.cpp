@@ -135,14 +135,8 @@ std::vector<float> GpuStages::result(int out_width, int out_height) {
     gl::upload_numbers(m_tile, m_job, 0, m_shape, surfaces);
     surfaces.unpack(m_mesh);
     surfaces.make(m_mesh, criterion(m_job.mesh));
-    const auto axis = [](int from, int to) {
-        ResizeMapping::Axis a;
-        a.from_size = a.window1 = from;
-        a.to_size = a.out1 = to;
-        return a;
-    };
-    const ResizeMapping mapping(axis(m_job.window.width(), out_width),
-                                axis(m_job.window.height(), out_height));
+    const ResizeMapping mapping(ResizeMapping::Axis::whole(m_job.window.width(), out_width),
+                                ResizeMapping::Axis::whole(m_job.window.height(), out_height));
     gl::Strip strip;
     strip.rows = {0, 0, out_width, out_height};
     gl::plan_strip(mapping, m_tile.tile, 0, strip);
