@@ -21,11 +21,17 @@ vec4 rsqrt(int steps, vec4 x) {
 
 // a < b ? yes : no and a <= b ? yes : no, a lane: as selections, which leave NaN and the sign of
 // zero alone. Twins: core/base/lanes-inl.h
+//
+// What is selected by a comparison of floats is `precise` here and elsewhere: compilers (Mesa's NIR)
+// make a minimum or a maximum of a selection that need not be exact, and those drop NaN. A function
+// returns a variable for it, since what it returns itself cannot be declared so.
 vec4 if_less(vec4 a, vec4 b, vec4 yes, vec4 no) {
-    return mix(no, yes, lessThan(a, b));
+    precise vec4 r = mix(no, yes, lessThan(a, b));
+    return r;
 }
 vec4 if_less_equal(vec4 a, vec4 b, vec4 yes, vec4 no) {
-    return mix(no, yes, lessThanEqual(a, b));
+    precise vec4 r = mix(no, yes, lessThanEqual(a, b));
+    return r;
 }
 
 // c ? yes : no, a lane.

@@ -16,8 +16,9 @@ vec3 smooth_(vec3 a, vec3 b, vec3 c, vec3 d, vec3 e, vec3 f, vec3 g) {
 }
 
 uint to_steps(float v) {
-    float low = v > 0.0 ? v : 0.0;
-    return uint(int(low < contour_most ? low : contour_most));
+    precise float low = v > 0.0 ? v : 0.0;
+    precise float within = low < contour_most ? low : contour_most;
+    return uint(int(within));
 }
 
 uint contour_word(vec3 t) {

@@ -62,7 +62,7 @@ vec4 fitted_bend(Edge e, ivec2 m, float g, vec4 index, ivec2 size) {
     int first = 12 * (square > 2 ? 2 : square - 1);
     precise float near = 0.0;
     if (flippable(e)) {
-        float loss = g < 0.0 ? g : 0.0;
+        precise float loss = g < 0.0 ? g : 0.0;
         near = 1.0 + loss * gain_scale;
         near = near > 0.0 ? near : 0.0;
     }

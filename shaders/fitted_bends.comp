@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fitted bends, an invocation a site. C++ twin: bend_fitted() in core/surface/fitted/fitted.cpp.
+// Fitted bends, an invocation a site. C++ twin: bend_fitted() in core/surface/fitted/bends.cpp.
 #include "net.glsl"
 #include "served.glsl"
 #include "fitted.glsl"

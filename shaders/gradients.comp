@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gradients at the vertices, one invocation a pixel. C++ twin: make_gradients in
-// core/surface/net.cpp. FITTED: their indices too, which are wanted within an edge less.
+// core/surface/gradients.cpp. FITTED: their indices too, which are wanted within an edge less.
 #include "lattice.glsl"
 #include "served.glsl"
 #include "surface.glsl"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The net's edges, an invocation a site, for shaders that would make each of them a dozen times
-// over. C++ twin: make_row() in core/surface/net.cpp.
+// over. C++ twin: make_row() in core/surface/edges.cpp.
 #include "net.glsl"
 #include "served.glsl"
 

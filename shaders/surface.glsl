@@ -57,10 +57,11 @@ vec4 edge_bend(vec4 gix, vec4 giy, vec4 gjx, vec4 gjy, vec4 zi, vec4 zj, ivec2 v
 
 // Weight of the flipped state of a flippable edge with this gain.
 float soft_weight(float gain, float reciprocal_tau) {
-    float loss = gain < 0.0 ? gain : 0.0;
+    precise float loss = gain < 0.0 ? gain : 0.0;
     precise float w = 1.0 + loss * reciprocal_tau;
     precise float weight = soft_share * w;
-    return w > 0.0 ? weight : 0.0;
+    precise float r = w > 0.0 ? weight : 0.0;
+    return r;
 }
 
 // q of an edge from i to j with apexes c and d, weight w.
@@ -91,13 +92,15 @@ void find_range(inout Patch p, vec4 strict) {
 }
 
 float smaller(float a, float b) {
-    return a < b ? a : b;
+    precise float r = a < b ? a : b;
+    return r;
 }
 
 // b z, but 0 where b = 0, whatever z is.
 vec4 term(float b, vec4 z) {
     precise vec4 t = b * z;
-    return b > 0.0 ? t : vec4(0.0);
+    precise vec4 r = b > 0.0 ? t : vec4(0.0);
+    return r;
 }
 
 // The surface at barycentric weights b, all >= 0.
@@ -125,8 +128,11 @@ vec4 joined(vec4 mean, vec4 last, float share) {
     return if_less(high, f, high, f);
 }
 
-// The bits of a result: zeros have no sign, and all NaN are alike.
+// The bits of a result: zeros have no sign, and all NaN are alike, which are known by their bits:
+// compilers may take it that there are none.
 uvec4 result_bits(vec4 f) {
-    uvec4 bits = if_true(equal(f, vec4(0.0)), uvec4(0u), floatBitsToUint(f));
-    return if_true(lessThanEqual(f, uintBitsToFloat(uvec4(0x7f800000u))), bits, uvec4(0x7fc00000u));
+    uvec4 own = floatBitsToUint(f);
+    bvec4 is_nan = greaterThan(own & 0x7fffffffu, uvec4(0x7f800000u));
+    uvec4 bits = if_true(equal(f, vec4(0.0)), uvec4(0u), own);
+    return if_true(is_nan, uvec4(0x7fc00000u), bits);
 }

@@ -11,7 +11,11 @@ layout(std430, binding = 0) readonly buffer Vertices { int vertices[]; }; // x, 
 layout(std430, binding = 1) buffer Triangles { int triangles[]; }; // three vertices, three edges
 layout(std430, binding = 2) buffer Edges { ivec2 edges[]; };      // left, right; -1: none
 layout(std430, binding = 3) buffer Faces { vec4 faces[]; };       // of triangles
+#ifdef DRAWN // what a program of annealing does with these, which has no use for gains
+layout(std430, binding = 4) DRAWN buffer Drawn { uint drawn[]; }; // an edge
+#else
 layout(std430, binding = 4) buffer Gains { float gain[]; };
+#endif
 layout(std430, binding = 5) buffer Marks { uint mark[]; };
 layout(std430, binding = 6) buffer Counts { uint evaluated, candidates, waiting, flipped; };
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which edges of a part are outside each other's 2-region and flip; tin_flip.comp does it. C++ twin:
 // Annealing::select() and iterate() in core/triangulate/annealing.h.
+#define DRAWN readonly
 #include "tin.glsl"
 #include "annealing.glsl"
-
-layout(std430, binding = 8) readonly buffer Drawn { uint drawn[]; }; // an edge
 
 bool is_selected(int m) {
     int region[region_size];

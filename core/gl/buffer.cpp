@@ -13,22 +13,32 @@ namespace {
 
 thread_local bool g_filled = false; ///< new buffers are (FilledBuffers)
 
-/// A buffer on its way from or to the host.
-class Passing {
+/// The name of a buffer, which is given back with it.
+class Name {
 public:
-    Passing(const Functions& gl, size_t bytes, const void* data, GLenum usage) : m_gl(gl) {
-        gl.GenBuffers(1, &name);
-        gl.BindBuffer(GL_COPY_READ_BUFFER, name);
-        gl.BufferData(GL_COPY_READ_BUFFER, GLsizeiptr(bytes), data, usage);
-    }
-    ~Passing() { m_gl.DeleteBuffers(1, &name); }
-    Passing(const Passing&) = delete;
-    Passing& operator=(const Passing&) = delete;
+    explicit Name(const Functions& gl) : m_gl(gl) { gl.GenBuffers(1, &m_name); }
+    ~Name() { m_gl.DeleteBuffers(1, &m_name); }
+    Name(const Name&) = delete;
+    Name& operator=(const Name&) = delete;
 
-    GLuint name = 0;
+    operator GLuint() const { return m_name; }
 
 private:
     const Functions& m_gl;
+    GLuint m_name = 0;
+};
+
+/// A buffer on its way from or to the host.
+struct Passing {
+    Passing(const Functions& gl, size_t bytes, const void* data, GLenum usage) : name(gl) {
+        if (strikes(Fault::allocation))
+            throw OutOfMemory("glBufferData for what travels: out of memory");
+        gl.BindBuffer(GL_COPY_READ_BUFFER, name);
+        gl.BufferData(GL_COPY_READ_BUFFER, GLsizeiptr(bytes), data, usage);
+        check(gl, "glBufferData for what travels");
+    }
+
+    const Name name;
 };
 
 } // namespace
@@ -82,10 +92,12 @@ void Buffer::read(size_t offset, size_t bytes, void* data) const {
         const Passing to(m_gl, bytes, nullptr, GL_STREAM_READ);
         copy(m_gl, m_name, offset, to.name, 0, bytes);
         m_gl.GetBufferSubData(GL_COPY_WRITE_BUFFER, 0, GLsizeiptr(bytes), data);
-        return;
+    } else {
+        m_gl.BindBuffer(GL_COPY_READ_BUFFER, m_name);
+        m_gl.GetBufferSubData(GL_COPY_READ_BUFFER, GLintptr(offset), GLsizeiptr(bytes), data);
     }
-    m_gl.BindBuffer(GL_COPY_READ_BUFFER, m_name);
-    m_gl.GetBufferSubData(GL_COPY_READ_BUFFER, GLintptr(offset), GLsizeiptr(bytes), data);
+    // Else `data` is what it was, and nobody would know.
+    check(m_gl, "glGetBufferSubData");
 }
 
 void Buffer::fill(GLuint word) const {

@@ -25,8 +25,10 @@ public:
 
     void bind(GLuint storage_binding) const;
     void bind_uniform(GLuint binding) const;
+    /// Throws Failure if what goes there finds no memory on the way.
     void write(size_t offset, size_t bytes, const void* data) const;
-    /// What shaders wrote, too. Waits for the device to be done with the buffer.
+    /// What shaders wrote, too. Waits for the device to be done with the buffer. Throws Failure if
+    /// it cannot be read.
     void read(size_t offset, size_t bytes, void* data) const;
     void clear() const { fill(0); }
 

@@ -27,8 +27,8 @@ DeviceMesh::DeviceMesh(Gpu& gpu, const SlotShape& shape, int tiles)
       m_gain(m_gl, shape.sites() * 4 * size_t(tiles)),
       m_list0(m_gl, shape.edges() * 4 * size_t(tiles)),
       m_list1(m_gl, shape.edges() * 4 * size_t(tiles)),
-      m_blocked_even(m_gl, shape.edges() * 8 * size_t(tiles)),
-      m_blocked_odd(m_gl, shape.edges() * 8 * size_t(tiles)), m_work(m_gl, work_bytes(tiles)) {}
+      m_blocked_even(m_gl, shape.waiting_bytes() * size_t(tiles)),
+      m_blocked_odd(m_gl, shape.waiting_bytes() * size_t(tiles)), m_work(m_gl, work_bytes(tiles)) {}
 
 TileSize size_in_slot(const Tile& tile, const Rect& window, int width, int height) {
     const Rect &c = tile.cells, &p = tile.pixels;
@@ -37,7 +37,7 @@ TileSize size_in_slot(const Tile& tile, const Rect& window, int width, int heigh
 }
 
 size_t DeviceMesh::bytes(const SlotShape& shape) {
-    return shape.sites() * 14 + shape.pixels() * 8 + shape.edges() * 24;
+    return shape.sites() * 14 + shape.pixels() * 8 + shape.edges() * 8 + 2 * shape.waiting_bytes();
 }
 
 size_t DeviceMesh::largest_bytes(const SlotShape& shape) {

@@ -2,6 +2,7 @@
 // Triangulation of several tiles at once on the device.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ struct SlotShape {
     size_t pixels() const { return size_t(width) * size_t(height); }
     size_t sites() const { return size_t(stride()) * size_t(2 * height - 1); }
     size_t edges() const { return size_t(2 * width - 1) * size_t(2 * height - 1) - pixels(); }
+    /// Bytes of a list of waiting edges, two words each, in which annealing has a word a site: more
+    /// where pictures are two pixels wide.
+    size_t waiting_bytes() const { return std::max(edges() * 8, sites() * 4); }
 };
 
 /// A tile within its slot: its sizes, both at least 2, and the pixels about the positions that it

@@ -4,6 +4,7 @@
 #include "core/gl/device_tin.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/gl/context/failure.h"
 #include "core/gl/offload.h"
@@ -135,7 +136,7 @@ DeviceTin::Counts DeviceTin::pass(const char* shader, size_t invocations, bool w
         buffers[i]->bind(i);
     if (chance) {
         m_place_buffer->bind(7);
-        m_drawn_buffer->bind(8);
+        m_drawn_buffer->bind(4); // in place of the gains: OpenGL 4.3 promises eight blocks
         set_chance(m_gl, *chance);
     }
     m_count_buffer.clear();
@@ -154,8 +155,13 @@ DeviceTin::Counts DeviceTin::pass(const char* shader, size_t invocations, bool w
 }
 
 void DeviceTin::read(Tin& tin) const {
-    m_triangle_buffer.read(0, bytes_of(tin.triangles), tin.triangles.data());
-    m_edge_buffer.read(0, bytes_of(tin.edges), tin.edges.data());
+    // Both or none: when one cannot be read, the CPU goes on with the mesh as it was.
+    std::vector<Tin::Triangle> triangles(tin.triangles.size());
+    std::vector<Tin::Edge> edges(tin.edges.size());
+    m_triangle_buffer.read(0, bytes_of(triangles), triangles.data());
+    m_edge_buffer.read(0, bytes_of(edges), edges.data());
+    tin.triangles = std::move(triangles);
+    tin.edges = std::move(edges);
 }
 
 void DeviceTin::read_work(std::vector<TinFace>& faces, std::vector<float>& gains) const {

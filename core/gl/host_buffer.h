@@ -21,7 +21,6 @@ public:
     HostBuffer(const HostBuffer&) = delete;
     HostBuffer& operator=(const HostBuffer&) = delete;
 
-    bool pinned() const { return m_name != 0; }
     size_t bytes() const { return m_bytes; }
     std::byte* data() { return m_data; }
     const std::byte* data() const { return m_data; }

@@ -96,8 +96,10 @@ void Runner::retry_with_fewer() {
 }
 
 void Runner::read_ahead() {
-    std::vector<std::shared_ptr<JobTile>> tiles;
-    while (m_next_tile < m_grid.count() && m_ready.size() + tiles.size() < m_in_flight) {
+    // Whatever is thrown here, tiles with memory are where ~Runner finds them: it is given back on
+    // the context's thread.
+    const size_t first = m_ready.size();
+    while (m_next_tile < m_grid.count() && m_ready.size() < m_in_flight) {
         auto t = std::make_shared<JobTile>();
         t->index = m_next_tile++;
         t->tile = m_grid.tile(t->index);
@@ -106,18 +108,17 @@ void Runner::read_ahead() {
             m_run.tile_done(t->index);
             continue;
         }
+        m_ready.push_back(t);
         if (!m_memory.empty()) {
             t->memory = std::move(m_memory.back());
             m_memory.pop_back();
         }
-        tiles.push_back(std::move(t));
     }
-    for_each_index(m_threads, int(tiles.size()), [&](int, int i) {
-        if (m_run.going() && !read(m_source, m_job, m_shape, m_travel.there, *tiles[size_t(i)]))
+    for_each_index(m_threads, int(m_ready.size() - first), [&](int, int i) {
+        JobTile& t = *m_ready[first + size_t(i)];
+        if (m_run.going() && !read(m_source, m_job, m_shape, m_travel.there, t))
             m_run.end(Outcome::source_failed);
     });
-    for (auto& t : tiles)
-        m_ready.push_back(std::move(t));
 }
 
 /// Ask the device for all it takes to sample the batch.
@@ -186,10 +187,13 @@ void Runner::sample_batch() {
             strip.plan.meshes = m_meshes;
             if (!has_room(strip))
                 m_gpu.thread.post([&] { make_room(strip); }).get();
-            strip.sampled = m_gpu.thread.post([this, &strip] { sample(strip); });
+            strip.sampled = m_gpu.thread.post([this, &strip] { sample(strip); }).share();
             ++m_begun;
         }
     }
+    // Whether all could be asked for must be known while the batch can be done again.
+    for (size_t i = m_written; i < m_begun; ++i)
+        m_strips[i % strips_under_way].sampled.get();
 }
 
 bool Runner::has_room(const JobStrip& strip) const {

@@ -5,7 +5,6 @@
 #include <deque>
 #include <future>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "core/gl/context/gpu.h"
@@ -45,8 +44,8 @@ private:
         bool last = false;   ///< of its tile
         SampleMemory memory; ///< on the device
         std::unique_ptr<HostBuffer> results;
-        std::future<void> sampled;     ///< all is asked of the device
-        std::unique_ptr<Fence> copied; ///< passed when the results are there
+        std::shared_future<void> sampled; ///< all is asked of the device
+        std::unique_ptr<Fence> copied;    ///< passed when the results are there
     };
     static constexpr size_t strips_under_way = 3; ///< sampled, copied, written
 

@@ -4,11 +4,14 @@
 #include <chrono>
 #include <climits>
 #include <cstring>
+#include <iterator>
+#include <limits>
 #include <memory>
 
 #include "core/base/arith.h"
 #include "core/base/float_bits.h"
 #include "core/gl/budget.h"
+#include "core/gl/context/failure.h"
 #include "core/gl/context/gpu.h"
 #include "core/gl/host_tile.h"
 #include "core/gl/strip.h"
@@ -30,7 +33,8 @@ namespace {
 constexpr int width = 64, height = 48, scale = 3;
 using Bits = std::vector<uint32_t>;
 
-/// Noise, stripes and a few very bright pixels.
+/// Noise, stripes and a few very bright pixels; in a corner, so that most of the check is of
+/// numbers as pictures have them, also what is not finite, or is so large that sums of it are not.
 class CheckSource final : public Source {
 public:
     explicit CheckSource(int channels) : m_channels(channels) {}
@@ -42,13 +46,27 @@ public:
                 const float stripe = (2 * x + 3 * y) % 29 < 11 ? 0.5f : 0.0f;
                 const float bright = h % 101 == 0 ? 1000.0f : 1.0f;
                 *guide++ = 0.5f * noise + stripe;
+                const bool odd = x < 12 && y < 10 && h % 4 == 0;
                 for (int c = 0; c < m_channels; ++c)
-                    *values++ = (0.3f * noise + stripe) * bright * float(c + 1) * 0.37f;
+                    *values++ = odd ? odd_number(h / 4 + uint32_t(c))
+                                    : (0.3f * noise + stripe) * bright * float(c + 1) * 0.37f;
             }
         return true;
     }
 
 private:
+    static float odd_number(uint32_t i) {
+        constexpr float infinity = std::numeric_limits<float>::infinity(), large = 3e38f;
+        constexpr float all[] = {std::numeric_limits<float>::quiet_NaN(),
+                                 infinity,
+                                 -infinity,
+                                 -0.0f,
+                                 large,
+                                 -large,
+                                 -0.8f,
+                                 -30.0f};
+        return all[i % std::size(all)];
+    }
     static uint32_t hash(uint32_t x, uint32_t y) {
         uint32_t h = x * 0x9e3779b9u ^ y * 0x85ebca6bu;
         h = (h ^ (h >> 15)) * 0x2c1b3c6du;
@@ -95,19 +113,16 @@ struct Outcomes {
     Bits gains, result;
 };
 
-/// vectors: vectors_of() an edge.
-void take_edge(uint64_t vectors, float gain, Outcomes& o) {
-    o.edges.push_back(vectors);
-    o.gains.push_back(bits_of(gain + 0.0f)); // whatever a zero's sign
+uint32_t bits_of_gain(float gain) {
+    return bits_of(gain + 0.0f); // whatever a zero's sign
 }
 
-/// A device's mesh: the records and gains of its sites, in rows of `stride`.
-void take_mesh(const uint64_t* records, const float* gains, int stride, Outcomes& o) {
+/// Call f with the site of each edge of a device's mesh, whose rows are `stride` long.
+template <class F>
+void each_edge(int stride, const F& f) {
     for (int y = 0; y < 2 * height - 1; ++y)
-        for (int x = 1 - (y & 1), step = 2 - (y & 1); x < 2 * width - 1; x += step) {
-            const size_t m = size_t(y) * size_t(stride) + size_t(x);
-            take_edge(records[m] & vectors_mask, gains[m], o);
-        }
+        for (int x = 1 - (y & 1), step = 2 - (y & 1); x < 2 * width - 1; x += step)
+            f(size_t(y) * size_t(stride) + size_t(x));
 }
 
 Outcomes on_cpu(const Job& job, const Tile& tile) {
@@ -126,8 +141,10 @@ Outcomes on_cpu(const Job& job, const Tile& tile) {
         start(lattice, w, h, guide.data(), job.mesh);
         triangulate(lattice, job.mesh, workspace, statistics);
         find_all_gains(lattice, criterion(job.mesh));
-        lattice.each_edge(
-            [&](int m) { take_edge(vectors_of(lattice.edge(m)), lattice.gain(m), o); });
+        lattice.each_edge([&](int m) {
+            o.edges.push_back(vectors_of(lattice.edge(m)));
+            o.gains.push_back(bits_of_gain(lattice.gain(m)));
+        });
     }
     CheckSink sink(job.channels);
     const ResizeMapping mapping = check_mapping();
@@ -136,7 +153,36 @@ Outcomes on_cpu(const Job& job, const Tile& tile) {
     return o;
 }
 
-Outcomes on_gpu(Gpu& gpu, const Job& job, const Tile& tile) {
+/// "3 of 100 `what` differ" if there are any, else nothing.
+template <class T>
+std::string compare(const char* what, const std::vector<T>& cpu, const std::vector<T>& gpu) {
+    size_t differing = 0;
+    for (size_t i = 0; i < cpu.size(); ++i)
+        differing += cpu[i] != gpu[i];
+    return differing == 0 ? std::string()
+                          : std::to_string(differing) + " of " + std::to_string(cpu.size()) + ' ' +
+                                what + " differ";
+}
+
+/// What the device makes of the first mesh, compared.
+std::string mesh_differs(DeviceMesh& mesh, const Job& job, const Outcomes& cpu) {
+    const SlotShape& shape = mesh.shape();
+    std::vector<uint64_t> sites(shape.sites()), edges;
+    mesh.read_sites(0, sites.data());
+    each_edge(shape.stride(), [&](size_t m) { edges.push_back(sites[m] & vectors_mask); });
+    const std::string what = compare("edges", cpu.edges, edges);
+    if (!what.empty())
+        return what;
+    mesh.find_gains(criterion(job.mesh));
+    std::vector<float> of_sites(shape.sites());
+    Bits gains;
+    mesh.read_gains(0, of_sites.data());
+    each_edge(shape.stride(), [&](size_t m) { gains.push_back(bits_of_gain(of_sites[m])); });
+    return compare("gains", cpu.gains, gains);
+}
+
+/// Do the job on the device; what differs first.
+std::string differs(Gpu& gpu, const Job& job, const Tile& tile, const Outcomes& cpu) {
     const Functions& gl = gpu.context->gl;
     CheckSource source(job.channels);
     const SlotShape shape = shape_for(job.window);
@@ -155,8 +201,11 @@ Outcomes on_gpu(Gpu& gpu, const Job& job, const Tile& tile) {
     unpack(job, mesh, surfaces);
     if (t.sites.empty())
         mesh.triangulate(job.mesh);
+    // Programs that follow the edges of a spoilt mesh may not come to an end.
+    std::string what = mesh_differs(mesh, job, cpu);
+    if (!what.empty())
+        return what;
     surfaces.make(mesh, criterion(job.mesh));
-    mesh.find_gains(criterion(job.mesh));
 
     Strip strip;
     strip.rows = {0, 0, width * scale, height * scale};
@@ -169,39 +218,34 @@ Outcomes on_gpu(Gpu& gpu, const Job& job, const Tile& tile) {
     surfaces.write_positions(strip.positions, memory);
     surfaces.sample(mesh, strip.plan, memory);
     surfaces.download(count, Travel(), memory, results);
-    Outcomes o;
-    std::vector<uint64_t> sites(shape.sites());
-    std::vector<float> gains(shape.sites());
-    mesh.read_sites(0, sites.data());
-    mesh.read_gains(0, gains.data());
-    take_mesh(sites.data(), gains.data(), shape.stride(), o);
     finish(gl, "self-check");
-    o.result.resize(count);
-    std::memcpy(o.result.data(), results.data(), count * sizeof(float));
-    return o;
+    Bits bits(count);
+    std::memcpy(bits.data(), results.data(), count * sizeof(float));
+    return compare("numbers", cpu.result, bits);
 }
 
-/// "3 of 100 `what` differ" if there are any, else nothing.
-template <class T>
-std::string compare(const char* what, const std::vector<T>& cpu, const std::vector<T>& gpu) {
-    size_t differing = 0;
-    for (size_t i = 0; i < cpu.size(); ++i)
-        differing += cpu[i] != gpu[i];
-    return differing == 0 ? std::string()
-                          : std::to_string(differing) + " of " + std::to_string(cpu.size()) + ' ' +
-                                what + " differ";
+/// Which branches of accept_reject.comp they take.
+std::string key_of(const Rules& rules) {
+    return std::string("accept_reject") + (rules.by_gain ? " by gain" : "") +
+           (rules.wide_iterations == 0               ? ""
+            : rules.wide_iterations >= Rules::always ? " wide"
+                                                     : " wide at first") +
+           (rules.all_rounds ? " all rounds" : "");
 }
 
-/// Two jobs of one key use the same programs.
-std::string key_of(const Job& job) {
+std::string scheme_key_of(const MeshOptions& mesh) {
     Rules rules;
+    return !DeviceMesh::knows(mesh)           ? "mesh of the CPU"
+           : mesh.scheme == Scheme::pixel     ? "pixel"
+           : find_rules(mesh, rules)          ? key_of(rules)
+           : mesh.scheme == Scheme::annealing ? "annealing"
+                                              : "one_round";
+}
+
+/// Two jobs of one key use the same programs, and the same branches of those that choose edges.
+std::string key_of(const Job& job) {
     const MeshOptions& mesh = job.mesh;
-    const char* scheme = !DeviceMesh::knows(mesh)           ? "mesh of the CPU"
-                         : mesh.scheme == Scheme::pixel     ? "pixel"
-                         : find_rules(mesh, rules)          ? "accept_reject"
-                         : mesh.scheme == Scheme::annealing ? "annealing"
-                                                            : "one_round";
-    std::string key = std::string(scheme) + ' ' + cost_name(mesh.cost);
+    std::string key = scheme_key_of(mesh) + ' ' + cost_name(mesh.cost);
     key += mesh.contour > 0 ? " contour" : "";
     key += job.surface.kind == Surface::linear ? " linear" : " patch";
     key += job.surface.soft > 0 ? " soft" : "";
@@ -239,12 +283,7 @@ Job check_job(const Job& job) {
 std::string differs_from_cpu(Gpu& gpu, const Job& wanted) {
     const Job job = check_job(wanted);
     const Tile tile = Grid(job.window).tile(0);
-    const Outcomes cpu = on_cpu(job, tile), device = on_gpu(gpu, job, tile);
-    std::string what = compare("edges", cpu.edges, device.edges);
-    if (what.empty())
-        what = compare("gains", cpu.gains, device.gains);
-    if (what.empty())
-        what = compare("numbers", cpu.result, device.result);
+    const std::string what = differs(gpu, job, tile, on_cpu(job, tile));
     if (what.empty())
         return what;
     return gpu.context->renderer + " does not compute as the CPU does (" + key_of(wanted) +
@@ -261,7 +300,16 @@ const std::string& SelfChecks::differs(Gpu& gpu, const std::string& key,
         return known->second;
     const auto begin = std::chrono::steady_clock::now();
     const FilledBuffers filled;
-    std::string difference = check();
+    std::string difference;
+    try {
+        difference = check();
+    } catch (const OutOfMemory&) {
+        throw; // there may be some for the next job
+    } catch (const ContextLost&) {
+        throw; // nothing is asked of the device again
+    } catch (const Failure& e) {
+        difference = e.what(); // as of a program that does not compile, which takes its time
+    }
     m_milliseconds +=
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     return m_differences[key] = std::move(difference);

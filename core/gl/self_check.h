@@ -17,10 +17,10 @@ struct Gpu;
 /// branches, on a small picture.
 Job check_job(const Job& job);
 
-/// Do it on the device and on the CPU; compare meshes, gains and results bit for bit. Empty if they
-/// are the same, else what differs first. On the context's thread; throws Failure. GLSL promises
-/// what is needed (see core/base/arith.h), but a driver that contracts or reorders all the same
-/// must not be used.
+/// Do it on the device and on the CPU; compare meshes, gains and results bit for bit, each before
+/// what needs it is begun. Empty if they are the same, else what differs first. On the context's
+/// thread; throws Failure. GLSL promises what is needed (see core/base/arith.h), but a driver that
+/// contracts or reorders all the same must not be used.
 std::string differs_from_cpu(Gpu& gpu, const Job& job);
 
 /// What came of the checks of a device, by the programs that were checked.
@@ -30,7 +30,9 @@ public:
     const std::string& differs(Gpu& gpu, const Job& job, const Travel& travel = {});
     /// tin_differs_from_cpu() of core/gl/tin_check.h alike.
     const std::string& differs(Gpu& gpu, const MeshOptions& of_points);
-    /// What `check` says, the first time that the key is wanted. Its buffers are FilledBuffers.
+    /// What `check` says, the first time that the key is wanted. Its buffers are FilledBuffers. A
+    /// Failure of it counts as a difference, but for those of memory and of the context, which are
+    /// thrown.
     const std::string& differs(Gpu& gpu, const std::string& key,
                                const std::function<std::string()>& check);
     double milliseconds() const { return m_milliseconds; }

@@ -2,7 +2,6 @@
 // Time that the device spends on each stage of the work.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "core/gl/context/functions.h"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cfloat>
-#include <cstring>
 
 #include "core/base/float_bits.h"
 #include "core/gl/context/failure.h"

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/base/arith.h"
-#include "core/base/constants.h"
 #include "core/gl/context/failure.h"
 #include "core/gl/context/gpu.h"
 #include "core/gl/device_tin.h"

@@ -5,19 +5,21 @@ namespace ddt::gl {
 
 namespace {
 
-bool is_software(const std::string& renderer) {
-    for (const char* name : {"llvmpipe", "softpipe", "swrast", "SWR", "Software Rasterizer"})
-        if (renderer.find(name) != std::string::npos)
-            return true;
-    return false;
-}
-
 std::string text(const Functions& gl, GLenum what) {
     const GLubyte* s = gl.GetString(what);
     return s ? reinterpret_cast<const char*>(s) : "unknown";
 }
 
 } // namespace
+
+bool is_software(const std::string& renderer) {
+    // The last is Direct3D's own, by way of Mesa's d3d12.
+    for (const char* name :
+         {"llvmpipe", "softpipe", "swrast", "SWR", "Software Rasterizer", "Microsoft Basic Render"})
+        if (renderer.find(name) != std::string::npos)
+            return true;
+    return false;
+}
 
 bool describe_current(const void* library, Lookup lookup, Context& context, std::string& why) {
     Functions& gl = context.gl;

@@ -30,6 +30,9 @@ std::unique_ptr<Context> make_egl_context(Wanted wanted, std::string& why);
 /// The same through libOSMesa, always software.
 std::unique_ptr<Context> make_osmesa_context(std::string& why);
 
+/// Whether a renderer of this name (GL_RENDERER) is none of hardware.
+bool is_software(const std::string& renderer);
+
 /// Load the functions of the context that is current, and learn what it is. False with `why` if it
 /// is not OpenGL 4.3.
 bool describe_current(const void* library, Lookup lookup, Context& context, std::string& why);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/gl/context/failure.h"
+#include "core/gl/context/faults.h"
 #include "tests/core/gl/devices.h"
 
 namespace ddt::test {
@@ -65,6 +67,32 @@ TEST_P(Buffers, AreFilledWhereAskedFor) {
         const gl::Buffer later(gl, 400);
         later.clear(); // what it begins with is the driver's affair
         EXPECT_EQ(words_of(later), std::vector<uint32_t>(100, 0));
+    });
+}
+
+TEST_P(Buffers, SayWhenThereIsNoMemoryForWhatTravels) {
+    gl::Gpu& gpu = fresh_device();
+    gpu.thread
+        .post([&] {
+            const gl::Buffer buffer(gpu.context->gl, 400);
+            buffer.clear();
+            const std::vector<uint32_t> zeros(100, 0);
+            std::vector<uint32_t> found(100, 7);
+            gl::arm(gl::Fault::allocation, 1, 2);
+            EXPECT_THROW(buffer.write(0, 400, found.data()), gl::OutOfMemory);
+            EXPECT_THROW(buffer.read(0, 400, found.data()), gl::OutOfMemory);
+            gl::arm(gl::Fault::allocation, 0);
+            EXPECT_EQ(words_of(buffer), zeros);
+        })
+        .get();
+}
+
+TEST_P(Buffers, SayWhenTheyCannotBeRead) {
+    on_both_kinds([](const gl::Functions& gl) {
+        const gl::Buffer buffer(gl, 400);
+        std::vector<uint32_t> found(200);
+        EXPECT_THROW(buffer.read(8, 400, found.data()), gl::Failure) << "past its end";
+        EXPECT_EQ(gl.GetError(), GLenum(GL_NO_ERROR)) << "told of twice";
     });
 }
 

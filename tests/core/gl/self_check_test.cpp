@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <set>
 
+#include "core/gl/context/failure.h"
 #include "core/gl/context/faults.h"
 #include "core/gl/context/gpu.h"
 #include "core/surface/fitted/fitted.h"
@@ -104,6 +105,8 @@ protected:
     }
     void TearDown() override {
         gl::change_constant("", "", "");
+        gl::arm(gl::Fault::allocation, 0);
+        gl::arm(gl::Fault::shader, 0);
         gl::forget_devices();
         unsetenv("DDT_VERBOSE");
     }
@@ -160,6 +163,42 @@ TEST_P(SelfCheck, EveryProgramIsCheckedBeforeItIsUsedAndAWrongOneIsNot) {
     // 7 programs a cost, 6 with contours, what finds those, select, flip, the 2 others of
     // annealing, 2 that unpack, gradients, 3 of edges, 4 that correct, 2 that bend, 16 that sample.
     EXPECT_GE(proved.size(), 7 * cost_names().size() + 6 + 1 + 2 + 2 + 2 + 1 + 3 + 4 + 2 + 16);
+}
+
+// What one of the paper's schemes proves of its program another may have no use for.
+TEST_P(SelfCheck, SchemesThatTakeOtherBranchesAreCheckedEach) {
+    gl::Gpu& device = fresh_device();
+    Job job = plain_job();
+    const auto check = [&] {
+        device.thread.post([&] { EXPECT_EQ(device.checks.differs(device, job), ""); }).get();
+        return device.programs->uses().at("accept_reject.comp");
+    };
+    int before = 0;
+    for (const Scheme scheme : {Scheme::basic, Scheme::exproi, Scheme::maxgain,
+                                Scheme::exproi_maxgain, Scheme::exproi_n_maxgain}) {
+        job.mesh.scheme = scheme;
+        const int first = check();
+        EXPECT_GT(first, before) << scheme_name(job.mesh);
+        EXPECT_EQ(check(), first) << scheme_name(job.mesh);
+        before = first;
+    }
+    job.mesh.wide_iterations = 5; // the same branches
+    EXPECT_EQ(check(), before);
+}
+
+TEST_P(SelfCheck, AFailureIsRememberedUnlessTheNextJobMayHaveMoreMemory) {
+    gl::Gpu& device = fresh_device();
+    const auto check = [&] {
+        return device.thread.post([&] { return device.checks.differs(device, plain_job()); });
+    };
+    gl::arm(gl::Fault::allocation, 1);
+    EXPECT_THROW(check().get(), gl::OutOfMemory);
+    gl::arm(gl::Fault::allocation, 0);
+    gl::arm(gl::Fault::shader, 1);
+    EXPECT_NE(check().get().find("glCompileShader"), std::string::npos);
+    EXPECT_NE(check().get().find("glCompileShader"), std::string::npos);
+    EXPECT_EQ(gl::chances(gl::Fault::shader), 1) << "compiled again";
+    gl::arm(gl::Fault::shader, 0);
 }
 
 TEST_P(SelfCheck, SoftwareIsNotCheckedUnlessAskedTo) {

@@ -22,7 +22,7 @@ struct Variant {
     /// Choosing and flipping edges compares floats at most.
     bool integers_only() const {
         return file == "select.comp" || file == "flip.comp" || file == "anneal_flip.comp" ||
-               file == "anneal_draw.comp";
+               file == "anneal_draw.comp" || file == "tin_anneal_draw.comp";
     }
 };
 
@@ -35,7 +35,8 @@ std::vector<Variant> variants() {
              {"start.comp", "evaluate.comp", "evaluate.comp DENSE",
               "evaluate.comp DENSE CANDIDATES", "finish.comp", "accept_reject.comp",
               "anneal_select.comp", "anneal_select.comp CONTOURS", "start.comp CONTOURS",
-              "tin_faces.comp", "tin_evaluate.comp", "tin_anneal_select.comp"}) {
+              "tin_faces.comp", "tin_evaluate.comp", "tin_anneal_draw.comp",
+              "tin_anneal_select.comp"}) {
             const std::string name = file;
             const size_t space = name.find(' ');
             all.push_back({name.substr(0, space),
@@ -94,6 +95,22 @@ TEST(Shaders, TheReferenceCompilerTakesThemAndContractsNothing) {
         }
         // Else neither would a forgotten `precise` be seen.
         EXPECT_EQ(operations > 0, !v.integers_only()) << what;
+    }
+}
+
+// OpenGL 4.3 promises a program eight storage blocks, and as many places to bind buffers to.
+TEST(Shaders, BindNoMoreThanIsPromised) {
+    const std::regex block("binding = (\\d+)\\).*\\bbuffer\\b");
+    for (const Variant& v : variants()) {
+        std::istringstream lines(gl::shader_source(v.file, v.defines));
+        std::smatch match;
+        int blocks = 0;
+        for (std::string line; std::getline(lines, line);)
+            if (std::regex_search(line, match, block)) {
+                EXPECT_LT(std::stoi(match[1]), 8) << v.file << " " << v.defines << ": " << line;
+                ++blocks;
+            }
+        EXPECT_GT(blocks, 0) << v.file;
     }
 }
 

@@ -57,6 +57,26 @@ TEST_P(Shapes, EverySize) {
     }
 }
 
+// Annealing keeps a number a site where others keep two an edge: more, in pictures so narrow.
+TEST_P(Shapes, NarrowOnesOfSeveralMeshesAnnealed) {
+    for (const int width : {1, 2})
+        for (const int height : {1, 2, 9, 40}) {
+            const Picture p = make_picture(Content::noise, width, height, 1, 3);
+            Order order = order_for(p, 2 * width + 1, 2 * height + 1);
+            order.job.mesh.scheme = Scheme::annealing;
+            order.job.mesh.max_iterations = 6;
+            order.job.mesh.contour = 0;
+            order.job.mesh.blur = 0.05f;
+            order.job.mesh.meshes = 4;
+            for (const uint32_t seed : {1u, 2u, 3u}) {
+                order.job.mesh.seed = seed;
+                expect_same(GetParam(), p, order,
+                            std::to_string(width) + " x " + std::to_string(height) + ", seed " +
+                                std::to_string(seed));
+            }
+        }
+}
+
 TEST_P(Shapes, EveryNumberOfChannels) {
     for (int channels = 1; channels <= 9; ++channels) {
         const Picture p = make_picture(Content::nonfinite, 30, 20, channels, unsigned(channels));

@@ -121,6 +121,21 @@ TEST_P(TinCheck, AFailureIsToldAndTheCpuDoesTheWork) {
     EXPECT_TRUE(on_device(MeshOptions(), lines));
 }
 
+// on_device() compares: what came back before must not be what the CPU goes on with.
+TEST_P(TinCheck, WhereverMemoryIsMissingTheCpuDoesTheWork) {
+    fresh_device().checks.software_too = false;
+    std::vector<std::string> lines;
+    gl::arm(gl::Fault::allocation, 0);
+    EXPECT_TRUE(on_device(MeshOptions(), lines));
+    const int allocations = gl::chances(gl::Fault::allocation);
+    EXPECT_GT(allocations, 20) << "buffers, and what travels to and from them";
+    for (int n = 1; n <= allocations; ++n) {
+        gl::arm(gl::Fault::allocation, n);
+        EXPECT_FALSE(on_device(MeshOptions(), lines)) << n;
+    }
+    EXPECT_EQ(lines.size(), size_t(allocations));
+}
+
 INSTANTIATE_TEST_SUITE_P(Devices, TinCheck, testing::Values(Device::egl, Device::osmesa),
                          ddt::test::device_name);
 

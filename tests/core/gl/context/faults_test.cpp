@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What follows when something fails: the right picture, or the right error.
 #include "core/gl/context/faults.h"
+
+#include <atomic>
+#include <stdexcept>
+#include <thread>
+
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
 
@@ -114,12 +119,51 @@ TEST_P(Faults, ASourceThatFailsEndsTheWork) {
     job.window = {0, 0, 600, 40};
     job.channels = 4;
     job.device = GetParam();
-    ResizeMapping::Axis x, y;
-    x.from_size = x.window1 = 600;
-    x.to_size = x.out1 = 1300;
-    y.from_size = y.window1 = 40;
-    y.to_size = y.out1 = 90;
-    EXPECT_EQ(enlarge(source, sink, ResizeMapping(x, y), job), Outcome::source_failed);
+    const ResizeMapping mapping(ResizeMapping::Axis::whole(600, 1300),
+                                ResizeMapping::Axis::whole(40, 90));
+    EXPECT_EQ(enlarge(source, sink, mapping, job), Outcome::source_failed);
+}
+
+// Drivers take names that are given back on another thread for nothing: their memory stays.
+std::atomic<int> g_deleted{0}, g_lost{0};
+std::thread::id g_own_thread;
+PFNGLDELETEBUFFERSPROC g_delete_buffers;
+
+void APIENTRY delete_buffers(GLsizei n, const GLuint* names) {
+    ++(std::this_thread::get_id() == g_own_thread ? g_deleted : g_lost);
+    g_delete_buffers(n, names);
+}
+
+TEST_P(Faults, ASourceThatThrowsLeavesNoMemoryBehind) {
+    class Thrown final : public Source {
+        bool read(const Rect& r, float* values, float* guide) override {
+            if (r.x0 > 0)
+                throw std::runtime_error("thrown by a source");
+            std::fill_n(values, r.area() * 4, 0.5f);
+            std::fill_n(guide, r.area(), 0.5f);
+            return true;
+        }
+    } source;
+    gl::Gpu& gpu = fresh_device();
+    gpu.checks.software_too = false;
+    gpu.thread
+        .post([&] {
+            g_own_thread = std::this_thread::get_id();
+            g_delete_buffers = gpu.context->gl.DeleteBuffers;
+            gpu.context->gl.DeleteBuffers = delete_buffers;
+        })
+        .get();
+    g_deleted = g_lost = 0;
+    BitsSink sink(1300, 90, 4);
+    Job job = order.job;
+    job.window = {0, 0, 600, 40};
+    job.channels = 4;
+    job.device = GetParam();
+    const ResizeMapping mapping(ResizeMapping::Axis::whole(600, 1300),
+                                ResizeMapping::Axis::whole(40, 90));
+    EXPECT_EQ(enlarge(source, sink, mapping, job), Outcome::bad_job);
+    EXPECT_GT(g_deleted, 0);
+    EXPECT_EQ(g_lost, 0);
 }
 
 TEST_P(Faults, AJobCanBeCancelled) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/gl/context/context.h"
 #include "core/gl/context/faults.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
@@ -12,6 +13,14 @@
 
 namespace ddt::test {
 namespace {
+
+TEST(Renderers, OfSoftwareAreKnownByTheirNames) {
+    for (const char* name :
+         {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe", "D3D12 (Microsoft Basic Render Driver)"})
+        EXPECT_TRUE(gl::is_software(name)) << name;
+    for (const char* name : {"NVIDIA H100 80GB HBM3/PCIe/SSE2", "D3D12 (NVIDIA GeForce RTX 3080)"})
+        EXPECT_FALSE(gl::is_software(name)) << name;
+}
 
 #ifdef __linux__
 
