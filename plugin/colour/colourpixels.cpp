@@ -9,17 +9,22 @@
 namespace ddt {
 namespace {
 
-/// By what to divide the colour of a pixel before it is converted.
-float coverage(const Light& light, float alpha, const float* rgb) {
-    if (!std::isfinite(alpha))
-        return 1.0f;
-    // Where 1 is not 1 in linear light, or channels mix, the larger colour is not the same number
-    // on the way back: then only what is safe.
-    if (!light.keeps_unit())
-        return alpha > 0.0f ? alpha : 1.0f;
+/// By what to divide each channel of a pixel's colour before it is converted.
+void find_cover(const Light& light, float alpha, const float* rgb, float* cover) {
+    // Where 0 and 1 are not 0 and 1 in linear light, as in logarithmic encodings, or channels mix,
+    // the largest colour is not the same number on the way back; and a quotient that is large would
+    // be without measure in linear light.
+    if (!std::isfinite(alpha) || !light.keeps_unit()) {
+        std::fill_n(cover, 3, 1.0f);
+        return;
+    }
     const float brightest = std::max(rgb[0], std::max(rgb[1], rgb[2]));
-    const float cover = std::max(alpha, std::min(brightest, 1.0f));
-    return cover > 0x1p-100f ? cover : 1.0f; // the quotient must not overflow
+    const float of_all = std::max(alpha, std::min(brightest, 1.0f));
+    for (int k = 0; k < 3; ++k) {
+        // What a filter that rings leaves of a colour is glow of its own, the other way.
+        const float own = std::max(of_all, std::min(-rgb[k], 1.0f));
+        cover[k] = own > 0x1p-100f ? own : 1.0f; // the quotient must not overflow
+    }
 }
 
 template <class Convert, class AlikeConvert>
@@ -35,7 +40,7 @@ void convert(const Light& light, const ColourLayout& layout, float* pixels, size
     const int at[3] = {layout.channel[0], layout.channel[layout.count == 3 ? 1 : 0],
                        layout.channel[layout.count == 3 ? 2 : 0]};
     constexpr size_t block = 256;
-    float rgb[3 * block], cover[block];
+    float rgb[3 * block], cover[3 * block];
     for (size_t begin = 0; begin < count; begin += block, pixels += block * stride) {
         const size_t n = std::min(block, count - begin);
         for (size_t i = 0; i < n; ++i)
@@ -43,15 +48,14 @@ void convert(const Light& light, const ColourLayout& layout, float* pixels, size
                 rgb[3 * i + k] = pixels[i * stride + at[k]];
         if (layout.alpha >= 0)
             for (size_t i = 0; i < n; ++i) {
-                cover[i] = coverage(light, pixels[i * stride + layout.alpha], rgb + 3 * i);
+                find_cover(light, pixels[i * stride + layout.alpha], rgb + 3 * i, cover + 3 * i);
                 for (int k = 0; k < 3; ++k)
-                    rgb[3 * i + k] /= cover[i];
+                    rgb[3 * i + k] /= cover[3 * i + k];
             }
         rgb_convert(rgb, n);
         if (layout.alpha >= 0)
-            for (size_t i = 0; i < n; ++i)
-                for (int k = 0; k < 3; ++k)
-                    rgb[3 * i + k] *= cover[i];
+            for (size_t i = 0; i < 3 * n; ++i)
+                rgb[i] *= cover[i];
         for (size_t i = 0; i < n; ++i)
             for (int k = 0; k < layout.count; ++k)
                 pixels[i * stride + at[k]] = rgb[3 * i + k];

@@ -28,7 +28,9 @@ light_of_codes(const Light& light, const ColourLayout& layout, int stride, int b
 /// Colour that is associated with an alpha is divided by it for the conversion and multiplied
 /// again after it. Glow, colour brighter than its alpha (up to alpha 0), counts as full light of
 /// as much coverage as it is bright: so it converts there and back to itself and fades in and out
-/// without a seam.
+/// without a seam. A channel that is negative by more than that does so by itself. Where 0 and 1 of
+/// an encoding are not 0 and 1 in linear light (logarithmic ones), or it is no curve a channel,
+/// colour is converted as it is.
 void to_light(const Light& light, const ColourLayout& layout, float* pixels, size_t count,
               int stride);
 /// The way back.

@@ -5,6 +5,8 @@
 #include <map>
 #include <mutex>
 
+#include "ddt/guide.h"
+
 namespace ddt {
 namespace {
 
@@ -21,7 +23,8 @@ constexpr Encoding encodings[] = {
     {"Gamma1.8", 1.8, 0.0}, {"Gamma2.2", 2.2, 0.0}, {"Gamma2.4", 2.4, 0.0},
 };
 
-const std::array<float, 3> rec709_luma{0.2126f, 0.7152f, 0.0722f};
+const std::array<float, 3> rec709_luma{luminance_weights[0], luminance_weights[1],
+                                       luminance_weights[2]};
 
 /// Numbers that curve(|v|) replaces, of float32 arithmetic throughout.
 template <class Curve>

@@ -136,6 +136,14 @@ std::shared_ptr<const Light> find_light(const std::string& option, const std::st
         Space space;
         if (!find_space(name, by_image ? NamedBy::image : NamedBy::user, space, error))
             return nullptr;
+        // An image's own space may be unknown; what the user names is to be used.
+        if (!by_image && space.space && !space.space->isData() &&
+            !space.config->getColorSpace(OCIO::ROLE_SCENE_LINEAR)) {
+            error = "light=" + name +
+                    ": the OCIO config has no role scene_linear, the light that its spaces are "
+                    "blended in; allowed are auto and encoded";
+            return nullptr;
+        }
         return (*known)[key] = std::make_shared<Light>(light_of(space));
     } catch (const OCIO::Exception& e) {
         error = OIIO::Strutil::fmt::format("colour space \"{}\": {}", name, one_line(e.what()));

@@ -71,10 +71,17 @@ bool is_id_name(OIIO::string_view name) {
     // "ID" itself is two capitals: a word that starts at its D starts at its I.
     const OIIO::string_view word = name.substr(std::min(start, name.size() - 2));
     static const char* const english[] = {
-        "acid",     "android", "arid",      "asteroid", "avid",      "avoid", "bid",     "braid",
-        "centroid", "cuboid",  "ellipsoid", "fluid",    "grid",      "hid",   "humid",   "hybrid",
-        "invalid",  "kid",     "lid",       "liquid",   "mid",       "paid",  "pyramid", "rapid",
-        "rigid",    "solid",   "spheroid",  "subgrid",  "trapezoid", "valid", "vivid",   "void"};
+        "acid",    "aid",      "amid",        "android",  "arid",      "asteroid",  "avid",
+        "avoid",   "bid",      "braid",       "candid",   "cardioid",  "centroid",  "conoid",
+        "cuboid",  "cycloid",  "deltoid",     "droid",    "druid",     "ellipsoid", "eyelid",
+        "fluid",   "forbid",   "frigid",      "grid",     "helicoid",  "hid",       "humanoid",
+        "humid",   "hybrid",   "hyperboloid", "inlaid",   "invalid",   "kid",       "laid",
+        "lid",     "liquid",   "lucid",       "maid",     "mermaid",   "mid",       "orchid",
+        "ovoid",   "paid",     "paraboloid",  "placid",   "plaid",     "planetoid", "polaroid",
+        "pyramid", "raid",     "rapid",       "rhomboid", "rigid",     "said",      "sigmoid",
+        "skid",    "solenoid", "solid",       "spheroid", "splendid",  "squid",     "steroid",
+        "subgrid", "tabloid",  "toroid",      "torrid",   "trapezoid", "turbid",    "valid",
+        "vivid",   "void"};
     return std::none_of(std::begin(english), std::end(english),
                         [&](const char* w) { return iequals(word, w); });
 }
@@ -83,18 +90,22 @@ bool is_id_type(OIIO::TypeDesc type) {
     return type == OIIO::TypeDesc::UINT32 || type == OIIO::TypeDesc::INT32;
 }
 
-Channels channels_of(const OIIO::ImageSpec& spec, OIIO::TypeDesc native) {
+Channels channels_of(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& native) {
     const int count = spec.nchannels;
     Channels channels;
     channels.alpha =
         spec.alpha_channel >= 0 && spec.alpha_channel < count ? spec.alpha_channel : -1;
     channels.raw = is_id_type(spec.format);
-    const bool ids = channels.raw || is_id_type(native);
+    // A file's channels may each have a type of their own, where the image has one for all.
+    const bool same_channels = native.nchannels == count;
+    const auto stored_as_id = [&](int c) {
+        return channels.raw || is_id_type(same_channels ? native.channelformat(c) : native.format);
+    };
 
     const std::vector<std::string> layers = cryptomattes(spec);
     for (int c = 0; c < count; ++c) {
         const std::string name = spec.channel_name(c);
-        const bool id = ids || is_id_name(name) || looks_like_cryptomatte(name) ||
+        const bool id = stored_as_id(c) || is_id_name(name) || looks_like_cryptomatte(name) ||
                         std::any_of(layers.begin(), layers.end(), [&](const std::string& layer) {
                             return is_rank_of(name, layer);
                         });

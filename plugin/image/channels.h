@@ -28,9 +28,12 @@ struct Channels {
 /// True for the types whose numbers are IDs: 32-bit integers.
 bool is_id_type(OIIO::TypeDesc type);
 
-/// `native` is the type of the file the pixels were read from: all channels are IDs if it says so,
+/// `native` is of the file the pixels were read from: channels of 32-bit integers there are IDs,
 /// even where a host has made floats of them.
-Channels channels_of(const OIIO::ImageSpec& spec, OIIO::TypeDesc native = OIIO::TypeUnknown);
+Channels channels_of(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& native);
+inline Channels channels_of(const OIIO::ImageSpec& spec) {
+    return channels_of(spec, spec);
+}
 
 /// True for the name of a channel of identifiers: its last word ends in "id" in any case, as in
 /// "id", "objectId", "prim_id", "materialid", "layer.ID". A word of English that ends so (grid,

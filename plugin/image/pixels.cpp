@@ -14,12 +14,18 @@
 namespace ddt {
 namespace {
 
+/// ROI(x0, x1, y0, y1, z0, z1, ...) of pixels of a flat image, which may lie at any z.
+OIIO::ROI roi_of(const OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend) {
+    const int z = image.spec().z;
+    return {r.x0, r.x1, r.y0, r.y1, z, z + 1, chbegin, chend};
+}
+
 void write_strided(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend,
                    OIIO::TypeDesc type, const void* values, OIIO::stride_t pixel) {
     OIIO::convert_image(chend - chbegin, r.width(), r.height(), 1, values, type, pixel,
-                        pixel * r.width(), OIIO::AutoStride,
-                        image.pixeladdr(r.x0, r.y0, 0, chbegin), image.spec().format,
-                        image.pixel_stride(), image.scanline_stride(), OIIO::AutoStride);
+                        pixel * r.width(), OIIO::AutoStride, address(image, r.x0, r.y0, chbegin),
+                        image.spec().format, image.pixel_stride(), image.scanline_stride(),
+                        OIIO::AutoStride);
 }
 
 // OpenImageIO does the same several times slower, which enlarging, with its many output pixels,
@@ -35,7 +41,7 @@ bool is_dense(const OIIO::ImageBuf& image, int channels) {
 template <class Number, class Image, class Float, class F>
 void each_row(Image& image, const Rect& r, int chbegin, Float* floats, size_t n, F&& f) {
     for (int y = r.y0; y < r.y1; ++y, floats += n)
-        f(static_cast<Number*>(image.pixeladdr(r.x0, y, 0, chbegin)), floats);
+        f(static_cast<Number*>(address(image, r.x0, y, chbegin)), floats);
 }
 
 /// Call f with the kind of number whose rows convert at once; false if this type has none.
@@ -109,12 +115,12 @@ bool read_pixels(const OIIO::ImageBuf& image, const Rect& r, int chbegin, int ch
     const auto pixel = OIIO::stride_t(type.size()) * channels;
     const OIIO::TypeDesc from = image.spec().format;
     if (!image.localpixels())
-        return read_cached(image, {r.x0, r.x1, r.y0, r.y1, 0, 1, chbegin, chend}, type, out, error);
+        return read_cached(image, roi_of(image, r, chbegin, chend), type, out, error);
     if (type == OIIO::TypeFloat && from != type && is_dense(image, channels) &&
         read_rows(image, r, static_cast<float*>(out)))
         return true;
     return OIIO::convert_image(channels, r.width(), r.height(), 1,
-                               image.pixeladdr(r.x0, r.y0, 0, chbegin), from, image.pixel_stride(),
+                               address(image, r.x0, r.y0, chbegin), from, image.pixel_stride(),
                                image.scanline_stride(), OIIO::AutoStride, out, type, pixel,
                                pixel * r.width(), OIIO::AutoStride);
 }

@@ -10,6 +10,14 @@
 
 namespace ddt {
 
+/// The first byte of a channel of a pixel of a flat image, which may lie at any z.
+inline const void* address(const OIIO::ImageBuf& image, int x, int y, int channel) {
+    return image.pixeladdr(x, y, image.spec().z, channel);
+}
+inline void* address(OIIO::ImageBuf& image, int x, int y, int channel) {
+    return image.pixeladdr(x, y, image.spec().z, channel);
+}
+
 /// Copy channels [chbegin, chend) of the pixels of `r`, which lie within the data window, to
 /// `out`: interleaved values of `type`, rows without gaps; numbers convert as OpenImageIO does.
 /// Thread-safe. False with one line in `error` when a file behind the image cannot be read.

@@ -46,12 +46,28 @@ GuideRecipe recipe(const Channels& channels, const Light& light, bool linear) {
     return guide;
 }
 
+/// Whether the file behind the image has integers.
+bool of_integers(const OIIO::ImageBuf& src) {
+    const OIIO::TypeDesc stored = src.nativespec().format;
+    return stored != OIIO::TypeUnknown && !stored.is_floating_point();
+}
+
 } // namespace
+
+bool check_options_of(const OIIO::ImageBuf& src, const Options& options, std::string& error) {
+    if (!check_options(options, error))
+        return false;
+    // Of `auto` the image says what it means.
+    if (options.light == "auto" || options.light == "encoded")
+        return true;
+    return find_light(options.light, src.spec().get_string_attribute("oiio:ColorSpace"), error) !=
+           nullptr;
+}
 
 bool plan_reading(const OIIO::ImageBuf& src, const Options& options, const OIIO::ROI& roi,
                   Reading& reading, std::string& error) {
     const OIIO::ImageSpec& spec = src.spec();
-    reading.channels = channels_of(spec, src.nativespec().format);
+    reading.channels = channels_of(spec, src.nativespec());
     const bool encoded = options.light == "encoded";
     std::shared_ptr<const Light> light = std::make_shared<Light>();
     if (reading.channels.colour.count) {
@@ -67,13 +83,15 @@ bool plan_reading(const OIIO::ImageBuf& src, const Options& options, const OIIO:
             light = found;
     }
     // Numbers that are not converted are looked at as they are when they are an encoding, or
-    // integers of which nobody says: those mostly are one.
-    const bool linear =
-        light->known() ? !(encoded && light->converts()) : spec.format.is_floating_point();
+    // integers of which nobody says: those mostly are one, also where a host holds a file's
+    // integers as floats.
+    const bool linear = light->known() ? !(encoded && light->converts())
+                                       : spec.format.is_floating_point() && !of_integers(src);
     reading.guide = recipe(reading.channels, *light, linear);
     if (!encoded)
         reading.light = *light;
-    const bool fill = options.holes != Holes::keep;
+    // Identifiers are neither NaN nor to be interpolated.
+    const bool fill = options.holes != Holes::keep && !reading.channels.raw;
     reading.keep_nan = fill;
     reading.selected = select(reading, roi, fill ? spec.nchannels : 0);
     return true;

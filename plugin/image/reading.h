@@ -23,6 +23,10 @@ struct Reading {
     bool keep_nan = false;     ///< whatever converting light makes of a NaN, it is one again
 };
 
+/// False with one line in `error` unless each option has a value that is allowed, whether or not
+/// the image makes use of it.
+bool check_options_of(const OIIO::ImageBuf& src, const Options& options, std::string& error);
+
 /// Decide on it for the channels of `roi` under options.light; where holes are to be filled, all
 /// channels are handed on: which pixels are missing does not depend on what is wanted. False with
 /// one line in `error` for a colour space that does not exist.

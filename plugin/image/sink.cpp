@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/image/sink.h"
 
+#include <cstdint>
+
 #include "plugin/colour/colourpixels.h"
 #include "plugin/image/pixels.h"
 
@@ -34,8 +36,11 @@ float* ImageSink::place(const Rect& r, size_t& row) {
                        m_image.scanline_stride() % size == 0;
     if (m_image.spec().format != OIIO::TypeFloat || !whole || !as_they_are())
         return nullptr;
+    void* const first = address(m_image, r.x0, r.y0, w.chbegin);
+    if (reinterpret_cast<uintptr_t>(first) % alignof(float) != 0) // a caller's memory
+        return nullptr;
     row = size_t(m_image.scanline_stride() / size);
-    return static_cast<float*>(m_image.pixeladdr(r.x0, r.y0, 0, w.chbegin));
+    return static_cast<float*>(first);
 }
 
 bool ImageSink::takes_halfs() const {
@@ -65,8 +70,8 @@ bool ImageSink::write_codes(const Rect& r, const float* values) {
         return false;
     const size_t row = size_t(r.width()) * size_t(m_writing.channels);
     for (int y = r.y0; y < r.y1; ++y, values += row)
-        codes->encode(values,
-                      static_cast<uint8_t*>(m_image.pixeladdr(r.x0, y, 0, m_writing.chbegin)), row);
+        codes->encode(values, static_cast<uint8_t*>(address(m_image, r.x0, y, m_writing.chbegin)),
+                      row);
     return true;
 }
 

@@ -26,13 +26,20 @@ int64_t allowed_megabytes() {
     return std::min<int64_t>(limit, memory);
 }
 
-bool check_window(const char* which, int64_t begin, int64_t size, std::string& error) {
-    if (size > 0 && begin >= -largest_coordinate && begin + size <= largest_coordinate)
-        return true;
-    error = format("the source's {} window has size {} at {}; allowed are sizes of 1 and more "
-                   "within +-{}",
-                   which, size, begin, largest_coordinate);
-    return false;
+/// `whose`: "source's" or "destination's"; what has no display window is no source.
+bool check_windows(const char* whose, const OIIO::ImageSpec& spec, int least_display,
+                   std::string& error) {
+    const auto fits = [&](const char* which, int64_t begin, int64_t size, int least) {
+        if (size >= least && begin >= -largest_coordinate && begin + size <= largest_coordinate)
+            return true;
+        error = format("the {} {} window has size {} at {}; allowed are sizes of {} and more "
+                       "within +-{}",
+                       whose, which, size, begin, least, largest_coordinate);
+        return false;
+    };
+    return fits("data", spec.x, spec.width, 1) && fits("data", spec.y, spec.height, 1) &&
+           fits("display", spec.full_x, spec.full_width, least_display) &&
+           fits("display", spec.full_y, spec.full_height, least_display);
 }
 
 ResizeMapping::Axis axis(int from0, int from_size, int to0, int to_size, int window0, int window,
@@ -62,11 +69,10 @@ bool allocate(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, in
         return false;
     }
     OIIO::ImageSpec spec = pixel.spec();
-    const bool full_is_roi = pixel.roi_full() == pixel.roi();
     roi.xend = whole.xend;
     roi.yend = whole.yend;
     OIIO::set_roi(spec, roi);
-    if (full_is_roi)
+    if (flags & OIIO::ImageBufAlgo::IBAprep_NO_COPY_ROI_FULL)
         OIIO::set_roi_full(spec, roi);
     const bool all = roi.chbegin <= 0 && roi.chend >= spec.nchannels;
     if (!take_memory(dst, spec, error))
@@ -130,10 +136,7 @@ bool check_source(const OIIO::ImageBuf& src, std::string& error) {
                        spec.format.c_str());
         return false;
     }
-    return check_pixels(src, error) && check_window("data", spec.x, spec.width, error) &&
-           check_window("data", spec.y, spec.height, error) &&
-           check_window("display", spec.full_x, spec.full_width, error) &&
-           check_window("display", spec.full_y, spec.full_height, error);
+    return check_pixels(src, error) && check_windows("source's", spec, 1, error);
 }
 
 bool check_size(const OIIO::ROI& roi, int channels, OIIO::TypeDesc type, std::string& error) {
@@ -183,6 +186,8 @@ bool prepare(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int
             error = "the destination is a deep image or a volume; only flat images can be written";
             return false;
         }
+        if (!check_windows("destination's", dst.spec(), 0, error))
+            return false;
     } else if (!check_size(roi.defined() ? roi : src.roi(), src.nchannels(), src.spec().format,
                            error)) {
         return false;
@@ -196,9 +201,39 @@ bool prepare(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int
     }
     roi.chend = std::min(roi.chend, std::min(src.nchannels(), dst.nchannels()));
     roi.chbegin = std::max(roi.chbegin, 0);
-    if (roi.width() <= 0 || roi.height() <= 0 || roi.chbegin >= roi.chend)
+    if (roi.width() <= 0 || roi.height() <= 0 || roi.depth() <= 0 || roi.chbegin >= roi.chend)
         roi.xend = roi.xbegin;
     return true;
+}
+
+namespace {
+
+/// Cut begin .. end to the output pixels that the enlarged data window touches, on either side
+/// where that ends within the display window.
+void cut_to_data(int from0, int from_size, int window0, int window_size, int to0, int to_size,
+                 int& begin, int& end) {
+    const auto moved = [&](int from) { return int64_t(from - from0) * to_size; };
+    if (window0 > from0)
+        begin = int(std::max<int64_t>(begin, to0 + moved(window0) / from_size));
+    if (window0 + window_size < from0 + from_size) {
+        const int64_t last = moved(window0 + window_size);
+        const int64_t up = last > 0 ? (last + from_size - 1) / from_size : last / from_size;
+        end = int(std::min<int64_t>(end, to0 + up));
+    }
+}
+
+} // namespace
+
+OIIO::ROI cut_to_data(const OIIO::ImageSpec& src, const OIIO::ImageSpec& dst, OIIO::ROI roi) {
+    if (dst.full_width >= src.full_width)
+        cut_to_data(src.full_x, src.full_width, src.x, src.width, dst.full_x, dst.full_width,
+                    roi.xbegin, roi.xend);
+    if (dst.full_height >= src.full_height)
+        cut_to_data(src.full_y, src.full_height, src.y, src.height, dst.full_y, dst.full_height,
+                    roi.ybegin, roi.yend);
+    roi.xend = std::max(roi.xbegin, roi.xend);
+    roi.yend = std::max(roi.ybegin, roi.yend);
+    return roi;
 }
 
 ResizeMapping::Axis x_axis(const OIIO::ImageSpec& src, const OIIO::ImageSpec& dst,

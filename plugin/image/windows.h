@@ -38,6 +38,10 @@ inline Rect rect_of(const OIIO::ROI& roi) {
     return {roi.xbegin, roi.ybegin, roi.xend, roi.yend};
 }
 
+/// What `roi` of dst's pixels shows of src: without those that the enlarged data window does not
+/// touch, where it ends within the display window, along axes that do not shrink. May be empty.
+OIIO::ROI cut_to_data(const OIIO::ImageSpec& src, const OIIO::ImageSpec& dst, OIIO::ROI roi);
+
 /// src's display window mapped onto dst's, `roi` of dst's pixels wanted.
 ResizeMapping::Axis x_axis(const OIIO::ImageSpec& src, const OIIO::ImageSpec& dst,
                            const OIIO::ROI& roi);

@@ -1,12 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/imagebuf/holes.h"
 
+#include <cstring>
+
 #include "core/tin/fill.h"
+#include "plugin/image/pixels.h"
+#include "plugin/image/reading.h"
 #include "plugin/image/source.h"
 #include "plugin/image/windows.h"
 #include "plugin/imagebuf/guarded.h"
 
 namespace ddt {
+
+namespace {
+
+/// Put the numbers of an image that differ from src's as floats; others keep bits that floats have
+/// no room for.
+bool put_filled(const OIIO::ImageBuf& src, const float* values, OIIO::ImageBuf& filled,
+                std::string& error) {
+    const Rect window = rect_of(src.roi());
+    const int channels = src.nchannels();
+    std::vector<float> before(size_t(window.width()) * size_t(channels));
+    for (int y = window.y0; y < window.y1; ++y) {
+        if (!read_pixels(src, {window.x0, y, window.x1, y + 1}, 0, channels, OIIO::TypeFloat,
+                         before.data(), error))
+            return false;
+        for (const float& old : before) {
+            if (std::memcmp(&old, values, sizeof old) != 0) {
+                const int i = int(&old - before.data()), x = window.x0 + i / channels,
+                          c = i % channels;
+                write_pixels(filled, {x, y, x + 1, y + 1}, c, c + 1, OIIO::TypeFloat, values);
+            }
+            ++values;
+        }
+    }
+    return true;
+}
+
+} // namespace
 
 bool fill_image(const OIIO::ImageBuf& src, const Options& options, Holes holes,
                 OIIO::ImageBuf& filled, std::string& error) {
@@ -18,11 +49,9 @@ bool fill_image(const OIIO::ImageBuf& src, const Options& options, Holes holes,
     const Rect window = rect_of(roi);
     const auto channels = size_t(src.nchannels());
     std::vector<float> values(window.area() * channels);
-    if (!src.get_pixels(roi, OIIO::TypeFloat, values.data())) {
-        error = src.geterror();
+    if (!read_pixels(src, window, 0, src.nchannels(), OIIO::TypeFloat, values.data(), error))
         return false;
-    }
-    const Channels roles = channels_of(src.spec(), src.nativespec().format);
+    const Channels roles = channels_of(src.spec(), src.nativespec());
     std::vector<float> guide(window.area());
     const HoledImage image{values.data(), guide.data(),       window.width(), window.height(),
                            int(channels), roles.kinds.data(), false};
@@ -45,22 +74,22 @@ bool fill_image(const OIIO::ImageBuf& src, const Options& options, Holes holes,
     }
     if (!fill_missing(image, holes, options.mesh, options.device, error))
         return false;
-    if (!filled.copy(src) || !filled.set_pixels(roi, OIIO::TypeFloat, values.data())) {
+    if (!filled.copy(src)) {
         error = filled.geterror();
         return false;
     }
-    return true;
+    return put_filled(src, values.data(), filled, error);
 }
 
 bool fill(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options, Missing missing) {
-    return guarded(dst, [&](OIIO::ROI&, std::string& error) {
-        if (!check_source(src, error))
+    return guarded_from(dst, src, [&](const auto& from, OIIO::ROI&, std::string& error) {
+        if (!check_options_of(from, options, error))
             return false;
         OIIO::ImageBuf filled;
         const Holes holes = missing == Missing::alpha ? Holes::fill_alpha : Holes::fill;
-        if (!fill_image(src, options, holes, filled, error))
+        if (!fill_image(from, options, holes, filled, error))
             return false;
-        return dst.copy(filled.initialized() ? filled : src);
+        return dst.copy(filled.initialized() ? filled : from);
     });
 }
 

@@ -8,7 +8,6 @@
 #include <OpenImageIO/timer.h>
 
 #include "core/base/verbose.h"
-#include "plugin/image/pixels.h"
 #include "plugin/image/sink.h"
 #include "plugin/image/source.h"
 #include "plugin/image/windows.h"
@@ -66,9 +65,8 @@ bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& map
         job.kinds.push_back(reading.channels.kinds[c]);
     job.mesh = options.mesh;
     job.surface = options.surface;
-    job.surface.clipped |= !dst.spec().format.is_floating_point() &&
-                           dst.spec().format != OIIO::TypeInt16 &&
-                           dst.spec().format != OIIO::TypeInt8;
+    const OIIO::TypeDesc type = dst.spec().format;
+    job.surface.clipped |= type == OIIO::TypeUInt8 || type == OIIO::TypeUInt16;
     job.threads = thread_count(nthreads);
     job.device = options.device;
     job.holes = options.holes;
@@ -92,24 +90,36 @@ bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& map
     return true;
 }
 
+bool check_was_read(const OIIO::ImageBuf& reader, std::string& error) {
+    if (!reader.has_error())
+        return true;
+    error = "the source image cannot be read: " + reader.geterror();
+    return false;
+}
+
 bool resize_by_oiio(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::ROI& roi,
                     int nthreads, std::string& error) {
     const auto resized = [&](OIIO::ImageBuf& out, const OIIO::ROI& part) {
+        return while_reading(src, error, [&](const OIIO::ImageBuf& from) {
 #if OIIO_VERSION >= OIIO_MAKE_VERSION(3, 0, 0)
-        const bool ok =
-            OIIO::ImageBufAlgo::resize(out, src, OIIO::ParamValueSpan(), part, nthreads);
+            const bool ok =
+                OIIO::ImageBufAlgo::resize(out, from, OIIO::ParamValueSpan(), part, nthreads);
 #else
-        const bool ok = OIIO::ImageBufAlgo::resize(out, src, "", 0.0f, part, nthreads);
+            const bool ok = OIIO::ImageBufAlgo::resize(out, from, "", 0.0f, part, nthreads);
 #endif
-        if (ok)
-            return true;
-        error = out.has_error() ? out.geterror() : "OpenImageIO's resize failed";
-        return false;
+            if (!ok)
+                error = out.has_error() ? out.geterror() : "OpenImageIO's resize failed";
+            return ok;
+        });
     };
-    if (roi.chbegin == 0 && roi.chend == dst.nchannels() && roi.chend == src.nchannels())
+    // Of another type it would make dst an image of floats.
+    const OIIO::TypeDesc type = dst.spec().format;
+    const bool known = type == OIIO::TypeUInt8 || type == OIIO::TypeUInt16 ||
+                       type == OIIO::TypeHalf || type == OIIO::TypeFloat;
+    if (known && roi.chbegin == 0 && roi.chend == dst.nchannels() && roi.chend == src.nchannels())
         return resized(dst, roi);
     OIIO::ImageSpec spec = src.spec();
-    spec.set_format(dst.spec().format);
+    spec.set_format(known ? type : OIIO::TypeFloat);
     OIIO::ROI part = roi;
     part.chbegin = 0;
     part.chend = src.nchannels();

@@ -7,7 +7,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "plugin/image/channels.h"
-#include "plugin/image/pixels.h"
+#include "plugin/image/reading.h"
 #include "plugin/image/windows.h"
 #include "plugin/imagebuf/guarded.h"
 #include "plugin/imagebuf/holes.h"
@@ -64,12 +64,14 @@ bool enlarge_then_shrink_in_bands(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src
                          src.nchannels() * int64_t(sizeof(float));
     const int band =
         int(std::min<int64_t>(end - begin, std::max<int64_t>(band_bytes / line - 2 * margin, 16)));
+    Statistics all, of_band;
     for (int at = begin; at < end; at += band) {
         const int n = std::min(band, end - at);
         OIIO::ROI part = roi;
         (shrink_x ? part.ybegin : part.xbegin) = at;
         (shrink_x ? part.yend : part.xend) = at + n;
         Options of_part = options;
+        of_part.statistics = &of_band;
         if (options.progress)
             of_part.progress = [&](float share) {
                 return options.progress((float(at - begin) + share * float(n)) /
@@ -77,7 +79,11 @@ bool enlarge_then_shrink_in_bands(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src
             };
         if (!enlarge_then_shrink(dst, src, part, shrink_x, of_part, nthreads, error))
             return false;
+        all += of_band;
+        all.device = of_band.device;
     }
+    if (options.statistics)
+        *options.statistics = all;
     return true;
 }
 
@@ -102,7 +108,8 @@ bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& given, Arrival* a
                     const Options& options, OIIO::ROI roi, int nthreads, OIIO::ROI& touched,
                     std::string& error) {
     using namespace OIIO::ImageBufAlgo;
-    if (!prepare(dst, given, roi, IBAprep_NO_SUPPORT_VOLUME | IBAprep_NO_COPY_ROI_FULL, error))
+    if (!check_options_of(given, options, error) ||
+        !prepare(dst, given, roi, IBAprep_NO_SUPPORT_VOLUME | IBAprep_NO_COPY_ROI_FULL, error))
         return false;
     if (roi.width() <= 0)
         return true;

@@ -5,7 +5,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "ddt/resize.h"
-#include "plugin/image/pixels.h"
+#include "plugin/image/reading.h"
 #include "plugin/image/windows.h"
 #include "plugin/imagebuf/guarded.h"
 #include "plugin/imagebuf/holes.h"
@@ -58,19 +58,22 @@ bool image_of(const float* m, OIIO::ROI& roi, std::string& error) {
 bool warp_by_oiio(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fParam M,
                   bool recompute_roi, OIIO::ImageBuf::WrapMode wrap, bool edgeclamp,
                   const OIIO::ROI& roi, int nthreads, std::string& error) {
+    return while_reading(src, error, [&](const OIIO::ImageBuf& from) {
 #if OIIO_VERSION >= OIIO_MAKE_VERSION(3, 0, 0)
-    const bool ok = OIIO::ImageBufAlgo::warp(
-        dst, src, M,
-        {{"recompute_roi", int(recompute_roi)}, {"wrap", int(wrap)}, {"edgeclamp", int(edgeclamp)}},
-        roi, nthreads);
+        const bool ok = OIIO::ImageBufAlgo::warp(dst, from, M,
+                                                 {{"recompute_roi", int(recompute_roi)},
+                                                  {"wrap", int(wrap)},
+                                                  {"edgeclamp", int(edgeclamp)}},
+                                                 roi, nthreads);
 #else
-    (void)edgeclamp;
-    const bool ok =
-        OIIO::ImageBufAlgo::warp(dst, src, M, "", 0.0f, recompute_roi, wrap, roi, nthreads);
+        (void)edgeclamp;
+        const bool ok =
+            OIIO::ImageBufAlgo::warp(dst, from, M, "", 0.0f, recompute_roi, wrap, roi, nthreads);
 #endif
-    if (!ok)
-        error = dst.has_error() ? dst.geterror() : "OpenImageIO's warp failed";
-    return ok;
+        if (!ok)
+            error = dst.has_error() ? dst.geterror() : "OpenImageIO's warp failed";
+        return ok;
+    });
 }
 
 /// OpenImageIO's filter goes through all that a pixel sees, beyond the picture too: near a horizon
@@ -92,6 +95,8 @@ bool warp_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fPara
                   const Options& options, bool recompute_roi, OIIO::ImageBuf::WrapMode wrap,
                   bool edgeclamp, OIIO::ROI roi, int nthreads, OIIO::ROI& touched,
                   std::string& error) {
+    if (!check_options_of(src, options, error))
+        return false;
     const Projective to_output = matrix_of(M);
     Projective to_source;
     if (!to_output.invert(to_source)) {

@@ -3,8 +3,6 @@
 // tables of functions of version 1, status numbers and strings (openeffects.org, API 1.4).
 #pragma once
 
-#include <cstddef>
-
 namespace ddt::ofx {
 
 // Handles, of which only the host knows what is behind.

@@ -11,6 +11,7 @@
 
 #include "core/base/one_line.h"
 #include "core/base/parse_number.h"
+#include "ddt/mapping.h"
 
 namespace ddt {
 namespace {
@@ -20,9 +21,6 @@ using OIIO::Strutil::fmt::format;
 constexpr char extension[] = ".ddt";
 constexpr size_t extension_length = sizeof(extension) - 1;
 constexpr size_t longest_sidecar = 65536;
-
-/// Far more than any image, far less than what overflows the arithmetic of windows.
-constexpr int largest_size = 1 << 24;
 
 std::string before_query(const std::string& name) {
     return name.substr(0, name.find('?'));
@@ -70,10 +68,10 @@ public:
 private:
     // A factor and sizes exclude each other; the last wins.
     bool set_scale(const std::string& item, const std::string& value, std::string& error) {
-        if (!parse_number(value, std::numeric_limits<double>::min(), double(largest_size),
+        if (!parse_number(value, std::numeric_limits<double>::min(), double(largest_side),
                           m_request.scale)) {
             error = format("ddt: \"{}\" is not allowed; scale is a number above 0, at most {}",
-                           item, largest_size);
+                           item, largest_side);
             return false;
         }
         m_request.width = m_request.height = 0;
@@ -82,10 +80,10 @@ private:
 
     bool set_size(const std::string& item, const std::string& value, int& size,
                   std::string& error) {
-        if (!parse_number(value, 1, largest_size, size)) {
+        if (!parse_number(value, 1, largest_side, size)) {
             error = format("ddt: \"{}\" is not allowed; width and height are whole numbers from 1 "
                            "to {}",
-                           item, largest_size);
+                           item, largest_side);
             return false;
         }
         m_request.scale = 0;
@@ -205,9 +203,9 @@ bool Request::windows(const OIIO::ImageSpec& from, OIIO::ImageSpec& to, std::str
     const double y_factor = scale > 0 ? scale : height > 0 ? height / h : width / w;
     const double full_w = std::max(1.0, std::round(w * x_factor));
     const double full_h = std::max(1.0, std::round(h * y_factor));
-    if (!(full_w <= largest_size && full_h <= largest_size)) {
+    if (!(full_w <= largest_side && full_h <= largest_side)) {
         error = format("ddt: the output of {:.0f} x {:.0f} pixels is too large; a side may have {}",
-                       full_w, full_h, largest_size);
+                       full_w, full_h, largest_side);
         return false;
     }
     to.full_width = int(full_w);

@@ -6,8 +6,11 @@
 #include <OpenImageIO/Imath.h>
 #include <OpenImageIO/imagebufalgo_util.h>
 
+#include "plugin/image/reading.h"
 #include "plugin/image/windows.h"
+#include "plugin/imagebuf/guarded.h"
 #include "plugin/imagebuf/matrix.h"
+#include "plugin/imagebuf/resample.h"
 
 namespace ddt {
 
@@ -18,20 +21,28 @@ using namespace OIIO;
 constexpr int prepare_flags =
     ImageBufAlgo::IBAprep_NO_SUPPORT_VOLUME | ImageBufAlgo::IBAprep_NO_COPY_ROI_FULL;
 
-/// dst becomes an image like src of the given windows; false with an error if that is no size, or
-/// there is no memory.
-bool make(ImageBuf& dst, const ImageBuf& src, const ROI& window) {
-    std::string error;
-    if (!check_size(window, src.nchannels(), src.spec().format, error)) {
-        dst.errorfmt("ddt: {}", error);
+/// dst becomes an image like src of the given windows; false with one line in `error` if that is no
+/// size, or there is no memory.
+bool make(ImageBuf& dst, const ImageBuf& src, const ROI& window, std::string& error) {
+    if (!check_size(window, src.nchannels(), src.spec().format, error))
         return false;
-    }
     ImageSpec spec = src.spec();
     spec.set_roi(window);
     spec.set_roi_full(window);
-    if (make_image(dst, spec, error))
+    return make_image(dst, spec, error);
+}
+
+/// The frame that the picture is fitted into, as ImageBufAlgo finds it: of a dst that is not
+/// initialised, and becomes another image yet, what it would be is no image to make first.
+bool find_frame(ImageBuf& dst, const ImageBuf& src, ROI& roi, std::string& error) {
+    if (!dst.initialized()) {
+        if (!roi.defined())
+            roi = src.roi();
+        return check_size(roi, src.nchannels(), src.spec().format, error);
+    }
+    if (ImageBufAlgo::IBAprep(roi, &dst, &src, prepare_flags))
         return true;
-    dst.errorfmt("ddt: {}", error);
+    error = dst.geterror();
     return false;
 }
 
@@ -45,19 +56,24 @@ int pixels(float size) {
 }
 
 /// OpenImageIO's own, by its default filter.
-bool fit_by_oiio(ImageBuf& dst, const ImageBuf& src, string_view fillmode, ROI roi, int nthreads) {
+bool fit_by_oiio(ImageBuf& dst, const ImageBuf& src, string_view fillmode, ROI roi, int nthreads,
+                 std::string& error) {
+    return while_reading(src, error, [&](const ImageBuf& from) {
 #if OIIO_VERSION >= OIIO_MAKE_VERSION(3, 0, 0)
-    return ImageBufAlgo::fit(dst, src, {{"fillmode", fillmode}, {"exact", 1}}, roi, nthreads);
+        const bool ok =
+            ImageBufAlgo::fit(dst, from, {{"fillmode", fillmode}, {"exact", 1}}, roi, nthreads);
 #else
-    return ImageBufAlgo::fit(dst, src, "", 0.0f, fillmode, true, roi, nthreads);
+        const bool ok = ImageBufAlgo::fit(dst, from, "", 0.0f, fillmode, true, roi, nthreads);
 #endif
+        if (!ok)
+            error = dst.geterror();
+        return ok;
+    });
 }
 
 /// Resize to a whole number of pixels.
 bool fit_whole(ImageBuf& dst, const ImageBuf& src, const Options& options, string_view fillmode,
-               ROI roi, int nthreads) {
-    if (!ImageBufAlgo::IBAprep(roi, &dst, &src, prepare_flags))
-        return false;
+               ROI roi, int nthreads, std::string& error) {
     const ImageSpec& from = src.spec();
     const ROI frame = window_of(roi, from.nchannels);
     const float aspect = float(from.full_width) / float(from.full_height);
@@ -73,9 +89,17 @@ bool fit_whole(ImageBuf& dst, const ImageBuf& src, const Options& options, strin
     const ROI full = src.roi_full();
     const bool same = window.width() == full.width() && window.height() == full.height() &&
                       window.xbegin == full.xbegin && window.ybegin == full.ybegin;
-    if (same ? !dst.copy(src)
-             : !make(dst, src, window) || !resize(dst, src, options, window, nthreads))
+    if (!same && !make(dst, src, window, error))
         return false;
+    // The frame is black, and shows no more of a source that is a part of its display window.
+    ROI part = window;
+    if (!same)
+        part = cut_to_data(src.spec(), dst.spec(), window);
+    const bool empty = part.width() <= 0 || part.height() <= 0;
+    if (same ? !dst.copy(src) : !empty && !resize(dst, src, options, part, nthreads)) {
+        error = dst.geterror();
+        return false;
+    }
     // Centred by whole pixels, and without the frame's origin, as OpenImageIO has it.
     ImageSpec& spec = dst.specmod();
     set_roi_full(spec, frame);
@@ -86,10 +110,7 @@ bool fit_whole(ImageBuf& dst, const ImageBuf& src, const Options& options, strin
 
 /// Warp, which keeps the shape and the centre exactly.
 bool fit_exactly(ImageBuf& dst, const ImageBuf& src, const Options& options, string_view fillmode,
-                 ROI roi, int nthreads) {
-    if (!ImageBufAlgo::IBAprep(roi, &dst, &src, prepare_flags))
-        return false;
-
+                 ROI roi, int nthreads, std::string& error) {
     const ImageSpec& from = src.spec();
     const float scale_x = float(roi.width()) / float(from.full_width);
     const float scale_y = float(roi.height()) / float(from.full_height);
@@ -98,7 +119,7 @@ bool fit_exactly(ImageBuf& dst, const ImageBuf& src, const Options& options, str
                                                : std::min(scale_x, scale_y);
     // OpenImageIO's warp keeps its filter off what is beyond the edge here, and here alone.
     if (scale < float(1 - shrink_tolerance))
-        return fit_by_oiio(dst, src, fillmode, roi, nthreads);
+        return fit_by_oiio(dst, src, fillmode, roi, nthreads, error);
     // Centre goes to centre.
     const float shift_x =
         0.5f * (float(roi.xbegin + roi.xend) - scale * float(2 * from.full_x + from.full_width));
@@ -106,21 +127,25 @@ bool fit_exactly(ImageBuf& dst, const ImageBuf& src, const Options& options, str
         0.5f * (float(roi.ybegin + roi.yend) - scale * float(2 * from.full_y + from.full_height));
     const Imath::M33f M(scale, 0.0f, 0.0f, 0.0f, scale, 0.0f, shift_x, shift_y, 1.0f);
 
-    return make(dst, src, window_of(roi, from.nchannels)) &&
-           warp(dst, src, M, options, false, ImageBuf::WrapBlack, {}, nthreads);
+    if (!make(dst, src, window_of(roi, from.nchannels), error))
+        return false;
+    if (warp(dst, src, M, options, false, ImageBuf::WrapBlack, {}, nthreads))
+        return true;
+    error = dst.geterror();
+    return false;
 }
 
 } // namespace
 
 bool fit(ImageBuf& dst, const ImageBuf& src, const Options& options, string_view fillmode,
          bool exact, ROI roi, int nthreads) {
-    std::string error;
-    if (!check_source(src, error)) {
-        dst.errorfmt("ddt: {}", error);
-        return false;
-    }
-    return exact ? fit_exactly(dst, src, options, fillmode, roi, nthreads)
-                 : fit_whole(dst, src, options, fillmode, roi, nthreads);
+    return guarded(dst, [&](ROI&, std::string& error) {
+        if (!check_source(src, error) || !check_options_of(src, options, error) ||
+            !find_frame(dst, src, roi, error))
+            return false;
+        return exact ? fit_exactly(dst, src, options, fillmode, roi, nthreads, error)
+                     : fit_whole(dst, src, options, fillmode, roi, nthreads, error);
+    });
 }
 
 } // namespace ddt

@@ -78,8 +78,8 @@ inline std::vector<unsigned char> bytes(const ImageBuf& image, ROI roi = {}) {
     std::vector<unsigned char> all;
     for (int y = roi.ybegin; y < roi.yend; ++y)
         for (int x = roi.xbegin; x < roi.xend; ++x) {
-            const auto* p =
-                static_cast<const unsigned char*>(image.pixeladdr(x, y, 0, roi.chbegin));
+            const auto* p = static_cast<const unsigned char*>(
+                image.pixeladdr(x, y, image.spec().z, roi.chbegin));
             all.insert(all.end(), p, p + value * size_t(roi.nchannels()));
         }
     return all;

@@ -13,14 +13,16 @@
 //
 // Pixels. uint8, int8, uint16, int16, half, float and double are interpolated as float32 numbers;
 // uint32 and int32 are identifiers, copied bit for bit from the nearest vertex of the mesh, and so
-// are the channels of other images that are IDs by name or cryptomatte metadata. NaN and infinities
-// stay within the triangles that touch them; an integer dst shows NaN as 0. An image whose display
-// window does not change its size keeps its pixels' exact bits.
+// are the channels of other images that are IDs by name, by cryptomatte metadata or by their own
+// type in the file: as floats, which have no room for all doubles and integers beyond 2^24. NaN and
+// infinities stay within the triangles that touch them; an integer dst shows NaN as 0. An image
+// whose display window does not change its size keeps its pixels' exact bits.
 //
 // Light. Colour (R, G, B or grey) is interpolated in linear light: OpenColorIO converts it from the
 // image's colour space and back, by the config in $OCIO or else a built-in one. Other channels are
-// not converted. Colour that is associated with alpha is divided by it only round that conversion;
-// colour where alpha is 0 survives.
+// not converted. Colour that is associated with alpha is divided by it only round that conversion,
+// and not where 0 and 1 are not 0 and 1 in linear light, as in logarithmic spaces; colour where
+// alpha is 0 survives.
 //
 // Result. A function of the source's pixels, windows and metadata and of the options alone: it has
 // the same bits for any number of threads, and a part (roi) is a crop of the whole.
@@ -41,11 +43,12 @@ namespace ddt {
 
 /// How to resize; the defaults are those of the filter `ddt`. parse_filter() of
 /// ddt/option_table.h sets the inherited fields by a specification such as "ddt-sharp,cost=scf".
-/// `clipped` is set by itself for an unsigned integer dst. A colour space in `light` must be in the
-/// OCIO config.
+/// `clipped` is set by itself for a dst of uint8 or uint16. A colour space in `light` must be in
+/// the OCIO config.
 struct Options : FilterOptions {
     /// Called now and then with the share done (0..1), one thread at a time; return false to
-    /// cancel, which is a failure.
+    /// cancel, which is a failure. Not called by fill(), nor for what is OpenImageIO's own work or
+    /// a copy.
     std::function<bool(float)> progress;
     Statistics* statistics = nullptr; ///< filled in when not null and a mesh was made
 };

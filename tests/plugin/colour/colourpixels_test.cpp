@@ -51,6 +51,49 @@ TEST(Alpha, EverythingComesBack) {
         }
 }
 
+// As a filter that rings leaves it round a matte.
+TEST(Alpha, NegativeColourStaysWhatItWas) {
+    auto src = srgb_image(8);
+    const float beside[][4] = {{-0.01f, -0.01f, -0.01f, 1e-3f},
+                               {-0.01f, -0.01f, -0.01f, 1e-4f},
+                               {6e-8f, -0.1f, 0, 0},
+                               {-0.1f, -0.1f, -0.1f, 1e-25f}};
+    for (const auto& right : beside) {
+        images::fill(src, [&](int x, int, int c) { return x < 4 ? c == 3 ? 1 : 0.5f : right[c]; });
+        const auto dst = images::enlarged(src, 64, 64);
+        for (int x = 0; x < 64; ++x)
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_GE(value(dst, x, 30, c), -0.1f - 1e-5f) << x;
+                EXPECT_LE(value(dst, x, 30, c), 0.5f + 1e-5f) << x;
+            }
+    }
+}
+
+/// 0 and 1 are not 0 and 1 in the light of a logarithmic encoding.
+ddt::Light logarithmic() {
+    const auto each = [](auto f) {
+        return [f](float* rgb, size_t count) {
+            for (size_t i = 0; i < 3 * count; ++i)
+                rgb[i] = f(rgb[i]);
+        };
+    };
+    return ddt::Light::whole(each([](float v) { return std::exp2(16 * v - 9); }),
+                             each([](float v) { return (std::log2(std::max(v, 1e-9f)) + 9) / 16; }),
+                             {0.2f, 0.7f, 0.1f});
+}
+
+TEST(Alpha, LogarithmicColourIsNotDividedByIt) {
+    const ddt::Light light = logarithmic();
+    ASSERT_FALSE(light.keeps_unit());
+    // Colour 0.4 at alpha 0.01 would be 40, far beyond all numbers.
+    float pixel[4] = {0.4f, 0.07f, 0.3f, 0.01f};
+    ddt::to_light(light, rgba(), pixel, 1, 4);
+    EXPECT_NEAR(pixel[0], std::exp2(16 * 0.4f - 9), 1e-5f);
+    ddt::from_light(light, rgba(), pixel, 1, 4);
+    EXPECT_NEAR(pixel[0], 0.4f, 1e-5f);
+    EXPECT_NEAR(pixel[1], 0.07f, 1e-5f);
+}
+
 TEST(Alpha, GlowSurvivesEnlarging) {
     auto src = srgb_image(8);
     images::fill(src, [](int x, int y, int c) {

@@ -101,4 +101,26 @@ TEST_F(CacheTest, ATruncatedFileIsAnError) {
     EXPECT_FALSE(dst.initialized());
 }
 
+// OpenImageIO's own filters go on with black. (Its cache keeps black tiles, too, and finds nothing
+// wrong with them the next time: here it is another one each time.)
+TEST_F(CacheTest, ATruncatedFileIsAnErrorWhateverIsMadeOfIt) {
+    std::filesystem::resize_file(m_path, std::filesystem::file_size(m_path) / 2);
+    const float half[3][3] = {{0.5f, 0, 0}, {0, 0.5f, 0}, {0, 0, 1}};
+    const OIIO::ROI small(0, side / 2, 0, side / 2, 0, 1), narrow(0, side / 2, 0, side + 8, 0, 1);
+    using Work = std::function<bool(OIIO::ImageBuf & dst, const OIIO::ImageBuf& src)>;
+    const Work ways[] = {[&](auto& dst, auto& src) { return ddt::resize(dst, src, {}, small); },
+                         [&](auto& dst, auto& src) { return ddt::resize(dst, src, {}, narrow); },
+                         [&](auto& dst, auto& src) { return ddt::warp(dst, src, half); },
+                         [&](auto& dst, auto& src) { return ddt::fill(dst, src); }};
+    for (const Work& work : ways) {
+        const OIIO::ImageBuf src(m_path, 0, 0, empty_cache());
+        OIIO::ImageBuf dst;
+        EXPECT_FALSE(work(dst, src));
+        EXPECT_FALSE(dst.initialized());
+        const std::string error = dst.geterror();
+        EXPECT_EQ(error.find("ddt: "), 0u) << error;
+        EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+    }
+}
+
 } // namespace

@@ -27,7 +27,7 @@ TEST(Channels, NamesOfIds) {
                              "layer.ID", "node.id", "OBJECTID", "instance2id"})
         EXPECT_TRUE(ddt::is_id_name(name)) << name;
     for (const char* name : {"", "d", "i", "R", "grid", "GRID", "uvGrid", "fluid", "layer.solid",
-                             "Void", "idle", "id.R", "centroid"})
+                             "Void", "idle", "id.R", "centroid", "eyelid", "deltoid", "toroid"})
         EXPECT_FALSE(ddt::is_id_name(name)) << name;
 }
 
@@ -80,6 +80,16 @@ TEST(Channels, IntegersAreIds) {
             EXPECT_EQ(kind, ddt::Channel::nearest);
     }
     EXPECT_FALSE(ddt::channels_of(named({"R"}, OIIO::TypeUInt16)).raw);
+}
+
+TEST(Channels, SomeMayBeStoredAsIds) {
+    ImageSpec native = named({"R", "G", "B", "thing"}, OIIO::TypeHalf);
+    native.channelformats = {OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeUInt32};
+    const auto c = ddt::channels_of(named({"R", "G", "B", "thing"}), native);
+    EXPECT_FALSE(c.raw);
+    EXPECT_EQ(c.colour.count, 3);
+    for (size_t i = 0; i < 4; ++i)
+        EXPECT_EQ(c.kinds[i] == ddt::Channel::nearest, i == 3) << i;
 }
 
 TEST(Channels, Cryptomatte) {

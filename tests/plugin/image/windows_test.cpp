@@ -118,4 +118,44 @@ TEST(Windows, SizesAreChecked) {
     EXPECT_FALSE(ddt::check_size(window(9, 5, 0, 1), 1, OIIO::TypeUInt8, error));
 }
 
+// Fourfold: pixels 10 to 69 of 100 are shown by 40 to 279, and by any that they touch.
+TEST(Windows, WhatShowsThePartOfASourceThatIsThere) {
+    const auto part = make(window(10, 70, 5, 45), window(0, 100, 0, 80), 1);
+    const auto cut = [&](int width, int height) {
+        return ddt::cut_to_data(part.spec(), make(width, height, 1).spec(),
+                                window(0, width, 0, height));
+    };
+    EXPECT_EQ(cut(400, 320), window(40, 280, 20, 180));
+    EXPECT_EQ(cut(105, 160), window(10, 74, 10, 90)); // 10.5 to 73.5
+    EXPECT_EQ(cut(400, 40), window(40, 280, 0, 40));  // an axis that shrinks
+    const auto beyond = make(window(-5, 105, 5, 45), window(0, 100, 0, 80), 1);
+    const ROI wide = window(-50, 500, 0, 320);
+    EXPECT_EQ(ddt::cut_to_data(beyond.spec(), make(400, 320, 1).spec(), wide),
+              window(-50, 500, 20, 180));
+}
+
+TEST(Windows, OfADestinationAreChecked) {
+    const auto src = plane(window(0, 10, 0, 10), window(0, 10, 0, 10));
+    auto dst = make(40, 40, 1);
+    dst.specmod().x = dst.specmod().full_x = 2147483600;
+    EXPECT_FALSE(ddt::resize(dst, src));
+    EXPECT_NE(dst.geterror().find("the destination's data window"), std::string::npos);
+}
+
+// Flat images may lie at any z.
+TEST(Windows, AnyZ) {
+    const auto src = plane(window(0, 10, 0, 10), window(0, 10, 0, 10));
+    const auto wanted = images::enlarged(src, 40, 40);
+    auto moved = src;
+    moved.specmod().z = moved.specmod().full_z = 3;
+    ImageBuf dst;
+    ASSERT_TRUE(ddt::resize(dst, moved, {}, ROI(0, 40, 0, 40, 5, 6))) << dst.geterror();
+    EXPECT_EQ(dst.spec().z, 5);
+    EXPECT_EQ(images::bytes(dst), images::bytes(wanted));
+    auto given = make(40, 40, 1);
+    given.specmod().z = given.specmod().full_z = 2;
+    ASSERT_TRUE(ddt::resize(given, src)) << given.geterror();
+    ASSERT_TRUE(ddt::resize(given, src, {}, ROI(0, 40, 0, 40, 0, 1))); // misses it
+}
+
 } // namespace

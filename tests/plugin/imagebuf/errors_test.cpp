@@ -117,6 +117,20 @@ TEST(Errors, UnknownColourSpace) {
     expect_failure(make(8, 8, 3), "nosuch", window(0, 64, 0, 64), options);
 }
 
+TEST(Errors, OptionsAreCheckedWhetherOrNotTheyAreUsed) {
+    ddt::Options light, blur;
+    light.light = "nosuch";
+    blur.mesh.blur = 99;
+    const auto src = make(8, 8, 3);
+    for (const int size : {4, 8, 16}) {
+        expect_failure(src, "nosuch", window(0, size, 0, size), light);
+        expect_failure(src, "blur", window(0, size, 0, size), blur);
+    }
+    ImageBuf dst;
+    EXPECT_FALSE(ddt::fill(dst, src, blur));
+    expect_error(dst, "blur");
+}
+
 TEST(Errors, MissingConfig) {
     auto src = make(8, 8, 3);
     src.specmod().attribute("oiio:ColorSpace", "sRGB");

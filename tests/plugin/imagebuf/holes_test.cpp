@@ -116,6 +116,34 @@ TEST_F(HolesOption, FilledBeforeWhatIsNotEnlargedToo) {
             << size.first;
 }
 
+TEST_F(HolesOption, OtherPixelsKeepTheirBits) {
+    ImageBuf src = images::make(9, 9, 2, OIIO::TypeDesc::DOUBLE);
+    for (int y = 0; y < 9; ++y)
+        for (int x = 0; x < 9; ++x)
+            for (int c = 0; c < 2; ++c)
+                static_cast<double*>(src.pixeladdr(x, y))[c] = 16777217.0 + x + c;
+    static_cast<double*>(src.pixeladdr(4, 4))[1] = nan;
+    ImageBuf dst;
+    ASSERT_TRUE(ddt::fill(dst, src)) << dst.geterror();
+    const auto at = [&](int x, int c) { return static_cast<double*>(dst.pixeladdr(x, 4))[c]; };
+    EXPECT_EQ(dst.spec().format, OIIO::TypeDesc(OIIO::TypeDesc::DOUBLE));
+    EXPECT_EQ(at(3, 1), 16777221.0);
+    EXPECT_EQ(at(4, 0), 16777221.0);
+    EXPECT_NEAR(at(4, 1), 16777222.0, 4);
+}
+
+TEST_F(HolesOption, IdentifiersHaveNone) {
+    ImageBuf src = images::make(4, 4, 3, OIIO::TypeUInt32);
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 4; ++x)
+            for (int c = 0; c < 3; ++c)
+                static_cast<uint32_t*>(src.pixeladdr(x, y))[c] = uint32_t(100 * (c + 1) + x);
+    ImageBuf kept = images::make(8, 8, 1, OIIO::TypeUInt32), filled = kept;
+    ASSERT_TRUE(ddt::resize(kept, src)) << kept.geterror();
+    ASSERT_TRUE(ddt::resize(filled, src, options_of("ddt,holes=fill"))) << filled.geterror();
+    EXPECT_EQ(bytes(filled), bytes(kept));
+}
+
 TEST_F(HolesOption, Warps) {
     const ImageBuf src = holed(false);
     for (const float scale : {1.0f, 2.0f, 0.5f}) {

@@ -255,6 +255,43 @@ TEST(Resize, NanIsZeroInIntegers) {
     }
 }
 
+TEST(Resize, NanIsZeroInIntegersOfTheSameSizeToo) {
+    auto src = make(4, 4, 1);
+    images::fill(src, [](int x, int, int) { return x ? std::nanf("") : 0.5f; });
+    for (const auto type : {TypeDesc::INT8, TypeDesc::INT16, TypeDesc::INT32}) {
+        auto dst = make(4, 4, 1, type);
+        ASSERT_TRUE(ddt::resize(dst, src));
+        EXPECT_EQ(value(dst, 2, 2), 0.0f);
+        EXPECT_NEAR(value(dst, 0, 2), 0.5f, 0.01f);
+    }
+}
+
+TEST(Resize, ADestinationKeepsItsTypeAndMemory) {
+    auto src = make(20, 20, 1);
+    disc(src);
+    for (const auto type : {TypeDesc::INT8, TypeDesc::INT16, TypeDesc::INT32, TypeDesc::DOUBLE})
+        for (const auto& [w, h] : {std::pair(10, 10), std::pair(10, 40), std::pair(40, 10)}) {
+            std::vector<double> memory(size_t(w * h), -1.0);
+            OIIO::ImageSpec spec(w, h, 1, TypeDesc(type));
+            ImageBuf dst(spec, memory.data());
+            ASSERT_TRUE(ddt::resize(dst, src)) << dst.geterror();
+            EXPECT_EQ(dst.spec().format, TypeDesc(type));
+            EXPECT_EQ(dst.localpixels(), memory.data());
+            EXPECT_GT(value(dst, w / 2, h / 2), 0.5f);
+        }
+}
+
+TEST(Resize, StatisticsAreOfAllBands) {
+    auto src = make(3000, 300, 4);
+    disc(src);
+    ddt::Statistics statistics;
+    ddt::Options options;
+    options.statistics = &statistics;
+    ImageBuf dst;
+    ASSERT_TRUE(ddt::resize(dst, src, options, window(0, 300, 0, 1200))) << dst.geterror();
+    EXPECT_GE(statistics.pixels, int64_t(3000) * 300);
+}
+
 // Neither axis grows: OpenImageIO's own result.
 TEST(Resize, ShrinkingIsOpenImageIOs) {
     auto src = make(40, 40, 3);

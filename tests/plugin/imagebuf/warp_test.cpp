@@ -164,6 +164,17 @@ TEST(Warp, WindowsAreOpenImageIOs) {
             }
 }
 
+TEST(Warp, ASinglePixelHasItsWindowsToo) {
+    auto src = images::make(1, 1, 1);
+    const Matrix M(4, 0, 0, 0, 4, 0, 0, 0, 1);
+    const auto roi = images::window(4, 40, 0, 8);
+    ImageBuf a, b;
+    ASSERT_TRUE(ddt::warp(a, src, M, {}, false, ImageBuf::WrapDefault, roi)) << a.geterror();
+    ASSERT_TRUE(OIIO::ImageBufAlgo::warp(b, src, M, "", 0.0f, false, ImageBuf::WrapDefault, roi));
+    EXPECT_EQ(a.roi(), b.roi());
+    EXPECT_EQ(a.roi_full(), b.roi_full());
+}
+
 TEST(Warp, KnowsShrinking) {
     const ddt::Rect window{0, 0, 100, 100};
     const auto shrinks = [&](std::array<double, 9> m) {

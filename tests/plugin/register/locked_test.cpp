@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The plugin on a system that does not let pages be made writable. This program's mprotect() goes
-// before the C library's.
-#include <sys/mman.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
-#include <cerrno>
+// The plugin on a system that does not let pages be made writable.
 #include <string>
 
 #include <dlfcn.h>
@@ -14,21 +8,7 @@
 
 #include <OpenImageIO/imagebufalgo.h>
 
-#include "answer.h"
-
-namespace {
-
-bool refuse = false;
-
-} // namespace
-
-extern "C" DDT_TEST_EXPORT int mprotect(void* address, size_t size, int protection) noexcept {
-    if (refuse && (protection & PROT_WRITE)) {
-        errno = EACCES;
-        return -1;
-    }
-    return int(syscall(SYS_mprotect, address, size, protection));
-}
+#include "refuse_writable.h"
 
 namespace {
 

@@ -1,36 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// A system that does not let pages be made writable. This program's mprotect() goes before the C
-// library's.
-#include <sys/mman.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
-#include <cerrno>
-
+// Redirecting where the system does not let pages be made writable.
 #include <gtest/gtest.h>
 
 #include "answer.h"
 #include "got.h"
+#include "refuse_writable.h"
 
 namespace {
-
-bool refuse = false;
 
 int replacement() {
     return 43;
 }
-
-} // namespace
-
-extern "C" DDT_TEST_EXPORT int mprotect(void* address, size_t size, int protection) noexcept {
-    if (refuse && (protection & PROT_WRITE)) {
-        errno = EACCES;
-        return -1;
-    }
-    return int(syscall(SYS_mprotect, address, size, protection));
-}
-
-namespace {
 
 TEST(Refused, WhatCannotBeWrittenIsCountedAndStays) {
     const ddt::got::Redirect redirect = {"answer", reinterpret_cast<void*>(&answer),
