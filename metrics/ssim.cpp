@@ -2,20 +2,20 @@
 #include "metrics/ssim.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
 namespace metrics {
 
 namespace {
 
-constexpr int window = 11;
+constexpr int largest_window = 11;
 
-std::array<double, window> gaussian() {
-    std::array<double, window> weights;
+std::vector<double> gaussian(int window) {
+    std::vector<double> weights(static_cast<size_t>(window));
     double sum = 0;
     for (int i = 0; i < window; ++i) {
-        double d = i - window / 2;
+        double d = i - (window - 1) / 2.0;
         weights[size_t(i)] = std::exp(-d * d / (2 * 1.5 * 1.5));
         sum += weights[size_t(i)];
     }
@@ -24,10 +24,12 @@ std::array<double, window> gaussian() {
     return weights;
 }
 
-/// Weighted means over the window, at the positions where it lies inside.
+/// Weighted means over the window, at the positions where it lies inside. It is no larger than the
+/// plane.
 template <typename Value>
 Plane windowed(int width, int height, Value value) {
-    static const std::array<double, window> weights = gaussian();
+    const int window = std::min({largest_window, width, height});
+    const std::vector<double> weights = gaussian(window);
     Plane across(width - window + 1, height);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < across.width; ++x) {
@@ -53,7 +55,7 @@ struct Similarity {
 };
 
 bool fits(const Plane& plane) {
-    return std::min(plane.width, plane.height) >= window;
+    return std::min(plane.width, plane.height) >= largest_window;
 }
 
 Similarity similarity(const Plane& a, const Plane& b) {
@@ -81,12 +83,14 @@ Similarity similarity(const Plane& a, const Plane& b) {
 } // namespace
 
 double ssim(const Plane& a, const Plane& b) {
-    return fits(a) ? similarity(a, b).whole : 0;
+    return a.empty() ? 1 : similarity(a, b).whole;
 }
 
 double ms_ssim(const Plane& a, const Plane& b) {
     constexpr double weights[] = {0.0448, 0.2856, 0.3001, 0.2363, 0.1333};
     double log_sum = 0, weight_sum = 0;
+    if (!fits(a))
+        return std::max(ssim(a, b), 0.0);
     Plane u = a, v = b;
     for (double weight : weights) {
         if (!fits(u))
@@ -101,7 +105,7 @@ double ms_ssim(const Plane& a, const Plane& b) {
         u = std::move(next_u);
         v = std::move(next_v);
     }
-    return weight_sum > 0 ? std::exp(log_sum / weight_sum) : 0;
+    return std::exp(log_sum / weight_sum);
 }
 
 } // namespace metrics

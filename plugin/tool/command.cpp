@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <numeric>
 
 #include <OpenImageIO/argparse.h>
 #include <OpenImageIO/strutil.h>
@@ -20,6 +21,39 @@ bool takes_more(const Command& command) {
     return std::any_of(
         command.operands.begin(), command.operands.end(),
         [](const Operand& operand) { return OIIO::Strutil::ends_with(operand.name, "..."); });
+}
+
+/// Single characters to put in, leave out or change, that make one text of the other.
+size_t distance(const std::string& a, const std::string& b) {
+    std::vector<size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), size_t(0));
+    for (size_t i = 1; i <= a.size(); ++i) {
+        size_t before = row[0];
+        row[0] = i;
+        for (size_t k = 1; k <= b.size(); ++k) {
+            const size_t change = before + size_t(a[i - 1] != b[k - 1]);
+            before = row[k];
+            row[k] = std::min({change, row[k] + 1, row[k - 1] + 1});
+        }
+    }
+    return row[b.size()];
+}
+
+/// What may have been meant by the option that a message has in quotes: "; did you mean --filter?",
+/// or nothing.
+std::string near_option(const std::string& message, const std::vector<Flag>& flags) {
+    constexpr size_t most = 2; // two letters that changed places
+    const size_t begin = message.find('"') + 1, end = message.find('"', begin);
+    if (begin == 0 || end == std::string::npos)
+        return "";
+    const std::string given = message.substr(begin, end - begin);
+    const auto nearer = [&](const Flag& a, const Flag& b) {
+        return distance(given, a.name) < distance(given, b.name);
+    };
+    const auto nearest = std::min_element(flags.begin(), flags.end(), nearer);
+    return nearest != flags.end() && distance(given, nearest->name) <= most
+               ? "; did you mean " + nearest->name + "?"
+               : "";
 }
 
 /// Hand the command's flags to OpenImageIO's parser, which also prints them for --help.
@@ -58,7 +92,7 @@ public:
             return exit_done;
         }
         if (status < 0)
-            return wrong(m_args.geterror());
+            return wrong_option(m_args.geterror());
         if (!m_error.empty())
             return wrong(m_error);
         const bool more = takes_more(m_command),
@@ -81,8 +115,12 @@ private:
         });
     }
 
-    ExitCode wrong(std::string why) const {
-        why = std::string(OIIO::Strutil::strip(why));
+    ExitCode wrong_option(const std::string& said) const {
+        const std::string why(OIIO::Strutil::strip(said));
+        return wrong(why + near_option(why, m_command.flags));
+    }
+
+    ExitCode wrong(const std::string& why) const {
         fail(why, exit_usage);
         std::fprintf(stderr, "usage: %s\n", usage(m_command).c_str());
         return exit_usage;

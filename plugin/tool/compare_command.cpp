@@ -62,7 +62,9 @@ public:
         paragraphs = {
             "Values as displayed, 0 to 255; transparent pixels over white. PSNR is over red, green "
             "and blue, the others are of luma. Equal images have psnr and snr inf, mse and gmsd 0, "
-            "the others 1. The first image is the reference."};
+            "the others 1. The first image is the reference. Images of IDs (32-bit integers) alone "
+            "are refused; beside colour IDs and depth are not looked at. OpenImageIO's idiff "
+            "tells whether numbers are equal."};
         operands = {{"A", "the reference"}, {"B", "an image of the same size"}};
         flags = {switch_flag("--csv", "print as comma-separated values", m_csv)};
     }

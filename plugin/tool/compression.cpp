@@ -29,6 +29,18 @@ constexpr Compression compressions[] = {
     {"tiff", "packbits", 0},
     {"tiff", "jpeg", 100},
     {"jpeg", "jpeg", 100},
+    {"png", "filtered", 0},
+    {"png", "huffman", 0},
+    {"png", "rle", 0},
+    {"png", "fixed", 0},
+    {"webp", "webp", 100},
+    {"webp", "lossless", 0},
+    {"heif", "heic", 100},
+    {"heif", "avif", 100},
+    {"targa", "none", 0},
+    {"targa", "rle", 0},
+    {"iff", "none", 0},
+    {"iff", "rle", 0},
 };
 
 bool is_level(const std::string& text, int highest) {
@@ -53,7 +65,7 @@ bool check_compression(const std::string& given, const std::string& format, std:
             allowed += (allowed.empty() ? "" : ", ") + word;
     }
     error = allowed.empty()
-                ? "files of the format " + format + " are compressed in one way alone"
+                ? "no compression can be chosen for files of the format " + format
                 : "compression \"" + given + "\" is not allowed" +
                       (format.empty() ? "" : " in " + format) + "; allowed are " + allowed;
     return false;

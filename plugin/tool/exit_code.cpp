@@ -26,10 +26,10 @@ ExitCode code_of_errno(int number) {
 
 ExitCode code_of_message(const std::string& message) {
     // Of the library: memory that ran out, images that another machine may have memory for (see
-    // check_size in plugin/image/windows.h), devices that this one has not; of libtiff: a full
-    // disk.
-    for (const char* said :
-         {"out of memory", "this machine's memory", "\"device=", "Write error at "})
+    // check_size in plugin/image/windows.h), devices that this one has not; of libtiff and of
+    // OpenImageIO's writers: a full disk.
+    for (const char* said : {"out of memory", "this machine's memory",
+                             "\"device=", "Write error at ", "Write error: wrote"})
         if (message.find(said) != std::string::npos)
             return exit_resources;
     return exit_failed;

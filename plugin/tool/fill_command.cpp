@@ -1,12 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <OpenImageIO/imagebufalgo.h>
+
 #include "plugin/tool/commands.h"
 #include "plugin/tool/filter_flag.h"
+#include "plugin/tool/fit_format.h"
 #include "plugin/tool/image_file.h"
 #include "plugin/tool/picture.h"
 
 namespace ddt::tool {
 
 namespace {
+
+/// Write what of the image the file's format has room for, each channel in the type it had.
+bool write_filled(const OIIO::ImageBuf& filled, const OIIO::ImageBuf& source,
+                  const std::string& path, Failure& failure) {
+    OIIO::ImageSpec spec = filled.spec();
+    spec.channelformats = source.nativespec().channelformats;
+    spec.tile_width = spec.tile_height = spec.tile_depth = 0;
+    ImageFile file;
+    if (!file.create(path, failure))
+        return false;
+    if (!fit_format(file.output(), spec, failure.why)) {
+        failure = {"cannot write \"" + path + "\": " + failure.why};
+        return false;
+    }
+    const auto nobody = [](float) {};
+    if (spec.roi() == filled.roi())
+        return file.open(spec, failure) && write_image(filled, file, nobody, failure);
+    OIIO::ImageBuf shown;
+    if (!OIIO::ImageBufAlgo::crop(shown, filled, spec.roi())) {
+        failure = {shown.geterror()};
+        return false;
+    }
+    return file.open(spec, failure) && write_image(shown, file, nobody, failure);
+}
 
 class FillCommand final : public Command {
 public:
@@ -44,10 +71,7 @@ public:
             failure.why = filled.geterror();
             return fail(failure.why, code_of_message(failure.why));
         }
-        return write_image(
-                   filled, values[1], [](float) {}, failure)
-                   ? exit_done
-                   : fail(failure);
+        return write_filled(filled, image, values[1], failure) ? exit_done : fail(failure);
     }
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/fingerprint.h"
 
+#include <algorithm>
 #include <vector>
 
 #include <OpenImageIO/filesystem.h>
@@ -13,7 +14,7 @@ namespace ddt::tool {
 
 namespace {
 
-constexpr int pieces = 16;
+constexpr uint64_t pieces = 1024;
 constexpr size_t piece = size_t(64) << 10;
 
 } // namespace
@@ -44,11 +45,11 @@ std::string fingerprint(const std::string& source, const OIIO::ImageSpec& source
     if (!file.opened())
         return {};
     std::vector<char> bytes(piece);
-    for (uint64_t i = 0; i < pieces; ++i) {
-        const uint64_t last = size > piece ? size - piece : 0;
-        hash.append(bytes.data(),
-                    file.pread(bytes.data(), piece, int64_t(last * i / (pieces - 1))));
-    }
+    const uint64_t count = std::min((size + piece - 1) / piece, pieces);
+    const uint64_t last = size > piece ? size - piece : 0;
+    for (uint64_t i = 0; i < count; ++i)
+        hash.append(bytes.data(), file.pread(bytes.data(), piece,
+                                             int64_t(count > 1 ? last * i / (count - 1) : 0)));
     return hash.digest();
 }
 

@@ -2,8 +2,11 @@
 #include "plugin/tool/image_file.h"
 
 #include <algorithm>
-
 #include <vector>
+
+#include <sys/stat.h>
+#include <sys/vfs.h>
+#include <unistd.h>
 
 #include <OpenImageIO/strutil.h>
 
@@ -20,11 +23,8 @@ public:
 };
 
 /// Read every pixel; false if that fails.
-bool can_be_read(const std::string& path) {
-    const auto in = OIIO::ImageInput::open(path);
-    if (!in)
-        return false;
-    const OIIO::ImageSpec& spec = in->spec();
+bool can_be_read(OIIO::ImageInput& in) {
+    const OIIO::ImageSpec& spec = in.spec();
     const int rows = spec.tile_height > 0 ? spec.tile_height : 16;
     // Room for whole tiles: OpenImageIO's reader writes beyond the image's edge (2.4.7, TIFF).
     const size_t width =
@@ -34,13 +34,42 @@ bool can_be_read(const std::string& path) {
     for (int y = spec.y; y < end; y += rows) {
         const int y1 = std::min(end, y + rows);
         const bool read = spec.tile_width > 0
-                              ? in->read_native_tiles(0, 0, spec.x, spec.x + spec.width, y, y1, 0,
-                                                      1, pixels.data())
-                              : in->read_native_scanlines(0, 0, y, y1, 0, pixels.data());
+                              ? in.read_native_tiles(0, 0, spec.x, spec.x + spec.width, y, y1, 0, 1,
+                                                     pixels.data())
+                              : in.read_native_scanlines(0, 0, y, y1, 0, pixels.data());
         if (!read)
             return false;
     }
     return true;
+}
+
+/// Pixels a side that files of a format hold at most, where its writer does not say so: the JPEG
+/// library ends the program, GIF's keeps the low bits. 0: it does, or there is no bound.
+int largest_side_of(const std::string& format) {
+    return format == "jpeg" ? 65500 : format == "gif" ? 65535 : 0;
+}
+
+/// Formats that leave no file to be read.
+bool is_file_format(const std::string& format) {
+    return format != "null" && format != "term";
+}
+
+bool is_regular(std::FILE* file) {
+    struct stat there {};
+    return fstat(fileno(file), &there) == 0 && S_ISREG(there.st_mode);
+}
+
+/// Whether parts of a file were never written. A writer that goes from row to row of a full disk
+/// (SGI, RLA, FITS) leaves them, and they read as zeros.
+bool has_holes(std::FILE* file) {
+    constexpr long zfs = 0x2fc12fc1; // makes holes of zeros that were written
+    struct stat there {};
+    struct statfs system {};
+    if (fstat(fileno(file), &there) != 0 || fstatfs(fileno(file), &system) != 0 ||
+        long(system.f_type) == zfs)
+        return false;
+    const off_t hole = lseek(fileno(file), 0, SEEK_HOLE);
+    return hole >= 0 && hole < there.st_size;
 }
 
 } // namespace
@@ -57,6 +86,16 @@ bool ImageFile::create(const std::string& path, Failure& failure) {
 }
 
 bool ImageFile::open(const OIIO::ImageSpec& spec, Failure& failure) {
+    m_width = spec.width;
+    m_height = spec.height;
+    if (const int most = largest_side_of(m_output->format_name());
+        most > 0 && std::max(m_width, m_height) > most) {
+        failure = {OIIO::Strutil::fmt::format(
+            "cannot write \"{}\": {} x {} pixels are too many for the format {}; allowed are {} a "
+            "side",
+            m_path, m_width, m_height, m_output->format_name(), most)};
+        return false;
+    }
     // TIFF's rows make a broken file that way (OpenImageIO 2.4.7).
     if (m_output->supports("ioproxy") && m_output->format_name() != std::string("tiff")) {
         m_stream = std::make_unique<Stream>(m_whole.file());
@@ -81,16 +120,39 @@ Failure ImageFile::failed() const {
             of_stream ? exit_resources : code_of_message(why)};
 }
 
+/// Look at the file as its readers will.
+bool ImageFile::check_written(Failure& failure) const {
+    if (m_stream && (std::fflush(m_whole.file()) != 0 || std::ferror(m_whole.file())))
+        return true; // commit() tells what a write said
+    const auto refuse = [&](const std::string& why, ExitCode code) {
+        OIIO::geterror();
+        failure = {"cannot write \"" + m_path + "\": " + why, code};
+        return false;
+    };
+    const ExitCode code = m_stream ? exit_failed : exit_resources;
+    const auto in = OIIO::ImageInput::open(temporary());
+    if (!in)
+        return refuse("what was written cannot be read back", code);
+    if (in->spec().width != m_width || in->spec().height != m_height)
+        return refuse(OIIO::Strutil::fmt::format("the format {} made {} x {} pixels of {} x {}",
+                                                 m_output->format_name(), in->spec().width,
+                                                 in->spec().height, m_width, m_height),
+                      code);
+    // Reading the pixels of small icons ends the program (OpenImageIO 2.4.7).
+    const bool enough = m_stream || m_output->format_name() == std::string("ico");
+    if (!enough && (has_holes(m_whole.file()) || !can_be_read(*in)))
+        return refuse("what was written cannot be read back", code);
+    return true;
+}
+
 bool ImageFile::commit(Failure& failure) {
     if (!m_output->close()) {
         failure = failed();
         return false;
     }
-    if (!m_stream && !can_be_read(temporary())) {
-        failure = {"cannot write \"" + m_path + "\": what was written cannot be read back",
-                   exit_resources};
+    if (is_regular(m_whole.file()) && is_file_format(m_output->format_name()) &&
+        !check_written(failure))
         return false;
-    }
     m_output.reset();
     m_stream.reset();
     return m_whole.commit(failure);
@@ -103,8 +165,11 @@ int rows_in_strip(const OIIO::ImageSpec& spec) {
 bool write_image(const OIIO::ImageBuf& image, const std::string& path,
                  const std::function<void(float)>& progress, Failure& failure) {
     ImageFile file;
-    if (!file.begin(path, image.spec(), failure))
-        return false;
+    return file.begin(path, image.spec(), failure) && write_image(image, file, progress, failure);
+}
+
+bool write_image(const OIIO::ImageBuf& image, ImageFile& file,
+                 const std::function<void(float)>& progress, Failure& failure) {
     const auto callback = [](void* data, float share) {
         (*static_cast<const std::function<void(float)>*>(data))(share);
         return false; // do not stop

@@ -16,7 +16,8 @@ namespace ddt::tool {
 
 /// An image file to be written, which appears under its name only when whole and checked. Writers
 /// of many formats do not look whether what they write arrives (PNG: a full disk), so their stream
-/// is ours where they let us; the others' files are read back.
+/// is ours where they let us; the others' files are read back. Of every file the size is, which
+/// some writers do not look at either (GIF: 66000 becomes 464).
 class ImageFile {
 public:
     /// Decide on the format by the name's extension and open a temporary file.
@@ -35,7 +36,10 @@ public:
     Failure failed() const;
 
 private:
+    bool check_written(Failure& failure) const;
+
     std::string m_path;
+    int m_width = 0, m_height = 0; ///< what it was opened with
     WholeFile m_whole;
     // Before the writer that uses it: it goes after that.
     std::unique_ptr<OIIO::Filesystem::IOFile> m_stream;
@@ -47,6 +51,9 @@ int rows_in_strip(const OIIO::ImageSpec& spec);
 
 /// Write an image in local memory. `progress` is called with the share done.
 bool write_image(const OIIO::ImageBuf& image, const std::string& path,
+                 const std::function<void(float)>& progress, Failure& failure);
+/// The same into a file that was opened for the image's windows, and commit it.
+bool write_image(const OIIO::ImageBuf& image, ImageFile& file,
                  const std::function<void(float)>& progress, Failure& failure);
 
 } // namespace ddt::tool

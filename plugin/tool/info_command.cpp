@@ -8,7 +8,6 @@
 
 #include "ddt/devices.h"
 #include "ddt/names.h"
-#include "ddt/resize.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/filter_flag.h"
 #include "plugin/tool/plugin_file.h"

@@ -18,12 +18,18 @@ namespace {
 
 using OIIO::Strutil::fmt::format;
 
+/// Bytes of a pixel in a part's file that are one channel.
+struct Piece {
+    size_t offset, size;
+};
+
 /// A part's file, read from top to bottom, a row of tiles at a time.
 struct PartFile {
     std::string path;
     PartHeader header;
     Rect window;
-    OIIO::ImageSpec spec;                    ///< without the header
+    OIIO::ImageSpec spec;                    ///< without the header, channels in the whole's order
+    std::vector<Piece> pieces;               ///< in that order; empty where it is the file's
     std::unique_ptr<OIIO::ImageInput> input; ///< open only while its rows are wanted
     std::vector<char> tiles;                 ///< the pixels of a row of tiles
     int y0 = 0, y1 = 0;                      ///< of those rows
@@ -41,6 +47,39 @@ bool is_allowed(const Rect& r) {
            std::max(r.x1, r.y1) <= largest_coordinate;
 }
 
+/// Bring the channels of part.spec, which a file sorts by name, into the whole's order.
+bool order_channels(PartFile& part, Failure& failure) {
+    OIIO::ImageSpec& spec = part.spec;
+    const std::vector<std::string>& names = part.header.channels;
+    if (names.empty() || names == spec.channelnames)
+        return true;
+    const OIIO::ImageSpec file = spec;
+    if (!std::is_permutation(names.begin(), names.end(), file.channelnames.begin(),
+                             file.channelnames.end())) {
+        failure = {"\"" + part.path + "\" has other channels than it was written with"};
+        return false;
+    }
+    const auto bytes = [&](int channel) {
+        return file.channelformats.empty() ? file.format.size()
+                                           : file.channelformat(channel).size();
+    };
+    for (int i = 0; i < file.nchannels; ++i) {
+        const int place = file.channelindex(names[size_t(i)]);
+        size_t offset = 0;
+        for (int k = 0; k < place; ++k)
+            offset += bytes(k);
+        part.pieces.push_back({offset, bytes(place)});
+        if (!file.channelformats.empty())
+            spec.channelformats[size_t(i)] = file.channelformat(place);
+        if (place == file.alpha_channel)
+            spec.alpha_channel = i;
+        if (place == file.z_channel)
+            spec.z_channel = i;
+    }
+    spec.channelnames = names;
+    return true;
+}
+
 bool read_header(PartFile& part, Failure& failure) {
     part.input = OIIO::ImageInput::open(part.path);
     if (!part.input)
@@ -52,6 +91,8 @@ bool read_header(PartFile& part, Failure& failure) {
         failure = {"\"" + part.path + "\" is no part; allowed are files of ddt resize --part"};
         return false;
     }
+    if (!order_channels(part, failure))
+        return false;
     const auto end = [](int first, int size) {
         return int(std::min(int64_t(first) + size, int64_t(INT_MAX)));
     };
@@ -69,7 +110,8 @@ bool belong_together(const PartFile& a, const PartFile& b) {
     return a.header.job == b.header.job && a.header.part.count == b.header.part.count &&
            a.header.type == b.header.type && w.x0 == v.x0 && w.y0 == v.y0 && w.x1 == v.x1 &&
            w.y1 == v.y1 && a.spec.nchannels == b.spec.nchannels && a.spec.format == b.spec.format &&
-           a.spec.channelformats == b.spec.channelformats;
+           a.spec.channelformats == b.spec.channelformats &&
+           a.spec.channelnames == b.spec.channelnames;
 }
 
 bool overlap(const Rect& a, const Rect& b) {
@@ -136,6 +178,19 @@ bool check_windows(const std::vector<PartFile>& parts, Failure& failure) {
     return false;
 }
 
+/// The channels of pixels as read into the whole's order.
+void move_channels(const std::vector<Piece>& pieces, size_t pixel, std::vector<char>& pixels) {
+    std::vector<char> one(pixel);
+    for (size_t at = 0; !pieces.empty() && at < pixels.size(); at += pixel) {
+        std::memcpy(one.data(), &pixels[at], pixel);
+        size_t to = at;
+        for (const Piece& piece : pieces) {
+            std::memcpy(&pixels[to], &one[piece.offset], piece.size);
+            to += piece.size;
+        }
+    }
+}
+
 /// Make the row of tiles with the pixels of row y the part's current one.
 bool load(PartFile& part, int y, OIIO::TypeDesc type, size_t pixel, Failure& failure) {
     if (!part.input) {
@@ -148,9 +203,11 @@ bool load(PartFile& part, int y, OIIO::TypeDesc type, size_t pixel, Failure& fai
     part.y0 = part.window.y0 + (y - part.window.y0) / height * height;
     part.y1 = std::min(part.y0 + height, part.window.y1);
     part.tiles.resize(pixel * size_t(part.window.width()) * size_t(height));
-    return part.input->read_tiles(0, 0, part.window.x0, part.window.x1, part.y0, part.y1, 0, 1, 0,
-                                  spec.nchannels, type, part.tiles.data()) ||
-           cannot_read(part, failure);
+    if (!part.input->read_tiles(0, 0, part.window.x0, part.window.x1, part.y0, part.y1, 0, 1, 0,
+                                spec.nchannels, type, part.tiles.data()))
+        return cannot_read(part, failure);
+    move_channels(part.pieces, pixel, part.tiles);
+    return true;
 }
 
 /// Put the rows [y0, y1) of a part where they belong among those rows of the whole.
@@ -186,9 +243,14 @@ OIIO::ImageSpec whole_spec(OIIO::ImageSpec spec, const PartHeader& header, bool 
     };
     restore("compression", header.compression);
     restore("oiio:ColorSpace", header.colour_space);
-    // What OpenEXR's writer adds by itself.
-    for (const char* key : {"DateTime", "oiio:Gamma", "oiio:subimages"})
+    restore("DateTime", header.date); // OpenEXR's writer makes one of its own
+    for (const char* key : {"ICCProfile", "oiio:BitsPerSample", "oiio:Gamma", "oiio:subimages"})
         spec.erase_attribute(key);
+    if (const std::vector<unsigned char>& profile = header.profile; !profile.empty())
+        spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, int(profile.size())),
+                       profile.data());
+    if (header.bits > 0)
+        spec.attribute("oiio:BitsPerSample", header.bits);
     if (!tiles)
         spec.tile_width = spec.tile_height = spec.tile_depth = 0;
     return spec;

@@ -13,8 +13,10 @@ public:
     JoinCommand() {
         name = "join";
         summary = "Join the parts that resize --part wrote";
-        paragraphs = {"The same pixels as those of one run without parts. Parts that are missing, "
-                      "there twice or of another job are refused."};
+        paragraphs = {
+            "The same pixels as those of one run without parts. Parts that are missing, "
+            "there twice or of another job are refused. Of a source larger than 64 MiB this "
+            "is judged by 64 MiB of its bytes, evenly spread."};
         operands = {{"PART...", "all parts, in any order"},
                     {"OUT", "any image OpenImageIO writes; large ones want EXR or TIFF"}};
         flags = {progress_flag(m_progress)};

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // ddt: triangulates pictures by their content. Commands are in commands.h.
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <new>
+#include <system_error>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
 
 #include <OpenImageIO/imageio.h>
 
@@ -34,18 +40,53 @@ ExitCode run(const std::vector<std::string>& args) {
     return name.empty() ? exit_usage : fail("unknown command \"" + name + "\"", exit_usage);
 }
 
+ExitCode run_caught(const std::vector<std::string>& args) {
+    try {
+        return run(args);
+    } catch (const std::bad_alloc&) {
+        return fail("out of memory", exit_resources);
+    } catch (const std::system_error& e) { // no more threads
+        return fail(e.what(), code_of_errno(e.code().value()));
+    } catch (const std::exception& e) {
+        return fail(e.what());
+    }
+}
+
+/// The next file to be opened would get the number of one that is closed, and what is meant for a
+/// terminal would be written into it. For writing, the standard input too: reading fails then,
+/// where an end would pass for a stream without pictures.
+void open_closed_streams() {
+    for (int descriptor = 0; descriptor <= 2; ++descriptor)
+        if (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF) [[maybe_unused]]
+            const int opened = open("/dev/null", O_WRONLY);
+}
+
+/// That a reader has seen enough (ddt info | head) is no fault.
+bool reader_has_gone() {
+    pollfd out{STDOUT_FILENO, 0, 0};
+    return poll(&out, 1, 0) == 1 && (out.revents & POLLERR) != 0;
+}
+
+/// What was printed must have arrived. The first failure counts.
+ExitCode finish_output(ExitCode code) {
+    errno = 0;
+    if (std::fflush(stdout) == 0 && !std::ferror(stdout))
+        return code;
+    const int number = errno;
+    if (code != exit_done || reader_has_gone())
+        return code;
+    return fail("the standard output cannot be written" +
+                    (number ? std::string(": ") + std::strerror(number) : ""),
+                exit_resources);
+}
+
 } // namespace
 } // namespace ddt::tool
 
 int main(int argc, char** argv) {
     using namespace ddt::tool;
+    open_closed_streams();
     remove_unfinished_on_signals();
     OIIO::attribute("debug", 0); // its builds may print what is an error's text anyway
-    try {
-        return run({argv + 1, argv + argc});
-    } catch (const std::bad_alloc&) {
-        return fail("out of memory", exit_resources);
-    } catch (const std::exception& e) {
-        return fail(e.what());
-    }
+    return finish_output(run_caught({argv + 1, argv + argc}));
 }

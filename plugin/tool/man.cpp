@@ -27,7 +27,8 @@ constexpr Code codes[] = {
 };
 
 constexpr const char* by_signal =
-    "As a shell sees it: ended by signal N. No unfinished file is left.";
+    "As a shell sees it: ended by signal N. No unfinished file is left, but by KILL (N is 9) or a "
+    "crash: a hidden one, which the next run for the same OUT takes over.";
 
 /// Text as man(7) takes it: backslashes and hyphens escaped, no line that starts with a control
 /// character.
@@ -75,7 +76,7 @@ std::string overview(const std::vector<std::unique_ptr<Command>>& commands) {
     text += "  ddt COMMAND --help\n  ddt --help | --version\n\nexit status:\n";
     for (const Code& code : codes)
         text += format("  {}  {}\n", int(code.code), OIIO::Strutil::wordwrap(code.meaning, 76, 5));
-    text += format("  128 + N  {}\n", by_signal);
+    text += format("  128 + N  {}\n", OIIO::Strutil::wordwrap(by_signal, 76, 11));
     return text;
 }
 

@@ -3,6 +3,7 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "core/options/values.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/filter_flag.h"
 #include "plugin/tool/mesh_file.h"
@@ -41,7 +42,7 @@ public:
                  m_scheme = text;
                  return find_scheme(text, parsed);
              },
-             OIIO::Strutil::join(scheme_names(), ", "), ""},
+             OIIO::Strutil::join(scheme_names(), ", ") + ", " + other_schemes(), ""},
             choice_flag("--fill", {"gradient", "flat", "none"},
                         "SVG: how triangles are filled (default: gradient)", m_fill),
             number_flag("--lines", "WIDTH", "SVG: draw the edges too, so many pixels wide", 0, 1000,

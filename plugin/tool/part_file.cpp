@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/part_file.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <set>
 #include <vector>
 
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/strutil.h>
 
+#include "core/base/parse_number.h"
 #include "core/tiles/grid.h"
 #include "plugin/image/lazy_file.h"
 #include "plugin/image/windows.h"
@@ -30,6 +31,10 @@ constexpr const char* whole_key = "ddt_part:whole";
 constexpr const char* type_key = "ddt_part:type";
 constexpr const char* space_key = "ddt_part:colorspace";
 constexpr const char* compression_key = "ddt_part:compression";
+constexpr const char* channels_key = "ddt_part:channels"; // a line each
+constexpr const char* date_key = "ddt_part:date";
+constexpr const char* profile_key = "ddt_part:profile"; // as text: EXR files hold no bytes
+constexpr const char* bits_key = "ddt_part:bits";
 
 constexpr int cache_megabytes = 192;
 
@@ -62,6 +67,34 @@ bool is_number_type(const std::string& name) {
            type == OIIO::TypeDesc(OIIO::TypeDesc::BASETYPE(type.basetype));
 }
 
+std::string hex(const std::vector<unsigned char>& bytes) {
+    constexpr char digits[] = "0123456789abcdef";
+    std::string text;
+    for (const unsigned char byte : bytes) {
+        text += digits[byte >> 4];
+        text += digits[byte & 15];
+    }
+    return text;
+}
+
+/// Nothing for a text that is not of hex().
+std::vector<unsigned char> bytes_of(const std::string& hex) {
+    if (hex.size() % 2 != 0 || hex.find_first_not_of("0123456789abcdef") != std::string::npos)
+        return {};
+    std::vector<unsigned char> bytes;
+    for (size_t i = 0; i < hex.size(); i += 2)
+        bytes.push_back((unsigned char)(std::stoi(hex.substr(i, 2), nullptr, 16)));
+    return bytes;
+}
+
+std::vector<unsigned char> profile_of(const OIIO::ImageSpec& spec) {
+    const OIIO::ParamValue* const found = spec.find_attribute("ICCProfile");
+    if (!found || found->type().basetype != OIIO::TypeDesc::UINT8)
+        return {};
+    const auto* const data = static_cast<const unsigned char*>(found->data());
+    return {data, data + found->datasize()};
+}
+
 /// Enlarges a part in strips and hands on whole rows of the file's tiles.
 class StripWriter {
 public:
@@ -71,6 +104,7 @@ public:
           m_output(output), m_done(part.y0) {
         m_spec.x = part.x0;
         m_spec.width = part.width();
+        m_spec.channelformats.clear(); // strips in memory have one type
     }
 
     /// The part's rows up to `end`.
@@ -129,6 +163,9 @@ bool check_part(const OIIO::ImageSpec& from, const OIIO::ImageSpec& to, const Gr
         failure = {format("pixels of {} cannot be kept in parts; choose another --type",
                           to.format.c_str()),
                    exit_usage};
+    else if (const auto& names = from.channelnames;
+             std::set<std::string>(names.begin(), names.end()).size() < names.size())
+        failure = {"several channels have one name, which cannot be kept in parts"};
     else
         return true;
     return false;
@@ -141,9 +178,9 @@ OIIO::ImageSpec file_spec(const OIIO::ImageSpec& whole, const Rect& part) {
     spec.y = part.y0;
     spec.width = part.width();
     spec.height = part.height();
-    spec.set_format(stored_type(whole.format));
-    if (spec.format != whole.format)
-        spec.channelformats.clear();
+    // Which takes the channels' own types away.
+    if (const OIIO::TypeDesc stored = stored_type(whole.format); stored != whole.format)
+        spec.set_format(stored);
     spec.tile_width = 64;
     spec.tile_height =
         int64_t(whole.width) * int64_t(whole.pixel_bytes()) * 64 > largest_row ? 16 : 64;
@@ -161,6 +198,10 @@ void PartHeader::write_to(OIIO::ImageSpec& spec) const {
     spec.attribute(type_key, type);
     spec.attribute(space_key, colour_space);
     spec.attribute(compression_key, compression);
+    spec.attribute(channels_key, OIIO::Strutil::join(channels, "\n"));
+    spec.attribute(date_key, date);
+    spec.attribute(profile_key, hex(profile));
+    spec.attribute(bits_key, std::to_string(bits));
 }
 
 bool PartHeader::take_from(OIIO::ImageSpec& spec) {
@@ -168,6 +209,12 @@ bool PartHeader::take_from(OIIO::ImageSpec& spec) {
     type = spec.get_string_attribute(type_key);
     colour_space = spec.get_string_attribute(space_key);
     compression = spec.get_string_attribute(compression_key);
+    const std::string names = spec.get_string_attribute(channels_key);
+    channels = names.empty() ? std::vector<std::string>() : OIIO::Strutil::splits(names, "\n");
+    date = spec.get_string_attribute(date_key);
+    profile = bytes_of(spec.get_string_attribute(profile_key));
+    bits = 0;
+    parse_number(std::string(spec.get_string_attribute(bits_key)), 0, 64, bits);
     const std::string window = spec.get_string_attribute(whole_key);
     if (job.empty() || spec.tile_width < 1 ||
         !parse_part(spec.get_string_attribute(part_key), part) ||
@@ -175,7 +222,8 @@ bool PartHeader::take_from(OIIO::ImageSpec& spec) {
             4 ||
         whole.empty() || !is_number_type(type))
         return false;
-    for (const char* key : {job_key, part_key, whole_key, type_key, space_key, compression_key})
+    for (const char* key : {job_key, part_key, whole_key, type_key, space_key, compression_key,
+                            channels_key, date_key, profile_key, bits_key})
         spec.erase_attribute(key);
     return true;
 }
@@ -194,10 +242,8 @@ bool resize_part(const std::string& in, const std::string& out, const ResizeSett
     from.channelformats = image.nativespec().channelformats;
     if (!check_source(image, failure.why))
         return false;
-    if (!plan_result(from, settings, whole)) {
-        failure = refused_size(settings.size);
+    if (!plan_result(from, settings, whole, failure))
         return false;
-    }
     const Grid grid(rect_of(image.roi()));
     if (!check_part(from, whole, grid, part, failure))
         return false;
@@ -217,6 +263,10 @@ bool resize_part(const std::string& in, const std::string& out, const ResizeSett
     header.type = whole.format.c_str();
     header.colour_space = whole.get_string_attribute("oiio:ColorSpace");
     header.compression = whole.get_string_attribute("compression");
+    header.channels = whole.channelnames;
+    header.date = whole.get_string_attribute("DateTime");
+    header.profile = profile_of(whole);
+    header.bits = whole.get_int_attribute("oiio:BitsPerSample");
     OIIO::ImageSpec spec = file_spec(whole, pixels);
     header.write_to(spec);
     ImageFile file;

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include <OpenImageIO/imageio.h>
 
@@ -22,6 +23,11 @@ struct PartHeader {
     /// The source's, empty if it says none: OpenEXR's files are all read as linear.
     std::string colour_space;
     std::string compression; ///< the source's, empty if it says none; parts are without loss
+    /// The channels' names in the whole's order: a file's are sorted. Empty: as the file has them.
+    std::vector<std::string> channels;
+    std::string date;                   ///< the source's DateTime, empty if it says none
+    std::vector<unsigned char> profile; ///< the source's ICC profile, or nothing
+    int bits = 0;                       ///< oiio:BitsPerSample of the whole; 0: none
 
     void write_to(OIIO::ImageSpec& spec) const;
     /// Take it off a file's spec. False if that is of no part.

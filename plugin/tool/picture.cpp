@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/picture.h"
 
+#include <algorithm>
+
 #include "plugin/image/source.h"
 #include "plugin/image/windows.h"
 
 namespace ddt::tool {
 
 namespace {
+
+/// Whether there is nothing that can be looked at: numbers that name things, at most with alpha.
+bool only_ids(const Channels& channels) {
+    return channels.colour.count == 0 && channels.guide < 0 &&
+           std::count(channels.kinds.begin(), channels.kinds.end(), Channel::nearest) > 0;
+}
 
 /// How a pixel's values become a Colour.
 class Display {
@@ -50,6 +58,10 @@ std::string why_unreadable(const std::string& said, const std::string& path) {
 }
 
 bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error) {
+    if (path.empty()) { // OpenImageIO makes an image of it that is not there
+        error = "\"\" is no name of a file";
+        return false;
+    }
     image.reset(path);
     if (image.read(0, 0, true))
         return true;
@@ -66,6 +78,11 @@ bool read_picture(const OIIO::ImageBuf& image, const Options& options, Picture& 
     Reading reading;
     if (!plan_reading(image, options, image.roi(), reading, error))
         return false;
+    if (only_ids(reading.channels)) {
+        error = "\"" + std::string(image.name()) +
+                "\" has nothing to look at: its channels are whole numbers that name things";
+        return false;
+    }
     ImageSource source(image, reading);
     const Rect window = rect_of(image.roi());
     const size_t channels = reading.selected.size();

@@ -32,7 +32,8 @@ std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path)
 /// Read the first image of a file, its pixels included. False with one line in `error`.
 bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error);
 
-/// Read an image under options.light. False with one line in `error`.
+/// Read an image under options.light. False with one line in `error`, as for an image of IDs
+/// alone, which no display shows.
 bool read_picture(const OIIO::ImageBuf& image, const Options& options, Picture& picture,
                   std::string& error);
 

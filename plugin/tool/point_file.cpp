@@ -70,6 +70,18 @@ std::string written_type(const Column& column) {
     return column.type == "uchar" || column.type == "ushort" ? column.type : "float";
 }
 
+/// The bytes of a file. False with errno if they cannot be read.
+bool read_bytes(const std::string& path, std::string& bytes) {
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    try {
+        bytes.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+    } catch (const std::ios_base::failure&) { // a folder: whatever the stream was asked for
+        return false;
+    }
+    return file.good() || file.eof();
+}
+
 } // namespace
 
 const Column* PointFile::find(const std::string& name) const {
@@ -80,10 +92,8 @@ const Column* PointFile::find(const std::string& name) const {
 }
 
 bool read_points(const std::string& path, PointFile& points, Failure& failure) {
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    if (!file.good() && !file.eof()) {
+    std::string text;
+    if (!read_bytes(path, text)) {
         failure = {"\"" + path + "\": " + std::strerror(errno ? errno : EIO), exit_failed};
         return false;
     }

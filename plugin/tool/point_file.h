@@ -2,7 +2,6 @@
 // Files of points with values, and of meshes of them.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 

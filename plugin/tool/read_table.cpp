@@ -32,7 +32,8 @@ bool read_table(const std::string& text, PointFile& points, std::string& error) 
     points = {};
     std::vector<int> place; ///< of each column: -1 x, -2 y, else an index
     size_t number = 0;
-    for (size_t at = 0; at < text.size(); ++number) {
+    constexpr const char* mark = "\xEF\xBB\xBF"; // UTF-8, as some spreadsheets begin
+    for (size_t at = text.compare(0, 3, mark) == 0 ? 3 : 0; at < text.size(); ++number) {
         const size_t end = std::min(text.find('\n', at), text.size());
         std::string line(OIIO::Strutil::strip(text.substr(at, end - at)));
         at = end + 1;

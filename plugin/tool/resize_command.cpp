@@ -27,8 +27,8 @@ public:
         name = "resize";
         summary = "Resize an image, a sequence, or a part of an image";
         paragraphs = {
-            "The same pixels as oiiotool IN --resize:filter=ddt SIZE -o OUT with the plugin; from "
-            "8 or 16 bits into EXR or HDR, with --type half or float.",
+            "The same pixels as oiiotool IN --resize:filter=ddt SIZE -o OUT with the plugin; "
+            "channels keep their types where OUT's format has them.",
             "Sizes are oiiotool's: 640x480; 0x480 keeps the shape; 640x480+10-20 moves the origin; "
             "50%, 50%x75%; 2.5 is a factor. They are those of the display window.",
             "Sequences: IN and OUT with # (four digits), ### (three) or %04d in place of the "
@@ -73,8 +73,9 @@ public:
         if (sequence && !list_tasks(values[0], values[2], m_frames, m_views, tasks, failure))
             return fail(failure);
         // Text that is no size is so of every frame.
-        if (OIIO::ImageSpec some(1024, 1024, 1), result; !plan_result(some, m_settings, result))
-            return fail(refused_size(m_settings.size));
+        if (OIIO::ImageSpec some(1024, 1024, 1), result;
+            !plan_result(some, m_settings, result, failure))
+            return fail(failure);
 
         if (!m_settings.compression.empty() &&
             !check_compression(m_settings.compression,
@@ -89,7 +90,7 @@ public:
                        : resize_file(task.in, task.out, m_settings, progress, why);
         };
         m_run.memory_of = [this](const FrameTask& task) {
-            return m_run.jobs > 1 ? memory_to_resize(task.in, m_settings) : 0;
+            return m_run.jobs > 1 ? memory_to_resize(task.in, task.out, m_settings) : 0;
         };
         FrameCounts counts;
         {

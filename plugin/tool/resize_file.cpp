@@ -5,9 +5,15 @@
 #include <cmath>
 #include <vector>
 
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/strutil.h>
+
 #include "core/tiles/grid.h"
+#include "plugin/image/reading.h"
 #include "plugin/image/windows.h"
 #include "plugin/imagebuf/resample.h"
+#include "plugin/tool/fit_format.h"
 #include "plugin/tool/image_file.h"
 #include "plugin/tool/part.h"
 #include "plugin/tool/row_reader.h"
@@ -32,19 +38,19 @@ int64_t memory_beside(int threads) {
 /// threads would wait for the last tiles of each.
 constexpr int tiles_a_thread = 8;
 
-/// Where strips of the result end, the last at its end: at rows of tiles, so that none is worked
-/// twice.
+/// Where strips of the pixels that are made end, the last at their end: at rows of tiles, so that
+/// none is worked twice.
 std::vector<int> strip_ends(const OIIO::ImageSpec& from, const OIIO::ImageSpec& to,
-                            const ResizeSettings& settings) {
-    const int last = to.y + to.height;
+                            const OIIO::ROI& made, const ResizeSettings& settings) {
+    const int last = made.yend;
     // Holes are filled before anything else, in the whole image; what does not grow has no tiles.
     if (settings.options.holes != Holes::keep || to.full_width < from.full_width ||
         to.full_height < from.full_height)
         return {last};
     const Grid grid(rect_of(OIIO::get_roi(from)));
     const int rows = 1 + tiles_a_thread * settings.threads / grid.columns();
-    const ResizeMapping::Axis x = x_axis(from, to, OIIO::get_roi(to));
-    const ResizeMapping::Axis y = y_axis(from, to, OIIO::get_roi(to));
+    const ResizeMapping::Axis x = x_axis(from, to, made);
+    const ResizeMapping::Axis y = y_axis(from, to, made);
     std::vector<int> ends;
     for (int row = rows; row < grid.rows(); row += rows) {
         const Rect strip{0, row - 1, grid.columns(), row};
@@ -54,74 +60,85 @@ std::vector<int> strip_ends(const OIIO::ImageSpec& from, const OIIO::ImageSpec& 
     return ends;
 }
 
-} // namespace
-
-bool plan_result(const OIIO::ImageSpec& from, const ResizeSettings& settings,
-                 OIIO::ImageSpec& spec) {
-    Size size;
-    if (!parse_size(settings.size, {from.full_width, from.full_height, from.full_x, from.full_y},
-                    size))
+/// An axis of a data window that is scaled along with its display window: its origin rounded down,
+/// its size up. False if that is beyond what coordinates are allowed.
+bool scale_axis(int full_from, int full_size_from, int full_to, int full_size_to, int& begin,
+                int& size) {
+    const double times = double(full_size_to) / full_size_from;
+    const double first = full_to + std::floor((double(begin) - full_from) * times);
+    const double count = std::ceil(size * times);
+    if (first < -largest_coordinate || first + count > largest_coordinate)
         return false;
-    spec = from;
-    if (size.width != from.full_width || size.height != from.full_height) {
-        const double across = double(size.width) / from.full_width;
-        const double down = double(size.height) / from.full_height;
-        spec.x = size.x + int(std::floor((from.x - from.full_x) * across));
-        spec.y = size.y + int(std::floor((from.y - from.full_y) * down));
-        spec.width = int(std::ceil(from.width * across));
-        spec.height = int(std::ceil(from.height * down));
-        spec.full_x = size.x;
-        spec.full_y = size.y;
-        spec.full_width = size.width;
-        spec.full_height = size.height;
-    }
-    if (!settings.type.empty()) {
-        spec.set_format(OIIO::TypeDesc(settings.type));
-        spec.channelformats.clear();
-    }
-    if (!settings.compression.empty())
-        spec.attribute("compression", settings.compression);
+    begin = int(first);
+    size = int(count);
     return true;
 }
 
-Failure refused_size(const std::string& size) {
-    return {"size \"" + size + "\" is not allowed; allowed are " + allowed_sizes, exit_usage};
+Failure too_far(const OIIO::ImageSpec& from, const Size& size) {
+    return {OIIO::Strutil::fmt::format(
+        "the output would be {:.0f} x {:.0f} pixels; coordinates are allowed within +-{}",
+        std::ceil(from.width * (double(size.width) / from.full_width)),
+        std::ceil(from.height * (double(size.height) / from.full_height)), largest_coordinate)};
 }
 
-bool resize_file(const std::string& in, const std::string& out, const ResizeSettings& settings,
-                 const std::function<bool(float)>& progress, Failure& failure) {
-    OIIO::ImageBuf image;
-    RowReader reader;
-    if (!reader.begin(in, image, failure.why)) {
-        failure.code = code_of_message(failure.why);
+/// What is known of a source before its pixels are there.
+bool check_image(const OIIO::ImageBuf& image, const std::string& path, const Options& options,
+                 Failure& failure) {
+    if (check_source(image, failure.why) && check_options_of(image, options, failure.why))
+        return true;
+    failure.why = "\"" + path + "\": " + failure.why;
+    failure.code = code_of_message(failure.why);
+    return false;
+}
+
+bool check_size_of(const OIIO::ImageSpec& spec, Failure& failure) {
+    if (check_size(OIIO::get_roi(spec), spec.nchannels, spec.format, failure.why))
+        return true;
+    failure.code = code_of_message(failure.why);
+    return false;
+}
+
+/// Open the file for what of the result its format has room for: `spec` becomes that.
+bool open_file(const std::string& path, OIIO::ImageSpec& spec, ImageFile& file, Failure& failure) {
+    spec.tile_width = spec.tile_height = spec.tile_depth = 0;
+    if (!file.create(path, failure))
+        return false;
+    if (!fit_format(file.output(), spec, failure.why)) {
+        failure = {"cannot write \"" + path + "\": " + failure.why};
         return false;
     }
-    OIIO::ImageSpec spec;
-    if (!plan_result(image.spec(), settings, spec)) {
-        failure = refused_size(settings.size);
+    return check_size_of(spec, failure) && file.open(spec, failure);
+}
+
+/// Make the image whose pixels an open file of this spec is written from. What the writer makes
+/// other numbers of is held as floats, as oiiotool holds it: rounded once.
+bool hold_result(OIIO::ImageSpec spec, ImageFile& file, OIIO::ImageBuf& result, Failure& failure) {
+    if (file.output().spec().format != spec.format || !spec.channelformats.empty())
+        spec.set_format(OIIO::TypeFloat);
+    spec.channelformats.clear();
+    if (!check_size_of(spec, failure))
         return false;
-    }
-    if (!check_size(OIIO::get_roi(spec), spec.nchannels, spec.format, failure.why)) {
-        failure.code = code_of_message(failure.why);
-        return false;
-    }
-    OIIO::ImageBuf result;
-    if (!take_memory(result, spec, failure.why)) {
-        failure.code = exit_resources;
-        return false;
-    }
-    ImageFile file;
-    if (!file.begin(out, spec, failure))
-        return false;
-    RowWriter writer(result, file);
-    int begin = spec.y;
-    for (const int end : strip_ends(image.spec(), spec, settings)) {
+    if (take_memory(result, spec, failure.why))
+        return true;
+    failure.code = exit_resources;
+    return false;
+}
+
+/// Resize the pixels `made` into the result, and let it be written strip by strip.
+bool resize_strips(OIIO::ImageBuf& result, const OIIO::ImageBuf& image, const OIIO::ROI& made,
+                   RowReader& reader, RowWriter& writer, const ResizeSettings& settings,
+                   const std::function<bool(float)>& progress, Failure& failure) {
+    int begin = made.ybegin;
+    for (const int end : strip_ends(image.spec(), result.spec(), made, settings)) {
+        if (end <= begin)
+            continue;
         Options options = settings.options;
         options.progress = [&](float share) {
-            const float rows = float(begin - spec.y) + share * float(end - begin);
-            return !writer.has_failed() && progress(share_of_resizing * rows / float(spec.height));
+            const float rows = float(begin - made.ybegin) + share * float(end - begin);
+            return !writer.has_failed() &&
+                   progress(share_of_resizing * rows / float(made.height()));
         };
-        OIIO::ROI roi = result.roi();
+        OIIO::ROI roi = made;
         roi.ybegin = begin;
         roi.yend = end;
         if (!resize_arriving(result, image, &reader, options, roi, settings.threads) &&
@@ -137,17 +154,91 @@ bool resize_file(const std::string& in, const std::string& out, const ResizeSett
         writer.ready(end);
         begin = end;
     }
+    return true;
+}
+
+} // namespace
+
+bool plan_result(const OIIO::ImageSpec& from, const ResizeSettings& settings, OIIO::ImageSpec& spec,
+                 Failure& failure) {
+    Size size;
+    if (!parse_size(settings.size, {from.full_width, from.full_height, from.full_x, from.full_y},
+                    size)) {
+        failure = {"size \"" + settings.size + "\" is not allowed; allowed are " + allowed_sizes,
+                   exit_usage};
+        return false;
+    }
+    spec = from;
+    if (size.width != from.full_width || size.height != from.full_height) {
+        if (!scale_axis(from.full_x, from.full_width, size.x, size.width, spec.x, spec.width) ||
+            !scale_axis(from.full_y, from.full_height, size.y, size.height, spec.y, spec.height)) {
+            failure = too_far(from, size);
+            return false;
+        }
+        spec.full_x = size.x;
+        spec.full_y = size.y;
+        spec.full_width = size.width;
+        spec.full_height = size.height;
+    }
+    if (!settings.type.empty()) {
+        spec.set_format(OIIO::TypeDesc(settings.type));
+        spec.channelformats.clear();
+        spec.erase_attribute("oiio:BitsPerSample"); // the image's own: of another type
+    }
+    if (!settings.compression.empty())
+        spec.attribute("compression", settings.compression);
+    return true;
+}
+
+bool resize_file(const std::string& in, const std::string& out, const ResizeSettings& settings,
+                 const std::function<bool(float)>& progress, Failure& failure) {
+    OIIO::ImageBuf image;
+    RowReader reader;
+    if (!reader.begin(in, image, failure.why)) {
+        failure.code = code_of_message(failure.why);
+        return false;
+    }
+    // Before the file is open: writers complain by themselves when they get no pixels (PNG).
+    if (!check_image(image, in, settings.options, failure))
+        return false;
+    OIIO::ImageSpec from = image.spec(), spec;
+    from.channelformats = image.nativespec().channelformats;
+    if (!plan_result(from, settings, spec, failure))
+        return false;
+    OIIO::ROI made = OIIO::get_roi(spec);
+    ImageFile file;
+    OIIO::ImageBuf result;
+    if (!open_file(out, spec, file, failure) || !hold_result(spec, file, result, failure))
+        return false;
+    made = OIIO::roi_intersection(made, result.roi());
+    // Beyond its data window an image is black.
+    if (made != result.roi() && !OIIO::ImageBufAlgo::zero(result)) {
+        failure.why = result.geterror();
+        return false;
+    }
+    RowWriter writer(result, file);
+    if (made.width() > 0 && made.height() > 0 &&
+        !resize_strips(result, image, made, reader, writer, settings, progress, failure))
+        return false;
+    if (!writer.has_failed())
+        writer.ready(result.yend());
     const auto writing = [&](float share) {
         progress(share_of_resizing + share * (1 - share_of_resizing));
     };
     return writer.finish(writing, failure) && file.commit(failure);
 }
 
-int64_t memory_to_resize(const std::string& in, const ResizeSettings& settings) {
+int64_t memory_to_resize(const std::string& in, const std::string& out,
+                         const ResizeSettings& settings) {
     const auto file = OIIO::ImageInput::open(in);
     OIIO::ImageSpec spec;
-    if (!file || !plan_result(file->spec(), settings, spec))
+    Failure failure;
+    if (!file || !plan_result(file->spec(), settings, spec, failure))
         return 0;
+    // Another format than the source's may not hold its numbers (see hold_result()).
+    if (!settings.type.empty() || !spec.channelformats.empty() ||
+        OIIO::Filesystem::extension(in) != OIIO::Filesystem::extension(out))
+        spec.set_format(OIIO::TypeFloat);
     return int64_t(file->spec().image_bytes() + spec.image_bytes()) +
            memory_beside(settings.threads);
 }

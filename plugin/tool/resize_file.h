@@ -22,19 +22,19 @@ struct ResizeSettings {
 
 /// What an image of spec `from` becomes: the windows that oiiotool makes. The size is the display
 /// window's; the data window is scaled along with it, its origin rounded down, its size up. Of a
-/// size that does not change, neither does the origin. False if the size is not allowed.
+/// size that does not change, neither does the origin. False with a failure if the size is not
+/// allowed, or the data window would leave the coordinates that are.
 bool plan_result(const OIIO::ImageSpec& from, const ResizeSettings& settings,
-                 OIIO::ImageSpec& result);
+                 OIIO::ImageSpec& result, Failure& failure);
 
-/// Said of a size that plan_result() does not take.
-Failure refused_size(const std::string& size);
-
-/// Resize the file `in` into `out`, which appears when whole. `progress` is called with the share
-/// done, one thread at a time.
+/// Resize the file `in` into `out`, which appears when whole: what its format has room for (see
+/// fit_format.h), each channel in the image's own type where it can hold that. `progress` is called
+/// with the share done, one thread at a time.
 bool resize_file(const std::string& in, const std::string& out, const ResizeSettings& settings,
                  const std::function<bool(float)>& progress, Failure& failure);
 
 /// Bytes that resize_file() takes at its peak, about; 0 if that cannot be told.
-int64_t memory_to_resize(const std::string& in, const ResizeSettings& settings);
+int64_t memory_to_resize(const std::string& in, const std::string& out,
+                         const ResizeSettings& settings);
 
 } // namespace ddt::tool

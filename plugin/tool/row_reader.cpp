@@ -25,9 +25,10 @@ int rows_at_once(const OIIO::ImageSpec& spec) {
     return (wanted + together - 1) / together * together;
 }
 
-/// Whether rows of pixels follow one another as they are in memory.
+/// Whether there are rows of pixels that follow one another as they are in memory.
 bool comes_by_rows(const OIIO::ImageSpec& spec) {
-    return !spec.deep && spec.depth <= 1 && spec.channelformats.empty();
+    return !spec.deep && spec.depth <= 1 && spec.channelformats.empty() && spec.width > 0 &&
+           spec.height > 0 && spec.nchannels > 0;
 }
 
 } // namespace

@@ -8,7 +8,7 @@
 #include <limits>
 #include <mutex>
 #include <new>
-#include <numeric>
+#include <system_error>
 #include <thread>
 
 #include <OpenImageIO/sysutil.h>
@@ -68,6 +68,8 @@ private:
                 failure);
         } catch (const std::bad_alloc&) {
             failure = {"\"" + task.in + "\": out of memory", exit_resources};
+        } catch (const std::system_error& e) { // no more threads
+            failure = {"\"" + task.in + "\": " + e.what(), code_of_errno(e.code().value())};
         } catch (const std::exception& e) {
             failure = {"\"" + task.in + "\": " + e.what(), exit_failed};
         }
@@ -109,8 +111,11 @@ FrameCounts run_frames(const std::vector<FrameTask>& tasks, const FrameRun& run,
                        Progress& progress) {
     Queue queue(tasks, run, progress);
     std::vector<std::thread> threads;
-    for (size_t i = 1; i < std::min(size_t(run.jobs), tasks.size()); ++i)
-        threads.emplace_back([&] { queue.work(); });
+    try {
+        for (size_t i = 1; i < std::min(size_t(run.jobs), tasks.size()); ++i)
+            threads.emplace_back([&] { queue.work(); });
+    } catch (const std::exception&) { // no more threads: those that are there do it
+    }
     queue.work();
     for (std::thread& thread : threads)
         thread.join();

@@ -2,6 +2,7 @@
 #include "plugin/tool/sequence.h"
 
 #include <filesystem>
+#include <map>
 
 #include <OpenImageIO/strutil.h>
 
@@ -30,6 +31,19 @@ bool check_name(const std::string& text, const FrameName& name, bool frames, boo
                           (views ? "has no place for the view; allowed are names with %V or %v"
                                  : "needs views; give --views"),
                       failure);
+    return true;
+}
+
+/// Whether no file would be written from two: "left" and "lower" have one first letter.
+bool check_outputs(const std::vector<FrameTask>& tasks, Failure& failure) {
+    std::map<std::string, std::string> source;
+    for (const FrameTask& task : tasks) {
+        const auto [other, first] = source.try_emplace(task.out, task.in);
+        if (!first && other->second != task.in)
+            return refuse("\"" + other->second + "\" and \"" + task.in + "\" would both become \"" +
+                              task.out + "\"",
+                          failure);
+    }
     return true;
 }
 
@@ -64,7 +78,7 @@ bool list_tasks(const std::string& in, const std::string& out, const std::string
     for (const int number : numbers)
         for (const std::string& view : names.empty() ? std::vector<std::string>{""} : names)
             tasks.push_back({from.name(number, view), to.name(number, view)});
-    return true;
+    return check_outputs(tasks, failure);
 }
 
 } // namespace ddt::tool

@@ -2,13 +2,12 @@
 #include "plugin/tool/size.h"
 
 #include <charconv>
-#include <cmath>
+
+#include "ddt/mapping.h"
 
 namespace ddt::tool {
 
 namespace {
-
-constexpr int largest = 1 << 24;
 
 /// Takes pieces off the front of a text.
 class Scanner {
@@ -47,7 +46,7 @@ private:
 /// To the nearest whole number; 0, which is not allowed, for what is too large.
 int whole(float size) {
     size += 0.5f;
-    return size >= 0 && size <= float(largest) ? int(size) : 0;
+    return size >= 0 && size <= float(largest_side) ? int(size) : 0;
 }
 
 /// Single precision, as oiiotool does it: the last pixel may depend on it.
@@ -104,7 +103,8 @@ bool parse_size(const std::string& text, const Size& from, Size& to) {
     if (!by_pixels(text, from, size) && !by_percent(text, from, size) &&
         !by_factor(text, from, size))
         return false;
-    if (size.width < 1 || size.height < 1 || size.width > largest || size.height > largest)
+    if (size.width < 1 || size.height < 1 || size.width > largest_side ||
+        size.height > largest_side)
         return false;
     to = size;
     return true;

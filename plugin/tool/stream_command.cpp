@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <new>
+#include <system_error>
 #include <thread>
 
 #include "core/base/parallel.h"
@@ -66,8 +68,15 @@ public:
         std::signal(SIGPIPE, SIG_IGN); // a failure of the write instead
         Verdict verdict;
         HandOver<Frame> read, made;
-        std::thread reader([&] { read_all(read, verdict); });
         std::thread writer([&] { write_all(made, read, verdict); });
+        std::thread reader;
+        try {
+            reader = std::thread([&] { read_all(read, verdict); });
+        } catch (const std::system_error&) {
+            made.close();
+            writer.join();
+            throw;
+        }
         enlarge_all(read, made, verdict);
         made.close();
         read.close();
@@ -139,7 +148,7 @@ private:
             std::string error;
             if (write_frame(stdout, *frame, error) && ++n)
                 continue;
-            verdict.fail(n + 1, error, exit_failed);
+            verdict.fail(n + 1, error, code_of_errno(errno));
             made.close();
             read.close();
             return;

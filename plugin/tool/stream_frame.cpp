@@ -6,11 +6,12 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "ddt/mapping.h"
+
 namespace ddt::tool {
 
 namespace {
 
-constexpr int largest_side = 1 << 24;
 constexpr size_t longest_word = 64;
 
 bool is_blank(int c) {
@@ -130,8 +131,12 @@ host::Buffer Frame::buffer() {
 ReadResult read_frame(std::FILE* in, Frame& frame, std::string& error) {
     frame = {};
     const int first = std::getc(in);
-    if (first == EOF)
+    if (first == EOF && !std::ferror(in))
         return ReadResult::end;
+    if (first == EOF) {
+        error = std::string("the stream cannot be read: ") + std::strerror(errno);
+        return ReadResult::failed;
+    }
     const int second = std::getc(in);
     frame.magic = {char(first), char(second)};
     if (frame.magic != "P7" && frame.magic != "P6" && frame.magic != "P5" && frame.magic != "PF" &&
@@ -154,8 +159,10 @@ ReadResult read_frame(std::FILE* in, Frame& frame, std::string& error) {
         const size_t n = std::fread(row(frame, i), 1, frame.row_bytes(), in);
         got += n;
         if (n < frame.row_bytes()) {
-            error = "it ends after " + std::to_string(got) + " of " +
-                    std::to_string(frame.pixels.size()) + " bytes";
+            error = std::ferror(in)
+                        ? std::string("the stream cannot be read: ") + std::strerror(errno)
+                        : "it ends after " + std::to_string(got) + " of " +
+                              std::to_string(frame.pixels.size()) + " bytes";
             return ReadResult::failed;
         }
     }

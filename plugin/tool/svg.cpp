@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ddt/guide.h"
 #include "plugin/tool/mesh_file.h"
 
 namespace ddt::tool {
@@ -71,8 +72,9 @@ private:
     void gradient(size_t index) {
         double luminance[3];
         for (size_t k = 0; k < 3; ++k)
-            luminance[k] =
-                0.2126 * m_colour[k][0] + 0.7152 * m_colour[k][1] + 0.0722 * m_colour[k][2];
+            luminance[k] = luminance_weights[0] * m_colour[k][0] +
+                           luminance_weights[1] * m_colour[k][1] +
+                           luminance_weights[2] * m_colour[k][2];
         Point way = slope(luminance);
         double length = std::hypot(way.x, way.y);
         for (size_t i = 0; i < 4 && length < 1e-6; ++i) {

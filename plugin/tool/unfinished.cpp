@@ -30,7 +30,20 @@ void remove_listed() {
             unlink(slot.path);
 }
 
-const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU};
+/// Those that end a process unless it does something about them; of schedulers, SIGUSR1 and SIGUSR2
+/// (Grid Engine's -notify, Slurm's --signal). Not those of a program gone wrong.
+const int signals[] = {
+    SIGINT,    SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGUSR1, SIGUSR2, SIGALRM, SIGPROF, SIGVTALRM,
+#ifdef SIGIO
+    SIGIO,
+#endif
+#ifdef SIGPWR
+    SIGPWR,
+#endif
+#ifdef SIGSTKFLT
+    SIGSTKFLT,
+#endif
+};
 
 std::atomic<int> waited_for{0};
 std::atomic<bool> ending{false};

@@ -7,9 +7,10 @@
 
 namespace ddt::tool {
 
-/// From now on SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGXCPU remove the files listed, and then end
-/// the program as they would have. SIGXFSZ and SIGPIPE are ignored: writing fails instead, which
-/// is told. A library that ends the program by exit() leaves none either. Once, at the start.
+/// From now on SIGINT, SIGTERM and the other signals that end a program, except SIGKILL and those
+/// of its own faults (SIGSEGV), remove the files listed, and then end it as they would have.
+/// SIGXFSZ and SIGPIPE are ignored: writing fails instead, which is told. A library that ends the
+/// program by exit() leaves none either. Once, at the start.
 void remove_unfinished_on_signals();
 
 /// While one of these is there, a signal waits: between the making of a file and its listing nobody
@@ -25,7 +26,8 @@ private:
     sigset_t m_before;
 };
 
-/// List a file; a number for unlist(), or -1 if the list is full (64 at once). Thread-safe.
+/// List a file; a number for unlist_unfinished(), or -1 if the list is full (64 at once).
+/// Thread-safe.
 int list_unfinished(const std::string& path);
 void unlist_unfinished(int number);
 

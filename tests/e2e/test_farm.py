@@ -79,6 +79,9 @@ class Parts(Farm):
         "tiled.exr": "--pattern noise:type=uniform:min=0.1:max=0.9 1100x700 3 --blur 5x5 "
                      "--origin -20+30 --fullsize 1060x760+0+0 --tile 32 32 -d half",
         "deep.png": "--pattern noise:type=uniform 600x300 3 --blur 3x3 -d uint16",
+        # Their names in another order than their numbers: channel10 before channel4.
+        "twelve.tif": "--pattern noise:type=uniform 40x30 12 --attrib DateTime 2001:02:03 -d half",
+        "ten.dpx": "--pattern noise:type=uniform:mono=1 40x30 3 -d uint10",
     }
 
     def parts(self, image, size, count, *options):
@@ -109,6 +112,27 @@ class Parts(Farm):
     def test_integers_come_back(self):
         self.check_same("deep.png", "200%", 2, "joined.png")
         self.check_same("photo.png", "300%", 1, "joined.tif")
+
+    def test_channels_keep_their_order(self):
+        self.check_same("twelve.tif", "200%", 1, "joined.tif")
+        ours, theirs = self.load("joined.tif").spec(), self.load("whole.tif").spec()
+        self.assertEqual(ours.channelnames, theirs.channelnames)
+        self.assertEqual(ours["DateTime"], theirs["DateTime"])
+
+    def test_bits_come_back(self):
+        self.check_same("ten.dpx", "200%", 1, "joined.dpx")
+        self.assertEqual(self.load("joined.dpx").spec()["oiio:BitsPerSample"], 10)
+
+    def test_another_source_is_refused_wherever_it_differs(self):
+        self.succeed("oiiotool", "--pattern", "noise", "900x800", "3", "-d", "uint8", "-o", "a.ppm")
+        with open(self.path("a.ppm"), "rb") as file:
+            data = bytearray(file.read())
+        data[len(data) // 9] ^= 1
+        with open(self.path("b.ppm"), "wb") as file:
+            file.write(data)
+        self.ddt("resize", "a.ppm", "120%", "1.exr", "--part", "1/2")
+        self.ddt("resize", "b.ppm", "120%", "2.exr", "--part", "2/2")
+        self.ddt("join", "1.exr", "2.exr", "out.ppm", code=1, says="different jobs")
 
     def test_options_may_name_devices(self):
         self.ddt("resize", "deep.png", "200%", "part.1.exr", "--part", "1/2", "--filter",

@@ -82,7 +82,9 @@ TEST(Commands, WrongUsageIsExitCode2AndTellsWhatIsAllowed) {
           Case{{scene, "a.ply", "--fill", "red"}, "gradient, flat, none"},
           Case{{scene, "a.svg", "--lines", "x"}, "numbers from 0"},
           Case{{scene, "a.ply", "--filter", "ddt,scheme=magic"}, "one-round, lawson"},
-          Case{{scene, "a.ply", "--nonsense"}, "--nonsense"}}) {
+          Case{{scene, "a.ply", "--fliter", "ddt"}, "\"--fliter\"; did you mean --filter?"},
+          Case{{scene, "a.ply", "--scheme", "magic"}, "exproiN-maxgain"},
+          Case{{scene, "a.ply", "--nonsense"}, "\"--nonsense\"\n"}}) {
         const Ran ran = run(make_mesh_command(), c.args);
         EXPECT_EQ(ran.code, exit_usage) << c.told;
         EXPECT_EQ(ran.err.rfind("ddt: ", 0), 0u) << ran.err;
@@ -124,6 +126,25 @@ TEST(Commands, ResizeThenCompare) {
     EXPECT_EQ(equal.code, exit_done);
     EXPECT_EQ(equal.out, "psnr,mse,snr,correlation,cross-correlation,uiqi,ssim,ms-ssim,gmsd\n"
                          "inf,0,inf,1,1,1,1,1,0\n");
+}
+
+TEST(Commands, CompareRefusesIdsAlone) {
+    const auto image = [](const char* name, OIIO::TypeDesc type, uint32_t value) {
+        const OIIO::ImageSpec spec(20, 20, 1, type);
+        const std::vector<uint32_t> pixels(400, value);
+        const std::string path = temporary(name);
+        const auto file = OIIO::ImageOutput::create(path);
+        EXPECT_TRUE(file && file->open(path, spec) &&
+                    file->write_image(OIIO::TypeUInt32, pixels.data()) && file->close());
+        return path;
+    };
+    const std::string a = image("a.tif", OIIO::TypeUInt32, 1),
+                      b = image("b.tif", OIIO::TypeUInt32, 2);
+    const Ran ids = run(make_compare_command(), {a, b});
+    EXPECT_EQ(ids.code, exit_failed);
+    EXPECT_NE(ids.err.find("nothing to look at"), std::string::npos) << ids.err;
+    const std::string c = image("c.tif", OIIO::TypeUInt16, 0x12345678);
+    EXPECT_EQ(run(make_compare_command(), {c, c}).code, exit_done);
 }
 
 TEST(Commands, MeshPrintsTheCost) {

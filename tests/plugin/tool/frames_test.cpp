@@ -70,6 +70,7 @@ TEST(Frames, TasksOfACommandLine) {
                           Case{"i.#.exr", "o.#.exr", "1-", "", "1-100x2", exit_usage},
                           Case{"i.%V.exr", "o.%V.exr", "", "", "--views", exit_usage},
                           Case{"i.#.exr", "o.#.exr", "1", "left", "%V", exit_usage},
+                          Case{"i.%V.exr", "o.%v.exr", "", "left,lower", "both become", exit_usage},
                           Case{"/none/i.#.exr", "o.#.exr", "", "", "no file", exit_failed}}) {
         EXPECT_FALSE(list_tasks(c.in, c.out, c.frames, c.views, tasks, failure));
         EXPECT_NE(failure.why.find(c.said), std::string::npos) << failure.why;

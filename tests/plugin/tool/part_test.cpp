@@ -84,7 +84,7 @@ TEST(Parts, AreCutWhereNoTileIsWorkedTwice) {
 
 /// Half of a whole of 32 x 32 pixels, black; called the one of that number from 0, of `count`.
 std::string write_half(int index, int channels, const std::string& whole, const std::string& type,
-                       int count = 2) {
+                       int count = 2, const std::string& names = "") {
     OIIO::ImageSpec spec(32, 16, channels, OIIO::TypeHalf);
     spec.y = 16 * (index % 2);
     spec.tile_width = spec.tile_height = 16;
@@ -95,6 +95,7 @@ std::string write_half(int index, int channels, const std::string& whole, const 
     header.type = type;
     header.write_to(spec);
     spec.attribute("ddt_part:whole", whole);
+    spec.attribute("ddt_part:channels", names);
     const std::string path = temporary("half" + std::to_string(index) + ".exr");
     const auto file = OIIO::ImageOutput::create(path);
     const std::vector<char> pixels(spec.image_bytes());
@@ -121,6 +122,12 @@ TEST(Join, RefusesHeadersThatDoNotFit) {
          "of different jobs");
     says(failure_of(write_half(0, 3, whole, "point[7]"), write_half(1, 3, whole, "half")),
          "is no part");
+    says(failure_of(write_half(0, 3, whole, "half", 2, "R\nG\nX"), write_half(1, 3, whole, "half")),
+         "other channels");
+    says(failure_of(write_half(0, 3, whole, "half", 2, "G\nB"), write_half(1, 3, whole, "half")),
+         "other channels");
+    says(failure_of(write_half(0, 3, whole, "half", 2, "G\nB\nR"), write_half(1, 3, whole, "half")),
+         "of different jobs");
     const std::string far = "-2147483648 0 2147483647 32";
     says(failure_of(write_half(0, 3, far, "half"), write_half(1, 3, far, "half")), "not within");
     Failure failure;

@@ -47,8 +47,9 @@ std::string table_error(const std::string& text) {
 }
 
 TEST(PointTable, SeparatorsAndComments) {
-    for (const char* text : {"x,y,z\n1,2,3\n4,5,6\n", "# X Y Z\n1 2 3\n\n# more\n4\t5  6\n",
-                             "x;y;z\r\n1;2;3\r\n4;5;6", "\"z\", \"x\",\"y\"\n3, 1, 2\n6,4,5\n"}) {
+    for (const char* text :
+         {"x,y,z\n1,2,3\n4,5,6\n", "# X Y Z\n1 2 3\n\n# more\n4\t5  6\n", "x;y;z\r\n1;2;3\r\n4;5;6",
+          "\"z\", \"x\",\"y\"\n3, 1, 2\n6,4,5\n", "\xEF\xBB\xBFx,y,z\n1,2,3\n4,5,6\n"}) {
         PointFile points;
         std::string error;
         ASSERT_TRUE(read_table(text, points, error)) << error;
@@ -201,6 +202,7 @@ TEST_F(OnPoints, ScatterSaysWhatIsWrong) {
           Case{{in, out, "--window", "0,0,1,0"}, exit_usage, "two corners"},
           Case{{in, out, "--filter", "ddt,cost=x"}, exit_usage, "abn, scf"},
           Case{{temporary("none.csv"), out}, exit_failed, "none.csv"},
+          Case{{"/tmp", out}, exit_failed, "\"/tmp\": Is a directory"},
           Case{{write_file("line.csv", "x,y,z\n0,0,1\n1,1,2\n2,2,3\n"), out},
                exit_failed,
                "not on one line"},

@@ -26,6 +26,43 @@ compare() {
 compare window.exr 50% 333% 33.3%x120% 1.7 0x77 100x0 64x48+10-20 130x99+10-20
 compare scene.png 333% 64x48+10-20
 
+# Whatever the format has room for: windows, negative coordinates, halfs.
+compare_as() {
+    local image=$1 size=$2 extension
+    shift 2
+    for extension in "$@"; do
+        ours=$scratch/ours.$extension theirs=$scratch/theirs.$extension
+        "$bin/ddt" resize "$image" "$size" "$ours"
+        oiiotool "$image" --resize:filter=ddt "$size" -o "$theirs"
+        diff <(windows "$ours") <(windows "$theirs") ||
+            { echo "FAILED: windows of $image at $size in $extension"; exit 1; }
+        idiff -q "$ours" "$theirs" || { echo "FAILED: pixels of $image at $size in $extension"; exit 1; }
+    done
+}
+oiiotool "$testimages/window.exr" --origin +20-7 --fullsize 64x48-10+2 -o "$scratch/left.exr"
+for size in 200% 70% 130x40; do
+    compare_as "$testimages/window.exr" $size png tif dpx
+    compare_as "$scratch/left.exr" $size png dpx
+done
+
+# What the writer makes other numbers of is rounded once.
+oiiotool "$testimages/scene.png" -d half -o "$scratch/half.exr"
+compare_as "$scratch/half.exr" 150% png tif jpg
+oiiotool "$testimages/scene.png" -d uint16 -o "$scratch/deep.png"
+compare_as "$scratch/deep.png" 150% jpg
+compare_as "$testimages/scene.png" 150% exr hdr
+
+# Files of integers that name no colour space.
+oiiotool "$testimages/scene.png" -o "$scratch/plain.dpx"
+oiiotool "$testimages/scene.png" -o "$scratch/plain.sgi"
+compare_as "$scratch/plain.dpx" 200% dpx
+compare_as "$scratch/plain.sgi" 200% sgi
+
+# A type that is asked for has all its bits.
+oiiotool "$testimages/scene.png" -d uint10 -o "$scratch/ten.dpx"
+"$bin/ddt" resize "$scratch/ten.dpx" 200% "$scratch/sixteen.dpx" --type uint16
+iinfo "$scratch/sixteen.dpx" | grep -q ' uint16 ' || { echo "FAILED: bits"; exit 1; }
+
 # Compressed as it is told, or not at all.
 compression() { iinfo -v "$1" | sed -n 's/^ *compression: "\(.*\)"/\1/p'; }
 for given in none piz; do

@@ -36,7 +36,7 @@ int ended_by(F&& f) {
 
 TEST(Unfinished, ASignalBetweenTheMakingOfAFileAndItsListingWaits) {
     const std::string path = temporary("unfinished");
-    for (const int signal : {SIGTERM, SIGINT, SIGHUP})
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGUSR1, SIGUSR2, SIGALRM, SIGIO})
         EXPECT_EQ(ended_by([&] {
                       const SignalsWait until_listed;
                       kill(getpid(), signal);

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/resize_file.h"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+
+#include <OpenImageIO/imagebufalgo.h>
+#include <gtest/gtest.h>
+
+#include "plugin/tool/commands.h"
+#include "plugin/tool/join.h"
+#include "plugin/tool/part_file.h"
+#include "tests/temporary.h"
+
+namespace ddt::tool {
+namespace {
+
+using OIIO::ImageBuf;
+using OIIO::ImageSpec;
+
+bool resized(const std::string& in, const std::string& size, const std::string& out,
+             Failure& failure, const std::string& type = "") {
+    ResizeSettings settings;
+    settings.size = size;
+    settings.type = type;
+    return resize_file(
+        in, out, settings, [](float) { return true; }, failure);
+}
+
+/// RGB of halfs, depth of floats and an ID of 32 bits: 5 on the left, 70000 on the right, where one
+/// pixel has no depth.
+std::string file_of_several_types() {
+    ImageSpec spec(16, 8, 5, OIIO::TypeFloat);
+    spec.channelnames = {"R", "G", "B", "Z", "obj"};
+    spec.channelformats = {OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeFloat,
+                           OIIO::TypeUInt32};
+    struct Pixel {
+        uint16_t colour[3];
+        float depth;
+        uint32_t id;
+    };
+    std::string bytes;
+    for (int i = 0; i < 16 * 8; ++i) {
+        const auto append = [&](auto v) {
+            bytes.append(reinterpret_cast<const char*>(&v), sizeof v);
+        };
+        for (int c = 0; c < 3; ++c)
+            append(uint16_t(0x3800)); // a half
+        append(i == 40 ? std::numeric_limits<float>::quiet_NaN() : float(i));
+        append(uint32_t(i % 16 < 8 ? 5 : 70000));
+    }
+    const std::string path = temporary("several_types.exr");
+    const auto out = OIIO::ImageOutput::create(path);
+    EXPECT_TRUE(out->open(path, spec));
+    EXPECT_TRUE(out->write_image(OIIO::TypeUnknown, bytes.data()));
+    EXPECT_TRUE(out->close());
+    return path;
+}
+
+/// The smallest and largest ID of such a file.
+std::pair<uint32_t, uint32_t> ids_of(const std::string& path) {
+    const auto in = OIIO::ImageInput::open(path);
+    const ImageSpec& spec = in->spec();
+    std::vector<uint32_t> ids(spec.image_pixels());
+    EXPECT_TRUE(in->read_image(0, 0, 4, 5, OIIO::TypeUInt32, ids.data()));
+    const auto ends = std::minmax_element(ids.begin(), ids.end());
+    for (const uint32_t id : ids)
+        EXPECT_TRUE(id == 5 || id == 70000) << id;
+    return {*ends.first, *ends.second};
+}
+
+TEST(ResizeFile, ChannelsKeepTheirTypes) {
+    const std::string in = file_of_several_types();
+    const auto formats = OIIO::ImageInput::open(in)->spec().channelformats;
+    const std::string out = temporary("several_types_out.exr");
+    Failure failure;
+    ASSERT_TRUE(resized(in, "200%", out, failure)) << failure.why;
+    EXPECT_EQ(OIIO::ImageInput::open(out)->spec().channelformats, formats);
+    EXPECT_EQ(ids_of(out), std::make_pair(uint32_t(5), uint32_t(70000)));
+    // By way of a part, too.
+    ResizeSettings settings;
+    settings.size = "200%";
+    const std::string part = temporary("several_types_part.exr");
+    const std::string joined = temporary("several_types_joined.exr");
+    const auto progress = [](float) { return true; };
+    ASSERT_TRUE(resize_part(in, part, settings, {1, 1}, progress, failure)) << failure.why;
+    ASSERT_TRUE(join({part}, joined, progress, failure)) << failure.why;
+    EXPECT_EQ(OIIO::ImageInput::open(joined)->spec().channelformats, formats);
+    EXPECT_EQ(ids_of(joined), std::make_pair(uint32_t(5), uint32_t(70000)));
+    // A type that is asked for is that of all.
+    ASSERT_TRUE(resized(in, "200%", out, failure, "float")) << failure.why;
+    EXPECT_TRUE(OIIO::ImageInput::open(out)->spec().channelformats.empty());
+    EXPECT_EQ(OIIO::ImageInput::open(out)->spec().format, OIIO::TypeFloat);
+    // Nor has each format several.
+    ASSERT_TRUE(resized(in, "200%", temporary("several_types.tif"), failure)) << failure.why;
+}
+
+TEST(FillFile, ChannelsKeepTheirTypes) {
+    const std::string in = file_of_several_types(), out = temporary("several_types_filled.exr");
+    const auto formats = OIIO::ImageInput::open(in)->spec().channelformats;
+    ASSERT_EQ(make_fill_command()->run({in, out}), exit_done);
+    EXPECT_EQ(OIIO::ImageInput::open(out)->spec().channelformats, formats);
+    EXPECT_EQ(ids_of(out), std::make_pair(uint32_t(5), uint32_t(70000)));
+}
+
+TEST(FillFile, FormatsWithoutWindowsGetTheDisplayWindow) {
+    ImageSpec spec(10, 6, 1, OIIO::TypeFloat);
+    spec.x = -2;
+    spec.y = 3;
+    spec.full_width = 16;
+    spec.full_height = 12;
+    ImageBuf image(spec);
+    OIIO::ImageBufAlgo::fill(image, {1.0f});
+    const std::string in = temporary("windows.exr"), out = temporary("windows.png");
+    ASSERT_TRUE(image.write(in));
+    ASSERT_EQ(make_fill_command()->run({in, out}), exit_done);
+    ImageBuf filled(out);
+    EXPECT_EQ(filled.spec().width, 16);
+    EXPECT_EQ(filled.spec().height, 12);
+    for (int y = 0; y < 12; ++y)
+        for (int x = 0; x < 16; ++x)
+            EXPECT_EQ(filled.getchannel(x, y, 0, 0), x < 8 && y >= 3 && y < 9 ? 1.0f : 0.0f)
+                << x << " " << y;
+}
+
+TEST(ResizeFile, WhatHasNoFlatPixelsIsRefusedForGood) {
+    ImageSpec spec(8, 8, 2, OIIO::TypeHalf);
+    spec.deep = true;
+    spec.channelnames = {"A", "Z"};
+    ImageBuf deep(spec);
+    const std::string in = temporary("deep.exr"), out = temporary("of_deep.exr");
+    ASSERT_TRUE(deep.write(in));
+    Failure failure;
+    EXPECT_FALSE(resized(in, "200%", out, failure));
+    EXPECT_EQ(failure.code, exit_failed);
+    EXPECT_EQ(failure.why,
+              "\"" + in + "\": the source is a deep image; only flat images can be resized");
+
+    const std::string empty = temporary("empty.fits");
+    std::string header; // of an image without axes
+    for (std::string card : {"SIMPLE  =                    T", "BITPIX  =                    8",
+                             "NAXIS   =                    0", "END"}) {
+        card.resize(80, ' ');
+        header += card;
+    }
+    header.resize(2880, ' ');
+    std::ofstream(empty) << header;
+    failure = {};
+    EXPECT_FALSE(resized(empty, "200%", out, failure));
+    EXPECT_EQ(failure.code, exit_failed) << failure.why;
+    EXPECT_NE(failure.why.find(empty), std::string::npos) << failure.why;
+
+    failure = {};
+    EXPECT_FALSE(resized("", "200%", out, failure));
+    EXPECT_EQ(failure.code, exit_failed);
+    EXPECT_EQ(failure.why, "\"\" is no name of a file");
+}
+
+TEST(ResizeFile, NothingIsBegunForAFilterThatDoesNotWork) {
+    ImageBuf image(ImageSpec(8, 8, 3, OIIO::TypeUInt8));
+    OIIO::ImageBufAlgo::zero(image);
+    const std::string in = temporary("black.png"), out = temporary("not_begun.png");
+    ASSERT_TRUE(image.write(in));
+    ResizeSettings settings;
+    settings.size = "200%";
+    settings.options.light = "nosuchspace";
+    Failure failure;
+    testing::internal::CaptureStderr();
+    EXPECT_FALSE(resize_file(
+        in, out, settings, [](float) { return true; }, failure));
+    // Libpng says it there when a file is closed that got no pixels.
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_NE(failure.why.find("nosuchspace"), std::string::npos) << failure.why;
+    EXPECT_NE(failure.why.find(in), std::string::npos) << failure.why;
+}
+
+TEST(PlanResult, TheNumbersOfWhatIsTooLargeAreRight) {
+    ImageSpec from(3000, 3, 1, OIIO::TypeHalf), to;
+    from.full_width = from.full_height = 1;
+    ResizeSettings settings;
+    settings.size = "1000000x1000000";
+    Failure failure;
+    EXPECT_FALSE(plan_result(from, settings, to, failure));
+    EXPECT_EQ(failure.code, exit_failed);
+    EXPECT_NE(failure.why.find("3000000000 x 3000000 pixels"), std::string::npos) << failure.why;
+    from.x = -1000;
+    settings.size = "1000x1000";
+    ASSERT_TRUE(plan_result(from, settings, to, failure)) << failure.why;
+    EXPECT_EQ(to.x, -1000000);
+    EXPECT_EQ(to.width, 3000000);
+    from.x = -1000000;
+    EXPECT_FALSE(plan_result(from, settings, to, failure));
+}
+
+TEST(PlanResult, ATypeThatIsAskedForHasAllItsBits) {
+    ImageSpec from(8, 8, 1, OIIO::TypeUInt16), to;
+    from.attribute("oiio:BitsPerSample", 10);
+    ResizeSettings settings;
+    settings.size = "200%";
+    Failure failure;
+    ASSERT_TRUE(plan_result(from, settings, to, failure));
+    EXPECT_EQ(to.get_int_attribute("oiio:BitsPerSample"), 10);
+    settings.type = "uint16";
+    ASSERT_TRUE(plan_result(from, settings, to, failure));
+    EXPECT_EQ(to.get_int_attribute("oiio:BitsPerSample"), 0);
+}
+
+} // namespace
+} // namespace ddt::tool
