@@ -8,7 +8,8 @@ description = "Image enlargement by data-dependent triangulation, as an OpenImag
 variants = [["OpenImageIO-2.4"], ["OpenImageIO-2.5"]]
 requires = ["tbb"]
 build_requires = ["cmake-3.20+", "highway"]
-build_command = ("cmake -S {root} -B . -DDDT_TESTS=OFF -DCMAKE_INSTALL_PREFIX=$REZ_BUILD_INSTALL_PATH "
+build_command = ("cmake -S {root} -B . -DDDT_TESTS=OFF -DCMAKE_INSTALL_LIBDIR=lib "
+                 "-DCMAKE_INSTALL_PREFIX=$REZ_BUILD_INSTALL_PATH "
                  "&& cmake --build . && if [ $REZ_BUILD_INSTALL = 1 ]; then cmake --install .; fi")
 
 

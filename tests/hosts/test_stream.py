@@ -43,6 +43,17 @@ class Stream(support.Case):
         done = self.stream(b"")
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, b"", b""))
 
+    def test_what_cannot_be_read_is_no_end(self):
+        for stdin in (f"< '{self.folder}'", "<&-"):
+            done = self.attempt("sh", "-c", f"'{DDT}' stream {stdin}")
+            self.assertEqual(done.returncode, 1, stdin)
+            self.assertIn("frame 1: the stream cannot be read: ", done.stderr)
+
+    def test_a_full_disk_may_pass(self):
+        done = self.attempt("sh", "-c", f"printf 'P5\\n2 2\\n255\\nabcd' | '{DDT}' stream > /dev/full")
+        self.assertEqual(done.returncode, 3)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+
     def test_a_short_frame_ends_with_a_line_after_those_before(self):
         frame = b"P6\n4 4\n255\n" + bytes(48)
         done = self.stream(frame + frame[:-7])

@@ -76,8 +76,15 @@ TEST(Ssim, InvertedStripesAreNegative) {
     EXPECT_NEAR(ssim(stripes(16, 118, 138), stripes(16, 138, 118)), -0.547277, 1e-4);
 }
 
-TEST(Ssim, SmallerThanTheWindow) {
-    EXPECT_EQ(ssim(Plane(10, 30, 1), Plane(10, 30, 1)), 0);
+TEST(Ssim, TheWindowIsNoLargerThanThePlane) {
+    for (const int side : {1, 2, 7, 10}) {
+        const Plane light = stripes(side, 120, 140), dark = stripes(side, 100, 110);
+        EXPECT_NEAR(ssim(light, light), 1, 1e-12) << side;
+        EXPECT_NEAR(ms_ssim(light, light), 1, 1e-12) << side;
+        EXPECT_LT(ssim(light, dark), 0.99) << side;
+        EXPECT_LT(ms_ssim(light, dark), 0.99) << side;
+    }
+    EXPECT_NEAR(ssim(Plane(3, 30, 100), Plane(3, 30, 120)), 0.983611, 1e-6);
 }
 
 TEST(MsSsim, FlatPlanesCountLuminanceOnlyAtTheLastScale) {
