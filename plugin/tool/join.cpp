@@ -9,6 +9,8 @@
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/image/windows.h"
+#include "plugin/tool/fit_format.h"
 #include "plugin/tool/image_file.h"
 #include "plugin/tool/part_file.h"
 
@@ -256,6 +258,24 @@ OIIO::ImageSpec whole_spec(OIIO::ImageSpec spec, const PartHeader& header, bool 
     return spec;
 }
 
+/// Write the rows [y0, y1) of what the format holds of the whole, which has some of them in `rows`,
+/// from its row `from` on; where it has none they are black.
+bool write_kept(OIIO::ImageOutput& output, const Rect& whole, const Rect& kept, int y0, int y1,
+                OIIO::TypeDesc type, size_t pixel, const char* rows, int from) {
+    const int x0 = std::max(whole.x0, kept.x0), x1 = std::min(whole.x1, kept.x1);
+    const size_t row = pixel * size_t(whole.width());
+    std::vector<char> line(pixel * size_t(kept.width()));
+    for (int y = y0; y < y1; ++y) {
+        if (rows && x0 < x1)
+            std::memcpy(&line[pixel * size_t(x0 - kept.x0)],
+                        rows + row * size_t(y - from) + pixel * size_t(x0 - whole.x0),
+                        pixel * size_t(x1 - x0));
+        if (!output.write_scanlines(y, y + 1, 0, type, line.data()))
+            return false;
+    }
+    return true;
+}
+
 } // namespace
 
 bool join(const std::vector<std::string>& paths, const std::string& out,
@@ -282,8 +302,25 @@ bool join(const std::vector<std::string>& paths, const std::string& out,
     ImageFile file;
     if (!file.create(out, failure))
         return false;
-    const bool tiled = file.output().supports("tiles");
-    if (!file.open(whole_spec(spec, parts.front().header, tiled), failure))
+    const bool tiles = file.output().supports("tiles");
+    OIIO::ImageSpec written = whole_spec(spec, parts.front().header, tiles);
+    if (!fit_format(file.output(), written, failure.why)) {
+        failure = {"cannot write \"" + out + "\": " + failure.why};
+        return false;
+    }
+    const Rect kept = rect_of(written.roi());
+    const bool tiled = tiles && kept == whole;
+    if (!tiled)
+        written.tile_width = written.tile_height = written.tile_depth = 0;
+    if (!file.open(written, failure))
+        return false;
+    const auto write_black = [&](int y0, int y1) {
+        if (write_kept(file.output(), whole, kept, y0, y1, type, pixel, nullptr, 0))
+            return true;
+        failure = file.failed();
+        return false;
+    };
+    if (!write_black(kept.y0, std::min(kept.y1, whole.y0)))
         return false;
     std::vector<char> rows(pixel * size_t(whole.width()) * size_t(height));
     for (int y0 = whole.y0; y0 < whole.y1; y0 += height) {
@@ -292,16 +329,17 @@ bool join(const std::vector<std::string>& paths, const std::string& out,
             if (part.window.y0 < y1 && part.window.y1 > y0 &&
                 !copy_rows(part, y0, y1, type, pixel, rows.data(), failure))
                 return false;
-        const bool written =
+        const bool done =
             tiled ? file.output().write_tiles(whole.x0, whole.x1, y0, y1, 0, 1, type, rows.data())
-                  : file.output().write_scanlines(y0, y1, 0, type, rows.data());
-        if (!written) {
+                  : write_kept(file.output(), whole, kept, std::max(y0, kept.y0),
+                               std::min(y1, kept.y1), type, pixel, rows.data(), y0);
+        if (!done) {
             failure = file.failed();
             return false;
         }
         progress(float(y1 - whole.y0) / float(whole.height()));
     }
-    return file.commit(failure);
+    return write_black(std::max(kept.y0, whole.y1), kept.y1) && file.commit(failure);
 }
 
 } // namespace ddt::tool

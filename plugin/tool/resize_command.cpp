@@ -34,6 +34,7 @@ public:
             "Sequences: IN and OUT with # (four digits), ### (three) or %04d in place of the "
             "frame's number, and %V or %v in that of the view or its first letter. Without "
             "--frames these are the frames of which there is a file.",
+            "Of a file with several images the first is resized.",
             "OUT appears under its name when it is whole; until then what was there stays there."};
         operands = {{"IN", "any image OpenImageIO reads"},
                     {"SIZE", "size of the result"},
