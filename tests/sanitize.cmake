@@ -26,9 +26,10 @@ set_tests_properties(sanitize.build PROPERTIES LABELS all FIXTURES_SETUP sanitiz
 # OSMesa: once, with EGL.
 string(CONCAT sanitize_large
   "Progress.CancelsAtAnyTime|Progress.RisesToOne|Enlarge.TilesShowNoSeams|Enlarge.AnyNumberOfThreads"
-  "|SameBits.EverySchemeAndCost|CacheTest.AWholeFile|Memory[.]|Hardware[.]|Enlarge.ManyChannels|Resize.SameBitsForAnyNumber|colour_fork"
-  "|/(SelfCheck|TinCheck|TinOnDevice|SameBits|Shapes|Stages|Travel)[.].*osmesa"
-  "|Travel.NumbersFitStorageBlocks|Process.AutomaticNeverPicks|CacheTest.AnErrorPending"
+  "|SameBits.EverySchemeAndCost|CacheTest.(AWholeFile|ATruncated|AnErrorPending)|Memory[.]|Hardware[.]"
+  "|Enlarge.ManyChannels|Resize.(SameBitsForAnyNumber|StatisticsAreOfAllBands)|WorkOnCpu.TilesWait"
+  "|colour_fork|/(SelfCheck|TinCheck|TinOnDevice|SameBits|Shapes|Stages|Travel)[.].*osmesa"
+  "|Travel.NumbersFitStorageBlocks|Process.AutomaticNeverPicks"
   "|Shaders.TheReferenceCompiler|Errors.MemoryThatRunsOut")
 add_test(NAME sanitize.run
   COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${sanitize_dir} --output-on-failure -j 2

@@ -9,7 +9,11 @@ export OIIO_LIBRARY_PATH=$2
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-windows() { iinfo -v "$1" | grep -E '^ +(full/display|pixel data)'; }
+# Whether two files have the same size and windows: each line is there twice.
+same_windows() {
+    ! iinfo -v "$1" "$2" | sed -nE -e 's/^\/.* : +([0-9]+ x)/\1/p' -e '/^ +(full\/display|pixel data)/p' |
+        sort | uniq -u | grep .
+}
 
 compare() {
     local image=$1 size
@@ -18,7 +22,7 @@ compare() {
         ours=$scratch/ours.exr theirs=$scratch/theirs.exr
         "$bin/ddt" resize "$testimages/$image" "$size" "$ours" --type half
         oiiotool "$testimages/$image" --resize:filter=ddt "$size" -d half -o "$theirs"
-        diff <(windows "$ours") <(windows "$theirs") ||
+        same_windows "$ours" "$theirs" ||
             { echo "FAILED: windows of $image at $size"; exit 1; }
         idiff -q "$ours" "$theirs" || { echo "FAILED: pixels of $image at $size"; exit 1; }
     done
@@ -34,14 +38,14 @@ compare_as() {
         ours=$scratch/ours.$extension theirs=$scratch/theirs.$extension
         "$bin/ddt" resize "$image" "$size" "$ours"
         oiiotool "$image" --resize:filter=ddt "$size" -o "$theirs"
-        diff <(windows "$ours") <(windows "$theirs") ||
+        same_windows "$ours" "$theirs" ||
             { echo "FAILED: windows of $image at $size in $extension"; exit 1; }
         idiff -q "$ours" "$theirs" || { echo "FAILED: pixels of $image at $size in $extension"; exit 1; }
     done
 }
 oiiotool "$testimages/window.exr" --origin +20-7 --fullsize 64x48-10+2 -o "$scratch/left.exr"
-for size in 200% 70% 130x40; do
-    compare_as "$testimages/window.exr" $size png tif dpx
+for size in 200% 70%; do
+    compare_as "$testimages/window.exr" $size png tif
     compare_as "$scratch/left.exr" $size png dpx
 done
 
