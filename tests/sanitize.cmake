@@ -26,7 +26,7 @@ set_tests_properties(sanitize.build PROPERTIES LABELS all FIXTURES_SETUP sanitiz
 # OSMesa: once, with EGL.
 string(CONCAT sanitize_large
   "Progress.CancelsAtAnyTime|Progress.RisesToOne|Enlarge.TilesShowNoSeams|Enlarge.AnyNumberOfThreads"
-  "|SameBits.EverySchemeAndCost|CacheTest.(AWholeFile|ATruncated|AnErrorPending)|Memory[.]|Hardware[.]"
+  "|SameBits.EverySchemeAndCost|CacheTest.(AWholeFile|AnErrorPending)|Memory[.]|Hardware[.]"
   "|Enlarge.ManyChannels|Resize.(SameBitsForAnyNumber|StatisticsAreOfAllBands)|WorkOnCpu.TilesWait"
   "|colour_fork|/(SelfCheck|TinCheck|TinOnDevice|SameBits|Shapes|Stages|Travel)[.].*osmesa"
   "|Travel.NumbersFitStorageBlocks|Process.AutomaticNeverPicks"

@@ -69,7 +69,8 @@ bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& map
     job.surface.clipped |= type == OIIO::TypeUInt8 || type == OIIO::TypeUInt16;
     job.threads = thread_count(nthreads);
     job.device = options.device;
-    job.holes = options.holes;
+    // Identifiers are never missing: the whole of them need not be read first.
+    job.holes = reading.channels.raw ? Holes::keep : options.holes;
     job.progress = options.progress;
     job.statistics = &statistics;
     const Outcome outcome = enlarge(source, sink, mapping, job, &error);

@@ -139,12 +139,11 @@ bool fit_exactly(ImageBuf& dst, const ImageBuf& src, const Options& options, str
 
 bool fit(ImageBuf& dst, const ImageBuf& src, const Options& options, string_view fillmode,
          bool exact, ROI roi, int nthreads) {
-    return guarded(dst, [&](ROI&, std::string& error) {
-        if (!check_source(src, error) || !check_options_of(src, options, error) ||
-            !find_frame(dst, src, roi, error))
+    return guarded_from(dst, src, [&](const auto& from, ROI&, std::string& error) {
+        if (!check_options_of(from, options, error) || !find_frame(dst, from, roi, error))
             return false;
-        return exact ? fit_exactly(dst, src, options, fillmode, roi, nthreads, error)
-                     : fit_whole(dst, src, options, fillmode, roi, nthreads, error);
+        return exact ? fit_exactly(dst, from, options, fillmode, roi, nthreads, error)
+                     : fit_whole(dst, from, options, fillmode, roi, nthreads, error);
     });
 }
 

@@ -104,9 +104,14 @@ TEST_F(CacheTest, ATruncatedFileIsAnError) {
 // OpenImageIO's own filters go on with black. (Its cache keeps black tiles, too, and finds nothing
 // wrong with them the next time: here it is another one each time.)
 TEST_F(CacheTest, ATruncatedFileIsAnErrorWhateverIsMadeOfIt) {
+    constexpr int few = 4 * tile;
+    auto image = images::make(few, few, 1, OIIO::TypeUInt8);
+    images::noise(image);
+    image.set_write_tiles(tile, tile);
+    ASSERT_TRUE(image.write(m_path)) << image.geterror();
     std::filesystem::resize_file(m_path, std::filesystem::file_size(m_path) / 2);
     const float half[3][3] = {{0.5f, 0, 0}, {0, 0.5f, 0}, {0, 0, 1}};
-    const OIIO::ROI small(0, side / 2, 0, side / 2, 0, 1), narrow(0, side / 2, 0, side + 8, 0, 1);
+    const OIIO::ROI small(0, few / 2, 0, few / 2, 0, 1), narrow(0, few / 2, 0, few + 8, 0, 1);
     using Work = std::function<bool(OIIO::ImageBuf & dst, const OIIO::ImageBuf& src)>;
     const Work ways[] = {[&](auto& dst, auto& src) { return ddt::resize(dst, src, {}, small); },
                          [&](auto& dst, auto& src) { return ddt::resize(dst, src, {}, narrow); },

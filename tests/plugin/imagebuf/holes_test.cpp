@@ -138,6 +138,7 @@ TEST_F(HolesOption, IdentifiersHaveNone) {
         for (int x = 0; x < 4; ++x)
             for (int c = 0; c < 3; ++c)
                 static_cast<uint32_t*>(src.pixeladdr(x, y))[c] = uint32_t(100 * (c + 1) + x);
+    *static_cast<uint32_t*>(src.pixeladdr(1, 1)) = 0xffffffffu; // as a float: NaN
     ImageBuf kept = images::make(8, 8, 1, OIIO::TypeUInt32), filled = kept;
     ASSERT_TRUE(ddt::resize(kept, src)) << kept.geterror();
     ASSERT_TRUE(ddt::resize(filled, src, options_of("ddt,holes=fill"))) << filled.geterror();

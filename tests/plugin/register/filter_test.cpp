@@ -187,6 +187,32 @@ TEST_F(Registered, FitFillsAsAsked) {
     }
 }
 
+TEST_F(Registered, TheFrameStaysBlackWhereASourceHasNoPixels) {
+    ImageBuf crop = picture();
+    ImageSpec& spec = crop.specmod();
+    spec.x = 2;
+    spec.y = 1;
+    spec.full_width = 12;
+    spec.full_height = 10;
+    const ROI frame(0, 48, 0, 40, 0, 1, 0, 1);
+    const ImageBuf fitted = ImageBufAlgo::fit(crop, "ddt", 0.0f, "letterbox", false, frame);
+    ASSERT_FALSE(fitted.has_error()) << fitted.geterror();
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 48; ++x) {
+            const bool shown = x >= 8 && x < 44 && y >= 4 && y < 32;
+            EXPECT_EQ(fitted.getchannel(x, y, 0, 0) != 0.0f, shown) << x << " " << y;
+        }
+}
+
+TEST_F(Registered, AFitOfNoSizeLeavesNothing) {
+    ImageBuf fitted;
+    const ROI endless(0, 1 << 28, 0, 1 << 28, 0, 1, 0, 1);
+    EXPECT_FALSE(ImageBufAlgo::fit(fitted, picture(), "ddt", 0.0f, "letterbox", false, endless));
+    EXPECT_FALSE(fitted.initialized());
+    const std::string error = fitted.geterror();
+    EXPECT_EQ(error.find("ddt: the output of 268435456 x 268435456"), 0u) << error;
+}
+
 TEST_F(Registered, AnExactFitThatShrinksIsOpenImageIOs) {
     // Its edges are not darkened by what is beyond them.
     const ImageBuf fitted = ImageBufAlgo::fit(picture(), "ddt", 0.0f, "letterbox", true, small);
