@@ -17,14 +17,10 @@ Outcome TileWriter::write_bands(RowsLeft& left) {
     begin_surfaces(with_cells(tile, left.all()), rows);
     take_memory(m_meshed->output);
     m_spans.begin(m_meshed->output);
-    Outcome so_far = outcome();
-    for (Rect cells = left.take(rows); so_far == Outcome::done && !cells.empty();
-         cells = left.take(rows)) {
-        so_far = write_band(with_cells(tile, cells));
-        if (so_far == Outcome::done)
-            so_far = outcome();
-    }
-    return so_far;
+    for (Rect cells = take(left, rows); !cells.empty(); cells = take(left, rows))
+        if (const Outcome written = write_band(with_cells(tile, cells)); written != Outcome::done)
+            return written;
+    return outcome();
 }
 
 Outcome TileWriter::write_band(const Tile& band) {

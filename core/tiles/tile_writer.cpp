@@ -198,16 +198,13 @@ Outcome TileWriter::write_grid(RowsLeft& left) {
     if (!panels)
         find_columns(tile, all);
     const size_t row = size_t(width) * size_t(m_job.channels);
-    const auto take = [&](int y) {
-        return left.take(whole_cells(all, y, rows_of(strip_floats, row)));
+    const auto next = [&](int y) {
+        return take(left, whole_cells(all, y, rows_of(strip_floats, row)));
     };
-    Outcome so_far = outcome();
-    for (Rect rows = take(all.y0); so_far == Outcome::done && !rows.empty(); rows = take(rows.y1)) {
-        so_far = write_strip(rows, panels);
-        if (so_far == Outcome::done)
-            so_far = outcome();
-    }
-    return so_far;
+    for (Rect rows = next(all.y0); !rows.empty(); rows = next(rows.y1))
+        if (const Outcome written = write_strip(rows, panels); written != Outcome::done)
+            return written;
+    return outcome();
 }
 
 /// So many of a grid's rows from y on, or fewer that end where a row of cells does.

@@ -81,6 +81,10 @@ private:
     void join(size_t mesh, const float* last, size_t positions, float* mean) const;
     bool hand_over(const Rect& r); ///< m_out to the sink
     Outcome outcome() const { return m_run ? m_run->outcome() : Outcome::done; }
+    /// So many of the rows that are left; none once the run has ended.
+    Rect take(RowsLeft& left, int rows) const {
+        return outcome() == Outcome::done ? left.take(rows) : Rect();
+    }
 
     Sink& m_sink;
     const Mapping& m_mapping;

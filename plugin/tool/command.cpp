@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <numeric>
 
 #include <OpenImageIO/argparse.h>
 #include <OpenImageIO/strutil.h>
@@ -23,22 +22,6 @@ bool takes_more(const Command& command) {
         [](const Operand& operand) { return OIIO::Strutil::ends_with(operand.name, "..."); });
 }
 
-/// Single characters to put in, leave out or change, that make one text of the other.
-size_t distance(const std::string& a, const std::string& b) {
-    std::vector<size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), size_t(0));
-    for (size_t i = 1; i <= a.size(); ++i) {
-        size_t before = row[0];
-        row[0] = i;
-        for (size_t k = 1; k <= b.size(); ++k) {
-            const size_t change = before + size_t(a[i - 1] != b[k - 1]);
-            before = row[k];
-            row[k] = std::min({change, row[k] + 1, row[k - 1] + 1});
-        }
-    }
-    return row[b.size()];
-}
-
 /// What may have been meant by the option that a message has in quotes: "; did you mean --filter?",
 /// or nothing.
 std::string near_option(const std::string& message, const std::vector<Flag>& flags) {
@@ -47,11 +30,12 @@ std::string near_option(const std::string& message, const std::vector<Flag>& fla
     if (begin == 0 || end == std::string::npos)
         return "";
     const std::string given = message.substr(begin, end - begin);
-    const auto nearer = [&](const Flag& a, const Flag& b) {
-        return distance(given, a.name) < distance(given, b.name);
+    const auto distance = [&](const Flag& flag) {
+        return OIIO::Strutil::edit_distance(given, flag.name);
     };
+    const auto nearer = [&](const Flag& a, const Flag& b) { return distance(a) < distance(b); };
     const auto nearest = std::min_element(flags.begin(), flags.end(), nearer);
-    return nearest != flags.end() && distance(given, nearest->name) <= most
+    return nearest != flags.end() && distance(*nearest) <= most
                ? "; did you mean " + nearest->name + "?"
                : "";
 }

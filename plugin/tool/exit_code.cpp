@@ -2,6 +2,9 @@
 #include "plugin/tool/exit_code.h"
 
 #include <cerrno>
+#include <exception>
+#include <new>
+#include <system_error>
 
 namespace ddt::tool {
 
@@ -21,6 +24,18 @@ ExitCode code_of_errno(int number) {
         return exit_resources;
     default:
         return exit_failed;
+    }
+}
+
+Failure thrown() {
+    try {
+        throw;
+    } catch (const std::bad_alloc&) {
+        return {"out of memory", exit_resources};
+    } catch (const std::system_error& e) { // no more threads
+        return {e.what(), code_of_errno(e.code().value())};
+    } catch (const std::exception& e) {
+        return {e.what(), exit_failed};
     }
 }
 

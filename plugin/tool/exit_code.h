@@ -24,6 +24,9 @@ struct Failure {
 /// a device failed.
 ExitCode code_of_errno(int number);
 
+/// What the exception says that is being handled.
+Failure thrown();
+
 /// The code for a message of the library, which are text alone.
 ExitCode code_of_message(const std::string& message);
 

@@ -18,21 +18,16 @@ bool write_filled(const OIIO::ImageBuf& filled, const OIIO::ImageBuf& source,
     spec.channelformats = source.nativespec().channelformats;
     spec.tile_width = spec.tile_height = spec.tile_depth = 0;
     ImageFile file;
-    if (!file.create(path, failure))
+    if (!file.create(path, failure) || !fit_format(file.output(), path, spec, failure))
         return false;
-    if (!fit_format(file.output(), spec, failure.why)) {
-        failure = {"cannot write \"" + path + "\": " + failure.why};
-        return false;
-    }
-    const auto nobody = [](float) {};
-    if (spec.roi() == filled.roi())
-        return file.open(spec, failure) && write_image(filled, file, nobody, failure);
-    OIIO::ImageBuf shown;
-    if (!OIIO::ImageBufAlgo::crop(shown, filled, spec.roi())) {
-        failure = {shown.geterror()};
+    const bool whole = spec.roi() == filled.roi();
+    OIIO::ImageBuf cropped;
+    if (!whole && !OIIO::ImageBufAlgo::crop(cropped, filled, spec.roi())) {
+        failure = {cropped.geterror()};
         return false;
     }
-    return file.open(spec, failure) && write_image(shown, file, nobody, failure);
+    return file.open(spec, failure) && write_image(
+                                           whole ? filled : cropped, file, [](float) {}, failure);
 }
 
 class FillCommand final : public Command {

@@ -5,7 +5,8 @@
 
 namespace ddt::tool {
 
-bool fit_format(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec, std::string& error) {
+bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::ImageSpec& spec,
+                Failure& failure) {
     if (!output.supports("channelformats"))
         spec.channelformats.clear();
     OIIO::ROI roi = spec.roi();
@@ -16,8 +17,8 @@ bool fit_format(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec, std::str
         roi.ybegin = std::max(roi.ybegin, 0);
     }
     if (roi.width() < 1 || roi.height() < 1) {
-        error = std::string("no pixel has coordinates of 0 and more, and ") + output.format_name() +
-                " holds no others";
+        failure = {"cannot write \"" + path + "\": no pixel has coordinates of 0 and more, and " +
+                   output.format_name() + " holds no others"};
         return false;
     }
     spec.x = roi.xbegin;

@@ -304,10 +304,8 @@ bool join(const std::vector<std::string>& paths, const std::string& out,
         return false;
     const bool tiles = file.output().supports("tiles");
     OIIO::ImageSpec written = whole_spec(spec, parts.front().header, tiles);
-    if (!fit_format(file.output(), written, failure.why)) {
-        failure = {"cannot write \"" + out + "\": " + failure.why};
+    if (!fit_format(file.output(), out, written, failure))
         return false;
-    }
     const Rect kept = rect_of(written.roi());
     const bool tiled = tiles && kept == whole;
     if (!tiled)

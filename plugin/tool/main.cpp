@@ -4,8 +4,6 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
-#include <new>
-#include <system_error>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -43,12 +41,8 @@ ExitCode run(const std::vector<std::string>& args) {
 ExitCode run_caught(const std::vector<std::string>& args) {
     try {
         return run(args);
-    } catch (const std::bad_alloc&) {
-        return fail("out of memory", exit_resources);
-    } catch (const std::system_error& e) { // no more threads
-        return fail(e.what(), code_of_errno(e.code().value()));
-    } catch (const std::exception& e) {
-        return fail(e.what());
+    } catch (const std::exception&) {
+        return fail(thrown());
     }
 }
 

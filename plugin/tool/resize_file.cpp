@@ -101,13 +101,8 @@ bool check_size_of(const OIIO::ImageSpec& spec, Failure& failure) {
 /// Open the file for what of the result its format has room for: `spec` becomes that.
 bool open_file(const std::string& path, OIIO::ImageSpec& spec, ImageFile& file, Failure& failure) {
     spec.tile_width = spec.tile_height = spec.tile_depth = 0;
-    if (!file.create(path, failure))
-        return false;
-    if (!fit_format(file.output(), spec, failure.why)) {
-        failure = {"cannot write \"" + path + "\": " + failure.why};
-        return false;
-    }
-    return check_size_of(spec, failure) && file.open(spec, failure);
+    return file.create(path, failure) && fit_format(file.output(), path, spec, failure) &&
+           check_size_of(spec, failure) && file.open(spec, failure);
 }
 
 /// Make the image whose pixels an open file of this spec is written from. What the writer makes

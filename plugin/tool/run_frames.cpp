@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <condition_variable>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <mutex>
-#include <new>
-#include <system_error>
 #include <thread>
 
 #include <OpenImageIO/sysutil.h>
@@ -66,12 +65,9 @@ private:
                     return true;
                 },
                 failure);
-        } catch (const std::bad_alloc&) {
-            failure = {"\"" + task.in + "\": out of memory", exit_resources};
-        } catch (const std::system_error& e) { // no more threads
-            failure = {"\"" + task.in + "\": " + e.what(), code_of_errno(e.code().value())};
-        } catch (const std::exception& e) {
-            failure = {"\"" + task.in + "\": " + e.what(), exit_failed};
+        } catch (const std::exception&) {
+            failure = thrown();
+            failure.why = "\"" + task.in + "\": " + failure.why;
         }
         return false;
     }

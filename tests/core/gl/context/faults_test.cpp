@@ -38,6 +38,18 @@ protected:
         return o;
     }
 
+    /// Another source in place of the picture.
+    Outcome enlarged_from(Source& source) const {
+        BitsSink sink(order.out_width, order.out_height, picture.channels);
+        Job job = order.job;
+        job.window = {0, 0, picture.width, picture.height};
+        job.channels = picture.channels;
+        job.device = GetParam();
+        const ResizeMapping mapping(ResizeMapping::Axis::whole(picture.width, order.out_width),
+                                    ResizeMapping::Axis::whole(picture.height, order.out_height));
+        return enlarge(source, sink, mapping, job);
+    }
+
     /// The picture must be right, and each pixel written once, whatever happened.
     void expect_right(const Result& result, Device device, const std::string& what) {
         const Result cpu = enlarge_on(Device::cpu, picture, order);
@@ -114,14 +126,7 @@ TEST_P(Faults, ASourceThatFailsEndsTheWork) {
     class Broken final : public Source {
         bool read(const Rect& r, float*, float*) override { return r.x0 == 0; }
     } source;
-    BitsSink sink(1300, 90, 4);
-    Job job = order.job;
-    job.window = {0, 0, 600, 40};
-    job.channels = 4;
-    job.device = GetParam();
-    const ResizeMapping mapping(ResizeMapping::Axis::whole(600, 1300),
-                                ResizeMapping::Axis::whole(40, 90));
-    EXPECT_EQ(enlarge(source, sink, mapping, job), Outcome::source_failed);
+    EXPECT_EQ(enlarged_from(source), Outcome::source_failed);
 }
 
 // Drivers take names that are given back on another thread for nothing: their memory stays.
@@ -154,14 +159,7 @@ TEST_P(Faults, ASourceThatThrowsLeavesNoMemoryBehind) {
         })
         .get();
     g_deleted = g_lost = 0;
-    BitsSink sink(1300, 90, 4);
-    Job job = order.job;
-    job.window = {0, 0, 600, 40};
-    job.channels = 4;
-    job.device = GetParam();
-    const ResizeMapping mapping(ResizeMapping::Axis::whole(600, 1300),
-                                ResizeMapping::Axis::whole(40, 90));
-    EXPECT_EQ(enlarge(source, sink, mapping, job), Outcome::bad_job);
+    EXPECT_EQ(enlarged_from(source), Outcome::bad_job);
     EXPECT_GT(g_deleted, 0);
     EXPECT_EQ(g_lost, 0);
 }
