@@ -12,7 +12,7 @@
 #include "core/base/constants.h"
 
 #if defined(__SSE2__)
-#include <immintrin.h>
+#include <xmmintrin.h>
 #endif
 
 /// For the small functions of the -inl.h files: a call would pass vectors through memory.

@@ -12,6 +12,7 @@
 
 #include "core/base/one_line.h"
 #include "plugin/colour/builtin.h"
+#include "plugin/message/format.h"
 
 namespace ddt {
 namespace {
@@ -45,7 +46,7 @@ bool configs(NamedBy by, std::vector<OCIO::ConstConfigRcPtr>& list, std::string&
         try {
             list.push_back(user_config(path));
         } catch (const OCIO::Exception& e) {
-            error = OIIO::Strutil::fmt::format(
+            error = format(
                 "OCIO config \"{}\" (environment variable OCIO) cannot be read: {}; set OCIO to a "
                 "config file, unset it, or use light=encoded",
                 path, one_line(e.what()));
@@ -134,7 +135,7 @@ bool find_space(const std::string& name, NamedBy by, Space& found, std::string& 
     }
     if (by == NamedBy::image)
         return true;
-    error = OIIO::Strutil::fmt::format(
+    error = format(
         "light \"{}\" is not a colour space of the OCIO config; allowed are auto, encoded, {}",
         name, names_in(list));
     return false;

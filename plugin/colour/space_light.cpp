@@ -14,6 +14,7 @@
 #include "core/base/one_line.h"
 #include "plugin/colour/config.h"
 #include "plugin/colour/fork.h"
+#include "plugin/message/format.h"
 
 namespace ddt {
 namespace {
@@ -146,7 +147,7 @@ std::shared_ptr<const Light> find_light(const std::string& option, const std::st
         }
         return (*known)[key] = std::make_shared<Light>(light_of(space));
     } catch (const OCIO::Exception& e) {
-        error = OIIO::Strutil::fmt::format("colour space \"{}\": {}", name, one_line(e.what()));
+        error = format("colour space \"{}\": {}", name, one_line(e.what()));
         return nullptr;
     }
 }

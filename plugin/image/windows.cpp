@@ -10,11 +10,10 @@
 #include <OpenImageIO/sysutil.h>
 
 #include "core/base/large_pages.h"
+#include "plugin/message/format.h"
 
 namespace ddt {
 namespace {
-
-using OIIO::Strutil::fmt::format;
 
 int64_t allowed_megabytes() {
     int limit = 0;

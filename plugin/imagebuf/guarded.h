@@ -10,6 +10,7 @@
 #include "core/base/guarded.h"
 #include "plugin/image/pixels.h"
 #include "plugin/image/windows.h"
+#include "plugin/message/format.h"
 
 namespace ddt {
 
@@ -35,7 +36,7 @@ bool guarded(OIIO::ImageBuf& dst, Body&& body) noexcept {
         if (!pending)
             dst.geterror(); // OpenImageIO's own words for it
         tell(&error, error.empty() ? "out of memory" : std::string(error).c_str());
-        dst.errorfmt("{}", error);
+        set_error(dst, error);
     });
     return done;
 }

@@ -12,6 +12,7 @@
 #include "plugin/imagebuf/guarded.h"
 #include "plugin/imagebuf/holes.h"
 #include "plugin/imagebuf/resample.h"
+#include "plugin/message/format.h"
 
 namespace ddt {
 namespace {
@@ -97,10 +98,9 @@ bool check_shrinking(const OIIO::ROI& from, const OIIO::ROI& to, const OIIO::ROI
     const double most_columns = most_weights / (weights * across + 1);
     if (across <= most_times && down <= most_times && roi.width() <= most_columns)
         return true;
-    error = OIIO::Strutil::fmt::format("{} x {} pixels cannot be shrunk to {} x {}; allowed are "
-                                       "{:.0f} times along an axis, and {:.0f} columns at once",
-                                       from.width(), from.height(), to.width(), to.height(),
-                                       most_times, most_columns);
+    error = format("{} x {} pixels cannot be shrunk to {} x {}; allowed are "
+                   "{:.0f} times along an axis, and {:.0f} columns at once",
+                   from.width(), from.height(), to.width(), to.height(), most_times, most_columns);
     return false;
 }
 
@@ -115,9 +115,9 @@ bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& given, Arrival* a
         return true;
     const OIIO::ROI from = given.roi_full(), to = dst.roi_full();
     if (to.width() < 1 || to.height() < 1) {
-        error = OIIO::Strutil::fmt::format(
-            "the destination's display window has {} x {} pixels; at least 1 x 1 is needed",
-            to.width(), to.height());
+        error =
+            format("the destination's display window has {} x {} pixels; at least 1 x 1 is needed",
+                   to.width(), to.height());
         return false;
     }
     const bool shrink_x = to.width() < from.width(), shrink_y = to.height() < from.height();

@@ -15,6 +15,7 @@
 #include "core/base/guarded.h"
 #include "pieces.h"
 #include "plugin/image/windows.h"
+#include "plugin/message/format.h"
 #include "request.h"
 #include "source_image.h"
 
@@ -101,8 +102,7 @@ bool Reader::open_source(const OIIO::ImageSpec& config, std::string& error) {
     m_source = OIIO::ImageInput::open(m_request.source, &m_hints);
     if (m_source)
         return true;
-    error = OIIO::Strutil::fmt::format("ddt: cannot open \"{}\": {}", m_request.source,
-                                       OIIO::geterror());
+    error = format("ddt: cannot open \"{}\": {}", m_request.source, OIIO::geterror());
     return false;
 }
 
@@ -140,7 +140,7 @@ bool Reader::describe(int subimage, std::string& error) {
         return false;
     }
     if (from.undefined() || from.full_width < 1 || from.full_height < 1) {
-        error = OIIO::Strutil::fmt::format("ddt: \"{}\" has no pixels", m_request.source);
+        error = format("ddt: \"{}\" has no pixels", m_request.source);
         return false;
     }
     OIIO::ImageSpec to = from;

@@ -12,11 +12,10 @@
 #include "core/base/one_line.h"
 #include "core/base/parse_number.h"
 #include "ddt/mapping.h"
+#include "plugin/message/format.h"
 
 namespace ddt {
 namespace {
-
-using OIIO::Strutil::fmt::format;
 
 constexpr char extension[] = ".ddt";
 constexpr size_t extension_length = sizeof(extension) - 1;

@@ -4,6 +4,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "plugin/image/windows.h"
+#include "plugin/message/format.h"
 
 namespace ddt {
 namespace {
@@ -30,7 +31,7 @@ bool SourceImage::open(const std::string& path, OIIO::ImageInput& input, int sub
     }
     if (input.read_image(subimage, 0, 0, spec.nchannels, spec.format, m_pixels.localpixels()))
         return true;
-    error = OIIO::Strutil::fmt::format("ddt: cannot read \"{}\": {}", path, input.geterror());
+    error = format("ddt: cannot read \"{}\": {}", path, input.geterror());
     return false;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/one_line.h"
+#include "plugin/message/format.h"
 
 namespace ddt {
 
@@ -47,7 +48,7 @@ bool parse_filter_for(OIIO::ImageBuf& dst, OIIO::string_view spec, Options& opti
     std::string error;
     if (parse_filter(spec, options, error))
         return true;
-    dst.errorfmt("{}", one_line(error));
+    set_error(dst, one_line(error));
     return false;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/base/guarded.h"
 #include "ddt/resize.h"
+#include "plugin/message/format.h"
 
 namespace ddt {
 
@@ -53,7 +54,7 @@ bool without_throwing(OIIO::ImageBuf& dst, F f) {
     std::string error;
     if (guarded_call(&error, [&] { done = f(); }) == Caught::nothing)
         return done;
-    guarded_call(nullptr, [&] { dst.errorfmt("{}", error); });
+    guarded_call(nullptr, [&] { set_error(dst, error); });
     return false;
 }
 

@@ -5,6 +5,7 @@
 #include <OpenImageIO/imagebuf.h>
 
 #include "hooks.h"
+#include "plugin/message/format.h"
 
 namespace ddt {
 
@@ -17,7 +18,7 @@ struct Returning<F> {
     static OIIO::ImageBuf call(const OIIO::ImageBuf& src, Args... args) {
         OIIO::ImageBuf result;
         if (!F(result, src, args...) && !result.has_error())
-            result.errorfmt("ddt: the filter failed");
+            set_error(result, "ddt: the filter failed");
         return result;
     }
 };

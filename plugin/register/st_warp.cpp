@@ -3,6 +3,7 @@
 // no meaning for: our filters are refused there, with a line, and not evaluated.
 #include "filter.h"
 #include "hooks.h"
+#include "plugin/message/format.h"
 #include "returning.h"
 
 namespace ddt {
@@ -12,7 +13,7 @@ using namespace OIIO;
 
 bool refuse(ImageBuf& dst) {
     return without_throwing(dst, [&] {
-        dst.errorfmt("ddt: st_warp cannot use the filters of ddt; allowed are OpenImageIO's own");
+        set_error(dst, "ddt: st_warp cannot use the filters of ddt; allowed are OpenImageIO's own");
         return false;
     });
 }

@@ -9,10 +9,9 @@
 
 #include "core/base/one_line.h"
 #include "core/base/parse_number.h"
+#include "plugin/message/format.h"
 
 namespace ddt::tool {
-
-using OIIO::Strutil::fmt::format;
 
 namespace {
 

@@ -5,10 +5,9 @@
 
 #include "ddt/names.h"
 #include "ddt/option_table.h"
+#include "plugin/message/format.h"
 
 namespace ddt::tool {
-
-using OIIO::Strutil::fmt::format;
 
 namespace {
 

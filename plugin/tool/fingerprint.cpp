@@ -9,6 +9,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "ddt/option_table.h"
+#include "plugin/message/format.h"
 
 namespace ddt::tool {
 
@@ -24,9 +25,8 @@ std::string fingerprint(const std::string& source, const OIIO::ImageSpec& source
     OIIO::SHA1 hash;
     const auto add = [&](const std::string& text) { hash.append(text.data(), text.size() + 1); };
     const auto windows = [&](const OIIO::ImageSpec& s) {
-        add(OIIO::Strutil::fmt::format("{} {} {} {} {} {} {} {} {} {}", s.x, s.y, s.width, s.height,
-                                       s.full_x, s.full_y, s.full_width, s.full_height, s.nchannels,
-                                       s.format));
+        add(format("{} {} {} {} {} {} {} {} {} {}", s.x, s.y, s.width, s.height, s.full_x, s.full_y,
+                   s.full_width, s.full_height, s.nchannels, s.format));
     };
     add(DDT_VERSION);
     add(std::to_string(int(settings.options.surface.kind)));

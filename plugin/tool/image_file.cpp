@@ -10,6 +10,8 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/message/format.h"
+
 namespace ddt::tool {
 
 namespace {
@@ -90,7 +92,7 @@ bool ImageFile::open(const OIIO::ImageSpec& spec, Failure& failure) {
     m_height = spec.height;
     if (const int most = largest_side_of(m_output->format_name());
         most > 0 && std::max(m_width, m_height) > most) {
-        failure = {OIIO::Strutil::fmt::format(
+        failure = {format(
             "cannot write \"{}\": {} x {} pixels are too many for the format {}; allowed are {} a "
             "side",
             m_path, m_width, m_height, m_output->format_name(), most)};
@@ -134,9 +136,9 @@ bool ImageFile::check_written(Failure& failure) const {
     if (!in)
         return refuse("what was written cannot be read back", code);
     if (in->spec().width != m_width || in->spec().height != m_height)
-        return refuse(OIIO::Strutil::fmt::format("the format {} made {} x {} pixels of {} x {}",
-                                                 m_output->format_name(), in->spec().width,
-                                                 in->spec().height, m_width, m_height),
+        return refuse(format("the format {} made {} x {} pixels of {} x {}",
+                             m_output->format_name(), in->spec().width, in->spec().height, m_width,
+                             m_height),
                       code);
     // Reading the pixels of small icons ends the program (OpenImageIO 2.4.7).
     const bool enough = m_stream || m_output->format_name() == std::string("ico");

@@ -8,6 +8,7 @@
 
 #include "ddt/devices.h"
 #include "ddt/names.h"
+#include "plugin/message/format.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/filter_flag.h"
 #include "plugin/tool/plugin_file.h"
@@ -29,16 +30,14 @@ public:
 
     ExitCode run(const std::vector<std::string>&) override {
         line("ddt", DDT_VERSION);
-        line("OpenImageIO", OIIO::Strutil::fmt::format("{} (built with {})",
-                                                       OIIO_version(OIIO::openimageio_version()),
-                                                       OIIO_VERSION_STRING));
+        line("OpenImageIO", format("{} (built with {})", OIIO_version(OIIO::openimageio_version()),
+                                   OIIO_VERSION_STRING));
         line("OpenColorIO", OCIO_NAMESPACE::GetVersion());
         for (const std::string& text : describe_plugin())
             line("plugin", text);
         const char* config = std::getenv("OCIO");
         line("OCIO config", config && *config ? config : "none in $OCIO; the one built in");
-        line("cpu",
-             OIIO::Strutil::fmt::format("{} threads", OIIO::Sysutil::hardware_concurrency()));
+        line("cpu", format("{} threads", OIIO::Sysutil::hardware_concurrency()));
         for (const Device device : {Device::egl, Device::osmesa})
             line(device_name(device), describe_device(device));
         line("auto", automatic_device());
@@ -67,7 +66,7 @@ private:
                "only renderer is software use the cpu)";
     }
     static std::string OIIO_version(int v) {
-        return OIIO::Strutil::fmt::format("{}.{}.{}", v / 10000, v / 100 % 100, v % 100);
+        return format("{}.{}.{}", v / 10000, v / 100 % 100, v % 100);
     }
     static void line(const char* what, const std::string& text) {
         std::printf("%-12s %s\n", what, text.c_str());

@@ -10,6 +10,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "plugin/image/windows.h"
+#include "plugin/message/format.h"
 #include "plugin/tool/fit_format.h"
 #include "plugin/tool/image_file.h"
 #include "plugin/tool/part_file.h"
@@ -17,8 +18,6 @@
 namespace ddt::tool {
 
 namespace {
-
-using OIIO::Strutil::fmt::format;
 
 /// Bytes of a pixel in a part's file that are one channel.
 struct Piece {

@@ -3,11 +3,10 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/message/format.h"
 #include "plugin/tool/filter_flag.h"
 
 namespace ddt::tool {
-
-using OIIO::Strutil::fmt::format;
 
 namespace {
 

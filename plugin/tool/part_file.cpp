@@ -13,6 +13,7 @@
 #include "core/tiles/grid.h"
 #include "plugin/image/lazy_file.h"
 #include "plugin/image/windows.h"
+#include "plugin/message/format.h"
 #include "plugin/tool/fingerprint.h"
 #include "plugin/tool/image_file.h"
 #include "plugin/tool/picture.h"
@@ -20,8 +21,6 @@
 namespace ddt::tool {
 
 namespace {
-
-using OIIO::Strutil::fmt::format;
 
 // Not "ddt:": OpenImageIO writes no metadata that begin with the name of another format, which
 // "ddt" is where the plugin's reader is.

@@ -11,11 +11,10 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/message/format.h"
 #include "plugin/tool/whole_file.h"
 
 namespace ddt::tool {
-
-using OIIO::Strutil::fmt::format;
 
 namespace {
 

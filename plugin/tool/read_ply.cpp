@@ -7,13 +7,12 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/message/format.h"
 #include "plugin/tool/point_file.h"
 
 namespace ddt::tool {
 
 namespace {
-
-using OIIO::Strutil::fmt::format;
 
 enum class Number { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 

@@ -4,13 +4,12 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/message/format.h"
 #include "plugin/tool/point_file.h"
 
 namespace ddt::tool {
 
 namespace {
-
-using OIIO::Strutil::fmt::format;
 
 /// The cells of a line.
 std::vector<std::string> split(const std::string& line) {

@@ -13,6 +13,7 @@
 #include "plugin/image/reading.h"
 #include "plugin/image/windows.h"
 #include "plugin/imagebuf/resample.h"
+#include "plugin/message/format.h"
 #include "plugin/tool/fit_format.h"
 #include "plugin/tool/image_file.h"
 #include "plugin/tool/part.h"
@@ -75,7 +76,7 @@ bool scale_axis(int full_from, int full_size_from, int full_to, int full_size_to
 }
 
 Failure too_far(const OIIO::ImageSpec& from, const Size& size) {
-    return {OIIO::Strutil::fmt::format(
+    return {format(
         "the output would be {:.0f} x {:.0f} pixels; coordinates are allowed within +-{}",
         std::ceil(from.width * (double(size.width) / from.full_width)),
         std::ceil(from.height * (double(size.height) / from.full_height)), largest_coordinate)};

@@ -7,6 +7,7 @@
 
 #include "core/base/parse_number.h"
 #include "ddt/resize.h"
+#include "plugin/message/format.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/filter_flag.h"
 #include "plugin/tool/image_file.h"
@@ -17,8 +18,6 @@
 namespace ddt::tool {
 
 namespace {
-
-using OIIO::Strutil::fmt::format;
 
 /// A part of the plane.
 struct Window {

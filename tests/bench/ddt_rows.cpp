@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ddt/resize.h"
+#include "plugin/message/format.h"
 #include "rows.h"
 
 namespace bench {
@@ -21,7 +22,7 @@ Row row_of(const std::string& name, Light light) {
     if (!ddt::parse_filter(specification, options, error))
         return {name, [error](const OIIO::ImageBuf&, int) {
                     OIIO::ImageBuf failed;
-                    failed.errorfmt("{}", error);
+                    ddt::set_error(failed, error);
                     return failed;
                 }};
     options.light = light == Light::linear ? "auto" : "encoded";

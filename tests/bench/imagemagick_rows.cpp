@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "child.h"
+#include "plugin/message/format.h"
 #include "rows.h"
 
 namespace bench {
@@ -61,7 +62,7 @@ OIIO::ImageBuf enlarge(const std::string& program, const std::vector<std::string
     command.insert(command.end(),
                    {size_of(spec) + "!", "-depth", "16", "-endian", "MSB", "rgb:" + out});
     if (!write_raw(image, in) || run_child(command) != 0 || !read_raw(result, out))
-        result.errorfmt("{} failed", program);
+        ddt::set_error(result, program + " failed");
     return result;
 }
 

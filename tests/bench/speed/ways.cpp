@@ -8,6 +8,7 @@
 #include <OpenImageIO/imagebufalgo.h>
 
 #include "ddt/resize.h"
+#include "plugin/message/format.h"
 
 namespace speed {
 
@@ -55,7 +56,7 @@ Way ddt_way(const std::string& filter, ddt::Statistics* statistics,
                     if (ddt::parse_filter(filter, options, error))
                         return ddt::resize(result, task.image, options, enlarged(task),
                                            task.threads);
-                    result.errorfmt("{}", error);
+                    ddt::set_error(result, error);
                     return false;
                 });
             }};
