@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "core/base/guarded.h"
 #include "core/base/parallel.h"
@@ -21,19 +21,14 @@ namespace {
 /// Largest number of pixels of a window, so that its tiles can be counted.
 constexpr double largest_area = double(int64_t(1) << 45);
 
-bool within_coordinates(const Rect& r) {
-    return std::min(r.x0, r.y0) >= -largest_coordinate &&
-           std::max(r.x1, r.y1) <= largest_coordinate;
-}
-
 bool check(const Job& job, const Mapping& mapping, std::string& error) {
     const Rect& w = job.window;
-    if (w.empty() || !within_coordinates(w))
+    if (w.empty() || !w.within_limits())
         error = "ddt: the source window must not be empty, its coordinates within +-" +
                 std::to_string(largest_coordinate);
     else if (double(w.width()) * double(w.height()) > largest_area)
         error = "ddt: the source window must not have more than 2^45 pixels";
-    else if (const Rect out = output_of(mapping); !out.empty() && !within_coordinates(out))
+    else if (const Rect out = output_of(mapping); !out.empty() && !out.within_limits())
         error =
             "ddt: the output's coordinates must be within +-" + std::to_string(largest_coordinate);
     else if (job.channels < 1)

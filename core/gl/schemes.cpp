@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangulation as dispatches. C++ twins: core/triangulate.
 #include <algorithm>
-#include <climits>
 #include <cstring>
 #include <utility>
 
@@ -144,9 +143,10 @@ void DeviceMesh::accept_reject(const Rules& rules) {
     m_gl.Uniform1i(5, rules.by_gain);
     m_gl.Uniform1i(6, rules.wide_iterations);
     m_gl.Uniform1i(7, rules.all_rounds);
-    // llvmpipe's loops turn 65535 times a dispatch.
-    const bool in_parts = m_gpu.context->software;
-    m_gl.Uniform2i(9, GLint(stamps), in_parts ? 40000 : INT_MAX);
+    // llvmpipe's loops turn 65535 times a dispatch. Drivers of hardware take a dispatch of seconds
+    // for one that hangs: so many turns are half of one where each waits for memory, for a
+    // microsecond.
+    m_gl.Uniform2i(9, GLint(stamps), m_gpu.context->software ? 40000 : 500000);
     std::vector<uint32_t> progress(size_t(progress_size) * size_t(m_tiles));
     const auto goes_on = [&] {
         m_stamps->read(stamps * word, progress.size() * word, progress.data());
@@ -158,7 +158,7 @@ void DeviceMesh::accept_reject(const Rules& rules) {
     do {
         m_gl.DispatchCompute(GLuint(m_tiles), 1, 1);
         barrier();
-    } while (in_parts && goes_on());
+    } while (goes_on());
 }
 
 void DeviceMesh::annealing(const MeshOptions& options) {

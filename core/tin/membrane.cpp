@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace ddt {
 
@@ -18,10 +19,10 @@ constexpr int sweeps = 200;
 /// By how much a sweep goes farther than to the mean (successive over-relaxation; Young 1954).
 constexpr float over = 0.7f;
 
-/// A pixel that is smoothed: the four about it and what they count; 0 for none.
+/// A pixel that is smoothed, and what the four about it count: left, right, above, below; 0 for
+/// none.
 struct Knot {
     size_t pixel;
-    std::array<size_t, 4> beside;
     std::array<float, 4> weight;
 };
 
@@ -40,16 +41,14 @@ std::vector<Knot> list_knots(const HoledImage& image, const std::vector<uint8_t>
             continue;
         const size_t x = i % width;
         const bool there[] = {x > 0, x + 1 < width, i >= width, i + width < size};
-        Knot knot{i, {i - 1, i + 1, i - width, i + width}, {}};
+        const size_t beside[] = {i - 1, i + 1, i - width, i + width};
+        Knot knot{i, {}};
         bool inner = true;
         for (size_t k = 0; k < 4; ++k) {
-            const size_t j = knot.beside[k];
-            if (!there[k] || !known[j]) {
-                knot.beside[k] = i;
+            if (!there[k] || !known[beside[k]])
                 continue;
-            }
-            inner &= filled[j] != 0;
-            knot.weight[k] = weight_of(guide[j] - guide[i]);
+            inner &= filled[beside[k]] != 0;
+            knot.weight[k] = weight_of(guide[beside[k]] - guide[i]);
         }
         if (inner)
             knots.push_back(knot);
@@ -57,27 +56,34 @@ std::vector<Knot> list_knots(const HoledImage& image, const std::vector<uint8_t>
     return knots;
 }
 
-/// A sweep over numbers of which `stride` make a pixel.
-void sweep(const std::vector<Knot>& knots, float* numbers, size_t stride) {
-    for (const Knot& knot : knots) {
-        float& own = numbers[knot.pixel * stride];
-        if (!std::isfinite(own))
+/// Numbers of which `stride` make a pixel, `pitch` a row.
+struct Plane {
+    float* numbers;
+    ptrdiff_t stride, pitch;
+};
+
+void smooth(const Knot& knot, const Plane& plane) {
+    float* own = plane.numbers + ptrdiff_t(knot.pixel) * plane.stride;
+    if (!std::isfinite(*own))
+        return;
+    const ptrdiff_t beside[] = {-plane.stride, plane.stride, -plane.pitch, plane.pitch};
+    float sum = 0, weights = 0, low = *own, high = *own;
+    for (size_t k = 0; k < 4; ++k) {
+        const float w = knot.weight[k];
+        if (w == 0.0f)
             continue;
-        float sum = 0, weights = 0, low = own, high = own;
-        for (size_t k = 0; k < 4; ++k) {
-            const float w = knot.weight[k], v = numbers[knot.beside[k] * stride];
-            if (w == 0.0f || !std::isfinite(v))
-                continue;
-            sum = sum + w * v;
-            weights = weights + w;
-            low = std::min(low, v);
-            high = std::max(high, v);
-        }
-        if (!(weights > 0.0f))
+        const float v = own[beside[k]];
+        if (!std::isfinite(v))
             continue;
-        const float mean = sum / weights;
-        own = std::min(std::max(mean + over * (mean - own), low), high);
+        sum = sum + w * v;
+        weights = weights + w;
+        low = std::min(low, v);
+        high = std::max(high, v);
     }
+    if (!(weights > 0.0f))
+        return;
+    const float mean = sum / weights;
+    *own = std::min(std::max(mean + over * (mean - *own), low), high);
 }
 
 } // namespace
@@ -87,12 +93,18 @@ void smooth_holes(const HoledImage& image, const std::vector<uint8_t>& filled,
     const std::vector<Knot> knots = list_knots(image, filled, known, guide);
     if (knots.empty())
         return;
-    for (size_t c = 0; c < size_t(image.channels); ++c)
+    std::vector<Plane> planes;
+    for (int c = 0; c < image.channels; ++c)
         if (!image.kinds || image.kinds[c] != Channel::nearest)
-            for (int i = 0; i < sweeps; ++i)
-                sweep(knots, image.values + c, size_t(image.channels));
-    for (int i = 0; image.guide_too && i < sweeps; ++i)
-        sweep(knots, image.guide, 1);
+            planes.push_back(
+                {image.values + c, image.channels, ptrdiff_t(image.channels) * image.width});
+    if (image.guide_too)
+        planes.push_back({image.guide, 1, image.width});
+    // All planes at once: the knots are what takes long to fetch.
+    for (int i = 0; i < sweeps; ++i)
+        for (const Knot& knot : knots)
+            for (const Plane& plane : planes)
+                smooth(knot, plane);
 }
 
 } // namespace ddt

@@ -69,6 +69,8 @@ bool find_windows(GeglOperation* operation, Rect& window, Rect& full) {
     if (box.width <= 0 || box.height <= 0 || gegl_rectangle_is_infinite_plane(&box))
         return false;
     window = rect_of(box);
+    if (!window.within_limits())
+        return false;
     full = scaled(window, self_of(operation).scale, self_of(operation).scale);
     return true;
 }
@@ -205,9 +207,11 @@ GeglRectangle get_required_for_output(GeglOperation* operation, const gchar*,
     return rectangle_of(needed(window, full, rect_of(*part), work.holes));
 }
 
-/// All at once: in pieces, halos would be worked on again and again.
-GeglRectangle get_cached_region(GeglOperation* operation, const GeglRectangle*) {
-    return get_bounding_box(operation);
+/// All at once: in pieces, halos would be worked on again and again. GEGL keeps the result for the
+/// pieces that it asks for next.
+GeglRectangle get_cached_region(GeglOperation* operation, const GeglRectangle* part) {
+    Rect window, full;
+    return find_windows(operation, window, full) ? rectangle_of(full) : *part;
 }
 
 GeglRectangle get_invalidated_by_change(GeglOperation* operation, const gchar*,
@@ -218,11 +222,14 @@ GeglRectangle get_invalidated_by_change(GeglOperation* operation, const gchar*,
 gboolean process(GeglOperation* operation, GeglBuffer* input, GeglBuffer* output,
                  const GeglRectangle* part, gint) {
     Enlargement work;
-    if (!find_windows(operation, work.window, work.full))
+    if (!find_windows(operation, work.window, work.full)) {
+        g_warning("ddt: there is no picture to enlarge, or an endless one; crop it first");
         return FALSE;
+    }
     const Operation& self = self_of(operation);
-    if (work.window.area() == work.full.area()) { // scale 1
-        gegl_buffer_copy(input, part, GEGL_ABYSS_CLAMP, output, part);
+    if (work.window.area() == work.full.area()) { // by a scale of 1 or little more
+        const GeglRectangle from = rectangle_of(needed(work.window, work.full, rect_of(*part)));
+        gegl_buffer_copy(input, &from, GEGL_ABYSS_CLAMP, output, part);
         return TRUE;
     }
     work.to.box = rect_of(*part);
@@ -361,7 +368,6 @@ void init_class(gpointer klass, gpointer) {
     operation->get_cached_region = get_cached_region;
     operation->get_invalidated_by_change = get_invalidated_by_change;
     operation->threaded = FALSE; // the core has threads of its own
-    operation->cache_policy = GEGL_CACHE_POLICY_NEVER;
     GEGL_OPERATION_FILTER_CLASS(klass)->process = process;
     gegl_operation_class_set_keys(
         operation, "name", "gegl:ddt", "title", "Enlarge (ddt)",

@@ -163,30 +163,35 @@ Rect needed(const Rect& window, const Rect& full, const Rect& box, Holes holes) 
                 part.x1 + window.x0 - full.x0, part.y1 + window.y0 - full.y0};
     if (holes != Holes::keep)
         return window;
-    const ResizeMapping mapping = mapping_of(window, full, part);
+    // Columns of tiles by themselves, and rows: a host may ask about millions of tiles.
+    const ResizeMapping across = mapping_of(window, full, {part.x0, full.y0, part.x1, full.y1}),
+                        down = mapping_of(window, full, {full.x0, part.y0, full.x1, part.y1});
     const Grid grid(window);
-    Rect all;
-    for (int i = 0; i < grid.count(); ++i) {
-        const Tile tile = grid.tile(i);
-        if (reach_of(tile, window, mapping).empty())
-            continue;
-        const Rect& r = tile.pixels;
-        all = all.empty() ? r
-                          : Rect{std::min(all.x0, r.x0), std::min(all.y0, r.y0),
-                                 std::max(all.x1, r.x1), std::max(all.y1, r.y1)};
-    }
+    Rect all{window.x1, window.y1, window.x0, window.y0};
+    for (int i = 0; i < grid.columns(); ++i)
+        if (const Tile tile = grid.tile(i); !reach_of(tile, window, across).empty()) {
+            all.x0 = std::min(all.x0, tile.pixels.x0);
+            all.x1 = std::max(all.x1, tile.pixels.x1);
+        }
+    for (int i = 0; i < grid.rows(); ++i)
+        if (const Tile tile = grid.tile(i * grid.columns());
+            !reach_of(tile, window, down).empty()) {
+            all.y0 = std::min(all.y0, tile.pixels.y0);
+            all.y1 = std::max(all.y1, tile.pixels.y1);
+        }
     return all;
 }
 
 Rect scaled(const Rect& window, double x_factor, double y_factor) {
-    const auto size = [](int n, double factor) {
-        return std::max(1, int(std::lround(double(n) * factor)));
+    // What is beyond the limits of windows stays beyond them, and within ints.
+    const auto times = [](int n, double factor) {
+        return int(std::lround(std::clamp(double(n) * factor, -1e9, 1e9)));
     };
     Rect r;
-    r.x0 = int(std::lround(window.x0 * x_factor));
-    r.y0 = int(std::lround(window.y0 * y_factor));
-    r.x1 = r.x0 + size(window.width(), x_factor);
-    r.y1 = r.y0 + size(window.height(), y_factor);
+    r.x0 = times(window.x0, x_factor);
+    r.y0 = times(window.y0, y_factor);
+    r.x1 = r.x0 + std::max(1, times(window.width(), x_factor));
+    r.y1 = r.y0 + std::max(1, times(window.height(), y_factor));
     return r;
 }
 

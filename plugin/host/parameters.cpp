@@ -114,6 +114,9 @@ const std::vector<Parameter>& parameters() {
 }
 
 std::string item(const Parameter& p, double value) {
+    // Sliders stop between the two that stand for something, and between them and 0.
+    if (p.initial == filters_own && value < 0)
+        value = value < (by_name + filters_own) / 2 ? p.low : filters_own;
     if (value == p.initial)
         return "";
     std::string text;

@@ -35,7 +35,8 @@ struct Parameter {
 /// In the order of the table. Made once; thread-safe.
 const std::vector<Parameter>& parameters();
 
-/// ",key=value" for a specification of the filter; empty for the initial value.
+/// ",key=value" for a specification of the filter; empty for the initial value. Of numbers below 0
+/// that stand for something the nearest counts.
 std::string item(const Parameter& parameter, double value);
 
 } // namespace ddt::host

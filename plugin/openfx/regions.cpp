@@ -23,7 +23,7 @@ int region_of_definition(Effect effect, Properties in, Properties out) {
     // Of render scale 1, whatever the scale: canonical regions do not depend on it.
     const PixelScale& scale = source.at_full_scale;
     const Windows w = windows_of(source.region, scale, scale, source.settings, zooms());
-    if (w.window.empty())
+    if (!w.bounded())
         return reply_default;
     set_rect(out, "OfxImageEffectPropRegionOfDefinition", to_canonical(w.shown, scale));
     return ok;
@@ -38,6 +38,8 @@ int regions_of_interest(Effect effect, Properties in, Properties out) {
     for (int i = 0; i < 4; ++i)
         *sides[i] = get(in, "OfxImageEffectPropRegionOfInterest", 0.0, i);
     const Windows w = source.windows();
+    if (!w.bounded())
+        return reply_default;
     host::Enlargement work; // for what it says of holes
     std::string error;
     host::set_filter(source.settings.filter, "linear", work, error);
@@ -53,8 +55,7 @@ int is_identity(Effect effect, Properties in, Properties out) {
     if (!source.find(effect, in))
         return reply_default;
     const Windows w = source.windows();
-    if (w.window.width() != w.full.width() || w.window.height() != w.full.height() ||
-        w.window.x0 != w.full.x0 || w.window.y0 != w.full.y0)
+    if (!(w.full == w.window))
         return reply_default;
     set(out, "OfxPropName", "Source");
     set(out, "OfxPropTime", source.time);

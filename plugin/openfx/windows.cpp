@@ -52,8 +52,10 @@ Windows windows_of(const RectD& region, const PixelScale& scale, const PixelScal
                    const Settings& settings, bool zoom) {
     Windows w;
     w.window = to_pixels(region, scale);
-    if (w.window.empty())
+    if (!w.bounded()) {
+        w.full = w.shown = w.window;
         return w;
+    }
     if (zoom) {
         w.full = zoomed(w.window, settings);
         w.shown = w.window;

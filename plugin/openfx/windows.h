@@ -20,13 +20,16 @@ struct Windows {
     Rect window; ///< the source's region of definition
     Rect full;   ///< the whole enlargement
     Rect shown;  ///< the output's region of definition: `full`, or of a zoom `window`
+
+    /// Whether there is a picture, and not an endless one, as that of a constant.
+    bool bounded() const { return !window.empty() && window.within_limits(); }
 };
 
 Rect to_pixels(const RectD& canonical, const PixelScale& scale);
 RectD to_canonical(const Rect& pixels, const PixelScale& scale);
 
 /// `region`: the source's, canonical. At render scales other than 1 `full` is that of scale 1,
-/// scaled along, as the host expects it.
+/// scaled along, as the host expects it. An endless region stays as it is.
 Windows windows_of(const RectD& region, const PixelScale& scale, const PixelScale& at_full_scale,
                    const Settings& settings, bool zoom);
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The compiled part of the Python module; oiio_ddt/__init__.py gives it arrays of three dimensions.
+#include <cxxabi.h>
 #include <exception>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
+
+#include <unistd.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -46,6 +50,32 @@ Buffer buffer_of(const py::array& array, void* data, Sample sample, int x0, int 
             sample};
 }
 
+/// While the interpreter ends, Python up to 3.13 ends threads that ask for its lock by unwinding
+/// them, which passes neither `catch (...)` nor destructors: the process would be aborted. They
+/// wait instead until it ends, as from 3.14 on. Call it from a handler that is never left.
+[[noreturn]] void wait_for_the_end() {
+    for (;;)
+        pause();
+}
+
+/// Without the interpreter's lock.
+class Unlocked {
+public:
+    Unlocked() : m_thread(PyEval_SaveThread()) {}
+    ~Unlocked() {
+        try {
+            PyEval_RestoreThread(m_thread);
+        } catch (abi::__forced_unwind&) {
+            wait_for_the_end();
+        }
+    }
+    Unlocked(const Unlocked&) = delete;
+    Unlocked& operator=(const Unlocked&) = delete;
+
+private:
+    PyThreadState* m_thread;
+};
+
 /// Runs work without the interpreter's lock, and asks Python from time to time whether to go on.
 class Watch {
 public:
@@ -54,13 +84,16 @@ public:
     /// False: there is an exception, or the caller's function said so. Called on any thread;
     /// signals are seen when it is Python's main thread, which works with the others.
     bool operator()(float share) {
-        const py::gil_scoped_acquire lock;
+        std::optional<py::gil_scoped_acquire> lock;
         try {
+            lock.emplace();
             if (PyErr_CheckSignals() != 0)
                 throw py::error_already_set();
             if (!m_progress.is_none() && m_progress(share).is(py::bool_(false)))
                 throw Cancelled("ddt: cancelled");
             return true;
+        } catch (abi::__forced_unwind&) {
+            wait_for_the_end();
         } catch (...) {
             m_exception = std::current_exception();
             return false;
@@ -115,7 +148,7 @@ void enlarge_array(const py::array& pixels, py::array& result, const std::string
     std::string error;
     ddt::Outcome outcome;
     {
-        const py::gil_scoped_release unlock;
+        const Unlocked unlocked;
         outcome = enlarge(work, error);
     }
     watch.rethrow();
@@ -131,7 +164,7 @@ py::array mesh_of(const py::array& pixels, const std::string& sample, const std:
     std::string error;
     bool done = false;
     {
-        const py::gil_scoped_release unlock;
+        const Unlocked unlocked;
         std::vector<float> values(work.window.area() * size_t(work.layout.channels));
         std::vector<float> guide(work.window.area());
         done = BufferSource(work).read(work.window, values.data(), guide.data());
@@ -140,6 +173,8 @@ py::array mesh_of(const py::array& pixels, const std::string& sample, const std:
                                        work.mesh, mesh, nullptr, &error, std::ref(watch));
     }
     watch.rethrow();
+    if (!done && error == "ddt: out of memory") // of ddt/mesh.h
+        throw std::bad_alloc();
     if (!done)
         throw py::value_error(error);
     py::array_t<int32_t> triangles({py::ssize_t(mesh.triangles.size()), py::ssize_t(3)});

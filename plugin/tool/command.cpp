@@ -66,9 +66,10 @@ public:
     }
 
     ExitCode parse_and_run(const std::vector<std::string>& args) {
+        const auto end_of_options = std::find(args.begin(), args.end(), "--");
         std::vector<const char*> pointers{"ddt"};
-        for (const std::string& arg : args)
-            pointers.push_back(arg.c_str());
+        std::for_each(args.begin(), end_of_options,
+                      [&](const std::string& arg) { pointers.push_back(arg.c_str()); });
         const int status = m_args.parse_args(int(pointers.size()), pointers.data());
         if (m_help) {
             m_args.print_help();
@@ -78,6 +79,8 @@ public:
             return wrong_option(m_args.geterror());
         if (!m_error.empty())
             return wrong(m_error);
+        if (end_of_options != args.end())
+            m_operands.insert(m_operands.end(), end_of_options + 1, args.end());
         const bool more = takes_more(m_command),
                    few = m_operands.size() < m_command.operands.size();
         if (few || (m_operands.size() > m_command.operands.size() && !more))

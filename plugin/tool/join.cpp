@@ -44,8 +44,7 @@ bool cannot_read(const PartFile& part, Failure& failure) {
 }
 
 bool is_allowed(const Rect& r) {
-    return !r.empty() && std::min(r.x0, r.y0) >= -largest_coordinate &&
-           std::max(r.x1, r.y1) <= largest_coordinate;
+    return !r.empty() && r.within_limits();
 }
 
 /// Bring the channels of part.spec, which a file sorts by name, into the whole's order.

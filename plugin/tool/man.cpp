@@ -45,7 +45,8 @@ std::string man_page(const std::vector<std::unique_ptr<Command>>& commands) {
     page += format(".SH NAME\nddt \\- {}\n.SH SYNOPSIS\n", about);
     for (const auto& command : commands)
         page += format(".B {}\n.br\n", escaped(usage(*command)));
-    page += ".B ddt \\-\\-help\n.br\n.B ddt \\-\\-version\n.SH COMMANDS\n";
+    page += ".B ddt \\-\\-help\n.br\n.B ddt \\-\\-version\n.SH COMMANDS\n"
+            "After \\-\\- all arguments are operands, whatever they begin with.\n";
     for (const auto& command : commands) {
         page += format(".SS {}\n{}.\n", escaped(usage(*command)), escaped(command->summary));
         for (const std::string& paragraph : command->paragraphs)

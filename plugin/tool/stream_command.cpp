@@ -40,11 +40,12 @@ public:
         paragraphs = {
             "Reads PAM, PPM, PGM or PFM pictures from the standard input, one after the other, and "
             "writes each enlarged to the standard output as soon as it is done, for pipes such as "
-            "ffmpeg -i in.mp4 -f image2pipe -c:v pam - | ddt stream --scale 2 | ffmpeg -f "
-            "image2pipe -c:v pam -i - out.mp4. One picture is read and one written while a third "
-            "is worked on.",
+            "ffmpeg -i in.mp4 -f image2pipe -c:v pam - | ddt stream --scale 2 | ffmpeg -framerate "
+            "24 -f image2pipe -c:v pam -i - out.mp4, with the video's own rate in place of 24. One "
+            "picture is read and one written while a third is worked on.",
             "Numbers of PAM, PPM and PGM are taken to be sRGB, those of PFM linear light; the "
-            "filter's option light= says otherwise. PAM's alpha is not associated."};
+            "filter's option light= says otherwise. PAM's alpha is not associated. Pictures of "
+            "other largest values than 255 and 65535 become such of 16 bits."};
         flags = {
             number_flag("--scale", "S", "by how much both sides grow (default: 2)", 1, 1024,
                         m_scale),

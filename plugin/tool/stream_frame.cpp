@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 #include "ddt/mapping.h"
 
@@ -100,6 +101,25 @@ void order_bytes(Frame& f) {
             std::reverse(f.pixels.begin() + ptrdiff_t(i), f.pixels.begin() + ptrdiff_t(i + size));
 }
 
+/// Values of another largest one, as those of 1 bit or 10, become such of 16 bits.
+void widen(Frame& f) {
+    const size_t size = host::size_of(f.sample());
+    std::vector<char> wide(f.pixels.size() / size * sizeof(uint16_t));
+    for (size_t i = 0; i < f.pixels.size() / size; ++i) {
+        uint16_t value = uint8_t(f.pixels[i * size]);
+        if (size > 1)
+            std::memcpy(&value, &f.pixels[i * size], size);
+        const auto largest = uint32_t(f.largest);
+        value = uint16_t((std::min(uint32_t(value), largest) * 65535 + largest / 2) / largest);
+        std::memcpy(&wide[i * sizeof value], &value, sizeof value);
+    }
+    f.pixels = std::move(wide);
+    f.largest = 65535;
+    const std::string black_and_white = "BLACKANDWHITE";
+    if (f.tuple_type.compare(0, black_and_white.size(), black_and_white) == 0)
+        f.tuple_type.replace(0, black_and_white.size(), "GRAYSCALE");
+}
+
 /// The row of the memory that is the stream's i-th: PFM's run upwards.
 char* row(Frame& f, int i) {
     const int y = f.is_float() ? f.height - 1 - i : i;
@@ -109,9 +129,9 @@ char* row(Frame& f, int i) {
 } // namespace
 
 host::Sample Frame::sample() const {
-    return is_float()       ? host::Sample::float32
-           : largest == 255 ? host::Sample::uint8
-                            : host::Sample::uint16;
+    return is_float()      ? host::Sample::float32
+           : largest < 256 ? host::Sample::uint8
+                           : host::Sample::uint16;
 }
 
 size_t Frame::row_bytes() const {
@@ -148,9 +168,9 @@ ReadResult read_frame(std::FILE* in, Frame& frame, std::string& error) {
         error = "the header is not one of a " + frame.magic + " picture of 1 to 4 channels";
         return ReadResult::failed;
     }
-    if (!frame.is_float() && frame.largest != 255 && frame.largest != 65535) {
-        error = "the largest value " + std::to_string(frame.largest) +
-                " is not allowed; allowed are 255 and 65535";
+    if (frame.tuple_type.compare(0, 4, "CMYK") == 0) {
+        error = "the tuple type " + frame.tuple_type +
+                " is not allowed; allowed are grey and RGB, with alpha or without";
         return ReadResult::failed;
     }
     frame.allocate();
@@ -167,6 +187,8 @@ ReadResult read_frame(std::FILE* in, Frame& frame, std::string& error) {
         }
     }
     order_bytes(frame);
+    if (!frame.is_float() && frame.largest != 255 && frame.largest != 65535)
+        widen(frame);
     return ReadResult::frame;
 }
 

@@ -12,7 +12,8 @@
 
 namespace ddt::tool {
 
-/// A picture with its header. Alpha is not associated (PAM's definition).
+/// A picture with its header. Alpha is not associated (PAM's definition). One whose largest value
+/// is neither 255 nor 65535 is read as one of 16 bits.
 struct Frame {
     std::string magic;      ///< "P7", "P6", "P5", "PF", "Pf"
     std::string tuple_type; ///< PAM's TUPLTYPE, may be empty

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Headers of parts: files that claim to be parts, of any windows, kinds of pixels and texts, join
 // to a whole of the size they say, or fail with one line and leave nothing.
+#include <iterator>
+
 #include <OpenImageIO/imageio.h>
 
 #include "plugin/tool/join.h"
@@ -18,6 +20,9 @@ namespace {
 bool write_part(Bytes& bytes, int index, const std::string& path) {
     constexpr OIIO::TypeDesc::BASETYPE types[] = {OIIO::TypeDesc::HALF, OIIO::TypeDesc::FLOAT,
                                                   OIIO::TypeDesc::UINT32};
+    constexpr const char* others[] = {"compression", "colorspace", "channels",
+                                      "date",        "profile",    "bits"};
+    constexpr const char* orders[] = {"B\nG\nR", "G\nR", "R\nR\nR", "R\nG\nB\nA", "\n\n"};
     OIIO::ImageSpec spec(40, 20, 3, OIIO::TypeHalf);
     spec.y = 20 * index;
     spec.full_height = 40;
@@ -25,7 +30,7 @@ bool write_part(Bytes& bytes, int index, const std::string& path) {
     std::string part = std::to_string(index + 1) + "/2", whole = "0 0 40 40", type = "half",
                 job = "job";
     for (int changes = bytes.below(4); changes > 0; --changes)
-        switch (bytes.below(12)) {
+        switch (bytes.below(13)) {
         case 0:
             spec.x = bytes.take<int8_t>();
             break;
@@ -62,8 +67,11 @@ bool write_part(Bytes& bytes, int index, const std::string& path) {
             spec.tile_height = bytes.below(5) * 16;
             break;
         case 11:
-            spec.attribute(bytes.coin() ? "ddt_part:compression" : "ddt_part:colorspace",
+            spec.attribute(std::string("ddt_part:") + others[bytes.below(int(std::size(others)))],
                            bytes.line(24));
+            break;
+        case 12: // of the file, or of another
+            spec.attribute("ddt_part:channels", orders[bytes.below(int(std::size(orders)))]);
             break;
         }
     spec.attribute("ddt_part:job", job);

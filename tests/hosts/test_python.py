@@ -134,6 +134,8 @@ def test_unassociated_alpha():
     (dict(scale=0.5), "scale 0.5"),
     (dict(scale=float("nan")), "scale nan"),
     (dict(size=(5, 500)), "must not be smaller"),
+    (dict(size=(0, 0)), "must not be smaller"),
+    (dict(size=(2**31, 500)), "nor larger"),
     (dict(scale=2, filter="ddtx"), "unknown filter"),
     (dict(scale=2, filter="ddt,blur=9"), "blur=9"),
     (dict(scale=2, light="dim"), "allowed are linear, encoded, sRGB"),
@@ -144,6 +146,24 @@ def test_errors_name_what_is_allowed(arguments, says):
     with pytest.raises(ValueError, match=says) as caught:
         oiio_ddt.enlarge(picture(), **arguments)
     assert str(caught.value).startswith("ddt: ") and "\n" not in str(caught.value)
+
+
+def test_a_mesh_has_the_same_errors():
+    with pytest.raises(ValueError, match="asociated"):
+        oiio_ddt.mesh(picture(), alpha="asociated")
+
+
+def test_a_daemon_thread_at_the_end_of_the_process():
+    program = ("import threading, time, numpy, oiio_ddt\n"
+               "image = numpy.random.default_rng(1).random((200, 200, 3), numpy.float32)\n"
+               "def work():\n"
+               "    while True:\n"
+               "        oiio_ddt.enlarge(image, 3, threads=2, progress=lambda share: True)\n"
+               "threading.Thread(target=work, daemon=True).start()\n"
+               "time.sleep(0.3)\n")
+    for _ in range(3):
+        done = subprocess.run([sys.executable, "-c", program], capture_output=True, check=False)
+        assert (done.returncode, done.stderr) == (0, b"")
 
 
 def test_arrays_that_are_no_image():

@@ -64,12 +64,22 @@ class Stream(support.Case):
     def test_what_is_no_picture_is_named(self):
         for data, says in ((b"GIF89a", b"frame 1: no picture begins here"),
                            (b"P6\n4 x\n", b"header"), (b"P7\nWIDTH 4\n", b"header"),
-                           (b"P6\n4 4\n1000\n", b"255 and 65535")):
+                           (b"P7\nWIDTH 1\nHEIGHT 1\nDEPTH 4\nMAXVAL 255\nTUPLTYPE CMYK\nENDHDR\n0000",
+                            b"CMYK is not allowed")):
             done = self.stream(data)
             self.assertEqual(done.returncode, 1)
             self.assertIn(says, done.stderr)
             self.assertEqual(done.stderr.count(b"\n"), 1)
         self.assertEqual(self.stream(b"", "--filter", "ddtx").returncode, 2)
+
+    def test_other_largest_values_become_16_bits(self):
+        pam = "P7\nWIDTH 2\nHEIGHT 1\nDEPTH 1\nMAXVAL {}\nTUPLTYPE {}\nENDHDR\n"
+        for sent, wanted in (
+                (pam.format(1, "BLACKANDWHITE").encode() + b"\0\1",
+                 pam.format(65535, "GRAYSCALE").encode() + b"\0\0\xff\xff"),
+                (b"P5\n2 1\n1000\n\1\xf4\3\xe8", b"P5\n2 1\n65535\n\x80\0\xff\xff")):
+            done = self.stream(sent, "--scale", "1")
+            self.assertEqual((done.returncode, done.stdout, done.stderr), (0, wanted, b""))
 
     def test_a_closed_pipe_ends_it(self):
         frame = b"P6\n300 300\n255\n" + bytes(270000)

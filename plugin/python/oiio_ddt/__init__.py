@@ -68,12 +68,10 @@ def enlarge(
     height, width = pixels.shape[:2]
     full = _full_size(width, height, scale, size)
     x0, y0, x1, y1 = _checked_roi(roi, full)
-    if alpha not in ("associated", "unassociated"):
-        raise ValueError(f'ddt: alpha "{alpha}" is not allowed; allowed are associated, '
-                         "unassociated")
+    associated = _is_associated(alpha)
     result = np.empty((y1 - y0, x1 - x0, pixels.shape[2]), pixels.dtype)
-    _ddt.enlarge(pixels, result, sample, full, (x0, y0), filter, light, alpha == "associated",
-                 int(threads), progress)
+    _ddt.enlarge(pixels, result, sample, full, (x0, y0), filter, light, associated,
+                 min(int(threads), 2**31 - 1), progress)
     result = _as_dtype(result, dtype)
     return result[..., 0] if np.ndim(array) == 2 else result
 
@@ -93,7 +91,7 @@ def mesh(
     towards y. Arguments and errors are those of enlarge(). Takes about 80 bytes a pixel meanwhile.
     """
     pixels, _, sample = _as_pixels(array)
-    return _ddt.mesh(pixels, sample, filter, light, alpha == "associated", progress)
+    return _ddt.mesh(pixels, sample, filter, light, _is_associated(alpha), progress)
 
 
 def _as_pixels(array: Any) -> Tuple[np.ndarray, np.dtype, str]:
@@ -124,11 +122,21 @@ def _as_dtype(result: np.ndarray, dtype: np.dtype) -> np.ndarray:
     return result.astype(dtype, copy=False)
 
 
+def _is_associated(alpha: str) -> bool:
+    if alpha not in ("associated", "unassociated"):
+        raise ValueError(f'ddt: alpha "{alpha}" is not allowed; allowed are associated, '
+                         "unassociated")
+    return alpha == "associated"
+
+
 def _full_size(width: int, height: int, scale: Any, size: Any) -> Tuple[int, int]:
     if (scale is None) == (size is None):
         raise ValueError("ddt: give either a scale or a size")
     if size is not None:
         full_width, full_height = (int(n) for n in size)
+        if not (width <= full_width <= 2**29 and height <= full_height <= 2**29):
+            raise ValueError(f"ddt: size {size} is not allowed; it must not be smaller than the "
+                             f"image, {width} x {height}, nor larger than 2**29")
         return full_width, full_height
     x, y = (scale, scale) if np.ndim(scale) == 0 else scale
     if not (1 <= x < 1e6 and 1 <= y < 1e6):

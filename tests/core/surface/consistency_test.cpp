@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/surface/consistency.h"
+#include "core/surface/consistency_rounds.h"
 
 #include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"

@@ -62,4 +62,14 @@ TEST(Parameters, EveryValueOfAnOptionCanBeSaidOfEveryFilter) {
             }
 }
 
+TEST(Parameters, BetweenNumbersThatStandForSomethingTheNearestCounts) {
+    for (const Parameter& p : parameters()) {
+        if (p.kind != OptionKind::real || p.initial != filters_own)
+            continue;
+        EXPECT_EQ(item(p, -0.5), "") << p.option->key;
+        EXPECT_EQ(item(p, -1.2), "") << p.option->key;
+        EXPECT_EQ(item(p, -1.9), item(p, p.low)) << p.option->key;
+    }
+}
+
 } // namespace

@@ -129,6 +129,26 @@ TEST_F(OpenFx, AScaleOfOneIsTheSource) {
     EXPECT_TRUE(effect->is_identity());
 }
 
+TEST_F(OpenFx, AnEndlessSourceIsTheResult) {
+    open(nuke, photograph(40, 30, 4, TypeDesc::FLOAT));
+    constexpr double all = 2147483647;
+    for (const RectD& region : {RectD{-all - 1, -all - 1, all, all}, RectD{0, 0, all, 100},
+                                RectD{-all - 1, -all - 1, all, 1080}}) {
+        effect->source_region = region;
+        RectD r{};
+        EXPECT_EQ(effect->region_of_definition(r), ddt::ofx::reply_default);
+        EXPECT_EQ(effect->region_of_interest({10, 20, 50, 40}, r), ddt::ofx::reply_default);
+        EXPECT_TRUE(effect->is_identity());
+    }
+    // A large one is asked about by columns and rows of tiles.
+    effect->source_region = {-1e6, -1e6, 1e6, 1e6};
+    RectD r{};
+    ASSERT_EQ(effect->region_of_interest({10, 20, 50, 40}, r), ddt::ofx::ok);
+    EXPECT_LE(r.x2 - r.x1, 1024);
+    EXPECT_LE(r.y2 - r.y1, 1024);
+    EXPECT_TRUE(r.x1 <= 5 && r.x2 >= 25 && r.y1 <= 10 && r.y2 >= 20);
+}
+
 TEST_F(OpenFx, DescribesItself) {
     open(nuke, photograph(40, 30, 4, TypeDesc::FLOAT));
     EXPECT_STREQ(host->plugin().identifier, "oiio-ddt:Enlarge");

@@ -96,6 +96,13 @@ TEST(Commands, WrongUsageIsExitCode2AndTellsWhatIsAllowed) {
     EXPECT_NE(ran.err.find("W%xH%"), std::string::npos) << ran.err;
 }
 
+TEST(Commands, AfterTwoHyphensAllIsOperands) {
+    const Ran ran = run(make_resize_command(), {"--filter", "ddt", "--", "--size.exr", "200%", "-"});
+    EXPECT_EQ(ran.code, exit_failed);
+    EXPECT_NE(ran.err.find("--size.exr"), std::string::npos) << ran.err;
+    EXPECT_EQ(run(make_resize_command(), {"a.exr", "--", "200%"}).code, exit_usage);
+}
+
 TEST(Commands, WhatCannotBeReadOrWrittenIsExitCode1AndNamed) {
     for (const Ran& ran : {run(make_mesh_command(), {"missing.png", temporary("a.ply")}),
                            run(make_resize_command(), {"missing.png", "2", temporary("a.png")}),
