@@ -97,7 +97,8 @@ TEST(Commands, WrongUsageIsExitCode2AndTellsWhatIsAllowed) {
 }
 
 TEST(Commands, AfterTwoHyphensAllIsOperands) {
-    const Ran ran = run(make_resize_command(), {"--filter", "ddt", "--", "--size.exr", "200%", "-"});
+    const Ran ran =
+        run(make_resize_command(), {"--filter", "ddt", "--", "--size.exr", "200%", "-"});
     EXPECT_EQ(ran.code, exit_failed);
     EXPECT_NE(ran.err.find("--size.exr"), std::string::npos) << ran.err;
     EXPECT_EQ(run(make_resize_command(), {"a.exr", "--", "200%"}).code, exit_usage);
