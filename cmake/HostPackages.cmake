@@ -25,7 +25,10 @@ endif()
 if(TARGET ddt_imagemagick)
   # Where the library looks for filters; its package makes the folder.
   file(GLOB folders ${MagickCore_LIBDIR}/ImageMagick-${MagickCore_VERSION}*/modules-Q*/filters)
-  file(RELATIVE_PATH DDT_FILTERS_FROM_LIB "${MagickCore_LIBDIR}" "${folders}")
+  set(DDT_FILTERS_FROM_LIB)
+  if(folders)
+    file(RELATIVE_PATH DDT_FILTERS_FROM_LIB "${MagickCore_LIBDIR}" "${folders}")
+  endif()
   if(DDT_FILTERS_FROM_LIB MATCHES "^ImageMagick-[^;]*/filters$")
     set(filters ${CMAKE_INSTALL_LIBDIR}/${DDT_FILTERS_FROM_LIB})
     install(TARGETS ddt_imagemagick LIBRARY DESTINATION ${filters}

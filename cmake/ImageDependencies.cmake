@@ -9,13 +9,15 @@ endif()
 
 # Debian's OpenImageIO names OpenCV's headers among its own, though nothing public uses them and
 # the package does not bring them along; CMake refuses folders that are not there.
-get_target_property(folders OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
-foreach(folder ${folders})
-  if(NOT EXISTS ${folder})
-    list(REMOVE_ITEM folders ${folder})
+get_target_property(ddt_folders OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
+foreach(ddt_folder IN LISTS ddt_folders)
+  if(IS_ABSOLUTE "${ddt_folder}" AND NOT EXISTS "${ddt_folder}")
+    list(REMOVE_ITEM ddt_folders "${ddt_folder}")
   endif()
 endforeach()
-set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${folders}")
+set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
+  INTERFACE_INCLUDE_DIRECTORIES "${ddt_folders}")
+unset(ddt_folders)
 
 # By pkg-config: Debian's CMake config of OpenColorIO names an include folder that is not there.
 pkg_check_modules(OpenColorIO REQUIRED IMPORTED_TARGET OpenColorIO>=2.1)

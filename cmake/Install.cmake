@@ -20,6 +20,16 @@ install(EXPORT oiio-ddt-targets NAMESPACE ddt:: DESTINATION ${package_dir})
 
 set(DDT_WITH_TBB ${TBB_FOUND})
 set(DDT_WITH_HIGHWAY ${HWY_FOUND})
+set(DDT_WITH_MODULES)
+if(HWY_FOUND)
+  string(APPEND DDT_WITH_MODULES " libhwy>=1.0")
+endif()
+if(GEOS_FOUND)
+  string(APPEND DDT_WITH_MODULES " geos>=3.6")
+endif()
+if(DDT_PLUGIN)
+  string(APPEND DDT_WITH_MODULES " OpenColorIO>=2.1")
+endif()
 configure_package_config_file(cmake/oiio-ddt-config.cmake.in oiio-ddt-config.cmake
   INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/oiio-ddt-config-version.cmake

@@ -4,6 +4,7 @@
 #
 # Everything that cannot go on ends in `die`, which says in plain words what is missing.
 
+unset CDPATH
 ddt_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 ddt_build=$ddt_root/build
 ddt_packages=$ddt_root/cmake/packages

@@ -2,10 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 # One image in N parts, and a job that joins them when all are there:
 #
-#   parts.sh N in.exr 800% out.exr [OPTIONS OF ddt resize]
+#   [CPUS=8] parts.sh N in.exr 800% out.exr [OPTIONS OF ddt resize]
 #
-# Prints the number of the joining job.
+# Prints the number of the joining job, which is cancelled where a part fails. CPUS: of each part, which
+# then has as many threads; without it Slurm gives one, and ddt takes all that it may run on.
 set -euo pipefail
+unset CDPATH
 here=$(cd "$(dirname "$0")" && pwd)
-parts=$(sbatch --parsable --array="1-$1" "$here/part.sbatch" "$@")
-sbatch --parsable --requeue --job-name=ddt-join --dependency="afterok:$parts" "$here/join.sbatch" "$1" "$4"
+parts=$(sbatch --parsable --array="1-$1" ${CPUS:+--cpus-per-task="$CPUS"} "$here/part.sbatch" "$@")
+sbatch --parsable --requeue --job-name=ddt-join --dependency="afterok:$parts" \
+    --kill-on-invalid-dep=yes "$here/join.sbatch" "$1" "$4"

@@ -109,5 +109,14 @@ for ((i = 0; i < 40; ++i)); do
     sleep 1
 done
 idiff -q one.exr out.exr || { echo "FAILED: four parts joined"; cat slurm-*.out; exit 1; }
-[ ! -e out.exr.part-1.exr ] || { echo "FAILED: parts are left over"; exit 1; }
+[ ! -e out.exr.part-1-of-4.exr ] || { echo "FAILED: parts are left over"; exit 1; }
 echo "four parts, joined after they were done: the same pixels"
+
+# Of parts that fail: the join does not wait for ever.
+join=$(CPUS=1 "$scripts/parts.sh" 2 whole.exr 100% out.exr --filter none)
+for ((i = 0; i < 40; ++i)); do
+    [ -z "$(squeue -h -j "$join" 2>/dev/null)" ] && break
+    sleep 1
+done
+[ -z "$(squeue -h -j "$join" 2>/dev/null)" ] || { echo "FAILED: the join of failed parts waits"; exit 1; }
+echo "two parts that failed: no join"

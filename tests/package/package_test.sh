@@ -14,10 +14,15 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 failed() { echo "FAILED: $*"; exit 1; }
 
-cpack --config "$build_dir/CPackConfig.cmake" -B "$work/cpack" >"$work/log" 2>&1 ||
+# By somebody careful: what others may not read is the package's folder alone.
+(umask 077 && cpack --config "$build_dir/CPackConfig.cmake" -B "$work/cpack" >"$work/log" 2>&1) ||
     { cat "$work/log"; exit 1; }
 deb=$(echo "$work"/cpack/oiio-ddt_*.deb)
 [ -f "$deb" ] || failed "no package: $(ls "$work/cpack")"
+for package in "$work"/cpack/*.deb; do
+    ! dpkg-deb -c "$package" | grep -vE '^(drwxr-xr-x|-rw[x-]r-[x-]r-[x-]|lrwxrwxrwx) ' ||
+        failed "$package: not for all users"
+done
 lintian --fail-on error,warning --allow-root --tag-display-limit 0 "$work"/cpack/*.deb ||
     failed "lintian complains"
 

@@ -9,8 +9,8 @@
 // The result is a function of the pixels and of these options alone: it has the same bits for
 // every number of threads, every instruction set, every device, every part of the output asked for.
 //
-// Nothing here throws; functions that can fail return false and describe why. All functions may be
-// called from several threads at once, with different destinations.
+// Nothing here throws; functions that can fail say so by what they return, and describe why. All
+// functions may be called from several threads at once, with different destinations.
 #pragma once
 
 #include <string>
