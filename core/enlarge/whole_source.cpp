@@ -43,7 +43,8 @@ Outcome WholeSource::fill(Source& source, const Job& job, int threads, std::stri
                            m_window.height(),
                            job.channels,
                            job.kinds.empty() ? nullptr : job.kinds.data(),
-                           true};
+                           true,
+                           threads};
     return fill_missing(image, job.holes, job.mesh, job.device, error) ? Outcome::done
                                                                        : Outcome::bad_job;
 }

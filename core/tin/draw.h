@@ -41,6 +41,24 @@ private:
     std::vector<int64_t> m_steps;
 };
 
+/// Of the columns x0 to x1 - 1 in the row at y leave those where none of the triangle's weights is
+/// negative: each is a whole number that grows or falls evenly along the row.
+inline void narrow(const Steps (&corner)[3], const PixelAxis& columns, int64_t y, int& x0,
+                   int& x1) {
+    const auto floor_divide = [](int64_t a, int64_t b) { // b > 0
+        return a / b - (a % b < 0 ? 1 : 0);
+    };
+    for (int k = 0; k < 3; ++k) {
+        const Steps p = corner[(k + 1) % 3], q = corner[(k + 2) % 3];
+        const int64_t rise = int64_t(p.y) - q.y;
+        const int64_t at_zero = (int64_t(q.x) - p.x) * (y - p.y) - rise * p.x;
+        if (rise > 0)
+            x0 = std::max(x0, columns.begin(-floor_divide(at_zero, rise)));
+        else if (rise < 0)
+            x1 = std::min(x1, columns.end(floor_divide(at_zero, -rise)));
+    }
+}
+
 /// Call f(triangle, covered) for every pixel within a triangle of positive orientation, its rim
 /// included; `owned` says that the pixel belongs to this one of several with the pixel on their
 /// rims: to the one that holds position + (d, d^2) for tiny d > 0, as core/lattice/locate.h has it.
@@ -56,8 +74,12 @@ void each_covered(const Steps (&corner)[3], const PixelAxis& columns, const Pixe
         bias[k] = q.y < p.y || (q.y == p.y && q.x > p.x) ? 0 : -1;
     }
     const int x0 = columns.begin(range_x.first), x1 = columns.end(range_x.second);
-    for (int j = rows.begin(range_y.first), end = rows.end(range_y.second); j < end; ++j)
-        for (int i = x0; i < x1; ++i) {
+    constexpr int wide = 16; // from there on what lies beside long thin triangles takes longest
+    for (int j = rows.begin(range_y.first), end = rows.end(range_y.second); j < end; ++j) {
+        int first = x0, last = x1;
+        if (x1 - x0 > wide)
+            narrow(corner, columns, rows[j], first, last);
+        for (int i = first; i < last; ++i) {
             const Steps at{int32_t(columns[i]), int32_t(rows[j])};
             int64_t w[3];
             for (int k = 0; k < 3; ++k)
@@ -70,6 +92,7 @@ void each_covered(const Steps (&corner)[3], const PixelAxis& columns, const Pixe
                        double(w[2]) / double(area)}},
               owned);
         }
+    }
 }
 
 /// Call f(triangle, covered) once for each pixel of the grid that mesh.triangles cover.

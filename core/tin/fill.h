@@ -16,7 +16,8 @@ struct HoledImage {
     float* guide;  ///< a float a pixel
     int width, height, channels;
     const Channel* kinds;
-    bool guide_too; ///< fill the guide as if it were a channel; else it is left as it is
+    bool guide_too;  ///< fill the guide as if it were a channel; else it is left as it is
+    int threads = 0; ///< that share the work, which has the same bits for any number; 0: all
 };
 
 /// A byte a pixel that is not 0 where it is missing: where a channel that is not Channel::nearest

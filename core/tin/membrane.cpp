@@ -3,8 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <thread>
+
+#include "core/base/arith.h"
+#include "core/base/parallel.h"
 
 namespace ddt {
 
@@ -86,6 +91,36 @@ void smooth(const Knot& knot, const Plane& plane) {
     *own = std::min(std::max(mean + over * (mean - *own), low), high);
 }
 
+/// All sweeps, each through the rows from the first to the last. One may run while those before it
+/// do, two rows behind: a row needs of the sweep before it that it is past the next row, and no
+/// more. All planes at once: the knots are what takes long to fetch.
+void sweep(const std::vector<Knot>& knots, const std::vector<Plane>& planes,
+           const HoledImage& image) {
+    const int height = image.height;
+    std::vector<size_t> first(size_t(height) + 1, knots.size()); // knot of each row
+    for (size_t k = knots.size(); k-- > 0;)
+        first[knots[k].pixel / size_t(image.width)] = k;
+    for (size_t y = size_t(height); y-- > 0;)
+        first[y] = std::min(first[y], first[y + 1]);
+    std::array<std::atomic<int>, sweeps> rows_done{};
+    std::atomic<int> begun{0};
+    const int threads = image.threads > 0 ? allowed_threads(image.threads) : usual_threads();
+    for_each_index(threads, sweeps, [&](int, int) {
+        // In the order that they are begun, so that who waits waits for one that runs.
+        const auto own = size_t(begun++);
+        const DenormalsAreZero mode; // whichever thread this is
+        for (int y = 0; y < height; ++y) {
+            const int needed = std::min(y + 2, height);
+            while (own > 0 && rows_done[own - 1].load(std::memory_order_acquire) < needed)
+                std::this_thread::yield();
+            for (size_t k = first[size_t(y)]; k < first[size_t(y) + 1]; ++k)
+                for (const Plane& plane : planes)
+                    smooth(knots[k], plane);
+            rows_done[own].store(y + 1, std::memory_order_release);
+        }
+    });
+}
+
 } // namespace
 
 void smooth_holes(const HoledImage& image, const std::vector<uint8_t>& filled,
@@ -100,11 +135,7 @@ void smooth_holes(const HoledImage& image, const std::vector<uint8_t>& filled,
                 {image.values + c, image.channels, ptrdiff_t(image.channels) * image.width});
     if (image.guide_too)
         planes.push_back({image.guide, 1, image.width});
-    // All planes at once: the knots are what takes long to fetch.
-    for (int i = 0; i < sweeps; ++i)
-        for (const Knot& knot : knots)
-            for (const Plane& plane : planes)
-                smooth(knot, plane);
+    sweep(knots, planes, image);
 }
 
 } // namespace ddt

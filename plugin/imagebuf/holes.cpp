@@ -9,6 +9,7 @@
 #include "plugin/image/source.h"
 #include "plugin/image/windows.h"
 #include "plugin/imagebuf/guarded.h"
+#include "plugin/imagebuf/resample.h"
 
 namespace ddt {
 
@@ -40,7 +41,7 @@ bool put_filled(const OIIO::ImageBuf& src, const float* values, OIIO::ImageBuf& 
 } // namespace
 
 bool fill_image(const OIIO::ImageBuf& src, const Options& options, Holes holes,
-                OIIO::ImageBuf& filled, std::string& error) {
+                OIIO::ImageBuf& filled, int nthreads, std::string& error) {
     if (holes == Holes::keep)
         return true;
     if (is_id_type(src.spec().format) || is_id_type(src.nativespec().format) || src.spec().deep)
@@ -53,8 +54,9 @@ bool fill_image(const OIIO::ImageBuf& src, const Options& options, Holes holes,
         return false;
     const Channels roles = channels_of(src.spec(), src.nativespec());
     std::vector<float> guide(window.area());
-    const HoledImage image{values.data(), guide.data(),       window.width(), window.height(),
-                           int(channels), roles.kinds.data(), false};
+    const HoledImage image{values.data(),   guide.data(),          window.width(),
+                           window.height(), int(channels),         roles.kinds.data(),
+                           false,           thread_count(nthreads)};
     std::vector<uint8_t> missing;
     if (!find_missing(image, holes, missing))
         return true;
@@ -87,7 +89,7 @@ bool fill(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options
             return false;
         OIIO::ImageBuf filled;
         const Holes holes = missing == Missing::alpha ? Holes::fill_alpha : Holes::fill;
-        if (!fill_image(from, options, holes, filled, error))
+        if (!fill_image(from, options, holes, filled, 0, error))
             return false;
         return dst.copy(filled.initialized() ? filled : from);
     });

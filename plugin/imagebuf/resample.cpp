@@ -38,13 +38,13 @@ Writing plan_writing(const Reading& reading, const OIIO::ImageBuf& src, const OI
     return writing;
 }
 
+} // namespace
+
 int thread_count(int nthreads) {
     if (nthreads <= 0)
         OIIO::getattribute("threads", nthreads);
-    return std::max(nthreads, 0); // 0: the core takes all
+    return std::max(nthreads, 0);
 }
-
-} // namespace
 
 bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& mapping,
               const OIIO::ROI& roi, const Options& options, int nthreads, std::string& error,

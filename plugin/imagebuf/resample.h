@@ -18,6 +18,9 @@ bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& map
               const OIIO::ROI& roi, const Options& options, int nthreads, std::string& error,
               Arrival* arrival = nullptr);
 
+/// Threads for `nthreads` as ddt/resize.h says; 0: the core takes all.
+int thread_count(int nthreads);
+
 /// resize() of ddt/resize.h, if there is an arrival while pixels of src are coming, which is then
 /// in local memory and not dst.
 bool resize_arriving(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, Arrival* arrival,

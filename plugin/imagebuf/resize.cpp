@@ -133,7 +133,7 @@ bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& given, Arrival* a
     if (arrival && !arrival->wait_for(given.roi().yend, error))
         return false;
     OIIO::ImageBuf filled;
-    if (!fill_image(given, options, options.holes, filled, error))
+    if (!fill_image(given, options, options.holes, filled, nthreads, error))
         return false;
     const OIIO::ImageBuf& src = filled.initialized() ? filled : given;
     if (grow_x || grow_y) {

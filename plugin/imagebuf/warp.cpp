@@ -119,7 +119,7 @@ bool warp_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fPara
     const bool moved = black && moves_only(to_output, dx, dy);
     if (moved || !black || shrinks(to_output, rect_of(src.roi()))) {
         OIIO::ImageBuf filled;
-        if (!fill_image(src, options, options.holes, filled, error))
+        if (!fill_image(src, options, options.holes, filled, nthreads, error))
             return false;
         const OIIO::ImageBuf& from = filled.initialized() ? filled : src;
         if (moved)

@@ -127,7 +127,7 @@ TEST(SmoothHoles, TakesStreaksAndLeavesEdgesAndRanges) {
             guide.push_back(step + noise);
         }
     values = guide;
-    HoledImage image{values.data(), guide.data(), side, side, 1, nullptr, false};
+    HoledImage image{values.data(), guide.data(), side, side, 1, nullptr, false, 1};
     smooth_holes(image, filled, known, guide);
     double rough = 0, was = 0;
     for (int y = 3; y < side - 3; ++y)
@@ -142,6 +142,14 @@ TEST(SmoothHoles, TakesStreaksAndLeavesEdgesAndRanges) {
     // Beside what was there nothing changes.
     for (int x = 1; x < side - 1; ++x)
         EXPECT_EQ(values[size_t(side + x)], guide[size_t(side + x)]);
+    // By many threads as by one.
+    const std::vector<float> smoothed = values;
+    for (const int threads : {1, 3, 8}) {
+        values = guide;
+        image.threads = threads;
+        smooth_holes(image, filled, known, guide);
+        EXPECT_EQ(values, smoothed) << threads;
+    }
     // What is not finite stays, and does not spread.
     values = guide;
     values[side * 10 + 5] = INFINITY;
