@@ -140,13 +140,12 @@ bool check_source(const OIIO::ImageBuf& src, std::string& error) {
 
 bool check_size(const OIIO::ROI& roi, int channels, OIIO::TypeDesc type, std::string& error) {
     const int64_t width = int64_t(roi.xend) - roi.xbegin, height = int64_t(roi.yend) - roi.ybegin;
-    const auto outside = [](int v) { return v < -largest_coordinate || v > largest_coordinate; };
     if (width < 1 || height < 1) {
         error =
             format("the output would be {} x {} pixels; at least 1 x 1 is needed", width, height);
         return false;
     }
-    if (outside(roi.xbegin) || outside(roi.xend) || outside(roi.ybegin) || outside(roi.yend)) {
+    if (!rect_of(roi).within_limits()) {
         error = format("the output would be {} x {} pixels; coordinates are allowed within +-{}",
                        width, height, largest_coordinate);
         return false;
