@@ -1,34 +1,36 @@
 # SPDX-License-Identifier: Apache-2.0
-# What the core needs, as the imported targets Threads::Threads, PkgConfig::HWY and (TBB_FOUND) TBB::tbb,
-# and what it can use, PkgConfig::GEOS. Used by this project, where DDT_HIGHWAY and DDT_TBB are the user's
+# What the core needs, as the imported targets Threads::Threads, PkgConfig::DDT_HWY and (DDT_TBB_FOUND) TBB::tbb,
+# and what it can use, PkgConfig::DDT_GEOS. Used by this project, where DDT_HIGHWAY and DDT_TBB are the user's
 # wishes and DDT_NEEDED is QUIET, and, installed, by those that link its libraries, where they say
-# what these were built with and DDT_NEEDED is REQUIRED.
+# what these were built with and DDT_NEEDED is REQUIRED. Names begin with DDT_, since those who link may
+# look for the same packages in ways of their own.
 find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)
-set(TBB_FOUND FALSE)
+set(DDT_TBB_FOUND FALSE)
 if(DDT_TBB)
   find_package(TBB ${DDT_NEEDED})
+  set(DDT_TBB_FOUND ${TBB_FOUND})
 endif()
-if(TBB_FOUND)
+if(DDT_TBB_FOUND)
   message(STATUS "oneTBB ${TBB_VERSION}")
 else()
   message(STATUS "oneTBB: left out; work is shared among threads that end with the call")
 endif()
-set(HWY_FOUND FALSE)
+set(DDT_HWY_FOUND FALSE)
 if(DDT_HIGHWAY)
-  pkg_check_modules(HWY ${DDT_NEEDED} IMPORTED_TARGET libhwy>=1.0)
+  pkg_check_modules(DDT_HWY ${DDT_NEEDED} IMPORTED_TARGET libhwy>=1.0)
 endif()
-if(HWY_FOUND)
-  message(STATUS "Highway ${HWY_VERSION}")
+if(DDT_HWY_FOUND)
+  message(STATUS "Highway ${DDT_HWY_VERSION}")
 else()
   message(STATUS "Highway: left out; one instruction set, the one that the compiler is told to use")
-  if(NOT TARGET PkgConfig::HWY)
-    add_library(PkgConfig::HWY INTERFACE IMPORTED)
+  if(NOT TARGET PkgConfig::DDT_HWY)
+    add_library(PkgConfig::DDT_HWY INTERFACE IMPORTED)
   endif()
 endif()
-pkg_check_modules(GEOS QUIET IMPORTED_TARGET geos>=3.6)
-if(GEOS_FOUND)
-  message(STATUS "GEOS ${GEOS_VERSION}: points can be triangulated, holes filled (ddt/points.h)")
+pkg_check_modules(DDT_GEOS QUIET IMPORTED_TARGET geos>=3.6)
+if(DDT_GEOS_FOUND)
+  message(STATUS "GEOS ${DDT_GEOS_VERSION}: points can be triangulated, holes filled (ddt/points.h)")
 else()
   message(STATUS "GEOS not found: points need triangles of their own (ddt/points.h)")
 endif()

@@ -53,7 +53,7 @@ if(TARGET ddt_openfx)
     COMPONENT openfx EXCLUDE_FROM_ALL)
 endif()
 # GEOS is opened by name, for `holes=fill` (plugin/host): where it is missing all else works.
-if(GEOS_FOUND)
+if(DDT_GEOS_FOUND)
   foreach(component GEGL PYTHON3 OPENFX)
     set(CPACK_DEBIAN_${component}_PACKAGE_SUGGESTS libgeos-c1v5)
   endforeach()

@@ -8,14 +8,6 @@
 
 namespace ddt {
 
-namespace {
-
-/// Source pixels from which a GPU gains over the CPU, when it must be opened first (a fifth of a
-/// second) and when it is open already.
-constexpr size_t worth_opening = 4'000'000, worth_using = 250'000;
-
-} // namespace
-
 bool find_place(const Job& job, Placement& placement, std::string& why) {
     placement = {};
     Device wanted;

@@ -3,6 +3,7 @@
 // offload_stub.cpp stands in where OpenGL's headers were missing when this was built.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "core/tiles/grid.h"
@@ -16,6 +17,10 @@ namespace ddt {
 namespace gl {
 struct Gpu;
 }
+
+/// Source pixels from which a GPU gains over the CPU, when it must be opened first (a fifth of a
+/// second) and when it is open already. The help of the option `device` tells them.
+constexpr size_t worth_opening = 4'000'000, worth_using = 250'000;
 
 /// Where a job is worked on.
 struct Placement {

@@ -321,6 +321,7 @@ bool join(const std::vector<std::string>& paths, const std::string& out,
     std::vector<char> rows(pixel * size_t(whole.width()) * size_t(height));
     for (int y0 = whole.y0; y0 < whole.y1; y0 += height) {
         const int y1 = std::min(y0 + height, whole.y1);
+        progress(float(y0 - whole.y0) / float(whole.height()));
         for (PartFile& part : parts)
             if (part.window.y0 < y1 && part.window.y1 > y0 &&
                 !copy_rows(part, y0, y1, type, pixel, rows.data(), failure))
@@ -333,9 +334,11 @@ bool join(const std::vector<std::string>& paths, const std::string& out,
             failure = file.failed();
             return false;
         }
-        progress(float(y1 - whole.y0) / float(whole.height()));
     }
-    return write_black(std::max(kept.y0, whole.y1), kept.y1) && file.commit(failure);
+    if (!write_black(std::max(kept.y0, whole.y1), kept.y1) || !file.commit(failure))
+        return false;
+    progress(1);
+    return true;
 }
 
 } // namespace ddt::tool

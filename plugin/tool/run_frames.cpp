@@ -46,8 +46,10 @@ public:
             const bool done = attempt(task, index, failure);
             lock.lock();
             m_taken -= memory;
-            show(index, 1);
             done ? void(++m_counts.written) : note(failure);
+            // Of a run that ends here nothing says that it was done.
+            if (!m_stopped)
+                show(index, 1);
             m_room.notify_all();
         }
     }
@@ -61,7 +63,8 @@ private:
                 task,
                 [&](float share) {
                     const std::lock_guard<std::mutex> guard(m_mutex);
-                    show(index, share);
+                    // The last hundredth is the file under its name.
+                    show(index, 0.99f * share);
                     return true;
                 },
                 failure);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/arith.h"
+#include "core/gl/offload.h"
 #include "ddt/core.h"
 #include "ddt/names.h"
 #include "ddt/option_table.h"
@@ -87,6 +88,12 @@ TEST(Options, EveryNamedValueIsOneAndItsOwn) {
             EXPECT_EQ(option.get(options), value.name);
             EXPECT_NE(std::string(value.help), "");
         }
+}
+
+TEST(Options, HelpTellsFromWhichSizesAGpuIsTaken) {
+    const std::string help = ddt::find_option("device")->values[0].help;
+    EXPECT_NE(help.find("from " + std::to_string(ddt::worth_using) + " pixels"), std::string::npos);
+    EXPECT_NE(help.find("or " + std::to_string(ddt::worth_opening) + " where"), std::string::npos);
 }
 
 TEST(Options, KeysReachTheFieldsTheyName) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "plugin/tool/run_frames.h"
 #include "plugin/tool/sequence.h"
 #include "tests/temporary.h"
 
@@ -76,6 +77,28 @@ TEST(Frames, TasksOfACommandLine) {
         EXPECT_NE(failure.why.find(c.said), std::string::npos) << failure.why;
         EXPECT_EQ(failure.code, c.code);
     }
+}
+
+TEST(Frames, OnlyWhatIsDoneIsSaidToBeDone) {
+    const std::vector<FrameTask> tasks = {{"first", ""}, {"second", ""}};
+    FrameRun frames;
+    frames.run = [](const FrameTask& task, const std::function<bool(float)>& progress,
+                    Failure& failure) {
+        progress(1);
+        failure.why = "second fails";
+        return task.in == "first";
+    };
+    const auto said = [&](bool keep_going, int failed) {
+        frames.keep_going = keep_going;
+        testing::internal::CaptureStderr();
+        Progress progress("frames", ProgressMode::lines);
+        EXPECT_EQ(run_frames(tasks, frames, progress).failed, failed);
+        return testing::internal::GetCapturedStderr();
+    };
+    const std::string stopped = said(false, 1), went_on = said(true, 1);
+    EXPECT_NE(stopped.find("ddt progress 95% frames"), std::string::npos) << stopped;
+    EXPECT_EQ(stopped.find("100%"), std::string::npos) << stopped;
+    EXPECT_NE(went_on.find("ddt progress 100% frames"), std::string::npos) << went_on;
 }
 
 } // namespace
