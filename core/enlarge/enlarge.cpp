@@ -4,6 +4,7 @@
 
 #include "core/base/guarded.h"
 #include "core/base/parallel.h"
+#include "core/base/progress.h"
 #include "core/base/verbose.h"
 #include "core/enlarge/whole_source.h"
 #include "core/gl/offload.h"
@@ -11,6 +12,7 @@
 #include "core/tiles/run.h"
 #include "core/tiles/tile_io.h"
 #include "core/tiles/work_on_cpu.h"
+#include "core/tin/fill.h"
 #include "ddt/core.h"
 #include "ddt/option_table.h"
 
@@ -77,22 +79,11 @@ void report(const Placement& placement, const std::string& failure, const Statis
         statistics.iterations, seconds * 1e3);
 }
 
-Outcome run(Source& given, Sink& sink, const Mapping& mapping, const Job& job, std::string& why) {
-    const auto begin = std::chrono::steady_clock::now();
-    Placement placement;
-    if (!find_place(job, placement, why))
-        return Outcome::device_unavailable;
-    WholeSource whole;
-    const bool fill = job.holes != Holes::keep;
-    if (const Outcome outcome =
-            fill ? whole.fill(given, job, thread_count(job), why) : Outcome::done;
-        outcome != Outcome::done)
-        return outcome;
-    Source& source = fill ? whole : given;
+/// Work on all tiles. failure: what the GPU failed at, if it did.
+Outcome work(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
+             const Placement& placement, Statistics& statistics, std::string& failure) {
     const Grid grid(job.window);
     Run run(job, grid.count());
-    Statistics statistics;
-    std::string failure;
     if (placement.gpu)
         failure = work_on_gpu(*placement.gpu, source, sink, mapping, job, grid, thread_count(job),
                               run, statistics);
@@ -102,10 +93,39 @@ Outcome run(Source& given, Sink& sink, const Mapping& mapping, const Job& job, s
         work_on_cpu(source, sink, mapping, job, grid, thread_count(job), run, statistics);
     if (job.statistics)
         *job.statistics = statistics;
+    return run.outcome();
+}
+
+Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, std::string& why) {
+    const auto begin = std::chrono::steady_clock::now();
+    Placement placement;
+    if (!find_place(job, placement, why))
+        return Outcome::device_unavailable;
+    Statistics statistics;
+    std::string failure;
+    Outcome outcome;
+    if (job.holes == Holes::keep) {
+        outcome = work(source, sink, mapping, job, placement, statistics, failure);
+    } else {
+        float filled = 0; // share done by then: none, where nothing is missing
+        Tell filling;
+        if (job.progress)
+            filling = [&](float share) {
+                filled = share_of_filling;
+                return job.progress(share * share_of_filling);
+            };
+        WholeSource whole;
+        outcome = whole.fill(source, job, thread_count(job), filling, why);
+        if (outcome != Outcome::done)
+            return outcome;
+        Job rest = job;
+        rest.progress = part_of(job.progress, filled, 1);
+        outcome = work(whole, sink, mapping, rest, placement, statistics, failure);
+    }
     if (verbose())
         report(placement, failure, statistics,
                std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-    return run.outcome();
+    return outcome;
 }
 
 } // namespace

@@ -16,7 +16,8 @@ constexpr int rows_at_once = 64;
 
 } // namespace
 
-Outcome WholeSource::fill(Source& source, const Job& job, int threads, std::string& error) {
+Outcome WholeSource::fill(Source& source, const Job& job, int threads, const Tell& progress,
+                          std::string& error) {
     m_window = job.window;
     m_channels = size_t(job.channels);
     if (m_window.area() > size_t(std::numeric_limits<int>::max())) {
@@ -45,8 +46,13 @@ Outcome WholeSource::fill(Source& source, const Job& job, int threads, std::stri
                            job.kinds.empty() ? nullptr : job.kinds.data(),
                            true,
                            threads};
-    return fill_missing(image, job.holes, job.mesh, job.device, error) ? Outcome::done
-                                                                       : Outcome::bad_job;
+    bool cancelled = false;
+    Tell telling;
+    if (progress)
+        telling = [&](float share) { return !(cancelled = !progress(share)); };
+    if (fill_missing(image, job.holes, job.mesh, job.device, telling, error))
+        return Outcome::done;
+    return cancelled ? Outcome::cancelled : Outcome::bad_job;
 }
 
 bool WholeSource::read(const Rect& r, float* values, float* guide) {

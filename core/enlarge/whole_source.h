@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "ddt/job.h"
 
 namespace ddt {
@@ -13,8 +14,10 @@ namespace ddt {
 class WholeSource final : public Source {
 public:
     /// Read the job's window of `source` on so many threads and fill what is missing, as Job::holes
-    /// says. Not Outcome::done: with one line in `error`, or none if the source failed.
-    Outcome fill(Source& source, const Job& job, int threads, std::string& error);
+    /// says; `progress` in place of the job's own, not called if nothing is missing. Not
+    /// Outcome::done: with one line in `error`, or none if the source failed or it was cancelled.
+    Outcome fill(Source& source, const Job& job, int threads, const Tell& progress,
+                 std::string& error);
     bool read(const Rect& r, float* values, float* guide) override;
 
 private:

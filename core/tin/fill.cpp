@@ -16,13 +16,16 @@ namespace {
 /// those that a hole's edges depend on, and a few that tell them where to go.
 constexpr int margin = 6;
 
+/// Of the time that filling takes, about: when edges begin to flip, and when smoothing begins.
+constexpr float flips_begin = 0.1f, smoothing_begins = 0.35f;
+
 class Filler {
 public:
     Filler(const HoledImage& image, const uint8_t* missing)
         : m_image(image), m_width(image.width), m_height(image.height),
           m_channels(size_t(image.channels)), m_missing(missing) {}
 
-    bool fill(const MeshOptions& options, Device device, std::string& error) {
+    bool fill(const MeshOptions& options, Device device, const Tell& progress, std::string& error) {
         const size_t size = size_t(m_width) * size_t(m_height);
         const auto count = size_t(std::count_if(m_missing, m_missing + size, is_set));
         if (count == 0)
@@ -31,15 +34,20 @@ public:
             error = "ddt: no pixel is there to fill the others from";
             return false;
         }
+        const Tell flipping = part_of(progress, flips_begin, smoothing_begins);
+        const Tell smoothing = part_of(progress, smoothing_begins, 1);
         collect();
         m_surface.assign(m_image.guide, m_image.guide + size);
         std::vector<uint8_t> inside(size, 0);
         if (spans_plane() &&
             !(delaunay(m_mesh, &error) &&
-              optimise(m_mesh, m_guides.data(), options, nullptr, &error, {}, device) &&
+              optimise(m_mesh, m_guides.data(), options, nullptr, &error, flipping, device) &&
               interpolate(inside.data(), error)))
             return false;
-        smooth(inside);
+        if (!smooth(inside, smoothing)) {
+            error = "ddt: cancelled";
+            return false;
+        }
         spread(inside);
         return true;
     }
@@ -116,7 +124,7 @@ private:
                           });
     }
 
-    void smooth(const std::vector<uint8_t>& inside) {
+    bool smooth(const std::vector<uint8_t>& inside, const Tell& progress) {
         std::vector<uint8_t> filled(inside.size()), known(inside.size());
         for (size_t i = 0; i < inside.size(); ++i) {
             filled[i] = m_missing[i] && inside[i];
@@ -124,7 +132,7 @@ private:
             if (filled[i] && m_image.guide_too)
                 m_image.guide[i] = m_surface[i];
         }
-        smooth_holes(m_image, filled, known, m_surface);
+        return smooth_holes(m_image, filled, known, m_surface, progress);
     }
 
     /// Give missing pixels outside all triangles the value of the nearest that has one, counted in
@@ -179,17 +187,17 @@ private:
 } // namespace
 
 bool fill_holes(const HoledImage& image, const uint8_t* missing, const MeshOptions& options,
-                Device device, std::string& error) {
-    return Filler(image, missing).fill(options, device, error);
+                Device device, const Tell& progress, std::string& error) {
+    return Filler(image, missing).fill(options, device, progress, error);
 }
 
 bool fill_holes(float* values, int width, int height, int channels, const Channel* kinds,
                 const float* guide, const uint8_t* missing, const MeshOptions& options,
-                std::string* error) {
+                std::string* error, const std::function<bool(float)>& progress) {
     return succeeds(error, [&](std::string& why) {
         const HoledImage image{values, const_cast<float*>(guide), width, height, channels, kinds,
                                false};
-        return fill_holes(image, missing, options, Device::automatic, why);
+        return fill_holes(image, missing, options, Device::automatic, progress, why);
     });
 }
 

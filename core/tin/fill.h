@@ -6,9 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "ddt/points.h"
 
 namespace ddt {
+
+/// Of the time of a job whose holes are filled before, about.
+constexpr float share_of_filling = 0.5f;
 
 /// A whole image in memory. `kinds` may be null: all channels are Channel::blend.
 struct HoledImage {
@@ -26,12 +30,13 @@ bool find_missing(const HoledImage& image, Holes holes, std::vector<uint8_t>& mi
 
 /// fill_holes() of ddt/points.h. May throw.
 bool fill_holes(const HoledImage& image, const uint8_t* missing, const MeshOptions& options,
-                Device device, std::string& error);
+                Device device, const Tell& progress, std::string& error);
 
 /// Find and fill what is missing; a pixel that lacks some channels keeps the others. Edges flip by
 /// the cost's own min_gain, and by Scheme::look_ahead where the scheme is one_round, which is meant
-/// for pictures. False with one line in `error`. May throw.
+/// for pictures. `progress` is not called if nothing is missing. False with one line in `error`;
+/// then pixels that are missing may be anything. May throw.
 bool fill_missing(const HoledImage& image, Holes holes, const MeshOptions& options, Device device,
-                  std::string& error);
+                  const Tell& progress, std::string& error);
 
 } // namespace ddt

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <mutex>
 #include <thread>
 
 #include "core/base/arith.h"
@@ -93,9 +94,9 @@ void smooth(const Knot& knot, const Plane& plane) {
 
 /// All sweeps, each through the rows from the first to the last. One may run while those before it
 /// do, two rows behind: a row needs of the sweep before it that it is past the next row, and no
-/// more. All planes at once: the knots are what takes long to fetch.
-void sweep(const std::vector<Knot>& knots, const std::vector<Plane>& planes,
-           const HoledImage& image) {
+/// more. All planes at once: the knots are what takes long to fetch. False: cancelled.
+bool sweep(const std::vector<Knot>& knots, const std::vector<Plane>& planes,
+           const HoledImage& image, const Tell& progress) {
     const int height = image.height;
     std::vector<size_t> first(size_t(height) + 1, knots.size()); // knot of each row
     for (size_t k = knots.size(); k-- > 0;)
@@ -103,13 +104,22 @@ void sweep(const std::vector<Knot>& knots, const std::vector<Plane>& planes,
     for (size_t y = size_t(height); y-- > 0;)
         first[y] = std::min(first[y], first[y + 1]);
     std::array<std::atomic<int>, sweeps> rows_done{};
-    std::atomic<int> begun{0};
+    std::mutex mutex; // of what follows
+    size_t begun = 0;
+    std::atomic<bool> going{true};
+    // In the order that they are begun, so that who waits waits for one that runs; only then, since
+    // `progress` may throw.
+    const auto begin = [&] {
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (going && progress && !progress(float(begun) / float(sweeps)))
+            going = false;
+        return begun++;
+    };
     const int threads = image.threads > 0 ? allowed_threads(image.threads) : usual_threads();
     for_each_index(threads, sweeps, [&](int, int) {
-        // In the order that they are begun, so that who waits waits for one that runs.
-        const auto own = size_t(begun++);
+        const size_t own = begin();
         const DenormalsAreZero mode; // whichever thread this is
-        for (int y = 0; y < height; ++y) {
+        for (int y = 0; y < height && going; ++y) {
             const int needed = std::min(y + 2, height);
             while (own > 0 && rows_done[own - 1].load(std::memory_order_acquire) < needed)
                 std::this_thread::yield();
@@ -118,16 +128,19 @@ void sweep(const std::vector<Knot>& knots, const std::vector<Plane>& planes,
                     smooth(knots[k], plane);
             rows_done[own].store(y + 1, std::memory_order_release);
         }
+        rows_done[own].store(height, std::memory_order_release);
     });
+    return going;
 }
 
 } // namespace
 
-void smooth_holes(const HoledImage& image, const std::vector<uint8_t>& filled,
-                  const std::vector<uint8_t>& known, const std::vector<float>& guide) {
+bool smooth_holes(const HoledImage& image, const std::vector<uint8_t>& filled,
+                  const std::vector<uint8_t>& known, const std::vector<float>& guide,
+                  const Tell& progress) {
     const std::vector<Knot> knots = list_knots(image, filled, known, guide);
     if (knots.empty())
-        return;
+        return true;
     std::vector<Plane> planes;
     for (int c = 0; c < image.channels; ++c)
         if (!image.kinds || image.kinds[c] != Channel::nearest)
@@ -135,7 +148,7 @@ void smooth_holes(const HoledImage& image, const std::vector<uint8_t>& filled,
                 {image.values + c, image.channels, ptrdiff_t(image.channels) * image.width});
     if (image.guide_too)
         planes.push_back({image.guide, 1, image.width});
-    sweep(knots, planes, image);
+    return sweep(knots, planes, image, progress);
 }
 
 } // namespace ddt

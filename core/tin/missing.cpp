@@ -45,7 +45,7 @@ bool find_missing(const HoledImage& image, Holes holes, std::vector<uint8_t>& mi
 }
 
 bool fill_missing(const HoledImage& image, Holes holes, const MeshOptions& options, Device device,
-                  std::string& error) {
+                  const Tell& progress, std::string& error) {
     std::vector<uint8_t> missing;
     if (!find_missing(image, holes, missing))
         return true;
@@ -55,7 +55,7 @@ bool fill_missing(const HoledImage& image, Holes holes, const MeshOptions& optio
     for (size_t i = 0; i < missing.size(); ++i)
         if (missing[i])
             had.insert(had.end(), image.values + i * channels, image.values + (i + 1) * channels);
-    if (!fill_holes(image, missing.data(), for_holes(options), device, error))
+    if (!fill_holes(image, missing.data(), for_holes(options), device, progress, error))
         return false;
     const float* old = had.data();
     for (size_t i = 0; i < missing.size(); ++i) {

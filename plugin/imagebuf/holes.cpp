@@ -74,7 +74,7 @@ bool fill_image(const OIIO::ImageBuf& src, const Options& options, Holes holes,
             return false;
         }
     }
-    if (!fill_missing(image, holes, options.mesh, options.device, error))
+    if (!fill_missing(image, holes, options.mesh, options.device, options.progress, error))
         return false;
     if (!filled.copy(src)) {
         error = filled.geterror();

@@ -9,7 +9,8 @@
 namespace ddt {
 
 /// Make `filled` the image with its holes filled by options.mesh, whatever options.holes says;
-/// leave it uninitialised where there are none. False with one line in `error`.
+/// leave it uninitialised where there are none, and options.progress is not called. False with one
+/// line in `error`.
 bool fill_image(const OIIO::ImageBuf& src, const Options& options, Holes holes,
                 OIIO::ImageBuf& filled, int nthreads, std::string& error);
 

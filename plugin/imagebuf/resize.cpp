@@ -6,6 +6,8 @@
 #include <OpenImageIO/imagebufalgo_util.h>
 #include <OpenImageIO/strutil.h>
 
+#include "core/base/progress.h"
+#include "core/tin/fill.h"
 #include "plugin/image/channels.h"
 #include "plugin/image/reading.h"
 #include "plugin/image/windows.h"
@@ -73,11 +75,8 @@ bool enlarge_then_shrink_in_bands(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src
         (shrink_x ? part.yend : part.xend) = at + n;
         Options of_part = options;
         of_part.statistics = &of_band;
-        if (options.progress)
-            of_part.progress = [&](float share) {
-                return options.progress((float(at - begin) + share * float(n)) /
-                                        float(end - begin));
-            };
+        const auto share_at = [&](int y) { return float(y - begin) / float(end - begin); };
+        of_part.progress = part_of(options.progress, share_at(at), share_at(at + n));
         if (!enlarge_then_shrink(dst, src, part, shrink_x, of_part, nthreads, error))
             return false;
         all += of_band;
@@ -132,13 +131,18 @@ bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& given, Arrival* a
     }
     if (arrival && !arrival->wait_for(given.roi().yend, error))
         return false;
+    const bool grow = grow_x || grow_y;
+    Options of_holes = options;
+    of_holes.progress = part_of(options.progress, 0, grow ? share_of_filling : 1);
     OIIO::ImageBuf filled;
-    if (!fill_image(given, options, options.holes, filled, nthreads, error))
+    if (!fill_image(given, of_holes, options.holes, filled, nthreads, error))
         return false;
     const OIIO::ImageBuf& src = filled.initialized() ? filled : given;
-    if (grow_x || grow_y) {
+    if (grow) {
         Options of_filled = options;
         of_filled.holes = Holes::keep;
+        of_filled.progress =
+            part_of(options.progress, filled.initialized() ? share_of_filling : 0, 1);
         return enlarge_then_shrink_in_bands(dst, src, roi, shrink_x, of_filled, nthreads, error);
     }
     if (!shrink_x && !shrink_y)

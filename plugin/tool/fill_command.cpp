@@ -6,6 +6,7 @@
 #include "plugin/tool/fit_format.h"
 #include "plugin/tool/image_file.h"
 #include "plugin/tool/picture.h"
+#include "plugin/tool/progress.h"
 
 namespace ddt::tool {
 
@@ -62,7 +63,10 @@ public:
         if (!open_image(values[0], image, failure.why))
             return fail(failure.why, code_of_message(failure.why));
         const Missing missing = m_missing == "alpha" ? Missing::alpha : Missing::nan;
+        Progress progress("filling");
+        m_options.progress = std::ref(progress);
         if (!ddt::fill(filled, image, m_options, missing)) {
+            progress.hide();
             failure.why = filled.geterror();
             return fail(failure.why, code_of_message(failure.why));
         }

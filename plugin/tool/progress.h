@@ -3,7 +3,6 @@
 #pragma once
 
 #include <chrono>
-#include <functional>
 #include <string>
 
 namespace ddt::tool {
@@ -45,10 +44,5 @@ private:
     const Clock::time_point m_begin = Clock::now();
     int m_shown = -1; ///< percent
 };
-
-/// A share of the whole from `from` to `to` as that of a step within it.
-inline std::function<bool(float)> step(Progress& progress, float from, float to) {
-    return [&progress, from, to](float share) { return progress(from + share * (to - from)); };
-}
 
 } // namespace ddt::tool

@@ -47,8 +47,7 @@ namespace ddt {
 /// the OCIO config.
 struct Options : FilterOptions {
     /// Called now and then with the share done (0..1), one thread at a time; return false to
-    /// cancel, which is a failure. Not called by fill(), nor for what is OpenImageIO's own work or
-    /// a copy.
+    /// cancel, which is a failure. Not called for what is OpenImageIO's own work or a copy.
     std::function<bool(float)> progress;
     Statistics* statistics = nullptr; ///< filled in when not null and a mesh was made
 };

@@ -5,6 +5,7 @@
 #include "core/tin/fill.h"
 #include "core/tin/membrane.h"
 #include "tests/core/helpers.h"
+#include "tests/many_threads.h"
 
 namespace ddt::test {
 namespace {
@@ -36,22 +37,25 @@ public:
     std::vector<float> values = std::vector<float>(4 * width * height * channels);
 };
 
-/// Twice as large; true if that was done.
-bool twice(Source& source, Holes holes, Device device, std::vector<float>& result,
-           std::string& error) {
+/// Twice as large.
+Outcome twice(Source& source, Holes holes, Device device, std::vector<float>& result,
+              std::string& error, const std::function<bool(float)>& progress = {},
+              int threads = 0) {
     Job job;
     job.window = {0, 0, width, height};
     job.channels = channels;
     job.kinds = {Channel::blend, Channel::nearest, Channel::alpha};
     job.holes = holes;
     job.device = device;
+    job.progress = progress;
+    job.threads = threads;
     Kept sink;
-    const bool done = enlarge(source, sink,
-                              ResizeMapping(ResizeMapping::Axis::whole(width, 2 * width),
-                                            ResizeMapping::Axis::whole(height, 2 * height)),
-                              job, &error) == Outcome::done;
+    const Outcome outcome = enlarge(source, sink,
+                                    ResizeMapping(ResizeMapping::Axis::whole(width, 2 * width),
+                                                  ResizeMapping::Axis::whole(height, 2 * height)),
+                                    job, &error);
     result = sink.values;
-    return done;
+    return outcome;
 }
 
 Plain picture() {
@@ -88,7 +92,7 @@ TEST(JobHoles, AreFilledAsFillHolesDoesAndTheMeshSeesThemSo) {
         ASSERT_TRUE(fill_missing(
             {filled.values.data(), filled.guide.data(), width, height, channels,
              std::vector{Channel::blend, Channel::nearest, Channel::alpha}.data(), true},
-            holes, MeshOptions(), Device::cpu, error))
+            holes, MeshOptions(), Device::cpu, {}, error))
             << error;
         for (size_t i = 0; i < filled.guide.size(); ++i) {
             EXPECT_TRUE(std::isfinite(filled.guide[i]));
@@ -105,11 +109,51 @@ TEST(JobHoles, AreFilledAsFillHolesDoesAndTheMeshSeesThemSo) {
         EXPECT_TRUE(std::isnan(filled.values[9 * channels + 1]));
         filled.values[9 * channels + 1] = holed.values[9 * channels + 1] = 4;
         std::vector<float> a, b;
-        ASSERT_TRUE(twice(holed, holes, Device::cpu, a, error)) << error;
-        ASSERT_TRUE(twice(filled, Holes::keep, Device::cpu, b, error)) << error;
+        ASSERT_EQ(twice(holed, holes, Device::cpu, a, error), Outcome::done) << error;
+        ASSERT_EQ(twice(filled, Holes::keep, Device::cpu, b, error), Outcome::done) << error;
         EXPECT_EQ(a, b);
         holed.values[9 * channels + 1] = std::nanf("");
     }
+}
+
+TEST(JobHoles, ProgressRisesAndCancelsAtAnyCall) {
+    if (!has_delaunay())
+        GTEST_SKIP() << "built without GEOS";
+    Plain holed = picture();
+    for (int y = 20; y < 41; ++y)
+        for (int x = 30; x < 49; ++x)
+            holed.values[size_t(y * width + x) * channels] = std::nanf("");
+    const ManyThreads allowed;
+    std::vector<float> shares;
+    // Returns the outcome; `last`: the call that cancels.
+    const auto run = [&](Holes holes, size_t last, std::vector<float>& result, std::string& error) {
+        shares.clear();
+        return twice(
+            holed, holes, Device::cpu, result, error,
+            [&](float share) {
+                shares.push_back(share);
+                return shares.size() < last;
+            },
+            3);
+    };
+    std::vector<float> unwatched, watched;
+    std::string error;
+    ASSERT_EQ(twice(holed, Holes::fill, Device::cpu, unwatched, error), Outcome::done) << error;
+    ASSERT_EQ(run(Holes::fill, SIZE_MAX, watched, error), Outcome::done) << error;
+    EXPECT_EQ(watched, unwatched);
+    const size_t calls = shares.size();
+    EXPECT_GT(calls, 100u);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_EQ(shares.back(), 1.0f);
+    for (const size_t last : {size_t(1), size_t(2), calls / 2, calls - 1, calls}) {
+        EXPECT_EQ(run(Holes::fill, last, watched, error), Outcome::cancelled) << last;
+        EXPECT_EQ(error, "ddt: cancelled");
+        EXPECT_EQ(shares.size(), last);
+    }
+    // Where nothing is missing nothing is said to have been filled.
+    holed = picture();
+    ASSERT_EQ(run(Holes::fill, SIZE_MAX, watched, error), Outcome::done) << error;
+    EXPECT_EQ(shares, std::vector<float>{1.0f});
 }
 
 /// A step across a hole 24 pixels wide, and noise on its rim.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <mutex>
 #include <thread>
 
+#include "ddt/points.h"
 #include "tests/many_threads.h"
 #include "tests/plugin/images.h"
 
@@ -121,6 +123,39 @@ TEST(Progress, WarpAndMixedResizeToo) {
     EXPECT_FALSE(ddt::warp(turned, src, m, options, true));
     EXPECT_EQ(turned.geterror(), "ddt: cancelled");
     EXPECT_FALSE(turned.initialized());
+}
+
+TEST(Progress, FillingToo) {
+    if (!ddt::has_delaunay())
+        GTEST_SKIP() << "built without GEOS";
+    auto src = make(80, 60, 3, OIIO::TypeFloat);
+    images::fill(src, [](int x, int y, int) {
+        return x > 30 && x < 50 && y > 20 && y < 40 ? std::nanf("") : float(x + y) / 200;
+    });
+    for (const OIIO::ROI& to : {window(0, 160, 0, 120), window(0, 160, 0, 30), window(0, 40, 0, 30),
+                                window(0, 80, 0, 60), OIIO::ROI()}) {
+        std::vector<float> shares;
+        size_t most = SIZE_MAX;
+        ddt::Options options;
+        options.holes = ddt::Holes::fill;
+        options.progress = [&](float share) {
+            shares.push_back(share);
+            return shares.size() < most;
+        };
+        const auto done = [&](images::ImageBuf& dst) {
+            shares.clear();
+            return to.defined() ? ddt::resize(dst, src, options, to, 2)
+                                : ddt::fill(dst, src, options);
+        };
+        images::ImageBuf dst, cancelled;
+        ASSERT_TRUE(done(dst)) << dst.geterror();
+        EXPECT_GT(shares.size(), 100u);
+        EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+        most = shares.size() / 3;
+        EXPECT_FALSE(done(cancelled));
+        EXPECT_EQ(cancelled.geterror(), "ddt: cancelled");
+        EXPECT_FALSE(cancelled.initialized());
+    }
 }
 
 } // namespace

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Progress of work that is a part of other work.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+
+namespace ddt {
+
+/// What tells progress: a share done, 0 to 1, is given to it, and false returned to cancel. May be
+/// empty.
+using Tell = std::function<bool(float)>;
+
+/// For work that is the part of the whole from the share `from` to the share `to`. Empty if `whole`
+/// is, which must stay where it is.
+inline Tell part_of(const Tell& whole, float from, float to) {
+    if (!whole)
+        return {};
+    return [&whole, from, to](float share) {
+        return whole(share < 1 ? std::min(from + share * (to - from), to) : to);
+    };
+}
+
+} // namespace ddt
