@@ -87,7 +87,7 @@ void touch(int list, int m) {
 
 // Where the work on a tile is: the same in all invocations. Numbers of entries that are shared are
 // kept with it between dispatches.
-const uint begins = 0, in_rounds = 1, ended = PROGRESS_ENDED;
+const uint begins = 0, in_rounds = 1, ended = PROGRESS_ENDED, stuck = PROGRESS_STUCK;
 uint phase, rounds, first, waiting;
 int iteration;
 
@@ -201,6 +201,9 @@ void treat_a_round(int list) {
                 stamp[region[k]] = rejected;
     }
     first = n_selected;
+    // The first in order is accepted, if the device computes right.
+    if (n_waiting >= waiting)
+        phase = stuck;
     waiting = n_waiting;
 }
 
@@ -238,7 +241,7 @@ void main() {
     begin_reach();
     synchronize();
     uint turns = 0;
-    while (phase != ended) {
+    while (phase != ended && phase != stuck) {
         uint ahead = turns_ahead(tile);
         if (turns > 0 && turns + ahead > uint(progress.y))
             break;

@@ -37,7 +37,9 @@ Surroundings surroundings() {
     precise vec4 spread = (s.most - s.least) * 25.0 + index_epsilon;
     precise vec4 r = rsqrt(3, spread);
     precise vec4 reciprocal = r * r;
-    s.reciprocal = reciprocal;
+    // Of ranges of 1e36 and more that is a denormal float, if not zero as in the C++ twin: some devices
+    // have them. It is one where r is nearer to zero than 2^-63.
+    s.reciprocal = if_less(abs(r), vec4(uintBitsToFloat(0x20000000u)), vec4(0.0), reciprocal);
     return s;
 }
 

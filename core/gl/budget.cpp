@@ -2,7 +2,11 @@
 #include "core/gl/budget.h"
 
 #include <algorithm>
+#include <string>
 
+#include <unistd.h>
+
+#include "core/gl/context/failure.h"
 #include "core/gl/travel.h"
 #include "core/surface/net.h"
 #include "core/tiles/grid.h"
@@ -13,6 +17,19 @@ namespace {
 
 /// Device memory for tiles in flight. A software renderer's is the machine's own.
 constexpr size_t hardware_budget = size_t(2) << 30, software_budget = size_t(256) << 20;
+
+/// So is that of a GPU within a processor, which OpenGL does not tell from others: no more than
+/// this share of what the machine has.
+constexpr size_t share_of_machine = 16;
+
+size_t budget_of(const Gpu& gpu) {
+    if (gpu.context->software)
+        return software_budget;
+    const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
+    if (pages <= 0 || page <= 0)
+        return hardware_budget;
+    return std::min(hardware_budget, size_t(pages) / share_of_machine * size_t(page));
+}
 
 } // namespace
 
@@ -34,9 +51,11 @@ size_t affordable_tiles(const Gpu& gpu, const SlotShape& shape, int groups,
     const size_t largest = std::max(
         slots * std::max(DeviceMesh::largest_bytes(shape), Surfaces::largest_bytes(shape, options)),
         numbers);
-    const size_t budget = gpu.context->software ? software_budget : hardware_budget;
-    const size_t n = std::min(
-        {budget / a_tile, gpu.block_limit / largest, size_t(tiles), size_t(max_tiles) / slots});
+    if (largest > gpu.block_limit)
+        throw Failure("a tile takes " + std::to_string(largest) + " bytes of one buffer, and " +
+                      gpu.context->renderer + " has " + std::to_string(gpu.block_limit));
+    const size_t n = std::min({budget_of(gpu) / a_tile, gpu.block_limit / largest, size_t(tiles),
+                               size_t(max_tiles) / slots});
     return std::max<size_t>(1, n);
 }
 

@@ -18,9 +18,12 @@ namespace ddt::gl {
     LAYOUT(MAX_TILES, max_tiles, 64)                                                               \
     /* Largest value of MeshOptions::max_iterations. */                                            \
     LAYOUT(MAX_ITERATIONS, max_iterations, most_iterations)                                        \
-    /* Words of a tile's progress in accept_reject.comp, and what the first is in the end. */      \
+    /* Words of a tile's progress in accept_reject.comp; what the first is in the end, and where   \
+     */                                                                                            \
+    /* a round accepts no edge, which cannot be. */                                                \
     LAYOUT(PROGRESS_SIZE, progress_size, 9)                                                        \
     LAYOUT(PROGRESS_ENDED, progress_ended, 2)                                                      \
+    LAYOUT(PROGRESS_STUCK, progress_stuck, 3)                                                      \
     /* Groups of invocations: over entries of a list; a tile's late iterations; over pixels of */  \
     /* the starting mesh, sites whose gains are found, pixels of the surface, samples. */          \
     LAYOUT(LIST_GROUP, list_group, 64)                                                             \

@@ -6,6 +6,7 @@
 
 #include "core/base/constants.h"
 #include "core/gl/chance.h"
+#include "core/gl/context/failure.h"
 #include "core/gl/device_mesh.h"
 #include "core/gl/work_layout.h"
 #include "ddt/names.h"
@@ -150,10 +151,13 @@ void DeviceMesh::accept_reject(const Rules& rules) {
     std::vector<uint32_t> progress(size_t(progress_size) * size_t(m_tiles));
     const auto goes_on = [&] {
         m_stamps->read(stamps * word, progress.size() * word, progress.data());
-        for (size_t t = 0; t < progress.size(); t += size_t(progress_size))
-            if (progress[t] != progress_ended)
-                return true;
-        return false;
+        bool all_ended = true;
+        for (size_t t = 0; t < progress.size(); t += size_t(progress_size)) {
+            if (progress[t] == progress_stuck)
+                throw Failure("accept_reject.comp: no edge of a round was accepted");
+            all_ended &= progress[t] == progress_ended;
+        }
+        return !all_ended;
     };
     do {
         m_gl.DispatchCompute(GLuint(m_tiles), 1, 1);
@@ -166,8 +170,11 @@ void DeviceMesh::annealing(const MeshOptions& options) {
     m_before = read_statistics();
     prepare_lists(read_reach());
     const uint64_t seed = mixed(options.seed);
-    for (int i = 0; i < m_iterations; ++i)
+    for (int i = 0; i < m_iterations; ++i) {
         anneal(annealing_salt(seed, i), seed, annealing_temperature(options.cost, i, m_iterations));
+        // All of them asked for at once may take a slow device longer than is waited for it.
+        finish(m_gl, "annealing");
+    }
     bind_lists();
     use("evaluate.comp", 1, 1, m_criterion + " DENSE CANDIDATES");
     dispatch_over_sites();

@@ -30,11 +30,18 @@ namespace ddt::gl {
 
 namespace {
 
-constexpr int width = 64, height = 48, scale = 3;
+/// A tile within its picture, whose slots are larger, and serves some of its cells. Its size and
+/// that of its results are no multiples of groups of invocations.
+constexpr Rect window{-3, -2, 65, 50};
+constexpr Tile checked_tile{{6, 5, 56, 42}, {0, 0, 63, 49}, false, false};
+constexpr int scale = 3;
+/// Tiles on the device, all the same.
+constexpr int copies = 2;
 using Bits = std::vector<uint32_t>;
 
-/// Noise, stripes and a few very bright pixels; in a corner, so that most of the check is of
-/// numbers as pictures have them, also what is not finite, or is so large that sums of it are not.
+/// Noise, stripes and a few very bright pixels; in a corner of what is served, so that most of the
+/// check is of numbers as pictures have them, also what is not finite, or is so large that sums of
+/// it are not.
 class CheckSource final : public Source {
 public:
     explicit CheckSource(int channels) : m_channels(channels) {}
@@ -46,7 +53,7 @@ public:
                 const float stripe = (2 * x + 3 * y) % 29 < 11 ? 0.5f : 0.0f;
                 const float bright = h % 101 == 0 ? 1000.0f : 1.0f;
                 *guide++ = 0.5f * noise + stripe;
-                const bool odd = x < 12 && y < 10 && h % 4 == 0;
+                const bool odd = x < 18 && y < 15 && h % 4 == 0;
                 for (int c = 0; c < m_channels; ++c)
                     *values++ = odd ? odd_number(h / 4 + uint32_t(c))
                                     : (0.3f * noise + stripe) * bright * float(c + 1) * 0.37f;
@@ -57,14 +64,10 @@ public:
 private:
     static float odd_number(uint32_t i) {
         constexpr float infinity = std::numeric_limits<float>::infinity(), large = 3e38f;
-        constexpr float all[] = {std::numeric_limits<float>::quiet_NaN(),
-                                 infinity,
-                                 -infinity,
-                                 -0.0f,
-                                 large,
-                                 -large,
-                                 -0.8f,
-                                 -30.0f};
+        constexpr float reciprocal_squared_is_denormal = 5e36f;
+        constexpr float all[] = {
+            std::numeric_limits<float>::quiet_NaN(), infinity, -infinity, -0.0f, large, -large,
+            reciprocal_squared_is_denormal,          -0.8f,    -30.0f};
         return all[i % std::size(all)];
     }
     static uint32_t hash(uint32_t x, uint32_t y) {
@@ -76,41 +79,66 @@ private:
     int m_channels;
 };
 
+/// Keeps what is written of a part of the result.
 class CheckSink final : public Sink {
 public:
-    explicit CheckSink(int channels)
-        : m_channels(size_t(channels)),
-          bits(size_t(width * scale) * size_t(height * scale) * m_channels) {}
+    CheckSink(const Rect& part, int channels)
+        : m_part(part), m_channels(size_t(channels)), m_bits(part.area() * m_channels) {}
     bool write(const Rect& r, float* values) override {
         const size_t row = size_t(r.width()) * m_channels;
         for (int y = r.y0; y < r.y1; ++y, values += row)
-            std::memcpy(&bits[(size_t(y) * width * scale + size_t(r.x0)) * m_channels], values,
-                        row * sizeof(float));
+            std::memcpy(&m_bits[place(r.x0, y)], values, row * sizeof(float));
         return true;
+    }
+    /// What was written to these pixels, one rectangle after the other.
+    Bits of(const std::vector<Rect>& runs) const {
+        Bits all;
+        for (const Rect& r : runs)
+            for (int y = r.y0; y < r.y1; ++y)
+                all.insert(all.end(), m_bits.begin() + ptrdiff_t(place(r.x0, y)),
+                           m_bits.begin() + ptrdiff_t(place(r.x1 - 1, y) + m_channels));
+        return all;
     }
 
 private:
+    size_t place(int x, int y) const {
+        return (size_t(y - m_part.y0) * size_t(m_part.width()) + size_t(x - m_part.x0)) *
+               m_channels;
+    }
+    Rect m_part;
     size_t m_channels;
-
-public:
-    Bits bits;
+    Bits m_bits;
 };
 
-ResizeMapping check_mapping() {
-    const auto axis = [](int n) {
-        ResizeMapping::Axis a;
-        a.from_size = a.window1 = n;
-        a.to_size = a.out1 = scale * n;
-        return a;
+ResizeMapping enlarged() {
+    const auto axis = [](int window0, int window1) {
+        const int n = window1 - window0;
+        return ResizeMapping::Axis{window0, n, 0, scale * n, window0, window1, 0, scale * n};
     };
-    return {axis(width), axis(height)};
+    return {axis(window.x0, window.x1), axis(window.y0, window.y1)};
 }
 
+/// Positions that form no grid, among them those of cells that the tile does not serve.
+class Turned final : public Mapping {
+public:
+    Rect reach(double, double, double, double) const override { return {0, 0, 101, 83}; }
+    void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override {
+        constexpr int one = 1 << position_bits;
+        for (int x = x0; x < x1; ++x) {
+            const Position p{14 * one + 31337 * x - 10007 * y, 10007 * x + 31337 * y};
+            *inside++ = p.x >= window.x0 * one && p.x <= (window.x1 - 1) * one &&
+                        p.y >= window.y0 * one && p.y <= (window.y1 - 1) * one;
+            *positions++ = p;
+        }
+    }
+};
+
 /// What is compared: of the first mesh its edges' vectors and gains, in the order of addresses, and
-/// the job's result.
+/// the job's result by enlarged() and by Turned.
 struct Outcomes {
     std::vector<uint64_t> edges;
-    Bits gains, result;
+    Bits gains;
+    CheckSink large, turned;
 };
 
 uint32_t bits_of_gain(float gain) {
@@ -120,13 +148,23 @@ uint32_t bits_of_gain(float gain) {
 /// Call f with the site of each edge of a device's mesh, whose rows are `stride` long.
 template <class F>
 void each_edge(int stride, const F& f) {
-    for (int y = 0; y < 2 * height - 1; ++y)
-        for (int x = 1 - (y & 1), step = 2 - (y & 1); x < 2 * width - 1; x += step)
+    const int columns = 2 * checked_tile.pixels.width() - 1;
+    const int rows = 2 * checked_tile.pixels.height() - 1;
+    for (int y = 0; y < rows; ++y)
+        for (int x = 1 - (y & 1), step = 2 - (y & 1); x < columns; x += step)
             f(size_t(y) * size_t(stride) + size_t(x));
 }
 
-Outcomes on_cpu(const Job& job, const Tile& tile) {
-    Outcomes o;
+CheckSink result_of(const Job& job, const Mapping& mapping) {
+    CheckSource source(job.channels);
+    CheckSink sink(reach_of(checked_tile, window, mapping), job.channels);
+    TileWorker(source, sink, mapping, job).work(checked_tile, INT_MIN);
+    return sink;
+}
+
+Outcomes on_cpu(const Job& job) {
+    Outcomes o{{}, {}, result_of(job, enlarged()), result_of(job, Turned())};
+    const Tile& tile = checked_tile;
     CheckSource source(job.channels);
     std::vector<float> values, guide;
     int w = 0, h = 0;
@@ -137,6 +175,8 @@ Outcomes on_cpu(const Job& job, const Tile& tile) {
         const DenormalsAreZero as_on_gpus;
         Lattice lattice;
         Workspace workspace;
+        workspace.origin_x = tile.pixels.x0 - window.x0;
+        workspace.origin_y = tile.pixels.y0 - window.y0;
         Statistics statistics;
         start(lattice, w, h, guide.data(), job.mesh);
         triangulate(lattice, job.mesh, workspace, statistics);
@@ -146,10 +186,6 @@ Outcomes on_cpu(const Job& job, const Tile& tile) {
             o.gains.push_back(bits_of_gain(lattice.gain(m)));
         });
     }
-    CheckSink sink(job.channels);
-    const ResizeMapping mapping = check_mapping();
-    TileWorker(source, sink, mapping, job).work(tile, INT_MIN);
-    o.result = std::move(sink.bits);
     return o;
 }
 
@@ -164,11 +200,11 @@ std::string compare(const char* what, const std::vector<T>& cpu, const std::vect
                                 what + " differ";
 }
 
-/// What the device makes of the first mesh, compared.
-std::string mesh_differs(DeviceMesh& mesh, const Job& job, const Outcomes& cpu) {
+/// What the device makes of the mesh in a slot, compared.
+std::string mesh_differs(DeviceMesh& mesh, int slot, const Job& job, const Outcomes& cpu) {
     const SlotShape& shape = mesh.shape();
     std::vector<uint64_t> sites(shape.sites()), edges;
-    mesh.read_sites(0, sites.data());
+    mesh.read_sites(slot, sites.data());
     each_edge(shape.stride(), [&](size_t m) { edges.push_back(sites[m] & vectors_mask); });
     const std::string what = compare("edges", cpu.edges, edges);
     if (!what.empty())
@@ -176,41 +212,18 @@ std::string mesh_differs(DeviceMesh& mesh, const Job& job, const Outcomes& cpu) 
     mesh.find_gains(criterion(job.mesh));
     std::vector<float> of_sites(shape.sites());
     Bits gains;
-    mesh.read_gains(0, of_sites.data());
+    mesh.read_gains(slot, of_sites.data());
     each_edge(shape.stride(), [&](size_t m) { gains.push_back(bits_of_gain(of_sites[m])); });
     return compare("gains", cpu.gains, gains);
 }
 
-/// Do the job on the device; what differs first.
-std::string differs(Gpu& gpu, const Job& job, const Tile& tile, const Outcomes& cpu) {
-    const Functions& gl = gpu.context->gl;
-    CheckSource source(job.channels);
-    const SlotShape shape = shape_for(job.window);
-    const int meshes = job.mesh.meshes;
-    HostTile t;
-    t.tile = tile;
-    const Numbers numbers;
-    t.memory = std::make_unique<HostBuffer>(gl, host_bytes(job, shape, numbers));
-    read(source, job, shape, numbers, t);
-    DeviceMesh mesh(gpu, shape, meshes);
-    mesh.finish_after(2); // so that each of one_round's programs flips edges
-    Surfaces surfaces(gpu, shape, meshes, kinds_of(job), job.surface);
-    surfaces.expect(numbers, job.channels, meshes);
-    mesh.set_tiles(std::vector<TileSize>(size_t(meshes), t.size));
-    upload(t, job, 0, mesh, surfaces);
-    unpack(job, mesh, surfaces);
-    if (t.sites.empty())
-        mesh.triangulate(job.mesh);
-    // Programs that follow the edges of a spoilt mesh may not come to an end.
-    std::string what = mesh_differs(mesh, job, cpu);
-    if (!what.empty())
-        return what;
-    surfaces.make(mesh, criterion(job.mesh));
-
+/// What the device shows of the tile in a slot, compared.
+std::string result_differs(const Functions& gl, DeviceMesh& mesh, Surfaces& surfaces, int slot,
+                           const Job& job, const Mapping& mapping, const CheckSink& cpu) {
     Strip strip;
-    strip.rows = {0, 0, width * scale, height * scale};
-    plan_strip(check_mapping(), tile, 0, strip);
-    strip.plan.meshes = meshes;
+    strip.rows = reach_of(checked_tile, window, mapping);
+    plan_strip(mapping, checked_tile, slot, strip);
+    strip.plan.meshes = job.mesh.meshes;
     const size_t count = size_t(strip.plan.count) * size_t(job.channels);
     SampleMemory memory;
     HostBuffer results(gl, count * sizeof(float));
@@ -221,7 +234,37 @@ std::string differs(Gpu& gpu, const Job& job, const Tile& tile, const Outcomes& 
     finish(gl, "self-check");
     Bits bits(count);
     std::memcpy(bits.data(), results.data(), count * sizeof(float));
-    return compare("numbers", cpu.result, bits);
+    return compare("numbers", cpu.of(strip.runs), bits);
+}
+
+/// Do the job on the device; what differs first.
+std::string differs(Gpu& gpu, const Job& job, const Outcomes& cpu) {
+    const Functions& gl = gpu.context->gl;
+    CheckSource source(job.channels);
+    const SlotShape shape = shape_for(job.window);
+    const int meshes = job.mesh.meshes, slots = copies * meshes, last = slots - meshes;
+    HostTile t;
+    t.tile = checked_tile;
+    const Numbers numbers;
+    t.memory = std::make_unique<HostBuffer>(gl, host_bytes(job, shape, numbers));
+    read(source, job, shape, numbers, t);
+    DeviceMesh mesh(gpu, shape, slots);
+    mesh.finish_after(2); // so that each of one_round's programs flips edges
+    Surfaces surfaces(gpu, shape, slots, kinds_of(job), job.surface);
+    surfaces.expect(numbers, job.channels, meshes);
+    mesh.set_tiles(std::vector<TileSize>(size_t(slots), t.size));
+    for (int slot = 0; slot < slots; slot += meshes)
+        upload(t, job, slot, mesh, surfaces);
+    unpack(job, mesh, surfaces);
+    if (t.sites.empty())
+        mesh.triangulate(job.mesh);
+    // Programs that follow the edges of a spoilt mesh may not come to an end.
+    for (const int slot : {0, last})
+        if (const std::string what = mesh_differs(mesh, slot, job, cpu); !what.empty())
+            return what;
+    surfaces.make(mesh, criterion(job.mesh));
+    const std::string what = result_differs(gl, mesh, surfaces, last, job, enlarged(), cpu.large);
+    return what.empty() ? result_differs(gl, mesh, surfaces, 0, job, Turned(), cpu.turned) : what;
 }
 
 /// Which branches of accept_reject.comp they take.
@@ -259,7 +302,7 @@ std::string key_of(const Job& job) {
 
 Job check_job(const Job& job) {
     Job check;
-    check.window = {0, 0, width, height};
+    check.window = window;
     check.channels = job.channels % group_size == 0 ? group_size : group_size + 1;
     check.kinds.assign(size_t(check.channels), Channel::blend);
     check.kinds[2] = Channel::nearest;
@@ -282,8 +325,7 @@ Job check_job(const Job& job) {
 
 std::string differs_from_cpu(Gpu& gpu, const Job& wanted) {
     const Job job = check_job(wanted);
-    const Tile tile = Grid(job.window).tile(0);
-    const std::string what = differs(gpu, job, tile, on_cpu(job, tile));
+    const std::string what = differs(gpu, job, on_cpu(job));
     if (what.empty())
         return what;
     return gpu.context->renderer + " does not compute as the CPU does (" + key_of(wanted) +

@@ -8,6 +8,7 @@
 
 #include "core/gl/context/context.h"
 #include "core/gl/context/faults.h"
+#include "core/gl/context/hardware.h"
 #include "core/gl/context/library.h"
 
 namespace ddt::gl {
@@ -78,13 +79,13 @@ struct Candidate {
     void* native;
 };
 
-/// All ways, in the order in which they are tried. `known`: the list of devices could be read, so
-/// that no hardware among them means there is none.
-std::vector<Candidate> candidates(const Egl& egl, Wanted wanted, bool& known) {
+/// All ways, in the order in which they are tried.
+std::vector<Candidate> candidates(const Egl& egl, Wanted wanted) {
     std::vector<Candidate> hardware, software;
     EGLDeviceEXT devices[32];
     EGLint n = 0;
-    known = egl.QueryDevices && egl.GetPlatformDisplay && egl.QueryDevices(32, devices, &n);
+    const bool known =
+        egl.QueryDevices && egl.GetPlatformDisplay && egl.QueryDevices(32, devices, &n);
     for (int i = 0; known && i < n; ++i) {
         const char* extensions =
             egl.QueryDeviceString ? egl.QueryDeviceString(devices[i], EGL_EXTENSIONS) : nullptr;
@@ -93,7 +94,8 @@ std::vector<Candidate> candidates(const Egl& egl, Wanted wanted, bool& known) {
             .push_back({"EGL device " + std::to_string(i), EGL_PLATFORM_DEVICE_EXT, devices[i]});
     }
     std::vector<Candidate> all = hardware;
-    if (wanted == Wanted::hardware && known)
+    // The list could be read: no hardware in it means there is none.
+    if (wanted == Wanted::hardware && known && !hardware_unlisted())
         return all;
     if (egl.surfaceless)
         all.push_back({"EGL surfaceless", EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY});
@@ -181,9 +183,8 @@ std::unique_ptr<Context> make_egl_context(Wanted wanted, std::string& why) {
     Egl egl;
     if (!egl.load(why))
         return nullptr;
-    bool known = false;
     std::string reasons;
-    for (const Candidate& candidate : candidates(egl, wanted, known)) {
+    for (const Candidate& candidate : candidates(egl, wanted)) {
         if (auto context = try_candidate(egl, candidate, wanted, why))
             return context;
         reasons += (reasons.empty() ? "" : "; ") + why;

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include <unistd.h>
+
 #include "core/gl/context/context.h"
 #include "core/gl/context/faults.h"
 #include "tests/core/gl/devices.h"
@@ -65,6 +67,15 @@ TEST_F(Hardware, ShowsInItsDriversDeviceFiles) {
     for (const char* file : {"dri/renderD128", "dri/card0", "nvidiactl", "nvidia0", "dxg"})
         EXPECT_TRUE(gl::hardware_possible(folder_with(std::to_string(++i), {"null", file})))
             << file;
+    // What this process may not use it is not bothered with; root may use all.
+    const std::string locked = folder_with("locked", {"dri/renderD128"});
+    std::filesystem::permissions(locked + "/dri/renderD128", std::filesystem::perms::none);
+    EXPECT_EQ(gl::hardware_possible(locked), geteuid() == 0);
+}
+
+TEST_F(Hardware, OfWindowsIsNotListed) {
+    EXPECT_TRUE(gl::hardware_unlisted(folder_with("windows", {"dxg", "null"})));
+    EXPECT_FALSE(gl::hardware_unlisted(folder_with("linux", {"nvidia0", "dri/card0"})));
 }
 
 TEST_F(Hardware, WithoutItNothingIsLoadedUnlessNamed) {
