@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The boundary of the library: no exception passes it.
+// The boundary of the library: no exception passes it, and within it floats are rounded to nearest.
 #pragma once
 
 #include <exception>
@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/one_line.h"
+#include "core/base/rounding.h"
 
 namespace ddt {
 
@@ -28,6 +29,7 @@ inline void tell(std::string* error, const char* what) noexcept {
 /// Call f(). What it throws, of whatever type, ends here as one line in *error.
 template <class F>
 Caught guarded_call(std::string* error, F&& f) noexcept {
+    const RoundsToNearest always;
     try {
         f();
         return Caught::nothing;

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include "core/base/rounding.h"
+
 namespace ddt {
 
 /// By its bits: to a thread that takes subnormal numbers for 0 they compare as 0.
@@ -26,6 +28,7 @@ bool is_subnormal(Real n) {
 /// others.
 template <class Number>
 bool parse_number(std::string_view text, Number low, Number high, Number& number) {
+    const RoundsToNearest always;
     Number n{};
     const char* end = text.data() + text.size();
     const auto parsed = std::from_chars(text.data(), end, n);

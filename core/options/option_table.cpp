@@ -27,7 +27,8 @@ struct Row : Option {
         values.push_back({name, value_help});
         get = [name, number = get](const FilterOptions& o) {
             std::string text = number(o);
-            return text[0] == '-' ? name : text;
+            const bool below_zero = text[0] == '-' && text != "-0" && text.substr(1, 3) != "nan";
+            return below_zero ? name : text;
         };
         set = [name, number = set, negative = negative](FilterOptions& o, std::string_view text) {
             if (text != name)

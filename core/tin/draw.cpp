@@ -7,6 +7,10 @@ namespace ddt {
 bool draw(const PointMesh& mesh, const float* values, int channels, const PixelGrid& grid,
           float* pixels, uint8_t* inside, std::string* error) {
     return succeeds(error, [&](std::string& why) {
+        if (channels < 1) {
+            why = "ddt: there must be at least 1 channel";
+            return false;
+        }
         return each_pixel(mesh, grid, inside, why,
                           [&](const std::array<int32_t, 3>& triangle, const Covered& covered) {
                               float* to = pixels + covered.pixel * size_t(channels);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -95,10 +96,18 @@ void each_covered(const Steps (&corner)[3], const PixelAxis& columns, const Pixe
     }
 }
 
+inline bool is_step(double step) {
+    return std::isfinite(step) && step != 0;
+}
+
 /// Call f(triangle, covered) once for each pixel of the grid that mesh.triangles cover.
 template <class F>
 bool each_pixel(const PointMesh& mesh, const PixelGrid& grid, uint8_t* inside, std::string& error,
                 F&& f) {
+    if (grid.width < 0 || grid.height < 0 || !is_step(grid.step_x) || !is_step(grid.step_y)) {
+        error = "ddt: a grid of pixels has no negative size, and finite steps that are not 0";
+        return false;
+    }
     StepGrid steps;
     if (!steps.fit(mesh.x, mesh.y, error))
         return false;
@@ -137,13 +146,15 @@ bool each_pixel(const PointMesh& mesh, const PixelGrid& grid, uint8_t* inside, s
     return true;
 }
 
-/// The value of channel `channel` there. Never outside the three.
+/// The value of channel `channel` there. Never outside the three; those whose weight is 0 are not
+/// looked at, as they may be infinite.
 inline float value_at(const float* values, int channels, int channel,
                       const std::array<int32_t, 3>& triangle, const Covered& covered) {
     double sum = 0;
     for (size_t k = 0; k < 3; ++k)
-        sum += covered.weight[k] *
-               double(values[size_t(triangle[k]) * size_t(channels) + size_t(channel)]);
+        if (covered.weight[k] != 0)
+            sum += covered.weight[k] *
+                   double(values[size_t(triangle[k]) * size_t(channels) + size_t(channel)]);
     return float(sum);
 }
 

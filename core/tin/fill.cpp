@@ -195,6 +195,10 @@ bool fill_holes(float* values, int width, int height, int channels, const Channe
                 const float* guide, const uint8_t* missing, const MeshOptions& options,
                 std::string* error, const std::function<bool(float)>& progress) {
     return succeeds(error, [&](std::string& why) {
+        if (width < 0 || height < 0 || channels < 1) {
+            why = "ddt: an image has no negative size, and at least 1 channel";
+            return false;
+        }
         const HoledImage image{values, const_cast<float*>(guide), width, height, channels, kinds,
                                false};
         return fill_holes(image, missing, options, Device::automatic, progress, why);

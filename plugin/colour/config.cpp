@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cstdlib>
 #include <map>
-#include <sstream>
 #include <vector>
 
 #include <OpenImageIO/filesystem.h>
@@ -12,6 +11,7 @@
 
 #include "core/base/one_line.h"
 #include "plugin/colour/builtin.h"
+#include "plugin/colour/carried.h"
 #include "plugin/message/format.h"
 
 namespace ddt {
@@ -20,15 +20,6 @@ namespace {
 namespace OCIO = OCIO_NAMESPACE;
 using OIIO::Strutil::iequals;
 using OIIO::Strutil::istarts_with;
-
-OCIO::ConstConfigRcPtr carried_config() {
-    // Never destroyed: hosts may resize while static objects are being torn down.
-    static const auto* config = [] {
-        std::istringstream text(carried_config_text());
-        return new OCIO::ConstConfigRcPtr(OCIO::Config::CreateFromStream(text));
-    }();
-    return *config;
-}
 
 /// The config $OCIO names; the carried one is not among them. Throws OCIO::Exception.
 OCIO::ConstConfigRcPtr user_config(const std::string& path) {

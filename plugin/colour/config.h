@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where colour spaces are looked up by name: OpenColorIO configs.
 //
-// The user's config, $OCIO, comes first; then the small one that the project carries,
-// colour/carried.ocio; then, without $OCIO, OpenColorIO's own (from 2.2 on).
+// The user's config, $OCIO, comes first; then the small one that the project carries (carried.h);
+// then, without $OCIO, OpenColorIO's own (from 2.2 on).
 #pragma once
 
 #include <string>
@@ -30,8 +30,5 @@ enum class NamedBy {
 /// the line then lists the known ones. To be called under colour_lock() (fork.h) where there are
 /// threads; each $OCIO is read once.
 bool find_space(const std::string& name, NamedBy by, Space& found, std::string& error);
-
-/// The text of colour/carried.ocio.
-const char* carried_config_text();
 
 } // namespace ddt

@@ -10,14 +10,6 @@
 namespace ddt {
 namespace {
 
-/// Light is number^gamma; with an offset it is ((number + offset) / (1 + offset))^gamma, and near 0
-/// the straight line that goes over into it smoothly: IEC 61966-2-1, ITU-R BT.709. Below 0 the
-/// curve's point reflection.
-struct Encoding {
-    const char* name;
-    double gamma, offset;
-};
-
 constexpr Encoding encodings[] = {
     {"linear", 1.0, 0.0},   {"sRGB", 2.4, 0.055},   {"Rec709", 2.22222222222222, 0.099},
     {"Gamma1.8", 1.8, 0.0}, {"Gamma2.2", 2.2, 0.0}, {"Gamma2.4", 2.4, 0.0},
@@ -81,18 +73,24 @@ bool same_name(std::string_view a, std::string_view b) {
 
 } // namespace
 
+const Encoding* encoding_of(std::string_view name) {
+    for (const Encoding& e : encodings)
+        if (same_name(name, e.name))
+            return &e;
+    return nullptr;
+}
+
 std::shared_ptr<const Light> find_encoding(std::string_view name) {
     static std::mutex mutex;
     static std::map<const Encoding*, std::shared_ptr<const Light>> known;
-    for (const Encoding& e : encodings)
-        if (same_name(name, e.name)) {
-            const std::lock_guard<std::mutex> lock(mutex);
-            auto& light = known[&e];
-            if (!light)
-                light = std::make_shared<Light>(light_of(e));
-            return light;
-        }
-    return nullptr;
+    const Encoding* e = encoding_of(name);
+    if (!e)
+        return nullptr;
+    const std::lock_guard<std::mutex> lock(mutex);
+    auto& light = known[e];
+    if (!light)
+        light = std::make_shared<Light>(light_of(*e));
+    return light;
 }
 
 std::vector<std::string> encoding_names() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The encodings that need no config, for hosts that have none: the curves of colour/carried.ocio,
-// under its names and with the bits that OpenColorIO finds for them.
+// The encodings that need no config, for hosts that have none: the curves of the carried config
+// (carried.h), under its names and with the bits that OpenColorIO finds for them.
 #pragma once
 
 #include <memory>
@@ -11,6 +11,17 @@
 #include "plugin/colour/light.h"
 
 namespace ddt {
+
+/// Light is number^gamma; with an offset it is ((number + offset) / (1 + offset))^gamma, and near 0
+/// the straight line that goes over into it smoothly: IEC 61966-2-1, ITU-R BT.709. Below 0 the
+/// curve's point reflection.
+struct Encoding {
+    const char* name;
+    double gamma, offset;
+};
+
+/// The encoding of that name (in any case), or null.
+const Encoding* encoding_of(std::string_view name);
 
 /// The light of numbers encoded so, or null if there is no encoding of that name (in any case).
 /// Made once and kept. Thread-safe. Throws std::bad_alloc.

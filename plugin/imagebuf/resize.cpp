@@ -26,6 +26,12 @@ constexpr int margin = 4;
 /// Bytes that the image between enlarging and shrinking may have, about.
 constexpr int64_t band_bytes = int64_t(32) << 20;
 
+/// Extend the part to where it has something of the window.
+void reach_into(int window_begin, int window_end, int& begin, int& end) {
+    begin = std::min(begin, window_end - 1);
+    end = std::max(end, window_begin + 1);
+}
+
 /// Enlarge along the axis that grows into an image that still has the source's size along the
 /// other, and leave that to OpenImageIO.
 bool enlarge_then_shrink(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::ROI& roi,
@@ -42,6 +48,12 @@ bool enlarge_then_shrink(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const O
         full.xbegin = dst.roi_full().xbegin;
         full.xend = dst.roi_full().xend;
     }
+    // Beside the source's pixels OpenImageIO reads on from the display window, whose nearest line
+    // must be there, that a part has what the whole has.
+    if (shrink_x)
+        reach_into(full.ybegin, full.yend, part.ybegin, part.yend);
+    else
+        reach_into(full.xbegin, full.xend, part.xbegin, part.xend);
     OIIO::ImageSpec spec = src.spec();
     // Float: rounding is left to the second step.
     if (!is_id_type(spec.format))

@@ -241,6 +241,51 @@ TEST(Draw, ATriangleWithoutAreaShowsNothing) {
     EXPECT_EQ(pixels, (std::vector<float>{1, 1, 1, 1, 1, -7, 1, 1, 1, 1, -7, -7}));
 }
 
+TEST(Draw, WhatHasNoWeightIsNotLookedAt) {
+    const float infinity = std::numeric_limits<float>::infinity();
+    PointMesh mesh;
+    mesh.x = {0, 2, 0, 2};
+    mesh.y = {0, 0, 2, 2};
+    const std::vector<float> values = {1, 2, 4, infinity};
+    for (const auto& triangles : {std::vector<std::array<int32_t, 3>>{{0, 1, 2}, {1, 3, 2}},
+                                  std::vector<std::array<int32_t, 3>>{{1, 3, 2}, {0, 1, 2}}}) {
+        mesh.triangles = triangles;
+        std::vector<float> pixels(9);
+        std::vector<uint8_t> inside(9);
+        ASSERT_TRUE(draw(mesh, values.data(), 1, {0, 0, 1, 1, 3, 3}, pixels.data(), inside.data()));
+        EXPECT_EQ(pixels,
+                  (std::vector<float>{1, 1.5f, 2, 2.5f, 3, infinity, 4, infinity, infinity}));
+    }
+}
+
+TEST(Draw, SizesThatCannotBe) {
+    PointMesh mesh;
+    mesh.x = {0, 2, 0};
+    mesh.y = {0, 0, 2};
+    mesh.triangles = {{0, 1, 2}};
+    const std::vector<float> values(3);
+    float pixel = 7;
+    uint8_t inside = 7;
+    const double nan = std::nan("");
+    for (const PixelGrid& grid : {PixelGrid{0, 0, 1, 1, -1, 1}, PixelGrid{0, 0, 1, 1, 1, -5},
+                                  PixelGrid{0, 0, 0, 1, 1, 1}, PixelGrid{0, 0, 1, nan, 1, 1}}) {
+        std::string error;
+        EXPECT_FALSE(draw(mesh, values.data(), 1, grid, &pixel, &inside, &error));
+        EXPECT_NE(error, "");
+    }
+    EXPECT_FALSE(draw(mesh, values.data(), 0, {0, 0, 1, 1, 1, 1}, &pixel, &inside));
+    const uint8_t missing = 1;
+    for (const auto& [width, height, channels] :
+         {std::array{-5, 5, 1}, std::array{5, -5, 1}, std::array{1, 1, 0}}) {
+        std::string error;
+        EXPECT_FALSE(
+            fill_holes(&pixel, width, height, channels, nullptr, &pixel, &missing, {}, &error));
+        EXPECT_NE(error, "");
+    }
+    EXPECT_EQ(pixel, 7);
+    EXPECT_EQ(inside, 7);
+}
+
 /// An image of 0 and 1 with a slanting edge, and a hole across it: how much is wrong after filling.
 double error_of_filling(const MeshOptions& options) {
     constexpr int width = 40, height = 30;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cfenv>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -157,6 +158,32 @@ TEST(Options, UnitsOfACostAreNotTakenForAnothers) {
     EXPECT_EQ(o.surface.soft, 0.2f);
     ASSERT_TRUE(ddt::parse_filter("ddt,min_gain=auto", o, error));
     EXPECT_LT(o.mesh.min_gain, 0.0f);
+}
+
+TEST(Options, OnlyNegativeNumbersHaveTheirName) {
+    const ddt::Option& option = *ddt::find_option("min_gain");
+    ddt::FilterOptions options;
+    ASSERT_TRUE(option.set(options, "-0"));
+    EXPECT_EQ(option.get(options), "-0");
+    options.mesh.min_gain = -1;
+    EXPECT_EQ(option.get(options), "auto");
+    std::string error;
+    for (const float nan : {std::nanf(""), -std::nanf("")}) {
+        options.mesh.min_gain = nan;
+        EXPECT_FALSE(ddt::check_options(options, error));
+    }
+}
+
+TEST(Options, ParsedAlikeHoweverTheHostRounds) {
+    ddt::FilterOptions usual, other;
+    std::string error;
+    ASSERT_TRUE(ddt::parse_filter("ddt-sharp,soft=0.1", usual, error)) << error;
+    std::fesetround(FE_DOWNWARD);
+    const bool parsed = ddt::parse_filter("ddt-sharp,soft=0.1", other, error);
+    std::fesetround(FE_TONEAREST);
+    ASSERT_TRUE(parsed) << error;
+    EXPECT_EQ(other.surface.soft, 0.1f);
+    EXPECT_EQ(other.mesh.blur, usual.mesh.blur);
 }
 
 TEST(Options, SubnormalNumbersAreRefused) {

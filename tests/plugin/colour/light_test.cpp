@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <locale>
 
 #include "tests/plugin/images.h"
 #include "tests/temporary.h"
@@ -101,6 +102,19 @@ TEST_F(LightTest, KnownValues) {
     // The image's own primaries: no matrix is left.
     EXPECT_NEAR(to(*light("AdobeRGB"), 0.5f, 0, 1)[0], std::pow(0.5f, 563.0f / 256), 1e-6f);
     EXPECT_NEAR(to(*light("AdobeRGB"), 0.5f, 0, 1)[1], 0.0f, 1e-6f);
+}
+
+struct DecimalComma : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+};
+
+// OpenColorIO reads the numbers of a config's text by it.
+TEST_F(LightTest, TheHostsLocaleDoesNotMatter) {
+    const std::locale before =
+        std::locale::global(std::locale(std::locale::classic(), new DecimalComma));
+    for (const char* name : {"sRGB", "Rec709", "Gamma1.8", "AdobeRGB", "g23_rec709_scene"})
+        EXPECT_TRUE(light(name)->converts()) << name;
+    std::locale::global(before);
 }
 
 TEST_F(LightTest, LinearSpacesAreLeftAlone) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cfenv>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -322,6 +323,43 @@ TEST(Resize, OneAxisGrowsTheOtherShrinks) {
         auto partial = make(w, h, 3);
         ASSERT_TRUE(ddt::resize(partial, src, {}, part));
         EXPECT_EQ(bytes(partial, part), bytes(dst, part));
+    }
+}
+
+// Beyond its display window too, which OpenImageIO goes on from there beside the source.
+TEST(Resize, OneAxisGrowsTheOtherShrinksInParts) {
+    for (const bool turned : {false, true}) {
+        const auto box = [&](int x0, int x1, int y0, int y1) {
+            return turned ? window(y0, y1, x0, x1) : window(x0, x1, y0, y1);
+        };
+        auto src = make(box(0, 36, 0, 6), box(0, 36, 0, 6), 1);
+        images::noise(src, 0.2f, 1);
+        auto whole = make(box(-5, 23, -9, 37), box(0, 18, 0, 28), 1);
+        ASSERT_TRUE(ddt::resize(whole, src)) << whole.geterror();
+        for (const ROI& part : {box(-5, 3, 32, 33), box(17, 23, -9, -6), box(2, 20, 26, 30)}) {
+            auto dst = make(box(-5, 23, -9, 37), box(0, 18, 0, 28), 1);
+            ASSERT_TRUE(ddt::resize(dst, src, {}, part)) << dst.geterror();
+            for (int y = part.ybegin; y < part.yend; ++y)
+                for (int x = part.xbegin; x < part.xend; ++x)
+                    EXPECT_EQ(value(dst, x, y, 0), value(whole, x, y, 0)) << x << ' ' << y;
+        }
+    }
+}
+
+TEST(Resize, SameBitsHoweverTheHostRounds) {
+    // The first call finds out what a colour space is, for all that follow: the other has a name of
+    // its own for it.
+    for (const TypeDesc& type : {OIIO::TypeFloat, OIIO::TypeHalf, OIIO::TypeUInt8}) {
+        auto src = make(40, 30, 3, type);
+        images::noise(src);
+        src.specmod().attribute("oiio:ColorSpace", "sRGB");
+        std::fesetround(FE_UPWARD);
+        const auto upward = enlarged(src, 90, 70);
+        const int mode = std::fegetround();
+        std::fesetround(FE_TONEAREST);
+        EXPECT_EQ(mode, FE_UPWARD);
+        src.specmod().attribute("oiio:ColorSpace", "srgb_tx");
+        EXPECT_EQ(bytes(upward), bytes(enlarged(src, 90, 70)));
     }
 }
 
