@@ -54,10 +54,8 @@ bool triangulate_points(PointMesh& mesh, std::string& error) {
     if (!find_delaunay(points, triangles, error))
         return false;
     complete_hull(points, triangles);
-    if (!covers_hull(points, triangles)) {
-        error = "ddt: GEOS's triangles do not cover the points' convex hull";
-        return false;
-    }
+    if (!covers_hull(points, triangles))
+        triangles = swept_delaunay(points);
     for (auto& t : triangles)
         for (int32_t& v : t)
             v = order[size_t(v)];

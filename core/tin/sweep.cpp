@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+// By exact arithmetic, whatever shape the points have together. (Lawson, "Software for C1 surface
+// interpolation", 1977: a sweep, and flips wherever a circle is not empty.)
+#include <algorithm>
+#include <numeric>
+
+#include "core/tin/delaunay.h"
+
+namespace ddt {
+
+namespace {
+
+using Wide = __int128;
+
+/// Positive if d lies within the circle through a, b and c, which have positive orientation.
+/// Positions are within 2^30: 124 bits.
+Wide within_circle(Steps a, Steps b, Steps c, Steps d) {
+    struct Way {
+        int64_t x, y;
+        int64_t square() const { return x * x + y * y; }
+    };
+    const auto from_d = [&](Steps p) { return Way{int64_t(p.x) - d.x, int64_t(p.y) - d.y}; };
+    const auto det = [](Way p, Way q) { return p.x * q.y - p.y * q.x; };
+    const Way p = from_d(a), q = from_d(b), r = from_d(c);
+    return Wide(det(p, q)) * r.square() + Wide(det(q, r)) * p.square() +
+           Wide(det(r, p)) * q.square();
+}
+
+/// Half-edge h belongs to triangle h / 3 and goes from corner[h] to corner[next(h)], the triangle
+/// to its left.
+class Sweep {
+public:
+    explicit Sweep(const std::vector<Steps>& points)
+        : m_points(points), m_next(points.size(), -1), m_previous(points.size(), -1),
+          m_rim(points.size(), -1) {}
+
+    std::vector<std::array<int32_t, 3>> triangles() {
+        const std::vector<int32_t> order = along_longer_axis();
+        size_t i = begin(order);
+        for (; i < order.size(); ++i)
+            insert(order[i], order[i - 1]);
+        std::vector<std::array<int32_t, 3>> all;
+        for (size_t h = 0; h < m_corner.size(); h += 3)
+            all.push_back({m_corner[h], m_corner[h + 1], m_corner[h + 2]});
+        return all;
+    }
+
+private:
+    static int32_t next(int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+    static int32_t previous(int32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+    Steps at(int32_t v) const { return m_points[size_t(v)]; }
+    int32_t& corner(int32_t h) { return m_corner[size_t(h)]; }
+    int64_t turn(int32_t u, int32_t v, int32_t w) const { return orientation(at(u), at(v), at(w)); }
+
+    /// The order of insertion. Along the longer axis a point sees few of the rim's edges.
+    std::vector<int32_t> along_longer_axis() const {
+        const auto [left, right] = std::minmax_element(m_points.begin(), m_points.end(),
+                                                       [](Steps a, Steps b) { return a.x < b.x; });
+        // They are sorted by y.
+        const bool by_x = int64_t(right->x) - left->x > int64_t(m_points.back().y) - m_points[0].y;
+        std::vector<int32_t> order(m_points.size());
+        std::iota(order.begin(), order.end(), 0);
+        if (by_x)
+            std::sort(order.begin(), order.end(), [&](int32_t u, int32_t v) {
+                return at(u).x != at(v).x ? at(u).x < at(v).x : at(u).y < at(v).y;
+            });
+        return order;
+    }
+
+    /// A triangle without neighbours; returns its first half-edge.
+    int32_t add(int32_t u, int32_t v, int32_t w) {
+        const auto h = int32_t(m_corner.size());
+        m_corner.insert(m_corner.end(), {u, v, w});
+        m_twin.insert(m_twin.end(), {-1, -1, -1});
+        return h;
+    }
+
+    /// Say what lies beyond h: half-edge `twin`, or nothing where it is -1.
+    void join(int32_t h, int32_t twin) {
+        m_twin[size_t(h)] = twin;
+        if (twin >= 0)
+            m_twin[size_t(twin)] = h;
+        else
+            m_rim[size_t(corner(h))] = h;
+    }
+
+    /// Have v come after u on the rim, along h.
+    void follow(int32_t u, int32_t v, int32_t h) {
+        m_next[size_t(u)] = v;
+        m_previous[size_t(v)] = u;
+        join(h, -1);
+    }
+
+    /// The first points that are on one line, and triangles from there to the first beside it.
+    /// Returns how many points those are.
+    size_t begin(const std::vector<int32_t>& order) {
+        size_t n = 2;
+        while (turn(order[0], order[1], order[n]) == 0)
+            ++n;
+        const int32_t p = order[n];
+        std::vector<int32_t> line(order.begin(), order.begin() + ptrdiff_t(n));
+        if (turn(order[0], order[1], p) < 0)
+            std::reverse(line.begin(), line.end());
+        int32_t beside = -1; // from p to line[i]
+        for (size_t i = 0; i + 1 < n; ++i) {
+            const int32_t h = add(line[i], line[i + 1], p);
+            follow(line[i], line[i + 1], h);
+            if (i == 0)
+                follow(p, line[0], h + 2);
+            else
+                join(h + 2, beside);
+            beside = h + 1;
+        }
+        follow(line[n - 1], p, beside);
+        return n + 1;
+    }
+
+    /// p lies beyond all so far, of which q was the last: it sees q and rim edges beside it.
+    void insert(int32_t p, int32_t q) {
+        int32_t first = q, last = q;
+        while (turn(m_previous[size_t(first)], first, p) < 0)
+            first = m_previous[size_t(first)];
+        while (turn(last, m_next[size_t(last)], p) < 0)
+            last = m_next[size_t(last)];
+        std::vector<int32_t> doubtful;
+        int32_t to_p = -1, from_p = -1; // of first; of the vertex that was come to
+        for (int32_t u = first; u != last; u = m_next[size_t(u)]) {
+            const int32_t h = add(m_next[size_t(u)], u, p);
+            join(h, m_rim[size_t(u)]);
+            if (u == first)
+                to_p = h + 1;
+            else
+                join(h + 1, from_p);
+            from_p = h + 2;
+            doubtful.push_back(h);
+        }
+        follow(first, p, to_p);
+        follow(p, last, from_p);
+        while (!doubtful.empty()) {
+            const int32_t h = doubtful.back();
+            doubtful.pop_back();
+            flip_if_wrong(h, doubtful);
+        }
+    }
+
+    /// h is the side of its triangle opposite to the point that was inserted.
+    void flip_if_wrong(int32_t h, std::vector<int32_t>& doubtful) {
+        const int32_t t = m_twin[size_t(h)];
+        if (t < 0)
+            return;
+        const int32_t a = corner(h), b = corner(t), p = corner(previous(h)),
+                      q = corner(previous(t));
+        if (within_circle(at(a), at(b), at(p), at(q)) <= 0)
+            return;
+        const int32_t bp = m_twin[size_t(next(h))], pa = m_twin[size_t(previous(h))],
+                      aq = m_twin[size_t(next(t))], qb = m_twin[size_t(previous(t))];
+        const int32_t one = h / 3 * 3, other = t / 3 * 3;
+        corner(one) = p, corner(one + 1) = a, corner(one + 2) = q;
+        corner(other) = q, corner(other + 1) = b, corner(other + 2) = p;
+        join(one, pa);
+        join(one + 1, aq);
+        join(one + 2, other + 2);
+        join(other, qb);
+        join(other + 1, bp);
+        doubtful.push_back(one + 1);
+        doubtful.push_back(other);
+    }
+
+    const std::vector<Steps>& m_points;
+    std::vector<int32_t> m_corner, m_twin; ///< a half-edge
+    /// Of a vertex on the rim the vertices after and before it, and the half-edge to the next.
+    std::vector<int32_t> m_next, m_previous, m_rim;
+};
+
+} // namespace
+
+std::vector<std::array<int32_t, 3>> swept_delaunay(const std::vector<Steps>& points) {
+    return Sweep(points).triangles();
+}
+
+} // namespace ddt

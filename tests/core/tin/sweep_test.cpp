@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points of which GEOS leaves some out.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/tin/delaunay.h"
+#include "ddt/points.h"
+#include "tests/core/helpers.h"
+
+namespace ddt::test {
+namespace {
+
+bool before(Steps a, Steps b) {
+    return a.y != b.y ? a.y < b.y : a.x < b.x;
+}
+
+/// Different points of a box, sorted row by row.
+std::vector<Steps> points_in(int count, uint32_t width, uint32_t height, uint64_t seed) {
+    Random random(seed);
+    std::vector<Steps> points;
+    for (int i = 0; i < count; ++i)
+        points.push_back({int32_t(random.below(width)), int32_t(random.below(height))});
+    std::sort(points.begin(), points.end(), before);
+    points.erase(std::unique(points.begin(), points.end(),
+                             [](Steps a, Steps b) { return !before(a, b) && !before(b, a); }),
+                 points.end());
+    return points;
+}
+
+bool on_one_line(const std::vector<Steps>& points) {
+    return std::all_of(points.begin(), points.end(),
+                       [&](Steps p) { return orientation(points.front(), points.back(), p) == 0; });
+}
+
+/// Whether d lies within the circle through a, b and c, by numbers that are exact for small steps.
+bool in_circle(Steps a, Steps b, Steps c, Steps d) {
+    const auto row = [&](Steps p) {
+        const double x = p.x - d.x, y = p.y - d.y;
+        return std::array{x, y, x * x + y * y};
+    };
+    const auto p = row(a), q = row(b), r = row(c);
+    return p[0] * (q[1] * r[2] - q[2] * r[1]) - p[1] * (q[0] * r[2] - q[2] * r[0]) +
+               p[2] * (q[0] * r[1] - q[1] * r[0]) >
+           0;
+}
+
+void check(const std::vector<Steps>& points, bool circles) {
+    const auto triangles = swept_delaunay(points);
+    EXPECT_TRUE(covers_hull(points, triangles));
+    std::set<int32_t> used;
+    std::set<std::array<int32_t, 2>> sides;
+    for (const auto& t : triangles) {
+        const auto at = [&](size_t k) { return points[size_t(t[k])]; };
+        EXPECT_GT(orientation(at(0), at(1), at(2)), 0);
+        for (size_t k = 0; k < 3; ++k) {
+            used.insert(t[k]);
+            EXPECT_TRUE(sides.insert({t[k], t[(k + 1) % 3]}).second) << "two beside one edge";
+        }
+        for (const Steps& p : points)
+            ASSERT_FALSE(circles && in_circle(at(0), at(1), at(2), p));
+    }
+    EXPECT_EQ(used.size(), points.size());
+}
+
+TEST(Sweep, CirclesAreEmpty) {
+    for (const uint32_t width : {4u, 30u, 1000u})
+        for (const uint32_t height : {3u, 30u, 1000u})
+            for (const int count : {3, 4, 10, 60})
+                for (uint64_t seed = 0; seed < 8; ++seed) {
+                    const auto points = points_in(count, width, height, seed);
+                    if (!on_one_line(points))
+                        check(points, true);
+                }
+}
+
+TEST(Sweep, AnyShape) {
+    constexpr uint32_t most = 1u << 30;
+    for (const uint32_t height : {2u, 5u, 1000u, 1000000u, most})
+        for (const int count : {3, 50, 3000})
+            for (const bool turned : {false, true}) {
+                const auto points =
+                    turned ? points_in(count, height, most, 9) : points_in(count, most, height, 9);
+                if (!on_one_line(points))
+                    check(points, false);
+            }
+}
+
+TEST(Sweep, ManyOnOneLine) {
+    std::vector<Steps> points;
+    for (int x = 0; x < 40; ++x)
+        points.push_back({x, 0});
+    points.push_back({7, 1});
+    check(points, true);
+    for (int x = 0; x < 40; ++x)
+        points.push_back({x, 2});
+    check(points, true);
+}
+
+// A road, two kilometres long and six metres wide: GEOS makes nothing of it.
+TEST(Sweep, IsTakenWhereGeosLeavesPointsOut) {
+    if (!has_delaunay())
+        GTEST_SKIP() << "built without GEOS";
+    PointMesh road;
+    for (int i = 0; i < 200; ++i) {
+        road.x.push_back(10 * i);
+        road.y.push_back(3 * std::sin(0.01 * i));
+    }
+    std::string error;
+    ASSERT_TRUE(delaunay(road, &error)) << error;
+    std::set<int32_t> used;
+    for (const auto& t : road.triangles)
+        used.insert(t.begin(), t.end());
+    EXPECT_EQ(used.size(), 200u);
+}
+
+} // namespace
+} // namespace ddt::test
