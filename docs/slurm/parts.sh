@@ -8,6 +8,7 @@
 # then has as many threads; without it Slurm gives one, and ddt takes all that it may run on.
 set -euo pipefail
 unset CDPATH
+rm -f "$4.joined-of-$1" # the mark of a join before, see join.sbatch
 here=$(cd "$(dirname "$0")" && pwd)
 parts=$(sbatch --parsable --array="1-$1" ${CPUS:+--cpus-per-task="$CPUS"} "$here/part.sbatch" "$@")
 sbatch --parsable --requeue --job-name=ddt-join --dependency="afterok:$parts" \

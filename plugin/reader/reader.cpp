@@ -14,6 +14,7 @@
 
 #include "core/base/guarded.h"
 #include "pieces.h"
+#include "plugin/image/metadata.h"
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 #include "request.h"
@@ -154,10 +155,7 @@ bool Reader::describe(int subimage, std::string& error) {
     to.channelformats.clear(); // all channels have one type
     to.tile_width = to.tile_height = tile_side;
     to.tile_depth = 1;
-    // True of the source's pixels only.
-    for (const char* name :
-         {"oiio:SHA-1", "oiio:ConstantColor", "oiio:AverageColor", "textureformat"})
-        to.erase_attribute(name);
+    forget_pixels(to);
     m_pieces.reset();
     m_image.reset();
     m_failure.clear();

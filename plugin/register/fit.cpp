@@ -9,6 +9,7 @@
 #include "plugin/image/reading.h"
 #include "plugin/image/windows.h"
 #include "plugin/imagebuf/guarded.h"
+#include "plugin/imagebuf/holes.h"
 #include "plugin/imagebuf/matrix.h"
 #include "plugin/imagebuf/resample.h"
 
@@ -96,7 +97,15 @@ bool fit_whole(ImageBuf& dst, const ImageBuf& src, const Options& options, strin
     if (!same)
         part = cut_to_data(src.spec(), dst.spec(), window);
     const bool empty = part.width() <= 0 || part.height() <= 0;
-    if (same ? !dst.copy(src) : !empty && !resize(dst, src, options, part, nthreads)) {
+    if (same) {
+        ImageBuf filled;
+        if (!fill_image(src, options, options.holes, filled, nthreads, error))
+            return false;
+        if (!dst.copy(filled.initialized() ? filled : src)) {
+            error = dst.geterror();
+            return false;
+        }
+    } else if (!empty && !resize(dst, src, options, part, nthreads)) {
         error = dst.geterror();
         return false;
     }

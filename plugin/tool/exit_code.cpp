@@ -35,16 +35,18 @@ Failure thrown() {
     } catch (const std::system_error& e) { // no more threads
         return {e.what(), code_of_errno(e.code().value())};
     } catch (const std::exception& e) {
-        return {e.what(), exit_failed};
+        return {e.what(), code_of_message(e.what())};
     }
 }
 
 ExitCode code_of_message(const std::string& message) {
     // Of the library: memory that ran out, images that another machine may have memory for (see
     // check_size in plugin/image/windows.h), devices that this one has not; of libtiff and of
-    // OpenImageIO's writers: a full disk.
-    for (const char* said : {"out of memory", "this machine's memory",
-                             "\"device=", "Write error at ", "Write error: wrote"})
+    // OpenImageIO's writers: a full disk; of OpenEXR's threads and of what a reader was thrown:
+    // there are no more, or no memory.
+    for (const char* said :
+         {"out of memory", "this machine's memory", "\"device=", "Write error at ",
+          "Write error: wrote", "std::bad_alloc", "Resource temporarily unavailable"})
         if (message.find(said) != std::string::npos)
             return exit_resources;
     return exit_failed;

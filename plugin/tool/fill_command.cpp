@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <OpenImageIO/imagebufalgo.h>
 
+#include "plugin/image/metadata.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/filter_flag.h"
 #include "plugin/tool/fit_format.h"
@@ -17,6 +18,7 @@ bool write_filled(const OIIO::ImageBuf& filled, const OIIO::ImageBuf& source,
                   const std::string& path, Failure& failure) {
     OIIO::ImageSpec spec = filled.spec();
     spec.channelformats = source.nativespec().channelformats;
+    forget_pixels(spec);
     spec.tile_width = spec.tile_height = spec.tile_depth = 0;
     ImageFile file;
     if (!file.create(path, failure) || !fit_format(file.output(), path, spec, failure))

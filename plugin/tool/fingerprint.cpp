@@ -9,11 +9,32 @@
 #include <OpenImageIO/strutil.h>
 
 #include "ddt/option_table.h"
+#include "plugin/colour/space_light.h"
 #include "plugin/message/format.h"
 
 namespace ddt::tool {
 
 namespace {
+
+/// What the config that is in use makes of numbers, and how edges are sought in them.
+std::vector<float> light_of(const std::string& option, const std::string& space) {
+    std::string ignored; // resizing tells
+    const auto light = find_light(option, space, ignored);
+    if (!light)
+        return {};
+    std::vector<float> all(light->luma().begin(), light->luma().end());
+    all.push_back(float(light->known()));
+    all.push_back(float(light->converts()));
+    if (!light->converts() || option == "encoded")
+        return all;
+    std::vector<float> ramp;
+    for (int i = -8; i <= 64; ++i)
+        for (int c = 0; c < 3; ++c)
+            ramp.push_back(float(i + c) / 32);
+    light->to_light(ramp.data(), ramp.size() / 3);
+    all.insert(all.end(), ramp.begin(), ramp.end());
+    return all;
+}
 
 constexpr uint64_t pieces = 1024;
 constexpr size_t piece = size_t(64) << 10;
@@ -37,7 +58,10 @@ std::string fingerprint(const std::string& source, const OIIO::ImageSpec& source
     windows(result);
     for (const std::string& channel : source_spec.channelnames)
         add(channel);
-    add(source_spec.get_string_attribute("oiio:ColorSpace"));
+    const std::string space = source_spec.get_string_attribute("oiio:ColorSpace");
+    add(space);
+    const std::vector<float> light = light_of(settings.options.light, space);
+    hash.append(light.data(), light.size() * sizeof(float));
 
     const uint64_t size = OIIO::Filesystem::file_size(source);
     add(std::to_string(size));

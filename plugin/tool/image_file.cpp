@@ -98,6 +98,15 @@ bool ImageFile::open(const OIIO::ImageSpec& spec, Failure& failure) {
             m_path, m_width, m_height, m_output->format_name(), most)};
         return false;
     }
+    // Of others DPX's writer ends the program.
+    if (m_output->format_name() == std::string("dpx") && spec.nchannels != 1 &&
+        spec.nchannels != 3 && spec.nchannels != 4) {
+        failure = {
+            format("cannot write \"{}\": the format dpx has no {} channels; allowed are 1, 3 "
+                   "and 4",
+                   m_path, spec.nchannels)};
+        return false;
+    }
     // TIFF's rows make a broken file that way (OpenImageIO 2.4.7).
     if (m_output->supports("ioproxy") && m_output->format_name() != std::string("tiff")) {
         m_stream = std::make_unique<Stream>(m_whole.file());
@@ -118,8 +127,10 @@ Failure ImageFile::failed() const {
     std::string why(OIIO::Strutil::strip(m_output->geterror()));
     why = OIIO::Strutil::replace(why.substr(0, why.find('\n')), temporary(), m_path, true);
     const bool of_stream = m_whole.file() && std::ferror(m_whole.file());
-    return {"cannot write \"" + m_path + "\"" + (why.empty() ? "" : ": " + why),
-            of_stream ? exit_resources : code_of_message(why)};
+    ExitCode code = of_stream ? exit_resources : code_of_message(why);
+    if (code == exit_failed && m_whole.file()) // writers may not say why
+        code = code_of_errno(m_whole.write_error());
+    return {"cannot write \"" + m_path + "\"" + (why.empty() ? "" : ": " + why), code};
 }
 
 /// Look at the file as its readers will.

@@ -2,9 +2,13 @@
 #include "plugin/tool/join.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <climits>
 #include <cstring>
 #include <memory>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/strutil.h>
@@ -39,7 +43,12 @@ struct PartFile {
 bool cannot_read(const PartFile& part, Failure& failure) {
     std::string why = part.input ? part.input->geterror() : OIIO::geterror();
     why = std::string(OIIO::Strutil::strip(why.substr(0, why.find('\n'))));
-    failure = {"cannot read \"" + part.path + "\"" + (why.empty() ? "" : ": " + why), exit_failed};
+    // Readers call what cannot be opened none of their format.
+    const int descriptor = ::open(part.path.c_str(), O_RDONLY | O_CLOEXEC);
+    const ExitCode code = descriptor < 0 ? code_of_errno(errno) : code_of_message(why);
+    if (descriptor >= 0)
+        ::close(descriptor);
+    failure = {"cannot read \"" + part.path + "\"" + (why.empty() ? "" : ": " + why), code};
     return false;
 }
 
@@ -244,6 +253,8 @@ OIIO::ImageSpec whole_spec(OIIO::ImageSpec spec, const PartHeader& header, bool 
     restore("compression", header.compression);
     restore("oiio:ColorSpace", header.colour_space);
     restore("DateTime", header.date); // OpenEXR's writer makes one of its own
+    if (header.no_aspect)             // OpenEXR's reader makes one
+        spec.erase_attribute("PixelAspectRatio");
     for (const char* key : {"ICCProfile", "oiio:BitsPerSample", "oiio:Gamma", "oiio:subimages"})
         spec.erase_attribute(key);
     if (const std::vector<unsigned char>& profile = header.profile; !profile.empty())

@@ -34,6 +34,7 @@ constexpr const char* channels_key = "ddt_part:channels"; // a line each
 constexpr const char* date_key = "ddt_part:date";
 constexpr const char* profile_key = "ddt_part:profile"; // as text: EXR files hold no bytes
 constexpr const char* bits_key = "ddt_part:bits";
+constexpr const char* aspect_key = "ddt_part:noaspect";
 
 constexpr int cache_megabytes = 192;
 
@@ -201,6 +202,8 @@ void PartHeader::write_to(OIIO::ImageSpec& spec) const {
     spec.attribute(date_key, date);
     spec.attribute(profile_key, hex(profile));
     spec.attribute(bits_key, std::to_string(bits));
+    if (no_aspect)
+        spec.attribute(aspect_key, "1");
 }
 
 bool PartHeader::take_from(OIIO::ImageSpec& spec) {
@@ -214,6 +217,7 @@ bool PartHeader::take_from(OIIO::ImageSpec& spec) {
     profile = bytes_of(spec.get_string_attribute(profile_key));
     bits = 0;
     parse_number(std::string(spec.get_string_attribute(bits_key)), 0, 64, bits);
+    no_aspect = spec.get_string_attribute(aspect_key) == "1";
     const std::string window = spec.get_string_attribute(whole_key);
     if (job.empty() || spec.tile_width < 1 ||
         !parse_part(spec.get_string_attribute(part_key), part) ||
@@ -222,7 +226,7 @@ bool PartHeader::take_from(OIIO::ImageSpec& spec) {
         whole.empty() || !is_number_type(type))
         return false;
     for (const char* key : {job_key, part_key, whole_key, type_key, space_key, compression_key,
-                            channels_key, date_key, profile_key, bits_key})
+                            channels_key, date_key, profile_key, bits_key, aspect_key})
         spec.erase_attribute(key);
     return true;
 }
@@ -266,6 +270,7 @@ bool resize_part(const std::string& in, const std::string& out, const ResizeSett
     header.date = whole.get_string_attribute("DateTime");
     header.profile = profile_of(whole);
     header.bits = whole.get_int_attribute("oiio:BitsPerSample");
+    header.no_aspect = !whole.find_attribute("PixelAspectRatio");
     OIIO::ImageSpec spec = file_spec(whole, pixels);
     header.write_to(spec);
     ImageFile file;

@@ -28,6 +28,7 @@ struct PartHeader {
     std::string date;                   ///< the source's DateTime, empty if it says none
     std::vector<unsigned char> profile; ///< the source's ICC profile, or nothing
     int bits = 0;                       ///< oiio:BitsPerSample of the whole; 0: none
+    bool no_aspect = false;             ///< the whole says no PixelAspectRatio
 
     void write_to(OIIO::ImageSpec& spec) const;
     /// Take it off a file's spec. False if that is of no part.

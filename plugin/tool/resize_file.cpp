@@ -10,6 +10,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "core/tiles/grid.h"
+#include "plugin/image/metadata.h"
 #include "plugin/image/reading.h"
 #include "plugin/image/windows.h"
 #include "plugin/imagebuf/resample.h"
@@ -61,18 +62,31 @@ std::vector<int> strip_ends(const OIIO::ImageSpec& from, const OIIO::ImageSpec& 
     return ends;
 }
 
+/// n * to / from, rounded down.
+int64_t scaled_down(int64_t n, int64_t to, int64_t from) {
+    return n * to / from - (n * to % from < 0 ? 1 : 0);
+}
+
 /// An axis of a data window that is scaled along with its display window: its origin rounded down,
 /// its size up. False if that is beyond what coordinates are allowed.
 bool scale_axis(int full_from, int full_size_from, int full_to, int full_size_to, int& begin,
                 int& size) {
-    const double times = double(full_size_to) / full_size_from;
-    const double first = full_to + std::floor((double(begin) - full_from) * times);
-    const double count = std::ceil(size * times);
+    const int64_t first =
+        full_to + scaled_down(int64_t(begin) - full_from, full_size_to, full_size_from);
+    const int64_t count = -scaled_down(-int64_t(size), full_size_to, full_size_from);
     if (first < -largest_coordinate || first + count > largest_coordinate)
         return false;
     begin = int(first);
     size = int(count);
     return true;
+}
+
+/// Say with which level of DWA the source was compressed, which is said beside the compression.
+void keep_level(OIIO::ImageSpec& spec) {
+    const std::string compression = spec.get_string_attribute("compression");
+    const float level = spec.get_float_attribute("openexr:dwaCompressionLevel", -1);
+    if ((compression == "dwaa" || compression == "dwab") && level >= 0)
+        spec.attribute("compression", format("{}:{:g}", compression, level));
 }
 
 Failure too_far(const OIIO::ImageSpec& from, const Size& size) {
@@ -165,6 +179,8 @@ bool plan_result(const OIIO::ImageSpec& from, const ResizeSettings& settings, OI
         return false;
     }
     spec = from;
+    forget_pixels(spec);
+    keep_level(spec);
     if (size.width != from.full_width || size.height != from.full_height) {
         if (!scale_axis(from.full_x, from.full_width, size.x, size.width, spec.x, spec.width) ||
             !scale_axis(from.full_y, from.full_height, size.y, size.height, spec.y, spec.height)) {

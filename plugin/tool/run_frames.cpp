@@ -35,7 +35,7 @@ public:
                 show(index, 1);
                 continue;
             }
-            const int64_t memory = m_run.memory_of ? m_run.memory_of(task) : 0;
+            const int64_t memory = memory_of(task);
             m_room.wait(lock,
                         [&] { return m_stopped || m_taken == 0 || m_taken + memory <= m_allowed; });
             if (m_stopped)
@@ -57,6 +57,14 @@ public:
     FrameCounts counts() const { return m_counts; }
 
 private:
+    int64_t memory_of(const FrameTask& task) const {
+        try {
+            return m_run.memory_of ? m_run.memory_of(task) : 0;
+        } catch (const std::exception&) {
+            return 0; // the attempt tells
+        }
+    }
+
     bool attempt(const FrameTask& task, size_t index, Failure& failure) {
         try {
             return m_run.run(
@@ -106,6 +114,31 @@ private:
 
 } // namespace
 
+int64_t least_limit(std::istream& groups, const std::string& folder) {
+    int64_t least = std::numeric_limits<int64_t>::max();
+    const auto look = [&](const std::string& file) {
+        int64_t limit = 0; // or "max"
+        if (std::ifstream(file) >> limit && limit > 0)
+            least = std::min(least, limit);
+    };
+    // "0::/user.slice/..." of the second version, "4:memory:/slurm/..." of the first.
+    for (std::string line; std::getline(groups, line);) {
+        const bool second = line.compare(0, 3, "0::") == 0;
+        const size_t name = line.find(":memory:");
+        if (!second && name == std::string::npos)
+            continue;
+        const std::string root = second ? folder : folder + "/memory";
+        std::filesystem::path group = line.substr(second ? 3 : name + 8);
+        // Those about it count as well. In a container the first is the root, and has none.
+        for (;; group = group.parent_path()) {
+            look(root + group.string() + (second ? "/memory.max" : "/memory.limit_in_bytes"));
+            if (!group.has_relative_path())
+                break;
+        }
+    }
+    return least;
+}
+
 FrameCounts run_frames(const std::vector<FrameTask>& tasks, const FrameRun& run,
                        Progress& progress) {
     Queue queue(tasks, run, progress);
@@ -125,10 +158,8 @@ int64_t memory_allowed() {
     auto bytes = int64_t(OIIO::Sysutil::physical_memory());
     if (bytes == 0) // not known: no /proc
         bytes = std::numeric_limits<int64_t>::max();
-    int64_t limit = 0;
-    if (std::ifstream("/sys/fs/cgroup/memory.max") >> limit && limit > 0)
-        bytes = std::min(bytes, limit);
-    return bytes / 4 * 3;
+    std::ifstream groups("/proc/self/cgroup");
+    return std::min(bytes, least_limit(groups, "/sys/fs/cgroup")) / 4 * 3;
 }
 
 } // namespace ddt::tool

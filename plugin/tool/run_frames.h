@@ -2,7 +2,9 @@
 // Many files, several at a time.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <istream>
 #include <string>
 #include <vector>
 
@@ -37,7 +39,11 @@ FrameCounts run_frames(const std::vector<FrameTask>& tasks, const FrameRun& run,
                        Progress& progress);
 
 /// Three quarters of what this process may have: of the machine's memory, or of its control
-/// group's if that is less.
+/// groups' if that is less.
 int64_t memory_allowed();
+
+/// The least limit of memory, in bytes, of the control groups that /proc/self/cgroup names, and of
+/// those about them, below `folder`, where they are mounted; the largest number if there is none.
+int64_t least_limit(std::istream& groups, const std::string& folder);
 
 } // namespace ddt::tool

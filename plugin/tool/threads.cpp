@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/threads.h"
 
+#include <cstdlib>
+#include <system_error>
+
 #include <OpenImageIO/imageio.h>
 
 #include "core/base/parallel.h"
+#include "plugin/tool/command.h"
 
 namespace ddt::tool {
 
@@ -15,7 +19,12 @@ int share_threads(int wanted) {
     threads = threads > 0 ? allowed_threads(threads) : usual_threads();
     // OpenImageIO's pool has one thread less than it is told, and its TIFF writer compresses side
     // by side only where the pool has two.
-    OIIO::attribute("threads", threads == 2 ? 3 : threads);
+    try {
+        OIIO::attribute("threads", threads == 2 ? 3 : threads);
+    } catch (const std::system_error&) {
+        // There are no more. A pool that is half made ends the program by a signal, at its end.
+        std::_Exit(fail(thrown()));
+    }
     if (wanted > 0)
         OIIO::attribute("exr_threads", threads == 1 ? -1 : threads); // -1: none of its own
     return threads;

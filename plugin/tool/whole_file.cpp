@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/whole_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -109,6 +110,9 @@ bool WholeFile::open(const std::string& path, Failure& failure) {
     m_path = path;
     m_target = followed(path).string();
     struct stat there {};
+    // A link to /dev/stdout leads on to a pipe, which has no path.
+    if (stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode))
+        m_target = path;
     const bool exists = stat(m_target.c_str(), &there) == 0;
     if (exists && S_ISDIR(there.st_mode))
         return refuse(EISDIR, failure);
@@ -136,6 +140,16 @@ void WholeFile::begin_writeback() {
         sync_file_range(fileno(m_file), 0, 0, SYNC_FILE_RANGE_WRITE);
 }
 
+int WholeFile::write_error() const {
+    const char more[4096] = {};
+    errno = 0;
+    const off_t end = lseek(fileno(m_file), 0, SEEK_END);
+    return pwrite(fileno(m_file), more, sizeof more, std::max<off_t>(end, 0)) ==
+                   ssize_t(sizeof more)
+               ? 0
+               : errno;
+}
+
 bool WholeFile::commit(Failure& failure) {
     const int descriptor = fileno(m_file);
     struct stat there {};
@@ -152,12 +166,10 @@ bool WholeFile::commit(Failure& failure) {
                std::rename(m_temporary.c_str(), m_target.c_str()) == 0;
     }
     if (!done) {
-        // Errno may be another's by now: what does a write say?
-        const char more[4096] = {};
-        if (errno == 0 && pwrite(descriptor, more, sizeof more, lseek(descriptor, 0, SEEK_END)) ==
-                              ssize_t(sizeof more))
-            errno = EIO;
-        refuse(errno, failure);
+        int number = errno;
+        if (number == 0) // it may be another's by now
+            number = write_error();
+        refuse(number ? number : EIO, failure);
         if (std::ferror(m_file))
             failure.code = exit_resources;
         discard();

@@ -38,6 +38,10 @@ public:
     /// Let what was written so far go to the disk meanwhile, so that commit() waits for less.
     void begin_writeback();
 
+    /// What a write says now: an error's number, or 0. It writes beyond the end: of a file that is
+    /// to be given up.
+    int write_error() const;
+
     /// All of it on the disk, then under its name. False with a failure, and no file, if a write to
     /// file() failed at any time, or one of these does.
     bool commit(Failure& failure);

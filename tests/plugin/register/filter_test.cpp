@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The plugin loaded into a program that calls OpenImageIO's C++ functions.
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <set>
@@ -184,6 +185,21 @@ TEST_F(Registered, FitFillsAsAsked) {
         const ImageBuf width = ImageBufAlgo::fit(picture(), "ddt", 0.0f, "width", exact, square);
         EXPECT_GT(height.getchannel(18, 1, 0, 0), 0.0f) << exact;
         EXPECT_EQ(width.getchannel(18, 1, 0, 0, ImageBuf::WrapBlack), 0.0f) << exact;
+    }
+}
+
+TEST_F(Registered, FitFillsHolesWhereNothingIsEnlarged) {
+    ImageBuf holed = picture();
+    const float nan = std::nanf("");
+    holed.setpixel(3, 3, cspan<float>(&nan, 1));
+    for (const bool exact : {false, true}) {
+        const ImageBuf fitted =
+            ImageBufAlgo::fit(holed, "ddt,holes=fill", 0.0f, "letterbox", exact, holed.roi());
+        if (fitted.has_error() && fitted.geterror(false).find("GEOS") != std::string::npos)
+            GTEST_SKIP() << "built without GEOS";
+        ASSERT_FALSE(fitted.has_error()) << fitted.geterror();
+        EXPECT_TRUE(std::isfinite(fitted.getchannel(3, 3, 0, 0))) << exact;
+        EXPECT_EQ(fitted.getchannel(5, 2, 0, 0), holed.getchannel(5, 2, 0, 0)) << exact;
     }
 }
 

@@ -3,6 +3,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -99,6 +102,41 @@ TEST(Frames, OnlyWhatIsDoneIsSaidToBeDone) {
     EXPECT_NE(stopped.find("ddt progress 95% frames"), std::string::npos) << stopped;
     EXPECT_EQ(stopped.find("100%"), std::string::npos) << stopped;
     EXPECT_NE(went_on.find("ddt progress 100% frames"), std::string::npos) << went_on;
+}
+
+TEST(Frames, WhatIsThrownWhileMemoryIsCountedIsNoEnd) {
+    std::vector<FrameTask> tasks(8);
+    FrameRun frames;
+    frames.jobs = 3;
+    frames.keep_going = true;
+    frames.memory_of = [](const FrameTask&) -> int64_t { throw std::runtime_error("no threads"); };
+    frames.run = [](const FrameTask&, const std::function<bool(float)>&, Failure&) { return true; };
+    Progress progress("frames", ProgressMode::none);
+    EXPECT_EQ(run_frames(tasks, frames, progress).written, 8);
+}
+
+TEST(Frames, MemoryIsThatOfTheControlGroups) {
+    const std::filesystem::path folder = temporary("cgroup");
+    const auto put = [&](const char* file, const char* text) {
+        std::filesystem::create_directories((folder / file).parent_path());
+        std::ofstream(folder / file) << text;
+    };
+    put("memory.max", "max\n");
+    put("job/memory.max", "5000\n");
+    put("job/step/memory.max", "7000\n");
+    put("memory/slurm/memory.limit_in_bytes", "3000\n");
+    const auto limit = [&](const char* text) {
+        std::istringstream groups(text);
+        return least_limit(groups, folder.string());
+    };
+    EXPECT_EQ(limit("0::/job/step\n"), 5000);
+    EXPECT_EQ(limit("0::/job\n"), 5000);
+    EXPECT_EQ(limit("0::/other\n"), std::numeric_limits<int64_t>::max());
+    EXPECT_EQ(limit("12:cpu:/slurm\n4:memory:/slurm/step\n0::/other\n"), 3000);
+    EXPECT_EQ(limit(""), std::numeric_limits<int64_t>::max());
+    put("memory.max", "2000\n"); // a container's own
+    EXPECT_EQ(limit("0::/\n"), 2000);
+    EXPECT_EQ(limit("0::/job\n"), 2000);
 }
 
 } // namespace

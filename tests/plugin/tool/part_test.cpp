@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/part.h"
 
+#include <cstdlib>
+#include <fstream>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include <OpenImageIO/imageio.h>
+#include <OpenImageIO/imagebufalgo.h>
 
 #include "core/tiles/grid.h"
+#include "plugin/tool/fingerprint.h"
 #include "plugin/tool/join.h"
 #include "plugin/tool/part_file.h"
 #include "tests/temporary.h"
@@ -152,6 +155,43 @@ TEST(Join, NamesThePartsThatAreMissing) {
     EXPECT_EQ(missing({part(1, 2)}), "of 2 parts there are missing: 1");
     EXPECT_EQ(missing({part(3, 4), part(0, 4)}), "of 4 parts there are missing: 2, 3");
     EXPECT_EQ(missing({part(2, 20)}), "of 20 parts there are missing: 1, 2, 4, 5, 6, 7, 8, 9, ...");
+}
+
+TEST(Fingerprint, IsOfTheConfigThatIsInUse) {
+    const std::string in = temporary("of_a_part.png"), config = temporary("other.ocio");
+    OIIO::ImageBuf image(OIIO::ImageSpec(8, 8, 3, OIIO::TypeUInt8));
+    OIIO::ImageBufAlgo::zero(image);
+    ASSERT_TRUE(image.write(in));
+    std::ofstream(config) << R"(ocio_profile_version: 2
+roles: {default: raw, scene_linear: linear}
+displays:
+  none:
+    - !<View> {name: raw, colorspace: raw}
+colorspaces:
+  - !<ColorSpace> {name: linear}
+  - !<ColorSpace> {name: raw, isdata: true}
+  - !<ColorSpace> {name: sRGB, to_scene_reference: !<ExponentTransform> {value: 3}}
+)";
+    OIIO::ImageSpec spec = image.spec(), result;
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    ResizeSettings settings;
+    settings.size = "200%";
+    Failure failure;
+    ASSERT_TRUE(plan_result(spec, settings, result, failure));
+    const auto both = [&] {
+        unsetenv("OCIO");
+        const std::string without = fingerprint(in, spec, result, settings);
+        setenv("OCIO", config.c_str(), 1);
+        const std::string with = fingerprint(in, spec, result, settings);
+        unsetenv("OCIO");
+        return std::pair(without, with);
+    };
+    const auto [without, with] = both();
+    EXPECT_NE(without, "");
+    EXPECT_NE(with, without);
+    settings.options.light = "encoded";
+    const auto [encoded, encoded_too] = both();
+    EXPECT_EQ(encoded, encoded_too);
 }
 
 } // namespace

@@ -206,5 +206,52 @@ TEST(PlanResult, ATypeThatIsAskedForHasAllItsBits) {
     EXPECT_EQ(to.get_int_attribute("oiio:BitsPerSample"), 0);
 }
 
+TEST(PlanResult, DataWindowsScaleWithoutRounding) {
+    ResizeSettings settings;
+    Failure failure;
+    for (int height = 1; height < 2000; height += 7)
+        for (const int percent : {101, 110, 120, 137, 150, 333, 400}) {
+            ImageSpec from(16, height, 1, OIIO::TypeHalf), to;
+            settings.size = std::to_string(percent) + "%";
+            ASSERT_TRUE(plan_result(from, settings, to, failure)) << failure.why;
+            ASSERT_EQ(to.height, to.full_height) << height << ' ' << percent;
+            from.y = -height;
+            from.height = 3 * height;
+            ASSERT_TRUE(plan_result(from, settings, to, failure)) << failure.why;
+            ASSERT_EQ(to.y, -to.full_height) << height << ' ' << percent;
+            ASSERT_EQ(to.height, 3 * to.full_height) << height << ' ' << percent;
+        }
+}
+
+TEST(PlanResult, WhatIsSaidOfTheSourcesPixelsGoesAndTheLevelOfCompressionStays) {
+    ImageSpec from(8, 8, 1, OIIO::TypeHalf), to;
+    from.attribute("oiio:AverageColor", "0.5");
+    from.attribute("textureformat", "Plain Texture");
+    from.attribute("compression", "dwab");
+    from.attribute("openexr:dwaCompressionLevel", 120.0f);
+    ResizeSettings settings;
+    settings.size = "200%";
+    Failure failure;
+    ASSERT_TRUE(plan_result(from, settings, to, failure));
+    EXPECT_EQ(to.find_attribute("oiio:AverageColor"), nullptr);
+    EXPECT_EQ(to.find_attribute("textureformat"), nullptr);
+    EXPECT_EQ(to.get_string_attribute("compression"), "dwab:120");
+    settings.compression = "dwab:45";
+    ASSERT_TRUE(plan_result(from, settings, to, failure));
+    EXPECT_EQ(to.get_string_attribute("compression"), "dwab:45");
+}
+
+// Its writer ends the program.
+TEST(ResizeFile, TwoChannelsAreRefusedForDpx) {
+    ImageBuf image(ImageSpec(8, 8, 2, OIIO::TypeHalf));
+    OIIO::ImageBufAlgo::zero(image);
+    const std::string in = temporary("two.exr"), out = temporary("two.dpx");
+    ASSERT_TRUE(image.write(in));
+    Failure failure;
+    EXPECT_FALSE(resized(in, "200%", out, failure));
+    EXPECT_EQ(failure.code, exit_failed);
+    EXPECT_NE(failure.why.find("allowed are 1, 3 and 4"), std::string::npos) << failure.why;
+}
+
 } // namespace
 } // namespace ddt::tool

@@ -193,5 +193,18 @@ TEST_F(WholeFiles, WhatIsNoFileIsWrittenDirectly) {
     EXPECT_TRUE(S_ISCHR(there.st_mode));
 }
 
+TEST_F(WholeFiles, ALinkToAPipeIsThePipe) {
+    int ends[2] = {};
+    ASSERT_EQ(pipe(ends), 0);
+    fs::create_symlink("/proc/self/fd/" + std::to_string(ends[1]), path("link.png"));
+    EXPECT_TRUE(write(path("link.png"), "text")) << m_failure.why;
+    char text[5] = {};
+    EXPECT_EQ(read(ends[0], text, 4), 4);
+    EXPECT_STREQ(text, "text");
+    EXPECT_EQ(files(), 1u);
+    close(ends[0]);
+    close(ends[1]);
+}
+
 } // namespace
 } // namespace ddt::tool
