@@ -150,17 +150,20 @@ bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& given, Arrival* a
     if (!fill_image(given, of_holes, options.holes, filled, nthreads, error))
         return false;
     const OIIO::ImageBuf& src = filled.initialized() ? filled : given;
-    if (grow) {
+    if (!grow && !shrink_x && !shrink_y)
+        return copy_moved(dst, src, roi, to.xbegin - from.xbegin, to.ybegin - from.ybegin,
+                          Beyond::edge, error);
+    bool shrunk = all_are_ids(src, roi); // nothing to shrink
+    if (!shrunk && grow) {
         Options of_filled = options;
         of_filled.holes = Holes::keep;
         of_filled.progress =
             part_of(options.progress, filled.initialized() ? share_of_filling : 0, 1);
-        return enlarge_then_shrink_in_bands(dst, src, roi, shrink_x, of_filled, nthreads, error);
+        shrunk = enlarge_then_shrink_in_bands(dst, src, roi, shrink_x, of_filled, nthreads, error);
+    } else if (!shrunk) {
+        shrunk = resize_by_oiio(dst, src, roi, nthreads, error);
     }
-    if (!shrink_x && !shrink_y)
-        return copy_moved(dst, src, roi, to.xbegin - from.xbegin, to.ybegin - from.ybegin,
-                          Beyond::edge, error);
-    return resize_by_oiio(dst, src, roi, nthreads, error);
+    return shrunk && copy_nearest_ids(dst, src, roi, error);
 }
 
 } // namespace

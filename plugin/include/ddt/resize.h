@@ -59,7 +59,7 @@ struct Options : FilterOptions {
 ///
 /// If an axis shrinks and the other does not grow, this is OpenImageIO's own resize with its
 /// default filter, on the numbers as they are. If one grows and the other shrinks, the first is
-/// enlarged by the mesh and the second shrunk so, IDs included.
+/// enlarged by the mesh and the second shrunk so. IDs are copied from the nearest pixel.
 ///
 /// nthreads 0: OpenImageIO's attribute "threads".
 bool resize(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options = {},

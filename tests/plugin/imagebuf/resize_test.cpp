@@ -214,10 +214,32 @@ TEST(Resize, ChannelsOfIdsAreCopied) {
         for (int y = 0; y < 16; ++y)
             for (int x = 0; x < 16; ++x)
                 ids.insert(value(src, x, y, 3));
-        const auto dst = enlarged(src, 61, 61);
-        for (int y = 0; y < 61; ++y)
-            for (int x = 0; x < 61; ++x)
-                ASSERT_TRUE(ids.count(value(dst, x, y, 3)));
+        for (const auto& [width, height] :
+             {std::pair{61, 61}, std::pair{7, 61}, std::pair{61, 7}, std::pair{7, 5}}) {
+            const auto dst = enlarged(src, width, height);
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < width; ++x)
+                    ASSERT_TRUE(ids.count(value(dst, x, y, 3))) << width << ' ' << height;
+        }
+    }
+}
+
+TEST(Resize, IntegersShrinkToTheNearestPixel) {
+    OIIO::ImageSpec spec(24, 20, 1, OIIO::TypeUInt32);
+    ImageBuf src(spec);
+    auto* const p = static_cast<uint32_t*>(src.localpixels());
+    for (uint32_t i = 0; i < 24 * 20; ++i)
+        p[i] = 4000000000u - i;
+    for (const auto& [width, height] : {std::pair{8, 4}, std::pair{8, 100}, std::pair{72, 4}}) {
+        ImageBuf dst;
+        ASSERT_TRUE(ddt::resize(dst, src, {}, window(0, width, 0, height))) << dst.geterror();
+        ASSERT_EQ(dst.spec().format, OIIO::TypeUInt32);
+        const auto* const q = static_cast<const uint32_t*>(dst.localpixels());
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                ASSERT_EQ(q[y * width + x],
+                          p[(2 * y + 1) * 20 / (2 * height) * 24 + (2 * x + 1) * 24 / (2 * width)])
+                    << x << ' ' << y;
     }
 }
 
