@@ -132,9 +132,13 @@ ExitCode parse_and_run(Command& command, const std::vector<std::string>& args) {
     return Parser(command).parse_and_run(args);
 }
 
-ExitCode fail(const std::string& message, ExitCode code) {
+void note(const std::string& message) {
     const bool named = message.compare(0, 5, "ddt: ") == 0;
     std::fprintf(stderr, "%s%s\n", named ? "" : "ddt: ", one_line(message).c_str());
+}
+
+ExitCode fail(const std::string& message, ExitCode code) {
+    note(message);
     return code;
 }
 

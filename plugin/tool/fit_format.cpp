@@ -2,6 +2,9 @@
 #include "plugin/tool/fit_format.h"
 
 #include <algorithm>
+#include <vector>
+
+#include <OpenImageIO/strutil.h>
 
 namespace ddt::tool {
 
@@ -26,6 +29,25 @@ bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::
     spec.width = roi.width();
     spec.height = roi.height();
     return true;
+}
+
+void fit_channels(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec, std::string& left_out) {
+    if (output.supports("nchannels"))
+        return;
+    const bool alpha = output.supports("alpha") && spec.alpha_channel == 3;
+    const int most = alpha ? 4 : 3;
+    const std::vector<std::string>& names = spec.channelnames;
+    if (spec.nchannels <= most || names[0] != "R" || names[1] != "G" || names[2] != "B")
+        return;
+    left_out = OIIO::Strutil::join(std::vector(names.begin() + most, names.end()), ", ");
+    spec.nchannels = most;
+    spec.channelnames.resize(size_t(most));
+    if (!spec.channelformats.empty())
+        spec.channelformats.resize(size_t(most));
+    if (spec.alpha_channel >= most)
+        spec.alpha_channel = -1;
+    if (spec.z_channel >= most)
+        spec.z_channel = -1;
 }
 
 } // namespace ddt::tool

@@ -17,4 +17,9 @@ namespace ddt::tool {
 bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::ImageSpec& spec,
                 Failure& failure);
 
+/// Leave out what comes after colour and alpha, or alpha too, where the format holds no more, as
+/// oiiotool does; `left_out` becomes the names, or stays empty. Of other channels than R, G, B and
+/// alpha in this order it is the format's writer that complains.
+void fit_channels(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec, std::string& left_out);
+
 } // namespace ddt::tool

@@ -15,6 +15,7 @@
 #include "plugin/image/windows.h"
 #include "plugin/imagebuf/resample.h"
 #include "plugin/message/format.h"
+#include "plugin/tool/command.h"
 #include "plugin/tool/fit_format.h"
 #include "plugin/tool/image_file.h"
 #include "plugin/tool/part.h"
@@ -116,8 +117,15 @@ bool check_size_of(const OIIO::ImageSpec& spec, Failure& failure) {
 /// Open the file for what of the result its format has room for: `spec` becomes that.
 bool open_file(const std::string& path, OIIO::ImageSpec& spec, ImageFile& file, Failure& failure) {
     spec.tile_width = spec.tile_height = spec.tile_depth = 0;
-    return file.create(path, failure) && fit_format(file.output(), path, spec, failure) &&
-           check_size_of(spec, failure) && file.open(spec, failure);
+    if (!file.create(path, failure) || !fit_format(file.output(), path, spec, failure))
+        return false;
+    std::string left_out;
+    fit_channels(file.output(), spec, left_out);
+    if (!check_size_of(spec, failure) || !file.open(spec, failure))
+        return false;
+    if (!left_out.empty())
+        note("\"" + path + "\" has no room for " + left_out);
+    return true;
 }
 
 /// Make the image whose pixels an open file of this spec is written from. What the writer makes

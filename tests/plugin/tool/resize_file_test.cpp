@@ -241,6 +241,38 @@ TEST(PlanResult, WhatIsSaidOfTheSourcesPixelsGoesAndTheLevelOfCompressionStays) 
     EXPECT_EQ(to.get_string_attribute("compression"), "dwab:45");
 }
 
+TEST(ResizeFile, WhatAFormatHasNoRoomForIsLeftOutAndNamed) {
+    ImageSpec spec(8, 6, 6, OIIO::TypeHalf);
+    spec.channelnames = {"R", "G", "B", "A", "Z", "mask"};
+    spec.alpha_channel = 3;
+    spec.z_channel = 4;
+    ImageBuf image(spec);
+    OIIO::ImageBufAlgo::fill(image, {0.1f, 0.2f, 0.3f, 1.0f, 9.0f, 1.0f});
+    const std::string in = temporary("six.exr");
+    ASSERT_TRUE(image.write(in));
+    Failure failure;
+    for (const auto& [name, channels, left_out] :
+         {std::tuple("six.png", 4, "Z, mask"), std::tuple("six.ppm", 3, "A, Z, mask")}) {
+        const std::string out = temporary(name);
+        testing::internal::CaptureStderr();
+        ASSERT_TRUE(resized(in, "200%", out, failure)) << failure.why;
+        EXPECT_EQ(testing::internal::GetCapturedStderr(),
+                  "ddt: \"" + out + "\" has no room for " + left_out + "\n");
+        EXPECT_EQ(ImageBuf(out).nchannels(), channels);
+        EXPECT_EQ(ImageBuf(out).spec().width, 16);
+        const std::string filled = temporary(std::string("filled_") + name);
+        testing::internal::CaptureStderr();
+        EXPECT_EQ(make_fill_command()->run({in, filled}), exit_done);
+        EXPECT_NE(testing::internal::GetCapturedStderr().find(left_out), std::string::npos);
+        EXPECT_EQ(ImageBuf(filled).nchannels(), channels);
+        EXPECT_EQ(ImageBuf(filled).spec().width, 8);
+    }
+    // Others are not for us to choose from.
+    spec.channelnames = {"u", "v", "w", "A", "Z", "mask"};
+    ASSERT_TRUE(ImageBuf(spec).write(temporary("others.exr")));
+    EXPECT_FALSE(resized(temporary("others.exr"), "200%", temporary("others.png"), failure));
+}
+
 // Its writer ends the program.
 TEST(ResizeFile, TwoChannelsAreRefusedForDpx) {
     ImageBuf image(ImageSpec(8, 8, 2, OIIO::TypeHalf));
