@@ -336,23 +336,28 @@ TEST(Enlarge, NearestChannelsAreCopies) {
     std::vector<uint32_t> ids;
     for (size_t i = 0; i < source.values().size(); ++i)
         if (i % channels == 1 || i % channels == 6) {
-            ids.push_back(uint32_t(random.bits()) | (i % 3 ? 0x7f800000u : 0u));
+            // Of any bits, and whole numbers, which corrections would move.
+            ids.push_back(i % channels == 1 ? uint32_t(random.bits()) | (i % 3 ? 0x7f800000u : 0u)
+                                            : bits_of(float(random.below(1000))));
             source.values()[i] = float_of(ids.back());
         }
     std::sort(ids.begin(), ids.end());
-    Job job = job_of(source, channels);
     const Rect out{0, 0, 111, 93};
     const auto mapping = mapping_of(source.window(), out, out);
-    const auto blend = run(source, job, mapping, out);
-    job.kinds.assign(channels, Channel::blend);
-    ASSERT_EQ(differing(run(source, job, mapping, out), blend), 0u);
-    job.kinds[1] = job.kinds[6] = Channel::nearest;
-    const auto values = run(source, job, mapping, out);
-    for (size_t i = 0; i < values.size(); ++i)
-        if (i % channels == 1 || i % channels == 6)
-            ASSERT_TRUE(std::binary_search(ids.begin(), ids.end(), bits_of(values[i])));
-        else
-            ASSERT_EQ(bits_of(values[i]), bits_of(blend[i]));
+    for (const SurfaceOptions& surface : surfaces_with({0, 1, 2})) {
+        Job job = job_of(source, channels);
+        job.surface = surface;
+        const auto blend = run(source, job, mapping, out);
+        job.kinds.assign(channels, Channel::blend);
+        ASSERT_EQ(differing(run(source, job, mapping, out), blend), 0u);
+        job.kinds[1] = job.kinds[6] = Channel::nearest;
+        const auto values = run(source, job, mapping, out);
+        for (size_t i = 0; i < values.size(); ++i)
+            if (i % channels == 1 || i % channels == 6)
+                ASSERT_TRUE(std::binary_search(ids.begin(), ids.end(), bits_of(values[i])));
+            else
+                ASSERT_EQ(bits_of(values[i]), bits_of(blend[i]));
+    }
 }
 
 TEST(Enlarge, OnePixelWideOrHighPictures) {

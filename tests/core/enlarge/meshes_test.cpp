@@ -162,6 +162,25 @@ TEST(Meshes, AlphaStaysWithinItsRangeAndIdentifiersAreTheFirstMeshs) {
     }
 }
 
+TEST(Meshes, IdentifiersOfAnyGroupAreTheFirstMeshs) {
+    const int channels = 7;
+    TestSource source({0, 0, 40, 30}, channels, 11);
+    const Rect out{0, 0, 110, 90};
+    const auto mapping = mapping_of(source.window(), out, out);
+    Job job = sharp_job(source, channels, 3), blended = job;
+    job.kinds.assign(channels, Channel::blend);
+    job.kinds[1] = job.kinds[6] = Channel::nearest;
+    const auto values = run(source, job, mapping, out);
+    const auto means = run(source, blended, mapping, out);
+    job.mesh.blur = blur_share(job.mesh, 0);
+    job.mesh.meshes = 1;
+    const auto first = run(source, job, mapping, out);
+    for (size_t i = 0; i < values.size(); ++i) {
+        const bool id = i % channels == 1 || i % channels == 6;
+        ASSERT_EQ(bits_of(values[i]), bits_of((id ? first : means)[i])) << i % channels;
+    }
+}
+
 TEST(Meshes, TheirNumberIsBounded) {
     TestSource source({0, 0, 8, 8}, 1, 5);
     const Rect out{0, 0, 16, 16};

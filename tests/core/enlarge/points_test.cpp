@@ -74,6 +74,21 @@ class Delaunay : public testing::Test {
     }
 };
 
+TEST(StepGrid, ThePointsSpanHalfOfTheStepsThereAreOrMore) {
+    for (const double extent : {1.0, 1.0000001, 1.9999999, 2.0, 3.0, 1e-30, 1e30})
+        for (const bool turned : {false, true}) {
+            const std::vector<double> along{-0.25 * extent, 0.75 * extent}, across{0, 0.1 * extent};
+            StepGrid grid;
+            std::string error;
+            ASSERT_TRUE(grid.fit(turned ? across : along, turned ? along : across, error)) << error;
+            const double x = turned ? 0.1 * extent : 0.75 * extent,
+                         y = turned ? 0.75 * extent : 0.1 * extent;
+            const Steps last = grid.steps(x, y);
+            EXPECT_GE(std::max(last.x, last.y), most_steps / 2) << extent;
+            EXPECT_LE(std::max(last.x, last.y), most_steps) << extent;
+        }
+}
+
 TEST_F(Delaunay, CirclesThroughTrianglesAreEmpty) {
     for (const int count : {3, 4, 10, 300}) {
         PointMesh mesh = random_points(count, uint64_t(count));
@@ -332,14 +347,21 @@ TEST_F(Delaunay, HolesAtTheRimTakeTheNearestPixel) {
             image[i] = -9;
     ASSERT_TRUE(fill_holes(image.data(), 8, 6, 1, nullptr, guide.data(), missing.data(), {}));
     EXPECT_EQ(image, guide);
-    // One pixel, or one row, that is there.
+    // One pixel, or one line of them in any direction, that is there.
+    constexpr int lines[][3] = {{20, 1, 1}, {24, 1, 8}, {3, 8, 6},
+                                {1, 9, 6},  {7, 7, 6},  {2, 10, 3}};
+    for (const auto& [first, step, count] : lines) {
+        std::fill(missing.begin(), missing.end(), uint8_t(1));
+        std::fill(image.begin(), image.end(), -9.0f);
+        for (int i = 0; i < count; ++i) {
+            missing[size_t(first + i * step)] = 0;
+            image[size_t(first + i * step)] = 0.5f;
+        }
+        ASSERT_TRUE(fill_holes(image.data(), 8, 6, 1, nullptr, guide.data(), missing.data(), {}))
+            << step;
+        EXPECT_EQ(image, guide) << step;
+    }
     std::fill(missing.begin(), missing.end(), uint8_t(1));
-    missing[20] = 0;
-    std::fill(image.begin(), image.end(), -9.0f);
-    image[20] = 0.5f;
-    ASSERT_TRUE(fill_holes(image.data(), 8, 6, 1, nullptr, guide.data(), missing.data(), {}));
-    EXPECT_EQ(image, guide);
-    missing[20] = 1;
     std::string error;
     EXPECT_FALSE(
         fill_holes(image.data(), 8, 6, 1, nullptr, guide.data(), missing.data(), {}, &error));

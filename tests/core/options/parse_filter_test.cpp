@@ -233,6 +233,10 @@ TEST(Options, FieldsOutOfRangeAreRefusedWithTheLineOfTheKey) {
         refused("scheme");
         options.device = ddt::Device(7);
         refused("device");
+        options.light = ""; // it stands between commas
+        refused("light");
+        options.light = "sRGB,cost=scf";
+        refused("light");
         if (option.key == std::string("blur"))
             break;
     }

@@ -143,6 +143,26 @@ TEST(Mapping, ReachHoldsExactlyThePixelsInside) {
     }
 }
 
+// Where a unit is a whole number of pixels, some positions lie on the border of two units.
+TEST(Mapping, RowIsThePositionsWhereTheyAreExactToo) {
+    for (const int from : {1, 5, 7, 12, 100003})
+        for (const int to : {1 << 16, 3 << 16, 15 << 17}) {
+            Axis a = Axis::whole(from, to);
+            a.to0 = -1000;
+            for (const int begin : {a.to0, a.to0 + 777, a.to0 + to / 2}) {
+                a.out0 = begin;
+                a.out1 = begin + 2000;
+                const ResizeMapping mapping(a, a);
+                std::vector<Position> positions(2000);
+                std::vector<uint8_t> inside(2000);
+                mapping.row(begin, a.out0, a.out1, positions.data(), inside.data());
+                for (int i = 0; i < 2000; ++i)
+                    ASSERT_EQ(positions[size_t(i)].x, a.position(begin + i))
+                        << from << " " << to << " " << i;
+            }
+        }
+}
+
 TEST(Mapping, RowIsThePositionsOfBothAxes) {
     Random random(7);
     for (int k = 0; k < 50; ++k) {

@@ -11,13 +11,14 @@ namespace ddt::test {
 namespace {
 
 constexpr int width = 90, height = 70, channels = 3;
+constexpr int left = -7, top = 11; // of the window
 
 class Plain final : public Source {
 public:
     bool read(const Rect& r, float* v, float* g) override {
         for (int y = r.y0; y < r.y1; ++y)
             for (int x = r.x0; x < r.x1; ++x) {
-                const size_t i = size_t(y) * width + size_t(x);
+                const size_t i = size_t(y - top) * width + size_t(x - left);
                 v = std::copy_n(&values[i * channels], channels, v);
                 *g++ = guide[i];
             }
@@ -37,12 +38,19 @@ public:
     std::vector<float> values = std::vector<float>(4 * width * height * channels);
 };
 
+ResizeMapping::Axis axis(int from, int size) {
+    ResizeMapping::Axis a = ResizeMapping::Axis::whole(size, 2 * size);
+    a.from0 = a.window0 = from;
+    a.window1 = from + size;
+    return a;
+}
+
 /// Twice as large.
 Outcome twice(Source& source, Holes holes, Device device, std::vector<float>& result,
               std::string& error, const std::function<bool(float)>& progress = {},
               int threads = 0) {
     Job job;
-    job.window = {0, 0, width, height};
+    job.window = {left, top, left + width, top + height};
     job.channels = channels;
     job.kinds = {Channel::blend, Channel::nearest, Channel::alpha};
     job.holes = holes;
@@ -50,10 +58,8 @@ Outcome twice(Source& source, Holes holes, Device device, std::vector<float>& re
     job.progress = progress;
     job.threads = threads;
     Kept sink;
-    const Outcome outcome = enlarge(source, sink,
-                                    ResizeMapping(ResizeMapping::Axis::whole(width, 2 * width),
-                                                  ResizeMapping::Axis::whole(height, 2 * height)),
-                                    job, &error);
+    const Outcome outcome =
+        enlarge(source, sink, ResizeMapping(axis(left, width), axis(top, height)), job, &error);
     result = sink.values;
     return outcome;
 }
@@ -76,6 +82,12 @@ TEST(JobHoles, AreFilledAsFillHolesDoesAndTheMeshSeesThemSo) {
     Plain holed = picture();
     for (int y = 20; y < 41; ++y)
         for (int x = 30; x < 49; ++x) {
+            holed.values[size_t(y * width + x) * channels] = std::nanf("");
+            holed.guide[size_t(y * width + x)] = std::nanf("");
+        }
+    // In a corner, where there are no triangles: as the nearest pixel, its guide too.
+    for (int y = 63; y < height; ++y)
+        for (int x = 0; x < 9; ++x) {
             holed.values[size_t(y * width + x) * channels] = std::nanf("");
             holed.guide[size_t(y * width + x)] = std::nanf("");
         }

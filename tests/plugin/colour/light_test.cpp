@@ -219,6 +219,23 @@ TEST_F(LightTest, UsersConfigComesFirst) {
     EXPECT_EQ(error.find("ACEScg"), std::string::npos) << error;
 }
 
+TEST_F(LightTest, EachChannelMayHaveACurveOfItsOwn) {
+    for (size_t other = 0; other < 3; ++other) {
+        const auto scaled = [&](float by) {
+            return [=](float* rgb, size_t count) {
+                for (size_t i = 0; i < count; ++i)
+                    rgb[3 * i + other] *= by;
+            };
+        };
+        ddt::Light l;
+        ASSERT_TRUE(ddt::Light::curves(scaled(0.5f), scaled(2.0f), {0.3f, 0.6f, 0.1f}, l)) << other;
+        EXPECT_FALSE(l.alike()) << other;
+        const auto v = to(l, 0.25f, 0.25f, 0.25f);
+        for (size_t c = 0; c < 3; ++c)
+            EXPECT_EQ(v[c], c == other ? 0.125f : 0.25f) << other << " " << c;
+    }
+}
+
 TEST_F(LightTest, SpaceThatMixesChannelsGoesThroughOcio) {
     const Ocio ocio(write_config());
     const auto curvy = light("curvy");

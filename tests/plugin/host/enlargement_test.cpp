@@ -9,6 +9,7 @@
 #include "ddt/points.h"
 #include "ddt/resize.h"
 #include "plugin/colour/encodings.h"
+#include "plugin/host/request.h"
 #include "tests/plugin/images.h"
 
 namespace {
@@ -118,24 +119,69 @@ TEST(Enlargement, NumbersOfObjectsAreCopied) {
 }
 
 TEST(Enlargement, APartIsACropAndNeedsNoMoreThanItSays) {
-    ImageBuf from = picture(600, 70, 3, TypeDesc::FLOAT);
-    const ImageBuf whole = by_filter(from, "linear", 1200, 140);
-    for (const OIIO::ROI roi :
-         {OIIO::ROI(0, 60, 0, 60), OIIO::ROI(560, 590, 17, 18), OIIO::ROI(1100, 1200, 60, 140)}) {
-        ImageBuf to = images::make(roi, OIIO::ROI(0, 1200, 0, 140), 3);
-        Enlargement work = work_of(from, to, "linear");
-        work.full = {0, 0, 1200, 140};
-        const ddt::Rect box = needed(work.window, work.full, work.to.box);
-        EXPECT_LT(box.width(), 400);
-        ImageBuf part = images::make(OIIO::ROI(box.x0, box.x1, box.y0, box.y1), from.roi(), 3);
-        ASSERT_TRUE(OIIO::ImageBufAlgo::copy(part, from, TypeDesc::FLOAT, part.roi()));
-        work.from = buffer_of(part);
-        std::string error;
-        ASSERT_EQ(enlarge(work, error), ddt::Outcome::done) << error;
-        OIIO::ROI colours = roi;
-        colours.chend = 3;
-        EXPECT_TRUE(bytes(to) == bytes(whole, colours));
+    for (const bool tall : {false, true}) {
+        const auto turned = [&](OIIO::ROI r) {
+            return tall ? images::window(r.ybegin, r.yend, r.xbegin, r.xend) : r;
+        };
+        const OIIO::ROI size = turned(images::window(0, 1200, 0, 140));
+        ImageBuf from = picture(size.xend / 2, size.yend / 2, 3, TypeDesc::FLOAT);
+        const ImageBuf whole = by_filter(from, "linear", size.xend, size.yend);
+        for (const OIIO::ROI along :
+             {images::window(0, 60, 0, 60), images::window(513, 543, 17, 18),
+              images::window(1100, 1200, 60, 140)}) {
+            const OIIO::ROI roi = turned(along);
+            ImageBuf to = images::make(roi, size, 3);
+            Enlargement work = work_of(from, to, "linear");
+            work.full = {0, 0, size.xend, size.yend};
+            const ddt::Rect box = needed(work.window, work.full, work.to.box);
+            EXPECT_LT(tall ? box.height() : box.width(), 400);
+            ImageBuf part =
+                images::make(images::window(box.x0, box.x1, box.y0, box.y1), from.roi(), 3);
+            ASSERT_TRUE(OIIO::ImageBufAlgo::copy(part, from, TypeDesc::FLOAT, part.roi()));
+            work.from = buffer_of(part);
+            std::string error;
+            ASSERT_EQ(enlarge(work, error), ddt::Outcome::done) << error;
+            EXPECT_TRUE(bytes(to) == bytes(whole, roi)) << tall << " " << along;
+        }
     }
+}
+
+TEST(Enlargement, WhatTheBufferLacksCountsAsZero) {
+    for (const OIIO::ROI there : {images::window(5, 40, 0, 30), images::window(0, 33, 0, 30),
+                                  images::window(0, 40, 4, 30), images::window(0, 40, 0, 21)}) {
+        ImageBuf from = picture(40, 30, 3, TypeDesc::FLOAT);
+        ImageBuf part = images::make(there, from.roi(), 3), padded = images::make(40, 30, 3);
+        for (ImageBuf* image : {&part, &padded})
+            images::fill(*image, [&](int x, int y, int c) {
+                return there.contains(x, y) ? images::value(from, x, y, c) : 0.0f;
+            });
+        const ImageBuf wanted = by_filter(padded, "linear", 90, 70);
+        ImageBuf to = images::make(90, 70, 3);
+        Enlargement work = work_of(from, to, "linear");
+        std::string error;
+        // Memory that stays for the next call has all pixels then.
+        ASSERT_EQ(enlarge(work, error), ddt::Outcome::done) << error;
+        work.from = buffer_of(part);
+        ASSERT_EQ(enlarge(work, error), ddt::Outcome::done) << error;
+        EXPECT_TRUE(bytes(to) == bytes(wanted)) << there;
+    }
+}
+
+TEST(Enlargement, CodesAreStoredWithTheGapsBetweenPixels) {
+    ImageBuf from = picture(40, 30, 3, TypeDesc::UINT8);
+    const ImageBuf wanted = by_filter(from, "sRGB", 100, 70);
+    std::vector<uint8_t> memory(100 * 70 * 4, 0xee), packed;
+    ImageBuf to = images::make(100, 70, 3, TypeDesc::UINT8);
+    Enlargement work = work_of(from, to, "sRGB");
+    work.to = {memory.data(), 400, 4, 1, work.to.box, Sample::uint8};
+    std::string error;
+    ASSERT_EQ(enlarge(work, error), ddt::Outcome::done) << error;
+    for (size_t i = 0; i < memory.size(); ++i)
+        if (i % 4 < 3)
+            packed.push_back(memory[i]);
+        else
+            ASSERT_EQ(memory[i], 0xee) << i;
+    EXPECT_TRUE(packed == bytes(wanted));
 }
 
 TEST(Enlargement, UnassociatedAlphaIsMultipliedFirst) {
@@ -143,15 +189,17 @@ TEST(Enlargement, UnassociatedAlphaIsMultipliedFirst) {
     ASSERT_TRUE(OIIO::ImageBufAlgo::unpremult(straight, from));
     ImageBuf again;
     ASSERT_TRUE(OIIO::ImageBufAlgo::premult(again, straight));
-    const ImageBuf large = by_filter(again, "sRGB", 120, 80);
-    ImageBuf wanted;
-    ASSERT_TRUE(OIIO::ImageBufAlgo::unpremult(wanted, large));
-    ImageBuf to = images::make(120, 80, 4);
-    Enlargement work = work_of(straight, to, "sRGB");
-    work.layout.associated = false;
-    std::string error;
-    ASSERT_EQ(enlarge(work, error), ddt::Outcome::done) << error;
-    EXPECT_TRUE(bytes(to) == bytes(wanted));
+    for (const char* light : {"sRGB", "linear", "encoded"}) {
+        const ImageBuf large = by_filter(again, light, 120, 80);
+        ImageBuf wanted;
+        ASSERT_TRUE(OIIO::ImageBufAlgo::unpremult(wanted, large));
+        ImageBuf to = images::make(120, 80, 4);
+        Enlargement work = work_of(straight, to, light);
+        work.layout.associated = false;
+        std::string error;
+        ASSERT_EQ(enlarge(work, error), ddt::Outcome::done) << error;
+        EXPECT_TRUE(bytes(to) == bytes(wanted)) << light;
+    }
 }
 
 TEST(Enlargement, TheSameSizeIsACopyAndASmallerOneAnError) {
@@ -163,6 +211,23 @@ TEST(Enlargement, TheSameSizeIsACopyAndASmallerOneAnError) {
     ImageBuf small = images::make(29, 20, 3, TypeDesc::HALF);
     EXPECT_EQ(enlarge(work_of(from, small, "sRGB"), error), ddt::Outcome::bad_job);
     EXPECT_NE(error.find("29 x 20"), std::string::npos) << error;
+}
+
+/// A part of the copy, from a picture that lies elsewhere than the result.
+TEST(Enlargement, ACopyTakesThePixelsThatNeededNames) {
+    const OIIO::ROI window = images::window(-7, 23, 40, 60),
+                    full = images::window(100, 130, -9, 11);
+    const OIIO::ROI part = images::window(110, 118, -4, 8);
+    ImageBuf from = images::make(window, window, 3, TypeDesc::HALF);
+    images::fill(from, [](int x, int y, int c) { return float(x) + 0.25f * float(y) + float(c); });
+    ImageBuf to = images::make(part, full, 3, TypeDesc::HALF);
+    Enlargement work = work_of(from, to, "sRGB");
+    work.full = {100, -9, 130, 11};
+    const ddt::Rect box = needed(work.window, work.full, work.to.box);
+    EXPECT_TRUE((box == ddt::Rect{3, 45, 11, 57}));
+    std::string error;
+    ASSERT_EQ(enlarge(work, error), ddt::Outcome::done) << error;
+    EXPECT_TRUE(bytes(to) == bytes(from, images::window(3, 11, 45, 57)));
 }
 
 TEST(Enlargement, HolesAreFilledAsTheFilterDoes) {
@@ -192,6 +257,22 @@ TEST(Enlargement, HolesAreFilledAsTheFilterDoes) {
         EXPECT_EQ(all.width(), 60);
         EXPECT_EQ(all.height(), 40);
     }
+}
+
+TEST(Enlargement, AFiltersOptionsReachTheWork) {
+    Enlargement work;
+    std::string error;
+    ASSERT_TRUE(set_filter("ddt-sharp,cost=scf,limit=2,holes=fill-alpha,device=cpu,light=encoded",
+                           "sRGB", work, error))
+        << error;
+    EXPECT_EQ(work.mesh.cost, ddt::Cost::scf);
+    EXPECT_EQ(work.surface.limit, 2.0f);
+    EXPECT_EQ(work.holes, ddt::Holes::fill_alpha);
+    EXPECT_EQ(work.device, ddt::Device::cpu);
+    EXPECT_FALSE(work.meaning.light->converts());
+    ASSERT_TRUE(set_filter("ddt", "sRGB", work, error)) << error;
+    EXPECT_EQ(work.holes, ddt::Holes::keep);
+    EXPECT_TRUE(work.meaning.light->converts());
 }
 
 TEST(Enlargement, LightsHaveNames) {

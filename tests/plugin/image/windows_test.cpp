@@ -114,6 +114,8 @@ TEST(Windows, SizesAreChecked) {
     EXPECT_NE(error.find("limits:imagesize_MB"), std::string::npos) << error;
     EXPECT_FALSE(ddt::check_size(window(0, 1 << 30, 0, 1), 1, OIIO::TypeUInt8, error));
     EXPECT_FALSE(ddt::check_size(window(-2147483647, 2147483647, 0, 1), 1, OIIO::TypeUInt8, error));
+    // 64 MB a channel.
+    EXPECT_FALSE(ddt::check_size(window(0, 4096, 0, 4096), 1 << 20, OIIO::TypeFloat, error));
     EXPECT_FALSE(ddt::check_size(window(5, 5, 0, 1), 1, OIIO::TypeUInt8, error));
     EXPECT_FALSE(ddt::check_size(window(9, 5, 0, 1), 1, OIIO::TypeUInt8, error));
 }
@@ -132,6 +134,10 @@ TEST(Windows, WhatShowsThePartOfASourceThatIsThere) {
     const ROI wide = window(-50, 500, 0, 320);
     EXPECT_EQ(ddt::cut_to_data(beyond.spec(), make(400, 320, 1).spec(), wide),
               window(-50, 500, 20, 180));
+    // All of it before the display window: 10.5 pixels before, and the pixel that holds them.
+    const auto before = make(window(-40, -10, 5, 45), window(0, 100, 0, 80), 1);
+    EXPECT_EQ(ddt::cut_to_data(before.spec(), make(105, 320, 1).spec(), wide),
+              window(-50, -10, 20, 180));
 }
 
 TEST(Windows, OfADestinationAreChecked) {

@@ -187,6 +187,15 @@ TEST(Errors, DestinationWithoutADisplayWindow) {
     expect_error(dst, "display window has 0 x 0 pixels");
 }
 
+TEST(Errors, AnotherThatIsPendingOnTheDestinationStays) {
+    ImageBuf dst = make(8, 8, 1);
+    dst.error("left by somebody");
+    EXPECT_FALSE(ddt::resize(dst, ImageBuf()));
+    const std::string error = dst.geterror();
+    EXPECT_EQ(error.find("left by somebody"), 0u) << error;
+    EXPECT_NE(error.find("ddt: the source image is uninitialised"), std::string::npos) << error;
+}
+
 TEST(Errors, AreOneLineWhateverIsEchoed) {
     ddt::Options options;
     options.light = "no\nspace";

@@ -176,6 +176,22 @@ TEST(Resize, OptionsMatter) {
     }
 }
 
+TEST(Resize, UnsignedIntegersOf8And16BitsWillBeClipped) {
+    ddt::Options sharp;
+    std::string error;
+    ASSERT_TRUE(ddt::parse_filter("ddt-sharp", sharp, error)) << error;
+    ddt::Options clipped = sharp;
+    clipped.surface.clipped = true;
+    for (const auto type : blended) {
+        auto src = make(24, 24, 1, type);
+        images::noise(src);
+        const bool same =
+            bytes(enlarged(src, 96, 96, sharp)) == bytes(enlarged(src, 96, 96, clipped));
+        EXPECT_EQ(same, type == TypeDesc::UINT8 || type == TypeDesc::UINT16)
+            << TypeDesc(type).c_str();
+    }
+}
+
 // IDs are copied: of the bits of NaNs, denormals and signed zeros, none is touched.
 TEST(Resize, IntegersAreCopiedBitForBit) {
     for (const auto type : {TypeDesc::UINT32, TypeDesc::INT32}) {
@@ -310,8 +326,20 @@ TEST(Resize, StatisticsAreOfAllBands) {
     ddt::Statistics statistics;
     ddt::Options options;
     options.statistics = &statistics;
+    options.mesh.scheme = ddt::Scheme::pixel; // soon done
     ImageBuf dst;
+    std::vector<float> shares;
+    options.progress = [&](float share) {
+        shares.push_back(share);
+        return true;
+    };
     ASSERT_TRUE(ddt::resize(dst, src, options, window(0, 300, 0, 1200))) << dst.geterror();
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_EQ(shares.back(), 1.0f);
+    // Two bands, or what is between them would have 58 MB: tiles where they meet are done twice.
+    const int64_t in_bands = statistics.pixels;
+    enlarged(src, 3000, 1200, options);
+    EXPECT_GT(in_bands, statistics.pixels);
     EXPECT_GE(statistics.pixels, int64_t(3000) * 300);
 }
 
@@ -415,6 +443,47 @@ TEST(Resize, PixelsOfTheCallerWithStrides) {
     EXPECT_EQ(out[3], -1.0f); // between the pixels
 }
 
+// Codes that are made at once.
+TEST(Resize, BytesOfTheCallerWithStrides) {
+    auto src = make(12, 12, 3, OIIO::TypeUInt8);
+    disc(src);
+    src.specmod().attribute("oiio:ColorSpace", "sRGB");
+    const auto expected = enlarged(src, 48, 48);
+    std::vector<unsigned char> out(48 * 200, 77);
+    ImageBuf to(expected.spec(), out.data(), 4, 200);
+    ASSERT_TRUE(ddt::resize(to, src)) << to.geterror();
+    EXPECT_EQ(bytes(to), bytes(expected));
+    for (size_t i = 0; i < out.size(); ++i)
+        if (i % 200 >= 192 || i % 4 == 3) {
+            ASSERT_EQ(out[i], 77) << i;
+        }
+}
+
+// Of an image that is made for them the other channels are black, whatever was in its memory.
+TEST(Resize, ChannelsThatAreNotAskedForAreBlack) {
+    auto src = make(10, 10, 3);
+    images::fill(src, [](int, int, int) { return 1.0f; });
+    ROI roi = window(0, 20, 0, 20);
+    roi.chbegin = 2;
+    roi.chend = 3;
+    for (int i = 0; i < 8; ++i) {
+        {
+            std::vector<ImageBuf> before;
+            for (int k = 0; k < 4; ++k) {
+                before.push_back(make(20, 20, 3));
+                images::fill(before.back(), [](int, int, int) { return -7.0f; });
+            }
+        }
+        ImageBuf dst;
+        ASSERT_TRUE(ddt::resize(dst, src, {}, roi)) << dst.geterror();
+        ASSERT_EQ(dst.nchannels(), 3);
+        for (int y = 0; y < 20; ++y)
+            for (int x = 0; x < 20; ++x)
+                for (int c = 0; c < 3; ++c)
+                    ASSERT_EQ(value(dst, x, y, c), c == 2 ? 1.0f : 0.0f) << x << " " << y;
+    }
+}
+
 TEST(Resize, IntoItself) {
     auto image = make(16, 16, 3);
     disc(image);
@@ -445,6 +514,12 @@ TEST(Resize, IntegersFromAFileAreCopiedBitForBit) {
     const auto dst = enlarged(file, 30, 30);
     EXPECT_EQ(dst.spec().format, TypeDesc(TypeDesc::UINT32));
     EXPECT_EQ(bytes(dst), bytes(enlarged(src, 30, 30)));
+    // Wherever the host has moved it.
+    for (ImageBuf moved : {ImageBuf(path), src}) {
+        moved.set_origin(3, -2);
+        const auto large = enlarged(moved, 30, 30);
+        EXPECT_EQ(bytes(large, window(20, 21, 10, 11)), bytes(src, window(3, 4, 5, 6)));
+    }
     // A host that made floats of them: rounded, but not blended.
     ImageBuf floats(path);
     ASSERT_TRUE(floats.read(0, 0, true, OIIO::TypeFloat));

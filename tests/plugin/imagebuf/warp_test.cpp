@@ -192,6 +192,23 @@ TEST(Warp, KnowsShrinking) {
     EXPECT_TRUE(shrinks({8, 0, 0.1, 0, 8, 0, 0, 0, 1})); // only at its far end
 }
 
+TEST(Warp, KnowsWholeMoves) {
+    int dx = 0, dy = 0;
+    const auto moves = [&](std::array<double, 9> m) {
+        return ddt::moves_only(ddt::Projective{m}, dx, dy);
+    };
+    const std::array<double, 9> whole{1, 0, 0, 0, 1, 0, 7, -3, 1};
+    EXPECT_TRUE(moves(whole));
+    EXPECT_EQ(dx, 7);
+    EXPECT_EQ(dy, -3);
+    for (size_t i = 0; i < 9; ++i)
+        for (const double by : {0.5, 1e9}) {
+            auto other = whole;
+            other[i] += by;
+            EXPECT_FALSE(moves(other)) << i << " " << by;
+        }
+}
+
 // A horizon within the picture: nothing to be right about, but it must end, and in one piece.
 TEST(Warp, HorizonWithinThePicture) {
     const auto src = picture();

@@ -222,6 +222,13 @@ TEST(Picture, ColoursAreAsDisplayed) {
     EXPECT_NEAR(picture.colours[5].green, 0.0f, 1e-6f);
     EXPECT_NEAR(picture.colours[5].blue, 1.0f, 1e-3f);
     EXPECT_EQ(picture.colours[5].alpha, 0.5f);
+    // Light without cover is not divided by 0.
+    const float glow[4] = {0.2140411f, 0.0f, 0.0f, 0.0f};
+    image.setpixel(1, 0, glow);
+    ASSERT_TRUE(read_picture(image, {}, picture, error)) << error;
+    EXPECT_NEAR(picture.colours[1].red, 0.5f, 1e-3f);
+    EXPECT_EQ(picture.colours[1].green, 0.0f);
+    EXPECT_EQ(picture.colours[1].alpha, 0.0f);
 }
 
 } // namespace

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/frames.h"
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -30,7 +32,7 @@ TEST(Frames, Lists) {
     EXPECT_EQ(frames("10-1x4"), (Numbers{10, 6, 2}));
     EXPECT_EQ(frames("-3--1,5,-1-1"), (Numbers{-3, -2, -1, 5, -1, 0, 1}));
     for (const char* wrong : {"", "x", "1-", "1-5x0", "1-5x", "1--", "1,,2", "1-5y2", "1 - 5",
-                              "1-2000000", "99999999999"})
+                              "1-2000000", "1-600000,1-600000", "99999999999"})
         EXPECT_EQ(frames(wrong), (Numbers{-999})) << wrong;
 }
 
@@ -113,6 +115,51 @@ TEST(Frames, WhatIsThrownWhileMemoryIsCountedIsNoEnd) {
     frames.run = [](const FrameTask&, const std::function<bool(float)>&, Failure&) { return true; };
     Progress progress("frames", ProgressMode::none);
     EXPECT_EQ(run_frames(tasks, frames, progress).written, 8);
+}
+
+/// Run frames that take so much memory each; returns how many were worked on at once, at most.
+int most_at_once(int64_t memory) {
+    FrameRun frames;
+    frames.jobs = 4;
+    std::atomic<int> now{0}, most{0};
+    frames.memory_of = [&](const FrameTask&) { return memory; };
+    frames.run = [&](const FrameTask&, const std::function<bool(float)>&, Failure&) {
+        const int here = ++now;
+        for (int before = most; here > before && !most.compare_exchange_weak(before, here);) {
+        }
+        for (int i = 0; i < 200; ++i) // others may come, if they are let
+            std::this_thread::yield();
+        --now;
+        return true;
+    };
+    Progress progress("frames", ProgressMode::none);
+    EXPECT_EQ(run_frames(std::vector<FrameTask>(30), frames, progress).written, 30);
+    return most;
+}
+
+TEST(Frames, NoMoreAtATimeThanHaveMemory) {
+    EXPECT_LE(most_at_once(memory_allowed() / 2), 2);
+    EXPECT_EQ(most_at_once(memory_allowed() / 2 + 1), 1);
+    EXPECT_EQ(most_at_once(memory_allowed() * 2), 1); // each alone
+}
+
+TEST(Frames, TheCodeIsThatOfWantIfOneFailedForIt) {
+    const std::vector<FrameTask> tasks = {{"first", ""}, {"second", ""}, {"third", ""}};
+    for (const bool first : {false, true}) {
+        FrameRun frames;
+        frames.keep_going = true;
+        frames.run = [&](const FrameTask& task, const std::function<bool(float)>&,
+                         Failure& failure) {
+            failure = {task.in, (task.in == "first") == first ? exit_resources : exit_failed};
+            return task.in == "third";
+        };
+        testing::internal::CaptureStderr();
+        Progress progress("frames", ProgressMode::none);
+        const FrameCounts counts = run_frames(tasks, frames, progress);
+        EXPECT_EQ(testing::internal::GetCapturedStderr(), "ddt: first\nddt: second\n");
+        EXPECT_EQ(counts.failed, 2);
+        EXPECT_EQ(counts.code, exit_resources) << first;
+    }
 }
 
 TEST(Frames, MemoryIsThatOfTheControlGroups) {

@@ -87,9 +87,15 @@ TEST(Parts, AreCutWhereNoTileIsWorkedTwice) {
 
 /// Half of a whole of 32 x 32 pixels, black; called the one of that number from 0, of `count`.
 std::string write_half(int index, int channels, const std::string& whole, const std::string& type,
-                       int count = 2, const std::string& names = "") {
+                       int count = 2, const std::string& names = "", const Rect* window = nullptr) {
     OIIO::ImageSpec spec(32, 16, channels, OIIO::TypeHalf);
     spec.y = 16 * (index % 2);
+    if (window) {
+        spec.x = window->x0;
+        spec.y = window->y0;
+        spec.width = window->width();
+        spec.height = window->height();
+    }
     spec.tile_width = spec.tile_height = 16;
     PartHeader header;
     header.job = "job";
@@ -137,6 +143,30 @@ TEST(Join, RefusesHeadersThatDoNotFit) {
     EXPECT_TRUE(join({write_half(0, 3, whole, "half"), write_half(1, 3, whole, "half")}, out,
                      progress, failure))
         << failure.why;
+}
+
+TEST(Join, RefusesWindowsThatDoNotFillTheWhole) {
+    const std::string out = temporary("filled.exr");
+    const auto part = [](int index, const Rect& window) {
+        return write_half(index, 3, "0 0 32 32", "half", 2, "", &window);
+    };
+    const auto failure_of = [&](const Rect& a, const Rect& b) {
+        Failure failure;
+        EXPECT_FALSE(join(
+            {part(0, a), part(1, b)}, out, [](float) { return true; }, failure));
+        EXPECT_FALSE(std::filesystem::exists(out));
+        return failure.why;
+    };
+    const Rect upper{0, 0, 32, 16};
+    // As many pixels as the whole has, each time but the last.
+    for (const Rect& lower : {upper, Rect{0, 15, 32, 31}})
+        EXPECT_NE(failure_of(upper, lower).find(" overlap"), std::string::npos);
+    for (const Rect& lower : {Rect{0, 17, 32, 33}, Rect{1, 16, 33, 32}, Rect{-1, 16, 31, 32}})
+        EXPECT_NE(failure_of(upper, lower).find("leaves the whole's window"), std::string::npos);
+    EXPECT_NE(failure_of({0, 1, 32, 17}, {0, -15, 32, 1}).find("leaves the whole's window"),
+              std::string::npos);
+    for (const Rect& lower : {Rect{0, 17, 32, 32}, Rect{1, 16, 32, 32}})
+        EXPECT_EQ(failure_of(upper, lower), "the parts do not fill the whole's window");
 }
 
 TEST(Join, NamesThePartsThatAreMissing) {

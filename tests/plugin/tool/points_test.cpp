@@ -117,6 +117,11 @@ TEST(Ply, RefusesNonsense) {
     EXPECT_EQ(
         error_of("ply\nformat ascii 1.0\nelement vertex 1\nproperty float z\nend_header\n1\n"),
         "there must be one element vertex, with one x and one y");
+    const std::string with_faces = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                                   "property float y\nelement face 1\n"
+                                   "property list uchar uint vertex_indices\nend_header\n0 0\n";
+    for (const char* face : {"3 0 0 4294967295", "3 0 0 134217728", "3 0 0 -1"})
+        EXPECT_EQ(error_of(with_faces + face), "a face has a vertex that there is not") << face;
 }
 
 TEST(Ply, WhatIsWrittenReadsTheSame) {

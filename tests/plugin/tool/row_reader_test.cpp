@@ -17,9 +17,9 @@ namespace {
 
 using OIIO::ImageBuf;
 
-constexpr int width = 301, height = 1234;
+constexpr int usual_width = 301, usual_height = 1234;
 
-ImageBuf noise(int channels) {
+ImageBuf noise(int channels, int width = usual_width, int height = usual_height) {
     OIIO::ImageSpec spec(width, height, channels, OIIO::TypeFloat);
     spec.x = -20;
     spec.y = 30;
@@ -47,12 +47,13 @@ protected:
         int channels;
         OIIO::TypeDesc type;
         int tile = 0;
+        int width = usual_width, height = usual_height;
     };
 
     /// Write a file of this kind.
     std::string file(const Kind& kind) {
         const std::string path = temporary(kind.name);
-        ImageBuf image = noise(kind.channels);
+        ImageBuf image = noise(kind.channels, kind.width, kind.height);
         image.set_write_format(kind.type);
         if (kind.tile)
             image.set_write_tiles(kind.tile, kind.tile);
@@ -62,10 +63,16 @@ protected:
 };
 
 TEST_F(RowReaders, ReadWhatIsReadAtOnce) {
-    const Kind kinds[] = {{"half.exr", 4, OIIO::TypeHalf},        {"float.exr", 1, OIIO::TypeFloat},
-                          {"tiled.exr", 3, OIIO::TypeHalf, 64},   {"bytes.tif", 3, OIIO::TypeUInt8},
-                          {"tiled.tif", 3, OIIO::TypeUInt16, 32}, {"bytes.png", 4, OIIO::TypeUInt8},
-                          {"bytes.jpg", 3, OIIO::TypeUInt8},      {"ids.tif", 1, OIIO::TypeUInt32}};
+    const Kind kinds[] = {{"half.exr", 4, OIIO::TypeHalf},
+                          {"float.exr", 1, OIIO::TypeFloat},
+                          {"tiled.exr", 3, OIIO::TypeHalf, 64},
+                          {"bytes.tif", 3, OIIO::TypeUInt8},
+                          {"tiled.tif", 3, OIIO::TypeUInt16, 32},
+                          {"bytes.png", 4, OIIO::TypeUInt8},
+                          {"bytes.jpg", 3, OIIO::TypeUInt8},
+                          {"ids.tif", 1, OIIO::TypeUInt32},
+                          // Of more than is read at once, which is 8 MiB, about.
+                          {"wide.exr", 4, OIIO::TypeHalf, 64, 3000, 400}};
     for (const Kind& kind : kinds) {
         SCOPED_TRACE(kind.name);
         const std::string path = file(kind);

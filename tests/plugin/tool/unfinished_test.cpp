@@ -25,6 +25,7 @@ int ended_by(F&& f) {
     if (child == 0) {
         alarm(30);
         std::signal(SIGINT, SIG_DFL); // a shell's background jobs ignore it
+        std::signal(SIGHUP, SIG_DFL); // and what nohup runs
         remove_unfinished_on_signals();
         f();
         _exit(0);
