@@ -18,10 +18,9 @@ namespace ddt::gl {
     LAYOUT(MAX_TILES, max_tiles, 64)                                                               \
     /* Largest value of MeshOptions::max_iterations. */                                            \
     LAYOUT(MAX_ITERATIONS, max_iterations, most_iterations)                                        \
-    /* Words of a tile's progress in accept_reject.comp; what the first is in the end, and where   \
-     */                                                                                            \
-    /* a round accepts no edge, which cannot be. */                                                \
+    /* Words of a tile's progress in accept_reject.comp. */                                        \
     LAYOUT(PROGRESS_SIZE, progress_size, 9)                                                        \
+    /* What the first is in the end, and where a round accepted none, which cannot be. */          \
     LAYOUT(PROGRESS_ENDED, progress_ended, 2)                                                      \
     LAYOUT(PROGRESS_STUCK, progress_stuck, 3)                                                      \
     /* Groups of invocations: over entries of a list; a tile's late iterations; over pixels of */  \

@@ -30,9 +30,10 @@ constexpr size_t most_points = size_t(1) << 27;
 /// Whether this library was built with GEOS, which delaunay() needs.
 bool has_delaunay();
 
-/// Make mesh.triangles: the Delaunay triangulation of the points, by GEOS. Positions are rounded to
-/// 2^-29 of the points' extent or finer. Of points at one position the first is used. False if
-/// there are not three that are not on one line, a position is not finite, or without GEOS.
+/// Make mesh.triangles: the Delaunay triangulation of the points, by GEOS, or by a sweep where that
+/// leaves some out, as of points in a narrow band. Positions are rounded to 2^-29 of the points'
+/// extent or finer. Of points at one position the first is used. False if there are not three that
+/// are not on one line, a position is not finite, or without GEOS.
 bool delaunay(PointMesh& mesh, std::string* error = nullptr);
 
 /// Flip edges of the mesh's triangles, which together may have any shape, by options.scheme and
