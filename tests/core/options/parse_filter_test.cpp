@@ -209,37 +209,33 @@ TEST(Options, SubnormalNumbersAreRefused) {
 }
 
 TEST(Options, FieldsOutOfRangeAreRefusedWithTheLineOfTheKey) {
-    for (const ddt::Option& option : ddt::option_table()) {
-        ddt::FilterOptions options;
-        const auto refused = [&](const char* key) {
-            std::string error;
-            EXPECT_FALSE(ddt::check_options(options, error));
-            EXPECT_EQ(error.rfind("ddt: option \"" + std::string(key) + "=", 0), 0u) << error;
-            EXPECT_NE(error.find(ddt::find_option(key)->allowed()), std::string::npos) << error;
-            options = {};
-        };
-        options.mesh.blur = ddt::largest_blur * 1.01f;
-        refused("blur");
-        options.surface.limit = std::nanf("");
-        refused("limit");
-        options.surface.consistency = ddt::most_consistency + 1;
-        refused("consistency");
-        options.mesh.cost = ddt::Cost(99);
-        refused("cost");
-        options.mesh.scheme = ddt::Scheme(99);
-        refused("scheme");
-        options.mesh.scheme = ddt::Scheme::exproi_n_maxgain;
-        options.mesh.wide_iterations = 0;
-        refused("scheme");
-        options.device = ddt::Device(7);
-        refused("device");
-        options.light = ""; // it stands between commas
-        refused("light");
-        options.light = "sRGB,cost=scf";
-        refused("light");
-        if (option.key == std::string("blur"))
-            break;
-    }
+    ddt::FilterOptions options;
+    const auto refused = [&](const char* key) {
+        std::string error;
+        EXPECT_FALSE(ddt::check_options(options, error));
+        EXPECT_EQ(error.rfind("ddt: option \"" + std::string(key) + "=", 0), 0u) << error;
+        EXPECT_NE(error.find(ddt::find_option(key)->allowed()), std::string::npos) << error;
+        options = {};
+    };
+    options.mesh.blur = ddt::largest_blur * 1.01f;
+    refused("blur");
+    options.surface.limit = std::nanf("");
+    refused("limit");
+    options.surface.consistency = ddt::most_consistency + 1;
+    refused("consistency");
+    options.mesh.cost = ddt::Cost(99);
+    refused("cost");
+    options.mesh.scheme = ddt::Scheme(99);
+    refused("scheme");
+    options.mesh.scheme = ddt::Scheme::exproi_n_maxgain;
+    options.mesh.wide_iterations = 0;
+    refused("scheme");
+    options.device = ddt::Device(7);
+    refused("device");
+    options.light = ""; // it stands between commas
+    refused("light");
+    options.light = "sRGB,cost=scf";
+    refused("light");
 }
 
 TEST(Options, NumbersAreTextsThatGiveThemBack) {
