@@ -87,7 +87,7 @@ public:
     bool write(const Rect& r, float* values) override {
         const size_t row = size_t(r.width()) * m_channels;
         for (int y = r.y0; y < r.y1; ++y, values += row)
-            std::memcpy(&m_bits[place(r.x0, y)], values, row * sizeof(float));
+            std::memcpy(&m_bits[index_of(r.x0, y)], values, row * sizeof(float));
         return true;
     }
     /// What was written to these pixels, one rectangle after the other.
@@ -95,13 +95,13 @@ public:
         Bits all;
         for (const Rect& r : runs)
             for (int y = r.y0; y < r.y1; ++y)
-                all.insert(all.end(), m_bits.begin() + ptrdiff_t(place(r.x0, y)),
-                           m_bits.begin() + ptrdiff_t(place(r.x1 - 1, y) + m_channels));
+                all.insert(all.end(), m_bits.begin() + ptrdiff_t(index_of(r.x0, y)),
+                           m_bits.begin() + ptrdiff_t(index_of(r.x1 - 1, y) + m_channels));
         return all;
     }
 
 private:
-    size_t place(int x, int y) const {
+    size_t index_of(int x, int y) const {
         return (size_t(y - m_part.y0) * size_t(m_part.width()) + size_t(x - m_part.x0)) *
                m_channels;
     }
