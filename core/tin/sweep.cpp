@@ -2,7 +2,11 @@
 // By exact arithmetic, whatever shape the points have together. (Lawson, "Software for C1 surface
 // interpolation", 1977: a sweep, and flips wherever a circle is not empty.)
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <numeric>
+#include <vector>
 
 #include "core/tin/delaunay.h"
 
