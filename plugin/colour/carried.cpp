@@ -75,7 +75,7 @@ OCIO::TransformRcPtr adobe_primaries() {
 
 OCIO::ConstConfigRcPtr make_config() {
     OCIO::ConfigRcPtr config = OCIO::Config::Create();
-    config->setMajorVersion(2);
+    config->setVersion(2, 0);
     constexpr const char* ap1_to_rec709 = "UTILITY - ACES-AP1_to_LINEAR-REC709_BFD";
     add(*config,
         {"lin_rec709",
