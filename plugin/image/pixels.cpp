@@ -164,4 +164,18 @@ void write_floats(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, 
     }
 }
 
+OIIO::TypeDesc copied_type(const OIIO::ImageBuf& src, const OIIO::ImageBuf& dst) {
+    const OIIO::TypeDesc stored = src.spec().format;
+    return stored.is_floating_point() && !dst.spec().format.is_floating_point() ? OIIO::TypeFloat
+                                                                                : stored;
+}
+
+void write_copied(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, OIIO::TypeDesc type,
+                  void* values) {
+    if (type == OIIO::TypeFloat && !image.spec().format.is_floating_point())
+        write_floats(image, r, chbegin, chend, static_cast<float*>(values), chend - chbegin);
+    else
+        write_pixels(image, r, chbegin, chend, type, values);
+}
+
 } // namespace ddt

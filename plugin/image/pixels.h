@@ -38,4 +38,11 @@ void write_pixels(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, 
 void write_floats(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, float* values,
                   int stride);
 
+/// The type in which pixels are copied from src to dst: src's own, or floats where NaN, which has
+/// no integer, may have to become one.
+OIIO::TypeDesc copied_type(const OIIO::ImageBuf& src, const OIIO::ImageBuf& dst);
+/// Write pixels that were read in that type; they may be changed.
+void write_copied(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, OIIO::TypeDesc type,
+                  void* values);
+
 } // namespace ddt

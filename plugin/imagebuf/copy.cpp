@@ -11,10 +11,7 @@ namespace ddt {
 
 bool copy_moved(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::ROI& roi, int dx,
                 int dy, Beyond beyond, std::string& error) {
-    // NaN has no integer (write_floats()).
-    const OIIO::TypeDesc stored = src.spec().format;
-    const bool rounds = stored.is_floating_point() && !dst.spec().format.is_floating_point();
-    const OIIO::TypeDesc type = rounds ? OIIO::TypeFloat : stored;
+    const OIIO::TypeDesc type = copied_type(src, dst);
     const size_t pixel = type.size() * size_t(roi.nchannels());
     const Rect window = rect_of(src.roi());
     // Output columns before, within and after the source's.
@@ -48,12 +45,8 @@ bool copy_moved(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::ROI&
             if (!fill(end, roi.xend, window.x0 + width - 1))
                 return false;
         }
-        const Rect line{roi.xbegin, y, roi.xend, y + 1};
-        if (rounds)
-            write_floats(dst, line, roi.chbegin, roi.chend, reinterpret_cast<float*>(row.data()),
-                         roi.nchannels());
-        else
-            write_pixels(dst, line, roi.chbegin, roi.chend, type, row.data());
+        write_copied(dst, {roi.xbegin, y, roi.xend, y + 1}, roi.chbegin, roi.chend, type,
+                     row.data());
     }
     return true;
 }

@@ -23,10 +23,7 @@ int nearest_pixel(const ResizeMapping::Axis& axis, int i) {
 /// The channels from roi.chbegin to roi.chend.
 bool copy_nearest(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::ROI& roi,
                   std::string& error) {
-    // NaN has no integer (write_floats()).
-    const OIIO::TypeDesc stored = src.spec().format;
-    const bool rounds = stored.is_floating_point() && !dst.spec().format.is_floating_point();
-    const OIIO::TypeDesc type = rounds ? OIIO::TypeFloat : stored;
+    const OIIO::TypeDesc type = copied_type(src, dst);
     const size_t pixel = type.size() * size_t(roi.nchannels());
     const Rect window = rect_of(src.roi());
     const ResizeMapping::Axis across = x_axis(src.spec(), dst.spec(), roi);
@@ -40,12 +37,8 @@ bool copy_nearest(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::RO
         for (int x = roi.xbegin; x < roi.xend; ++x)
             std::memcpy(&row[pixel * size_t(x - roi.xbegin)],
                         &from[pixel * size_t(nearest_pixel(across, x) - window.x0)], pixel);
-        const Rect to{roi.xbegin, y, roi.xend, y + 1};
-        if (rounds)
-            write_floats(dst, to, roi.chbegin, roi.chend, reinterpret_cast<float*>(row.data()),
-                         roi.nchannels());
-        else
-            write_pixels(dst, to, roi.chbegin, roi.chend, type, row.data());
+        write_copied(dst, {roi.xbegin, y, roi.xend, y + 1}, roi.chbegin, roi.chend, type,
+                     row.data());
     }
     return true;
 }
