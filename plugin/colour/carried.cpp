@@ -30,18 +30,11 @@ void add(OCIO::Config& config, const Described& described, const OCIO::ConstTran
     config.addColorSpace(space);
 }
 
-OCIO::TransformRcPtr power(double gamma) {
-    auto transform = OCIO::ExponentTransform::Create();
-    transform->setValue({gamma, gamma, gamma, 1.0});
-    transform->setNegativeStyle(OCIO::NEGATIVE_MIRROR);
-    return transform;
-}
-
 /// The curve of encodings.h of that name.
 OCIO::TransformRcPtr curve(const char* name) {
     const Encoding& e = *encoding_of(name);
     if (e.offset == 0)
-        return power(e.gamma);
+        return mirrored_power(e.gamma);
     auto transform = OCIO::ExponentWithLinearTransform::Create();
     transform->setGamma({e.gamma, e.gamma, e.gamma, 1.0});
     transform->setOffset({e.offset, e.offset, e.offset, 0.0});
@@ -122,7 +115,7 @@ OCIO::ConstConfigRcPtr make_config() {
          "sdr-video",
          "Adobe RGB (1998), gamma 563/256.",
          {"adobe_rgb", "Adobe RGB", "Adobe RGB (1998)", "g22_adobergb_scene", "g22_adobergb_tx"}},
-        one_after_the_other(power(563.0 / 256.0), adobe_primaries()));
+        one_after_the_other(mirrored_power(563.0 / 256.0), adobe_primaries()));
     add(*config, {"ACEScg", "scene-linear", "", {"lin_ap1", "lin_ap1_scene", "ACES - ACEScg"}},
         builtin(ap1_to_rec709));
     add(*config,
@@ -148,6 +141,13 @@ OCIO::ConstConfigRcPtr make_config() {
 }
 
 } // namespace
+
+OCIO::TransformRcPtr mirrored_power(double gamma) {
+    auto transform = OCIO::ExponentTransform::Create();
+    transform->setValue({gamma, gamma, gamma, 1.0});
+    transform->setNegativeStyle(OCIO::NEGATIVE_MIRROR);
+    return transform;
+}
 
 OCIO::ConstConfigRcPtr carried_config() {
     // Never destroyed: hosts may resize while static objects are being torn down.

@@ -11,4 +11,7 @@ namespace ddt {
 /// Called under colour_lock(). Throws OCIO::Exception.
 OCIO_NAMESPACE::ConstConfigRcPtr carried_config();
 
+/// number^gamma, as its curves are.
+OCIO_NAMESPACE::TransformRcPtr mirrored_power(double gamma);
+
 } // namespace ddt

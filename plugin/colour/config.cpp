@@ -79,12 +79,9 @@ double exponent_of(const std::string& name) {
 
 /// The carried config with one more space, of the given exponent.
 Space gamma_space(const std::string& name, double exponent) {
-    auto transform = OCIO::ExponentTransform::Create();
-    transform->setValue({exponent, exponent, exponent, 1.0});
-    transform->setNegativeStyle(OCIO::NEGATIVE_MIRROR);
     auto space = OCIO::ColorSpace::Create();
     space->setName(name.c_str());
-    space->setTransform(transform, OCIO::COLORSPACE_DIR_TO_REFERENCE);
+    space->setTransform(mirrored_power(exponent), OCIO::COLORSPACE_DIR_TO_REFERENCE);
     auto config = carried_config()->createEditableCopy();
     config->addColorSpace(space);
     return {config, config->getColorSpace(name.c_str())};

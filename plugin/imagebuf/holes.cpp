@@ -83,15 +83,23 @@ bool fill_image(const OIIO::ImageBuf& src, const Options& options, Holes holes,
     return put_filled(src, values.data(), filled, error);
 }
 
+bool copy_filled(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options,
+                 Holes holes, int nthreads, std::string& error) {
+    OIIO::ImageBuf filled;
+    if (!fill_image(src, options, holes, filled, nthreads, error))
+        return false;
+    if (dst.copy(filled.initialized() ? filled : src))
+        return true;
+    error = dst.geterror();
+    return false;
+}
+
 bool fill(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options, Missing missing) {
     return guarded_from(dst, src, [&](const auto& from, OIIO::ROI&, std::string& error) {
         if (!check_options_of(from, options, error))
             return false;
-        OIIO::ImageBuf filled;
         const Holes holes = missing == Missing::alpha ? Holes::fill_alpha : Holes::fill;
-        if (!fill_image(from, options, holes, filled, 0, error))
-            return false;
-        return dst.copy(filled.initialized() ? filled : from);
+        return copy_filled(dst, from, options, holes, 0, error);
     });
 }
 

@@ -14,4 +14,8 @@ namespace ddt {
 bool fill_image(const OIIO::ImageBuf& src, const Options& options, Holes holes,
                 OIIO::ImageBuf& filled, int nthreads, std::string& error);
 
+/// Make dst a copy of src with its holes filled so.
+bool copy_filled(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options,
+                 Holes holes, int nthreads, std::string& error);
+
 } // namespace ddt

@@ -98,13 +98,8 @@ bool fit_whole(ImageBuf& dst, const ImageBuf& src, const Options& options, strin
         part = cut_to_data(src.spec(), dst.spec(), window);
     const bool empty = part.width() <= 0 || part.height() <= 0;
     if (same) {
-        ImageBuf filled;
-        if (!fill_image(src, options, options.holes, filled, nthreads, error))
+        if (!copy_filled(dst, src, options, options.holes, nthreads, error))
             return false;
-        if (!dst.copy(filled.initialized() ? filled : src)) {
-            error = dst.geterror();
-            return false;
-        }
     } else if (!empty && !resize(dst, src, options, part, nthreads)) {
         error = dst.geterror();
         return false;

@@ -23,10 +23,7 @@ bool write_filled(const OIIO::ImageBuf& filled, const OIIO::ImageBuf& source,
     ImageFile file;
     if (!file.create(path, failure) || !fit_format(file.output(), path, spec, failure))
         return false;
-    std::string left_out;
-    fit_channels(file.output(), spec, left_out);
-    if (!left_out.empty())
-        note("\"" + path + "\" has no room for " + left_out);
+    note_left_out(path, fit_channels(file.output(), spec));
     const bool whole = spec.roi() == filled.roi();
     OIIO::ImageBuf cropped;
     if (!whole && !OIIO::ImageBufAlgo::crop(cropped, filled, spec.roi())) {

@@ -6,6 +6,8 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/tool/command.h"
+
 namespace ddt::tool {
 
 bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::ImageSpec& spec,
@@ -31,15 +33,16 @@ bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::
     return true;
 }
 
-void fit_channels(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec, std::string& left_out) {
+std::string fit_channels(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec) {
     if (output.supports("nchannels"))
-        return;
+        return {};
     const bool alpha = output.supports("alpha") && spec.alpha_channel == 3;
     const int most = alpha ? 4 : 3;
     const std::vector<std::string>& names = spec.channelnames;
     if (spec.nchannels <= most || names[0] != "R" || names[1] != "G" || names[2] != "B")
-        return;
-    left_out = OIIO::Strutil::join(std::vector(names.begin() + most, names.end()), ", ");
+        return {};
+    const std::string left_out =
+        OIIO::Strutil::join(std::vector(names.begin() + most, names.end()), ", ");
     spec.nchannels = most;
     spec.channelnames.resize(size_t(most));
     if (!spec.channelformats.empty())
@@ -48,6 +51,12 @@ void fit_channels(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec, std::s
         spec.alpha_channel = -1;
     if (spec.z_channel >= most)
         spec.z_channel = -1;
+    return left_out;
+}
+
+void note_left_out(const std::string& path, const std::string& channels) {
+    if (!channels.empty())
+        note("\"" + path + "\" has no room for " + channels);
 }
 
 } // namespace ddt::tool

@@ -18,8 +18,11 @@ bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::
                 Failure& failure);
 
 /// Leave out what comes after colour and alpha, or alpha too, where the format holds no more, as
-/// oiiotool does; `left_out` becomes the names, or stays empty. Of other channels than R, G, B and
-/// alpha in this order it is the format's writer that complains.
-void fit_channels(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec, std::string& left_out);
+/// oiiotool does; returns their names, if there are any. Of other channels than R, G, B and alpha
+/// in this order it is the format's writer that complains.
+std::string fit_channels(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec);
+
+/// Say on stderr that the file `path` has no room for such channels, if there are any.
+void note_left_out(const std::string& path, const std::string& channels);
 
 } // namespace ddt::tool

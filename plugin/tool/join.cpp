@@ -253,7 +253,8 @@ OIIO::ImageSpec whole_spec(OIIO::ImageSpec spec, const PartHeader& header, bool 
     restore("compression", header.compression);
     restore("oiio:ColorSpace", header.colour_space);
     restore("DateTime", header.date); // OpenEXR's writer makes one of its own
-    if (header.no_aspect)             // OpenEXR's reader makes one
+    // OpenEXR's reader makes one.
+    if (header.no_aspect)
         spec.erase_attribute("PixelAspectRatio");
     for (const char* key : {"ICCProfile", "oiio:BitsPerSample", "oiio:Gamma", "oiio:subimages"})
         spec.erase_attribute(key);

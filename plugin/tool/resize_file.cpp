@@ -15,7 +15,6 @@
 #include "plugin/image/windows.h"
 #include "plugin/imagebuf/resample.h"
 #include "plugin/message/format.h"
-#include "plugin/tool/command.h"
 #include "plugin/tool/fit_format.h"
 #include "plugin/tool/image_file.h"
 #include "plugin/tool/part.h"
@@ -119,12 +118,10 @@ bool open_file(const std::string& path, OIIO::ImageSpec& spec, ImageFile& file, 
     spec.tile_width = spec.tile_height = spec.tile_depth = 0;
     if (!file.create(path, failure) || !fit_format(file.output(), path, spec, failure))
         return false;
-    std::string left_out;
-    fit_channels(file.output(), spec, left_out);
+    const std::string left_out = fit_channels(file.output(), spec);
     if (!check_size_of(spec, failure) || !file.open(spec, failure))
         return false;
-    if (!left_out.empty())
-        note("\"" + path + "\" has no room for " + left_out);
+    note_left_out(path, left_out);
     return true;
 }
 
