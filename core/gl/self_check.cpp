@@ -13,6 +13,7 @@
 #include "core/gl/budget.h"
 #include "core/gl/context/failure.h"
 #include "core/gl/context/gpu.h"
+#include "core/gl/difference.h"
 #include "core/gl/host_tile.h"
 #include "core/gl/strip.h"
 #include "core/gl/tin_check.h"
@@ -189,24 +190,13 @@ Outcomes on_cpu(const Job& job) {
     return o;
 }
 
-/// "3 of 100 `what` differ" if there are any, else nothing.
-template <class T>
-std::string compare(const char* what, const std::vector<T>& cpu, const std::vector<T>& gpu) {
-    size_t differing = 0;
-    for (size_t i = 0; i < cpu.size(); ++i)
-        differing += cpu[i] != gpu[i];
-    return differing == 0 ? std::string()
-                          : std::to_string(differing) + " of " + std::to_string(cpu.size()) + ' ' +
-                                what + " differ";
-}
-
 /// What the device makes of the mesh in a slot, compared.
 std::string mesh_differs(DeviceMesh& mesh, int slot, const Job& job, const Outcomes& cpu) {
     const SlotShape& shape = mesh.shape();
     std::vector<uint64_t> sites(shape.sites()), edges;
     mesh.read_sites(slot, sites.data());
     each_edge(shape.stride(), [&](size_t m) { edges.push_back(sites[m] & vectors_mask); });
-    const std::string what = compare("edges", cpu.edges, edges);
+    const std::string what = difference("edges", cpu.edges, edges);
     if (!what.empty())
         return what;
     mesh.find_gains(criterion(job.mesh));
@@ -214,7 +204,7 @@ std::string mesh_differs(DeviceMesh& mesh, int slot, const Job& job, const Outco
     Bits gains;
     mesh.read_gains(slot, of_sites.data());
     each_edge(shape.stride(), [&](size_t m) { gains.push_back(bits_of_gain(of_sites[m])); });
-    return compare("gains", cpu.gains, gains);
+    return difference("gains", cpu.gains, gains);
 }
 
 /// What the device shows of the tile in a slot, compared.
@@ -234,7 +224,7 @@ std::string result_differs(const Functions& gl, DeviceMesh& mesh, Surfaces& surf
     finish(gl, "self-check");
     Bits bits(count);
     std::memcpy(bits.data(), results.data(), count * sizeof(float));
-    return compare("numbers", cpu.of(strip.runs), bits);
+    return difference("numbers", cpu.of(strip.runs), bits);
 }
 
 /// Do the job on the device; what differs first.
@@ -325,11 +315,7 @@ Job check_job(const Job& job) {
 
 std::string differs_from_cpu(Gpu& gpu, const Job& wanted) {
     const Job job = check_job(wanted);
-    const std::string what = differs(gpu, job, on_cpu(job));
-    if (what.empty())
-        return what;
-    return gpu.context->renderer + " does not compute as the CPU does (" + key_of(wanted) +
-           "): " + what;
+    return difference_of(gpu.context->renderer, key_of(wanted), differs(gpu, job, on_cpu(job)));
 }
 
 const std::string& SelfChecks::differs(Gpu& gpu, const std::string& key,

@@ -8,6 +8,7 @@
 #include "core/gl/context/failure.h"
 #include "core/gl/context/gpu.h"
 #include "core/gl/device_tin.h"
+#include "core/gl/difference.h"
 #include "core/tin/tin_mesh.h"
 #include "ddt/names.h"
 
@@ -121,16 +122,6 @@ Outcomes on_gpu(Gpu& gpu, Tin tin, const MeshOptions& options) {
     return o;
 }
 
-/// "3 of 100 `what` differ" if there are any, else nothing.
-std::string compare(const char* what, const Words& cpu, const Words& gpu) {
-    size_t differing = 0;
-    for (size_t i = 0; i < cpu.size(); ++i)
-        differing += cpu[i] != gpu[i];
-    return differing == 0 ? std::string()
-                          : std::to_string(differing) + " of " + std::to_string(cpu.size()) +
-                                " numbers of " + what + " differ";
-}
-
 } // namespace
 
 std::string tin_key_of(const MeshOptions& options) {
@@ -154,19 +145,18 @@ std::string tin_differs_from_cpu(Gpu& gpu, const MeshOptions& options) {
         std::string what;
         try {
             device = on_gpu(gpu, tin, check);
-            what = compare("triangles", cpu.triangles, device.triangles);
+            what = difference("numbers of triangles", cpu.triangles, device.triangles);
         } catch (const DoesNotEnd& e) {
             what = e.what();
         }
         if (what.empty())
-            what = compare("gradients", cpu.faces, device.faces);
+            what = difference("numbers of gradients", cpu.faces, device.faces);
         if (what.empty())
-            what = compare("gains", cpu.gains, device.gains);
+            what = difference("numbers of gains", cpu.gains, device.gains);
         if (what.empty())
-            what = compare("counts", cpu.counts, device.counts);
+            what = difference("numbers of counts", cpu.counts, device.counts);
         if (!what.empty())
-            return gpu.context->renderer + " does not compute as the CPU does (" +
-                   tin_key_of(options) + "): " + what;
+            return difference_of(gpu.context->renderer, tin_key_of(options), what);
     }
     return {};
 }

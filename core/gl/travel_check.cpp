@@ -7,6 +7,7 @@
 #include "core/base/float_bits.h"
 #include "core/base/half.h"
 #include "core/gl/context/gpu.h"
+#include "core/gl/difference.h"
 #include "core/gl/surfaces.h"
 #include "core/surface/net.h"
 
@@ -47,18 +48,17 @@ std::string unpacking_differs(Gpu& gpu, const Numbers& numbers) {
     surfaces.write_numbers(0, size, memory, 0);
     surfaces.unpack(mesh);
     finish(gl, "unpacking");
-    size_t differing = 0;
+    std::vector<uint32_t> found(count);
     for (int g = 0; g < 2; ++g) {
-        std::vector<uint32_t> found(shape.pixels() * group_size);
-        surfaces.vertices(g).read(0, found.size() * sizeof(uint32_t), found.data());
+        std::vector<uint32_t> group(shape.pixels() * group_size);
+        surfaces.vertices(g).read(0, group.size() * sizeof(uint32_t), group.data());
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x)
                 for (int c = g * group_size; c < std::min(channels, (g + 1) * group_size); ++c)
-                    differing +=
-                        found[size_t(y * shape.width + x) * group_size + size_t(c % group_size)] !=
-                        wanted[size_t(y * width + x) * channels + size_t(c)];
+                    found[size_t(y * width + x) * channels + size_t(c)] =
+                        group[size_t(y * shape.width + x) * group_size + size_t(c % group_size)];
     }
-    return differing == 0 ? "" : std::to_string(differing) + " numbers differ as they are unpacked";
+    return difference("unpacked numbers", wanted, found);
 }
 
 std::string guides_differ(Gpu& gpu) {
@@ -80,17 +80,18 @@ std::string guides_differ(Gpu& gpu) {
         mesh.write_guide(k, memory, at, bytes);
     }
     mesh.unpack_guides();
-    size_t differing = 0;
+    std::vector<uint32_t> wanted, found;
     for (int k = 0; k < 2; ++k) {
-        std::vector<float> found(shape.pixels());
-        mesh.read_guide(k, found.data());
+        std::vector<float> slot(shape.pixels());
+        mesh.read_guide(k, slot.data());
         for (int y = 0; y < size.height; ++y)
-            differing += size_t(std::memcmp(&found[size_t(y * shape.width)],
-                                            &guides[k][size_t(y * size.width)],
-                                            size_t(size.width) * sizeof(float)) != 0);
+            for (int x = 0; x < size.width; ++x) {
+                wanted.push_back(bits_of(guides[k][size_t(y * size.width + x)]));
+                found.push_back(bits_of(slot[size_t(y * shape.width + x)]));
+            }
     }
     finish(gl, "guides");
-    return differing == 0 ? "" : std::to_string(differing) + " rows of guides differ";
+    return difference("numbers of guides", wanted, found);
 }
 
 std::string packing_differs(Gpu& gpu, const Travel& travel) {
@@ -104,17 +105,15 @@ std::string packing_differs(Gpu& gpu, const Travel& travel) {
     memory.results->write(0, count * sizeof(float), floats.data());
     surfaces.download(count, travel, memory, packed);
     finish(gl, "packing");
-    std::vector<uint8_t> wanted(bytes);
+    std::vector<uint8_t> wanted(bytes), found(bytes);
+    std::memcpy(found.data(), packed.data(), bytes);
     if (travel.back == Travel::Back::codes)
         travel.codes_back->encode(floats.data(), wanted.data(), count);
     for (size_t i = 0; travel.back == Travel::Back::halfs && i < count; ++i) {
         const uint16_t half = half_of_float(floats[i]);
         std::memcpy(&wanted[i * sizeof half], &half, sizeof half);
     }
-    size_t differing = 0;
-    for (size_t i = 0; i < bytes; ++i)
-        differing += wanted[i] != uint8_t(packed.data()[i]);
-    return differing == 0 ? "" : std::to_string(differing) + " bytes differ as they are packed";
+    return difference("packed bytes", wanted, found);
 }
 
 } // namespace
@@ -125,8 +124,7 @@ std::string travel_differs(Gpu& gpu, const Travel& travel) {
         what = unpacking_differs(gpu, travel.there);
     if (what.empty() && travel.packed())
         what = packing_differs(gpu, travel);
-    return what.empty() ? what
-                        : gpu.context->renderer + " does not compute as the CPU does: " + what;
+    return difference_of(gpu.context->renderer, travel_key_of(travel), what);
 }
 
 std::string travel_key_of(const Travel& travel) {

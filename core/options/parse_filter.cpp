@@ -17,7 +17,7 @@ namespace {
 std::string quoted(std::string_view text) {
     std::string line(text);
     for (char& c : line)
-        if (c >= 0 && c < ' ')
+        if ((unsigned char)(c) < ' ') // whether or not a char has a sign
             c = ' ';
     return '"' + line + '"';
 }

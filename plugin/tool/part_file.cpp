@@ -17,6 +17,7 @@
 #include "plugin/tool/fingerprint.h"
 #include "plugin/tool/image_file.h"
 #include "plugin/tool/picture.h"
+#include "plugin/tool/unfinished.h"
 
 namespace ddt::tool {
 
@@ -233,6 +234,7 @@ bool PartHeader::take_from(OIIO::ImageSpec& spec) {
 
 bool resize_part(const std::string& in, const std::string& out, const ResizeSettings& settings,
                  Part part, const std::function<bool(float)>& progress, Failure& failure) {
+    const EndsWithoutMemory or_the_cache_waits;
     LazyFile file_in(in, 0, {cache_megabytes, true});
     if (!file_in.image().init_spec(in, 0, 0)) {
         failure.why = why_unreadable(file_in.image(), in);

@@ -11,6 +11,8 @@
 
 #include <unistd.h>
 
+#include "plugin/tool/exit_code.h"
+
 namespace ddt::tool {
 
 namespace {
@@ -53,14 +55,31 @@ void sleep_a_moment() {
     nanosleep(&millisecond, nullptr);
 }
 
-void end(int signal) {
+void remove_all() {
     ending = true;
     // Not for ever: a file system may hang.
     for (int i = 0; waited_for > 0 && i < 2000; ++i)
         sleep_a_moment();
     remove_listed();
+}
+
+void end(int signal) {
+    remove_all();
     // The handler was for once: this one ends the program, and the parent sees by what.
     raise(signal);
+}
+
+/// A new_handler. Takes no memory; of several threads the first one's is the line.
+void end_without_memory() {
+    static std::atomic_flag told = ATOMIC_FLAG_INIT;
+    if (!told.test_and_set()) {
+        remove_all();
+        constexpr char line[] = "ddt: out of memory\n";
+        [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, line, sizeof(line) - 1);
+        std::_Exit(exit_resources);
+    }
+    for (;;)
+        sleep_a_moment();
 }
 
 } // namespace
@@ -98,6 +117,12 @@ SignalsWait::SignalsWait() {
 SignalsWait::~SignalsWait() {
     --waited_for;
     pthread_sigmask(SIG_SETMASK, &m_before, nullptr);
+}
+
+EndsWithoutMemory::EndsWithoutMemory() : m_before(std::set_new_handler(end_without_memory)) {}
+
+EndsWithoutMemory::~EndsWithoutMemory() {
+    std::set_new_handler(m_before);
 }
 
 int list_unfinished(const std::string& path) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that go when a signal ends the program.
+// Files that go when a signal, or want of memory, ends the program.
 #pragma once
 
 #include <csignal>
+#include <new>
 #include <string>
 
 namespace ddt::tool {
@@ -24,6 +25,21 @@ public:
 
 private:
     sigset_t m_before;
+};
+
+/// While one of these is there, the program ends when memory runs out: as by a signal, with
+/// exit_resources and one line. For what would never end otherwise: OpenImageIO 2.4's image cache
+/// keeps a tile that no memory was found for as one that is being read, and all who need it wait.
+/// One at a time.
+class EndsWithoutMemory {
+public:
+    EndsWithoutMemory();
+    ~EndsWithoutMemory();
+    EndsWithoutMemory(const EndsWithoutMemory&) = delete;
+    EndsWithoutMemory& operator=(const EndsWithoutMemory&) = delete;
+
+private:
+    std::new_handler m_before;
 };
 
 /// List a file; a number for unlist_unfinished(), or -1 if the list is full (64 at once).
