@@ -9,6 +9,11 @@ add_compile_options(-Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wn
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 14)
   add_compile_options(-Wno-bitwise-instead-of-logical)
 endif()
+# What Highway calls NEON has AES, of which nothing here is used. For all code, or what the compiler
+# adds to it by itself, members of classes, could not be part of what has it.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64" AND NOT CMAKE_CXX_FLAGS MATCHES "-m(arch|cpu)=")
+  add_compile_options(-march=armv8-a+crypto)
+endif()
 if(DDT_WERROR)
   add_compile_options(-Werror)
 endif()

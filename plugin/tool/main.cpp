@@ -2,6 +2,7 @@
 // ddt: triangulates pictures by their content. Commands are in commands.h.
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 
@@ -46,6 +47,14 @@ ExitCode run_caught(const std::vector<std::string>& args) {
     }
 }
 
+/// What a library throws where nobody can catch it, in a thread or a destructor of its own.
+[[noreturn]] void end_uncaught() {
+    remove_unfinished();
+    if (std::current_exception())
+        std::_Exit(fail(thrown()));
+    std::abort();
+}
+
 /// The next file to be opened would get the number of one that is closed, and what is meant for a
 /// terminal would be written into it. For writing, the standard input too: reading fails then,
 /// where an end would pass for a stream without pictures.
@@ -81,6 +90,7 @@ int main(int argc, char** argv) {
     using namespace ddt::tool;
     open_closed_streams();
     remove_unfinished_on_signals();
+    std::set_terminate(end_uncaught);
     OIIO::attribute("debug", 0); // its builds may print what is an error's text anyway
     return finish_output(run_caught({argv + 1, argv + argc}));
 }

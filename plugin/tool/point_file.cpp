@@ -59,7 +59,7 @@ void put(const Column& column, size_t point, Bytes& to) {
 std::string written_name(const Column& column) {
     std::string name = column.name.empty() ? "unnamed" : column.name;
     for (char& c : name)
-        if (c >= 0 && c <= ' ')
+        if ((unsigned char)(c) <= ' ')
             c = '_';
     return name;
 }

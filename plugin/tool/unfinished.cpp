@@ -55,16 +55,8 @@ void sleep_a_moment() {
     nanosleep(&millisecond, nullptr);
 }
 
-void remove_all() {
-    ending = true;
-    // Not for ever: a file system may hang.
-    for (int i = 0; waited_for > 0 && i < 2000; ++i)
-        sleep_a_moment();
-    remove_listed();
-}
-
 void end(int signal) {
-    remove_all();
+    remove_unfinished();
     // The handler was for once: this one ends the program, and the parent sees by what.
     raise(signal);
 }
@@ -73,7 +65,7 @@ void end(int signal) {
 void end_without_memory() {
     static std::atomic_flag told = ATOMIC_FLAG_INIT;
     if (!told.test_and_set()) {
-        remove_all();
+        remove_unfinished();
         constexpr char line[] = "ddt: out of memory\n";
         [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, line, sizeof(line) - 1);
         std::_Exit(exit_resources);
@@ -83,6 +75,14 @@ void end_without_memory() {
 }
 
 } // namespace
+
+void remove_unfinished() {
+    ending = true;
+    // Not for ever: a file system may hang.
+    for (int i = 0; waited_for > 0 && i < 2000; ++i)
+        sleep_a_moment();
+    remove_listed();
+}
 
 void remove_unfinished_on_signals() {
     struct sigaction action {};

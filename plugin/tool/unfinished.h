@@ -14,6 +14,9 @@ namespace ddt::tool {
 /// program by exit() leaves none either. Once, at the start.
 void remove_unfinished_on_signals();
 
+/// Remove them now, and from now on: for a program that ends at once.
+void remove_unfinished();
+
 /// While one of these is there, a signal waits: between the making of a file and its listing nobody
 /// would remove it. For a moment only. Thread-safe.
 class SignalsWait {

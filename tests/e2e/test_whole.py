@@ -143,6 +143,22 @@ class Whole(Case):
         self.assertIn("memory", text)
         self.assertFalse(os.path.exists(self.path("out.tif")))
 
+    def test_no_memory_for_a_part(self):
+        """Whichever allocation is the first to fail, of the threads' or of the image cache's."""
+        self.succeed("oiiotool", "--pattern", "noise", "1500x1500", "3", "-d", "half", "--tile", "64",
+                     "64", "-o", "tiled.exr")
+        codes = set()
+        for mebibytes in range(450, 1000, 25):
+            def small():
+                resource.setrlimit(resource.RLIMIT_AS, (mebibytes << 20, mebibytes << 20))
+
+            code, text = self.run_to_end("resize", "tiled.exr", "200%", "part.exr", "--part", "1/1",
+                                         "--threads", "4", preexec_fn=small)
+            codes.add(code)
+            self.assertEqual(os.path.exists(self.path("part.exr")), code == 0)
+            self.assertEqual([n for n in os.listdir(self.folder) if ".ddt-" in n], [])
+        self.assertEqual(codes, {0, 3})
+
     def test_exit_codes(self):
         for code, arguments in ((1, ("missing.png", "200%", "out.png")),
                                 (1, ("photo.png", "200%", "no/folder.png")),
