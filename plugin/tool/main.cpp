@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <new>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -50,9 +51,13 @@ ExitCode run_caught(const std::vector<std::string>& args) {
 /// What a library throws where nobody can catch it, in a thread or a destructor of its own.
 [[noreturn]] void end_uncaught() {
     remove_unfinished();
-    if (std::current_exception())
+    if (!std::current_exception())
+        std::abort();
+    try {
         std::_Exit(fail(thrown()));
-    std::abort();
+    } catch (const std::bad_alloc&) {
+        std::_Exit(exit_resources);
+    }
 }
 
 /// The next file to be opened would get the number of one that is closed, and what is meant for a

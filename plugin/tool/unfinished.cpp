@@ -55,33 +55,37 @@ void sleep_a_moment() {
     nanosleep(&millisecond, nullptr);
 }
 
-void end(int signal) {
-    remove_unfinished();
-    // The handler was for once: this one ends the program, and the parent sees by what.
-    raise(signal);
-}
-
-/// A new_handler. Takes no memory; of several threads the first one's is the line.
-void end_without_memory() {
-    static std::atomic_flag told = ATOMIC_FLAG_INIT;
-    if (!told.test_and_set()) {
-        remove_unfinished();
-        constexpr char line[] = "ddt: out of memory\n";
-        [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, line, sizeof(line) - 1);
-        std::_Exit(exit_resources);
-    }
-    for (;;)
-        sleep_a_moment();
-}
-
-} // namespace
-
-void remove_unfinished() {
+void remove_all() {
     ending = true;
     // Not for ever: a file system may hang.
     for (int i = 0; waited_for > 0 && i < 2000; ++i)
         sleep_a_moment();
     remove_listed();
+}
+
+void end(int signal) {
+    remove_all();
+    // The handler was for once: this one ends the program, and the parent sees by what.
+    raise(signal);
+}
+
+/// A new_handler. Takes no memory.
+void end_without_memory() {
+    remove_unfinished();
+    constexpr char line[] = "ddt: out of memory\n";
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, line, sizeof(line) - 1);
+    std::_Exit(exit_resources);
+}
+
+} // namespace
+
+void remove_unfinished() {
+    static std::atomic_flag begun = ATOMIC_FLAG_INIT;
+    static thread_local bool here = false; // it may run out of memory meanwhile
+    while (!here && begun.test_and_set())
+        sleep_a_moment();
+    here = true;
+    remove_all();
 }
 
 void remove_unfinished_on_signals() {

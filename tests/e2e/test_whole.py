@@ -147,16 +147,25 @@ class Whole(Case):
         """Whichever allocation is the first to fail, of the threads' or of the image cache's."""
         self.succeed("oiiotool", "--pattern", "noise", "1500x1500", "3", "-d", "half", "--tile", "64",
                      "64", "-o", "tiled.exr")
-        codes = set()
-        for mebibytes in range(450, 1000, 25):
+
+        def ends(mebibytes, *arguments):
             def small():
                 resource.setrlimit(resource.RLIMIT_AS, (mebibytes << 20, mebibytes << 20))
+            return self.run_to_end(*arguments, preexec_fn=small)
 
-            code, text = self.run_to_end("resize", "tiled.exr", "200%", "part.exr", "--part", "1/1",
-                                         "--threads", "4", preexec_fn=small)
+        # What libraries take when they are loaded is not ours.
+        loaded = next(n for n in range(200, 8000, 50) if ends(n, "--version")[0] == 0)
+        codes = set()
+        for mebibytes in range(loaded + 75, loaded + 500, 50):
+            code, text = ends(mebibytes, "resize", "tiled.exr", "200%", "part.exr", "--part", "1/1",
+                              "--threads", "4")
             codes.add(code)
-            self.assertEqual(os.path.exists(self.path("part.exr")), code == 0)
+            self.assertIn(code, (0, 3), text)
+            self.assertEqual(len(text.splitlines()), int(code != 0), text)
             self.assertEqual([n for n in os.listdir(self.folder) if ".ddt-" in n], [])
+            self.assertEqual(os.path.exists(self.path("part.exr")), code == 0)
+            if code == 0:
+                os.remove(self.path("part.exr"))
         self.assertEqual(codes, {0, 3})
 
     def test_exit_codes(self):
