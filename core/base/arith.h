@@ -25,7 +25,8 @@ namespace ddt {
 /// While it lives, this thread treats denormal floats as zero, as GPUs do, rounds to nearest and
 /// traps nothing, whatever its caller has set. Otherwise values below 1.2e-38 could differ between
 /// devices. On processors other than x86-64 and AArch64 it does nothing: there, bits are promised
-/// only where no operation meets or makes such a value.
+/// only where no operation meets or makes such a value. What is a little less than 2^-126 and would
+/// be rounded to it is that on x86-64, and zero on AArch64, which looks before it rounds.
 class DenormalsAreZero {
 public:
 #if defined(__SSE2__)
