@@ -19,11 +19,13 @@ die() {
 }
 
 # Names in the lists given (demo, check, all: files of cmake/packages) that dpkg does not report as
-# installed, one a line.
+# installed for this processor, one a line.
 missing_packages() {
-    local name
+    local name native
+    native=$(dpkg --print-architecture)
     (cd "$ddt_packages" && sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "${@/%/.txt}") | while read -r name; do
-        dpkg-query -W -f '${db:Status-Status}\n' "$name" 2>/dev/null | grep -qx installed ||
+        dpkg-query -W -f '${db:Status-Status} ${Architecture}\n' "$name" 2>/dev/null |
+            grep -qxE "installed (all|$native)" ||
             printf '%s\n' "$name"
     done
 }

@@ -8,11 +8,15 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 failures=0
 
-# The packages "installed" on the machine of a test are the lines of $scratch/installed.
+# The packages "installed" on the machine of a test are the lines of $scratch/installed; those of
+# another processor as NAME:foreign.
 prelude='
 . "$here/../cmake/setup.sh"
 ddt_packages=$scratch/packages
-dpkg-query() { grep -qx "${!#}" "$scratch/installed" && echo installed; }
+dpkg() { echo native; }
+dpkg-query() {
+    sed -n -e "s/^${!#}\$/installed native/p" -e "s/^${!#}:/installed /p" "$scratch/installed" | grep .
+}
 apt-get() { echo "apt-get $*" >>"$scratch/log"; [ "$1" != install ] || install_fake; }
 install_fake() { cp "$scratch/available" "$scratch/installed"; }
 as_root() { "$@"; }
@@ -47,6 +51,10 @@ expect "nothing is missing: apt-get is not called" 0 "went on" \
 echo alpha >"$scratch/installed"
 expect "only what is missing is installed" 0 "Installing: beta" \
     'install_packages demo; grep -q "install .*no-install-recommends beta" "$scratch/log"'
+
+printf 'alpha\nbeta:foreign\n' >"$scratch/installed"
+expect "what is there for another processor is missing" 0 "Installing: beta" \
+    'install_packages demo'
 
 echo alpha >"$scratch/installed"
 cp "$scratch/available" "$scratch/installed"
