@@ -20,6 +20,7 @@
 
 #include "core/tiles/grid.h"
 #include "ddt/core.h"
+#include "tests/core/random.h"
 
 namespace {
 
@@ -27,11 +28,9 @@ constexpr int channels = 3;
 
 std::vector<float> noise(int size) {
     std::vector<float> pixels(size_t(size) * size_t(size) * channels);
-    uint32_t state = 1;
-    for (float& x : pixels) {
-        state = state * 1664525u + 1013904223u;
-        x = float(state >> 8) * 0x1p-24f;
-    }
+    ddt::test::Random random(1);
+    for (float& x : pixels)
+        x = random.unit();
     return pixels;
 }
 
