@@ -23,18 +23,13 @@ namespace ddt::tool {
 
 namespace {
 
-/// Bytes of a pixel in a part's file that are one channel.
-struct Piece {
-    size_t offset, size;
-};
-
 /// A part's file, read from top to bottom, a row of tiles at a time.
 struct PartFile {
     std::string path;
     PartHeader header;
     Rect window;
-    OIIO::ImageSpec spec;                    ///< without the header, channels in the whole's order
-    std::vector<Piece> pieces;               ///< in that order; empty where it is the file's
+    OIIO::ImageSpec spec;    ///< without the header, channels in the whole's order
+    std::vector<int> places; ///< of these in the file; empty where they are the same
     std::unique_ptr<OIIO::ImageInput> input; ///< open only while its rows are wanted
     std::vector<char> tiles;                 ///< the pixels of a row of tiles
     int y0 = 0, y1 = 0;                      ///< of those rows
@@ -68,16 +63,9 @@ bool order_channels(PartFile& part, Failure& failure) {
         failure = {"\"" + part.path + "\" has other channels than it was written with"};
         return false;
     }
-    const auto bytes = [&](int channel) {
-        return file.channelformats.empty() ? file.format.size()
-                                           : file.channelformat(channel).size();
-    };
     for (int i = 0; i < file.nchannels; ++i) {
         const int place = file.channelindex(names[size_t(i)]);
-        size_t offset = 0;
-        for (int k = 0; k < place; ++k)
-            offset += bytes(k);
-        part.pieces.push_back({offset, bytes(place)});
+        part.places.push_back(place);
         if (!file.channelformats.empty())
             spec.channelformats[size_t(i)] = file.channelformat(place);
         if (place == file.alpha_channel)
@@ -187,21 +175,48 @@ bool check_windows(const std::vector<PartFile>& parts, Failure& failure) {
     return false;
 }
 
-/// The channels of pixels as read into the whole's order.
-void move_channels(const std::vector<Piece>& pieces, size_t pixel, std::vector<char>& pixels) {
-    std::vector<char> one(pixel);
-    for (size_t at = 0; !pieces.empty() && at < pixels.size(); at += pixel) {
-        std::memcpy(one.data(), &pixels[at], pixel);
+/// How pixels are held: all numbers of one type, or unknown: channels of types of their own.
+struct Held {
+    OIIO::TypeDesc type;
+    size_t pixel; ///< bytes
+};
+
+/// As the parts have them, where `output` can write that; else channels of types of their own
+/// become floats, as ddt resize holds them.
+Held find_held(const OIIO::ImageSpec& part, const OIIO::ImageOutput& output) {
+    if (part.channelformats.empty())
+        return {part.format, part.pixel_bytes()};
+    if (output.supports("channelformats"))
+        return {OIIO::TypeUnknown, part.pixel_bytes(true)};
+    return {OIIO::TypeFloat, size_t(part.nchannels) * sizeof(float)};
+}
+
+/// Pixels as they were read into the whole's order of channels.
+void move_channels(const PartFile& part, const Held& held, std::vector<char>& pixels) {
+    if (part.places.empty())
+        return;
+    const size_t channels = part.places.size();
+    std::vector<size_t> size(channels), offset(channels); // of a channel here, of one in the file
+    for (size_t c = 0; c < channels; ++c) {
+        size[c] = held.type == OIIO::TypeUnknown ? part.spec.channelformat(int(c)).size()
+                                                 : held.type.size();
+        for (size_t k = 0; k < channels; ++k)
+            if (part.places[k] > part.places[c])
+                offset[size_t(part.places[k])] += size[c];
+    }
+    std::vector<char> one(held.pixel);
+    for (size_t at = 0; at < pixels.size(); at += held.pixel) {
+        std::memcpy(one.data(), &pixels[at], held.pixel);
         size_t to = at;
-        for (const Piece& piece : pieces) {
-            std::memcpy(&pixels[to], &one[piece.offset], piece.size);
-            to += piece.size;
+        for (size_t c = 0; c < channels; ++c) {
+            std::memcpy(&pixels[to], &one[offset[size_t(part.places[c])]], size[c]);
+            to += size[c];
         }
     }
 }
 
 /// Make the row of tiles with the pixels of row y the part's current one.
-bool load(PartFile& part, int y, OIIO::TypeDesc type, size_t pixel, Failure& failure) {
+bool load(PartFile& part, int y, const Held& held, Failure& failure) {
     if (!part.input) {
         part.input = OIIO::ImageInput::open(part.path);
         if (!part.input)
@@ -211,21 +226,21 @@ bool load(PartFile& part, int y, OIIO::TypeDesc type, size_t pixel, Failure& fai
     const int height = spec.tile_height;
     part.y0 = part.window.y0 + (y - part.window.y0) / height * height;
     part.y1 = std::min(part.y0 + height, part.window.y1);
-    part.tiles.resize(pixel * size_t(part.window.width()) * size_t(height));
+    part.tiles.resize(held.pixel * size_t(part.window.width()) * size_t(height));
     if (!part.input->read_tiles(0, 0, part.window.x0, part.window.x1, part.y0, part.y1, 0, 1, 0,
-                                spec.nchannels, type, part.tiles.data()))
+                                spec.nchannels, held.type, part.tiles.data()))
         return cannot_read(part, failure);
-    move_channels(part.pieces, pixel, part.tiles);
+    move_channels(part, held, part.tiles);
     return true;
 }
 
 /// Put the rows [y0, y1) of a part where they belong among those rows of the whole.
-bool copy_rows(PartFile& part, int y0, int y1, OIIO::TypeDesc type, size_t pixel, char* rows,
-               Failure& failure) {
+bool copy_rows(PartFile& part, int y0, int y1, const Held& held, char* rows, Failure& failure) {
     const Rect& whole = part.header.whole;
+    const size_t pixel = held.pixel;
     const size_t row = pixel * size_t(whole.width()), mine = pixel * size_t(part.window.width());
     for (int y = std::max(y0, part.window.y0); y < std::min(y1, part.window.y1); ++y) {
-        if ((y < part.y0 || y >= part.y1) && !load(part, y, type, pixel, failure))
+        if ((y < part.y0 || y >= part.y1) && !load(part, y, held, failure))
             return false;
         std::memcpy(rows + row * size_t(y - y0) + pixel * size_t(part.window.x0 - whole.x0),
                     &part.tiles[mine * size_t(y - part.y0)], mine);
@@ -271,7 +286,8 @@ OIIO::ImageSpec whole_spec(OIIO::ImageSpec spec, const PartHeader& header, bool 
 /// Write the rows [y0, y1) of what the format holds of the whole, which has some of them in `rows`,
 /// from its row `from` on; where it has none they are black.
 bool write_kept(OIIO::ImageOutput& output, const Rect& whole, const Rect& kept, int y0, int y1,
-                OIIO::TypeDesc type, size_t pixel, const char* rows, int from) {
+                const Held& held, const char* rows, int from) {
+    const size_t pixel = held.pixel;
     const int x0 = std::max(whole.x0, kept.x0), x1 = std::min(whole.x1, kept.x1);
     const size_t row = pixel * size_t(whole.width());
     std::vector<char> line(pixel * size_t(kept.width()));
@@ -280,7 +296,7 @@ bool write_kept(OIIO::ImageOutput& output, const Rect& whole, const Rect& kept, 
             std::memcpy(&line[pixel * size_t(x0 - kept.x0)],
                         rows + row * size_t(y - from) + pixel * size_t(x0 - whole.x0),
                         pixel * size_t(x1 - x0));
-        if (!output.write_scanlines(y, y + 1, 0, type, line.data()))
+        if (!output.write_scanlines(y, y + 1, 0, held.type, line.data(), OIIO::stride_t(pixel)))
             return false;
     }
     return true;
@@ -303,10 +319,6 @@ bool join(const std::vector<std::string>& paths, const std::string& out,
     if (!check_numbers(parts, failure) || !check_windows(parts, failure))
         return false;
 
-    // Channels of types of their own pass as they are.
-    const OIIO::TypeDesc type =
-        spec.channelformats.empty() ? spec.format : OIIO::TypeDesc(OIIO::TypeDesc::UNKNOWN);
-    const size_t pixel = spec.pixel_bytes(true);
     const int height = spec.tile_height;
     const Rect whole = parts.front().header.whole;
     ImageFile file;
@@ -316,32 +328,36 @@ bool join(const std::vector<std::string>& paths, const std::string& out,
     OIIO::ImageSpec written = whole_spec(spec, parts.front().header, tiles);
     if (!fit_format(file.output(), out, written, failure))
         return false;
+    const std::string left_out = fit_channels(file.output(), written);
+    const Held held = find_held(spec, file.output());
     const Rect kept = rect_of(written.roi());
     const bool tiled = tiles && kept == whole;
     if (!tiled)
         written.tile_width = written.tile_height = written.tile_depth = 0;
     if (!file.open(written, failure))
         return false;
+    note_left_out(out, left_out);
     const auto write_black = [&](int y0, int y1) {
-        if (write_kept(file.output(), whole, kept, y0, y1, type, pixel, nullptr, 0))
+        if (write_kept(file.output(), whole, kept, y0, y1, held, nullptr, 0))
             return true;
         failure = file.failed();
         return false;
     };
     if (!write_black(kept.y0, std::min(kept.y1, whole.y0)))
         return false;
-    std::vector<char> rows(pixel * size_t(whole.width()) * size_t(height));
+    std::vector<char> rows(held.pixel * size_t(whole.width()) * size_t(height));
     for (int y0 = whole.y0; y0 < whole.y1; y0 += height) {
         const int y1 = std::min(y0 + height, whole.y1);
         progress(float(y0 - whole.y0) / float(whole.height()));
         for (PartFile& part : parts)
             if (part.window.y0 < y1 && part.window.y1 > y0 &&
-                !copy_rows(part, y0, y1, type, pixel, rows.data(), failure))
+                !copy_rows(part, y0, y1, held, rows.data(), failure))
                 return false;
         const bool done =
-            tiled ? file.output().write_tiles(whole.x0, whole.x1, y0, y1, 0, 1, type, rows.data())
+            tiled ? file.output().write_tiles(whole.x0, whole.x1, y0, y1, 0, 1, held.type,
+                                              rows.data(), OIIO::stride_t(held.pixel))
                   : write_kept(file.output(), whole, kept, std::max(y0, kept.y0),
-                               std::min(y1, kept.y1), type, pixel, rows.data(), y0);
+                               std::min(y1, kept.y1), held, rows.data(), y0);
         if (!done) {
             failure = file.failed();
             return false;
