@@ -10,6 +10,7 @@
 #include "core/base/codes.h"
 #include "core/base/half.h"
 #include "plugin/image/channels.h"
+#include "plugin/message/format.h"
 
 namespace ddt {
 namespace {
@@ -125,13 +126,15 @@ bool read_pixels(const OIIO::ImageBuf& image, const Rect& r, int chbegin, int ch
                                pixel * r.width(), OIIO::AutoStride);
 }
 
-bool read_ids(const OIIO::ImageBuf& src, OIIO::ImageBuf& ids) {
+bool read_ids(const OIIO::ImageBuf& src, OIIO::ImageBuf& ids, std::string& error) {
     const OIIO::TypeDesc native = src.nativespec().format;
     if (src.storage() != OIIO::ImageBuf::IMAGECACHE || !is_id_type(native))
-        return false;
+        return true;
     ids.reset(src.name(), src.subimage(), src.miplevel());
-    if (!ids.read(src.subimage(), src.miplevel(), true, native))
+    if (!ids.read(src.subimage(), src.miplevel(), true, native)) {
+        error = format("the source image cannot be read: {}", ids.geterror());
         return false;
+    }
     // What the caller may have changed since.
     ids.specmod().extra_attribs = src.spec().extra_attribs;
     ids.set_origin(src.spec().x, src.spec().y);

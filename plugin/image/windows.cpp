@@ -104,8 +104,11 @@ bool check_source(const OIIO::ImageBuf& src, std::string& error) {
                                 : "the source image is uninitialised; give one that holds pixels";
         return false;
     }
-    const OIIO::ImageSpec& spec = src.spec();
-    if (src.deep()) {
+    return check_source_spec(src.spec(), error) && check_pixels(src, error);
+}
+
+bool check_source_spec(const OIIO::ImageSpec& spec, std::string& error) {
+    if (spec.deep) {
         error = "the source is a deep image; only flat images can be resized";
         return false;
     }
@@ -135,7 +138,7 @@ bool check_source(const OIIO::ImageBuf& src, std::string& error) {
                        spec.format.c_str());
         return false;
     }
-    return check_pixels(src, error) && check_windows("source's", spec, 1, error);
+    return check_windows("source's", spec, 1, error);
 }
 
 bool check_size(const OIIO::ROI& roi, int channels, OIIO::TypeDesc type, std::string& error) {

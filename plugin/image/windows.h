@@ -13,6 +13,8 @@ namespace ddt {
 /// False with one line in `error` unless `src` is an image the filters can work on: readable, flat,
 /// not a volume, not empty, of numbers OpenImageIO converts.
 bool check_source(const OIIO::ImageBuf& src, std::string& error);
+/// The same before pixels are read.
+bool check_source_spec(const OIIO::ImageSpec& spec, std::string& error);
 
 /// False with one line in `error` unless an image of `roi`'s size may be allocated: coordinates
 /// within +-largest_coordinate, and no more bytes than OpenImageIO's attribute

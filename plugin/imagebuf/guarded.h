@@ -52,7 +52,7 @@ bool guarded_from(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, Body&& body) n
         if (&dst == &src)
             copy = src;
         const OIIO::ImageBuf& from = &dst == &src ? copy : src;
-        return body(read_ids(from, ids) ? ids : from, touched, error);
+        return read_ids(from, ids, error) && body(ids.initialized() ? ids : from, touched, error);
     });
 }
 

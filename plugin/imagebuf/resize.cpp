@@ -55,9 +55,7 @@ bool enlarge_then_shrink(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const O
     else
         reach_into(full.xbegin, full.xend, part.xbegin, part.xend);
     OIIO::ImageSpec spec = src.spec();
-    // Float: rounding is left to the second step.
-    if (!is_id_type(spec.format))
-        spec.set_format(OIIO::TypeFloat);
+    spec.set_format(OIIO::TypeFloat); // rounding is left to the second step
     OIIO::set_roi(spec, part);
     OIIO::set_roi_full(spec, full);
     if (!check_size(part, spec.nchannels, spec.format, error))

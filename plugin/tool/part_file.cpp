@@ -11,10 +11,12 @@
 
 #include "core/base/parse_number.h"
 #include "core/tiles/grid.h"
+#include "plugin/image/channels.h"
 #include "plugin/image/lazy_file.h"
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/fingerprint.h"
+#include "plugin/tool/id_file.h"
 #include "plugin/tool/image_file.h"
 #include "plugin/tool/picture.h"
 #include "plugin/tool/unfinished.h"
@@ -99,17 +101,18 @@ std::vector<unsigned char> profile_of(const OIIO::ImageSpec& spec) {
 /// Enlarges a part in strips and hands on whole rows of the file's tiles.
 class StripWriter {
 public:
-    StripWriter(const OIIO::ImageBuf& source, const OIIO::ImageSpec& whole, const Rect& part,
-                int tile_height, OIIO::ImageOutput& output)
-        : m_source(source), m_spec(whole), m_part(part), m_tile_height(tile_height),
-          m_output(output), m_done(part.y0) {
+    StripWriter(const OIIO::ImageSpec& whole, const Rect& part, int tile_height,
+                OIIO::ImageOutput& output)
+        : m_spec(whole), m_part(part), m_tile_height(tile_height), m_output(output),
+          m_done(part.y0) {
         m_spec.x = part.x0;
         m_spec.width = part.width();
         m_spec.channelformats.clear(); // strips in memory have one type
     }
 
-    /// The part's rows up to `end`.
-    bool strip(int end, const Options& options, int threads, std::string& error) {
+    /// The part's rows up to `end`, of a source that has what they show.
+    bool strip(int end, const OIIO::ImageBuf& source, const Options& options, int threads,
+               std::string& error) {
         OIIO::ImageSpec spec = m_spec;
         spec.y = m_done;
         spec.height = end - m_done;
@@ -123,7 +126,7 @@ public:
             std::memcpy(strip.localpixels(), m_left.data(), row * size_t(m_made - m_done));
         OIIO::ROI roi = strip.roi();
         roi.ybegin = m_made;
-        if (!resize(strip, m_source, options, roi, threads)) {
+        if (!resize(strip, source, options, roi, threads)) {
             error = strip.geterror();
             return false;
         }
@@ -140,7 +143,6 @@ public:
     }
 
 private:
-    const OIIO::ImageBuf& m_source;
     OIIO::ImageSpec m_spec;
     const Rect m_part;
     const int m_tile_height;
@@ -170,6 +172,13 @@ bool check_part(const OIIO::ImageSpec& from, const OIIO::ImageSpec& to, const Gr
     else
         return true;
     return false;
+}
+
+/// The pixels that tiles are made from.
+Rect source_of(const Rect& tiles, const Grid& grid) {
+    const Rect first = grid.tile(tiles.y0 * grid.columns() + tiles.x0).pixels;
+    const Rect last = grid.tile((tiles.y1 - 1) * grid.columns() + tiles.x1 - 1).pixels;
+    return {first.x0, first.y0, last.x1, last.y1};
 }
 
 /// The spec of a part's file.
@@ -238,15 +247,16 @@ bool resize_part(const std::string& in, const std::string& out, const ResizeSett
     LazyFile file_in(in, 0, {cache_megabytes, true});
     if (!file_in.image().init_spec(in, 0, 0)) {
         failure.why = why_unreadable(file_in.image(), in);
+        failure.code = code_of_message(failure.why);
         return false;
     }
     const OIIO::ImageBuf& image = file_in.image();
+    if (!check_image(image, in, settings.options, failure))
+        return false;
     // The cache's pixels may be of another type than the file's.
     OIIO::ImageSpec from = image.spec(), whole;
     from.set_format(image.nativespec().format);
     from.channelformats = image.nativespec().channelformats;
-    if (!check_source(image, failure.why))
-        return false;
     if (!plan_result(from, settings, whole, failure))
         return false;
     const Grid grid(rect_of(image.roi()));
@@ -287,7 +297,7 @@ bool resize_part(const std::string& in, const std::string& out, const ResizeSett
     if (!file.open(spec, failure))
         return false;
 
-    StripWriter writer(image, whole, pixels, spec.tile_height, file.output());
+    StripWriter writer(whole, pixels, spec.tile_height, file.output());
     for (int row = tiles.y0; row < tiles.y1; ++row) {
         const Rect one{tiles.x0, row, tiles.x1, row + 1};
         Options options = settings.options;
@@ -296,7 +306,12 @@ bool resize_part(const std::string& in, const std::string& out, const ResizeSett
         };
         const int end = pixels_of_tiles(one, grid.columns(), grid.rows(), x, y).y1;
         std::string error;
-        if (!writer.strip(end, options, settings.threads, error)) {
+        OIIO::ImageBuf ids;
+        if (is_id_type(from.format) && !read_ids_of(in, image, source_of(one, grid), ids, error)) {
+            failure = {error, code_of_message(error)};
+            return false;
+        }
+        if (!writer.strip(end, ids.initialized() ? ids : image, options, settings.threads, error)) {
             failure = error.empty() ? file.failed() : Failure{error, code_of_message(error)};
             return false;
         }

@@ -96,16 +96,6 @@ Failure too_far(const OIIO::ImageSpec& from, const Size& size) {
         std::ceil(from.height * (double(size.height) / from.full_height)), largest_coordinate)};
 }
 
-/// What is known of a source before its pixels are there.
-bool check_image(const OIIO::ImageBuf& image, const std::string& path, const Options& options,
-                 Failure& failure) {
-    if (check_source(image, failure.why) && check_options_of(image, options, failure.why))
-        return true;
-    failure.why = "\"" + path + "\": " + failure.why;
-    failure.code = code_of_message(failure.why);
-    return false;
-}
-
 bool check_size_of(const OIIO::ImageSpec& spec, Failure& failure) {
     if (check_size(OIIO::get_roi(spec), spec.nchannels, spec.format, failure.why))
         return true;
@@ -173,6 +163,15 @@ bool resize_strips(OIIO::ImageBuf& result, const OIIO::ImageBuf& image, const OI
 }
 
 } // namespace
+
+bool check_image(const OIIO::ImageBuf& image, const std::string& path, const Options& options,
+                 Failure& failure) {
+    if (check_source(image, failure.why) && check_options_of(image, options, failure.why))
+        return true;
+    failure.why = "\"" + path + "\": " + failure.why;
+    failure.code = code_of_message(failure.why);
+    return false;
+}
 
 bool plan_result(const OIIO::ImageSpec& from, const ResizeSettings& settings, OIIO::ImageSpec& spec,
                  Failure& failure) {
@@ -250,7 +249,8 @@ int64_t memory_to_resize(const std::string& in, const std::string& out,
     const auto file = OIIO::ImageInput::open(in);
     OIIO::ImageSpec spec;
     Failure failure;
-    if (!file || !plan_result(file->spec(), settings, spec, failure))
+    if (!file || !check_source_spec(file->spec(), failure.why) ||
+        !plan_result(file->spec(), settings, spec, failure))
         return 0;
     // Another format than the source's may not hold its numbers (see hold_result()).
     if (!settings.type.empty() || !spec.channelformats.empty() ||

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include <OpenImageIO/imageio.h>
+#include <OpenImageIO/imagebuf.h>
 
 #include "ddt/resize.h"
 #include "plugin/tool/exit_code.h"
@@ -20,10 +20,16 @@ struct ResizeSettings {
     int threads = 1;         ///< at least 1
 };
 
-/// What an image of spec `from` becomes: the windows that oiiotool makes. The size is the display
-/// window's; the data window is scaled along with it, its origin rounded down, its size up. Of a
-/// size that does not change, neither does the origin. False with a failure if the size is not
-/// allowed, or the data window would leave the coordinates that are.
+/// False with a failure, which names the file, unless it holds what can be resized with these
+/// options.
+bool check_image(const OIIO::ImageBuf& image, const std::string& path, const Options& options,
+                 Failure& failure);
+
+/// What an image of spec `from`, which check_image() found right, becomes: the windows that
+/// oiiotool makes. The size is the display window's; the data window is scaled along with it, its
+/// origin rounded down, its size up. Of a size that does not change, neither does the origin. False
+/// with a failure if the size is not allowed, or the data window would leave the coordinates that
+/// are.
 bool plan_result(const OIIO::ImageSpec& from, const ResizeSettings& settings,
                  OIIO::ImageSpec& result, Failure& failure);
 

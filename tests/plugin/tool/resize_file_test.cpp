@@ -92,8 +92,46 @@ TEST(ResizeFile, ChannelsKeepTheirTypes) {
     ASSERT_TRUE(resized(in, "200%", out, failure, "float")) << failure.why;
     EXPECT_TRUE(OIIO::ImageInput::open(out)->spec().channelformats.empty());
     EXPECT_EQ(OIIO::ImageInput::open(out)->spec().format, OIIO::TypeFloat);
-    // Nor has each format several.
-    ASSERT_TRUE(resized(in, "200%", temporary("several_types.tif"), failure)) << failure.why;
+    // Nor has each format several: they become floats there.
+    const std::string whole = temporary("several_types.tif");
+    ASSERT_TRUE(resized(in, "200%", whole, failure)) << failure.why;
+    ASSERT_TRUE(join({part}, temporary("joined.tif"), progress, failure)) << failure.why;
+    const ImageBuf of_one(whole), of_parts(temporary("joined.tif"));
+    ASSERT_EQ(of_parts.spec().format, OIIO::TypeFloat);
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 32; ++x)
+            for (int c = 0; c < 5; ++c) {
+                const float expected = of_one.getchannel(x, y, 0, c);
+                if (!std::isnan(expected)) {
+                    EXPECT_EQ(of_parts.getchannel(x, y, 0, c), expected) << x << " " << y;
+                }
+            }
+}
+
+/// An RLA file that says it has a display window of no width.
+std::string file_without_display(const std::string& name) {
+    const std::string path = temporary(name);
+    ImageBuf image(ImageSpec(8, 8, 3, OIIO::TypeUInt8));
+    OIIO::ImageBufAlgo::zero(image);
+    EXPECT_TRUE(image.write(path));
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(2); // WindowRight, of 16 bits, the first byte the higher one
+    file.write("\xff\xff", 2);
+    return path;
+}
+
+TEST(ResizeFile, AnEmptyDisplayWindowIsRefusedInEveryWay) {
+    const std::string in = file_without_display("no_display.rla");
+    Failure failure;
+    EXPECT_FALSE(resized(in, "32x32", temporary("no_display.exr"), failure));
+    const std::string refusal = "\"" + in + "\": the source's display window has size 0";
+    EXPECT_EQ(failure.why.substr(0, refusal.size()), refusal);
+    ResizeSettings settings;
+    settings.size = "32x32";
+    EXPECT_FALSE(resize_part(
+        in, temporary("no_display.exr"), settings, {1, 1}, [](float) { return true; }, failure));
+    EXPECT_EQ(failure.why.substr(0, refusal.size()), refusal);
+    EXPECT_EQ(memory_to_resize(in, temporary("no_display.exr"), settings), 0);
 }
 
 TEST(FillFile, ChannelsKeepTheirTypes) {
@@ -251,6 +289,11 @@ TEST(ResizeFile, WhatAFormatHasNoRoomForIsLeftOutAndNamed) {
     const std::string in = temporary("six.exr");
     ASSERT_TRUE(image.write(in));
     Failure failure;
+    ResizeSettings settings;
+    settings.size = "200%";
+    const std::string part = temporary("six_part.exr");
+    const auto progress = [](float) { return true; };
+    ASSERT_TRUE(resize_part(in, part, settings, {1, 1}, progress, failure)) << failure.why;
     for (const auto& [name, channels, left_out] :
          {std::tuple("six.png", 4, "Z, mask"), std::tuple("six.ppm", 3, "A, Z, mask")}) {
         const std::string out = temporary(name);
@@ -260,6 +303,14 @@ TEST(ResizeFile, WhatAFormatHasNoRoomForIsLeftOutAndNamed) {
                   "ddt: \"" + out + "\" has no room for " + left_out + "\n");
         EXPECT_EQ(ImageBuf(out).nchannels(), channels);
         EXPECT_EQ(ImageBuf(out).spec().width, 16);
+        const std::string joined = temporary(std::string("joined_") + name);
+        testing::internal::CaptureStderr();
+        ASSERT_TRUE(join({part}, joined, progress, failure)) << failure.why;
+        EXPECT_NE(testing::internal::GetCapturedStderr().find(left_out), std::string::npos);
+        EXPECT_EQ(ImageBuf(joined).nchannels(), channels);
+        const auto difference =
+            OIIO::ImageBufAlgo::compare(ImageBuf(joined), ImageBuf(out), 0.005f, 0.005f);
+        EXPECT_EQ(difference.nfail, 0u); // parts are rounded to halfs
         const std::string filled = temporary(std::string("filled_") + name);
         testing::internal::CaptureStderr();
         EXPECT_EQ(make_fill_command()->run({in, filled}), exit_done);
