@@ -6,14 +6,15 @@
 #include <OpenImageIO/strutil.h>
 
 #include "core/base/parse_number.h"
+#include "ddt/mapping.h"
 #include "ddt/resize.h"
+#include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/filter_flag.h"
 #include "plugin/tool/image_file.h"
 #include "plugin/tool/point_file.h"
 #include "plugin/tool/progress.h"
-#include "plugin/tool/size.h"
 
 namespace ddt::tool {
 
@@ -37,6 +38,18 @@ bool parse_window(const std::string& text, Window& window) {
     if (!(w.x1 > w.x0 && w.y1 > w.y0))
         return false;
     window = w;
+    return true;
+}
+
+/// "WxH"; one of them may be 0, for what is left open.
+bool parse_sides(const std::string& text, int& width, int& height) {
+    const size_t x = text.find('x');
+    int w = 0, h = 0;
+    if (x == std::string::npos || !parse_number(text.substr(0, x), 0, largest_side, w) ||
+        !parse_number(text.substr(x + 1), 0, largest_side, h) || (w == 0 && h == 0))
+        return false;
+    width = w;
+    height = h;
     return true;
 }
 
@@ -70,7 +83,8 @@ public:
             "edges are flipped until they run along the values' own edges; values are interpolated "
             "linearly over the triangles. Outside them pixels are empty: 0, alpha 0.",
             "POINTS is a PLY file or text (CSV, XYZ) whose first line names the columns, x and y "
-            "among them. Points without a number (nan) are left out. The image spans the points' "
+            "among them. Points with a value that is no number (nan) are left out. The image spans "
+            "the points' "
             "box, the y axis upwards. Its channels are red, green, blue and alpha where the file "
             "has them, else z, else all columns; whole-number colours are taken as displayed "
             "(sRGB). An alpha channel is added where there is none."};
@@ -78,12 +92,7 @@ public:
                     {"OUT", "any image OpenImageIO writes"}};
         flags = {
             {"--size", "WxH", "size of the image; a 0 keeps the shape (default: 1024x0)",
-             [this](const std::string& text) {
-                 m_size = text;
-                 Size size;
-                 return text.find('%') == std::string::npos &&
-                        text.find('x') != std::string::npos && parse_size(text, {1, 1, 0, 0}, size);
-             },
+             [this](const std::string& text) { return parse_sides(text, m_width, m_height); },
              "WxH, Wx0 and 0xH", ""},
             {"--window", "X0,Y0,X1,Y1", "the part of the plane to show (default: the points' box)",
              [this](const std::string& text) {
@@ -173,22 +182,26 @@ private:
     }
 
     /// Pixels whose outer borders are the window's.
-    PixelGrid grid(const PointMesh& mesh) const {
+    bool plan(const PointMesh& mesh, PixelGrid& g, Failure& failure) const {
         const Window w = box(mesh);
-        const double across = w.x1 - w.x0, down = w.y1 - w.y0, longest = std::max(across, down);
-        const auto whole = [&](double length) {
-            return std::max(1, int(std::lround(length / longest * 1e6)));
-        };
-        Size size;
-        parse_size(m_size, {whole(across), whole(down), 0, 0}, size);
-        PixelGrid g;
-        g.width = std::max(size.width, 1);
-        g.height = std::max(size.height, 1);
+        const double across = w.x1 - w.x0, down = w.y1 - w.y0;
+        // A side that is left open keeps the window's shape.
+        const double width = m_width > 0 ? m_width : std::max(m_height * (across / down), 1.0);
+        const double height = m_height > 0 ? m_height : std::max(m_width * (down / across), 1.0);
+        if (!(width <= largest_side && height <= largest_side)) {
+            failure = {format("the image would be {:.0f} x {:.0f} pixels; sides are allowed up to "
+                              "{}: give both of --size, or another --window",
+                              width, height, largest_side),
+                       exit_usage};
+            return false;
+        }
+        g.width = int(std::lround(width));
+        g.height = int(std::lround(height));
         g.step_x = across / g.width;
         g.step_y = m_y_down ? down / g.height : -down / g.height;
         g.x = w.x0 + 0.5 * g.step_x;
         g.y = (m_y_down ? w.y0 : w.y1) + 0.5 * g.step_y;
-        return g;
+        return true;
     }
 
     OIIO::ImageSpec spec_of(const PixelGrid& g, const std::vector<const Column*>& chosen,
@@ -222,9 +235,15 @@ private:
 
     bool write(const PointFile& points, const std::string& path, Failure& failure) const {
         const std::vector<const Column*> chosen = columns(points);
-        const PixelGrid g = grid(points.mesh);
+        PixelGrid g;
+        if (!plan(points.mesh, g, failure))
+            return false;
         bool has_alpha = false;
         const OIIO::ImageSpec spec = spec_of(g, chosen, has_alpha);
+        if (!check_size(OIIO::get_roi(spec), spec.nchannels, spec.format, failure.why)) {
+            failure.code = code_of_message(failure.why);
+            return false;
+        }
         const size_t count = points.mesh.x.size(), channels = size_t(spec.nchannels);
         std::vector<float> values(count * channels, 1.0f);
         for (size_t c = 0; c < chosen.size(); ++c)
@@ -243,7 +262,8 @@ private:
     }
 
     Options m_options;
-    std::string m_size = "1024x0", m_filter_error, m_mesh_path, m_progress = "auto";
+    int m_width = 1024, m_height = 0; ///< 0: left open
+    std::string m_filter_error, m_mesh_path, m_progress = "auto";
     std::vector<std::string> m_channels;
     Window m_window;
     bool m_has_window = false, m_y_down = false;

@@ -192,6 +192,17 @@ TEST_F(OnPoints, ScatterLeavesTheOutsideEmptyAndPointsWithoutNumbersOut) {
         }
 }
 
+TEST_F(OnPoints, ScatterKeepsTheShapeOfAnyBox) {
+    const std::string in = write_file("long.csv", "x,y,z\n0,0,1\n1,0,2\n1,20000,3\n0,20000,5\n");
+    for (const auto& [size, width, height] :
+         {std::tuple("0x1024", 1, 1024), std::tuple("3x0", 3, 60000)}) {
+        const std::string out = temporary(std::string(size) + ".exr");
+        ASSERT_EQ(run(make_scatter_command(), {in, out, "--size", size}).code, exit_done);
+        EXPECT_EQ(load(out).spec().width, width);
+        EXPECT_EQ(load(out).spec().height, height);
+    }
+}
+
 TEST_F(OnPoints, ScatterSaysWhatIsWrong) {
     const std::string in = write_file("plane.csv", plane), out = temporary("wrong.exr");
     struct Case {
@@ -202,6 +213,9 @@ TEST_F(OnPoints, ScatterSaysWhatIsWrong) {
     for (const Case& c :
          {Case{{in, out, "--channels", "height"}, exit_usage, "there are z, weight"},
           Case{{in, out, "--size", "12"}, exit_usage, "WxH"},
+          Case{{in, out, "--size", "0x0"}, exit_usage, "WxH"},
+          Case{{in, out, "--window", "0,0,1,20000"}, exit_usage, "1024 x 20480000 pixels"},
+          Case{{in, out, "--size", "9000000x9000000"}, exit_resources, "9000000 x 9000000 pixels"},
           Case{{in, out, "--window", "1,1,0,0"}, exit_usage, "two corners"},
           Case{{in, out, "--window", "0,0,0,1"}, exit_usage, "two corners"},
           Case{{in, out, "--window", "0,0,1,0"}, exit_usage, "two corners"},
