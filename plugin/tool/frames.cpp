@@ -44,6 +44,11 @@ void replace(std::string& text, const char* what, const std::string& by) {
         text.replace(at, 2, by);
 }
 
+/// A path without its folder.
+std::string name_of(const std::string& path) {
+    return path.substr(path.rfind('/') + 1);
+}
+
 } // namespace
 
 bool parse_frames(const std::string& text, std::vector<int>& frames) {
@@ -60,8 +65,7 @@ bool parse_frames(const std::string& text, std::vector<int>& frames) {
 
 FrameName::FrameName(const std::string& text) : m_before(text) {
     static const std::regex form("#+|@+|%(0([1-9]))?d");
-    const size_t folder = text.rfind('/') + 1;
-    const std::string name = text.substr(folder);
+    const std::string name = name_of(text);
     m_has_view = text.find("%V") != std::string::npos || text.find("%v") != std::string::npos;
     std::smatch part;
     if (!std::regex_search(name, part, form))
@@ -70,7 +74,7 @@ FrameName::FrameName(const std::string& text) : m_before(text) {
     m_digits = number == "#"      ? 4
                : number[0] == '%' ? (part[2].matched ? std::atoi(part[2].str().c_str()) : 1)
                                   : int(number.size());
-    m_before = text.substr(0, folder) + part.prefix().str();
+    m_before = text.substr(0, text.size() - name.size()) + part.prefix().str();
     m_after = part.suffix();
 }
 
@@ -97,17 +101,17 @@ std::vector<int> FrameName::frames_there(const std::vector<std::string>& views) 
         // Where the number would begin; what comes after it is checked by making the name.
         FrameName before = *this;
         before.m_digits = -1;
-        const std::string prefix = before.name(0, view);
-        const fs::path folder = fs::path(prefix + "x").parent_path();
+        const std::string path = before.name(0, view), prefix = name_of(path);
+        const std::string folder = path.substr(0, path.size() - prefix.size());
         std::error_code error;
         for (const fs::directory_entry& entry :
              fs::directory_iterator(folder.empty() ? "." : folder, error)) {
-            const std::string path = (folder / entry.path().filename()).string();
-            const size_t end = path.find_first_not_of("0123456789", prefix.size() + 1);
+            const std::string found_name = entry.path().filename().string();
+            const size_t end = found_name.find_first_not_of("0123456789", prefix.size() + 1);
             int frame = 0;
-            if (prefix.size() < path.size() &&
-                number(path.substr(prefix.size(), end - prefix.size()), frame) &&
-                name(frame, view) == path)
+            if (prefix.size() < found_name.size() &&
+                number(found_name.substr(prefix.size(), end - prefix.size()), frame) &&
+                name_of(name(frame, view)) == found_name)
                 found.insert(frame);
         }
     }

@@ -60,9 +60,14 @@ bool list_tasks(const std::string& in, const std::string& out, const std::string
                 const std::string& views, std::vector<FrameTask>& tasks, Failure& failure) {
     const FrameName from(in), to(out);
     const bool numbered = !frames.empty() || from.has_frame();
-    if (!check_name(in, from, numbered, !views.empty(), failure) ||
-        !check_name(out, to, numbered, !views.empty(), failure))
+    if (!check_name(in, from, numbered, !views.empty(), failure))
         return false;
+    if (!check_name(out, to, numbered, !views.empty(), failure)) {
+        // It may have been meant as a name like any other, such as photo@2x.png.
+        if (frames.empty() && views.empty())
+            failure.why = "there is no file \"" + in + "\"; of its frames, " + failure.why;
+        return false;
+    }
     const std::vector<std::string> names = OIIO::Strutil::splits(views, ",");
     std::vector<int> numbers{0};
     if (!frames.empty() && !parse_frames(frames, numbers))

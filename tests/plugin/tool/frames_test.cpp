@@ -56,6 +56,7 @@ TEST(Frames, ThoseThatAreThere) {
                              "a.00x1.exr", "b.0002.exr", "a.left.0004.exr", "a.0005.exr.txt"})
         std::ofstream(folder + "/" + name) << "";
     EXPECT_EQ(FrameName(folder + "/a.#.exr").frames_there({}), (Numbers{-3, 1, 12, 12345}));
+    EXPECT_EQ(FrameName(folder + "//a.#.exr").frames_there({}), (Numbers{-3, 1, 12, 12345}));
     EXPECT_EQ(FrameName(folder + "/a.%V.#.exr").frames_there({"left", "right"}), (Numbers{4}));
     EXPECT_EQ(FrameName("/no/such/folder/a.#.exr").frames_there({}), Numbers{});
 }
@@ -73,6 +74,7 @@ TEST(Frames, TasksOfACommandLine) {
     };
     for (const Case& c : {Case{"i.exr", "o.#.exr", "1-2", "", "no place for the frame", exit_usage},
                           Case{"i.#.exr", "o.exr", "1-2", "", "no place for the frame", exit_usage},
+                          Case{"i@2x.png", "o.png", "", "", "no file \"i@2x.png\"", exit_usage},
                           Case{"i.#.exr", "o.#.exr", "1-", "", "1-100x2", exit_usage},
                           Case{"i.%V.exr", "o.%V.exr", "", "", "--views", exit_usage},
                           Case{"i.#.exr", "o.#.exr", "1", "left", "%V", exit_usage},
