@@ -103,6 +103,9 @@ bool read_sidecar(const std::string& path, std::vector<std::string>& lines, std:
                        path);
         return false;
     }
+    // Editors of Windows put a byte-order mark in front.
+    if (OIIO::Strutil::starts_with(text, "\xEF\xBB\xBF"))
+        text.erase(0, 3);
     for (OIIO::string_view line : OIIO::Strutil::splitsv(text, "\n")) {
         line = OIIO::Strutil::strip(line);
         if (!line.empty() && line[0] != '#')

@@ -100,8 +100,8 @@ private:
             to[i] = std::clamp(mean + rise * high, 0.0, 1.0);
         }
         std::fprintf(m_file,
-                     "<linearGradient id=\"g%zu\" gradientUnits=\"userSpaceOnUse\" x1=\"%.4g\" "
-                     "y1=\"%.4g\" x2=\"%.4g\" y2=\"%.4g\"><stop",
+                     "<linearGradient id=\"g%zu\" gradientUnits=\"userSpaceOnUse\" x1=\"%.3f\" "
+                     "y1=\"%.3f\" x2=\"%.3f\" y2=\"%.3f\"><stop",
                      index, centre.x + d.x * low, centre.y + d.y * low, centre.x + d.x * high,
                      centre.y + d.y * high);
         colour("stop-color", "stop-opacity", from);

@@ -85,7 +85,8 @@ TEST(Request, TheLastSizeWins) {
 }
 
 TEST(Request, ReadsSidecars) {
-    const File file("# a comment\r\n\r\n  photo.png \r\nscale=3\nfilter=ddt-linear\n");
+    // As an editor of Windows writes it.
+    const File file("\xEF\xBB\xBF# a comment\r\n\r\n  photo.png \r\nscale=3\nfilter=ddt-linear\n");
     const Request r = parsed(File::path());
     EXPECT_EQ(r.source, ddt::temporary("photo.png"));
     EXPECT_EQ(r.scale, 3);

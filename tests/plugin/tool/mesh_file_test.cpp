@@ -260,6 +260,31 @@ TEST_F(MeshFile, SvgGradientShowsAPlaneOfGreyExactly) {
     EXPECT_EQ(found, 2 * (w - 1) * (h - 1));
 }
 
+TEST_F(MeshFile, SvgGradientsAreWhereTheyShouldBeInWidePictures) {
+    m_picture = {};
+    m_picture.width = 1206;
+    m_picture.height = 4;
+    const auto shade = [](double x, double y) { return 0.05 * (x - 1190) + 0.03 * y; };
+    for (int i = 0; i < m_picture.width * m_picture.height; ++i) {
+        const int x = i % m_picture.width, y = i / m_picture.width;
+        const auto v = float(x < 1190 ? 0 : shade(x, y));
+        m_picture.colours.push_back({v, v, v, 1});
+        m_picture.guide.push_back(v);
+    }
+    ASSERT_TRUE(build_mesh(m_picture.guide.data(), m_picture.width, m_picture.height, {}, m_mesh));
+    const std::string text = text_of(write(".svg"));
+    const std::regex gradient("x1=\"(1[^\"]*)\" y1=\"([^\"]*)\"[^>]*><stop stop-color=\"#(..)");
+    int found = 0;
+    for (std::sregex_iterator i(text.begin(), text.end(), gradient), none; i != none; ++i) {
+        const double x = std::stod((*i)[1]), y = std::stod((*i)[2]);
+        if (x < 1192)
+            continue;
+        EXPECT_NEAR(std::stoi((*i)[3], nullptr, 16), shade(x, y) * 255, 0.6);
+        ++found;
+    }
+    EXPECT_GT(found, 60);
+}
+
 TEST_F(MeshFile, WhatCannotBeWrittenIsAnErrorThatNamesTheFile) {
     const auto progress = [](float) { return true; };
     Failure failure;
