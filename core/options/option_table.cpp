@@ -194,7 +194,7 @@ std::vector<Option> make_table() {
         toggle("clipped", surface, &SurfaceOptions::clipped,
                "1: what leaves 0 to 1 will be cut off afterwards, as in a PNG. `ddt-sharp` may "
                "then make such values, and outlines get sharper. ImageBufs and Python's arrays of "
-               "unsigned integers of 8 or 16 bits count as 1."),
+               "unsigned integers of 8 or 16 bits count as 1, but `fitted` does not follow."),
         number(
             "consistency", surface, &SurfaceOptions::consistency, 0, most_consistency,
             "Rounds that correct the surface so that its mean over each source pixel comes back.")

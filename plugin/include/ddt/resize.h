@@ -43,8 +43,8 @@ namespace ddt {
 
 /// How to resize; the defaults are those of the filter `ddt`. parse_filter() of
 /// ddt/option_table.h sets the inherited fields by a specification such as "ddt-sharp,cost=scf".
-/// `clipped` is set by itself for a dst of uint8 or uint16. A colour space in `light` must be in
-/// the OCIO config.
+/// `clipped` is set by itself for a dst of uint8 or uint16; `fitted` does not follow. A colour
+/// space in `light` must be in the OCIO config.
 struct Options : FilterOptions {
     /// Called now and then with the share done (0..1), one thread at a time; return false to
     /// cancel, which is a failure. Not called for what is OpenImageIO's own work or a copy.
