@@ -4,6 +4,11 @@
 // Rule: only float32 +, -, * and comparisons, in one written order, never contracted to a fused
 // multiply-add (-ffp-contract=off here, `precise` in the shaders); no division, no square root.
 // IEEE 754 rounds these correctly, and GLSL 4.60 section 4.7.1 demands it of +, -, * too.
+//
+// The few quotients that there are (1/tau of soft edges, shares of meshes, temperatures) and the
+// unit of a mesh of points are made on the CPU, correctly rounded, and handed over to devices,
+// which never divide. Interpolating over points and in holes is the CPU's alone: it uses doubles
+// and divisions.
 #pragma once
 
 #include <cstdint>
