@@ -89,9 +89,12 @@ bool is_filter_name(std::string_view spec);
 std::string filter_help(std::string_view name);
 
 /// Parse "ddt,key=value,...". The result depends on `spec` alone: what it does not name has the
-/// default of the filter; soft is then 0 with a cost other than abn, and min_gain the cost's own
-/// with another cost or scheme than abn and one-round, for which alone the filters' are meant. On
-/// failure false with one line in `error` that names the option and lists what is allowed, and
+/// default of the filter. Four defaults depend on other options:
+///     soft      0 unless the cost is abn
+///     min_gain  the cost's own ("auto") unless the cost is abn and the scheme one-round
+///     contour   0 unless the cost is abn and the scheme one-round
+///     fitted    0 unless `clipped` is 1, the cost abn and `consistency` 2
+/// On failure false with one line in `error` that names the option and lists what is allowed, and
 /// `options` unchanged.
 bool parse_filter(std::string_view spec, FilterOptions& options, std::string& error);
 

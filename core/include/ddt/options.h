@@ -62,8 +62,10 @@ struct SurfaceOptions {
     float limit = 0.25f;
     /// Edges that would lose less than this by a flip are blended with their flipped state, so that
     /// the picture is nearly continuous in its input; in units of the cost, 0: none. Without
-    /// `consistency` the surface still keeps to its triangle's range, with it to that of the
-    /// vertices near. The default is meant for the cost abn.
+    /// `consistency` the surface still keeps to its triangle's range. With it Surface::linear keeps
+    /// to that of the vertices near, and Surface::patch may pass that by a share of it: downwards,
+    /// where none of the triangle's three is negative, to half the smallest of them at most. The
+    /// default is meant for the cost abn.
     float soft = 0.4f;
     /// The output will be cut off to 0 .. 1, as integers are: vertices may then get negative within
     /// the limit, and what is left above 0 is sharper for it. `fitted` ones at 0 or 1 (their group
@@ -110,8 +112,9 @@ struct MeshOptions {
     /// allowed, in even steps. Steadier in sequences and smoother, for so many times the time and
     /// memory.
     int meshes = 1;
-    int wide_iterations = 2; ///< exproi_n_maxgain: iterations with the wide region; 1 or more
-    uint32_t seed = 1;       ///< annealing: another seed, another mesh
+    /// exproi_n_maxgain: iterations with the wide region; 1 to most_iterations.
+    int wide_iterations = 2;
+    uint32_t seed = 1; ///< annealing: another seed, another mesh
 };
 
 /// What the work is done on. The result has the same bits on all of them.
