@@ -21,9 +21,12 @@
 
 namespace ddt {
 
-/// enlarge() of ddt/job.h from and to plain buffers: `src` is width x height x channels interleaved
-/// floats, `dst` likewise for the output size; `guide` is width x height floats or null, then the
-/// mean of the first up to three channels serves as it is.
+/// enlarge() of ddt/job.h from and to plain buffers, which must not overlap: `src` is width x
+/// height x channels interleaved floats, `dst` likewise for the output size, on either axis not
+/// smaller (else Outcome::bad_job). `guide`: width x height floats, as Source::read() has them;
+/// null: the mean of the first three channels, of fewer than three the first. `threads` and `error`
+/// are those of Job and enlarge(). The defaults are the filter `ddt`; `surface` and `mesh` of
+/// ddt-linear and ddt-sharp come from parse_filter() of ddt/option_table.h.
 Outcome enlarge(const float* src, int width, int height, int channels, const float* guide,
                 float* dst, int dst_width, int dst_height, const SurfaceOptions& surface = {},
                 const MeshOptions& mesh = {}, int threads = 0, std::string* error = nullptr);

@@ -15,9 +15,13 @@ namespace ddt {
 
 /// What a channel's numbers are.
 enum class Channel : uint8_t {
-    blend,   ///< a quantity: interpolated over the surface
-    alpha,   ///< a quantity that no option may take out of the range of its triangle's 3 values
-    nearest, ///< an identifier: copied, bit for bit, from the vertex with the largest weight
+    /// A quantity: interpolated over the surface.
+    blend,
+    /// A quantity that keeps to the three values of its triangle whatever the options; corrections
+    /// move these only within their 3x3 pixels. So 0 to 1 stays 0 to 1.
+    alpha,
+    /// An identifier: copied, bit for bit, from the vertex with the largest weight.
+    nearest,
 };
 
 /// Where pixels come from. Called from several threads at once.
@@ -26,8 +30,8 @@ public:
     virtual ~Source() = default;
     /// Fill `values`, `channels` interleaved floats a pixel, and `guide`, one float a pixel, for
     /// the pixels of `r`, row by row without gaps. `r` lies within Job::window. The guide is what
-    /// edges are sought in, about 0 to 1 from black to white; see core/guide for the usual one.
-    /// Return false to end the work (an error the source itself keeps).
+    /// edges are sought in, about 0 to 1 from black to white; make_guide() of ddt/guide.h makes the
+    /// usual one. Return false to end the work (an error the source itself keeps).
     virtual bool read(const Rect& r, float* values, float* guide) = 0;
 
     /// Where every number is one of 256 or 65536 codes, the floats that they stand for, in order;
@@ -121,15 +125,18 @@ enum class Outcome {
 };
 
 /// Read the source tile by tile, triangulate, and write every output pixel the mapping gives.
-/// Memory beside what source and sink hold: 200 MiB and 6 MiB for each thread beyond 40; times
-/// MeshOptions::meshes. All threads work within it up to 8 times the size, of up to 4 channels, or
-/// 12 without corrections: a mesh of a tile takes 4 to 5 MiB of up to 4, what a thread makes it by
-/// and reads off it 1.3 to 4, and as many tiles are there at once as have room. Of more channels or
-/// larger results, fewer threads; and where positions come in any order and there are corrections,
-/// three quarters of them: there it is 1.5 to 5.5 MiB. Never throws: what source, sink, mapping or
-/// progress throw is Outcome::out_of_memory or bad_job. They may use oneTBB themselves. `error`,
-/// when not null, receives one line if the outcome is not `done`. ddt/log.h tells the device, the
-/// iterations and where the time went.
+///
+/// Never throws: what source, sink, mapping or progress throw is Outcome::out_of_memory or bad_job.
+/// They may use oneTBB themselves. `error`, when not null, receives one line if the outcome is not
+/// `done`. ddt/log.h tells the device, the iterations and where the time went.
+///
+/// Memory beside what source and sink hold: up to 200 MiB for 40 threads or fewer and 6 MiB for
+/// each further one, all times MeshOptions::meshes, and 4 bytes for each 65536 pixels of the
+/// source. Of up to 4 channels a tile's mesh takes 4 to 5 MiB, and a thread 1.3 to 4, or up to 5.5
+/// with corrections and a mapping that is not separable(); as many tiles are there at once as have
+/// room. So all threads work on enlargements of up to 4 channels, or 12 without corrections, and up
+/// to 8 times the size; with corrections and a mapping that is not separable() three quarters of
+/// them or more. Of more channels or larger results fewer work.
 Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                 std::string* error = nullptr);
 

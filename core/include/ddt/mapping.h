@@ -46,9 +46,11 @@ class Mapping {
 public:
     virtual ~Mapping() = default;
     /// A rectangle that holds every output pixel whose position lies in the source rectangle
-    /// [x0, x1) x [y0, y1) (pixel centres at integers). It may hold others too, which row() is then
-    /// asked for in vain. Asked for tiles of 256 x 256 pixels and, unless separable(), for parts of
-    /// them, which are 32 wide.
+    /// [x0, x1) x [y0, y1) (pixel centres at integers). Its sides may be -infinity or +infinity:
+    /// clamp them to Job::window before computing with them. The result lies within
+    /// +-largest_coordinate. It may hold other pixels too, which row() is then asked for in vain.
+    /// Asked for tiles of 256 x 256 pixels and, unless separable(), for parts of them, which
+    /// are 32 wide.
     virtual Rect reach(double x0, double y0, double x1, double y1) const = 0;
     /// Positions of the output pixels x0 <= x < x1 of row y. inside[i] = 0 marks a pixel that shows
     /// nothing of the source: it is not written.
@@ -60,6 +62,9 @@ public:
 
 /// Maps the interval [from0, from0 + from_size) onto [to0, to0 + to_size), pixel centres at half
 /// integers, on both axes; positions outside `window` clamp to its outermost pixel centres.
+///
+/// To be seen to by the caller: on each axis from_size and to_size are at least 1, window0 <
+/// window1, out0 <= out1, and all intervals lie within +-largest_coordinate.
 class ResizeMapping final : public Mapping {
 public:
     struct Axis {
