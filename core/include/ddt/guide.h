@@ -16,18 +16,21 @@ constexpr float luminance_weights[3] = {0.2126f, 0.7152f, 0.0722f};
 
 /// Which numbers of a pixel make the guide, and how.
 struct GuideRecipe {
-    /// Positions in the pixel of up to three channels; -1 for none. All none: the guide is 0.
+    /// Positions in the pixel of up to three channels, below make_guide()'s `stride`; -1 for none.
+    /// All none: the guide is 0.
     int channel[3] = {-1, -1, -1};
     /// Their shares in the luminance.
     float weight[3] = {0, 0, 0};
-    /// Position of the alpha that the channels are associated (premultiplied) with, or -1.
+    /// Position, likewise, of the alpha that the channels are associated (premultiplied) with; or
+    /// -1.
     int alpha = -1;
     /// True for linear light: the guide is taken through the sRGB curve. False: the numbers are
     /// display-encoded and serve as they are.
     bool linear = true;
 };
 
-/// The guide of `count` pixels of `stride` floats each. Safe to call from several threads at once.
+/// The guide of `count` pixels of `stride` floats each: from -1024 to 1024, 0 where the luminance
+/// is not finite. Safe to call from several threads at once.
 void make_guide(const GuideRecipe& recipe, const float* pixels, size_t count, int stride,
                 float* guide);
 

@@ -2,10 +2,10 @@
 // Meshes of any points: scattered samples, meshes that somebody has, what is left of an image with
 // holes.
 //
-// The costs and schemes are those of ddt/mesh.h; lengths are measured in a unit in which a mesh's
-// triangles have the mean area 1/2, as those of an image have in pixels. Functions return false
-// with one line in `error`, when that is not null; nothing here throws. They may be called from
-// several threads at once for different meshes.
+// The costs and schemes are those of MeshOptions (ddt/options.h); lengths are measured in a unit in
+// which a mesh's triangles have the mean area 1/2, as those of an image have in pixels. Functions
+// return false with one line in `error`, when that is not null; nothing here throws. They may be
+// called from several threads at once for different meshes.
 #pragma once
 
 #include <array>
@@ -41,7 +41,9 @@ bool delaunay(PointMesh& mesh, std::string* error = nullptr);
 /// about 0 to 1. Triangles come out with the orientation from x towards y. False also where the
 /// triangles are no triangulation: one without area, an edge of more than two; and where a `device`
 /// that is named cannot be had. The paper's schemes and one_round run on GPUs, the others on the
-/// CPU whatever is named; no choice changes the result.
+/// CPU whatever is named; no choice changes the result. `progress`: called now and then, maybe on
+/// another thread, with the share done, 0 to 1; it returns false to cancel, which is a failure; it
+/// may be empty. After a failure the mesh is as it was.
 bool optimise(PointMesh& mesh, const float* guide, const MeshOptions& options,
               MeshReport* report = nullptr, std::string* error = nullptr,
               const std::function<bool(float)>& progress = {}, Device device = Device::automatic);
