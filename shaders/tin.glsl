@@ -53,7 +53,8 @@ bool is_positive(ivec2 w) {
     return w.x > 0 || (w.x == 0 && w.y != 0);
 }
 
-// Whole numbers as floats, rounded once: by halves, which are exact.
+// Whole numbers as floats. Of 32 bits: rounded once, by halves, which are exact. Of 64: each half is
+// rounded, then their sum.
 float to_float(int x) {
     precise float v = float(x >> 16) * 65536.0 + float(x & 0xffff);
     return v;

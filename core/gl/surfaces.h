@@ -57,7 +57,7 @@ public:
     size_t write_numbers(int tile, const TileSize& size, const HostBuffer& from, size_t at);
     /// Make the values of all slots from what was written.
     void unpack(DeviceMesh& mesh);
-    /// After the mesh is finished; `cost` is what it was made with.
+    /// After the mesh is finished; `by` is what it was made by.
     void make(DeviceMesh& mesh, const Criterion& by);
 
     // What make() left, for comparisons: a group's vertices, and their gradients where there are

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The gains of all edges of the mesh that a lattice starts with, without the walk from edge to
-// triangle to vertex that gains() makes: row by row of cells, neighbouring cells in the lanes.
+// triangle to vertex that neighbourhood() makes: row by row of cells, neighbouring cells in the
+// lanes.
 //
 // In that mesh a cell has two triangles, and a flip makes at most two others; a triangle's gradient
 // and the cost of an edge as it stands are found once instead of once for every edge near. With a
