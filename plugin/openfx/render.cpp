@@ -5,6 +5,7 @@
 
 #include "plugin/host/request.h"
 #include "plugin/openfx/actions.h"
+#include "plugin/openfx/progress_bar.h"
 #include "plugin/openfx/source_clip.h"
 #include "plugin/openfx/suites.h"
 
@@ -69,30 +70,23 @@ private:
     Properties m_image = nullptr;
 };
 
-/// The host's progress bar, and its wish to stop, both asked for on the thread that it called us on
-/// alone.
+/// Progress, and the host's wish to stop, both on the thread that it called us on alone.
 class Watch {
 public:
-    explicit Watch(Effect effect) : m_effect(effect) {
-        if (suites.progress)
-            suites.progress->start(m_effect, "Enlarge (ddt)");
-    }
-    ~Watch() {
-        if (suites.progress)
-            suites.progress->end(m_effect);
-    }
-    Watch(const Watch&) = delete;
-    Watch& operator=(const Watch&) = delete;
+    explicit Watch(Effect effect) : m_effect(effect), m_bar(effect) {}
     bool operator()(float share) {
         if (std::this_thread::get_id() != m_thread)
             return true;
-        if (suites.progress && suites.progress->update(m_effect, double(share)) != ok)
-            return false;
-        return !suites.effect->abort(m_effect);
+        m_closed = !m_bar.update(share);
+        return !m_closed && !suites.effect->abort(m_effect);
     }
+    /// Whether it was the bar that stopped the work, of which the host's render knows nothing.
+    bool closed() const { return m_closed; }
 
 private:
     Effect m_effect;
+    ProgressBar m_bar;
+    bool m_closed = false;
     std::thread::id m_thread = std::this_thread::get_id();
 };
 
@@ -153,10 +147,11 @@ int render_part(Effect effect, const SourceClip& source, const Image& from, cons
     const Outcome outcome = host::enlarge(work, error);
     if (outcome == Outcome::cancelled)
         error.clear();
-    // What is left of a render that was stopped is not looked at: that is no failure.
-    return outcome == Outcome::done || outcome == Outcome::cancelled ? int(ok)
-           : outcome == Outcome::out_of_memory                       ? int(out_of_memory)
-                                                                     : int(failed);
+    // The host does not look at what is left of a render that it stopped: that is no failure.
+    const bool stopped = outcome == Outcome::cancelled && !watch.closed();
+    return outcome == Outcome::done || stopped ? int(ok)
+           : outcome == Outcome::out_of_memory ? int(out_of_memory)
+                                               : int(failed);
 }
 
 } // namespace

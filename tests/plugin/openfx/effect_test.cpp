@@ -189,7 +189,7 @@ TEST_F(OpenFx, StopsWhenTheHostSaysSo) {
     for (const bool by_abort : {true, false}) {
         effect->abort_after = by_abort ? 1 : -1;
         host->stop_after = by_abort ? -1 : 1; // its progress bar's button
-        EXPECT_EQ(effect->render(effect->output.box), ddt::ofx::ok);
+        EXPECT_EQ(effect->render(effect->output.box), by_abort ? ddt::ofx::ok : ddt::ofx::failed);
         EXPECT_EQ(effect->images_held, 0);
         EXPECT_EQ(host->progress_started, by_abort ? 1 : 2);
         EXPECT_EQ(host->progress_ended, by_abort ? 1 : 2);

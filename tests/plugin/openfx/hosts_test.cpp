@@ -243,7 +243,16 @@ TEST_P(OfxHosts, StopWhenTheyLikeAndGoOn) {
             effect->output.box = {0, 0, wanted.spec().width, wanted.spec().height};
             effect->output.allocate();
             (by_abort ? effect->abort_after.store(calls) : void(host->stop_after = calls));
-            EXPECT_EQ(effect->render(effect->output.box), ok) << calls;
+            const int status = effect->render(effect->output.box);
+            const bool whole = same_pixels(effect->output, wanted);
+            // A host that stopped the render itself does not look at it; others are told. A bar
+            // that is not there from the beginning, as Natron's, is no wish to stop.
+            if (by_abort)
+                EXPECT_EQ(status, ok) << calls;
+            else
+                EXPECT_TRUE(whole ? status == ok || calls > 0 : status == ddt::ofx::failed)
+                    << calls;
+            EXPECT_TRUE(whole || by_abort || calls > 0);
             EXPECT_EQ(effect->images_held, 0) << calls;
             EXPECT_EQ(effect->foreign_calls, 0) << calls;
             effect->abort_after = host->stop_after = -1;
@@ -268,6 +277,8 @@ TEST_P(OfxHosts, RenderOneInstanceFromTwoThreads) {
     EXPECT_EQ(effect->render({0, h / 2, w, h}), ok);
     other.join();
     EXPECT_EQ(threads_here(), before);
+    EXPECT_EQ(effect->bars_beside_others, 0);
+    EXPECT_EQ(effect->bars, 0);
     EXPECT_TRUE(same_pixels(effect->output, wanted));
 }
 

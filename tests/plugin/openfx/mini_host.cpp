@@ -177,7 +177,10 @@ int value_at_time(ofx::Param p, double time, ...) {
 const ofx::ParamSuite param_suite = {define,  get_handle,    nullptr, nullptr,
                                      nullptr, value_at_time, {}};
 
-int progress_start(void*, const char*) {
+int progress_start(void* e, const char*) {
+    Effect& effect = *static_cast<Effect*>(e);
+    if (++effect.bars > 1)
+        ++effect.bars_beside_others;
     ++current->progress_started;
     return ofx::ok;
 }
@@ -187,7 +190,8 @@ int progress_update(void* e, double) {
     constexpr int reply_no = 13;
     return current->stop_after >= 0 && current->stop_after-- <= 0 ? reply_no : int(ofx::ok);
 }
-int progress_end(void*) {
+int progress_end(void* e) {
+    --static_cast<Effect*>(e)->bars;
     ++current->progress_ended;
     return ofx::ok;
 }

@@ -118,6 +118,7 @@ public:
     double aspect = 1;
     std::atomic<int> abort_after{-1}; ///< calls of abort() until it says yes; -1: never
     std::atomic<int> images_held{0}, foreign_calls{0};
+    std::atomic<int> bars{0}, bars_beside_others{0}; ///< of progress: one at a time is allowed
 };
 
 } // namespace mini

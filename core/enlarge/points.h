@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// delaunay() and optimise() of ddt/points.h for callers that tell want of memory from other
+// failures.
+#pragma once
+
+#include <string>
+
+#include "core/base/progress.h"
+#include "ddt/points.h"
+
+namespace ddt {
+
+/// delaunay(). False with one line in `error`; throws std::bad_alloc.
+bool triangulate_points(PointMesh& mesh, std::string& error);
+
+/// optimise(). False with one line in `error`; throws std::bad_alloc and what `progress` throws.
+bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, MeshReport* report,
+                     std::string& error, const Tell& progress, Device device);
+
+} // namespace ddt
