@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ddt/points.h"
+#include "core/enlarge/points.h"
 
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/arith.h"
 #include "core/base/guarded.h"
 #include "core/base/verbose.h"
 #include "core/gl/offload.h"
@@ -26,7 +27,40 @@ bool spans_plane(const std::vector<Steps>& points) {
                        [&](Steps p) { return orientation(points.front(), points.back(), p) != 0; });
 }
 
+/// As for an image of as many pixels.
+bool choose(Device device, size_t points, const MeshOptions& options, Placement& placement,
+            std::string& error) {
+    Job job;
+    job.window = {0, 0, int(points), 1};
+    job.mesh = options;
+    job.device = device;
+    return find_place(job, placement, error);
+}
+
+void flip(Tin& tin, const MeshOptions& options, const Placement& placement, Workspace& workspace,
+          Statistics& statistics) {
+    statistics.device = Device::cpu;
+    if (placement.gpu && tin_on_gpu(options)) {
+        const Tin before = tin;
+        const std::string failure =
+            flip_on_gpu(*placement.gpu, tin, options, workspace, statistics);
+        if (failure.empty()) {
+            statistics.pixels += int64_t(tin.vertices.size());
+            statistics.device = placement.device;
+            return;
+        }
+        if (verbose())
+            say("ddt: %s failed, finished on the CPU: %s", describe(placement).c_str(),
+                failure.c_str());
+        tin = before;
+    }
+    triangulate(tin, options, workspace, statistics);
+}
+
+} // namespace
+
 bool triangulate_points(PointMesh& mesh, std::string& error) {
+    const DenormalsAreZero as_on_gpus;
     StepGrid grid;
     if (!grid.fit(mesh.x, mesh.y, error))
         return false;
@@ -63,39 +97,9 @@ bool triangulate_points(PointMesh& mesh, std::string& error) {
     return true;
 }
 
-/// As for an image of as many pixels.
-bool choose(Device device, size_t points, const MeshOptions& options, Placement& placement,
-            std::string& error) {
-    Job job;
-    job.window = {0, 0, int(points), 1};
-    job.mesh = options;
-    job.device = device;
-    return find_place(job, placement, error);
-}
-
-void flip(Tin& tin, const MeshOptions& options, const Placement& placement, Workspace& workspace,
-          Statistics& statistics) {
-    statistics.device = Device::cpu;
-    if (placement.gpu && tin_on_gpu(options)) {
-        const Tin before = tin;
-        const std::string failure =
-            flip_on_gpu(*placement.gpu, tin, options, workspace, statistics);
-        if (failure.empty()) {
-            statistics.pixels += int64_t(tin.vertices.size());
-            statistics.device = placement.device;
-            return;
-        }
-        if (verbose())
-            say("ddt: %s failed, finished on the CPU: %s", describe(placement).c_str(),
-                failure.c_str());
-        tin = before;
-    }
-    triangulate(tin, options, workspace, statistics);
-}
-
 bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, MeshReport* report,
-                     std::string& error, const std::function<bool(float)>& progress,
-                     Device device) {
+                     std::string& error, const Tell& progress, Device device) {
+    const DenormalsAreZero as_on_gpus;
     options.contour = 0; // pixels alone have contours
     StepGrid grid;
     Placement placement;
@@ -128,8 +132,6 @@ bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, M
         std::copy_n(tin.triangles[t].vertex, 3, mesh.triangles[t].begin());
     return true;
 }
-
-} // namespace
 
 bool delaunay(PointMesh& mesh, std::string* error) {
     return succeeds(error, [&](std::string& why) { return triangulate_points(mesh, why); });

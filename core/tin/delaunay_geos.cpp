@@ -3,6 +3,7 @@
 // by name where it is first needed, and never closed.
 #include <algorithm>
 #include <memory>
+#include <new>
 
 #include <geos_c.h>
 #ifdef DDT_GEOS_BY_NAME
@@ -131,6 +132,9 @@ bool find_delaunay(const std::vector<Steps>& points, std::vector<std::array<int3
     const Geos::Geometry collection =
         geos.own(line ? api()->GEOSDelaunayTriangulation_r(handle, line.get(), 0, 0) : nullptr);
     if (!collection) {
+        // What GEOS caught is known by its text alone.
+        if (geos.message().find("bad_alloc") != std::string::npos)
+            throw std::bad_alloc();
         error = "ddt: GEOS cannot triangulate the points: " + geos.message();
         return false;
     }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/tin/draw.h"
+#include "core/base/arith.h"
 #include "core/base/guarded.h"
 
 namespace ddt {
 
 bool draw(const PointMesh& mesh, const float* values, int channels, const PixelGrid& grid,
           float* pixels, uint8_t* inside, std::string* error) {
+    const DenormalsAreZero as_on_gpus;
     return succeeds(error, [&](std::string& why) {
         if (channels < 1) {
             why = "ddt: there must be at least 1 channel";

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <deque>
 
+#include "core/base/arith.h"
 #include "core/base/guarded.h"
+#include "core/enlarge/points.h"
 #include "core/tin/draw.h"
 #include "core/tin/fill.h"
 #include "core/tin/membrane.h"
@@ -40,8 +42,8 @@ public:
         m_surface.assign(m_image.guide, m_image.guide + size);
         std::vector<uint8_t> inside(size, 0);
         if (spans_plane() &&
-            !(delaunay(m_mesh, &error) &&
-              optimise(m_mesh, m_guides.data(), options, nullptr, &error, flipping, device) &&
+            !(triangulate_points(m_mesh, error) &&
+              optimise_points(m_mesh, m_guides.data(), options, nullptr, error, flipping, device) &&
               interpolate(inside.data(), error)))
             return false;
         if (!smooth(inside, smoothing)) {
@@ -188,6 +190,7 @@ private:
 
 bool fill_holes(const HoledImage& image, const uint8_t* missing, const MeshOptions& options,
                 Device device, const Tell& progress, std::string& error) {
+    const DenormalsAreZero as_on_gpus;
     return Filler(image, missing).fill(options, device, progress, error);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "core/base/arith.h"
 #include "core/tin/fill.h"
 
 namespace ddt {
@@ -30,6 +31,7 @@ MeshOptions for_holes(MeshOptions options) {
 } // namespace
 
 bool find_missing(const HoledImage& image, Holes holes, std::vector<uint8_t>& missing) {
+    const DenormalsAreZero as_on_gpus;
     const auto channels = size_t(image.channels);
     missing.assign(size_t(image.width) * size_t(image.height), 0);
     bool any = false;
@@ -46,6 +48,7 @@ bool find_missing(const HoledImage& image, Holes holes, std::vector<uint8_t>& mi
 
 bool fill_missing(const HoledImage& image, Holes holes, const MeshOptions& options, Device device,
                   const Tell& progress, std::string& error) {
+    const DenormalsAreZero as_on_gpus;
     std::vector<uint8_t> missing;
     if (!find_missing(image, holes, missing))
         return true;

@@ -36,8 +36,10 @@ std::vector<uint64_t> places_of(const Tin& tin, int origin_x, int origin_y) {
     for (size_t i = 0; i < tin.edges.size(); ++i) {
         const auto ends = tin.ends(int(i));
         const Steps a = tin.vertices[size_t(ends[0])].at, b = tin.vertices[size_t(ends[1])].at;
-        places.push_back(uint64_t(uint32_t(a.y + b.y + 2 * origin_y)) << 32 |
-                         uint32_t(a.x + b.x + 2 * origin_x));
+        // Up to 2^31 before the origins.
+        const uint32_t y = uint32_t(a.y) + uint32_t(b.y) + 2 * uint32_t(origin_y);
+        const uint32_t x = uint32_t(a.x) + uint32_t(b.x) + 2 * uint32_t(origin_x);
+        places.push_back(uint64_t(y) << 32 | x);
     }
     return places;
 }

@@ -2,7 +2,9 @@
 // Memory runs out at every place where it is asked for, one after the other, once and for good: a
 // job either fails with a line, or says nothing for want of memory to say it in, or gives the bits
 // that it gives otherwise. Nothing is thrown, nothing ends the process.
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -219,6 +221,56 @@ TEST(Allocation, Holes) {
                               missing.data(), {}, &error);
         },
         Whose::ours, Bits(size_t(width * height)));
+}
+
+/// One channel in memory, of which every seventh pixel is missing.
+class HoledSource final : public Source {
+public:
+    bool read(const Rect& r, float* values, float* guide) override {
+        for (int y = r.y0; y < r.y1; ++y)
+            for (int x = r.x0; x < r.x1; ++x) {
+                const size_t i = size_t(y * width + x);
+                *guide++ = *values++ = i % 7 == 0 ? std::nanf("") : m_picture[i];
+            }
+        return true;
+    }
+
+private:
+    const Bits m_picture = picture(1);
+};
+
+class BitsSink final : public Sink {
+public:
+    explicit BitsSink(Bits& bits) : m_bits(bits) {}
+    bool write(const Rect& r, float* values) override {
+        for (int y = r.y0; y < r.y1; ++y, values += r.width())
+            std::copy_n(values, r.width(), &m_bits[size_t(y * scale * width + r.x0)]);
+        return true;
+    }
+
+private:
+    Bits& m_bits;
+};
+
+TEST(Allocation, AJobWithHolesKnowsThatItIsMemory) {
+    if (!has_delaunay())
+        GTEST_SKIP() << "built without GEOS";
+    const OnDevice cpu("cpu");
+    HoledSource source;
+    fail_at_every_request(
+        [&](Bits& result, std::string& error) {
+            BitsSink sink(result);
+            Job job;
+            job.window = {0, 0, width, height};
+            job.holes = Holes::fill;
+            const ResizeMapping mapping(ResizeMapping::Axis::whole(width, scale * width),
+                                        ResizeMapping::Axis::whole(height, scale * height));
+            const Outcome outcome = enlarge(source, sink, mapping, job, &error);
+            failing = Whose::nobodys;
+            EXPECT_TRUE(outcome == Outcome::done || outcome == Outcome::out_of_memory) << error;
+            return outcome == Outcome::done;
+        },
+        Whose::everybodys, enlarged_size(1));
 }
 
 // OpenImageIO's own requests are met.

@@ -8,6 +8,7 @@
 
 #include "core/tin/step_grid.h"
 #include "tests/core/helpers.h"
+#include "tests/core/plain.h"
 
 namespace ddt::test {
 namespace {
@@ -299,6 +300,22 @@ TEST(Draw, SizesThatCannotBe) {
     }
     EXPECT_EQ(pixel, 7);
     EXPECT_EQ(inside, 7);
+}
+
+TEST(Points, AnnealingHasRoomForTheLargestSteps) {
+    if (!has_delaunay())
+        GTEST_SKIP() << "built without GEOS";
+    constexpr double side = 1.9999999999; // 2^30 steps
+    PointMesh mesh;
+    mesh.x = {0, side, 0, side, side / 2};
+    mesh.y = {0, 0, side, side, side / 3};
+    const std::vector<float> guide = {0, 1, 0.5f, 0, 1};
+    MeshOptions options = plain_mesh();
+    options.scheme = Scheme::annealing;
+    std::string error;
+    ASSERT_TRUE(delaunay(mesh, &error)) << error;
+    EXPECT_TRUE(optimise(mesh, guide.data(), options, nullptr, &error)) << error;
+    EXPECT_EQ(mesh.triangles.size(), 4u);
 }
 
 /// An image of 0 and 1 with a slanting edge, and a hole across it: how much is wrong after filling.
