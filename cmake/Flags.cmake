@@ -5,6 +5,8 @@
 # no reordering of float sums.
 add_compile_options(-ffp-contract=off -fno-fast-math)
 add_compile_options(-Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wno-psabi)
+# A scheme, cost or device that is added is named wherever one is chosen by its name.
+add_compile_options(-Werror=switch)
 # Conditions without branches are meant so (core/lattice).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 14)
   add_compile_options(-Wno-bitwise-instead-of-logical)

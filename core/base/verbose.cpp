@@ -6,7 +6,10 @@
 #include <cstdlib>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <utility>
+
+#include "core/base/one_line.h"
 
 namespace ddt {
 
@@ -45,16 +48,17 @@ bool verbose() {
 }
 
 void say(const char* format, ...) noexcept {
-    char line[1024];
+    char text[4096]; // drivers' logs are up to 2 KB
     va_list arguments;
     va_start(arguments, format);
-    std::vsnprintf(line, sizeof line, format, arguments);
+    std::vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     try {
+        const std::string line = one_line(text);
         if (const auto callback = current())
-            (*callback)(line);
+            (*callback)(line.c_str());
         else if (wanted_on_stderr())
-            std::fprintf(stderr, "%s\n", line);
+            std::fprintf(stderr, "%s\n", line.c_str());
     } catch (...) {
     }
 }

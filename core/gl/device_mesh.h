@@ -64,7 +64,7 @@ class DeviceMesh {
 public:
     DeviceMesh(Gpu& gpu, const SlotShape& shape, int tiles);
 
-    /// Device memory a tile takes, and the largest single buffer of it.
+    /// Device memory a tile takes, less what accept_reject alone has, and its largest buffer.
     static size_t bytes(const SlotShape& shape);
     static size_t largest_bytes(const SlotShape& shape);
 

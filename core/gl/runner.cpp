@@ -298,10 +298,10 @@ std::string work_on_gpu(gl::Gpu& gpu, Source& source, Sink& sink, const Mapping&
         try {
             runner.work();
         } catch (...) {
-            statistics = runner.statistics();
+            statistics += runner.statistics();
             throw;
         }
-        statistics = runner.statistics();
+        statistics += runner.statistics();
     } catch (const gl::ContextLost& e) {
         gpu.broken = true;
         failure = e.what();
