@@ -31,6 +31,9 @@ endif()
 if(DDT_GEOS_FOUND)
   string(APPEND DDT_WITH_MODULES " geos>=3.6")
 endif()
+if(DDT_PLUGIN)
+  string(REGEX MATCH "^[0-9]+[.][0-9]+" DDT_OIIO_SERIES "${OpenImageIO_VERSION}")
+endif()
 configure_package_config_file(cmake/oiio-ddt-config.cmake.in oiio-ddt-config.cmake
   INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/oiio-ddt-config-version.cmake

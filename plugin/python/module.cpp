@@ -89,7 +89,14 @@ public:
             lock.emplace();
             if (PyErr_CheckSignals() != 0)
                 throw py::error_already_set();
-            if (!m_progress.is_none() && m_progress(share).is(py::bool_(false)))
+            if (m_progress.is_none())
+                return true;
+            // numpy's False is not Python's; functions without a return say None.
+            const py::object answer = m_progress(share);
+            const int on = answer.is_none() ? 1 : PyObject_IsTrue(answer.ptr());
+            if (on < 0)
+                throw py::error_already_set();
+            if (on == 0)
                 throw Cancelled("ddt: cancelled");
             return true;
         } catch (abi::__forced_unwind&) {

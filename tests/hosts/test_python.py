@@ -183,6 +183,8 @@ def test_progress_rises_and_cancels():
     with pytest.raises(oiio_ddt.Cancelled):
         oiio_ddt.enlarge(image, 2, threads=2, progress=lambda share: calls.append(share) or False)
     assert len(calls) == 1
+    with pytest.raises(oiio_ddt.Cancelled):
+        oiio_ddt.enlarge(image, 2, threads=2, progress=lambda share: np.float32(share) < 0)
     with pytest.raises(ZeroDivisionError):
         oiio_ddt.enlarge(image, 2, threads=2, progress=lambda share: 1 / 0)
 

@@ -34,6 +34,24 @@ cmake --build "$scratch/consumer/build" -j 2 >"$scratch/log" 2>&1 || { cat "$scr
 "$scratch/consumer/build/consumer" "$source_dir/testimages/scene.png" "$scratch/large.png"
 iinfo "$scratch/large.png" | grep '768 x  576'
 
+# Found by way of a link, as /lib is one to /usr/lib, it is where the link leads.
+mkdir "$scratch/root"
+ln -s "$scratch/prefix/lib" "$scratch/root/lib"
+cmake -G Ninja -S "$scratch/consumer" -B "$scratch/consumer/linked" -DCMAKE_PREFIX_PATH="$scratch/root" \
+    >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
+grep -q "oiio-ddt_DIR:PATH=$scratch/root" "$scratch/consumer/linked/CMakeCache.txt"
+
+# With another OpenImageIO than it was built with it is not found.
+mkdir "$scratch/other"
+echo 'set(OpenImageIO_VERSION 9.9.9)' >"$scratch/other/OpenImageIOConfig.cmake"
+echo 'set(PACKAGE_VERSION 9.9.9)' >"$scratch/other/OpenImageIOConfigVersion.cmake"
+if cmake -G Ninja -S "$scratch/consumer" -B "$scratch/consumer/other" -DCMAKE_PREFIX_PATH="$scratch/prefix" \
+    -DOpenImageIO_DIR="$scratch/other" >"$scratch/log" 2>&1; then
+    echo "FAILED: it is found with any OpenImageIO"
+    exit 1
+fi
+grep -q "oiio-ddt was built with OpenImageIO" "$scratch/log" || { cat "$scratch/log"; exit 1; }
+
 # The plugin and the wrapper find each other in the installed tree.
 "$scratch/prefix/bin/ddt-oiiotool" --pattern constant:color=1,0,0 8x8 3 --resize:filter=ddt 200% \
     -o "$scratch/constant.png"
