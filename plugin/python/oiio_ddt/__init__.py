@@ -57,8 +57,8 @@ def enlarge(
     alpha     "associated": colour is multiplied by alpha already. "unassociated": it is not, as
               in a PNG; colour where alpha is 0 does not show.
     threads   How many to use; 0: as many as there are cores.
-    progress  Called now and then with the share done, 0 to 1; if it returns False the work ends
-              with Cancelled, if it raises, with that exception.
+    progress  Called now and then with the share done, 0 to 1; if it returns False, or what is false
+              and not None, the work ends with Cancelled, if it raises, with that exception.
 
     Returns a new C-contiguous array of the same dtype and number of dimensions. Raises ValueError
     or TypeError for what is not allowed, MemoryError, RuntimeError for a device that cannot be
