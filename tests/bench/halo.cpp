@@ -77,6 +77,11 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "halo FOLDER [FILTER]...\n");
         return 2;
     }
+    const std::vector<std::string> files = bench::image_files(argv[1]);
+    if (files.empty()) {
+        std::fprintf(stderr, "halo: no images in %s\n", argv[1]);
+        return 1;
+    }
     std::vector<std::string> filters(argv + 2, argv + argc);
     if (filters.empty())
         filters = {"ddt", "ddt-sharp", "ddt-linear", "ddt,contour=0"};
@@ -89,7 +94,7 @@ int main(int argc, char** argv) {
         }
         for (const bench::Light light : {bench::Light::encoded, bench::Light::linear}) {
             Count count;
-            for (const std::string& file : bench::image_files(argv[1])) {
+            for (const std::string& file : files) {
                 metrics::Image image;
                 if (!bench::read_original(file, 1, light, image, error)) {
                     std::fprintf(stderr, "%s is left out: %s\n", file.c_str(), error.c_str());

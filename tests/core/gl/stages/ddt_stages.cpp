@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where a device's bits part from the CPU's, stage by stage (HACKING.md, "When bits differ on a new
-// driver"). Exits with 2 if any stage differs.
-//
-//   ddt_stages [--device egl|osmesa] [--filter ddt,KEY=VALUE,...] [--size WxH] [--seed N]
-//              [--picture photo|noise|drawing|flat|hdr|nonfinite|tiny]
-//              [--change PROGRAM CONSTANT VALUE]
-//
-// --change: what a fault looks like, a constant of one program ("flip.comp") changed.
+// driver").
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -22,6 +16,16 @@
 
 namespace ddt::test {
 namespace {
+
+constexpr const char* usage =
+    R"(ddt_stages [--device egl|osmesa] [--filter ddt,KEY=VALUE,...] [--size WxH] [--seed N]
+           [--picture photo|noise|drawing|flat|hdr|nonfinite|tiny]
+           [--change PROGRAM CONSTANT VALUE]
+
+Where a device's bits part from the CPU's, stage by stage. Sizes are 2x2 to 256x256. --change:
+what a fault looks like, a constant of one program ("flip.comp") changed.
+Exits with 0 if no stage differs, 2 if one does, 1 for everything else.
+)";
 
 struct Arguments {
     Device device = Device::egl;
@@ -43,8 +47,10 @@ bool find_content(const char* name, Content& content) {
 bool parse(int argc, char** argv, Arguments& a) {
     for (int i = 1; i < argc; i += 2) {
         const std::string name = argv[i];
-        if (i + 1 >= argc)
+        if (i + 1 >= argc) {
+            std::fprintf(stderr, "%s", usage);
             return false;
+        }
         const char* value = argv[i + 1];
         bool known = true;
         std::string why;
@@ -107,6 +113,10 @@ int run(const Arguments& a) {
 } // namespace ddt::test
 
 int main(int argc, char** argv) {
+    if (argc == 2 && !std::strcmp(argv[1], "--help")) {
+        std::printf("%s", ddt::test::usage);
+        return 0;
+    }
     ddt::test::Arguments arguments;
     if (!ddt::test::parse(argc, argv, arguments))
         return 1;
