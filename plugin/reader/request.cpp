@@ -12,6 +12,7 @@
 #include "core/base/one_line.h"
 #include "core/base/parse_number.h"
 #include "ddt/mapping.h"
+#include "plugin/message/byte_order_mark.h"
 #include "plugin/message/format.h"
 
 namespace ddt {
@@ -103,9 +104,7 @@ bool read_sidecar(const std::string& path, std::vector<std::string>& lines, std:
                        path);
         return false;
     }
-    // Editors of Windows put a byte-order mark in front.
-    if (OIIO::Strutil::starts_with(text, "\xEF\xBB\xBF"))
-        text.erase(0, 3);
+    text.erase(0, begin_of_text(text));
     for (OIIO::string_view line : OIIO::Strutil::splitsv(text, "\n")) {
         line = OIIO::Strutil::strip(line);
         if (!line.empty() && line[0] != '#')

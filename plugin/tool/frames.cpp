@@ -46,7 +46,7 @@ void replace(std::string& text, const char* what, const std::string& by) {
 
 /// A path without its folder.
 std::string name_of(const std::string& path) {
-    return path.substr(path.rfind('/') + 1);
+    return std::filesystem::path(path).filename().string();
 }
 
 } // namespace

@@ -42,10 +42,7 @@ bool read_ids_of(const std::string& path, const OIIO::ImageBuf& image, const Rec
     spec.height = r.height();
     if (!take_memory(ids, spec, error))
         return false;
-    void* const to = ids.localpixels();
-    if (tiled ? input->read_tiles(0, 0, r.x0, r.x1, r.y0, r.y1, file.z, file.z + 1, 0,
-                                  file.nchannels, spec.format, to)
-              : input->read_scanlines(0, 0, r.y0, r.y1, file.z, 0, file.nchannels, spec.format, to))
+    if (read_native(*input, r, ids.localpixels()))
         return true;
     error = why_unreadable(input->geterror(), path);
     return false;

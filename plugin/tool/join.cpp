@@ -191,26 +191,34 @@ Held find_held(const OIIO::ImageSpec& part, const OIIO::ImageOutput& output) {
     return {OIIO::TypeFloat, size_t(part.nchannels) * sizeof(float)};
 }
 
-/// Pixels as they were read into the whole's order of channels.
-void move_channels(const PartFile& part, const Held& held, std::vector<char>& pixels) {
-    if (part.places.empty())
-        return;
-    const size_t channels = part.places.size();
-    std::vector<size_t> size(channels), offset(channels); // of a channel here, of one in the file
-    for (size_t c = 0; c < channels; ++c) {
-        size[c] = held.type == OIIO::TypeUnknown ? part.spec.channelformat(int(c)).size()
-                                                 : held.type.size();
-        for (size_t k = 0; k < channels; ++k)
-            if (part.places[k] > part.places[c])
-                offset[size_t(part.places[k])] += size[c];
-    }
-    std::vector<char> one(held.pixel);
-    for (size_t at = 0; at < pixels.size(); at += held.pixel) {
-        std::memcpy(one.data(), &pixels[at], held.pixel);
+/// Bytes of a pixel as it was read that are one channel.
+struct Piece {
+    size_t offset = 0, size = 0;
+};
+
+/// In the whole's order; empty where it is the file's.
+std::vector<Piece> pieces_of(const PartFile& part, OIIO::TypeDesc type) {
+    const std::vector<int>& places = part.places;
+    std::vector<Piece> pieces(places.size());
+    for (size_t c = 0; c < places.size(); ++c)
+        pieces[c].size =
+            (type == OIIO::TypeUnknown ? part.spec.channelformat(int(c)) : type).size();
+    for (size_t c = 0; c < places.size(); ++c)
+        for (size_t k = 0; k < places.size(); ++k)
+            if (places[k] < places[c])
+                pieces[c].offset += pieces[k].size;
+    return pieces;
+}
+
+/// The channels of pixels as read into the whole's order.
+void move_channels(const std::vector<Piece>& pieces, size_t pixel, std::vector<char>& pixels) {
+    std::vector<char> one(pixel);
+    for (size_t at = 0; !pieces.empty() && at < pixels.size(); at += pixel) {
+        std::memcpy(one.data(), &pixels[at], pixel);
         size_t to = at;
-        for (size_t c = 0; c < channels; ++c) {
-            std::memcpy(&pixels[to], &one[offset[size_t(part.places[c])]], size[c]);
-            to += size[c];
+        for (const Piece& piece : pieces) {
+            std::memcpy(&pixels[to], &one[piece.offset], piece.size);
+            to += piece.size;
         }
     }
 }
@@ -230,7 +238,7 @@ bool load(PartFile& part, int y, const Held& held, Failure& failure) {
     if (!part.input->read_tiles(0, 0, part.window.x0, part.window.x1, part.y0, part.y1, 0, 1, 0,
                                 spec.nchannels, held.type, part.tiles.data()))
         return cannot_read(part, failure);
-    move_channels(part, held, part.tiles);
+    move_channels(pieces_of(part, held.type), held.pixel, part.tiles);
     return true;
 }
 

@@ -102,4 +102,19 @@ bool read_picture(const OIIO::ImageBuf& image, const Options& options, Picture& 
     return true;
 }
 
+bool check_size_of(const OIIO::ImageSpec& spec, Failure& failure) {
+    if (check_size(OIIO::get_roi(spec), spec.nchannels, spec.format, failure.why))
+        return true;
+    failure.code = code_of_message(failure.why);
+    return false;
+}
+
+bool read_native(OIIO::ImageInput& input, const Rect& r, void* to) {
+    const OIIO::ImageSpec& spec = input.spec();
+    return spec.tile_width > 0
+               ? input.read_tiles(0, 0, r.x0, r.x1, r.y0, r.y1, spec.z, spec.z + 1, 0,
+                                  spec.nchannels, spec.format, to)
+               : input.read_scanlines(0, 0, r.y0, r.y1, spec.z, 0, spec.nchannels, spec.format, to);
+}
+
 } // namespace ddt::tool

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imageio.h>
 
 #include "ddt/resize.h"
+#include "plugin/tool/exit_code.h"
 
 namespace ddt::tool {
 
@@ -36,5 +38,13 @@ bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& err
 /// alone, which no display shows.
 bool read_picture(const OIIO::ImageBuf& image, const Options& options, Picture& picture,
                   std::string& error);
+
+/// False with a failure unless an image of that size may be had (check_size() of
+/// plugin/image/windows.h).
+bool check_size_of(const OIIO::ImageSpec& spec, Failure& failure);
+
+/// Read pixels of the first image of a file as they are, all of whose channels have one type: whole
+/// tiles where it has them, else whole rows. False with a line in input.geterror().
+bool read_native(OIIO::ImageInput& input, const Rect& r, void* to);
 
 } // namespace ddt::tool

@@ -4,6 +4,7 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/message/byte_order_mark.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/point_file.h"
 
@@ -31,8 +32,7 @@ bool read_table(const std::string& text, PointFile& points, std::string& error) 
     points = {};
     std::vector<int> place; ///< of each column: -1 x, -2 y, else an index
     size_t number = 0;
-    constexpr const char* mark = "\xEF\xBB\xBF"; // UTF-8, as some spreadsheets begin
-    for (size_t at = text.compare(0, 3, mark) == 0 ? 3 : 0; at < text.size(); ++number) {
+    for (size_t at = begin_of_text(text); at < text.size(); ++number) {
         const size_t end = std::min(text.find('\n', at), text.size());
         std::string line(OIIO::Strutil::strip(text.substr(at, end - at)));
         at = end + 1;

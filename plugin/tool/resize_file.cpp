@@ -18,6 +18,7 @@
 #include "plugin/tool/fit_format.h"
 #include "plugin/tool/image_file.h"
 #include "plugin/tool/part.h"
+#include "plugin/tool/picture.h"
 #include "plugin/tool/row_reader.h"
 #include "plugin/tool/row_writer.h"
 #include "plugin/tool/size.h"
@@ -94,13 +95,6 @@ Failure too_far(const OIIO::ImageSpec& from, const Size& size) {
         "the output would be {:.0f} x {:.0f} pixels; coordinates are allowed within +-{}",
         std::ceil(from.width * (double(size.width) / from.full_width)),
         std::ceil(from.height * (double(size.height) / from.full_height)), largest_coordinate)};
-}
-
-bool check_size_of(const OIIO::ImageSpec& spec, Failure& failure) {
-    if (check_size(OIIO::get_roi(spec), spec.nchannels, spec.format, failure.why))
-        return true;
-    failure.code = code_of_message(failure.why);
-    return false;
 }
 
 /// Open the file for what of the result its format has room for: `spec` becomes that.

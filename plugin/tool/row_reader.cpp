@@ -86,13 +86,7 @@ void RowReader::work() {
 
 bool RowReader::read(int begin, int end, std::string& error) {
     char* const to = m_pixels + m_spec.scanline_bytes() * size_t(begin - m_spec.y);
-    const bool done =
-        m_spec.tile_width > 0
-            ? m_input->read_tiles(0, 0, m_spec.x, m_spec.x + m_spec.width, begin, end, m_spec.z,
-                                  m_spec.z + 1, 0, m_spec.nchannels, m_spec.format, to)
-            : m_input->read_scanlines(0, 0, begin, end, m_spec.z, 0, m_spec.nchannels,
-                                      m_spec.format, to);
-    if (done)
+    if (read_native(*m_input, {m_spec.x, begin, m_spec.x + m_spec.width, end}, to))
         return true;
     // Which only the thread that read is told.
     error = why_unreadable(m_input->geterror(), m_path);

@@ -8,11 +8,11 @@
 #include "core/base/parse_number.h"
 #include "ddt/mapping.h"
 #include "ddt/resize.h"
-#include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/filter_flag.h"
 #include "plugin/tool/image_file.h"
+#include "plugin/tool/picture.h"
 #include "plugin/tool/point_file.h"
 #include "plugin/tool/progress.h"
 
@@ -240,10 +240,8 @@ private:
             return false;
         bool has_alpha = false;
         const OIIO::ImageSpec spec = spec_of(g, chosen, has_alpha);
-        if (!check_size(OIIO::get_roi(spec), spec.nchannels, spec.format, failure.why)) {
-            failure.code = code_of_message(failure.why);
+        if (!check_size_of(spec, failure))
             return false;
-        }
         const size_t count = points.mesh.x.size(), channels = size_t(spec.nchannels);
         std::vector<float> values(count * channels, 1.0f);
         for (size_t c = 0; c < chosen.size(); ++c)

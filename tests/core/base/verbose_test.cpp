@@ -40,7 +40,7 @@ TEST(Verbose, ACallbackTakesTheLines) {
     EXPECT_FALSE(verbose());
     ASSERT_GE(lines.size(), 3u);
     EXPECT_EQ(lines[0], "ddt: 3 of them");
-    EXPECT_EQ(lines[lines.size() - 2].rfind("ddt: device ", 0), 0u) << lines.back();
+    EXPECT_EQ(lines[lines.size() - 2].rfind("ddt: device ", 0), 0u) << lines[lines.size() - 2];
     EXPECT_EQ(lines.back(), "ddt: a driver failed");
 }
 
