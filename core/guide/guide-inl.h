@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a namespace, once for scalars and once for each SIMD target, where compilers make
-// vectors of the loops over it: so every choice is one between two numbers, both at hand.
+// vectors of the loops over it: so every choice is one between two numbers, both at hand, by
+// integers: of floats that are not below 0, the bits are in the same order, and NaN is the largest.
 
 DDT_INLINE bool is_finite(float v) {
     return (bits_of(v) & 0x7f800000u) != 0x7f800000u;
@@ -29,15 +30,16 @@ DDT_INLINE float power_5_12(float x) {
 DDT_INLINE float srgb_curve(float light) {
     const float a = float_of(bits_of(light) & 0x7fffffffu);
     const float linear = 12.92f * a, power = 1.055f * power_5_12(a) - 0.055f;
-    const float v = a <= 0.0031308f ? linear : power;
-    return float_of(bits_of(v) | (bits_of(light) & 0x80000000u));
+    const uint32_t v = choose(bits_of(a) <= bits_of(0.0031308f), bits_of(linear), bits_of(power));
+    return float_of(v | (bits_of(light) & 0x80000000u));
 }
 
 DDT_INLINE float guide_step(float v) {
-    const float low = v > -1024.0f ? v : -1024.0f; // NaN also, so that it can be converted
-    const float steps = (low < 1024.0f ? low : 1024.0f) * 4096.0f;
+    const auto size = int32_t(bits_of(v) & 0x7fffffffu), most = int32_t(bits_of(1024.0f));
+    const float within = float_of(uint32_t(size < most ? size : most)); // NaN can be converted so
     // Conversion to int drops the fraction: halves go away from 0, alike on both sides of it.
-    const float half = float_of(bits_of(0.5f) | (bits_of(steps) & 0x80000000u));
-    const float nearest = float(int32_t(steps + half)) * (1.0f / 4096.0f);
-    return float_of(bits_of(nearest) & (is_finite(v) ? 0xffffffffu : 0u));
+    const auto steps = int32_t(within * 4096.0f + 0.5f);
+    const int32_t negative = int32_t(bits_of(v)) >> 31; // -1 or 0
+    const float nearest = float((steps ^ negative) - negative) * (1.0f / 4096.0f);
+    return float_of(choose(is_finite(v), bits_of(nearest), 0));
 }

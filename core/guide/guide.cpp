@@ -63,9 +63,10 @@ HWY_ATTR void luminance(const GuideRecipe& recipe, const float* pixels, size_t n
     const float back = grey(recipe.linear);
     for (size_t i = 0; i < n; ++i) {
         const float alpha = pixels[i * stride + size_t(recipe.alpha)];
-        const float low = alpha < 0.0f ? 0.0f : alpha;
-        const float over = y[i] + back * (1.0f - (low > 1.0f ? 1.0f : low));
-        y[i] = is_finite(alpha) ? over : y[i];
+        const auto bits = int32_t(bits_of(alpha)), one = int32_t(bits_of(1.0f));
+        const int32_t low = bits < 0 ? 0 : bits;
+        const float over = y[i] + back * (1.0f - float_of(uint32_t(low < one ? low : one)));
+        y[i] = float_of(choose(is_finite(alpha), bits_of(over), bits_of(y[i])));
     }
 }
 
@@ -80,7 +81,7 @@ HWY_ATTR void make_guide(const GuideRecipe& recipe, const float* pixels, size_t 
         if (recipe.linear)
             for (size_t i = 0; i < n; ++i) {
                 const float v = srgb_curve(y[i]);
-                y[i] = is_finite(y[i]) ? v : 0.0f;
+                y[i] = float_of(choose(is_finite(y[i]), bits_of(v), 0));
             }
         for (size_t i = 0; i < n; ++i)
             guide[begin + i] = guide_step(y[i]);
