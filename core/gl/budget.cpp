@@ -15,12 +15,19 @@ namespace ddt::gl {
 
 namespace {
 
-/// Device memory for tiles in flight. A software renderer's is the machine's own.
-constexpr size_t hardware_budget = size_t(2) << 30, software_budget = size_t(256) << 20;
+/// Device memory for tiles in flight. A software renderer's is the machine's own. Others work on the
+/// GPU too; and NVIDIA's driver takes tens of milliseconds, each job, to find and give back more than
+/// about a gigabyte.
+constexpr size_t hardware_budget = size_t(768) << 20, software_budget = size_t(256) << 20;
 
 /// So is that of a GPU within a processor, which OpenGL does not tell from others: no more than
 /// this share of what the machine has.
 constexpr size_t share_of_machine = 16;
+
+/// Tiles of a batch, at most. Several batches, since the host reads the next and writes the one
+/// before while the device has one; of some size, since each waits some 60 times for what the
+/// device does one after the other.
+constexpr size_t tiles_a_batch = 20;
 
 size_t budget_of(const Gpu& gpu) {
     if (gpu.context->software)
@@ -55,7 +62,7 @@ size_t affordable_tiles(const Gpu& gpu, const SlotShape& shape, int groups,
         throw Failure("a tile takes " + std::to_string(largest) + " bytes of one buffer, and " +
                       gpu.context->renderer + " has " + std::to_string(gpu.block_limit));
     const size_t n = std::min({budget_of(gpu) / a_tile, gpu.block_limit / largest, size_t(tiles),
-                               size_t(max_tiles) / slots});
+                               std::min(tiles_a_batch, size_t(max_tiles) / slots)});
     return std::max<size_t>(1, n);
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/host_tile.h"
 
-#include <cstring>
-
 #include "core/base/arith.h"
 #include "core/base/zero_small.h"
 #include "core/guide/guide.h"
@@ -55,11 +53,8 @@ bool read_numbers(Source& source, const Tile& tile, const Job& job, const Number
         zero_small(guide.data(), guide.size(), least_guide);
         return true;
     }
-    std::vector<float> values;
-    if (!read_tile(source, tile, job, values, guide, width, height))
-        return false;
-    std::memcpy(to, values.data(), values.size() * sizeof(float));
-    return true;
+    guide.resize(size_t(lattice_width(tile)) * size_t(lattice_height(tile)));
+    return read_tile(source, tile, job, reinterpret_cast<float*>(to), guide.data(), width, height);
 }
 
 } // namespace
@@ -74,13 +69,12 @@ size_t host_bytes(const Job& job, const SlotShape& shape, const Numbers& numbers
 }
 
 bool read(Source& source, const Job& job, const SlotShape& shape, const Numbers& numbers,
-          HostTile& t) {
+          HostTile& t, ReadMemory& memory) {
     if (!t.memory)
         t.memory = std::make_unique<HostBuffer>(host_bytes(job, shape, numbers));
-    std::vector<float> guide;
     int width = 0, height = 0;
     if (!read_numbers(source, t.tile, job, numbers, t.memory->data() + guides_room(job, shape),
-                      guide, width, height))
+                      memory.guide, width, height))
         return false;
     t.size = size_in_slot(t.tile, job.window, width, height);
     const auto meshes = size_t(job.mesh.meshes);
@@ -89,14 +83,17 @@ bool read(Source& source, const Job& job, const SlotShape& shape, const Numbers&
         t.sites.resize(meshes * shape.sites());
     t.guide_bytes.resize(meshes);
     for (size_t k = 0; k < meshes; ++k) {
-        std::vector<float> blurred = guide;
-        if (const float share = blur_share(job.mesh, int(k)); share > 0)
-            blur_guide(blurred.data(), width, height, share);
+        const std::vector<float>* guide = &memory.guide;
+        if (const float share = blur_share(job.mesh, int(k)); share > 0) {
+            memory.blurred = memory.guide;
+            blur_guide(memory.blurred.data(), width, height, share);
+            guide = &memory.blurred;
+        }
         if (here)
-            triangulate_here(blurred, job, shape, t, t.sites.data() + k * shape.sites());
+            triangulate_here(*guide, job, shape, t, t.sites.data() + k * shape.sites());
         if (with_guides(job))
             t.guide_bytes[k] =
-                encode_guide(blurred, t.memory->data() + k * guide_room(shape.pixels()));
+                encode_guide(*guide, t.memory->data() + k * guide_room(shape.pixels()));
     }
     return true;
 }

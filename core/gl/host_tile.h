@@ -28,10 +28,15 @@ struct HostTile {
 /// Bytes of HostTile::memory.
 size_t host_bytes(const Job& job, const SlotShape& shape, const Numbers& numbers);
 
+/// What one who reads tiles takes for all of them.
+struct ReadMemory {
+    std::vector<float> guide, blurred;
+};
+
 /// Read t.tile into t.memory, which is made, of plain memory, if it is not there. False if the
 /// source fails.
 bool read(Source& source, const Job& job, const SlotShape& shape, const Numbers& numbers,
-          HostTile& t);
+          HostTile& t, ReadMemory& memory);
 
 /// Whether guides are wanted on the device.
 bool with_guides(const Job& job);

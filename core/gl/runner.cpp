@@ -14,11 +14,32 @@ namespace ddt::gl {
 
 namespace {
 
-/// Bytes of output sampled in one go, about.
-constexpr size_t strip_bytes = size_t(16) << 20;
+/// Bytes of output sampled in one go, about, and of all that is sampled and not written.
+constexpr size_t strip_bytes = size_t(16) << 20, bytes_under_way = 4 * strip_bytes;
 
 /// Rows that are handed to the sink at once.
-constexpr int rows_a_write = 64;
+constexpr int rows_a_write = 32;
+
+/// A strip of so many rows has no more than strip_bytes, if it can.
+int strip_height(const Rect& reach, int channels) {
+    const size_t row_bytes = size_t(reach.width()) * size_t(channels) * sizeof(float);
+    return int(std::clamp<size_t>(strip_bytes / std::max<size_t>(row_bytes, 1), 1,
+                                  size_t(std::max(reach.height(), 1))));
+}
+
+/// How many strips of a job can be under way.
+size_t most_strips(const Job& job, const Grid& grid, const Mapping& mapping) {
+    constexpr size_t fewest = 3, most = 32;
+    size_t largest = 1;
+    for (int i = 0; i < grid.count(); ++i) {
+        const Rect reach = reach_of(grid.tile(i), job.window, mapping);
+        if (!reach.empty())
+            largest =
+                std::max(largest, size_t(strip_height(reach, job.channels)) *
+                                      size_t(reach.width()) * size_t(job.channels) * sizeof(float));
+    }
+    return std::clamp(bytes_under_way / largest, fewest, most);
+}
 
 } // namespace
 
@@ -29,6 +50,7 @@ Runner::Runner(Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping, con
       m_travel(std::move(travel)),
       m_in_flight(affordable_tiles(gpu, m_shape, group_count(job.channels), job.surface,
                                    grid.count(), m_meshes)),
+      m_most_strips(most_strips(job, grid, mapping)), m_strips_a_write(m_most_strips / 3),
       m_counting(job.statistics || verbose()) {}
 
 Runner::~Runner() {
@@ -53,8 +75,9 @@ void Runner::work() {
             m_ready.pop_front();
         }
         auto begun = m_gpu.thread.post([this] { begin_batch(); });
-        write_strips(0);
+        // The results of the batch before are on their way meanwhile.
         read_ahead();
+        write_strips(0);
         try {
             begun.get();
             m_gpu.thread.post([this] { finish_batch(); }).get();
@@ -81,9 +104,8 @@ void Runner::take_memory() {
 void Runner::drop_meshes() {
     m_surfaces.reset();
     m_mesh.reset();
-    for (JobStrip& strip : m_strips)
-        strip = JobStrip();
-    m_written = m_begun;
+    m_under_way.clear();
+    m_spare.clear();
 }
 
 void Runner::retry_with_fewer() {
@@ -114,9 +136,11 @@ void Runner::read_ahead() {
             m_memory.pop_back();
         }
     }
-    for_each_index(m_threads, int(m_ready.size() - first), [&](int, int i) {
+    m_read_memory.resize(size_t(m_threads));
+    for_each_index(m_threads, int(m_ready.size() - first), [&](int thread, int i) {
         JobTile& t = *m_ready[first + size_t(i)];
-        if (m_run.going() && !read(m_source, m_job, m_shape, m_travel.there, t))
+        if (m_run.going() &&
+            !read(m_source, m_job, m_shape, m_travel.there, t, m_read_memory[size_t(thread)]))
             m_run.end(Outcome::source_failed);
     });
 }
@@ -174,26 +198,32 @@ void Runner::finish_batch() {
 void Runner::sample_batch() {
     for (size_t i = 0; i < m_batch.size() && m_run.going(); ++i) {
         const JobTile& t = *m_batch[i];
-        const size_t row_bytes = size_t(t.reach.width()) * size_t(m_job.channels) * sizeof(float);
-        const int height = int(std::max<size_t>(1, strip_bytes / row_bytes));
+        const int height = strip_height(t.reach, m_job.channels);
         for (int y = std::max(t.reach.y0, m_run.next_row(t.index)); y < t.reach.y1 && m_run.going();
              y += height) {
-            write_strips(strips_under_way - 1);
-            JobStrip& strip = m_strips[m_begun % strips_under_way];
+            JobStrip& strip = next_strip();
             strip.tile = m_batch[i];
             strip.rows = {t.reach.x0, y, t.reach.x1, std::min(y + height, t.reach.y1)};
             strip.last = strip.rows.y1 == t.reach.y1;
             plan_strip(m_mapping, t.tile, int(i) * m_meshes, strip);
             strip.plan.meshes = m_meshes;
-            if (!has_room(strip))
-                m_gpu.thread.post([&] { make_room(strip); }).get();
             strip.sampled = m_gpu.thread.post([this, &strip] { sample(strip); }).share();
-            ++m_begun;
         }
     }
     // Whether all could be asked for must be known while the batch can be done again.
-    for (size_t i = m_written; i < m_begun; ++i)
-        m_strips[i % strips_under_way].sampled.get();
+    for (const auto& strip : m_under_way)
+        strip->sampled.get();
+}
+
+/// The newest under way, whose memory may have been another's.
+Runner::JobStrip& Runner::next_strip() {
+    if (m_under_way.size() >= m_most_strips)
+        write_strips(m_most_strips - m_strips_a_write);
+    if (m_spare.empty())
+        m_spare.push_back(std::make_unique<JobStrip>());
+    m_under_way.push_back(std::move(m_spare.back()));
+    m_spare.pop_back();
+    return *m_under_way.back();
 }
 
 bool Runner::has_room(const JobStrip& strip) const {
@@ -213,6 +243,8 @@ void Runner::make_room(JobStrip& strip) {
 /// Ask the device for the strip's results.
 void Runner::sample(JobStrip& strip) {
     const Functions& gl = m_gpu.context->gl;
+    if (!has_room(strip))
+        make_room(strip);
     if (strip.plan.count > 0) {
         m_stages->begin(Stage::sample);
         m_surfaces->write_positions(strip.positions, strip.memory);
@@ -229,29 +261,40 @@ void Runner::sample(JobStrip& strip) {
 
 /// Write what is under way, the oldest first, until no more than `left` strips are.
 void Runner::write_strips(size_t left) {
-    for (; under_way() > left; ++m_written) {
-        JobStrip& strip = m_strips[m_written % strips_under_way];
-        strip.sampled.get();
+    while (m_under_way.size() > left) {
+        const size_t count = std::min(m_under_way.size() - left, m_strips_a_write);
+        for (size_t i = 0; i < count; ++i)
+            m_under_way[i]->sampled.get();
+        // What is asked for first is there first.
         m_gpu.thread
             .post([&] {
                 ++m_waits;
-                strip.copied->wait("sampling");
+                m_under_way[count - 1]->copied->wait("sampling");
             })
             .get();
         if (m_run.going())
-            write(strip);
+            write(count);
+        for (size_t i = 0; i < count; ++i) {
+            m_under_way.front()->tile.reset();
+            m_spare.push_back(std::move(m_under_way.front()));
+            m_under_way.pop_front();
+        }
     }
 }
 
-void Runner::write(JobStrip& strip) {
-    std::byte* numbers = strip.results ? strip.results->data() : nullptr;
+/// Write the oldest strips, all of them at once: one tile's is not much for many threads.
+void Runner::write(size_t count) {
     std::vector<std::pair<Rect, std::byte*>> parts;
-    for (const Rect& run : strip.runs)
-        for (int y = run.y0; y < run.y1; y += rows_a_write) {
-            const Rect part{run.x0, y, run.x1, std::min(y + rows_a_write, run.y1)};
-            parts.emplace_back(part, numbers);
-            numbers += part.area() * size_t(m_job.channels) * m_travel.bytes_back();
-        }
+    for (size_t i = 0; i < count; ++i) {
+        const JobStrip& strip = *m_under_way[i];
+        std::byte* numbers = strip.results ? strip.results->data() : nullptr;
+        for (const Rect& run : strip.runs)
+            for (int y = run.y0; y < run.y1; y += rows_a_write) {
+                const Rect part{run.x0, y, run.x1, std::min(y + rows_a_write, run.y1)};
+                parts.emplace_back(part, numbers);
+                numbers += part.area() * size_t(m_job.channels) * m_travel.bytes_back();
+            }
+    }
     for_each_index(m_threads, int(parts.size()), [&](int, int i) {
         const auto& [part, first] = parts[size_t(i)];
         if (!m_run.going())
@@ -261,6 +304,11 @@ void Runner::write(JobStrip& strip) {
         if (!taken)
             m_run.end(Outcome::sink_failed);
     });
+    for (size_t i = 0; i < count; ++i)
+        wrote(*m_under_way[i]);
+}
+
+void Runner::wrote(const JobStrip& strip) {
     const JobTile& t = *strip.tile;
     m_run.wrote_rows_before(strip.rows.y1, t.index);
     if (!strip.last || !m_run.going())

@@ -47,18 +47,18 @@ private:
         std::shared_future<void> sampled; ///< all is asked of the device
         std::unique_ptr<Fence> copied;    ///< passed when the results are there
     };
-    static constexpr size_t strips_under_way = 3; ///< sampled, copied, written
 
     void read_ahead();
     void begin_batch(); ///< on the context's thread, as is finish_batch()
     void finish_batch();
     void sample_batch();
-    size_t under_way() const { return m_begun - m_written; }
+    JobStrip& next_strip();
     bool has_room(const JobStrip& strip) const;
     void make_room(JobStrip& strip);
     void sample(JobStrip& strip);
     void write_strips(size_t left);
-    void write(JobStrip& strip);
+    void write(size_t count);
+    void wrote(const JobStrip& strip);
     void retry_with_fewer();
     void take_memory();
     void drop_meshes();
@@ -84,9 +84,12 @@ private:
     std::deque<std::shared_ptr<JobTile>> m_ready;      ///< read, not begun
     std::vector<std::shared_ptr<JobTile>> m_batch;     ///< on the device
     std::vector<std::unique_ptr<HostBuffer>> m_memory; ///< for tiles that are to be read
+    std::vector<ReadMemory> m_read_memory;             ///< a thread
     size_t m_in_flight;                                ///< tiles a batch may have
-    JobStrip m_strips[strips_under_way];               ///< in turn
-    size_t m_begun = 0, m_written = 0;                 ///< strips
+    std::deque<std::unique_ptr<JobStrip>> m_under_way; ///< sampled, copied, to be written
+    std::vector<std::unique_ptr<JobStrip>> m_spare;    ///< strips whose memory can be had
+    size_t m_most_strips;                              ///< that are under way
+    size_t m_strips_a_write;                           ///< of those, at most
     bool m_counting;                                   ///< statistics are wanted
 
     // On the context's thread only.

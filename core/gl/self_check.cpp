@@ -237,7 +237,8 @@ std::string differs(Gpu& gpu, const Job& job, const Outcomes& cpu) {
     t.tile = checked_tile;
     const Numbers numbers;
     t.memory = std::make_unique<HostBuffer>(gl, host_bytes(job, shape, numbers));
-    read(source, job, shape, numbers, t);
+    ReadMemory memory;
+    read(source, job, shape, numbers, t, memory);
     DeviceMesh mesh(gpu, shape, slots);
     mesh.finish_after(2); // so that each of one_round's programs flips edges
     Surfaces surfaces(gpu, shape, slots, kinds_of(job), job.surface);

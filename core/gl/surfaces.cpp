@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cstring>
 
 #include "core/base/float_bits.h"
 #include "core/gl/context/failure.h"
@@ -257,13 +258,19 @@ bool SampleMemory::has_room(size_t coordinates, size_t numbers, const Travel& tr
 void Surfaces::make_room(size_t coordinates, size_t numbers, const Travel& travel,
                          SampleMemory& memory) {
     reserve(memory.positions, coordinates * sizeof(int32_t));
+    if (!memory.sent || memory.sent->bytes() < memory.positions->bytes())
+        memory.sent = std::make_unique<HostBuffer>(m_gl, memory.positions->bytes());
     reserve(memory.results, numbers * sizeof(float));
     if (travel.packed())
         reserve(memory.packed, packed_bytes(numbers, travel));
 }
 
 void Surfaces::write_positions(const std::vector<int32_t>& positions, SampleMemory& memory) {
-    memory.positions->write(0, positions.size() * sizeof(int32_t), positions.data());
+    const size_t bytes = positions.size() * sizeof(int32_t);
+    if (bytes == 0)
+        return;
+    std::memcpy(memory.sent->data(), positions.data(), bytes);
+    memory.sent->upload(0, bytes, *memory.positions, 0);
 }
 
 void Surfaces::sample(DeviceMesh& mesh, const SamplePlan& plan, const SampleMemory& memory) {

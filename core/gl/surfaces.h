@@ -35,6 +35,7 @@ struct SamplePlan {
 /// destroyed on the context's thread.
 struct SampleMemory {
     std::unique_ptr<Buffer> positions, results, packed;
+    std::unique_ptr<HostBuffer> sent; ///< positions, on their way
     /// Whether there is room for so many coordinates and positions' results.
     bool has_room(size_t coordinates, size_t numbers, const Travel& travel) const;
 };

@@ -11,22 +11,25 @@
 namespace ddt::gl {
 
 size_t encode_guide(const std::vector<float>& guide, std::byte* to) {
-    std::vector<uint16_t> steps;
-    steps.reserve(guide.size());
-    for (const float v : guide) {
-        constexpr float least = 1.0f / guide_unit;
-        const float scaled = v * least;
-        const auto step = uint16_t(scaled >= 0.0f && scaled < 65536.0f ? scaled : 0.0f);
-        if (bits_of(float(step) * guide_unit) != bits_of(v))
-            break;
-        steps.push_back(step);
+    std::byte* const first = to + sizeof(uint32_t);
+    auto* steps = reinterpret_cast<uint16_t*>(first);
+    // Without a way out, and with floats compared as the numbers that their bits are, compilers
+    // make vectors of this loop.
+    const auto most = int32_t(bits_of(65535.0f));
+    uint32_t differing = 0;
+    for (size_t i = 0; i < guide.size(); ++i) {
+        const auto scaled = int32_t(bits_of(guide[i] * (1.0f / guide_unit)));
+        const auto above = int32_t(choose(scaled < 0, 0, uint32_t(scaled)));
+        const auto within = choose(above < most, uint32_t(above), uint32_t(most));
+        const auto step = int32_t(float_of(within));
+        steps[i] = uint16_t(step);
+        differing |= bits_of(float(step) * guide_unit) ^ bits_of(guide[i]);
     }
-    const uint32_t are_steps = steps.size() == guide.size();
+    const uint32_t are_steps = differing == 0;
+    if (!are_steps)
+        std::memcpy(first, guide.data(), guide.size() * sizeof(float));
     std::memcpy(to, &are_steps, sizeof are_steps);
-    const size_t bytes = guide.size() * (are_steps ? sizeof(uint16_t) : sizeof(float));
-    std::memcpy(to + sizeof are_steps,
-                are_steps ? static_cast<const void*>(steps.data()) : guide.data(), bytes);
-    return sizeof are_steps + bytes;
+    return sizeof are_steps + guide.size() * (are_steps ? sizeof(uint16_t) : sizeof(float));
 }
 
 size_t Numbers::room(size_t count) const {

@@ -24,6 +24,7 @@ constexpr float guide_unit = 0x1p-12f;
 constexpr size_t guide_room(size_t pixels) {
     return sizeof(uint32_t) + pixels * sizeof(float);
 }
+/// `to` is aligned as floats are.
 size_t encode_guide(const std::vector<float>& guide, std::byte* to);
 
 /// Numbers of the source: floats, or the codes that it has for them.

@@ -43,7 +43,8 @@ void main() {
 GpuStages::GpuStages(gl::Gpu& gpu, Source& source, const Job& job)
     : m_gpu(gpu), m_job(job), m_shape(gl::shape_for(job.window)), m_mesh(gpu, m_shape, 1) {
     m_tile.tile = Grid(job.window).tile(0);
-    gl::read(source, m_job, m_shape, m_numbers, m_tile);
+    gl::ReadMemory memory;
+    gl::read(source, m_job, m_shape, m_numbers, m_tile, memory);
     m_mesh.set_tiles({m_tile.size});
 }
 
