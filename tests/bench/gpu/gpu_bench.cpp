@@ -8,8 +8,8 @@
 // --cases: only the first N of 1080p to 4K, 4K to 8K, 8K to 16K; --size: one case of that source
 // size instead; --filter: a filter and its options as in ddt-sharp,clipped=1 (one mesh, made on the
 // device), ddt unless given; --lists: bytes, dispatches and time by kernel, and the work lists'
-// sizes by iteration; --jobs: whole jobs from memory to memory, on the device and on 1, 2, 4 ...
-// threads;
+// sizes by iteration; --jobs: whole jobs from memory to memory, on the device and on all, half, a
+// quarter ... of the threads, and whether their results are the same;
 // --picture: a photograph, mirrored to the size, in place of the drawn picture.
 #include <algorithm>
 #include <climits>
@@ -90,8 +90,18 @@ Picture make_picture(const Options& o, int width, int height) {
     return picture;
 }
 
+/// Of y and of x, which is as long.
+size_t differing_bytes(const std::vector<float>& x, const void* y) {
+    size_t differing = 0;
+    const auto* a = reinterpret_cast<const char*>(x.data());
+    const auto* b = static_cast<const char*>(y);
+    for (size_t i = 0; i < x.size() * sizeof(float); ++i)
+        differing += a[i] != b[i];
+    return differing;
+}
+
 /// Bytes that differ between the device and the CPU on a picture of several tiles.
-size_t differing_bytes(gl::Gpu& gpu, const Options& o) {
+size_t differing_from_cpu(gl::Gpu& gpu, const Options& o) {
     Picture picture = make_picture(o, 700, 530);
     const ResizeMapping mapping = picture.twofold();
     TwiceTheSize sink(picture);
@@ -101,12 +111,7 @@ size_t differing_bytes(gl::Gpu& gpu, const Options& o) {
     for (int i = 0; i < grid.count(); ++i)
         worker.work(grid.tile(i), INT_MIN);
     const Measured m = measure(gpu, picture, job, 1, true, false);
-    size_t differing = 0;
-    const auto* a = reinterpret_cast<const char*>(sink.values().data());
-    const auto* b = reinterpret_cast<const char*>(m.result.data());
-    for (size_t i = 0; i < sink.values().size() * 4; ++i)
-        differing += a[i] != b[i];
-    return differing;
+    return differing_bytes(sink.values(), m.result.data());
 }
 
 size_t flipping_iterations(const Workload& work) {
@@ -143,29 +148,38 @@ void print_lists(const Measured& m, const std::map<std::string, double>& traffic
 
 /// The first job, which may begin with what is not there yet, and the quickest and the median of
 /// the others.
-void print_job(const char* name, int threads, Picture& picture, const Job& job, int runs) {
-    std::vector<double> times = time_jobs(picture, job, runs + 1);
+TwiceTheSize print_job(const char* name, int threads, Picture& picture, const Job& job, int runs) {
+    TwiceTheSize sink(picture);
+    std::vector<double> times = time_jobs(picture, job, runs + 1, sink);
     const double first = times[0];
     times.erase(times.begin());
     std::sort(times.begin(), times.end());
     std::printf("  %-8s %7d %9.1f %9.1f %9.1f\n", name, threads, first, times[0],
                 times[times.size() / 2]);
     std::fflush(stdout);
+    return sink;
 }
 
-void print_jobs(const Options& o, Picture& picture, Job job) {
+/// Returns in how many bytes results differ.
+size_t print_jobs(const Options& o, Picture& picture, Job job) {
     std::printf("  a job's  threads  first ms  least ms    median\n");
     const int cores = int(std::thread::hardware_concurrency());
     job.device = o.device;
     job.threads = cores;
-    print_job(device_name(o.device), cores, picture, job, o.runs);
+    const auto result = print_job(device_name(o.device), cores, picture, job, o.runs);
     job.device = Device::cpu;
-    for (job.threads = 1; job.threads <= cores; job.threads *= 2)
-        print_job("cpu", job.threads, picture, job, o.runs);
+    size_t differing = 0;
+    for (; job.threads >= 1; job.threads /= 2) {
+        const auto cpu = print_job("cpu", job.threads, picture, job, o.runs);
+        differing += differing_bytes(result.values(), cpu.values().data());
+    }
+    std::printf("  %zu bytes of their results differ\n", differing);
+    return differing;
 }
 
-void measure_case(gl::Gpu& gpu, const Options& o, const char* name, int width, int height,
-                  double bandwidth) {
+/// Returns in how many bytes results of whole jobs, if there are any, differ.
+size_t measure_case(gl::Gpu& gpu, const Options& o, const char* name, int width, int height,
+                    double bandwidth) {
     Picture picture = make_picture(o, width, height);
     const Job job = job_of(o, width, height);
     const Measured m = measure(gpu, picture, job, o.runs, false, o.lists);
@@ -188,7 +202,8 @@ void measure_case(gl::Gpu& gpu, const Options& o, const char* name, int width, i
     if (o.lists)
         print_lists(m, traffic_by_kernel);
     if (o.jobs)
-        print_jobs(o, picture, job);
+        return print_jobs(o, picture, job);
+    return 0;
 }
 
 int run(const Options& o) {
@@ -202,7 +217,7 @@ int run(const Options& o) {
     std::printf("%s, OpenGL %s, by %s; opened in %.0f ms\n", gpu->context->renderer.c_str(),
                 gpu->context->version.c_str(), gpu->context->platform.c_str(),
                 gpu->open_milliseconds);
-    const size_t differing = differing_bytes(*gpu, o);
+    size_t differing = differing_from_cpu(*gpu, o);
     std::printf("700x530 to 1400x1060: %zu bytes differ from the CPU's; %d shaders compiled in "
                 "%.0f ms\n",
                 differing, gpu->programs->compiled(), gpu->programs->milliseconds());
@@ -215,9 +230,10 @@ int run(const Options& o) {
         int width, height;
     } cases[] = {{"1080p to 4K", 1920, 1080}, {"4K to 8K", 3840, 2160}, {"8K to 16K", 7680, 4320}};
     if (o.width > 0)
-        measure_case(*gpu, o, "own size", o.width, o.height, bandwidth);
+        differing += measure_case(*gpu, o, "own size", o.width, o.height, bandwidth);
     for (int i = 0; o.width == 0 && i < o.cases && i < 3; ++i)
-        measure_case(*gpu, o, cases[i].name, cases[i].width, cases[i].height, bandwidth);
+        differing +=
+            measure_case(*gpu, o, cases[i].name, cases[i].width, cases[i].height, bandwidth);
     return differing == 0 ? 0 : 2;
 }
 

@@ -6,9 +6,8 @@
 
 namespace ddt::bench {
 
-std::vector<double> time_jobs(Picture& picture, const Job& job, int runs) {
+std::vector<double> time_jobs(Picture& picture, const Job& job, int runs, TwiceTheSize& sink) {
     const ResizeMapping mapping = picture.twofold();
-    TwiceTheSize sink(picture);
     Statistics statistics;
     Job j = job;
     j.statistics = &statistics;

@@ -10,8 +10,8 @@
 namespace ddt::bench {
 
 /// Milliseconds of enlarging the picture twofold, of each run; of the job, the device, the threads,
-/// mesh and surface count. The result's memory is there before. Throws where a job fails or another
-/// device does it.
-std::vector<double> time_jobs(Picture& picture, const Job& job, int runs);
+/// mesh and surface count. The result's memory is there before: `sink`'s. Throws where a job fails
+/// or another device does it.
+std::vector<double> time_jobs(Picture& picture, const Job& job, int runs, TwiceTheSize& sink);
 
 } // namespace ddt::bench

@@ -57,6 +57,7 @@ public:
 
 private:
     void read(int first, int end) {
+        gl::ReadMemory memory;
         m_tiles.clear();
         for (int i = first; i < end; ++i) {
             BenchTile t;
@@ -64,7 +65,7 @@ private:
             t.reach = reach_of(t.tile, m_job.window, m_mapping);
             t.memory = std::make_unique<gl::HostBuffer>(m_gpu.context->gl,
                                                         gl::host_bytes(m_job, m_shape, m_numbers));
-            gl::read(m_picture, m_job, m_shape, m_numbers, t);
+            gl::read(m_picture, m_job, m_shape, m_numbers, t, memory);
             m_tiles.push_back(std::move(t));
         }
     }
