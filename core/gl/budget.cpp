@@ -15,9 +15,9 @@ namespace ddt::gl {
 
 namespace {
 
-/// Device memory for tiles in flight. A software renderer's is the machine's own. Others work on the
-/// GPU too; and NVIDIA's driver takes tens of milliseconds, each job, to find and give back more than
-/// about a gigabyte.
+/// Device memory for tiles in flight. A software renderer's is the machine's own. Others work on
+/// the GPU too; and NVIDIA's driver takes tens of milliseconds, each job, to find and give back
+/// more than about a gigabyte.
 constexpr size_t hardware_budget = size_t(768) << 20, software_budget = size_t(256) << 20;
 
 /// So is that of a GPU within a processor, which OpenGL does not tell from others: no more than
