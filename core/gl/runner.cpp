@@ -30,13 +30,15 @@ int strip_height(const Rect& reach, int channels) {
 /// How many strips of a job can be under way.
 size_t most_strips(const Job& job, const Grid& grid, const Mapping& mapping) {
     constexpr size_t fewest = 3, most = 32;
+    // Positions that are no grid are kept twice, as they are and on their way.
+    const size_t positions = mapping.separable() ? 0 : 2 * 2 * sizeof(int32_t),
+                 pixel_bytes = size_t(job.channels) * sizeof(float) + positions;
     size_t largest = 1;
     for (int i = 0; i < grid.count(); ++i) {
         const Rect reach = reach_of(grid.tile(i), job.window, mapping);
         if (!reach.empty())
-            largest =
-                std::max(largest, size_t(strip_height(reach, job.channels)) *
-                                      size_t(reach.width()) * size_t(job.channels) * sizeof(float));
+            largest = std::max(largest, size_t(strip_height(reach, job.channels)) *
+                                            size_t(reach.width()) * pixel_bytes);
     }
     return std::clamp(bytes_under_way / largest, fewest, most);
 }

@@ -17,9 +17,9 @@
 
 namespace ddt::gl {
 
-/// Reads tiles ahead, gives them to the device several at a time, and writes what comes back, strip
-/// by strip, while the device makes the next ones. Everything that touches GL is posted to its
-/// thread, where nothing waits for the device but for what is then written.
+/// Reads tiles ahead, gives them to the device several at a time, and writes what comes back, some
+/// strips at a time, while the device makes the next ones. Everything that touches GL is posted to
+/// its thread, where nothing waits for the device but for what is then written.
 class Runner {
 public:
     Runner(Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping, const Job& job,
