@@ -228,25 +228,19 @@ Runner::JobStrip& Runner::next_strip() {
     return *m_under_way.back();
 }
 
-bool Runner::has_room(const JobStrip& strip) const {
-    const size_t numbers = result_count(strip);
-    return strip.results && strip.results->bytes() >= numbers * m_travel.bytes_back() &&
-           strip.memory.has_room(strip.positions.size(), numbers, m_travel);
-}
-
 void Runner::make_room(JobStrip& strip) {
-    const size_t numbers = result_count(strip);
-    m_surfaces->make_room(strip.positions.size(), numbers, m_travel, strip.memory);
+    m_surfaces->make_room(strip.positions.size(), result_count(strip), m_travel, strip.memory);
+    const size_t bytes = strip.memory.results->bytes() / sizeof(float) * m_travel.bytes_back();
+    if (strip.results && strip.results->bytes() >= bytes)
+        return;
     strip.results.reset();
-    strip.results = std::make_unique<HostBuffer>(
-        m_gpu.context->gl, strip.memory.results->bytes() / sizeof(float) * m_travel.bytes_back());
+    strip.results = std::make_unique<HostBuffer>(m_gpu.context->gl, bytes);
 }
 
 /// Ask the device for the strip's results.
 void Runner::sample(JobStrip& strip) {
     const Functions& gl = m_gpu.context->gl;
-    if (!has_room(strip))
-        make_room(strip);
+    make_room(strip);
     if (strip.plan.count > 0) {
         m_stages->begin(Stage::sample);
         m_surfaces->write_positions(strip.positions, strip.memory);

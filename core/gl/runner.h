@@ -53,7 +53,6 @@ private:
     void finish_batch();
     void sample_batch();
     JobStrip& next_strip();
-    bool has_room(const JobStrip& strip) const;
     void make_room(JobStrip& strip);
     void sample(JobStrip& strip);
     void write_strips(size_t left);

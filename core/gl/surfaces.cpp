@@ -247,14 +247,6 @@ size_t packed_bytes(size_t numbers, const Travel& travel) {
 
 } // namespace
 
-bool SampleMemory::has_room(size_t coordinates, size_t numbers, const Travel& travel) const {
-    const auto holds = [](const std::unique_ptr<Buffer>& buffer, size_t bytes) {
-        return bytes == 0 || (buffer && buffer->bytes() >= bytes);
-    };
-    return holds(positions, coordinates * sizeof(int32_t)) &&
-           holds(results, numbers * sizeof(float)) && holds(packed, packed_bytes(numbers, travel));
-}
-
 void Surfaces::make_room(size_t coordinates, size_t numbers, const Travel& travel,
                          SampleMemory& memory) {
     reserve(memory.positions, coordinates * sizeof(int32_t));

@@ -36,8 +36,6 @@ struct SamplePlan {
 struct SampleMemory {
     std::unique_ptr<Buffer> positions, results, packed;
     std::unique_ptr<HostBuffer> sent; ///< positions, on their way
-    /// Whether there is room for so many coordinates and positions' results.
-    bool has_room(size_t coordinates, size_t numbers, const Travel& travel) const;
 };
 
 /// Values and gradients of all tiles of a DeviceMesh. To be used on the context's thread; throws
@@ -69,7 +67,7 @@ public:
     void bind_net(const DeviceMesh& mesh, int group);
 
     /// Make room for so many coordinates of positions and numbers of results, of plans that are
-    /// sampled before anything is downloaded. Throws OutOfMemory.
+    /// sampled before anything is downloaded, if there is none. Throws OutOfMemory.
     void make_room(size_t coordinates, size_t numbers, const Travel& travel, SampleMemory& memory);
     /// The positions that plans refer to, for which there must be room.
     void write_positions(const std::vector<int32_t>& positions, SampleMemory& memory);
