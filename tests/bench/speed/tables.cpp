@@ -5,33 +5,15 @@
 #include <cstdio>
 
 #include "growth.h"
+#include "print.h"
 #include "times.h"
 
 namespace speed {
 
 namespace {
 
-/// The median, and the quartiles about it.
-void print_ratio(const Times& a, const Times& b) {
-    const Times sorted = ratios(a, b);
-    const size_t n = sorted.size(), quarter = n / 4;
-    char text[48];
-    std::snprintf(text, sizeof text, "%.2f %.2f-%.2f", median(sorted), sorted[quarter],
-                  sorted[n - 1 - quarter]);
-    std::printf(" %15s", text);
-}
-
 double output_pixels(const OIIO::ImageBuf& image, double scale) {
     return double(image.spec().image_pixels()) * scale * scale;
-}
-
-const char* name_of(Memory memory) {
-    return memory == Memory::warm ? "warm " : "fresh";
-}
-
-void heading(const char* what, const OIIO::ImageBuf& image, Format format, int threads) {
-    std::printf("\n%s: %dx%d RGB, %s, %d thread%s\n", what, image.spec().width, image.spec().height,
-                name_of(format), threads, threads == 1 ? "" : "s");
 }
 
 /// A row of the stages' medians.
@@ -100,7 +82,7 @@ bool print_ratios(const Pictures& pictures, const Plan& plan) {
                     for (size_t i = 0; i < ours; ++i) {
                         std::printf("%-14s %4gx %s", ways[i].name.c_str(), scale, name_of(memory));
                         for (size_t other = ours; other < ways.size(); ++other)
-                            print_ratio(times[other], times[i]);
+                            print_ratio(ratios(times[other], times[i]));
                         std::printf(" %15.2f\n",
                                     median(times[i]) * 1e9 / output_pixels(image, scale));
                         std::fflush(stdout);
@@ -151,29 +133,6 @@ bool print_growth(const Pictures& pictures, const Plan& plan) {
             std::printf(" %7.2f", time * 1e9 / (pixels * scale * scale));
         std::printf("   %.3f\n", bench::growth_exponent(points[i]));
     }
-    return true;
-}
-
-bool print_threads(const Pictures& pictures, const Plan& plan) {
-    const int most = *std::max_element(plan.threads.begin(), plan.threads.end());
-    if (most == 1)
-        return true;
-    const Format format = plan.formats[0];
-    const OIIO::ImageBuf image = pictures.make(plan.megapixels, format);
-    heading("times as fast as 1 thread", image, format, most);
-    for (const double scale : plan.scales)
-        for (const std::string& filter : plan.filters) {
-            const Way way = ddt_way(filter);
-            Times one, several;
-            for (int round = 0; round < std::max(plan.rounds, 5); ++round) {
-                one.push_back(way.run({image, scale, 1, nullptr}));
-                several.push_back(way.run({image, scale, most, nullptr}));
-                if (one.back() < 0 || several.back() < 0)
-                    return false;
-            }
-            std::printf("%-14s %4gx %15.2f\n", filter.c_str(), scale, ratio(one, several));
-            std::fflush(stdout);
-        }
     return true;
 }
 

@@ -37,7 +37,8 @@ bool print_stages(const Pictures& pictures, const Plan& plan);
 /// Time over image size, and its exponent: 1 where twice the pixels take twice the time.
 bool print_growth(const Pictures& pictures, const Plan& plan);
 
-/// One thread's time over that of several.
+/// One thread's time over that of several; and how many times as much as one such job as many jobs
+/// get done that are run side by side, a thread each: what the machine has to give.
 bool print_threads(const Pictures& pictures, const Plan& plan);
 
 /// What more cores than there are would make of it: how often the time of one thread that of so
