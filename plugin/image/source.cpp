@@ -38,8 +38,9 @@ bool ImageSource::wait_for(int end) {
 /// The image's numbers to linear light.
 void ImageSource::convert(float* pixels, size_t count, int channels) const {
     std::vector<size_t> nans;
+    const std::vector<Channel>& kinds = m_reading.channels.kinds;
     for (size_t i = 0; m_reading.keep_nan && i < count * size_t(channels); ++i)
-        if (std::isnan(pixels[i]))
+        if (std::isnan(pixels[i]) && kinds[i % size_t(channels)] != Channel::nearest)
             nans.push_back(i);
     to_light(m_reading.light, m_reading.channels.colour, pixels, count, channels);
     for (const size_t i : nans)
@@ -58,6 +59,8 @@ bool ImageSource::read_row(int y, const Rect& r, float* pixels, float* guide) {
         std::fill_n(guide, width, 0.0f);
         return true;
     }
+    if (m_arrival)
+        m_arrival->complete({r.x0, y, r.x1, y + 1}, pixels);
     convert(pixels, width, channels);
     make_guide(m_reading.guide, pixels, width, channels, guide);
     return true;

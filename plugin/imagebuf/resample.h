@@ -22,7 +22,7 @@ bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& map
 int thread_count(int nthreads);
 
 /// resize() of ddt/resize.h, if there is an arrival while pixels of src are coming, which is then
-/// in local memory and not dst.
+/// not dst. What a mesh is not made of is not completed.
 bool resize_arriving(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, Arrival* arrival,
                      const Options& options, OIIO::ROI roi, int nthreads);
 

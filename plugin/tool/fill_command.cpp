@@ -6,32 +6,46 @@
 #include "plugin/tool/filter_flag.h"
 #include "plugin/tool/fit_format.h"
 #include "plugin/tool/image_file.h"
+#include "plugin/tool/mixed_ids.h"
 #include "plugin/tool/picture.h"
 #include "plugin/tool/progress.h"
+#include "plugin/tool/row_writer.h"
 
 namespace ddt::tool {
 
 namespace {
 
-/// Write what of the image the file's format has room for, each channel in the type it had.
-bool write_filled(const OIIO::ImageBuf& filled, const OIIO::ImageBuf& source,
-                  const std::string& path, Failure& failure) {
-    OIIO::ImageSpec spec = filled.spec();
-    spec.channelformats = source.nativespec().channelformats;
+/// Decide on what of the image the file's format has room for, each channel in the type it had.
+bool plan_file(const OIIO::ImageBuf& image, const std::string& path, ImageFile& file,
+               OIIO::ImageSpec& spec, Failure& failure) {
+    spec = image.spec();
+    spec.channelformats = image.nativespec().channelformats;
     forget_pixels(spec);
     spec.tile_width = spec.tile_height = spec.tile_depth = 0;
-    ImageFile file;
     if (!file.create(path, failure) || !fit_format(file.output(), path, spec, failure))
         return false;
     note_left_out(path, fit_channels(file.output(), spec));
+    return true;
+}
+
+/// Write that.
+bool write_filled(const OIIO::ImageBuf& filled, const OIIO::ImageSpec& spec, MixedIds& ids,
+                  ImageFile& file, Failure& failure) {
     const bool whole = spec.roi() == filled.roi();
     OIIO::ImageBuf cropped;
     if (!whole && !OIIO::ImageBufAlgo::crop(cropped, filled, spec.roi())) {
         failure = {cropped.geterror()};
         return false;
     }
-    return file.open(spec, failure) && write_image(
-                                           whole ? filled : cropped, file, [](float) {}, failure);
+    const OIIO::ImageBuf& image = whole ? filled : cropped;
+    const auto progress = [](float) {};
+    if (!file.open(spec, failure))
+        return false;
+    if (!ids)
+        return write_image(image, file, progress, failure);
+    RowWriter writer(image, file, ids);
+    writer.ready(image.yend());
+    return writer.finish(progress, failure) && file.commit(failure);
 }
 
 class FillCommand final : public Command {
@@ -65,6 +79,13 @@ public:
         Failure failure;
         if (!open_image(values[0], image, failure.why))
             return fail(failure.why, code_of_message(failure.why));
+        ImageFile file;
+        OIIO::ImageSpec spec;
+        if (!plan_file(image, values[1], file, spec, failure))
+            return fail(failure);
+        MixedIds ids(values[0], image, spec);
+        if (ids && !ids.put_into(image, failure.why))
+            return fail(failure.why, code_of_message(failure.why));
         const Missing missing = m_missing == "alpha" ? Missing::alpha : Missing::nan;
         Progress progress("filling");
         m_options.progress = std::ref(progress);
@@ -73,7 +94,7 @@ public:
             failure.why = filled.geterror();
             return fail(failure.why, code_of_message(failure.why));
         }
-        return write_filled(filled, image, values[1], failure) ? exit_done : fail(failure);
+        return write_filled(filled, spec, ids, file, failure) ? exit_done : fail(failure);
     }
 
 private:

@@ -2,8 +2,7 @@
 #include "plugin/tool/id_file.h"
 
 #include <algorithm>
-
-#include <OpenImageIO/imageio.h>
+#include <cstring>
 
 #include "plugin/image/windows.h"
 #include "plugin/tool/picture.h"
@@ -12,40 +11,71 @@ namespace ddt::tool {
 
 namespace {
 
-/// [begin, end) cut to the file's pixels along an axis and extended to whole tiles.
-void to_tiles(int first, int size, int tile, int& begin, int& end) {
-    begin = std::max(begin - first, 0) / tile * tile;
-    end = std::min((std::min(end - first, size) + tile - 1) / tile * tile, size);
-    begin += first;
-    end += first;
-}
+/// Rows that are read at once of more channels than are wanted.
+constexpr int rows_at_once = 64;
 
 } // namespace
 
-bool read_ids_of(const std::string& path, const OIIO::ImageBuf& image, const Rect& wanted,
-                 OIIO::ImageBuf& ids, std::string& error) {
-    const auto input = OIIO::ImageInput::open(path);
-    if (!input) {
-        error = why_unreadable(OIIO::geterror(), path);
+IdFile::IdFile(const std::string& path, const OIIO::ImageBuf& image, std::vector<int> channels)
+    : m_path(path), m_channels(std::move(channels)) {
+    const OIIO::ImageSpec& all = image.spec();
+    m_spec = all;
+    m_spec.set_format(image.nativespec().channelformat(m_channels[0]));
+    if (int(m_channels.size()) == all.nchannels)
+        return;
+    m_spec.nchannels = int(m_channels.size());
+    m_spec.alpha_channel = m_spec.z_channel = -1;
+    m_spec.channelnames.clear();
+    for (const int c : m_channels)
+        m_spec.channelnames.push_back(all.channel_name(c));
+}
+
+bool IdFile::open(std::string& error) {
+    if (!m_input)
+        m_input = OIIO::ImageInput::open(m_path);
+    if (!m_input)
+        error = why_unreadable(OIIO::geterror(), m_path);
+    return m_input != nullptr;
+}
+
+/// Rows of pixels, which read_native() reads.
+bool IdFile::read_some(const Rect& r, char* to, std::string& error) {
+    const OIIO::ImageSpec& file = m_input->spec();
+    const int first = m_channels.front(), end = m_channels.back() + 1;
+    const size_t id = m_spec.format.size(), pixel = file.pixel_bytes(first, end, true);
+    const bool alone = pixel == m_spec.pixel_bytes();
+    std::vector<char> others(alone ? 0 : r.area() * pixel);
+    if (!read_native(*m_input, r, first, end, alone ? to : others.data())) {
+        error = why_unreadable(m_input->geterror(), m_path);
         return false;
     }
-    const OIIO::ImageSpec& file = input->spec();
-    const bool tiled = file.tile_width > 0;
-    Rect r = wanted;
-    to_tiles(file.x, file.width, tiled ? file.tile_width : file.width, r.x0, r.x1);
-    to_tiles(file.y, file.height, tiled ? file.tile_height : 1, r.y0, r.y1);
-    OIIO::ImageSpec spec = image.spec();
-    spec.set_format(image.nativespec().format);
+    for (size_t k = 0; !alone && k < m_channels.size(); ++k) {
+        const char* const from = others.data() + file.pixel_bytes(first, m_channels[k], true);
+        for (size_t i = 0; i < r.area(); ++i)
+            std::memcpy(to + i * m_spec.pixel_bytes() + k * id, from + i * pixel, id);
+    }
+    return true;
+}
+
+bool IdFile::read(const Rect& wanted, OIIO::ImageBuf& ids, std::string& error) {
+    if (!open(error))
+        return false;
+    const OIIO::ImageSpec& file = m_input->spec();
+    const Rect r = readable(file, wanted);
+    OIIO::ImageSpec spec = m_spec;
     spec.x = r.x0;
     spec.y = r.y0;
     spec.width = r.width();
     spec.height = r.height();
     if (!take_memory(ids, spec, error))
         return false;
-    if (read_native(*input, r, ids.localpixels()))
-        return true;
-    error = why_unreadable(input->geterror(), path);
-    return false;
+    const int together = file.tile_width > 0 ? file.tile_height : 1,
+              rows = (rows_at_once + together - 1) / together * together;
+    char* to = static_cast<char*>(ids.localpixels());
+    for (int y = r.y0; y < r.y1; y += rows, to += spec.scanline_bytes() * size_t(rows))
+        if (!read_some({r.x0, y, r.x1, std::min(y + rows, r.y1)}, to, error))
+            return false;
+    return true;
 }
 
 } // namespace ddt::tool

@@ -1,20 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of a file of IDs.
+// The 32-bit integers of a file, which name objects.
 #pragma once
 
+#include <memory>
 #include <string>
+#include <vector>
 
 #include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imageio.h>
 
 #include "ddt/core.h"
 
 namespace ddt::tool {
 
-/// Read some pixels of a file of 32-bit integers as they are: the cache behind `image`, which is
-/// the file's, would make floats of them. `ids` becomes an image like `image` of which there are
-/// those pixels of `wanted` that there are, and the others of the file's tiles and rows they lie
-/// in. False with one line in `error`.
-bool read_ids_of(const std::string& path, const OIIO::ImageBuf& image, const Rect& wanted,
-                 OIIO::ImageBuf& ids, std::string& error);
+/// Reads parts of channels of 32-bit integers as they are: the cache behind an ImageBuf, and an
+/// ImageBuf of channels of several types, would make floats of them, which have no room for all.
+class IdFile {
+public:
+    IdFile() = default;
+    /// `image`: of the file `path`. channels: those to be read, in ascending order, of 32-bit
+    /// integers all.
+    IdFile(const std::string& path, const OIIO::ImageBuf& image, std::vector<int> channels);
+
+    /// `ids` becomes an image of those channels of which there are those pixels of `wanted` that
+    /// there are, and the others of the file's tiles and rows they lie in. False with one line in
+    /// `error`.
+    bool read(const Rect& wanted, OIIO::ImageBuf& ids, std::string& error);
+
+private:
+    bool open(std::string& error);
+    bool read_some(const Rect& r, char* to, std::string& error);
+
+    std::string m_path;
+    OIIO::ImageSpec m_spec; ///< of what is read, its data window apart
+    std::vector<int> m_channels;
+    std::unique_ptr<OIIO::ImageInput> m_input; ///< once something was read
+};
 
 } // namespace ddt::tool

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <cstring>
+#include <numeric>
 #include <set>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "plugin/tool/fingerprint.h"
 #include "plugin/tool/id_file.h"
 #include "plugin/tool/image_file.h"
+#include "plugin/tool/mixed_ids.h"
 #include "plugin/tool/picture.h"
 #include "plugin/tool/unfinished.h"
 
@@ -101,18 +103,19 @@ std::vector<unsigned char> profile_of(const OIIO::ImageSpec& spec) {
 /// Enlarges a part in strips and hands on whole rows of the file's tiles.
 class StripWriter {
 public:
+    /// `ids`: those of the source, if any.
     StripWriter(const OIIO::ImageSpec& whole, const Rect& part, int tile_height,
-                OIIO::ImageOutput& output)
-        : m_spec(whole), m_part(part), m_tile_height(tile_height), m_output(output),
+                OIIO::ImageOutput& output, MixedIds& ids)
+        : m_spec(whole), m_part(part), m_tile_height(tile_height), m_output(output), m_ids(ids),
           m_done(part.y0) {
         m_spec.x = part.x0;
         m_spec.width = part.width();
         m_spec.channelformats.clear(); // strips in memory have one type
     }
 
-    /// The part's rows up to `end`, of a source that has what they show.
-    bool strip(int end, const OIIO::ImageBuf& source, const Options& options, int threads,
-               std::string& error) {
+    /// The part's rows up to `end`, of a source that has what they show, in these of its pixels.
+    bool strip(int end, const OIIO::ImageBuf& source, const Rect& shown, const Options& options,
+               int threads, std::string& error) {
         OIIO::ImageSpec spec = m_spec;
         spec.y = m_done;
         spec.height = end - m_done;
@@ -126,15 +129,17 @@ public:
             std::memcpy(strip.localpixels(), m_left.data(), row * size_t(m_made - m_done));
         OIIO::ROI roi = strip.roi();
         roi.ybegin = m_made;
-        if (!resize(strip, source, options, roi, threads)) {
+        const bool done = m_ids && options.holes == Holes::keep
+                              ? m_ids.resize(strip, source, shown, options, roi, threads)
+                              : resize(strip, source, options, roi, threads);
+        if (!done) {
             error = strip.geterror();
             return false;
         }
         const int rows =
             end == m_part.y1 ? end - m_done : (end - m_done) / m_tile_height * m_tile_height;
         const auto* pixels = static_cast<const char*>(strip.localpixels());
-        if (rows > 0 && !m_output.write_tiles(m_part.x0, m_part.x1, m_done, m_done + rows, 0, 1,
-                                              spec.format, pixels))
+        if (rows > 0 && !write(rows, spec.format, pixels))
             return false;
         m_left.assign(pixels + row * size_t(rows), pixels + row * size_t(end - m_done));
         m_done += rows;
@@ -143,10 +148,20 @@ public:
     }
 
 private:
+    bool write(int rows, OIIO::TypeDesc type, const char* pixels) {
+        const size_t n = size_t(rows) * size_t(m_part.width());
+        return m_output.write_tiles(
+            m_part.x0, m_part.x1, m_done, m_done + rows, 0, 1,
+            m_ids ? OIIO::TypeDesc(OIIO::TypeUnknown) : type,
+            m_ids ? m_ids.pack(reinterpret_cast<const float*>(pixels), n, m_output.spec())
+                  : pixels);
+    }
+
     OIIO::ImageSpec m_spec;
     const Rect m_part;
     const int m_tile_height;
     OIIO::ImageOutput& m_output;
+    MixedIds& m_ids;
     int m_done;               ///< rows before are written
     int m_made = m_part.y0;   ///< rows before are enlarged
     std::vector<char> m_left; ///< those between
@@ -297,7 +312,19 @@ bool resize_part(const std::string& in, const std::string& out, const ResizeSett
     if (!file.open(spec, failure))
         return false;
 
-    StripWriter writer(whole, pixels, spec.tile_height, file.output());
+    MixedIds mixed(in, image, file.output().spec());
+    OIIO::ImageBuf filled_first; // the whole image then
+    if (std::string error;
+        mixed && settings.options.holes != Holes::keep &&
+        !(open_image(in, filled_first, error) && mixed.put_into(filled_first, error))) {
+        failure = {error, code_of_message(error)};
+        return false;
+    }
+    StripWriter writer(whole, pixels, spec.tile_height, file.output(), mixed);
+    const bool only_ids = is_id_type(from.format);
+    std::vector<int> all(size_t(only_ids ? from.nchannels : 0));
+    std::iota(all.begin(), all.end(), 0);
+    IdFile id_file = only_ids ? IdFile(in, image, all) : IdFile();
     for (int row = tiles.y0; row < tiles.y1; ++row) {
         const Rect one{tiles.x0, row, tiles.x1, row + 1};
         Options options = settings.options;
@@ -307,11 +334,15 @@ bool resize_part(const std::string& in, const std::string& out, const ResizeSett
         const int end = pixels_of_tiles(one, grid.columns(), grid.rows(), x, y).y1;
         std::string error;
         OIIO::ImageBuf ids;
-        if (is_id_type(from.format) && !read_ids_of(in, image, source_of(one, grid), ids, error)) {
+        const Rect shown = source_of(one, grid);
+        if (only_ids && !id_file.read(shown, ids, error)) {
             failure = {error, code_of_message(error)};
             return false;
         }
-        if (!writer.strip(end, ids.initialized() ? ids : image, options, settings.threads, error)) {
+        const OIIO::ImageBuf& source = only_ids                     ? ids
+                                       : filled_first.initialized() ? filled_first
+                                                                    : image;
+        if (!writer.strip(end, source, shown, options, settings.threads, error)) {
             failure = error.empty() ? file.failed() : Failure{error, code_of_message(error)};
             return false;
         }

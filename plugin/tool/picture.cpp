@@ -46,6 +46,14 @@ private:
     int m_alpha;
 };
 
+/// [begin, end) cut to the file's pixels along an axis and extended to whole tiles.
+void to_tiles(int first, int size, int tile, int& begin, int& end) {
+    begin = std::max(begin - first, 0) / tile * tile;
+    end = std::min((std::min(end - first, size) + tile - 1) / tile * tile, size);
+    begin += first;
+    end += first;
+}
+
 } // namespace
 
 std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path) {
@@ -109,12 +117,24 @@ bool check_size_of(const OIIO::ImageSpec& spec, Failure& failure) {
     return false;
 }
 
-bool read_native(OIIO::ImageInput& input, const Rect& r, void* to) {
+bool read_native(OIIO::ImageInput& input, const Rect& r, int chbegin, int chend, void* to) {
     const OIIO::ImageSpec& spec = input.spec();
-    return spec.tile_width > 0
-               ? input.read_tiles(0, 0, r.x0, r.x1, r.y0, r.y1, spec.z, spec.z + 1, 0,
-                                  spec.nchannels, spec.format, to)
-               : input.read_scanlines(0, 0, r.y0, r.y1, spec.z, 0, spec.nchannels, spec.format, to);
+    return spec.tile_width > 0 ? input.read_tiles(0, 0, r.x0, r.x1, r.y0, r.y1, spec.z, spec.z + 1,
+                                                  chbegin, chend, OIIO::TypeUnknown, to)
+                               : input.read_scanlines(0, 0, r.y0, r.y1, spec.z, chbegin, chend,
+                                                      OIIO::TypeUnknown, to);
+}
+
+bool read_native(OIIO::ImageInput& input, const Rect& r, void* to) {
+    return read_native(input, r, 0, input.spec().nchannels, to);
+}
+
+Rect readable(const OIIO::ImageSpec& file, const Rect& r) {
+    const bool tiled = file.tile_width > 0;
+    Rect all = r;
+    to_tiles(file.x, file.width, tiled ? file.tile_width : file.width, all.x0, all.x1);
+    to_tiles(file.y, file.height, tiled ? file.tile_height : 1, all.y0, all.y1);
+    return all;
 }
 
 } // namespace ddt::tool

@@ -43,8 +43,13 @@ bool read_picture(const OIIO::ImageBuf& image, const Options& options, Picture& 
 /// plugin/image/windows.h).
 bool check_size_of(const OIIO::ImageSpec& spec, Failure& failure);
 
-/// Read pixels of the first image of a file as they are, all of whose channels have one type: whole
-/// tiles where it has them, else whole rows. False with a line in input.geterror().
+/// Read channels [chbegin, chend) of pixels of the first image of a file as they are, without gaps:
+/// whole tiles where it has them, else whole rows. False with a line in input.geterror().
+bool read_native(OIIO::ImageInput& input, const Rect& r, int chbegin, int chend, void* to);
+/// All channels.
 bool read_native(OIIO::ImageInput& input, const Rect& r, void* to);
+
+/// [r.x0, r.x1) x [r.y0, r.y1) cut to the file's pixels and extended to what read_native() reads.
+Rect readable(const OIIO::ImageSpec& file, const Rect& r);
 
 } // namespace ddt::tool

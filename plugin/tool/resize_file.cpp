@@ -17,6 +17,7 @@
 #include "plugin/message/format.h"
 #include "plugin/tool/fit_format.h"
 #include "plugin/tool/image_file.h"
+#include "plugin/tool/mixed_ids.h"
 #include "plugin/tool/part.h"
 #include "plugin/tool/picture.h"
 #include "plugin/tool/row_reader.h"
@@ -226,7 +227,12 @@ bool resize_file(const std::string& in, const std::string& out, const ResizeSett
         failure.why = result.geterror();
         return false;
     }
-    RowWriter writer(result, file);
+    MixedIds ids(in, image, file.output().spec());
+    if (ids && !ids.put_into(image, failure.why)) {
+        failure.code = code_of_message(failure.why);
+        return false;
+    }
+    RowWriter writer(result, file, ids);
     if (made.width() > 0 && made.height() > 0 &&
         !resize_strips(result, image, made, reader, writer, settings, progress, failure))
         return false;
@@ -246,11 +252,13 @@ int64_t memory_to_resize(const std::string& in, const std::string& out,
     if (!file || !check_source_spec(file->spec(), failure.why) ||
         !plan_result(file->spec(), settings, spec, failure))
         return 0;
+    const int64_t ids = count_mixed_ids(file->spec(), spec) *
+                        int64_t(file->spec().image_pixels() * sizeof(uint32_t));
     // Another format than the source's may not hold its numbers (see hold_result()).
     if (!settings.type.empty() || !spec.channelformats.empty() ||
         OIIO::Filesystem::extension(in) != OIIO::Filesystem::extension(out))
         spec.set_format(OIIO::TypeFloat);
-    return int64_t(file->spec().image_bytes() + spec.image_bytes()) +
+    return int64_t(file->spec().image_bytes() + spec.image_bytes()) + ids +
            memory_beside(settings.threads);
 }
 

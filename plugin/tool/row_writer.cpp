@@ -18,12 +18,12 @@ int step_of(const OIIO::ImageSpec& spec, bool tiles) {
 
 } // namespace
 
-RowWriter::RowWriter(const OIIO::ImageBuf& image, ImageFile& file)
+RowWriter::RowWriter(const OIIO::ImageBuf& image, ImageFile& file, MixedIds& ids)
     : m_pixels(static_cast<const char*>(image.localpixels())), m_format(image.spec().format),
-      m_row(image.spec().scanline_bytes()), m_file(file), m_begin(image.ybegin()),
-      m_end(image.yend()), m_tiles(file.output().spec().tile_width > 0),
-      m_step(step_of(image.spec(), m_tiles)), m_ready(m_begin), m_done(m_begin),
-      m_thread([this] { work(); }) {}
+      m_row(image.spec().scanline_bytes()), m_width(size_t(image.spec().width)), m_file(file),
+      m_ids(ids), m_begin(image.ybegin()), m_end(image.yend()),
+      m_tiles(file.output().spec().tile_width > 0), m_step(step_of(image.spec(), m_tiles)),
+      m_ready(m_begin), m_done(m_begin), m_thread([this] { work(); }) {}
 
 RowWriter::~RowWriter() {
     {
@@ -84,8 +84,14 @@ void RowWriter::work() {
 bool RowWriter::write(int begin, int end) {
     if (m_tiles)
         return m_file.output().write_image(m_format, m_pixels);
-    if (!m_file.output().write_scanlines(begin, end, 0, m_format,
-                                         m_pixels + m_row * size_t(begin - m_begin)))
+    const char* const rows = m_pixels + m_row * size_t(begin - m_begin);
+    const bool written =
+        m_ids ? m_file.output().write_scanlines(begin, end, 0, OIIO::TypeUnknown,
+                                                m_ids.pack(reinterpret_cast<const float*>(rows),
+                                                           m_width * size_t(end - begin),
+                                                           m_file.output().spec()))
+              : m_file.output().write_scanlines(begin, end, 0, m_format, rows);
+    if (!written)
         return false;
     m_file.begin_writeback();
     return true;

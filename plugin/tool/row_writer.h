@@ -10,6 +10,7 @@
 #include <OpenImageIO/imagebuf.h>
 
 #include "plugin/tool/image_file.h"
+#include "plugin/tool/mixed_ids.h"
 
 namespace ddt::tool {
 
@@ -17,8 +18,8 @@ namespace ddt::tool {
 class RowWriter {
 public:
     /// Rows of `image`, whose pixels are in local memory and stay there, into `file`, which was
-    /// opened with its spec. Both must outlive this.
-    RowWriter(const OIIO::ImageBuf& image, ImageFile& file);
+    /// opened with its spec. `ids`: put into it. All must outlive this.
+    RowWriter(const OIIO::ImageBuf& image, ImageFile& file, MixedIds& ids);
     /// Writes no more rows.
     ~RowWriter();
     RowWriter(const RowWriter&) = delete;
@@ -40,8 +41,9 @@ private:
     // What is needed of the image, whose spec is the other thread's.
     const char* const m_pixels;
     const OIIO::TypeDesc m_format;
-    const size_t m_row; ///< bytes
+    const size_t m_row, m_width; ///< bytes, pixels
     ImageFile& m_file;
+    MixedIds& m_ids; ///< of which pack() alone is this thread's
     const int m_begin, m_end;
     const bool m_tiles;
     const int m_step; ///< rows are written in multiples of it, but for the last

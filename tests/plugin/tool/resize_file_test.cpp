@@ -28,9 +28,9 @@ bool resized(const std::string& in, const std::string& size, const std::string& 
         in, out, settings, [](float) { return true; }, failure);
 }
 
-/// RGB of halfs, depth of floats and an ID of 32 bits: 5 on the left, 70000 on the right, where one
-/// pixel has no depth.
-std::string file_of_several_types() {
+/// RGB of halfs, depth of floats and an ID of 32 bits: 5 on the left, `right` on the right, where
+/// one pixel has no depth.
+std::string file_of_several_types(uint32_t right = 70000) {
     ImageSpec spec(16, 8, 5, OIIO::TypeFloat);
     spec.channelnames = {"R", "G", "B", "Z", "obj"};
     spec.channelformats = {OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeFloat,
@@ -48,7 +48,7 @@ std::string file_of_several_types() {
         for (int c = 0; c < 3; ++c)
             append(uint16_t(0x3800)); // a half
         append(i == 40 ? std::numeric_limits<float>::quiet_NaN() : float(i));
-        append(uint32_t(i % 16 < 8 ? 5 : 70000));
+        append(i % 16 < 8 ? 5 : right);
     }
     const std::string path = temporary("several_types.exr");
     const auto out = OIIO::ImageOutput::create(path);
@@ -58,16 +58,16 @@ std::string file_of_several_types() {
     return path;
 }
 
-/// The smallest and largest ID of such a file.
+/// The smallest and largest ID of such a file, which has no others.
 std::pair<uint32_t, uint32_t> ids_of(const std::string& path) {
     const auto in = OIIO::ImageInput::open(path);
     const ImageSpec& spec = in->spec();
     std::vector<uint32_t> ids(spec.image_pixels());
     EXPECT_TRUE(in->read_image(0, 0, 4, 5, OIIO::TypeUInt32, ids.data()));
-    const auto ends = std::minmax_element(ids.begin(), ids.end());
+    const auto [least, most] = std::minmax_element(ids.begin(), ids.end());
     for (const uint32_t id : ids)
-        EXPECT_TRUE(id == 5 || id == 70000) << id;
-    return {*ends.first, *ends.second};
+        EXPECT_TRUE(id == *least || id == *most) << id;
+    return {*least, *most};
 }
 
 TEST(ResizeFile, ChannelsKeepTheirTypes) {
@@ -106,6 +106,74 @@ TEST(ResizeFile, ChannelsKeepTheirTypes) {
                     EXPECT_EQ(of_parts.getchannel(x, y, 0, c), expected) << x << " " << y;
                 }
             }
+}
+
+TEST(ResizeFile, ObjectNumbersAmongOtherTypesAreExact) {
+    // As a float that number would be another, and as bits no number at all.
+    for (const uint32_t large : {4000000001u, 0xff812345u}) {
+        const std::string in = file_of_several_types(large);
+        const std::string out = temporary("exact.exr");
+        const auto both = std::make_pair(uint32_t(5), large);
+        Failure failure;
+        for (const char* size : {"200%", "100%", "50%", "300%x50%"}) {
+            ASSERT_TRUE(resized(in, size, out, failure)) << failure.why;
+            EXPECT_EQ(ids_of(out), both) << size;
+        }
+        ASSERT_EQ(make_fill_command()->run({in, out}), exit_done);
+        EXPECT_EQ(ids_of(out), both);
+        ResizeSettings settings;
+        for (const auto& [size, holes] : {std::pair("200%", Holes::keep),
+                                          {"100%", Holes::keep},
+                                          {"200%", Holes::fill},
+                                          {"100%", Holes::fill}}) {
+            settings.size = size;
+            settings.options.holes = holes;
+            ASSERT_TRUE(resize_file(
+                in, out, settings, [](float) { return true; }, failure))
+                << failure.why;
+            EXPECT_EQ(ids_of(out), both) << size;
+            const std::string part = temporary("exact_part.exr");
+            const auto progress = [](float) { return true; };
+            ASSERT_TRUE(resize_part(in, part, settings, {1, 1}, progress, failure)) << failure.why;
+            EXPECT_EQ(ids_of(part), both);
+            ASSERT_TRUE(join({part}, out, progress, failure)) << failure.why;
+            EXPECT_EQ(ids_of(out), both);
+        }
+    }
+}
+
+TEST(ResizeFile, ObjectNumbersFollowTheColoursMeshHoweverLarge) {
+    // What was copied for a small number, which floats hold, was copied for a large one.
+    std::vector<uint32_t> of[2];
+    for (const bool large : {false, true}) {
+        const std::string in = temporary("large_or_small.exr"), out = temporary("either.exr");
+        ImageSpec spec(300, 280, 2, OIIO::TypeFloat);
+        spec.channelnames = {"Y", "object"};
+        spec.channelformats = {OIIO::TypeHalf, OIIO::TypeUInt32};
+        std::string bytes;
+        for (int y = 0; y < spec.height; ++y)
+            for (int x = 0; x < spec.width; ++x) {
+                const uint16_t grey = 3 * x < 2 * y ? 0x3800 : 0x3c00;
+                const uint32_t id = (large ? 4000000001u : 1u) + uint32_t(x + y * spec.width);
+                bytes.append(reinterpret_cast<const char*>(&grey), sizeof grey);
+                bytes.append(reinterpret_cast<const char*>(&id), sizeof id);
+            }
+        const auto file = OIIO::ImageOutput::create(in);
+        ASSERT_TRUE(file->open(in, spec) && file->write_image(OIIO::TypeUnknown, bytes.data()) &&
+                    file->close());
+        Failure failure;
+        ASSERT_TRUE(resized(in, "200%", out, failure)) << failure.why;
+        const auto result = OIIO::ImageInput::open(out);
+        of[large].resize(result->spec().image_pixels());
+        ASSERT_TRUE(result->read_image(0, 0, 1, 2, OIIO::TypeUInt32, of[large].data()));
+    }
+    size_t wrong = 0, off_the_grid = 0;
+    for (size_t i = 0; i < of[0].size(); ++i) {
+        wrong += of[1][i] - of[0][i] != 4000000000u;
+        off_the_grid += of[0][i] != 1 + i % 600 / 2 + i / 600 / 2 * 300;
+    }
+    EXPECT_EQ(wrong, 0u);
+    EXPECT_GT(off_the_grid, 0u); // or the mesh does not show
 }
 
 /// An RLA file that says it has a display window of no width.
