@@ -94,7 +94,10 @@ public:
             failure.why = filled.geterror();
             return fail(failure.why, code_of_message(failure.why));
         }
-        return write_filled(filled, spec, ids, file, failure) ? exit_done : fail(failure);
+        if (!write_filled(filled, spec, ids, file, failure))
+            return fail(failure);
+        note_others(values[0], image.nsubimages());
+        return exit_done;
     }
 
 private:

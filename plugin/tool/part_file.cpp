@@ -347,7 +347,10 @@ bool resize_part(const std::string& in, const std::string& out, const ResizeSett
             return false;
         }
     }
-    return file.commit(failure);
+    if (!file.commit(failure))
+        return false;
+    note_others(in, image.nsubimages());
+    return true;
 }
 
 } // namespace ddt::tool

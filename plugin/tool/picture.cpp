@@ -5,6 +5,8 @@
 
 #include "plugin/image/source.h"
 #include "plugin/image/windows.h"
+#include "plugin/message/format.h"
+#include "plugin/tool/command.h"
 
 namespace ddt::tool {
 
@@ -75,6 +77,11 @@ bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& err
         return true;
     error = why_unreadable(image, path);
     return false;
+}
+
+void note_others(const std::string& path, int images) {
+    if (images > 1)
+        note(format("\"{}\" has {} images; the first alone was taken", path, images));
 }
 
 bool read_picture(const OIIO::ImageBuf& image, const Options& options, Picture& picture,

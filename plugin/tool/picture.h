@@ -34,6 +34,10 @@ std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path)
 /// Read the first image of a file, its pixels included. False with one line in `error`.
 bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error);
 
+/// Say on stderr that others of the `images` in a file than the first were not looked at, if there
+/// are any.
+void note_others(const std::string& path, int images);
+
 /// Read an image under options.light. False with one line in `error`, as for an image of IDs
 /// alone, which no display shows.
 bool read_picture(const OIIO::ImageBuf& image, const Options& options, Picture& picture,

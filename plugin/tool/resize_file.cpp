@@ -241,7 +241,10 @@ bool resize_file(const std::string& in, const std::string& out, const ResizeSett
     const auto writing = [&](float share) {
         progress(share_of_resizing + share * (1 - share_of_resizing));
     };
-    return writer.finish(writing, failure) && file.commit(failure);
+    if (!writer.finish(writing, failure) || !file.commit(failure))
+        return false;
+    note_others(in, reader.images());
+    return true;
 }
 
 int64_t memory_to_resize(const std::string& in, const std::string& out,

@@ -36,7 +36,9 @@ bool comes_by_rows(const OIIO::ImageSpec& spec) {
 bool RowReader::begin(const std::string& path, OIIO::ImageBuf& image, std::string& error) {
     m_path = path;
     image.reset(path);
-    if (image.init_spec(path, 0, 0) && comes_by_rows(image.nativespec())) {
+    const bool there = image.init_spec(path, 0, 0);
+    m_images = there ? image.nsubimages() : 0;
+    if (there && comes_by_rows(image.nativespec())) {
         m_spec = image.nativespec();
         m_input = OIIO::ImageInput::open(path);
     }

@@ -176,6 +176,34 @@ TEST(ResizeFile, ObjectNumbersFollowTheColoursMeshHoweverLarge) {
     EXPECT_GT(off_the_grid, 0u); // or the mesh does not show
 }
 
+TEST(ResizeFile, OfSeveralImagesTheFirstIsTakenWhichIsSaid) {
+    const std::string in = temporary("three.tif"), out = temporary("three_out.tif");
+    const std::vector<ImageSpec> specs(3, ImageSpec(8, 6, 1, OIIO::TypeUInt8));
+    const std::vector<uint8_t> pixels(8 * 6, 100);
+    const auto file = OIIO::ImageOutput::create(in);
+    for (int i = 0; i < 3; ++i)
+        ASSERT_TRUE(
+            file->open(in, specs[size_t(i)],
+                       i > 0 ? OIIO::ImageOutput::AppendSubimage : OIIO::ImageOutput::Create) &&
+            file->write_image(OIIO::TypeUInt8, pixels.data()));
+    ASSERT_TRUE(file->close());
+    Failure failure;
+    const std::string said = "ddt: \"" + in + "\" has 3 images; the first alone was taken\n";
+    testing::internal::CaptureStderr();
+    EXPECT_TRUE(resized(in, "200%", out, failure)) << failure.why;
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), said);
+    EXPECT_EQ(ImageBuf(out).nsubimages(), 1);
+    ResizeSettings settings;
+    settings.size = "200%";
+    testing::internal::CaptureStderr();
+    EXPECT_TRUE(resize_part(
+        in, temporary("three_part.exr"), settings, {1, 1}, [](float) { return true; }, failure));
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), said);
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(make_fill_command()->run({in, out}), exit_done);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), said);
+}
+
 /// An RLA file that says it has a display window of no width.
 std::string file_without_display(const std::string& name) {
     const std::string path = temporary(name);
