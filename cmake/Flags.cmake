@@ -23,7 +23,7 @@ endif()
 # For code that takes no time to run, tests and the command line: less to compile.
 set(DDT_BRIEFLY $<$<CONFIG:Release>:-O1>)
 # For code that does. With -O2, which RelWithDebInfo and distributions compile with, loops over channels
-# stay loops and less is inlined: ddt takes 1.4 to 1.6 times as long (kodim23 at 2x, 17.1 and 28.1 ns a
+# stay loops and less is inlined: ddt takes 1.4 to 1.65 times as long (kodim23 at 2x, 17.1 and 28.1 ns a
 # pixel).
 set(DDT_FAST $<$<CONFIG:RelWithDebInfo>:-O3>)
 if(CMAKE_CXX_FLAGS MATCHES "-O2( |$)")

@@ -177,8 +177,10 @@ std::vector<Option> make_table() {
                "So many meshes are made, of guides blurred by `blur` - 0.07 to `blur` + 0.07, and "
                "their surfaces averaged: steadier and smoother, for nearly so many times the time "
                "and memory."),
-        number("min_gain", mesh, &MeshOptions::min_gain, 0.0f, largest_real,
-               "A flip must gain more than this in cost; less is noise.")
+        number(
+            "min_gain", mesh, &MeshOptions::min_gain, 0.0f, largest_real,
+            "A flip must gain more than this in cost; less is noise. `auto` with costs other than "
+            "`abn` and schemes other than `one-round`, unless given.")
             .or_negative("auto", "0.005 with `abn`, and next to nothing with other costs and with "
                                  "`lawson` and the paper's schemes.")
             .in("ddt-linear", "auto")

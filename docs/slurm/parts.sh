@@ -7,6 +7,7 @@
 # Prints the number of the joining job, which is cancelled where a part fails. CPUS: of each part, which
 # then has as many threads; without it Slurm gives one, and ddt takes all that it may run on.
 set -euo pipefail
+[ $# -ge 4 ] || { echo "usage: parts.sh N IN SIZE OUT [OPTIONS OF ddt resize]" >&2; exit 2; }
 unset CDPATH
 rm -f "$4.joined-of-$1" # the mark of a join before, see join.sbatch
 here=$(cd "$(dirname "$0")" && pwd)
