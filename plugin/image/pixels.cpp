@@ -98,9 +98,13 @@ bool read_cached(const OIIO::ImageBuf& image, const OIIO::ROI& roi, OIIO::TypeDe
                  std::string& error) {
     const auto cache = image.imagecache();
     const auto name = OIIO::ustring(image.name());
-    if (cache->get_pixels(name, image.subimage(), image.miplevel(), roi.xbegin, roi.xend,
-                          roi.ybegin, roi.yend, roi.zbegin, roi.zend, roi.chbegin, roi.chend, type,
-                          out, OIIO::AutoStride, OIIO::AutoStride, OIIO::AutoStride))
+    // The cache counts as the file does, wherever the image has been moved since.
+    const int dx = image.spec().x - image.nativespec().x,
+              dy = image.spec().y - image.nativespec().y;
+    if (cache->get_pixels(name, image.subimage(), image.miplevel(), roi.xbegin - dx, roi.xend - dx,
+                          roi.ybegin - dy, roi.yend - dy, roi.zbegin, roi.zend, roi.chbegin,
+                          roi.chend, type, out, OIIO::AutoStride, OIIO::AutoStride,
+                          OIIO::AutoStride))
         return true;
     error = cache->geterror();
     if (error.empty())

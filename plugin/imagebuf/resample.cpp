@@ -98,6 +98,11 @@ bool check_was_read(const OIIO::ImageBuf& reader, std::string& error) {
     return false;
 }
 
+bool is_written_by_oiio(OIIO::TypeDesc type) {
+    return type == OIIO::TypeUInt8 || type == OIIO::TypeUInt16 || type == OIIO::TypeHalf ||
+           type == OIIO::TypeFloat;
+}
+
 bool resize_by_oiio(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::ROI& roi,
                     int nthreads, std::string& error) {
     const auto resized = [&](OIIO::ImageBuf& out, const OIIO::ROI& part) {
@@ -113,10 +118,8 @@ bool resize_by_oiio(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::
             return ok;
         });
     };
-    // Of another type it would make dst an image of floats.
     const OIIO::TypeDesc type = dst.spec().format;
-    const bool known = type == OIIO::TypeUInt8 || type == OIIO::TypeUInt16 ||
-                       type == OIIO::TypeHalf || type == OIIO::TypeFloat;
+    const bool known = is_written_by_oiio(type);
     if (known && roi.chbegin == 0 && roi.chend == dst.nchannels() && roi.chend == src.nchannels())
         return resized(dst, roi);
     OIIO::ImageSpec spec = src.spec();

@@ -41,6 +41,9 @@ bool while_reading(const OIIO::ImageBuf& src, std::string& error, Work&& work) {
     const bool done = work(reader);
     return check_was_read(reader, error) && done;
 }
+/// Whether OpenImageIO's own filters write this type; of another they make dst an image of floats,
+/// in memory of its own.
+bool is_written_by_oiio(OIIO::TypeDesc type);
 /// OpenImageIO's default filter for the pixels and channels of `roi` (its own resize writes all
 /// channels).
 bool resize_by_oiio(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::ROI& roi,

@@ -76,6 +76,22 @@ bool warp_by_oiio(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fPara
     });
 }
 
+/// The same into a dst of any type.
+bool warp_by_oiio_into_any(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fParam M,
+                           bool recompute_roi, OIIO::ImageBuf::WrapMode wrap, bool edgeclamp,
+                           const OIIO::ROI& roi, int nthreads, std::string& error) {
+    if (is_written_by_oiio(dst.spec().format))
+        return warp_by_oiio(dst, src, M, recompute_roi, wrap, edgeclamp, roi, nthreads, error);
+    OIIO::ImageSpec spec = dst.spec();
+    spec.set_format(OIIO::TypeFloat);
+    OIIO::set_roi(spec, roi);
+    spec.nchannels = dst.nchannels();
+    OIIO::ImageBuf floats;
+    return make_image(floats, spec, error) &&
+           warp_by_oiio(floats, src, M, recompute_roi, wrap, edgeclamp, roi, nthreads, error) &&
+           copy_moved(dst, floats, roi, 0, 0, Beyond::edge, error);
+}
+
 /// OpenImageIO's filter goes through all that a pixel sees, beyond the picture too: near a horizon
 /// that has no end. What is less than this for a whole picture takes minutes. It inverts the matrix
 /// in float32, and where that is nearly singular sees another picture than the inverse's.
@@ -126,7 +142,8 @@ bool warp_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fPara
             return copy_moved(dst, from, roi, dx, dy, Beyond::black, error);
         if (!has_an_end(to_output, roi, error))
             return false;
-        return warp_by_oiio(dst, from, M, recompute_roi, wrap, edgeclamp, roi, nthreads, error);
+        return warp_by_oiio_into_any(dst, from, M, recompute_roi, wrap, edgeclamp, roi, nthreads,
+                                     error);
     }
     if (!OIIO::ImageBufAlgo::zero(dst, roi, nthreads)) {
         error = dst.geterror();

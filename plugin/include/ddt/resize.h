@@ -86,7 +86,7 @@ bool fill(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options
 ///
 /// Where M shrinks the data window anywhere, in any direction, by more than a thousandth, and for
 /// the wrap modes other than default and black, this is OpenImageIO's own warp with its default
-/// filter. A matrix without inverse is an error.
+/// filter, which blends IDs as it does all numbers. A matrix without inverse is an error.
 bool warp(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fParam M,
           const Options& options = {}, bool recompute_roi = false,
           OIIO::ImageBuf::WrapMode wrap = OIIO::ImageBuf::WrapDefault, OIIO::ROI roi = {},

@@ -65,6 +65,32 @@ TEST_F(CacheTest, AFileIsReadTileByTile) {
     EXPECT_EQ(images::bytes(dst), images::bytes(same));
 }
 
+// The cache counts as the file does.
+TEST_F(CacheTest, AnImageThatWasMovedHasItsPixelsElsewhere) {
+    const std::string rows = ddt::temporary("cache_test_rows.tif");
+    OIIO::ImageBuf by_rows = m_pixels;
+    by_rows.set_write_tiles(0, 0);
+    ASSERT_TRUE(by_rows.write(rows)) << by_rows.geterror();
+    for (const std::string& path : {m_path, rows}) {
+        OIIO::ImageBuf src(path, 0, 0, m_cache), moved = m_pixels;
+        for (OIIO::ImageBuf* image : {&src, &moved})
+            image->set_origin(-7, 300);
+        OIIO::ImageBuf dst, same;
+        const OIIO::ROI part(0, 4400, 1200, 1300, 0, 1);
+        for (OIIO::ImageBuf* image : {&dst, &same}) {
+            auto spec = src.spec();
+            OIIO::set_roi(spec, part);
+            OIIO::set_roi_full(spec, OIIO::ROI(0, 4 * side, 0, 4 * side, 0, 1));
+            image->reset(spec);
+        }
+        ASSERT_TRUE(ddt::resize(dst, src, {}, part)) << dst.geterror();
+        EXPECT_EQ(src.storage(), OIIO::ImageBuf::IMAGECACHE);
+        ASSERT_TRUE(ddt::resize(same, moved, {}, part)) << same.geterror();
+        EXPECT_EQ(images::bytes(dst), images::bytes(same)) << path;
+    }
+    std::remove(rows.c_str());
+}
+
 // Every pixel of the whole, from a cache that holds a quarter of the file.
 TEST_F(CacheTest, AWholeFileIsNeverInMemory) {
     m_cache->attribute("max_memory_MB", 1.0f);

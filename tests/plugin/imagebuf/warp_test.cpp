@@ -148,6 +148,40 @@ TEST(Warp, ShrinkingAndOtherWrapsAreOpenImageIOs) {
     }
 }
 
+TEST(Warp, ShrinkingFillsTheMemoryItIsGivenWhateverItsType) {
+    const auto src = picture();
+    const Matrix half(0.5f, 0, 0, 0, 0.5f, 0, 0, 0, 1);
+    const ImageBuf expected = warped(src, half, window(0, 12, 0, 10));
+    std::vector<double> memory(12 * 10 * 3, -1.0);
+    ImageBuf dst(OIIO::ImageSpec(12, 10, 3, OIIO::TypeDesc::DOUBLE), memory.data());
+    ASSERT_TRUE(ddt::warp(dst, src, half)) << dst.geterror();
+    EXPECT_EQ(dst.spec().format, OIIO::TypeDesc(OIIO::TypeDesc::DOUBLE));
+    EXPECT_EQ(dst.localpixels(), memory.data());
+    size_t i = 0;
+    for (int y = 0; y < 10; ++y)
+        for (int x = 0; x < 12; ++x)
+            for (int c = 0; c < 3; ++c)
+                ASSERT_EQ(memory[i++], double(value(expected, x, y, c))) << x << " " << y;
+    // A part of some channels, where the rest stays.
+    std::fill(memory.begin(), memory.end(), -1.0);
+    ASSERT_TRUE(
+        ddt::warp(dst, src, half, {}, false, ImageBuf::WrapDefault, ROI(2, 5, 3, 7, 0, 1, 1, 2)))
+        << dst.geterror();
+    i = 0;
+    for (int y = 0; y < 10; ++y)
+        for (int x = 0; x < 12; ++x)
+            for (int c = 0; c < 3; ++c) {
+                const bool in = x >= 2 && x < 5 && y >= 3 && y < 7 && c == 1;
+                ASSERT_EQ(memory[i++], in ? double(value(expected, x, y, c)) : -1.0);
+            }
+    // One that is not there yet has the source's type.
+    ImageBuf fresh;
+    const ImageBuf of_doubles = OIIO::ImageBufAlgo::copy(src, OIIO::TypeDesc::DOUBLE);
+    ASSERT_TRUE(
+        ddt::warp(fresh, of_doubles, half, {}, false, ImageBuf::WrapDefault, window(0, 12, 0, 10)));
+    EXPECT_EQ(fresh.spec().format, OIIO::TypeDesc(OIIO::TypeDesc::DOUBLE));
+}
+
 TEST(Warp, WindowsAreOpenImageIOs) {
     const auto src = picture();
     for (const float angle : {0.0f, 0.3f, 1.5707963f, 2.0f})
