@@ -107,6 +107,31 @@ bool check_source(const OIIO::ImageBuf& src, std::string& error) {
     return check_source_spec(src.spec(), error) && check_pixels(src, error);
 }
 
+namespace {
+
+/// Whether images of this type can be read and written. whose: "source's", say.
+bool check_type(const char* whose, OIIO::TypeDesc type, std::string& error) {
+    switch (type.basetype) {
+    case OIIO::TypeDesc::UINT8:
+    case OIIO::TypeDesc::INT8:
+    case OIIO::TypeDesc::UINT16:
+    case OIIO::TypeDesc::INT16:
+    case OIIO::TypeDesc::UINT32:
+    case OIIO::TypeDesc::INT32:
+    case OIIO::TypeDesc::HALF:
+    case OIIO::TypeDesc::FLOAT:
+    case OIIO::TypeDesc::DOUBLE:
+        return true;
+    default:
+        error = format("the {} pixels are {}; allowed are 8 to 32-bit integers, half, float "
+                       "and double",
+                       whose, type.c_str());
+        return false;
+    }
+}
+
+} // namespace
+
 bool check_source_spec(const OIIO::ImageSpec& spec, std::string& error) {
     if (spec.deep) {
         error = "the source is a deep image; only flat images can be resized";
@@ -121,23 +146,8 @@ bool check_source_spec(const OIIO::ImageSpec& spec, std::string& error) {
         error = "the source has no channels; at least 1 is needed";
         return false;
     }
-    switch (spec.format.basetype) {
-    case OIIO::TypeDesc::UINT8:
-    case OIIO::TypeDesc::INT8:
-    case OIIO::TypeDesc::UINT16:
-    case OIIO::TypeDesc::INT16:
-    case OIIO::TypeDesc::UINT32:
-    case OIIO::TypeDesc::INT32:
-    case OIIO::TypeDesc::HALF:
-    case OIIO::TypeDesc::FLOAT:
-    case OIIO::TypeDesc::DOUBLE:
-        break;
-    default:
-        error = format("the source's pixels are {}; allowed are 8 to 32-bit integers, half, float "
-                       "and double",
-                       spec.format.c_str());
+    if (!check_type("source's", spec.format, error))
         return false;
-    }
     return check_windows("source's", spec, 1, error);
 }
 
@@ -187,7 +197,8 @@ bool prepare(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int
             error = "the destination is a deep image or a volume; only flat images can be written";
             return false;
         }
-        if (!check_windows("destination's", dst.spec(), 0, error))
+        if (!check_type("destination's", dst.spec().format, error) ||
+            !check_windows("destination's", dst.spec(), 0, error))
             return false;
     } else if (!check_size(roi.defined() ? roi : src.roi(), src.nchannels(), src.spec().format,
                            error)) {

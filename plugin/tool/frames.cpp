@@ -59,6 +59,10 @@ bool parse_frames(const std::string& text, std::vector<int>& frames) {
         if (!append_range(text.substr(begin, end - begin), listed))
             return false;
     }
+    std::set<int> met;
+    listed.erase(std::remove_if(listed.begin(), listed.end(),
+                                [&](int frame) { return !met.insert(frame).second; }),
+                 listed.end());
     frames = listed;
     return true;
 }

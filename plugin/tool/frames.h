@@ -11,7 +11,8 @@ constexpr const char* allowed_frames =
     "numbers and ranges such as 7, 1-100, 1-100x2 (every second), -5--1, several after commas; a "
     "million frames at most";
 
-/// "1-100x2,200": the numbers as listed; a range may count down. False for anything else.
+/// "1-100x2,200": the numbers as listed, each once; a range may count down. False for anything
+/// else.
 bool parse_frames(const std::string& text, std::vector<int>& frames);
 
 /// A file's name with its frame, and perhaps its view, left open. As oiiotool has them: # is a

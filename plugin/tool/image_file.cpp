@@ -123,9 +123,13 @@ bool ImageFile::begin(const std::string& path, OIIO::ImageSpec spec, Failure& fa
     return create(path, failure) && open(spec, failure);
 }
 
+std::string ImageFile::with_its_name(const std::string& said) const {
+    return OIIO::Strutil::replace(said, temporary(), m_path, true);
+}
+
 Failure ImageFile::failed() const {
     std::string why(OIIO::Strutil::strip(m_output->geterror()));
-    why = OIIO::Strutil::replace(why.substr(0, why.find('\n')), temporary(), m_path, true);
+    why = with_its_name(why.substr(0, why.find('\n')));
     const bool of_stream = m_whole.file() && std::ferror(m_whole.file());
     ExitCode code = of_stream ? exit_resources : code_of_message(why);
     if (code == exit_failed && m_whole.file()) // writers may not say why
@@ -192,7 +196,7 @@ bool write_image(const OIIO::ImageBuf& image, ImageFile& file,
         failure = file.failed();
         if (const std::string why(OIIO::Strutil::strip(image.geterror()));
             !why.empty() && failure.why.find(':') == std::string::npos) {
-            failure.why += ": " + why.substr(0, why.find('\n'));
+            failure.why += ": " + file.with_its_name(why.substr(0, why.find('\n')));
             if (failure.code == exit_failed)
                 failure.code = code_of_message(why);
         }

@@ -32,6 +32,8 @@ public:
     void begin_writeback() { m_whole.begin_writeback(); }
     /// Close the writer, check, and give the file its name.
     bool commit(Failure& failure);
+    /// What was said of the temporary file, as of the file that it becomes.
+    std::string with_its_name(const std::string& said) const;
     /// What the writer said, as a failure.
     Failure failed() const;
 

@@ -41,6 +41,15 @@ TEST(Errors, UninitialisedSource) {
     expect_failure(ImageBuf(), "uninitialised");
 }
 
+TEST(Errors, ADestinationOfAnotherTypeStaysAsItIs) {
+    const auto src = make(8, 8, 1);
+    std::vector<uint64_t> memory(16 * 16, 7);
+    ImageBuf dst(ImageSpec(16, 16, 1, OIIO::TypeDesc::UINT64), memory.data());
+    EXPECT_FALSE(ddt::resize(dst, src));
+    expect_error(dst, "the destination's pixels are uint64");
+    EXPECT_EQ(memory, std::vector<uint64_t>(16 * 16, 7));
+}
+
 TEST(Errors, FileThatIsNotThere) {
     expect_failure(ImageBuf("/nowhere/picture.png"), "/nowhere/picture.png");
 }

@@ -176,6 +176,24 @@ TEST(ResizeFile, ObjectNumbersFollowTheColoursMeshHoweverLarge) {
     EXPECT_GT(off_the_grid, 0u); // or the mesh does not show
 }
 
+TEST(ResizeFile, ObjectNumbersThatDoNotSurviveAreNamed) {
+    const std::string in = file_of_several_types();
+    Failure failure;
+    const auto said = [&](const std::string& out, const std::string& type) {
+        testing::internal::CaptureStderr();
+        EXPECT_TRUE(resized(in, "200%", out, failure, type)) << failure.why;
+        return testing::internal::GetCapturedStderr();
+    };
+    const std::string exr = temporary("as_half.exr"), tif = temporary("as_float.tif");
+    EXPECT_EQ(said(exr, ""), "");
+    EXPECT_EQ(said(exr, "half"), "ddt: \"" + exr +
+                                     "\" is written as half, which object numbers do not "
+                                     "survive: obj\n");
+    EXPECT_EQ(said(tif, ""), "ddt: \"" + tif +
+                                 "\" is written as float, which object numbers do not survive: "
+                                 "obj\n");
+}
+
 TEST(ResizeFile, OfSeveralImagesTheFirstIsTakenWhichIsSaid) {
     const std::string in = temporary("three.tif"), out = temporary("three_out.tif");
     const std::vector<ImageSpec> specs(3, ImageSpec(8, 6, 1, OIIO::TypeUInt8));
