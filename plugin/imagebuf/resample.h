@@ -21,6 +21,13 @@ bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& map
 /// Threads for `nthreads` as ddt/resize.h says; 0: the core takes all.
 int thread_count(int nthreads);
 
+/// Whether a display window that becomes another is enlarged by the mesh alone: an axis grows and
+/// none shrinks.
+inline bool enlarges(const OIIO::ROI& from, const OIIO::ROI& to) {
+    return to.width() >= from.width() && to.height() >= from.height() &&
+           (to.width() > from.width() || to.height() > from.height());
+}
+
 /// resize() of ddt/resize.h, if there is an arrival while pixels of src are coming, which is then
 /// not dst. What a mesh is not made of is not completed.
 bool resize_arriving(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, Arrival* arrival,

@@ -134,7 +134,7 @@ bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& given, Arrival* a
     if ((shrink_x || shrink_y) && !check_shrinking(from, to, roi, error))
         return false;
     touched = roi;
-    if ((grow_x || grow_y) && !shrink_x && !shrink_y) {
+    if (enlarges(from, to)) {
         const ResizeMapping mapping(x_axis(given.spec(), dst.spec(), roi),
                                     y_axis(given.spec(), dst.spec(), roi));
         return resample(dst, given, mapping, roi, options, nthreads, error, arrival);

@@ -66,14 +66,12 @@ bool MixedIds::put_into(OIIO::ImageBuf& image, std::string& error) {
 
 bool MixedIds::resize(OIIO::ImageBuf& result, const OIIO::ImageBuf& image, const Rect& source,
                       const Options& options, const OIIO::ROI& roi, int threads) {
-    const OIIO::ROI from = image.roi_full(), to = result.roi_full();
-    const bool has_mesh = to.width() >= from.width() && to.height() >= from.height() &&
-                          (to.width() > from.width() || to.height() > from.height());
     std::string error;
     if (read(source, error)) {
         if (!resize_arriving(result, image, this, options, roi, threads))
             return false;
-        if (has_mesh || copy_nearest(result, roi, threads, error))
+        if (enlarges(image.roi_full(), result.roi_full()) ||
+            copy_nearest(result, roi, threads, error))
             return true;
     }
     set_error(result, error);
