@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -37,6 +38,11 @@ bool check(const Job& job, const Mapping& mapping, std::string& error) {
         error = "ddt: there must be at least 1 channel";
     else if (!job.kinds.empty() && job.kinds.size() != size_t(job.channels))
         error = "ddt: Job::kinds must be empty or have one entry a channel";
+    else if (std::any_of(job.kinds.begin(), job.kinds.end(),
+                         [](Channel kind) { return kind > Channel::nearest; }))
+        error = "ddt: Job::kinds must be blend, alpha or nearest";
+    else if (job.surface.kind > Surface::patch)
+        error = "ddt: SurfaceOptions::kind must be linear or patch";
     else
         return check_options({job.surface, job.mesh, FilterOptions().light, job.device, job.holes},
                              error);

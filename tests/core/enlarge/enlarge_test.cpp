@@ -590,6 +590,13 @@ TEST(Enlarge, BadJobsAreToldFromGoodOnes) {
     EXPECT_EQ(outcome([](Job& j) { j.channels = 0; }, "channel"), Outcome::bad_job);
     EXPECT_EQ(outcome([](Job& j) { j.kinds.resize(1); }, "kinds"), Outcome::bad_job);
     EXPECT_EQ(outcome([](Job& j) { j.kinds.resize(3); }, "kinds"), Outcome::bad_job);
+    EXPECT_EQ(outcome(
+                  [](Job& j) {
+                      j.kinds = {Channel::blend, Channel(3)};
+                  },
+                  "kinds"),
+              Outcome::bad_job);
+    EXPECT_EQ(outcome([](Job& j) { j.surface.kind = Surface(2); }, "kind"), Outcome::bad_job);
     EXPECT_EQ(outcome([](Job& j) { j.mesh.max_iterations = -1; }, "iterations="), Outcome::bad_job);
     EXPECT_EQ(outcome([](Job& j) { j.mesh.max_iterations = most_iterations + 1; }, "iterations="),
               Outcome::bad_job);
