@@ -47,16 +47,9 @@ MixedIds::MixedIds(const std::string& path, const OIIO::ImageBuf& image,
         m_file = IdFile(path, image, m_channels);
 }
 
-bool MixedIds::read(const Rect& wanted, std::string& error) {
-    if (m_ids.initialized() && m_read == wanted)
-        return true;
-    m_read = wanted;
-    return m_file.read(wanted, m_ids, error);
-}
-
 bool MixedIds::put_into(OIIO::ImageBuf& image, std::string& error) {
     const OIIO::ROI all = image.roi();
-    if (!read(rect_of(all), error))
+    if (!m_file.read(rect_of(all), m_ids, error))
         return false;
     for (int y = all.ybegin; y < all.yend; ++y)
         complete(row_of(all, y), floats_of(image, all, y));
@@ -67,7 +60,7 @@ bool MixedIds::put_into(OIIO::ImageBuf& image, std::string& error) {
 bool MixedIds::resize(OIIO::ImageBuf& result, const OIIO::ImageBuf& image, const Rect& source,
                       const Options& options, const OIIO::ROI& roi, int threads) {
     std::string error;
-    if (read(source, error)) {
+    if (m_file.read(source, m_ids, error)) {
         if (!resize_arriving(result, image, this, options, roi, threads))
             return false;
         if (enlarges(image.roi_full(), result.roi_full()) ||

@@ -43,7 +43,6 @@ public:
     void complete(const Rect& r, float* pixels) const override;
 
 private:
-    bool read(const Rect& wanted, std::string& error);
     void copy_ids(const OIIO::ImageBuf& ids, const Rect& r, float* pixels) const;
     /// Where no mesh is made, each is that of the nearest pixel.
     bool copy_nearest(OIIO::ImageBuf& result, const OIIO::ROI& roi, int threads,
@@ -53,7 +52,6 @@ private:
     std::vector<int> m_channels;
     size_t m_all = 0;     ///< how many channels the image has
     OIIO::ImageBuf m_ids; ///< those last read
-    Rect m_read{};        ///< for these pixels
     std::vector<char> m_packed;
 };
 

@@ -18,18 +18,6 @@ using Seconds = std::chrono::duration<double>;
 /// A core that slept is slow to wake: no time is taken of less than this.
 constexpr double least_seconds = 0.3;
 
-/// Seconds of `calls` runs; negative if one failed.
-double run(const Way& way, const Task& task, int calls) {
-    double sum = 0;
-    for (int call = 0; call < calls; ++call) {
-        const double seconds = way.run(task);
-        if (seconds < 0)
-            return seconds;
-        sum += seconds;
-    }
-    return sum;
-}
-
 /// Seconds until all the tasks' runs are done, each task's `calls` on a thread of its own; negative
 /// if one failed.
 double run_side_by_side(const Way& way, const std::deque<Task>& tasks, int calls) {
@@ -37,7 +25,7 @@ double run_side_by_side(const Way& way, const std::deque<Task>& tasks, int calls
     std::vector<std::thread> threads;
     const auto start = std::chrono::steady_clock::now();
     for (size_t i = 0; i < tasks.size(); ++i)
-        threads.emplace_back([&, i] { spent[i] = run(way, tasks[i], calls); });
+        threads.emplace_back([&, i] { spent[i] = seconds_of(way, tasks[i], calls); });
     for (std::thread& thread : threads)
         thread.join();
     const Seconds all = std::chrono::steady_clock::now() - start;
@@ -56,14 +44,14 @@ bool print_row(const Way& way, const OIIO::ImageBuf& image, double scale, Memory
     Task together = alone[0];
     together.threads = threads;
 
-    const double once = run(way, alone[0], 1);
+    const double once = seconds_of(way, alone[0], 1);
     if (once < 0)
         return false;
     const int calls = std::max(1, int(std::ceil(least_seconds / once)));
     Times one, several, beside;
     for (int round = 0; round < rounds; ++round) {
-        one.push_back(run(way, alone[0], calls));
-        several.push_back(run(way, together, calls));
+        one.push_back(seconds_of(way, alone[0], calls));
+        several.push_back(seconds_of(way, together, calls));
         beside.push_back(run_side_by_side(way, alone, calls) / threads);
         if (one.back() < 0 || several.back() < 0 || beside.back() < 0)
             return false;

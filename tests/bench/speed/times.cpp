@@ -23,19 +23,25 @@ double ratio(const Times& a, const Times& b) {
     return median(ratios(a, b));
 }
 
+double seconds_of(const Way& way, const Task& task, int calls) {
+    double sum = 0;
+    for (int call = 0; call < calls; ++call) {
+        const double seconds = way.run(task);
+        if (seconds < 0)
+            return seconds;
+        sum += seconds;
+    }
+    return sum;
+}
+
 bool measure(const std::vector<Way>& ways, const Task& task, int rounds, std::vector<Times>& times,
              int calls) {
     times.assign(ways.size(), {});
     for (int round = 0; round < rounds; ++round)
         for (size_t i = 0; i < ways.size(); ++i) {
-            double sum = 0;
-            for (int call = 0; call < calls; ++call) {
-                const double seconds = ways[i].run(task);
-                if (seconds < 0)
-                    return false;
-                sum += seconds;
-            }
-            times[i].push_back(sum);
+            times[i].push_back(seconds_of(ways[i], task, calls));
+            if (times[i].back() < 0)
+                return false;
         }
     return true;
 }

@@ -18,6 +18,9 @@ Times ratios(const Times& a, const Times& b);
 /// The median of the ratios.
 double ratio(const Times& a, const Times& b);
 
+/// Seconds of `calls` runs, one after the other; negative if one failed.
+double seconds_of(const Way& way, const Task& task, int calls);
+
 /// Times of every way, alternately, `calls` calls one after the other counting as one; false if one
 /// failed.
 bool measure(const std::vector<Way>& ways, const Task& task, int rounds, std::vector<Times>& times,
