@@ -19,6 +19,7 @@
 #include "plugin/tool/fingerprint.h"
 #include "plugin/tool/id_file.h"
 #include "plugin/tool/image_file.h"
+#include "plugin/tool/lost_ids.h"
 #include "plugin/tool/mixed_ids.h"
 #include "plugin/tool/picture.h"
 #include "plugin/tool/unfinished.h"
@@ -349,6 +350,7 @@ bool resize_part(const std::string& in, const std::string& out, const ResizeSett
     }
     if (!file.commit(failure))
         return false;
+    note_lost_ids(image.nativespec(), whole, out);
     note_others(in, image.nsubimages());
     return true;
 }

@@ -10,7 +10,6 @@
 #include <OpenImageIO/strutil.h>
 
 #include "core/tiles/grid.h"
-#include "plugin/image/channels.h"
 #include "plugin/image/metadata.h"
 #include "plugin/image/reading.h"
 #include "plugin/image/windows.h"
@@ -19,6 +18,7 @@
 #include "plugin/tool/command.h"
 #include "plugin/tool/fit_format.h"
 #include "plugin/tool/image_file.h"
+#include "plugin/tool/lost_ids.h"
 #include "plugin/tool/mixed_ids.h"
 #include "plugin/tool/part.h"
 #include "plugin/tool/picture.h"
@@ -110,18 +110,6 @@ bool open_file(const std::string& path, OIIO::ImageSpec& spec, ImageFile& file, 
         return false;
     note_left_out(path, left_out);
     return true;
-}
-
-/// Say which object numbers the file's types do not hold.
-void note_lost_ids(const OIIO::ImageSpec& from, const OIIO::ImageSpec& written,
-                   const std::string& path) {
-    std::string names;
-    for (int c = 0; c < std::min(from.nchannels, written.nchannels); ++c)
-        if (is_id_type(from.channelformat(c)) && !is_id_type(written.channelformat(c)))
-            names += (names.empty() ? "" : ", ") + std::string(from.channel_name(c));
-    if (!names.empty())
-        note(format("\"{}\" is written as {}, which object numbers do not survive: {}", path,
-                    written.format.c_str(), names));
 }
 
 /// Make the image whose pixels an open file of this spec is written from. What the writer makes
