@@ -17,7 +17,7 @@
 #include "plugin/message/format.h"
 #include "plugin/tool/fit_format.h"
 #include "plugin/tool/image_file.h"
-#include "plugin/tool/part_file.h"
+#include "plugin/tool/part_header.h"
 
 namespace ddt::tool {
 

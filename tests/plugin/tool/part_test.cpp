@@ -12,7 +12,7 @@
 #include "core/tiles/grid.h"
 #include "plugin/tool/fingerprint.h"
 #include "plugin/tool/join.h"
-#include "plugin/tool/part_file.h"
+#include "plugin/tool/part_header.h"
 #include "tests/temporary.h"
 
 namespace ddt::tool {

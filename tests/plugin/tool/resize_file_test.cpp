@@ -10,7 +10,7 @@
 
 #include "plugin/tool/commands.h"
 #include "plugin/tool/join.h"
-#include "plugin/tool/part_file.h"
+#include "plugin/tool/resize_part.h"
 #include "tests/temporary.h"
 
 namespace ddt::tool {

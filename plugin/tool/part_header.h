@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts as files.
+// What a part's file tells the join.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
 #include <OpenImageIO/imageio.h>
 
+#include "ddt/core.h"
 #include "plugin/tool/part.h"
-#include "plugin/tool/resize_file.h"
 
 namespace ddt::tool {
+
+/// The type in which a part keeps numbers of `type` so that they come back; unknown if there is
+/// none.
+OIIO::TypeDesc stored_type(OIIO::TypeDesc type);
 
 /// What a part's file says about itself. The pixels are in tiles; the data window is the part's,
 /// the display window the whole's.
@@ -35,10 +38,7 @@ struct PartHeader {
     bool take_from(OIIO::ImageSpec& spec);
 };
 
-/// Resize the share of the file `in` that makes a part, and write that to `out`, tile row by tile
-/// row of the source: memory for one of them, and 256 MiB. Of a source in tiles, or in rows that
-/// can be had singly, no more is read than the part needs. Both axes must grow or stay.
-bool resize_part(const std::string& in, const std::string& out, const ResizeSettings& settings,
-                 Part part, const std::function<bool(float)>& progress, Failure& failure);
+/// Of a part of a whole that has this spec. job: fingerprint().
+PartHeader header_of(const std::string& job, const Part& part, const OIIO::ImageSpec& whole);
 
 } // namespace ddt::tool

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// A part of a result, made and written by itself.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "plugin/tool/part.h"
+#include "plugin/tool/resize_file.h"
+
+namespace ddt::tool {
+
+/// Resize the share of the file `in` that makes a part, and write that to `out`, tile row by tile
+/// row of the source: memory for one of them, and 256 MiB. Of a source in tiles, or in rows that
+/// can be had singly, no more is read than the part needs. Both axes must grow or stay.
+bool resize_part(const std::string& in, const std::string& out, const ResizeSettings& settings,
+                 Part part, const std::function<bool(float)>& progress, Failure& failure);
+
+} // namespace ddt::tool
