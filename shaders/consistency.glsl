@@ -36,7 +36,7 @@ vec4 across(QuadrantCell c) {
 vec4 corrected(vec4 z, vec4 source, vec4 sum, vec4 low, vec4 high) {
     precise vec4 step_ = (source - z) - sum * 0.25;
     precise vec4 negated = vec4(0.0) - step_;
-    vec4 size = if_less(step_, vec4(0.0), negated, step_);
+    vec4 size = if_less(step_, negated, negated, step_);
     precise vec4 moved = z + step_;
     moved = if_less(moved, low, low, moved);
     moved = if_less(high, moved, high, moved);

@@ -62,7 +62,8 @@ float flip_gain(int m, Edge e) {
 float full_gain(int m, int site_, Edge e) {
     precise float gain = flip_gain(m, e);
 #ifdef CONTOURS
-    float along = contour_gain(contours_at(site_, e.v), e);
+    ivec2 w = (e.v + e.left) / 2;
+    float along = contour_gain(contours_at(site_, e.v), w, e.v - w);
     gain = gain + contour_weight * along;
 #endif
     return gain;

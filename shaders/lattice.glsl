@@ -75,8 +75,6 @@ bool flippable(Edge e) {
            abs(e.left.y) <= longest_edge;
 }
 
-const int division_down = 0, division_up = 1, division_other = 2;
-
 // How the cell of the tile whose slot begins at first_site is divided.
 int division(int first_site, ivec2 cell) {
     Edge centre = edge_at(first_site + offset(2 * cell + 1));

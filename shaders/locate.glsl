@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which triangle a position lies in. C++ twin: core/lattice/locate.cpp. After net.glsl.
 
-const int position_one = 1 << position_bits;
 
 struct Triangle {
     ivec2 vertex[3]; // pixels of the tile, the one with the smallest address first

@@ -19,8 +19,13 @@ namespace ddt {
     /* No edge is longer than this in either coordinate, in pixels: a flip to a longer one is */   \
     /* not made. It keeps every vector in a signed byte. (Longest ever seen: 36.) */               \
     INT(longest_edge, 63)                                                                          \
-    /* A position's bits behind the point. */                                                      \
+    /* How a cell is divided: Division of lattice/lattice.h. */                                    \
+    INT(division_down, 0)                                                                          \
+    INT(division_up, 1)                                                                            \
+    INT(division_other, 2)                                                                         \
+    /* A position's bits behind the point; a pixel in its units. */                                \
     INT(position_bits, 16)                                                                         \
+    INT(position_one, 1 << 16)                                                                     \
                                                                                                    \
     /* Of a guide, in units a pixel: the slope that counts as 45 degrees, and its square. */       \
     FLOAT(cost_slope, 0.2f)                                                                        \
@@ -28,19 +33,20 @@ namespace ddt {
     /* The gain of an edge that cannot be flipped. */                                              \
     FLOAT(no_gain, -1e30f)                                                                         \
                                                                                                    \
-    /* Contours (guide/contour.h): bits of an integer of a word; steps of 1 that it counts, also   \
-     */                                                                                            \
-    /* as float; what is added before the fraction is dropped: of Nxx and Nyy 0.01 of the steps */ \
-    /* and a half, of Nxy half of them and a half; the most it gets; the square of the slope */    \
-    /* that is noise, 0.05 a pixel, in the units of sums over a cell's 4 * 64 * 64 shares; what */ \
-    /* a gain of 1 of two words' sums is, 4 / (2 * steps). */                                      \
+    /* Contours (guide/contour.h): bits of each of a word's integers. */                           \
     INT(contour_bits, 10)                                                                          \
+    /* Steps of 1 that they count, whole and as a float. */                                        \
     INT(contour_steps, 500)                                                                        \
     FLOAT(contour_scale, 500.0f)                                                                   \
+    /* Added before the fraction is dropped: to Nxx and Nyy 0.01 of the steps and a half, */       \
     FLOAT(contour_square_bias, 5.5f)                                                               \
+    /* to Nxy half of them and a half. */                                                          \
     FLOAT(contour_product_bias, 250.5f)                                                            \
+    /* The most that Nxx and Nyy get. */                                                           \
     FLOAT(contour_most, 505.0f)                                                                    \
+    /* The square of a slope that is noise, 0.05 a pixel, of a cell's 4 * 64 * 64 shares. */       \
     FLOAT(contour_noise, 4.0f * 64 * 64 * 0.05f * 0.05f)                                           \
+    /* What a gain of 1 of two words' sums is: 4 / (2 * steps). */                                 \
     FLOAT(contour_unit, 4.0f / 1000)                                                               \
                                                                                                    \
     /* Annealing: parts of the edges, which are tried one after another; log(2); four times */     \
@@ -82,7 +88,6 @@ DDT_CONSTANTS(DDT_INT, DDT_FLOAT)
 #undef DDT_INT
 #undef DDT_FLOAT
 
-/// A pixel in a position's units.
-constexpr int32_t position_one = 1 << position_bits;
+static_assert(position_one == 1 << position_bits);
 
 } // namespace ddt

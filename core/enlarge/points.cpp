@@ -17,10 +17,6 @@ namespace ddt {
 
 namespace {
 
-bool before(Steps a, Steps b) {
-    return a.y != b.y ? a.y < b.y : a.x < b.x;
-}
-
 /// Whether there are three points, sorted and all different, that are not on one line.
 bool spans_plane(const std::vector<Steps>& points) {
     return std::any_of(points.begin(), points.end(),

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/base/parallel.h"
-#include "core/tin/fill.h"
+#include "core/enlarge/fill.h"
 
 namespace ddt {
 
@@ -50,7 +50,7 @@ Outcome WholeSource::fill(Source& source, const Job& job, int threads, const Tel
     Tell telling;
     if (progress)
         telling = [&](float share) { return !(cancelled = !progress(share)); };
-    if (fill_missing(image, job.holes, job.mesh, job.device, telling, error))
+    if (fill_missing(image, job.holes, job.mesh, job.device, telling, nullptr, error))
         return Outcome::done;
     return cancelled ? Outcome::cancelled : Outcome::bad_job;
 }

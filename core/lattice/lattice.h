@@ -133,9 +133,9 @@ constexpr int cells_at_once = 8;
 
 /// How a cell (2x2 pixels) is divided, told by the edge at its centre.
 enum class Division : uint8_t {
-    down,  ///< in two, by the diagonal from upper left to lower right
-    up,    ///< in two, by the other diagonal
-    other, ///< edges that are not the cell's own cross it
+    down = division_down,   ///< in two, by the diagonal from upper left to lower right
+    up = division_up,       ///< in two, by the other diagonal
+    other = division_other, ///< edges that are not the cell's own cross it
 };
 
 /// v and left of an edge's record as one number.

@@ -168,9 +168,9 @@ std::vector<Option> make_table() {
             .in("ddt-sharp", "0.05"),
         number(
             "contour", mesh, &MeshOptions::contour, 0.0f, most_contour,
-            "By how much of the contour's direction, seen over seven pixels, flips are judged "
-            "beside the cost: a steadier mesh that follows contours further. 0, by the cost "
-            "alone, with costs other than `abn` and schemes other than `one-round`, unless given.")
+            "How much the direction of contours, seen over seven pixels, counts beside the cost: a "
+            "steadier mesh that follows them further. 0, the cost alone, with costs other than "
+            "`abn` and schemes other than `one-round`, unless given.")
             .in("ddt-sharp", "0.4")
             .where(is_abn_one_round, "0"),
         number("meshes", mesh, &MeshOptions::meshes, 1, most_meshes,
@@ -179,8 +179,8 @@ std::vector<Option> make_table() {
                "and memory."),
         number(
             "min_gain", mesh, &MeshOptions::min_gain, 0.0f, largest_real,
-            "A flip must gain more than this in cost; less is noise. `auto` with costs other than "
-            "`abn` and schemes other than `one-round`, unless given.")
+            "A flip must lower the cost by more than this; less is noise. `auto` with costs other "
+            "than `abn` and schemes other than `one-round`, unless given.")
             .or_negative("auto", "0.005 with `abn`, and next to nothing with other costs and with "
                                  "`lawson` and the paper's schemes.")
             .in("ddt-linear", "auto")

@@ -2,7 +2,6 @@
 #include "core/sample/crossed.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <type_traits>

@@ -2,7 +2,6 @@
 #include "core/sample/phases.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <type_traits>
 

@@ -63,9 +63,9 @@ DDT_INLINE void widen(T limit, T lowest, T& low, T& high) {
     const T margin = limit * (high - low);
     const T wide = low - margin;
     const T dim = low - limit * low;
-    const T floor = if_less(lowest, zero, lowest, if_less(dim, zero, zero, dim));
+    const T bound = if_less(lowest, zero, lowest, if_less(dim, zero, zero, dim));
     const T raised = high + margin;
-    const T sunk = if_less(low, zero, wide, if_less(wide, floor, floor, wide));
+    const T sunk = if_less(low, zero, wide, if_less(wide, bound, bound, wide));
     high = if_less_equal(raised, T(largest_float), raised, high);
     low = if_less_equal(zero - T(largest_float), sunk, sunk, low);
 }

@@ -2,7 +2,6 @@
 // The triangles of cells that other edges cross, kept for whoever asks for the same positions next.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "core/lattice/crossed_cell.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bends and softness of a net's edges.
 #include <algorithm>
-#include <cfloat>
 #include <cstddef>
 
 #include "core/base/arith.h"

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The gradients at a net's vertices.
 #include <algorithm>
-#include <cfloat>
 #include <cstddef>
-#include <cstring>
 
 #include "core/base/arith.h"
 #include "core/base/row_lanes.h"

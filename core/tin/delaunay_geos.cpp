@@ -109,8 +109,7 @@ Geos::Geometry line_of(const Geos& geos, const std::vector<Steps>& points) {
 /// The index of the point at (x, y), which is one of them.
 int32_t index_of(const std::vector<Steps>& points, double x, double y) {
     const auto found =
-        std::lower_bound(points.begin(), points.end(), Steps{int32_t(x), int32_t(y)},
-                         [](Steps a, Steps b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
+        std::lower_bound(points.begin(), points.end(), Steps{int32_t(x), int32_t(y)}, before);
     return int32_t(found - points.begin());
 }
 

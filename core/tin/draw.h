@@ -100,7 +100,9 @@ inline bool is_step(double step) {
     return std::isfinite(step) && step != 0;
 }
 
-/// Call f(triangle, covered) once for each pixel of the grid that mesh.triangles cover.
+/// Call f(triangle, covered) for each pixel of the grid that mesh.triangles cover: once, or where
+/// it is on the rims of several once or twice, of which the last call counts. After a failure f was
+/// not called.
 template <class F>
 bool each_pixel(const PointMesh& mesh, const PixelGrid& grid, uint8_t* inside, std::string& error,
                 F&& f) {
@@ -116,17 +118,18 @@ bool each_pixel(const PointMesh& mesh, const PixelGrid& grid, uint8_t* inside, s
     const PixelAxis rows(grid.y, grid.step_y, grid.height,
                          [&](double y) { return steps.step_y(y); });
     const size_t size = size_t(grid.width) * size_t(grid.height);
+    for (const auto& t : mesh.triangles)
+        for (const int32_t v : t)
+            if (v < 0 || size_t(v) >= mesh.x.size()) {
+                error = "ddt: a triangle has a vertex that there is not";
+                return false;
+            }
     std::fill_n(inside, size, uint8_t(0));
     constexpr uint8_t touched = 1, owned_by_one = 2;
     for (const auto& t : mesh.triangles) {
         Steps corner[3];
-        for (size_t k = 0; k < 3; ++k) {
-            if (t[k] < 0 || size_t(t[k]) >= mesh.x.size()) {
-                error = "ddt: a triangle has a vertex that there is not";
-                return false;
-            }
+        for (size_t k = 0; k < 3; ++k)
             corner[k] = steps.steps(mesh.x[size_t(t[k])], mesh.y[size_t(t[k])]);
-        }
         std::array<int32_t, 3> triangle = t;
         if (orientation(corner[0], corner[1], corner[2]) < 0) {
             std::swap(corner[1], corner[2]);

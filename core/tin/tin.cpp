@@ -15,10 +15,6 @@ struct Side {
     bool forwards; ///< whether the triangle has it from first to second, so lies to its left
 };
 
-bool before(Steps a, Steps b) {
-    return a.y != b.y ? a.y < b.y : a.x < b.x;
-}
-
 /// A line that tells where in the file the fault is.
 std::string fault(size_t triangle, const char* what) {
     return "ddt: triangle " + std::to_string(triangle) + " " + what;

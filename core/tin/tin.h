@@ -16,6 +16,11 @@ struct Steps {
 };
 constexpr int32_t most_steps = int32_t(1) << 30;
 
+/// The order of points, row by row: what is sorted by it is searched by it elsewhere.
+inline bool before(Steps a, Steps b) {
+    return a.y != b.y ? a.y < b.y : a.x < b.x;
+}
+
 /// Twice the signed area of a, b, c in steps: positive if c is to the left of a towards b. ("Left"
 /// as for the Lattice.)
 inline int64_t orientation(Steps a, Steps b, Steps c) {

@@ -31,10 +31,6 @@ ResizeMapping mapping_of(const Rect& window, const Rect& full, const Rect& box) 
             axis(window.y0, window.y1, full.y0, full.y1, box.y0, box.y1)};
 }
 
-Rect common(const Rect& a, const Rect& b) {
-    return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
-}
-
 bool holds(const Rect& outer, const Rect& inner) {
     return inner.x0 >= outer.x0 && inner.y0 >= outer.y0 && inner.x1 <= outer.x1 &&
            inner.y1 <= outer.y1;

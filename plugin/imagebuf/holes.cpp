@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "core/tin/fill.h"
+#include "core/enlarge/fill.h"
 #include "plugin/image/pixels.h"
 #include "plugin/image/reading.h"
 #include "plugin/image/source.h"
@@ -49,6 +49,8 @@ bool fill_image(const OIIO::ImageBuf& src, const Options& options, Holes holes,
     OIIO::ROI roi = src.roi();
     const Rect window = rect_of(roi);
     const auto channels = size_t(src.nchannels());
+    if (!check_size(roi, src.nchannels() + 1, OIIO::TypeFloat, error))
+        return false;
     std::vector<float> values(window.area() * channels);
     if (!read_pixels(src, window, 0, src.nchannels(), OIIO::TypeFloat, values.data(), error))
         return false;
@@ -74,8 +76,11 @@ bool fill_image(const OIIO::ImageBuf& src, const Options& options, Holes holes,
             return false;
         }
     }
-    if (!fill_missing(image, holes, options.mesh, options.device, options.progress, error))
+    MeshReport report;
+    if (!fill_missing(image, holes, options.mesh, options.device, options.progress, &report, error))
         return false;
+    if (options.statistics)
+        *options.statistics = report.statistics;
     if (!filled.copy(src)) {
         error = filled.geterror();
         return false;

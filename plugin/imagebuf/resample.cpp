@@ -53,6 +53,11 @@ bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& map
     Reading reading;
     if (!plan_reading(src, options, roi, reading, error))
         return false;
+    // Identifiers are never missing: the whole of them need not be read first.
+    const Holes holes = reading.channels.raw ? Holes::keep : options.holes;
+    if (holes != Holes::keep &&
+        !check_size(src.roi(), int(reading.selected.size()) + 1, OIIO::TypeFloat, error))
+        return false;
     const Writing writing = plan_writing(reading, src, roi);
     ImageSource source(src, reading, arrival);
     ImageSink sink(dst, writing);
@@ -69,8 +74,7 @@ bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& map
     job.surface.clipped |= type == OIIO::TypeUInt8 || type == OIIO::TypeUInt16;
     job.threads = thread_count(nthreads);
     job.device = options.device;
-    // Identifiers are never missing: the whole of them need not be read first.
-    job.holes = reading.channels.raw ? Holes::keep : options.holes;
+    job.holes = holes;
     job.progress = options.progress;
     job.statistics = &statistics;
     const Outcome outcome = enlarge(source, sink, mapping, job, &error);

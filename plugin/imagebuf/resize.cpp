@@ -7,7 +7,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "core/base/progress.h"
-#include "core/tin/fill.h"
+#include "core/enlarge/fill.h"
 #include "plugin/image/channels.h"
 #include "plugin/image/reading.h"
 #include "plugin/image/windows.h"

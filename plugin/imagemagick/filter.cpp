@@ -146,6 +146,11 @@ Image* enlarged(Image& image, const Request& request, ExceptionInfo* exception) 
         InheritException(exception, &result->exception);
         return nullptr;
     }
+    // Which grey that comes in makes those of Gray.
+    result->colorspace = image.colorspace;
+    result->gamma = image.gamma;
+    result->chromaticity = image.chromaticity;
+    result->rendering_intent = image.rendering_intent;
     return result.release();
 }
 

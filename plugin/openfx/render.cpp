@@ -95,10 +95,6 @@ Rect render_window(Properties in) {
     return host::flipped({side(0), side(1), side(2), side(3)});
 }
 
-Rect common(const Rect& a, const Rect& b) {
-    return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
-}
-
 /// Make the part of the output black.
 void clear(const host::Buffer& to, const Rect& part, int channels) {
     const size_t bytes =
@@ -133,8 +129,8 @@ int render_part(Effect effect, const SourceClip& source, const Image& from, cons
     const Windows w = source.windows();
     work.window = w.window;
     work.full = w.full;
-    part = common(part, work.to.box);
-    const Rect inside = common(part, w.full);
+    part = host::common(part, work.to.box);
+    const Rect inside = host::common(part, w.full);
     if (inside.width() != part.width() || inside.height() != part.height())
         clear(work.to, part, work.layout.channels);
     if (inside.empty())

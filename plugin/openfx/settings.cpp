@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/openfx/settings.h"
 
+#include <algorithm>
+
 #include "ddt/names.h"
 #include "plugin/host/enlargement.h"
 #include "plugin/host/parameters.h"
@@ -87,17 +89,18 @@ std::string name_at(const std::vector<std::string>& names, int index) {
 void define_parameters(ParamSet set_, bool zoom) {
     set_range(define(set_, "OfxParamTypeDouble", "scale", "Scale", "By how much both sides grow"),
               2.0, 1.0, 1024.0, 8.0);
-    set_range(define(set_, "OfxParamTypeDouble", "scale_y", "Scale Y",
-                     "By how much the height grows; 0: as much as the width"),
-              0.0, 0.0, 1024.0, 8.0);
+    set_range(
+        define(set_, "OfxParamTypeDouble", "scale_y", "Scale Y",
+               "By how much the height grows; 0: as much as the width; between 0 and 1 it stays"),
+        0.0, 0.0, 1024.0, 8.0);
     if (!zoom) {
         set_range(define(set_, "OfxParamTypeInteger", "width", "Width",
-                         "Width of the result in pixels instead of a scale; 0: by the scale, or "
-                         "from the height"),
+                         "Width of the result in pixels instead of a scale, the source's at least; "
+                         "0: by the scale, or from the height"),
                   0, 0, 1 << 20, 8192);
         set_range(define(set_, "OfxParamTypeInteger", "height", "Height",
-                         "Height of the result in pixels instead of a scale; 0: by the scale, or "
-                         "from the width"),
+                         "Height of the result in pixels instead of a scale, the source's at "
+                         "least; 0: by the scale, or from the width"),
                   0, 0, 1 << 20, 8192);
     } else {
         set_range(define(set_, "OfxParamTypeDouble", "centre_x", "Centre X",
@@ -127,7 +130,7 @@ Settings settings_at(Effect effect, double time) {
     Settings s;
     s.scale_x = value(set_, "scale", time, 2.0);
     s.scale_y = value(set_, "scale_y", time, 0.0);
-    s.scale_y = s.scale_y > 0 ? s.scale_y : s.scale_x;
+    s.scale_y = s.scale_y > 0 ? std::max(s.scale_y, 1.0) : s.scale_x;
     s.width = value(set_, "width", time, 0);
     s.height = value(set_, "height", time, 0);
     s.centre_x = value(set_, "centre_x", time, 0.5);

@@ -163,6 +163,18 @@ void enlarge_array(const py::array& pixels, py::array& result, const std::string
         raise(outcome, error);
 }
 
+/// Some rows at once: their values are not needed.
+void read_guide(const Enlargement& work, std::vector<float>& guide) {
+    constexpr int rows = 16;
+    const ddt::Rect& all = work.window;
+    const auto width = size_t(all.width());
+    std::vector<float> values(size_t(rows) * width * size_t(work.layout.channels));
+    BufferSource source(work);
+    for (int y = all.y0; y < all.y1; y += rows)
+        (void)source.read({all.x0, y, all.x1, std::min(y + rows, all.y1)}, values.data(),
+                          &guide[size_t(y - all.y0) * width]);
+}
+
 py::array mesh_of(const py::array& pixels, const std::string& sample, const std::string& filter,
                   const std::string& light, bool associated, py::object progress) {
     Enlargement work = work_on(pixels, sample, filter, light, associated);
@@ -172,12 +184,10 @@ py::array mesh_of(const py::array& pixels, const std::string& sample, const std:
     bool done = false;
     {
         const Unlocked unlocked;
-        std::vector<float> values(work.window.area() * size_t(work.layout.channels));
         std::vector<float> guide(work.window.area());
-        done = BufferSource(work).read(work.window, values.data(), guide.data());
-        values = {};
-        done = done && ddt::build_mesh(guide.data(), work.window.width(), work.window.height(),
-                                       work.mesh, mesh, nullptr, &error, std::ref(watch));
+        read_guide(work, guide);
+        done = ddt::build_mesh(guide.data(), work.window.width(), work.window.height(), work.mesh,
+                               mesh, nullptr, &error, std::ref(watch));
     }
     watch.rethrow();
     if (!done && error == "ddt: out of memory") // of ddt/mesh.h

@@ -61,12 +61,13 @@ ExitCode run_caught(const std::vector<std::string>& args) {
 }
 
 /// The next file to be opened would get the number of one that is closed, and what is meant for a
-/// terminal would be written into it. For writing, the standard input too: reading fails then,
-/// where an end would pass for a stream without pictures.
+/// terminal would be written into it. The standard input for writing, and the output for reading:
+/// to use them fails then, where an end would pass for a stream without pictures, and what nobody
+/// gets for printed.
 void open_closed_streams() {
     for (int descriptor = 0; descriptor <= 2; ++descriptor)
         if (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF) [[maybe_unused]]
-            const int opened = open("/dev/null", O_WRONLY);
+            const int opened = open("/dev/null", descriptor == STDOUT_FILENO ? O_RDONLY : O_WRONLY);
 }
 
 /// That a reader has seen enough (ddt info | head) is no fault.

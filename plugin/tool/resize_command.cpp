@@ -4,9 +4,9 @@
 #include "plugin/tool/commands.h"
 #include "plugin/tool/compression.h"
 #include "plugin/tool/filter_flag.h"
-#include "plugin/tool/resize_part.h"
 #include "plugin/tool/progress.h"
 #include "plugin/tool/resize_file.h"
+#include "plugin/tool/resize_part.h"
 #include "plugin/tool/sequence.h"
 #include "plugin/tool/threads.h"
 

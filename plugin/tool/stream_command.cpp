@@ -95,7 +95,7 @@ private:
             try {
                 result = read_frame(stdin, frame, error);
                 if (result == ReadResult::failed)
-                    verdict.fail(n, error, exit_failed);
+                    verdict.fail(n, error, code_of_message(error));
             } catch (const std::bad_alloc&) {
                 verdict.fail(n, "out of memory", exit_resources);
             }
@@ -115,7 +115,8 @@ private:
             const Outcome outcome = enlarge(*frame, large, error);
             if (outcome != Outcome::done)
                 return verdict.fail(n, error.substr(error.find(' ') + 1),
-                                    outcome == Outcome::bad_job ? exit_failed : exit_resources);
+                                    outcome == Outcome::bad_job ? code_of_message(error)
+                                                                : exit_resources);
             if (!made.put(std::move(large)))
                 return;
         }
@@ -131,10 +132,11 @@ private:
         work.window = work.from.box;
         work.full = host::scaled(work.window, m_scale, m_scale);
         try {
-            large = frame;
-            large.width = work.full.width();
-            large.height = work.full.height();
-            large.allocate();
+            large = frame.of_size(work.full.width(), work.full.height());
+            if (!large.allocate(error)) {
+                error = "ddt: " + error;
+                return Outcome::bad_job;
+            }
         } catch (const std::bad_alloc&) {
             error = "ddt: out of memory";
             return Outcome::out_of_memory;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ddt/mapping.h"
+#include "plugin/image/windows.h"
 
 namespace ddt::tool {
 
@@ -97,15 +98,15 @@ void order_bytes(Frame& f) {
     const bool low_first = f.is_float() && f.scale[0] == '-';
     const size_t size = host::size_of(f.sample());
     if (size > 1 && low_first != low_first_here)
-        for (size_t i = 0; i < f.pixels.size(); i += size)
-            std::reverse(f.pixels.begin() + ptrdiff_t(i), f.pixels.begin() + ptrdiff_t(i + size));
+        for (size_t i = 0; i < f.bytes(); i += size)
+            std::reverse(&f.pixels[i], &f.pixels[i] + size);
 }
 
 /// Values of another largest one, as those of 1 bit or 10, become such of 16 bits.
 void widen(Frame& f) {
-    const size_t size = host::size_of(f.sample());
-    std::vector<char> wide(f.pixels.size() / size * sizeof(uint16_t));
-    for (size_t i = 0; i < f.pixels.size() / size; ++i) {
+    const size_t size = host::size_of(f.sample()), count = f.bytes() / size;
+    std::unique_ptr<char[]> wide(new char[count * sizeof(uint16_t)]);
+    for (size_t i = 0; i < count; ++i) {
         uint16_t value = uint8_t(f.pixels[i * size]);
         if (size > 1)
             std::memcpy(&value, &f.pixels[i * size], size);
@@ -123,7 +124,7 @@ void widen(Frame& f) {
 /// The row of the memory that is the stream's i-th: PFM's run upwards.
 char* row(Frame& f, int i) {
     const int y = f.is_float() ? f.height - 1 - i : i;
-    return f.pixels.data() + size_t(y) * f.row_bytes();
+    return f.pixels.get() + size_t(y) * f.row_bytes();
 }
 
 } // namespace
@@ -138,14 +139,32 @@ size_t Frame::row_bytes() const {
     return size_t(width) * size_t(channels) * host::size_of(sample());
 }
 
-void Frame::allocate() {
-    pixels.resize(row_bytes() * size_t(height));
+bool Frame::allocate(std::string& error) {
+    const OIIO::TypeDesc type = is_float()      ? OIIO::TypeFloat
+                                : largest < 256 ? OIIO::TypeUInt8
+                                                : OIIO::TypeUInt16;
+    if (!check_size({0, width, 0, height, 0, 1, 0, channels}, channels, type, error))
+        return false;
+    pixels.reset(new char[bytes()]);
+    return true;
+}
+
+Frame Frame::of_size(int new_width, int new_height) const {
+    Frame other;
+    other.magic = magic;
+    other.tuple_type = tuple_type;
+    other.scale = scale;
+    other.width = new_width;
+    other.height = new_height;
+    other.channels = channels;
+    other.largest = largest;
+    return other;
 }
 
 host::Buffer Frame::buffer() {
     const auto size = ptrdiff_t(host::size_of(sample()));
-    return {pixels.data(), ptrdiff_t(row_bytes()), size * channels,
-            size,          {0, 0, width, height},  sample()};
+    return {pixels.get(), ptrdiff_t(row_bytes()), size * channels,
+            size,         {0, 0, width, height},  sample()};
 }
 
 ReadResult read_frame(std::FILE* in, Frame& frame, std::string& error) {
@@ -173,7 +192,8 @@ ReadResult read_frame(std::FILE* in, Frame& frame, std::string& error) {
                 " is not allowed; allowed are grey and RGB, with alpha or without";
         return ReadResult::failed;
     }
-    frame.allocate();
+    if (!frame.allocate(error))
+        return ReadResult::failed;
     size_t got = 0;
     for (int i = 0; i < frame.height; ++i) {
         const size_t n = std::fread(row(frame, i), 1, frame.row_bytes(), in);
@@ -182,7 +202,7 @@ ReadResult read_frame(std::FILE* in, Frame& frame, std::string& error) {
             error = std::ferror(in)
                         ? std::string("the stream cannot be read: ") + std::strerror(errno)
                         : "it ends after " + std::to_string(got) + " of " +
-                              std::to_string(frame.pixels.size()) + " bytes";
+                              std::to_string(frame.bytes()) + " bytes";
             return ReadResult::failed;
         }
     }

@@ -5,8 +5,8 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <string>
-#include <vector>
 
 #include "plugin/host/enlargement.h"
 
@@ -21,14 +21,19 @@ struct Frame {
     int width = 0, height = 0, channels = 0;
     int largest = 0; ///< 255 or 65535; PFM: 0
     /// Numbers of this machine's byte order, rows downwards: uint8, uint16 or float.
-    std::vector<char> pixels;
+    std::unique_ptr<char[]> pixels;
 
     bool is_float() const { return largest == 0; }
     host::Sample sample() const;
     host::Buffer buffer();
-    /// Take the memory for the size.
-    void allocate();
+    /// Take the memory for the size, which nothing is written to: a header alone makes no page of
+    /// it. False with one line in `error` if an image may not be so large (check_size() of
+    /// plugin/image/windows.h); throws std::bad_alloc.
+    bool allocate(std::string& error);
     size_t row_bytes() const;
+    size_t bytes() const { return row_bytes() * size_t(height); }
+    /// The same header for another size, without pixels.
+    Frame of_size(int width, int height) const;
 };
 
 enum class ReadResult { frame, end, failed };

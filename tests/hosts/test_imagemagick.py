@@ -55,6 +55,17 @@ class ImageMagick(support.Case):
                      "uint16", "-o", "wanted.tif")
         self.assert_same("out.tif", "wanted.tif")
 
+    def test_linear_greys_stay_linear(self):
+        for alpha in ((), ("-alpha", "set")):
+            told = self.succeed(CONVERT, "grey.png", "-set", "colorspace", "LinearGray", *alpha,
+                                "-process", "ddt 2", "-format", "%[colorspace]", "info:",
+                                MAGICK_CODER_FILTER_PATH=FOLDER)
+            self.assertEqual(told, "LinearGray")
+        self.succeed("oiiotool", "grey.png", "--resize:filter=ddt,light=linear", "200%", "-d",
+                     "uint16", "-o", "wanted.tif")
+        self.enlarge("grey.png", "out.tif", "2", "-set", "colorspace", "LinearGray")
+        self.assert_same("out.tif", "wanted.tif")
+
     def test_alpha_is_multiplied_in_floats(self):
         # oiiotool by itself would multiply codes of 16 bits while it reads, and lose some of them.
         self.enlarge("straight.tif", "out.tif", "2")

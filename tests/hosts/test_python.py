@@ -62,6 +62,17 @@ def test_the_filters_bits(dtype, channels):
         assert ours.tobytes() == theirs.astype(dtype).tobytes(), light
 
 
+def test_floats_are_linear_light_unless_they_are_said_not_to_be():
+    floats = picture(channels=3, dtype="float32")
+    ours = oiio_ddt.enlarge(floats, size=(161, 101))
+    assert ours.tobytes() == by_filter(floats, (161, 101), "ddt").tobytes()
+    assert ours.tobytes() == oiio_ddt.enlarge(floats, size=(161, 101), light="linear").tobytes()
+    assert ours.tobytes() != oiio_ddt.enlarge(floats, size=(161, 101), light="encoded").tobytes()
+    integers = picture(channels=3, dtype="uint8")
+    ours = oiio_ddt.enlarge(integers, size=(161, 101))
+    assert ours.tobytes() == oiio_ddt.enlarge(integers, size=(161, 101), light="encoded").tobytes()
+
+
 def test_holes_are_filled_as_the_filter_fills_them():
     image = picture(channels=3, dtype="float32")
     image[20:31, 25:40] = np.nan
@@ -146,6 +157,19 @@ def test_errors_name_what_is_allowed(arguments, says):
     with pytest.raises(ValueError, match=says) as caught:
         oiio_ddt.enlarge(picture(), **arguments)
     assert str(caught.value).startswith("ddt: ") and "\n" not in str(caught.value)
+
+
+def test_what_is_too_large_is_told():
+    with pytest.raises(ValueError, match="scale 900000"):
+        oiio_ddt.enlarge(np.ones((9000, 2), np.uint8), 900000.0, roi=(0, 0, 2, 2))
+    with pytest.raises(ValueError, match="is not allowed; allowed are sides"):
+        oiio_ddt.enlarge(np.broadcast_to(np.uint8(3), (2**32 + 4, 4)), 2)
+
+
+def test_numbers_of_objects_have_no_mesh():
+    for dtype in (bool, np.int64, np.uint32):
+        with pytest.raises(TypeError, match="is not allowed for a mesh"):
+            oiio_ddt.mesh(np.eye(6, dtype=dtype))
 
 
 def test_a_mesh_has_the_same_errors():

@@ -54,6 +54,24 @@ class Stream(support.Case):
         self.assertEqual(done.returncode, 3)
         self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
 
+    def test_nobody_to_write_to_is_a_failure(self):
+        done = self.attempt("sh", "-c", f"printf 'P5\n2 2\n255\nabcd' | '{DDT}' stream >&-")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("frame 1: the result cannot be written: ", done.stderr)
+
+    def test_a_header_alone_takes_no_memory(self):
+        """A gigabyte and a half by its header, of which hardly a page is touched."""
+        import resource
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+        done = self.stream(b"P5\n40000 40000\n255\nabc")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(b"it ends after 3 of 1600000000 bytes", done.stderr)
+        self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss,
+                        max(before, 400 << 10))
+        done = self.stream(b"PF\n16777216 16777216\n-1.0\n")
+        self.assertEqual(done.returncode, 3)
+        self.assertIn(b"this machine's memory", done.stderr)
+
     def test_a_short_frame_ends_with_a_line_after_those_before(self):
         frame = b"P6\n4 4\n255\n" + bytes(48)
         done = self.stream(frame + frame[:-7])

@@ -11,7 +11,7 @@
 /// alone costs no picture quality while it halves the work.
 #define DDT_COSTS(X)                                                                               \
     X(abn, Abn, 5e-3f, 0.1f, "What the mesh bends over the edge: the angle between normals.")      \
-    X(scf, Scf, 1e-6f, 2e-2f, "The sharper cost function of the paper.")                           \
+    X(scf, Scf, 1e-6f, 2e-2f, "Sederberg's cost function, the paper's own.")                       \
     X(jnd, Jnd, 1e-6f, 0.1f, "Dyn, Levin & Rippa: the jump of the normal derivative.")             \
     X(dlp, Dlp, 1e-6f, 0.1f, "Dyn, Levin & Rippa: the deviations from linear polynomials.")        \
     X(dp, Dp, 1e-6f, 0.5f, "Dyn, Levin & Rippa: the distances from planes.")

@@ -31,7 +31,10 @@ public:
     /// Fill `values`, `channels` interleaved floats a pixel, and `guide`, one float a pixel, for
     /// the pixels of `r`, row by row without gaps. `r` lies within Job::window. The guide is what
     /// edges are sought in, about 0 to 1 from black to white; make_guide() of ddt/guide.h makes the
-    /// usual one. Return false to end the work (an error the source itself keeps).
+    /// usual one. Values of magnitude below 2^-80 count as 0, but Channel::nearest, and so does a
+    /// guide's below 2^-24: nothing that is computed from others is near the denormal floats, which
+    /// devices treat in different ways. Return false to end the work (an error the source itself
+    /// keeps).
     virtual bool read(const Rect& r, float* values, float* guide) = 0;
 
     /// Where every number is one of 256 or 65536 codes, the floats that they stand for, in order;
@@ -92,8 +95,8 @@ struct Statistics {
 
 /// A piece of work.
 struct Job {
-    Rect window;                ///< the source's pixels (data window), not empty
-    int channels = 1;           ///< floats a pixel, 1 or more
+    Rect window;      ///< the source's pixels (data window), not empty, 2^45 of them at most
+    int channels = 1; ///< floats a pixel, 1 or more
     std::vector<Channel> kinds; ///< one a channel; empty: all blend
     MeshOptions mesh;
     SurfaceOptions surface;
@@ -106,7 +109,8 @@ struct Job {
     /// Channel::nearest is NaN, and by fill_alpha those whose Channel::alpha is 0, are filled as by
     /// fill_holes() of ddt/points.h, with `mesh` (but the cost's own min_gain, and look_ahead in
     /// place of one_round); a pixel that lacks some channels keeps the others. Only with GEOS; a
-    /// failure if all pixels are missing.
+    /// failure if all pixels are missing, beyond 2^31 - 1 of them, and where more than 2^27 lie
+    /// about the missing ones.
     Holes holes = Holes::keep;
     /// Called from time to time with the share done, 0 to 1, one thread at a time; return false
     /// to cancel. May be empty.

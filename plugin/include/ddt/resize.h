@@ -15,7 +15,8 @@
 // uint32 and int32 are identifiers, copied bit for bit from the nearest vertex of the mesh, and so
 // are the channels of other images that are IDs by name, by cryptomatte metadata or by their own
 // type in the file: as floats, which have no room for all doubles and integers beyond 2^24. NaN and
-// infinities stay within the triangles that touch them; an integer dst shows NaN as 0. An image
+// infinities stay within the triangles that touch them; an integer dst shows NaN as 0. Numbers
+// of magnitude below 2^-80, some 8e-25, count as 0 where they are interpolated. An image
 // whose display window does not change its size keeps its pixels' exact bits.
 //
 // Light. Colour (R, G, B or grey) is interpolated in linear light: OpenColorIO converts it from the
@@ -29,8 +30,6 @@
 #pragma once
 
 #include <functional>
-#include <string>
-#include <vector>
 
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>

@@ -35,7 +35,7 @@ def enlarge(
     size: Optional[Tuple[int, int]] = None,
     filter: str = "ddt",
     roi: Optional[Tuple[int, int, int, int]] = None,
-    light: str = "encoded",
+    light: Optional[str] = None,
     alpha: str = "associated",
     threads: int = 0,
     progress: Optional[Callable[[float], Optional[bool]]] = None,
@@ -51,9 +51,10 @@ def enlarge(
     size      Instead of a scale: (width, height) of the result.
     filter    "ddt", "ddt-linear" or "ddt-sharp", with options: "ddt,cost=scf".
     roi       (x0, y0, x1, y1) in pixels of the result: only these are made, with the same bits.
-    light     What the numbers of colour mean. "encoded": they are blended as they are. "linear":
-              linear light, as in an EXR. "sRGB", "Rec709", "Gamma1.8", "Gamma2.2", "Gamma2.4":
-              encoded so, and blended in linear light.
+    light     What the numbers of colour mean. "linear": linear light, as in an EXR. "encoded": an
+              encoding, blended as it is. "sRGB", "Rec709", "Gamma1.8", "Gamma2.2", "Gamma2.4":
+              encoded so, and blended in linear light. None: "linear" of floats, "encoded" of
+              integers, as the filter does for an image whose colour space nobody says.
     alpha     "associated": colour is multiplied by alpha already. "unassociated": it is not, as
               in a PNG; colour where alpha is 0 does not show.
     threads   How many to use; 0: as many as there are cores.
@@ -70,8 +71,8 @@ def enlarge(
     x0, y0, x1, y1 = _checked_roi(roi, full)
     associated = _is_associated(alpha)
     result = np.empty((y1 - y0, x1 - x0, pixels.shape[2]), pixels.dtype)
-    _ddt.enlarge(pixels, result, sample, full, (x0, y0), filter, light, associated,
-                 min(int(threads), 2**31 - 1), progress)
+    _ddt.enlarge(pixels, result, sample, full, (x0, y0), filter, _light_of(dtype, light),
+                 associated, max(-1, min(int(threads), 2**31 - 1)), progress)
     result = _as_dtype(result, dtype)
     return result[..., 0] if np.ndim(array) == 2 else result
 
@@ -80,7 +81,7 @@ def mesh(
     array: Any,
     *,
     filter: str = "ddt",
-    light: str = "encoded",
+    light: Optional[str] = None,
     alpha: str = "associated",
     progress: Optional[Callable[[float], Optional[bool]]] = None,
 ) -> np.ndarray:
@@ -88,10 +89,15 @@ def mesh(
 
     Returns int32 numbers of vertices, 3 a triangle: vertex y * width + x is pixel (x, y), at
     (x, y). There are 2 (width - 1) (height - 1) triangles, each of area 1/2 and running from x
-    towards y. Arguments and errors are those of enlarge(). Takes about 80 bytes a pixel meanwhile.
+    towards y. Arguments and errors are those of enlarge(); numbers of objects, which have no
+    edges to follow, are a TypeError. Takes about 80 bytes a pixel meanwhile.
     """
-    pixels, _, sample = _as_pixels(array)
-    return _ddt.mesh(pixels, sample, filter, light, _is_associated(alpha), progress)
+    pixels, dtype, sample = _as_pixels(array)
+    if sample == "id32":
+        raise TypeError(f"ddt: dtype {dtype} is not allowed for a mesh, as of numbers of objects; "
+                        "allowed are floats and integers of 8 and 16 bits")
+    return _ddt.mesh(pixels, sample, filter, _light_of(dtype, light), _is_associated(alpha),
+                     progress)
 
 
 def _as_pixels(array: Any) -> Tuple[np.ndarray, np.dtype, str]:
@@ -107,6 +113,9 @@ def _as_pixels(array: Any) -> Tuple[np.ndarray, np.dtype, str]:
     if pixels.ndim != 3 or 0 in pixels.shape:
         raise ValueError(f"ddt: an array of shape {np.shape(array)} is no image; allowed are "
                          "height x width and height x width x channels")
+    if max(pixels.shape) > 2**29:
+        raise ValueError(f"ddt: an array of shape {np.shape(array)} is not allowed; allowed are "
+                         "sides and channels up to 2**29")
     if not dtype.isnative:
         pixels = pixels.astype(dtype.newbyteorder("="))
     if dtype == bool:
@@ -120,6 +129,12 @@ def _as_dtype(result: np.ndarray, dtype: np.dtype) -> np.ndarray:
     if dtype.itemsize == 8 and dtype.kind in "iu":
         return result.view(dtype.newbyteorder("=")).astype(dtype, copy=False)
     return result.astype(dtype, copy=False)
+
+
+def _light_of(dtype: np.dtype, light: Optional[str]) -> str:
+    if light is None:
+        return "linear" if dtype.kind == "f" else "encoded"
+    return light
 
 
 def _is_associated(alpha: str) -> bool:
@@ -141,7 +156,11 @@ def _full_size(width: int, height: int, scale: Any, size: Any) -> Tuple[int, int
     x, y = (scale, scale) if np.ndim(scale) == 0 else scale
     if not (1 <= x < 1e6 and 1 <= y < 1e6):
         raise ValueError(f"ddt: scale {scale} is not allowed; allowed are numbers from 1 on")
-    return int(width * x + 0.5), int(height * y + 0.5)
+    full_width, full_height = int(width * x + 0.5), int(height * y + 0.5)
+    if max(full_width, full_height) > 2**29:
+        raise ValueError(f"ddt: scale {scale} is not allowed; it makes {full_width} x "
+                         f"{full_height} pixels of the image, and allowed are sides up to 2**29")
+    return full_width, full_height
 
 
 def _checked_roi(roi: Any, full: Tuple[int, int]) -> Tuple[int, int, int, int]:

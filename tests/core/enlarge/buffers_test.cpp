@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ddt/core.h"
 
+#include <cmath>
+
 #include "tests/core/helpers.h"
 #include "tests/core/job_helpers.h"
 
@@ -46,6 +48,18 @@ TEST(Buffers, WithoutAGuideTheMeanOfTheFirstThreeChannelsServes) {
         std::vector<float> other = guide;
         std::reverse(other.begin(), other.end());
         EXPECT_NE(differing(values(nullptr), values(other.data())), 0u);
+    }
+}
+
+TEST(Buffers, NumbersNearerToZeroThanIsSaidCountAsZero) {
+    const std::vector<float> guide(16, 0.5f);
+    for (const float value : {0x1p-80f, -0x1p-80f, 0x1.fffffep-81f, -0x1.fffffep-81f, 0x1p-140f}) {
+        const std::vector<float> src(16, value);
+        std::vector<float> dst(64, 1.0f);
+        ASSERT_EQ(enlarge(src.data(), 4, 4, 1, guide.data(), dst.data(), 8, 8), Outcome::done);
+        const float expected = std::fabs(value) < 0x1p-80f ? 0.0f : value;
+        for (const float v : dst)
+            ASSERT_EQ(v, expected) << value;
     }
 }
 

@@ -257,6 +257,22 @@ TEST(Draw, ATriangleWithoutAreaShowsNothing) {
     EXPECT_EQ(pixels, (std::vector<float>{1, 1, 1, 1, 1, -7, 1, 1, 1, 1, -7, -7}));
 }
 
+TEST(Draw, NothingIsDrawnOfAMeshThatIsNone) {
+    PointMesh mesh{{0, 2, 0, 2}, {0, 0, 2, 2}, {{0, 1, 2}, {1, 3, 2}}};
+    const std::vector<float> values = {1, 1, 1, 1};
+    for (const int32_t wrong : {-1, 4}) {
+        mesh.triangles[1][1] = wrong;
+        std::vector<float> pixels(9, -7.0f);
+        std::vector<uint8_t> inside(9, 5);
+        std::string error;
+        EXPECT_FALSE(
+            draw(mesh, values.data(), 1, {0, 0, 1, 1, 3, 3}, pixels.data(), inside.data(), &error));
+        EXPECT_EQ(error, "ddt: a triangle has a vertex that there is not");
+        EXPECT_EQ(pixels, std::vector<float>(9, -7.0f));
+        EXPECT_EQ(inside, std::vector<uint8_t>(9, 5));
+    }
+}
+
 TEST(Draw, WhatHasNoWeightIsNotLookedAt) {
     const float infinity = std::numeric_limits<float>::infinity();
     PointMesh mesh;

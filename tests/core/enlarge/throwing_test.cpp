@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "ddt/mesh.h"
+#include "ddt/points.h"
 #include "tests/core/job_helpers.h"
 
 namespace ddt::test {
@@ -115,6 +116,43 @@ TEST(Throwing, BuildMeshNeverDoes) {
         expect_line(error);
         EXPECT_FALSE(build_mesh(guide.data(), 60, 40, {}, mesh, nullptr, nullptr, progress));
     }
+}
+
+TEST(Throwing, NorDoWhatIsDoneWithPoints) {
+    if (!has_delaunay())
+        GTEST_SKIP() << "built without GEOS";
+    constexpr int side = 60;
+    const auto guide = make_guide(Kind::noise, side, side, 3);
+    PointMesh mesh;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            mesh.x.push_back(x);
+            mesh.y.push_back(y);
+        }
+    ASSERT_TRUE(delaunay(mesh));
+    std::vector<uint8_t> missing(guide.size());
+    for (int y = 12; y < 48; ++y)
+        std::fill_n(&missing[size_t(side * y + 12)], 36, uint8_t(1));
+    // At first edges flip; later on, in holes, other threads wait for the one that tells.
+    for (const float from : {0.0f, 0.5f})
+        for (const Thrown what : {Thrown::error, Thrown::memory, Thrown::number}) {
+            const auto progress = [&](float share) {
+                if (share >= from)
+                    throw_it(what);
+                return true;
+            };
+            std::string error;
+            std::vector<float> values = guide;
+            EXPECT_FALSE(fill_holes(values.data(), side, side, 1, nullptr, guide.data(),
+                                    missing.data(), {}, &error, progress));
+            expect_line(error);
+            if (from > 0)
+                continue;
+            const auto before = mesh.triangles;
+            EXPECT_FALSE(optimise(mesh, guide.data(), {}, nullptr, &error, progress));
+            expect_line(error);
+            EXPECT_EQ(mesh.triangles, before);
+        }
 }
 
 } // namespace

@@ -11,10 +11,6 @@
 namespace ddt::test {
 namespace {
 
-bool before(Steps a, Steps b) {
-    return a.y != b.y ? a.y < b.y : a.x < b.x;
-}
-
 /// Different points of a box, sorted row by row.
 std::vector<Steps> points_in(int count, uint32_t width, uint32_t height, uint64_t seed) {
     Random random(seed);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/image/channels.h"
 
-#include "tests/plugin/images.h"
-
 namespace {
 
 using OIIO::ImageSpec;

@@ -116,6 +116,37 @@ TEST_F(HolesOption, FilledBeforeWhatIsNotEnlargedToo) {
             << size.first;
 }
 
+TEST_F(HolesOption, FillingTellsOfItsMeshIfItMakesOne) {
+    ddt::Statistics statistics;
+    ddt::Options options = options_of("ddt");
+    options.statistics = &statistics;
+    ImageBuf filled, again;
+    ASSERT_TRUE(ddt::fill(filled, holed(false), options)) << filled.geterror();
+    // The hole's surroundings, not the whole image.
+    EXPECT_GT(statistics.pixels, 100);
+    EXPECT_LT(statistics.pixels, width * height - 8 * 10);
+    EXPECT_GT(statistics.flips, 0);
+    statistics.pixels = -7;
+    ASSERT_TRUE(ddt::fill(again, filled, options)) << again.geterror();
+    EXPECT_EQ(statistics.pixels, -7);
+}
+
+TEST_F(HolesOption, NoMoreMemoryIsTakenThanAnImageMayHave) {
+    const ImageBuf src = images::make(600, 600, 3, OIIO::TypeHalf); // 2 MB, and floats 4 or more
+    int before = 0;
+    OIIO::getattribute("limits:imagesize_MB", before);
+    OIIO::attribute("limits:imagesize_MB", 3);
+    ImageBuf filled, part = images::make(8, 8, 3);
+    EXPECT_FALSE(ddt::fill(filled, src));
+    EXPECT_NE(filled.geterror().find("limits:imagesize_MB"), std::string::npos);
+    const ddt::Options holes = options_of("ddt,holes=fill");
+    OIIO::set_roi_full(part.specmod(), window(0, 1200, 0, 1200));
+    EXPECT_FALSE(ddt::resize(part, src, holes));
+    EXPECT_NE(part.geterror().find("limits:imagesize_MB"), std::string::npos);
+    EXPECT_TRUE(ddt::resize(part, src, options_of("ddt"))) << part.geterror();
+    OIIO::attribute("limits:imagesize_MB", before);
+}
+
 TEST_F(HolesOption, OtherPixelsKeepTheirBits) {
     ImageBuf src = images::make(9, 9, 2, OIIO::TypeDesc::DOUBLE);
     for (int y = 0; y < 9; ++y)

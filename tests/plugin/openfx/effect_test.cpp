@@ -64,6 +64,26 @@ TEST_F(OpenFx, AWidthOrAHeightInsteadOfAScale) {
         same_pixels(effect->output, images::enlarged(image, 130, 104, with_light("linear"))));
 }
 
+TEST_F(OpenFx, NoSideShrinks) {
+    const ImageBuf image = photograph(60, 40, 3, TypeDesc::FLOAT);
+    const ImageBuf large = images::enlarged(image, 120, 40, with_light("linear"));
+    open(natron, image);
+    effect->set("scale_y", 0.5);
+    render_whole();
+    EXPECT_TRUE(same_pixels(effect->output, large));
+    effect->set("width", 150);
+    effect->set("height", 10);
+    render_whole();
+    EXPECT_EQ(effect->output.box.width(), 150);
+    EXPECT_EQ(effect->output.box.height(), 40);
+    open(resolve, image);
+    effect->set("scale_y", 0.5);
+    effect->set("centre_x", 0);
+    render_whole();
+    const OIIO::ROI left(0, 60, 0, 40, 0, 1, 0, 3);
+    EXPECT_TRUE(same_pixels(effect->output, OIIO::ImageBufAlgo::cut(large, left)));
+}
+
 TEST_F(OpenFx, AHostOfOneResolutionGetsAZoomWithACentre) {
     const ImageBuf image = photograph(60, 40, 3, TypeDesc::FLOAT);
     const ImageBuf large = images::enlarged(image, 180, 120, with_light("linear"));

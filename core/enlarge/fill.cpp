@@ -5,10 +5,10 @@
 
 #include "core/base/arith.h"
 #include "core/base/guarded.h"
+#include "core/enlarge/fill.h"
+#include "core/enlarge/membrane.h"
 #include "core/enlarge/points.h"
 #include "core/tin/draw.h"
-#include "core/tin/fill.h"
-#include "core/tin/membrane.h"
 
 namespace ddt {
 
@@ -27,7 +27,8 @@ public:
         : m_image(image), m_width(image.width), m_height(image.height),
           m_channels(size_t(image.channels)), m_missing(missing) {}
 
-    bool fill(const MeshOptions& options, Device device, const Tell& progress, std::string& error) {
+    bool fill(const MeshOptions& options, Device device, const Tell& progress, MeshReport* report,
+              std::string& error) {
         const size_t size = size_t(m_width) * size_t(m_height);
         const auto count = size_t(std::count_if(m_missing, m_missing + size, is_set));
         if (count == 0)
@@ -39,11 +40,15 @@ public:
         const Tell flipping = part_of(progress, flips_begin, smoothing_begins);
         const Tell smoothing = part_of(progress, smoothing_begins, 1);
         collect();
+        if (m_mesh.x.size() > most_points) {
+            error = "ddt: more than " + std::to_string(most_points) + " pixels lie about the holes";
+            return false;
+        }
         m_surface.assign(m_image.guide, m_image.guide + size);
         std::vector<uint8_t> inside(size, 0);
         if (spans_plane() &&
             !(triangulate_points(m_mesh, error) &&
-              optimise_points(m_mesh, m_guides.data(), options, nullptr, error, flipping, device) &&
+              optimise_points(m_mesh, m_guides.data(), options, report, error, flipping, device) &&
               interpolate(inside.data(), error)))
             return false;
         if (!smooth(inside, smoothing)) {
@@ -189,9 +194,9 @@ private:
 } // namespace
 
 bool fill_holes(const HoledImage& image, const uint8_t* missing, const MeshOptions& options,
-                Device device, const Tell& progress, std::string& error) {
+                Device device, const Tell& progress, MeshReport* report, std::string& error) {
     const DenormalsAreZero as_on_gpus;
-    return Filler(image, missing).fill(options, device, progress, error);
+    return Filler(image, missing).fill(options, device, progress, report, error);
 }
 
 bool fill_holes(float* values, int width, int height, int channels, const Channel* kinds,
@@ -204,7 +209,7 @@ bool fill_holes(float* values, int width, int height, int channels, const Channe
         }
         const HoledImage image{values, const_cast<float*>(guide), width, height, channels, kinds,
                                false};
-        return fill_holes(image, missing, options, Device::automatic, progress, why);
+        return fill_holes(image, missing, options, Device::automatic, progress, nullptr, why);
     });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/tin/membrane.h"
+#include "core/enlarge/membrane.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "core/base/arith.h"
-#include "core/tin/fill.h"
+#include "core/enlarge/fill.h"
 
 namespace ddt {
 
@@ -47,7 +47,7 @@ bool find_missing(const HoledImage& image, Holes holes, std::vector<uint8_t>& mi
 }
 
 bool fill_missing(const HoledImage& image, Holes holes, const MeshOptions& options, Device device,
-                  const Tell& progress, std::string& error) {
+                  const Tell& progress, MeshReport* report, std::string& error) {
     const DenormalsAreZero as_on_gpus;
     std::vector<uint8_t> missing;
     if (!find_missing(image, holes, missing))
@@ -58,7 +58,7 @@ bool fill_missing(const HoledImage& image, Holes holes, const MeshOptions& optio
     for (size_t i = 0; i < missing.size(); ++i)
         if (missing[i])
             had.insert(had.end(), image.values + i * channels, image.values + (i + 1) * channels);
-    if (!fill_holes(image, missing.data(), for_holes(options), device, progress, error))
+    if (!fill_holes(image, missing.data(), for_holes(options), device, progress, report, error))
         return false;
     const float* old = had.data();
     for (size_t i = 0; i < missing.size(); ++i) {

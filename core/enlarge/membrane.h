@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/tin/fill.h"
+#include "core/enlarge/fill.h"
 
 namespace ddt {
 

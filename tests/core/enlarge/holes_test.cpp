@@ -2,8 +2,8 @@
 // Job::holes: as fill_holes() and then as any other picture.
 #include <cmath>
 
-#include "core/tin/fill.h"
-#include "core/tin/membrane.h"
+#include "core/enlarge/fill.h"
+#include "core/enlarge/membrane.h"
 #include "tests/core/helpers.h"
 #include "tests/many_threads.h"
 
@@ -104,7 +104,7 @@ TEST(JobHoles, AreFilledAsFillHolesDoesAndTheMeshSeesThemSo) {
         ASSERT_TRUE(fill_missing(
             {filled.values.data(), filled.guide.data(), width, height, channels,
              std::vector{Channel::blend, Channel::nearest, Channel::alpha}.data(), true},
-            holes, MeshOptions(), Device::cpu, {}, error))
+            holes, MeshOptions(), Device::cpu, {}, nullptr, error))
             << error;
         for (size_t i = 0; i < filled.guide.size(); ++i) {
             EXPECT_TRUE(std::isfinite(filled.guide[i]));
