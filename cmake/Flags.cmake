@@ -20,6 +20,10 @@ if(DDT_WERROR)
   add_compile_options(-Werror)
 endif()
 
+# Highway's functions on vectors of a wider instruction set than the rest is compiled for must be inlined,
+# which they are not with -O0: GCC 12 breaks off, and what it makes of others crashes.
+add_compile_options($<$<CONFIG:Debug>:-Og>)
+
 # For code that takes no time to run, tests and the command line: less to compile.
 set(DDT_BRIEFLY $<$<CONFIG:Release>:-O1>)
 # For code that does. With -O2, which RelWithDebInfo and distributions compile with, loops over channels

@@ -34,6 +34,13 @@ vec4 if_less_equal(vec4 a, vec4 b, vec4 yes, vec4 no) {
     return r;
 }
 
+// Denormal floats as 0, which the CPU makes of them by itself (DenormalsAreZero in
+// core/base/arith.h). For products of what may be of any size: elsewhere least_value of
+// core/tiles/tile_io.h keeps what is computed away from them.
+vec4 without_denormals(vec4 v) {
+    return if_less(abs(v), vec4(uintBitsToFloat(0x00800000u)), vec4(0.0), v);
+}
+
 // c ? yes : no, a lane.
 uvec4 if_true(bvec4 c, uvec4 yes, uvec4 no) {
     return uvec4(c.x ? yes.x : no.x, c.y ? yes.y : no.y, c.z ? yes.z : no.z, c.w ? yes.w : no.w);

@@ -25,8 +25,11 @@ void add(inout GradientMean mean, ivec2 j, ivec2 k, vec4 dzj, vec4 dzk) {
         mean.base_y = gy;
         mean.begun = true;
     }
-    precise vec4 sum_x = mean.sum_x + w * (gx - mean.base_x);
-    precise vec4 sum_y = mean.sum_y + w * (gy - mean.base_y);
+    // Small by a large gradient along the other axis.
+    precise vec4 x = w * (gx - mean.base_x);
+    precise vec4 y = w * (gy - mean.base_y);
+    precise vec4 sum_x = mean.sum_x + without_denormals(x);
+    precise vec4 sum_y = mean.sum_y + without_denormals(y);
     precise vec4 weight = mean.weight + w;
     mean.sum_x = sum_x;
     mean.sum_y = sum_y;

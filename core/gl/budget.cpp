@@ -61,6 +61,9 @@ size_t affordable_tiles(const Gpu& gpu, const SlotShape& shape, int groups,
     if (largest > gpu.block_limit)
         throw Failure("a tile takes " + std::to_string(largest) + " bytes of one buffer, and " +
                       gpu.context->renderer + " has " + std::to_string(gpu.block_limit));
+    if (!gpu.context->software && a_tile > budget_of(gpu))
+        throw Failure("a tile takes " + std::to_string(a_tile >> 20) + " MiB, and " +
+                      std::to_string(budget_of(gpu) >> 20) + " are taken of a GPU at most");
     const size_t n = std::min({budget_of(gpu) / a_tile, gpu.block_limit / largest, size_t(tiles),
                                std::min(tiles_a_batch, size_t(max_tiles) / slots)});
     return std::max<size_t>(1, n);

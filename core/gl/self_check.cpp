@@ -322,7 +322,7 @@ std::string differs_from_cpu(Gpu& gpu, const Job& wanted) {
 const std::string& SelfChecks::differs(Gpu& gpu, const std::string& key,
                                        const std::function<std::string()>& check) {
     static const std::string unchecked;
-    if (gpu.context->software && !software_too)
+    if (gpu.context->tested && !tested_too)
         return unchecked;
     const auto known = m_differences.find(key);
     if (known != m_differences.end())

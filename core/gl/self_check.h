@@ -37,9 +37,9 @@ public:
                                const std::function<std::string()>& check);
     double milliseconds() const { return m_milliseconds; }
 
-    /// Software renderers are asked for by name only, and tests compare them with the CPU: they are
-    /// checked only if this says so.
-    bool software_too = false;
+    /// Context::tested ones are compared with the CPU by tests: they are checked only if this says
+    /// so.
+    bool tested_too = false;
 
 private:
     std::map<std::string, std::string> m_differences;

@@ -40,4 +40,9 @@ private:
     std::unique_ptr<OIIO::ImageBuf> m_image;
 };
 
+/// Whether a file that is opened again has pixels where it had them, of the same types: another may
+/// have been given its name meanwhile. False with one line in `error`.
+bool is_unchanged(const OIIO::ImageSpec& before, const OIIO::ImageSpec& now,
+                  const std::string& path, std::string& error);
+
 } // namespace ddt

@@ -10,6 +10,7 @@
 #include "core/base/codes.h"
 #include "core/base/half.h"
 #include "plugin/image/channels.h"
+#include "plugin/image/own_tasks.h"
 #include "plugin/message/format.h"
 
 namespace ddt {
@@ -96,6 +97,7 @@ void write_codes(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, c
 /// fail when the cache does and leaves that as the image's error, where another may be pending.
 bool read_cached(const OIIO::ImageBuf& image, const OIIO::ROI& roi, OIIO::TypeDesc type, void* out,
                  std::string& error) {
+    const OwnTasksOnly alone;
     const auto cache = image.imagecache();
     const auto name = OIIO::ustring(image.name());
     // The cache counts as the file does, wherever the image has been moved since.

@@ -3,6 +3,7 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/image/own_tasks.h"
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 
@@ -22,9 +23,13 @@ bool SourceImage::open(const std::string& path, OIIO::ImageInput& input, int sub
     OIIO::ImageSpec spec = input.spec(subimage);
     if (cache_keeps(spec.format)) {
         m_file = std::make_unique<LazyFile>(path, subimage, LazyFile::Pieces(), &hints);
-        return true;
+        if (is_unchanged(spec, m_file->image().nativespec(), path, error))
+            return true;
+        error = "ddt: " + error;
+        return false;
     }
     spec.channelformats.clear();
+    const OwnTasksOnly alone;
     if (!take_memory(m_pixels, spec, error)) {
         error = "ddt: " + error;
         return false;

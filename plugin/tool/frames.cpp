@@ -49,6 +49,20 @@ std::string name_of(const std::string& path) {
     return std::filesystem::path(path).filename().string();
 }
 
+/// Where the number stands: the last "%04d", or else the last "####", or else "@@@@". The others
+/// may be of the name itself, as in "sky@2x.%04d.png" or "take#3.####.exr".
+bool find_place(const std::string& name, std::smatch& place) {
+    static const std::regex forms[] = {std::regex("%(0([1-9]))?d"), std::regex("#+"),
+                                       std::regex("@+")};
+    for (const std::regex& form : forms) {
+        for (std::sregex_iterator at(name.begin(), name.end(), form), end; at != end; ++at)
+            place = *at;
+        if (!place.empty())
+            return true;
+    }
+    return false;
+}
+
 } // namespace
 
 bool parse_frames(const std::string& text, std::vector<int>& frames) {
@@ -68,17 +82,16 @@ bool parse_frames(const std::string& text, std::vector<int>& frames) {
 }
 
 FrameName::FrameName(const std::string& text) : m_before(text) {
-    static const std::regex form("#+|@+|%(0([1-9]))?d");
     const std::string name = name_of(text);
     m_has_view = text.find("%V") != std::string::npos || text.find("%v") != std::string::npos;
     std::smatch part;
-    if (!std::regex_search(name, part, form))
+    if (!find_place(name, part))
         return;
     const std::string number = part[0];
     m_digits = number == "#"      ? 4
                : number[0] == '%' ? (part[2].matched ? std::atoi(part[2].str().c_str()) : 1)
                                   : int(number.size());
-    m_before = text.substr(0, text.size() - name.size()) + part.prefix().str();
+    m_before = text.substr(0, text.size() - name.size()) + name.substr(0, size_t(part.position()));
     m_after = part.suffix();
 }
 

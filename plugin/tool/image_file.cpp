@@ -2,8 +2,10 @@
 #include "plugin/tool/image_file.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <vector>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/vfs.h>
 #include <unistd.h>
@@ -148,8 +150,14 @@ bool ImageFile::check_written(Failure& failure) const {
     };
     const ExitCode code = m_stream ? exit_failed : exit_resources;
     const auto in = OIIO::ImageInput::open(temporary());
-    if (!in)
-        return refuse("what was written cannot be read back", code);
+    if (!in) {
+        const int descriptor = ::open(temporary().c_str(), O_RDONLY | O_CLOEXEC);
+        const int number = errno;
+        if (descriptor >= 0)
+            ::close(descriptor);
+        return refuse("what was written cannot be read back",
+                      descriptor < 0 ? code_of_errno(number) : code);
+    }
     if (in->spec().width != m_width || in->spec().height != m_height)
         return refuse(format("the format {} made {} x {} pixels of {} x {}",
                              m_output->format_name(), in->spec().width, in->spec().height, m_width,

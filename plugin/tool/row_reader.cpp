@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "plugin/image/lazy_file.h"
 #include "plugin/image/windows.h"
 #include "plugin/tool/image_file.h"
 #include "plugin/tool/picture.h"
@@ -41,6 +42,8 @@ bool RowReader::begin(const std::string& path, OIIO::ImageBuf& image, std::strin
     if (there && comes_by_rows(image.nativespec())) {
         m_spec = image.nativespec();
         m_input = OIIO::ImageInput::open(path);
+        if (m_input && !is_unchanged(m_spec, m_input->spec(), path, error))
+            return false;
     }
     if (!m_input) {
         m_ready = std::numeric_limits<int>::max();

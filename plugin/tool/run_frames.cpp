@@ -18,6 +18,16 @@ namespace ddt::tool {
 
 namespace {
 
+/// Whether a frame was made. An empty file is none of ours, but of who keeps a place.
+bool is_there(const std::string& path) {
+    std::error_code ignored;
+    const auto status = std::filesystem::status(path, ignored);
+    if (std::filesystem::is_directory(status))
+        return false;
+    return std::filesystem::exists(status) && (!std::filesystem::is_regular_file(status) ||
+                                               std::filesystem::file_size(path, ignored) > 0);
+}
+
 class Queue {
 public:
     Queue(const std::vector<FrameTask>& tasks, const FrameRun& run, Progress& progress)
@@ -29,8 +39,7 @@ public:
         while (m_next < m_tasks.size() && !m_stopped) {
             const size_t index = m_next++;
             const FrameTask& task = m_tasks[index];
-            std::error_code ignored;
-            if (m_run.skip_existing && std::filesystem::exists(task.out, ignored)) {
+            if (m_run.skip_existing && is_there(task.out)) {
                 ++m_counts.skipped;
                 show(index, 1);
                 continue;

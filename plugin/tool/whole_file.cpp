@@ -109,6 +109,8 @@ bool WholeFile::open_temporary() {
 bool WholeFile::open(const std::string& path, Failure& failure) {
     m_path = path;
     m_target = followed(path).string();
+    if (std::error_code ignored; fs::is_symlink(m_target, ignored))
+        return refuse(ELOOP, failure);
     struct stat there {};
     // A link to /dev/stdout leads on to a pipe, which has no path.
     if (stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode))

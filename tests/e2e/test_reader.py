@@ -50,6 +50,15 @@ class Reader(Case):
         self.succeed("iconvert", "--scanline", "photo.png.ddt?scale=3&light=encoded", "same.png")
         self.assert_same("out.png", "same.png")
 
+    def test_channels_of_several_types_by_many_threads(self):
+        """The cache converts them, which OpenImageIO shares with threads that wait for us."""
+        self.succeed("oiiotool", "--pattern", "noise", "1000x900", "6", "--chnames", "R,G,B,A,Z,W",
+                     "-d", "half", "-d", "Z=float", "--scanline", "-o", "mix.exr")
+        for device in ("cpu", "auto"):
+            self.succeed("oiiotool", "mix.exr.ddt?scale=2", "-o", "out.exr", DDT_DEVICE=device)
+        self.succeed("oiiotool", "mix.exr", "--resize:filter=ddt", "200%", "-o", "wanted.exr")
+        self.assert_same("out.exr", "wanted.exr")
+
     def test_image_cache_with_small_tiles(self):
         self.succeed("oiiotool", "--autotile", "16", "--cache", "1", "scene.exr.ddt?scale=5", "-d",
                      "half", "-o", "tiles.exr")

@@ -21,6 +21,14 @@ bool is_software(const std::string& renderer) {
     return false;
 }
 
+bool is_tested(const std::string& renderer) {
+    return renderer.rfind("llvmpipe", 0) == 0 || renderer.rfind("softpipe", 0) == 0;
+}
+
+bool is_zink(const std::string& renderer) {
+    return renderer.rfind("zink", 0) == 0;
+}
+
 bool describe_current(const void* library, Lookup lookup, Context& context, std::string& why) {
     Functions& gl = context.gl;
     const std::string missing = load_functions(library, lookup, gl);
@@ -41,9 +49,16 @@ bool describe_current(const void* library, Lookup lookup, Context& context, std:
         why = context.renderer + " lacks " + missing;
         return false;
     }
-    if (major == 4 && minor < 4)
-        gl.BufferStorage = nullptr; // lookups find names of what a driver does not have
+    if (is_zink(context.renderer) && is_software(context.renderer)) {
+        why = context.renderer +
+              " is a software renderer by way of Vulkan, which gives wrong results";
+        return false;
+    }
+    // Lookups find names of what a driver does not have.
+    if ((major == 4 && minor < 4) || is_zink(context.renderer))
+        gl.BufferStorage = nullptr;
     context.software = is_software(context.renderer);
+    context.tested = is_tested(context.renderer);
     return true;
 }
 

@@ -17,6 +17,7 @@ struct Context {
     std::string renderer;  ///< GL_RENDERER
     std::string version;   ///< GL_VERSION
     bool software = false; ///< llvmpipe and its like: native code is faster
+    bool tested = false;   ///< a renderer that the project's own tests run on
 };
 
 /// Which renderers will do.
@@ -32,6 +33,11 @@ std::unique_ptr<Context> make_osmesa_context(std::string& why);
 
 /// Whether a renderer of this name (GL_RENDERER) is none of hardware.
 bool is_software(const std::string& renderer);
+/// Whether it is one that the project's own tests run on, and not by way of another API.
+bool is_tested(const std::string& renderer);
+/// Mesa's OpenGL by way of Vulkan. In what stays mapped its copies may be missing when the fence is
+/// signalled (22.3); over lavapipe it computes with uniforms of the dispatch before.
+bool is_zink(const std::string& renderer);
 
 /// Load the functions of the context that is current, and learn what it is. False with `why` if it
 /// is not OpenGL 4.3.

@@ -102,7 +102,8 @@ struct Job {
     SurfaceOptions surface;
     int threads = 0; ///< 0: as many as there are cores
     /// A device that is named and cannot be had is Outcome::device_unavailable, before anything is
-    /// read. A device that fails later, also for lack of memory, leaves the rest to the CPU. A
+    /// read. A device that fails later, also for lack of memory, leaves the rest to the CPU; one
+    /// that does not answer any more cannot be had by later jobs of the process. A
     /// process forked from one that used a GPU has none and uses the CPU, whatever is named.
     Device device = Device::automatic;
     /// Unless keep, the whole window is read first, and kept. Pixels in which a channel that is not

@@ -30,7 +30,7 @@ protected:
         bool forked = false;
         gl::Gpu* gpu = gl::open(GetParam(), why, forked);
         EXPECT_NE(gpu, nullptr) << why;
-        gpu->checks.software_too = true;
+        gpu->checks.tested_too = true;
         return *gpu;
     }
 };

@@ -205,7 +205,7 @@ TEST_P(SelfCheck, SoftwareIsNotCheckedUnlessAskedTo) {
     gl::Gpu& device = fresh_device();
     if (!device.context->software)
         GTEST_SKIP() << device.context->renderer << " is hardware";
-    device.checks.software_too = false;
+    device.checks.tested_too = false;
     device.thread.post([&] { EXPECT_EQ(device.checks.differs(device, Job()), ""); }).get();
     EXPECT_EQ(programs_of(device), std::set<std::string>());
     EXPECT_EQ(device.checks.milliseconds(), 0.0);

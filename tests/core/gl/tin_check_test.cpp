@@ -111,7 +111,7 @@ TEST_P(TinCheck, EveryProgramIsCheckedBeforeItIsUsedAndAWrongOneIsNot) {
 }
 
 TEST_P(TinCheck, AFailureIsToldAndTheCpuDoesTheWork) {
-    fresh_device().checks.software_too = false;
+    fresh_device().checks.tested_too = false;
     gl::arm(gl::Fault::allocation, 1);
     std::vector<std::string> lines;
     EXPECT_FALSE(on_device(MeshOptions(), lines));
@@ -123,7 +123,7 @@ TEST_P(TinCheck, AFailureIsToldAndTheCpuDoesTheWork) {
 
 // on_device() compares: what came back before must not be what the CPU goes on with.
 TEST_P(TinCheck, WhereverMemoryIsMissingTheCpuDoesTheWork) {
-    fresh_device().checks.software_too = false;
+    fresh_device().checks.tested_too = false;
     std::vector<std::string> lines;
     gl::arm(gl::Fault::allocation, 0);
     EXPECT_TRUE(on_device(MeshOptions(), lines));

@@ -103,6 +103,17 @@ TEST_F(Reader, TilesTakeTheirPartOfTheMesh) {
     EXPECT_LE(taken, 4 * 321 * 321) << told;
 }
 
+TEST_F(Reader, TellsThatItsSourceWasReplaced) {
+    const std::string replaced = ddt::temporary("reader_test_replaced.tif");
+    ASSERT_TRUE(ImageBuf(path()).write(replaced));
+    auto input = ImageInput::open(replaced + ".ddt?scale=4");
+    ASSERT_TRUE(input) << OIIO::geterror();
+    ASSERT_TRUE(ImageBufAlgo::resize(ImageBuf(path()), "", 0.0f, ROI(0, 5, 0, 4)).write(replaced));
+    std::vector<float> pixels(44 * 36 * 3);
+    EXPECT_FALSE(input->read_image(0, 0, 0, 3, TypeFloat, pixels.data()));
+    EXPECT_EQ(input->geterror(), "ddt: \"" + replaced + "\" was changed while it was read");
+}
+
 TEST_F(Reader, HasTheSubimagesOfItsSource) {
     auto input = ImageInput::open(name());
     ASSERT_TRUE(input) << OIIO::geterror();

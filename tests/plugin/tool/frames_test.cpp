@@ -20,6 +20,16 @@ namespace {
 
 using Numbers = std::vector<int>;
 
+TEST(Frames, OfSeveralPlacesTheLikeliestCounts) {
+    for (const auto& [name, third] : {std::pair("sky@2x.%04d.png", "sky@2x.0003.png"),
+                                      {"sky.%04d@2x.png", "sky.0003@2x.png"},
+                                      {"take#3_t.####.png", "take#3_t.0003.png"},
+                                      {"a@2x.###.exr", "a@2x.003.exr"},
+                                      {"d#/a.@@.exr", "d#/a.03.exr"},
+                                      {"%d.a.%02d.exr", "%d.a.03.exr"}})
+        EXPECT_EQ(FrameName(name).name(3, ""), third);
+}
+
 TEST(Frames, Lists) {
     const auto frames = [](const char* text) {
         Numbers numbers;

@@ -150,7 +150,7 @@ TEST_P(Faults, ASourceThatThrowsLeavesNoMemoryBehind) {
         }
     } source;
     gl::Gpu& gpu = fresh_device();
-    gpu.checks.software_too = false;
+    gpu.checks.tested_too = false;
     gpu.thread
         .post([&] {
             g_own_thread = std::this_thread::get_id();

@@ -7,7 +7,9 @@
 
 #include <unistd.h>
 
+#include "core/gl/budget.h"
 #include "core/gl/context/context.h"
+#include "core/gl/context/failure.h"
 #include "core/gl/context/faults.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
@@ -22,6 +24,30 @@ TEST(Renderers, OfSoftwareAreKnownByTheirNames) {
         EXPECT_TRUE(gl::is_software(name)) << name;
     for (const char* name : {"NVIDIA H100 80GB HBM3/PCIe/SSE2", "D3D12 (NVIDIA GeForce RTX 3080)"})
         EXPECT_FALSE(gl::is_software(name)) << name;
+}
+
+TEST(Renderers, ByWayOfAnotherApiAreNotTakenForTheOnesThatAreTested) {
+    for (const char* name : {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe"}) {
+        EXPECT_TRUE(gl::is_tested(name)) << name;
+        EXPECT_FALSE(gl::is_zink(name)) << name;
+    }
+    const char* const layered = "zink (llvmpipe (LLVM 15.0.6, 256 bits))";
+    EXPECT_TRUE(gl::is_software(layered));
+    EXPECT_TRUE(gl::is_zink(layered));
+    EXPECT_FALSE(gl::is_tested(layered));
+    EXPECT_FALSE(gl::is_tested("NVIDIA H100 80GB HBM3/PCIe/SSE2"));
+}
+
+TEST(Budget, OneTileThatIsMoreThanIsTakenOfAGpuIsTheCpus) {
+    auto& gpu = *new gl::Gpu; // none ends before its process
+    gpu.context = std::make_unique<gl::Context>();
+    gpu.block_limit = size_t(1) << 31;
+    const gl::SlotShape shape = gl::shape_for({0, 0, 1000, 1000});
+    SurfaceOptions surface;
+    EXPECT_GE(gl::affordable_tiles(gpu, shape, 1, surface, 100), 1u);
+    EXPECT_THROW(gl::affordable_tiles(gpu, shape, 1000, surface, 100), gl::Failure);
+    gpu.context->software = true; // whose memory is the machine's
+    EXPECT_EQ(gl::affordable_tiles(gpu, shape, 1000, surface, 100), 1u);
 }
 
 #ifdef __linux__

@@ -96,6 +96,8 @@ private:
             return;
         MeshOptions still = m_job.mesh;
         still.min_gain = 1e30f; // nothing flips, and the start's gains remain
+        if (still.scheme == Scheme::annealing)
+            still.scheme = Scheme::one_round; // annealing flips by chance what gains nothing
         compare_gains("starting mesh", start, m_gpu.mesh(still, 1, false));
         MeshStage before = start;
         for (int i = 1; i <= m_job.mesh.max_iterations; ++i) {
