@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/image/channels.h"
 
+#include <gtest/gtest.h>
+
 namespace {
 
 using OIIO::ImageSpec;
