@@ -23,7 +23,10 @@ bool SourceImage::open(const std::string& path, OIIO::ImageInput& input, int sub
     OIIO::ImageSpec spec = input.spec(subimage);
     if (cache_keeps(spec.format)) {
         m_file = std::make_unique<LazyFile>(path, subimage, LazyFile::Pieces(), &hints);
-        if (is_unchanged(spec, m_file->image().nativespec(), path, error))
+        const OIIO::ImageBuf& image = m_file->image();
+        if (const OIIO::ImageSpec& now = image.nativespec(); image.has_error())
+            error = format("cannot read \"{}\": {}", path, image.geterror());
+        else if (is_unchanged(spec, now, path, error))
             return true;
         error = "ddt: " + error;
         return false;
