@@ -150,14 +150,8 @@ bool ImageFile::check_written(Failure& failure) const {
     };
     const ExitCode code = m_stream ? exit_failed : exit_resources;
     const auto in = OIIO::ImageInput::open(temporary());
-    if (!in) {
-        const int descriptor = ::open(temporary().c_str(), O_RDONLY | O_CLOEXEC);
-        const int number = errno;
-        if (descriptor >= 0)
-            ::close(descriptor);
-        return refuse("what was written cannot be read back",
-                      descriptor < 0 ? code_of_errno(number) : code);
-    }
+    if (!in)
+        return refuse("what was written cannot be read back", code_of_opening(temporary(), code));
     if (in->spec().width != m_width || in->spec().height != m_height)
         return refuse(format("the format {} made {} x {} pixels of {} x {}",
                              m_output->format_name(), in->spec().width, in->spec().height, m_width,
@@ -181,6 +175,14 @@ bool ImageFile::commit(Failure& failure) {
     m_output.reset();
     m_stream.reset();
     return m_whole.commit(failure);
+}
+
+ExitCode code_of_opening(const std::string& path, ExitCode otherwise) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0)
+        return code_of_errno(errno);
+    ::close(descriptor);
+    return otherwise;
 }
 
 int rows_in_strip(const OIIO::ImageSpec& spec) {

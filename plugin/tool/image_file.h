@@ -48,6 +48,10 @@ private:
     std::unique_ptr<OIIO::ImageOutput> m_output;
 };
 
+/// Readers call what cannot be opened none of their format: the code for why a file cannot be, or
+/// `otherwise` if it can.
+ExitCode code_of_opening(const std::string& path, ExitCode otherwise);
+
 /// Scanlines that a file of this spec keeps together, as far as it says so (TIFF); 1 to 2^20.
 int rows_in_strip(const OIIO::ImageSpec& spec);
 

@@ -2,13 +2,9 @@
 #include "plugin/tool/join.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <climits>
 #include <cstring>
 #include <memory>
-
-#include <fcntl.h>
-#include <unistd.h>
 
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/strutil.h>
@@ -38,11 +34,7 @@ struct PartFile {
 bool cannot_read(const PartFile& part, Failure& failure) {
     std::string why = part.input ? part.input->geterror() : OIIO::geterror();
     why = std::string(OIIO::Strutil::strip(why.substr(0, why.find('\n'))));
-    // Readers call what cannot be opened none of their format.
-    const int descriptor = ::open(part.path.c_str(), O_RDONLY | O_CLOEXEC);
-    const ExitCode code = descriptor < 0 ? code_of_errno(errno) : code_of_message(why);
-    if (descriptor >= 0)
-        ::close(descriptor);
+    const ExitCode code = code_of_opening(part.path, code_of_message(why));
     failure = {"cannot read \"" + part.path + "\"" + (why.empty() ? "" : ": " + why), code};
     return false;
 }

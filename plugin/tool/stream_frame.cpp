@@ -151,13 +151,9 @@ bool Frame::allocate(std::string& error) {
 
 Frame Frame::of_size(int new_width, int new_height) const {
     Frame other;
-    other.magic = magic;
-    other.tuple_type = tuple_type;
-    other.scale = scale;
+    static_cast<FrameHeader&>(other) = *this;
     other.width = new_width;
     other.height = new_height;
-    other.channels = channels;
-    other.largest = largest;
     return other;
 }
 

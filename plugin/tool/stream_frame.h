@@ -14,12 +14,15 @@ namespace ddt::tool {
 
 /// A picture with its header. Alpha is not associated (PAM's definition). One whose largest value
 /// is neither 255 nor 65535 is read as one of 16 bits.
-struct Frame {
+struct FrameHeader {
     std::string magic;      ///< "P7", "P6", "P5", "PF", "Pf"
     std::string tuple_type; ///< PAM's TUPLTYPE, may be empty
     std::string scale;      ///< PFM's third number as it stands; below 0: the low byte comes first
     int width = 0, height = 0, channels = 0;
     int largest = 0; ///< 255 or 65535; PFM: 0
+};
+
+struct Frame : FrameHeader {
     /// Numbers of this machine's byte order, rows downwards: uint8, uint16 or float.
     std::unique_ptr<char[]> pixels;
 
