@@ -13,12 +13,12 @@
 #include <OpenImageIO/strutil.h>
 
 #include "core/base/guarded.h"
-#include "pieces.h"
 #include "plugin/image/metadata.h"
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
-#include "request.h"
-#include "source_image.h"
+#include "plugin/reader/pieces.h"
+#include "plugin/reader/request.h"
+#include "plugin/reader/source_image.h"
 
 namespace ddt {
 namespace {

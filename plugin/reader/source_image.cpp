@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "source_image.h"
+#include "plugin/reader/source_image.h"
 
 #include <OpenImageIO/strutil.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // ImageBufAlgo's resize, fit and warp in OIIO 2.4 and 2.5, by every entry point: a library linked
 // with -Bsymbolic-functions calls its own functions past our redirection.
-#include "filter.h"
-#include "fit.h"
-#include "hooks.h"
-#include "returning.h"
+#include "plugin/register/filter.h"
+#include "plugin/register/fit.h"
+#include "plugin/register/hooks.h"
+#include "plugin/register/returning.h"
 
 namespace ddt {
 namespace {

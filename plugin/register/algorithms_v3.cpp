@@ -2,11 +2,11 @@
 // ImageBufAlgo's resize, fit and warp from OIIO 3.0 on, where filters come in a list of parameters,
 // by every entry point: a library linked with -Bsymbolic-functions calls its own functions past our
 // redirection.
-#include "filter.h"
-#include "fit.h"
-#include "hooks.h"
 #include "plugin/imagebuf/warp.h"
-#include "returning.h"
+#include "plugin/register/filter.h"
+#include "plugin/register/fit.h"
+#include "plugin/register/hooks.h"
+#include "plugin/register/returning.h"
 
 namespace ddt {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "filter.h"
+#include "plugin/register/filter.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <OpenImageIO/imagebufalgo.h>
 
 #include "core/base/guarded.h"
-#include "filter.h"
-#include "hooks.h"
+#include "plugin/register/filter.h"
+#include "plugin/register/hooks.h"
 
 namespace ddt {
 namespace {

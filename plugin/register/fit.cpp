@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fit.h"
+#include "plugin/register/fit.h"
 
 #include <algorithm>
 

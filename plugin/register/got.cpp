@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Relocations for function addresses have addend 0, so a slot holds the plain address.
-#include "got.h"
+#include "plugin/register/got.h"
 
-#include "module.h"
+#include "plugin/register/module.h"
 
 #ifdef DDT_HAS_MODULES
 

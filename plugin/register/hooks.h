@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "got.h"
+#include "plugin/register/got.h"
 
 namespace ddt {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "module.h"
+#include "plugin/register/module.h"
 
 #ifdef DDT_HAS_MODULES
 

@@ -14,8 +14,8 @@
 
 #include "core/base/guarded.h"
 #include "core/base/verbose.h"
-#include "hooks.h"
-#include "version.h"
+#include "plugin/register/hooks.h"
+#include "plugin/register/version.h"
 
 // The reader's, that OpenImageIO looks at before it takes the plugin.
 extern "C" int ddt_imageio_version;

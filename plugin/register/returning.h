@@ -4,8 +4,8 @@
 
 #include <OpenImageIO/imagebuf.h>
 
-#include "hooks.h"
 #include "plugin/message/format.h"
+#include "plugin/register/hooks.h"
 
 namespace ddt {
 

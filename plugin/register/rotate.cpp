@@ -3,9 +3,9 @@
 // warp, which it calls; one linked with -Bsymbolic-functions calls its own.
 #include <OpenImageIO/Imath.h>
 
-#include "filter.h"
-#include "hooks.h"
-#include "returning.h"
+#include "plugin/register/filter.h"
+#include "plugin/register/hooks.h"
+#include "plugin/register/returning.h"
 
 namespace ddt {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // ImageBufAlgo::st_warp weighs pixels by a filter of its own place for each pixel, which a mesh has
 // no meaning for: our filters are refused there, with a line, and not evaluated.
-#include "filter.h"
-#include "hooks.h"
 #include "plugin/message/format.h"
-#include "returning.h"
+#include "plugin/register/filter.h"
+#include "plugin/register/hooks.h"
+#include "plugin/register/returning.h"
 
 namespace ddt {
 namespace {

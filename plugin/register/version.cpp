@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "version.h"
+#include "plugin/register/version.h"
 
 #include <cstring>
 
-#include "module.h"
+#include "plugin/register/module.h"
 
 namespace ddt {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // ImageBufAlgo::warp by a filter or its name: all there is in OIIO 2, deprecated in 3.
-#include "filter.h"
-#include "hooks.h"
-#include "returning.h"
+#include "plugin/register/filter.h"
+#include "plugin/register/hooks.h"
+#include "plugin/register/returning.h"
 
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pieces.h"
+#include "plugin/reader/pieces.h"
 
 #include "ddt/points.h"
 #include "tests/plugin/images.h"

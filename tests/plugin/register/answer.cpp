@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "answer.h"
+#include "tests/plugin/register/answer.h"
 
 int answer() {
     return 42;

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "answer.h"
-#include "got.h"
+#include "plugin/register/got.h"
+#include "tests/plugin/register/answer.h"
 
 namespace {
 

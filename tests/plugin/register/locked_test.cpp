@@ -8,7 +8,7 @@
 
 #include <OpenImageIO/imagebufalgo.h>
 
-#include "refuse_writable.h"
+#include "tests/plugin/register/refuse_writable.h"
 
 namespace {
 

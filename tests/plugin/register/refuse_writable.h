@@ -9,7 +9,7 @@
 
 #include <cerrno>
 
-#include "answer.h"
+#include "tests/plugin/register/answer.h"
 
 namespace {
 

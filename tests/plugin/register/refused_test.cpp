@@ -2,9 +2,9 @@
 // Redirecting where the system does not let pages be made writable.
 #include <gtest/gtest.h>
 
-#include "answer.h"
-#include "got.h"
-#include "refuse_writable.h"
+#include "plugin/register/got.h"
+#include "tests/plugin/register/answer.h"
+#include "tests/plugin/register/refuse_writable.h"
 
 namespace {
 

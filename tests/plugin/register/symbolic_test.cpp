@@ -2,8 +2,8 @@
 // A library linked with -Bsymbolic-functions.
 #include <gtest/gtest.h>
 
-#include "answer.h"
-#include "got.h"
+#include "plugin/register/got.h"
+#include "tests/plugin/register/answer.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "answer.h"
+#include "tests/plugin/register/answer.h"
 
 namespace {
 
