@@ -24,7 +24,7 @@ struct PartFile {
     std::string path;
     PartHeader header;
     Rect window;
-    OIIO::ImageSpec spec;    ///< without the header, channels in the whole's order
+    OIIO::ImageSpec spec;    ///< channels in the whole's order
     std::vector<int> places; ///< of these in the file; empty where they are the same
     std::unique_ptr<OIIO::ImageInput> input; ///< open only while its rows are wanted
     std::vector<char> tiles;                 ///< the pixels of a row of tiles
@@ -76,7 +76,7 @@ bool read_header(PartFile& part, Failure& failure) {
     OIIO::ImageSpec& spec = part.spec;
     spec = part.input->spec();
     part.input.reset();
-    if (spec.depth > 1 || spec.tile_depth > 1 || spec.deep || !part.header.take_from(spec)) {
+    if (spec.depth > 1 || spec.tile_depth > 1 || spec.deep || !part.header.read_from(spec)) {
         failure = {"\"" + part.path + "\" is no part; allowed are files of ddt resize --part"};
         return false;
     }
@@ -260,24 +260,7 @@ OIIO::ImageSpec whole_spec(OIIO::ImageSpec spec, const PartHeader& header, bool 
     spec.height = header.whole.height();
     if (const OIIO::TypeDesc type(header.type); type != spec.format)
         spec.set_format(type);
-    const auto restore = [&](const char* key, const std::string& value) {
-        spec.erase_attribute(key);
-        if (!value.empty())
-            spec.attribute(key, value);
-    };
-    restore("compression", header.compression);
-    restore("oiio:ColorSpace", header.colour_space);
-    restore("DateTime", header.date); // OpenEXR's writer makes one of its own
-    // OpenEXR's reader makes one.
-    if (header.no_aspect)
-        spec.erase_attribute("PixelAspectRatio");
-    for (const char* key : {"ICCProfile", "oiio:BitsPerSample", "oiio:Gamma", "oiio:subimages"})
-        spec.erase_attribute(key);
-    if (const std::vector<unsigned char>& profile = header.profile; !profile.empty())
-        spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, int(profile.size())),
-                       profile.data());
-    if (header.bits > 0)
-        spec.attribute("oiio:BitsPerSample", header.bits);
+    spec.extra_attribs = header.metadata;
     if (!tiles)
         spec.tile_width = spec.tile_height = spec.tile_depth = 0;
     return spec;

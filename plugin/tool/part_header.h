@@ -23,19 +23,15 @@ struct PartHeader {
     Part part;
     Rect whole;       ///< the data window of the whole
     std::string type; ///< the whole's pixel type, where the file's holds more
-    /// The source's, empty if it says none: OpenEXR's files are all read as linear.
-    std::string colour_space;
-    std::string compression; ///< the source's, empty if it says none; parts are without loss
     /// The channels' names in the whole's order: a file's are sorted. Empty: as the file has them.
     std::vector<std::string> channels;
-    std::string date;                   ///< the source's DateTime, empty if it says none
-    std::vector<unsigned char> profile; ///< the source's ICC profile, or nothing
-    int bits = 0;                       ///< oiio:BitsPerSample of the whole; 0: none
-    bool no_aspect = false;             ///< the whole says no PixelAspectRatio
+    /// The whole's, as one run writes them: of those that belong to another format OpenEXR keeps
+    /// none, and it adds its own.
+    OIIO::ParamValueList metadata;
 
     void write_to(OIIO::ImageSpec& spec) const;
-    /// Take it off a file's spec. False if that is of no part.
-    bool take_from(OIIO::ImageSpec& spec);
+    /// False if the spec is of no part.
+    bool read_from(const OIIO::ImageSpec& spec);
 };
 
 /// Of a part of a whole that has this spec. job: fingerprint().

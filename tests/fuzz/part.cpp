@@ -6,6 +6,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include "plugin/tool/join.h"
+#include "plugin/tool/metadata_text.h"
 #include "plugin/tool/part.h"
 #include "tests/fuzz/bytes.h"
 #include "tests/fuzz/require.h"
@@ -16,12 +17,23 @@ using namespace ddt::fuzz;
 
 namespace {
 
+/// Mostly as a part has them, of any type and name.
+std::string line_of_metadata(Bytes& bytes) {
+    constexpr const char* names[] = {"compression", "oiio:ColorSpace", "Orientation",
+                                     "smpte:TimeCode"};
+    OIIO::ParamValueList list;
+    list.attribute(names[bytes.below(int(std::size(names)))], bytes.line(24));
+    std::string text = tool::text_of(list);
+    for (int changes = bytes.below(8); changes > 0; --changes)
+        text[size_t(bytes.below(int(text.size())))] = "0123456789abcdef -\n"[bytes.below(19)];
+    return text;
+}
+
 /// Mostly a part of two halves of 40 x 40, with something changed.
 bool write_part(Bytes& bytes, int index, const std::string& path) {
     constexpr OIIO::TypeDesc::BASETYPE types[] = {OIIO::TypeDesc::HALF, OIIO::TypeDesc::FLOAT,
                                                   OIIO::TypeDesc::UINT32};
-    constexpr const char* others[] = {"compression", "colorspace", "channels",
-                                      "date",        "profile",    "bits"};
+    constexpr const char* others[] = {"channels", "metadata"};
     constexpr const char* orders[] = {"B\nG\nR", "G\nR", "R\nR\nR", "R\nG\nB\nA", "\n\n"};
     OIIO::ImageSpec spec(40, 20, 3, OIIO::TypeHalf);
     spec.y = 20 * index;
@@ -30,7 +42,7 @@ bool write_part(Bytes& bytes, int index, const std::string& path) {
     std::string part = std::to_string(index + 1) + "/2", whole = "0 0 40 40", type = "half",
                 job = "job";
     for (int changes = bytes.below(4); changes > 0; --changes)
-        switch (bytes.below(13)) {
+        switch (bytes.below(14)) {
         case 0:
             spec.x = bytes.take<int8_t>();
             break;
@@ -72,6 +84,9 @@ bool write_part(Bytes& bytes, int index, const std::string& path) {
             break;
         case 12: // of the file, or of another
             spec.attribute("ddt_part:channels", orders[bytes.below(int(std::size(orders)))]);
+            break;
+        case 13:
+            spec.attribute("ddt_part:metadata", line_of_metadata(bytes));
             break;
         }
     spec.attribute("ddt_part:job", job);

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// An image's metadata as a text, which a file of any format can carry.
+#pragma once
+
+#include <string>
+
+#include <OpenImageIO/paramlist.h>
+
+namespace ddt::tool {
+
+/// A line each, whatever their types; pointers are left out.
+std::string text_of(const OIIO::ParamValueList& metadata);
+
+/// The metadata that a text is of, in its order. False, and `metadata` is empty, if it is of none.
+bool metadata_of(const std::string& text, OIIO::ParamValueList& metadata);
+
+} // namespace ddt::tool
