@@ -77,8 +77,10 @@ double exponent_of(const std::string& name) {
     return good && exponent >= 0.1 && exponent <= 10 ? exponent : 0;
 }
 
-/// The carried config with one more space, of the given exponent.
+/// The carried config's, or that config with one more space, of the given exponent.
 Space gamma_space(const std::string& name, double exponent) {
+    if (const auto known = carried_config()->getColorSpace(name.c_str()))
+        return {carried_config(), known};
     auto space = OCIO::ColorSpace::Create();
     space->setName(name.c_str());
     space->setTransform(mirrored_power(exponent), OCIO::COLORSPACE_DIR_TO_REFERENCE);

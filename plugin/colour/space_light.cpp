@@ -147,7 +147,8 @@ std::shared_ptr<const Light> find_light(const std::string& option, const std::st
         }
         return (*known)[key] = std::make_shared<Light>(light_of(space));
     } catch (const OCIO::Exception& e) {
-        error = format("colour space \"{}\": {}", name, one_line(e.what()));
+        error = format("colour space \"{}\": {}; mend the OCIO config, or use light=encoded", name,
+                       one_line(e.what()));
         return nullptr;
     }
 }

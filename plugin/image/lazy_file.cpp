@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/tiles/grid.h"
+#include "plugin/image/metadata.h"
 
 namespace ddt {
 namespace {
@@ -47,6 +48,12 @@ LazyFile::LazyFile(const std::string& path, int subimage, const Pieces& pieces,
     m_cache->attribute("max_memory_MB", pieces.megabytes);
     m_cache->attribute("autotile", tile_size);
     m_cache->attribute("autoscanline", int(pieces.whole_rows));
+    m_cache->attribute("forcefloat", 0);
+    m_image = std::make_unique<OIIO::ImageBuf>(path, subimage, 0, m_cache, hints);
+    if (!is_associated_when_read(m_image->nativespec()))
+        return;
+    m_image.reset();
+    m_cache->attribute("forcefloat", 1);
     m_image = std::make_unique<OIIO::ImageBuf>(path, subimage, 0, m_cache, hints);
 }
 

@@ -13,6 +13,9 @@
 #include <OpenImageIO/strutil.h>
 
 #include "core/base/guarded.h"
+#include "core/base/verbose.h"
+#include "plugin/colour/space_light.h"
+#include "plugin/image/channels.h"
 #include "plugin/image/metadata.h"
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
@@ -67,13 +70,38 @@ private:
     std::string m_failure;                ///< why it cannot be had
 };
 
+/// Whether there is the light that the image's colour, if any, is enlarged in: who reads pixels may
+/// not ask whether that failed.
+bool check_light(const OIIO::ImageSpec& spec, const Options& options, std::string& error) {
+    if (options.light == "encoded" ||
+        (options.light == "auto" && channels_of(spec).colour.count == 0) ||
+        find_light(options.light, spec.get_string_attribute("oiio:ColorSpace"), error))
+        return true;
+    error = "ddt: " + error;
+    return false;
+}
+
+/// Who copies an image writes it in tiles if it has some: leave out what a TIFF in tiles has that
+/// OpenImageIO cannot read again (doubles are black, CMYK overruns memory, JPEG has no tables).
+void fit_tiles(OIIO::ImageSpec& spec) {
+    if (spec.format == OIIO::TypeDesc(OIIO::TypeDesc::DOUBLE))
+        spec.set_format(OIIO::TypeFloat); // all that there is
+    spec.erase_attribute("tiff:ColorSpace");
+    if (spec.get_string_attribute("compression") == "jpeg")
+        spec.erase_attribute("compression");
+}
+
 template <typename F>
 bool Reader::report(F f) {
     std::string error;
     if (succeeds(&error, f))
         return true;
     if (!error.empty())
-        guarded_call(nullptr, [&] { errorfmt("{}", error); });
+        guarded_call(nullptr, [&] {
+            errorfmt("{}", error);
+            if (verbose()) // oiiotool tells its own: that there is no such file
+                say("%s", error.c_str());
+        });
     return false;
 }
 
@@ -145,7 +173,7 @@ bool Reader::describe(int subimage, std::string& error) {
         return false;
     }
     OIIO::ImageSpec to = from;
-    if (!m_request.windows(from, to, error))
+    if (!m_request.windows(from, to, error) || !check_light(from, m_request.options, error))
         return false;
     if (!check_size(from.roi(), from.nchannels, from.format, error) ||
         !check_size(to.roi(), to.nchannels, to.format, error)) {
@@ -156,6 +184,7 @@ bool Reader::describe(int subimage, std::string& error) {
     to.tile_width = to.tile_height = tile_side;
     to.tile_depth = 1;
     forget_pixels(to);
+    fit_tiles(to);
     m_pieces.reset();
     m_image.reset();
     m_failure.clear();

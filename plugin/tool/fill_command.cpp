@@ -19,6 +19,8 @@ namespace {
 bool plan_file(const OIIO::ImageBuf& image, const std::string& path, ImageFile& file,
                OIIO::ImageSpec& spec, Failure& failure) {
     spec = image.spec();
+    if (is_associated_when_read(image.nativespec())) // then the image holds floats
+        spec.set_format(image.nativespec().format);
     spec.channelformats = image.nativespec().channelformats;
     forget_pixels(spec);
     spec.tile_width = spec.tile_height = spec.tile_depth = 0;

@@ -36,10 +36,15 @@ bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::
 std::string fit_channels(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec) {
     if (output.supports("nchannels"))
         return {};
-    const bool alpha = output.supports("alpha") && spec.alpha_channel == 3;
-    const int most = alpha ? 4 : 3;
     const std::vector<std::string>& names = spec.channelnames;
-    if (spec.nchannels <= most || names[0] != "R" || names[1] != "G" || names[2] != "B")
+    const bool has_alpha = output.supports("alpha");
+    const auto is_rgb = [&] { return names[0] == "R" && names[1] == "G" && names[2] == "B"; };
+    int most = 3;
+    if (has_alpha && (spec.alpha_channel == 3 || (spec.nchannels == 4 && !is_rgb())))
+        most = 4;
+    else if (!has_alpha && spec.nchannels == 2 && spec.alpha_channel == 1)
+        most = 1; // grey
+    if (spec.nchannels <= most)
         return {};
     const std::string left_out =
         OIIO::Strutil::join(std::vector(names.begin() + most, names.end()), ", ");

@@ -156,7 +156,7 @@ bool ImageFile::check_written(Failure& failure) const {
         return refuse(format("the format {} made {} x {} pixels of {} x {}",
                              m_output->format_name(), in->spec().width, in->spec().height, m_width,
                              m_height),
-                      code);
+                      exit_failed);
     // Reading the pixels of small icons ends the program (OpenImageIO 2.4.7).
     const bool enough = m_stream || m_output->format_name() == std::string("ico");
     if (!enough && (has_holes(m_whole.file()) || !can_be_read(*in)))

@@ -9,8 +9,10 @@
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/image/channels.h"
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
+#include "plugin/tool/command.h"
 #include "plugin/tool/fit_format.h"
 #include "plugin/tool/image_file.h"
 #include "plugin/tool/part_header.h"
@@ -266,6 +268,23 @@ OIIO::ImageSpec whole_spec(OIIO::ImageSpec spec, const PartHeader& header, bool 
     return spec;
 }
 
+/// Whether what the format writes in tiles can be read: OpenImageIO's reader of TIFF overruns its
+/// memory with tiles of CMYK, and has not the tables of those in JPEG.
+bool can_have_tiles(const OIIO::ImageOutput& output, const OIIO::ParamValueList& metadata) {
+    return output.supports("tiles") && (output.format_name() != std::string("tiff") ||
+                                        (metadata.get_string("compression") != "jpeg" &&
+                                         !metadata.contains("tiff:ColorSpace")));
+}
+
+/// Say that a file with room for more has what whole numbers leave of the pixels.
+void note_rounded(const std::string& path, OIIO::TypeDesc written, const std::string& type) {
+    const OIIO::TypeDesc parts(type);
+    if (written != parts && !parts.is_floating_point() && !is_id_type(parts))
+        note(format("\"{}\" has {}, and the parts were rounded to {}; --type {} for each part "
+                    "keeps what one run keeps",
+                    path, written, parts, written.is_floating_point() ? written : OIIO::TypeHalf));
+}
+
 /// Write the rows [y0, y1) of what the format holds of the whole, which has some of them in `rows`,
 /// from its row `from` on; where it has none they are black.
 bool write_kept(OIIO::ImageOutput& output, const Rect& whole, const Rect& kept, int y0, int y1,
@@ -307,7 +326,7 @@ bool join(const std::vector<std::string>& paths, const std::string& out,
     ImageFile file;
     if (!file.create(out, failure))
         return false;
-    const bool tiles = file.output().supports("tiles");
+    const bool tiles = can_have_tiles(file.output(), parts.front().header.metadata);
     OIIO::ImageSpec written = whole_spec(spec, parts.front().header, tiles);
     if (!fit_format(file.output(), out, written, failure))
         return false;
@@ -320,6 +339,7 @@ bool join(const std::vector<std::string>& paths, const std::string& out,
     if (!file.open(written, failure))
         return false;
     note_left_out(out, left_out);
+    note_rounded(out, file.output().spec().format, parts.front().header.type);
     const auto write_black = [&](int y0, int y1) {
         if (write_kept(file.output(), whole, kept, y0, y1, held, nullptr, 0))
             return true;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "plugin/image/metadata.h"
 #include "plugin/image/source.h"
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
@@ -73,7 +74,8 @@ bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& err
         return false;
     }
     image.reset(path);
-    if (image.read(0, 0, true))
+    const bool floats = image.init_spec(path, 0, 0) && is_associated_when_read(image.nativespec());
+    if (image.read(0, 0, true, floats ? OIIO::TypeFloat : OIIO::TypeUnknown))
         return true;
     error = why_unreadable(image, path);
     return false;

@@ -100,6 +100,18 @@ Failure too_far(const OIIO::ImageSpec& from, const Size& size) {
         std::ceil(from.height * (double(size.height) / from.full_height)), largest_coordinate)};
 }
 
+/// False if the image cannot be read in the light that it is to be enlarged in. Before the file is
+/// open, as check_image().
+bool check_light(const OIIO::ImageBuf& image, const std::string& path, const OIIO::ImageSpec& to,
+                 const Options& options, Failure& failure) {
+    Reading reading;
+    if (!enlarges(image.roi_full(), to.roi_full()) ||
+        plan_reading(image, options, image.roi(), reading, failure.why))
+        return true;
+    failure.why = "\"" + path + "\": " + failure.why;
+    return false;
+}
+
 /// Open the file for what of the result its format has room for: `spec` becomes that.
 bool open_file(const std::string& path, OIIO::ImageSpec& spec, ImageFile& file, Failure& failure) {
     spec.tile_width = spec.tile_height = spec.tile_depth = 0;
@@ -215,8 +227,12 @@ bool resize_file(const std::string& in, const std::string& out, const ResizeSett
     if (!check_image(image, in, settings.options, failure))
         return false;
     OIIO::ImageSpec from = image.spec(), spec;
+    if (is_associated_when_read(image.nativespec())) // then the image holds floats
+        from.set_format(image.nativespec().format);
     from.channelformats = image.nativespec().channelformats;
     if (!plan_result(from, settings, spec, failure))
+        return false;
+    if (!check_light(image, in, spec, settings.options, failure))
         return false;
     OIIO::ROI made = OIIO::get_roi(spec);
     ImageFile file;
@@ -264,8 +280,10 @@ int64_t memory_to_resize(const std::string& in, const std::string& out,
     if (!settings.type.empty() || !spec.channelformats.empty() ||
         OIIO::Filesystem::extension(in) != OIIO::Filesystem::extension(out))
         spec.set_format(OIIO::TypeFloat);
-    return int64_t(file->spec().image_bytes() + spec.image_bytes()) + ids +
-           memory_beside(settings.threads);
+    OIIO::ImageSpec from = file->spec();
+    if (is_associated_when_read(from))
+        from.set_format(OIIO::TypeFloat);
+    return int64_t(from.image_bytes() + spec.image_bytes()) + ids + memory_beside(settings.threads);
 }
 
 } // namespace ddt::tool

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "plugin/image/lazy_file.h"
+#include "plugin/image/metadata.h"
 #include "plugin/image/windows.h"
 #include "plugin/tool/image_file.h"
 #include "plugin/tool/picture.h"
@@ -26,10 +27,10 @@ int rows_at_once(const OIIO::ImageSpec& spec) {
     return (wanted + together - 1) / together * together;
 }
 
-/// Whether there are rows of pixels that follow one another as they are in memory.
+/// Whether there are rows of pixels that follow one another as they are in memory, of one type.
 bool comes_by_rows(const OIIO::ImageSpec& spec) {
     return !spec.deep && spec.depth <= 1 && spec.channelformats.empty() && spec.width > 0 &&
-           spec.height > 0 && spec.nchannels > 0;
+           spec.height > 0 && spec.nchannels > 0 && !is_associated_when_read(spec);
 }
 
 } // namespace

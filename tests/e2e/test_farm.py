@@ -141,6 +141,24 @@ class Parts(Farm):
         self.check_same("photo.jpg", "200%", 1, "joined.jpg")
         self.assertEqual(self.load("joined.jpg").spec()["jpeg:subsampling"], "4:4:4")
 
+    def test_formats_whose_tiles_cannot_be_read(self):
+        """TIFF of CMYK, and in JPEG: OpenImageIO's reader fails, or writes beyond its memory."""
+        self.succeed("oiiotool", "photo.png", "--attrib", "tiff:ColorSpace", "CMYK", "-o", "cmyk.tif")
+        self.succeed("oiiotool", "photo.png", "--compression", "jpeg", "-o", "jpeg.tif")
+        for image in "cmyk.tif", "jpeg.tif":
+            self.check_same(image, "200%", 1, "joined.tif")
+
+    def test_what_is_rounded_twice_is_told(self):
+        """And how it is not."""
+        self.parts("photo.png", "200%", 1)
+        said = self.attempt(DDT, "join", "part.1.exr", "joined.exr")
+        self.assertEqual(said.returncode, 0)
+        self.assertIn("--type half", said.stderr)
+        self.parts("photo.png", "200%", 1, "--type", "half")
+        self.ddt("join", "part.1.exr", "joined.exr")
+        self.ddt("resize", "photo.png", "200%", "whole.exr")
+        self.assert_same("joined.exr", "whole.exr")
+
     def test_another_source_is_refused_wherever_it_differs(self):
         self.succeed("oiiotool", "--pattern", "noise", "900x800", "3", "-d", "uint8", "-o", "a.ppm")
         with open(self.path("a.ppm"), "rb") as file:

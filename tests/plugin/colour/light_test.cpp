@@ -88,6 +88,10 @@ TEST_F(LightTest, NamesOfGammas) {
     for (const char* unknown : {"g2.0_rec709_scene", "g_rec709_scene", "g0_rec709_scene",
                                 "g101_rec709_scene", "g20_rec2020_scene", "g-2_rec709_scene"})
         EXPECT_FALSE(light(unknown)->known()) << unknown;
+    // The config that is carried has aliases of these names.
+    const Ocio another(write_config());
+    for (const char* name : {"g18_rec709_scene", "g22_rec709_scene", "g24_rec709_scene"})
+        EXPECT_TRUE(light("", name)->converts()) << name;
 }
 
 TEST_F(LightTest, KnownValues) {

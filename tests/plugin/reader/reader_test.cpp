@@ -103,6 +103,35 @@ TEST_F(Reader, TilesTakeTheirPartOfTheMesh) {
     EXPECT_LE(taken, 4 * 321 * 321) << told;
 }
 
+TEST_F(Reader, TellsOfAWrongLightWhenItIsOpened) {
+    EXPECT_FALSE(ImageInput::open(name() + "&light=nosuch"));
+    EXPECT_NE(OIIO::geterror().find("nosuch"), std::string::npos);
+    EXPECT_TRUE(ImageInput::open(name() + "&light=encoded"));
+}
+
+// Who copies it writes tiles, too.
+TEST_F(Reader, HasNothingThatATiffInTilesCannotHold) {
+    ImageSpec spec(8, 8, 3, TypeDesc::DOUBLE);
+    ImageBuf image(spec);
+    ASSERT_TRUE(ImageBufAlgo::fill(image, {0.5f, 0.25f, 0.75f}));
+    const std::string in = ddt::temporary("double.tif"), out = ddt::temporary("tiles.tif");
+    ASSERT_TRUE(image.write(in));
+    ImageBuf large(in + ".ddt?scale=2");
+    ASSERT_TRUE(large.read()) << large.geterror();
+    EXPECT_GT(large.nativespec().tile_width, 0);
+    ASSERT_TRUE(large.write(out));
+    EXPECT_EQ(values(ImageBuf(out)), values(large));
+
+    ImageSpec cmyk(8, 8, 3, TypeUInt8);
+    cmyk.attribute("tiff:ColorSpace", "CMYK");
+    cmyk.attribute("compression", "jpeg");
+    ASSERT_TRUE(ImageBuf(cmyk).write(ddt::temporary("cmyk.tif")));
+    const auto input = ImageInput::open(ddt::temporary("cmyk.tif") + ".ddt?scale=2");
+    ASSERT_TRUE(input) << OIIO::geterror();
+    EXPECT_FALSE(input->spec().find_attribute("tiff:ColorSpace"));
+    EXPECT_NE(input->spec().get_string_attribute("compression"), "jpeg");
+}
+
 TEST_F(Reader, TellsThatItsSourceWasReplaced) {
     const std::string replaced = ddt::temporary("reader_test_replaced.tif");
     ASSERT_TRUE(ImageBuf(path()).write(replaced));

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "plugin/tool/commands.h"
+#include "plugin/tool/fit_format.h"
 #include "plugin/tool/join.h"
 #include "plugin/tool/resize_part.h"
 #include "tests/temporary.h"
@@ -432,10 +433,43 @@ TEST(ResizeFile, WhatAFormatHasNoRoomForIsLeftOutAndNamed) {
         EXPECT_EQ(ImageBuf(filled).nchannels(), channels);
         EXPECT_EQ(ImageBuf(filled).spec().width, 8);
     }
-    // Others are not for us to choose from.
-    spec.channelnames = {"u", "v", "w", "A", "Z", "mask"};
-    ASSERT_TRUE(ImageBuf(spec).write(temporary("others.exr")));
-    EXPECT_FALSE(resized(temporary("others.exr"), "200%", temporary("others.png"), failure));
+}
+
+TEST(FitChannels, TakesWhatOiiotoolTakes) {
+    const auto left_out = [](const char* file, const std::vector<std::string>& names, int alpha) {
+        ImageSpec spec(8, 6, int(names.size()), OIIO::TypeHalf);
+        spec.channelnames = names;
+        spec.alpha_channel = alpha;
+        const auto output = OIIO::ImageOutput::create(file);
+        const std::string told = fit_channels(*output, spec);
+        EXPECT_EQ(spec.channelnames.size(), size_t(spec.nchannels));
+        EXPECT_TRUE(std::equal(spec.channelnames.begin(), spec.channelnames.end(), names.begin()));
+        return told;
+    };
+    EXPECT_EQ(left_out("a.png", {"u", "v", "w", "A", "Z", "mask"}, 3), "Z, mask");
+    EXPECT_EQ(left_out("a.png", {"u", "v", "w", "x", "y"}, -1), "x, y");
+    EXPECT_EQ(left_out("a.png", {"u", "v", "w", "x"}, -1), "");
+    EXPECT_EQ(left_out("a.png", {"R", "G", "B", "Z"}, -1), "Z");
+    EXPECT_EQ(left_out("a.png", {"Y", "A"}, 1), "");
+    EXPECT_EQ(left_out("a.jpg", {"u", "v", "w", "x"}, -1), "x");
+    EXPECT_EQ(left_out("a.jpg", {"Y", "A"}, 1), "A");
+    EXPECT_EQ(left_out("a.tif", {"u", "v", "w", "x", "y"}, -1), "");
+    EXPECT_EQ(left_out("a.exr", {"Y", "A"}, 1), "");
+}
+
+TEST(ResizeFile, AnUnusableLightIsFoundBeforeTheFileIsMade) {
+    const std::string in = temporary("lit.png"), out = temporary("unlit.png");
+    ImageBuf image(ImageSpec(4, 4, 3, OIIO::TypeUInt8));
+    ASSERT_TRUE(OIIO::ImageBufAlgo::zero(image) && image.write(in));
+    setenv("OCIO", "/nonexistent.ocio", 1);
+    Failure failure;
+    testing::internal::CaptureStderr(); // libpng's, of a file that gets no pixels
+    const bool done = resized(in, "200%", out, failure);
+    unsetenv("OCIO");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_FALSE(done);
+    EXPECT_NE(failure.why.find("/nonexistent.ocio"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(out));
 }
 
 // Its writer ends the program.

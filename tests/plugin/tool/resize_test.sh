@@ -56,6 +56,13 @@ oiiotool "$testimages/scene.png" -d uint16 -o "$scratch/deep.png"
 compare_as "$scratch/deep.png" 150% jpg
 compare_as "$testimages/scene.png" 150% exr hdr
 
+# Colours of 8 bits that are multiplied by alpha when they are read: as floats.
+oiiotool --pattern noise:type=uniform:min=0:max=1 40x30 4 --chnames R,G,B,A \
+    --attrib:type=int oiio:UnassociatedAlpha 1 -d uint8 -o "$scratch/straight.tif"
+compare_as "$scratch/straight.tif" 200% exr tif
+oiiotool "$scratch/straight.tif.ddt?scale=2" -o "$scratch/named.tif"
+idiff -q "$scratch/named.tif" "$scratch/ours.tif" || { echo "FAILED: pixels of straight.tif.ddt"; exit 1; }
+
 # Files of integers that name no colour space.
 oiiotool "$testimages/scene.png" -o "$scratch/plain.dpx"
 oiiotool "$testimages/scene.png" -o "$scratch/plain.sgi"
