@@ -3,6 +3,7 @@
 
 #include "core/base/guarded.h"
 #include "core/gl/offload.h"
+#include "ddt/option_table.h"
 
 namespace ddt {
 
@@ -10,6 +11,11 @@ bool describe_device(const Job& job, std::string& line) noexcept {
     std::string text;
     const bool had = succeeds(&line, [&](std::string& why) {
         Placement placement;
+        const FilterOptions usual;
+        if (!check_options({usual.surface, job.mesh, usual.light, job.device, usual.holes}, why)) {
+            why = "ddt: " + why;
+            return false;
+        }
         if (!find_place(job, placement, why))
             return false;
         text = describe(placement);

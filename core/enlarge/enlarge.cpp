@@ -108,6 +108,8 @@ Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, 
     if (!find_place(job, placement, why))
         return Outcome::device_unavailable;
     Statistics statistics;
+    if (job.statistics)
+        *job.statistics = statistics; // of work that does not begin
     std::string failure;
     Outcome outcome;
     if (job.holes == Holes::keep) {

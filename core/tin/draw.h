@@ -96,8 +96,10 @@ void each_covered(const Steps (&corner)[3], const PixelAxis& columns, const Pixe
     }
 }
 
-inline bool is_step(double step) {
-    return std::isfinite(step) && step != 0;
+/// Whether all pixels along an axis of a PixelGrid have positions, each its own.
+inline bool is_axis(double first, double step, int count) {
+    return count >= 0 && step != 0 && std::isfinite(first) && std::isfinite(step) &&
+           std::isfinite(first + count * step);
 }
 
 /// Call f(triangle, covered) for each pixel of the grid that mesh.triangles cover: once, or where
@@ -106,8 +108,9 @@ inline bool is_step(double step) {
 template <class F>
 bool each_pixel(const PointMesh& mesh, const PixelGrid& grid, uint8_t* inside, std::string& error,
                 F&& f) {
-    if (grid.width < 0 || grid.height < 0 || !is_step(grid.step_x) || !is_step(grid.step_y)) {
-        error = "ddt: a grid of pixels has no negative size, and finite steps that are not 0";
+    if (!is_axis(grid.x, grid.step_x, grid.width) || !is_axis(grid.y, grid.step_y, grid.height)) {
+        error = "ddt: a grid of pixels has no negative size, finite positions, and steps that are "
+                "not 0";
         return false;
     }
     StepGrid steps;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/parse_number.h"
 #include "ddt/names.h"
 
 namespace ddt::host {
@@ -39,7 +40,9 @@ Parameter number(const Option& option, const std::string& initial) {
     p.high = std::min(option.high, double(std::numeric_limits<int>::max()));
     if (!is_preset(option)) {
         p.low = option.low;
-        p.initial = std::stod(initial);
+        // Not std::stod(): the host's locale may have a comma.
+        parse_number(initial, -std::numeric_limits<double>::max(),
+                     std::numeric_limits<double>::max(), p.initial);
     } else {
         p.low = p.initial = filters_own;
         p.help += " -1: as the filter has it.";
@@ -79,7 +82,9 @@ Parameter toggle(const Option& option, const std::string& initial) {
     return p;
 }
 
-std::vector<Parameter> make() {
+} // namespace
+
+std::vector<Parameter> make_parameters() {
     std::vector<Parameter> all;
     const std::string filter = filter_names().front();
     for (const Option& option : option_table()) {
@@ -102,14 +107,12 @@ std::vector<Parameter> make() {
     return all;
 }
 
-} // namespace
-
 bool Parameter::is_main() const {
     return option->group == OptionGroup::device;
 }
 
 const std::vector<Parameter>& parameters() {
-    static const auto* all = new std::vector<Parameter>(make()); // never destroyed
+    static const auto* all = new std::vector<Parameter>(make_parameters()); // never destroyed
     return *all;
 }
 

@@ -32,7 +32,10 @@ struct Parameter {
     bool is_main() const; ///< not one for experts
 };
 
-/// In the order of the table. Made once; thread-safe.
+/// In the order of the table.
+std::vector<Parameter> make_parameters();
+
+/// The same, made once; thread-safe.
 const std::vector<Parameter>& parameters();
 
 /// ",key=value" for a specification of the filter; empty for the initial value. Of numbers below 0

@@ -113,6 +113,10 @@ bool warp_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fPara
                   std::string& error) {
     if (!check_options_of(src, options, error))
         return false;
+    if (wrap < OIIO::ImageBuf::WrapDefault || wrap > OIIO::ImageBuf::WrapMirror) {
+        error = "there is no such wrap mode"; // OpenImageIO ends the process
+        return false;
+    }
     const Projective to_output = matrix_of(M);
     Projective to_source;
     if (!to_output.invert(to_source)) {

@@ -6,7 +6,6 @@
 // The first argument is a factor from 1 on, the second, which may be left out, a filter with its
 // options. sRGB and Gray images go through linear light, RGB and LinearGray ones are it.
 #include <algorithm>
-#include <cstdlib>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include <magick/MagickCore.h>
 
 #include "core/base/guarded.h"
+#include "core/base/parse_number.h"
 #include "plugin/host/request.h"
 
 namespace {
@@ -32,10 +32,7 @@ void complain(ExceptionInfo* exception, ExceptionType type, const std::string& e
 }
 
 bool parse(int argc, const char** argv, Request& request, std::string& error) {
-    char* end = nullptr;
-    if (argc > 0)
-        request.scale = std::strtod(argv[0], &end);
-    if (argc < 1 || argc > 2 || *end || !(request.scale >= 1 && request.scale <= 1e4)) {
+    if (argc < 1 || argc > 2 || !ddt::parse_number(argv[0], 1.0, 1e4, request.scale)) {
         error = "ddt: allowed are a scale from 1 on and a filter: -process \"ddt 4 ddt-sharp\"";
         return false;
     }

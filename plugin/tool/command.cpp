@@ -34,7 +34,8 @@ std::string near_option(const std::string& message, const std::vector<Flag>& fla
     };
     const auto nearer = [&](const Flag& a, const Flag& b) { return distance(a) < distance(b); };
     const auto nearest = std::min_element(flags.begin(), flags.end(), nearer);
-    return nearest != flags.end() && distance(*nearest) <= most
+    // One that is spelt right was not understood for another reason.
+    return nearest != flags.end() && distance(*nearest) > 0 && distance(*nearest) <= most
                ? "; did you mean " + nearest->name + "?"
                : "";
 }

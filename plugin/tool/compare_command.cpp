@@ -74,9 +74,10 @@ public:
         std::string error;
         for (size_t k = 0; k < 2; ++k) {
             OIIO::ImageBuf image;
-            if (!open_image(values[k], image, error) ||
-                !read_picture(image, {}, pictures[k], error))
-                return fail(error);
+            if (!open_image(values[k], image, error))
+                return fail(unreadable(values[k], error));
+            if (!read_picture(image, {}, pictures[k], error))
+                return fail(error, code_of_message(error));
         }
         if (pictures[0].width != pictures[1].width || pictures[0].height != pictures[1].height)
             return fail("the images are of different size: " + size_of(pictures[0]) + " and " +

@@ -80,7 +80,7 @@ public:
         OIIO::ImageBuf image, filled;
         Failure failure;
         if (!open_image(values[0], image, failure.why))
-            return fail(failure.why, code_of_message(failure.why));
+            return fail(unreadable(values[0], failure.why));
         ImageFile file;
         OIIO::ImageSpec spec;
         if (!plan_file(image, values[1], file, spec, failure))

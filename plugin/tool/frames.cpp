@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <climits>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -23,9 +24,10 @@ bool number(const std::string& text, int& n) {
 /// One of the items between commas, without them.
 bool append_range(const std::string& item, std::vector<int>& frames) {
     static const std::regex form("(-?[0-9]+)(?:-(-?[0-9]+)(?:x([0-9]+))?)?");
+    constexpr size_t longest = 40; // std::regex calls itself for each character
     std::smatch part;
     int first = 0, last = 0, by = 1;
-    if (!std::regex_match(item, part, form) || !number(part[1], first))
+    if (item.size() > longest || !std::regex_match(item, part, form) || !number(part[1], first))
         return false;
     last = first;
     if ((part[2].matched && !number(part[2], last)) || (part[3].matched && !number(part[3], by)) ||
@@ -85,7 +87,8 @@ FrameName::FrameName(const std::string& text) : m_before(text) {
     const std::string name = name_of(text);
     m_has_view = text.find("%V") != std::string::npos || text.find("%v") != std::string::npos;
     std::smatch part;
-    if (!find_place(name, part))
+    // No file has a longer name; std::regex calls itself for each character.
+    if (name.size() > NAME_MAX || !find_place(name, part))
         return;
     const std::string number = part[0];
     m_digits = number == "#"      ? 4
@@ -124,12 +127,17 @@ std::vector<int> FrameName::frames_there(const std::vector<std::string>& views) 
         for (const fs::directory_entry& entry :
              fs::directory_iterator(folder.empty() ? "." : folder, error)) {
             const std::string found_name = entry.path().filename().string();
-            const size_t end = found_name.find_first_not_of("0123456789", prefix.size() + 1);
-            int frame = 0;
-            if (prefix.size() < found_name.size() &&
-                number(found_name.substr(prefix.size(), end - prefix.size()), frame) &&
-                name_of(name(frame, view)) == found_name)
-                found.insert(frame);
+            if (found_name.compare(0, prefix.size(), prefix) != 0)
+                continue;
+            // What follows may begin with a digit.
+            const size_t digits = found_name.find_first_not_of("0123456789-", prefix.size());
+            const size_t most = std::min(digits, found_name.size()) - prefix.size();
+            for (size_t n = 1; n <= most; ++n) {
+                int frame = 0;
+                if (number(found_name.substr(prefix.size(), n), frame) &&
+                    name_of(name(frame, view)) == found_name)
+                    found.insert(frame);
+            }
         }
     }
     return {found.begin(), found.end()};

@@ -80,6 +80,12 @@ bool has_holes(std::FILE* file) {
 
 bool ImageFile::create(const std::string& path, Failure& failure) {
     m_path = path;
+    if (path.find('?') != std::string::npos) {
+        failure = {"cannot write \"" + path +
+                   "\": OpenImageIO takes what follows a ? in a name for arguments, and would not "
+                   "find it again"};
+        return false;
+    }
     m_output = OIIO::ImageOutput::create(path);
     if (!m_output) {
         const std::string why(OIIO::Strutil::strip(OIIO::geterror()));
@@ -183,6 +189,26 @@ ExitCode code_of_opening(const std::string& path, ExitCode otherwise) {
         return code_of_errno(errno);
     ::close(descriptor);
     return otherwise;
+}
+
+ExitCode code_of_reading(const std::string& path) {
+    // No pipe: nobody may be at its other end.
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0)
+        return code_of_errno(errno);
+    std::vector<char> bytes(size_t(1) << 20);
+    ExitCode code = exit_failed;
+    struct stat there {};
+    if (fstat(descriptor, &there) != 0)
+        code = code_of_errno(errno);
+    else if (S_ISREG(there.st_mode)) {
+        ssize_t n = 1;
+        while (n > 0)
+            n = ::read(descriptor, bytes.data(), bytes.size());
+        code = n < 0 ? code_of_errno(errno) : exit_failed;
+    }
+    ::close(descriptor);
+    return code;
 }
 
 int rows_in_strip(const OIIO::ImageSpec& spec) {

@@ -52,6 +52,10 @@ private:
 /// `otherwise` if it can.
 ExitCode code_of_opening(const std::string& path, ExitCode otherwise);
 
+/// The same of all its bytes, which readers call broken where they cannot be read: exit_failed if
+/// they can. After a failure alone, for it reads them.
+ExitCode code_of_reading(const std::string& path);
+
 /// Scanlines that a file of this spec keeps together, as far as it says so (TIFF); 1 to 2^20.
 int rows_in_strip(const OIIO::ImageSpec& spec);
 

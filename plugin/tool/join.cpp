@@ -16,6 +16,7 @@
 #include "plugin/tool/fit_format.h"
 #include "plugin/tool/image_file.h"
 #include "plugin/tool/part_header.h"
+#include "plugin/tool/picture.h"
 
 namespace ddt::tool {
 
@@ -36,8 +37,8 @@ struct PartFile {
 bool cannot_read(const PartFile& part, Failure& failure) {
     std::string why = part.input ? part.input->geterror() : OIIO::geterror();
     why = std::string(OIIO::Strutil::strip(why.substr(0, why.find('\n'))));
-    const ExitCode code = code_of_opening(part.path, code_of_message(why));
-    failure = {"cannot read \"" + part.path + "\"" + (why.empty() ? "" : ": " + why), code};
+    failure = unreadable(part.path,
+                         "cannot read \"" + part.path + "\"" + (why.empty() ? "" : ": " + why));
     return false;
 }
 

@@ -79,8 +79,9 @@ public:
         Mesh mesh;
         MeshReport report;
         std::string error;
-        if (!open_image(values[0], image, error) ||
-            !read_picture(image, m_options, picture, error) ||
+        if (!open_image(values[0], image, error))
+            return fail(unreadable(values[0], error));
+        if (!read_picture(image, m_options, picture, error) ||
             !triangulate(picture, mesh, report, error))
             return fail(error, code_of_message(error));
         if (m_verbose)

@@ -8,6 +8,7 @@
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command.h"
+#include "plugin/tool/image_file.h"
 
 namespace ddt::tool {
 
@@ -79,6 +80,11 @@ bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& err
         return true;
     error = why_unreadable(image, path);
     return false;
+}
+
+Failure unreadable(const std::string& path, const std::string& error) {
+    const ExitCode code = code_of_message(error);
+    return {error, code == exit_failed ? code_of_reading(path) : code};
 }
 
 void note_others(const std::string& path, int images) {

@@ -34,6 +34,9 @@ std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path)
 /// Read the first image of a file, its pixels included. False with one line in `error`.
 bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error);
 
+/// Of a file with which that failed.
+Failure unreadable(const std::string& path, const std::string& error);
+
 /// Say on stderr that others of the `images` in a file than the first were not looked at, if there
 /// are any.
 void note_others(const std::string& path, int images);

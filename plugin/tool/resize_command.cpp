@@ -4,10 +4,12 @@
 #include "plugin/tool/commands.h"
 #include "plugin/tool/compression.h"
 #include "plugin/tool/filter_flag.h"
+#include "plugin/tool/image_file.h"
 #include "plugin/tool/progress.h"
 #include "plugin/tool/resize_file.h"
 #include "plugin/tool/resize_part.h"
 #include "plugin/tool/sequence.h"
+#include "plugin/tool/size.h"
 #include "plugin/tool/threads.h"
 
 namespace ddt::tool {
@@ -74,11 +76,8 @@ public:
         const bool sequence = is_sequence(values[0], m_frames, m_views);
         if (sequence && !list_tasks(values[0], values[2], m_frames, m_views, tasks, failure))
             return fail(failure);
-        // Text that is no size is so of every frame.
-        if (OIIO::ImageSpec some(1024, 1024, 1), result;
-            !plan_result(some, m_settings, result, failure))
-            return fail(failure);
-
+        if (!is_size(values[1])) // of any frame
+            return fail(wrong_size(values[1]), exit_usage);
         if (!m_settings.compression.empty() &&
             !check_compression(m_settings.compression,
                                m_part.count > 0 ? "" : format_of(tasks.front().out), failure.why))
@@ -87,9 +86,12 @@ public:
         m_settings.threads = share_threads(m_threads);
         m_run.run = [this](const FrameTask& task, const std::function<bool(float)>& progress,
                            Failure& why) {
-            return m_part.count > 0
-                       ? resize_part(task.in, task.out, m_settings, m_part, progress, why)
-                       : resize_file(task.in, task.out, m_settings, progress, why);
+            const bool done =
+                m_part.count > 0 ? resize_part(task.in, task.out, m_settings, m_part, progress, why)
+                                 : resize_file(task.in, task.out, m_settings, progress, why);
+            if (!done && why.code == exit_failed)
+                why.code = code_of_reading(task.in);
+            return done;
         };
         m_run.memory_of = [this](const FrameTask& task) {
             return m_run.jobs > 1 ? memory_to_resize(task.in, task.out, m_settings) : 0;

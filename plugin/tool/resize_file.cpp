@@ -187,8 +187,7 @@ bool plan_result(const OIIO::ImageSpec& from, const ResizeSettings& settings, OI
     Size size;
     if (!parse_size(settings.size, {from.full_width, from.full_height, from.full_x, from.full_y},
                     size)) {
-        failure = {"size \"" + settings.size + "\" is not allowed; allowed are " + allowed_sizes,
-                   exit_usage};
+        failure = {wrong_size(settings.size), exit_usage};
         return false;
     }
     spec = from;

@@ -39,12 +39,16 @@ public:
         while (m_next < m_tasks.size() && !m_stopped) {
             const size_t index = m_next++;
             const FrameTask& task = m_tasks[index];
-            if (m_run.skip_existing && is_there(task.out)) {
+            // Others go on while a file system thinks.
+            lock.unlock();
+            const bool skipped = m_run.skip_existing && is_there(task.out);
+            const int64_t memory = skipped ? 0 : memory_of(task);
+            lock.lock();
+            if (skipped) {
                 ++m_counts.skipped;
                 show(index, 1);
                 continue;
             }
-            const int64_t memory = memory_of(task);
             m_room.wait(lock,
                         [&] { return m_stopped || m_taken == 0 || m_taken + memory <= m_allowed; });
             if (m_stopped)

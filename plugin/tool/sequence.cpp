@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include <OpenImageIO/strutil.h>
 
@@ -34,10 +35,21 @@ bool check_name(const std::string& text, const FrameName& name, bool frames, boo
     return true;
 }
 
-/// Whether no file would be written from two: "left" and "lower" have one first letter.
+/// Whether no file would be written from two, "left" and "lower" have one first letter, and none is
+/// another's source.
 bool check_outputs(const std::vector<FrameTask>& tasks, Failure& failure) {
     std::map<std::string, std::string> source;
+    std::set<std::string> sources;
+    const auto plain = [](const std::string& path) {
+        return std::filesystem::path(path).lexically_normal().string();
+    };
+    for (const FrameTask& task : tasks)
+        sources.insert(plain(task.in));
     for (const FrameTask& task : tasks) {
+        if (plain(task.out) != plain(task.in) && sources.count(plain(task.out)) > 0)
+            return refuse("\"" + task.in + "\" would become \"" + task.out +
+                              "\", which is another's source",
+                          failure);
         const auto [other, first] = source.try_emplace(task.out, task.in);
         if (!first && other->second != task.in)
             return refuse("\"" + other->second + "\" and \"" + task.in + "\" would both become \"" +

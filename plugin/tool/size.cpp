@@ -110,4 +110,18 @@ bool parse_size(const std::string& text, const Size& from, Size& to) {
     return true;
 }
 
+bool is_size(const std::string& text) {
+    // What is too large for the smallest and too small for the largest is so for all.
+    Size to;
+    for (const int width : {1, largest_side})
+        for (const int height : {1, largest_side})
+            if (parse_size(text, {width, height}, to))
+                return true;
+    return false;
+}
+
+std::string wrong_size(const std::string& text) {
+    return "size \"" + text + "\" is not allowed; allowed are " + allowed_sizes;
+}
+
 } // namespace ddt::tool

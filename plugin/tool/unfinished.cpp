@@ -47,6 +47,15 @@ const int signals[] = {
 #endif
 };
 
+/// Call f(signal) for these and for those of real time, which a system numbers as it likes.
+template <class F>
+void for_each_signal(F f) {
+    for (const int signal : signals)
+        f(signal);
+    for (int signal = SIGRTMIN; signal <= SIGRTMAX; ++signal)
+        f(signal);
+}
+
 std::atomic<int> waited_for{0};
 std::atomic<bool> ending{false};
 
@@ -92,12 +101,12 @@ void remove_unfinished_on_signals() {
     struct sigaction action {};
     action.sa_handler = end;
     action.sa_flags = SA_RESETHAND | SA_NODEFER;
-    for (const int signal : signals) {
+    for_each_signal([&](int signal) {
         struct sigaction before {};
         sigaction(signal, nullptr, &before);
         if (before.sa_handler != SIG_IGN) // as under nohup
             sigaction(signal, &action, nullptr);
-    }
+    });
     std::atexit(remove_listed);
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
@@ -107,8 +116,7 @@ SignalsWait::SignalsWait() {
     // This thread would wait for itself; another's handler waits for the number to be 0.
     sigset_t these;
     sigemptyset(&these);
-    for (const int signal : signals)
-        sigaddset(&these, signal);
+    for_each_signal([&](int signal) { sigaddset(&these, signal); });
     pthread_sigmask(SIG_BLOCK, &these, &m_before);
     ++waited_for;
     if (!ending)

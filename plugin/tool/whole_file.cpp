@@ -63,11 +63,18 @@ WholeFile::~WholeFile() {
 }
 
 void WholeFile::discard() {
-    if (m_file && !m_direct)
+    if (m_file && !m_direct) {
+        const SignalsWait until_unlisted;
         unlink(m_temporary.c_str()); // while the lock is held
+        unlist();
+    }
     if (m_file)
         std::fclose(m_file);
     m_file = nullptr;
+}
+
+/// Before the lock is given back: from then on another may have a file of that name.
+void WholeFile::unlist() {
     unlist_unfinished(m_listed);
     m_listed = -1;
 }
@@ -82,12 +89,17 @@ bool WholeFile::take(int descriptor, bool fresh) {
     const bool locked = flock(descriptor, LOCK_EX | LOCK_NB) == 0;
     // File systems without locks: what was there before may be somebody's.
     const bool ours = locked || (fresh && errno != EWOULDBLOCK);
-    if (!ours || !still_named(descriptor, m_temporary) || ftruncate(descriptor, 0) != 0) {
-        close(descriptor);
-        return false;
-    }
-    m_file = fdopen(descriptor, "w+b");
-    return m_file != nullptr;
+    errno = 0;
+    if (ours && still_named(descriptor, m_temporary) && ftruncate(descriptor, 0) == 0 &&
+        (m_file = fdopen(descriptor, "w+b")))
+        return true;
+    // It is another's, and by now may be done.
+    const int number = errno == ENOENT ? 0 : errno;
+    if (fresh && number != 0)
+        unlink(m_temporary.c_str());
+    close(descriptor);
+    errno = number;
+    return false;
 }
 
 bool WholeFile::open_temporary() {
@@ -101,6 +113,8 @@ bool WholeFile::open_temporary() {
             descriptor = ::open(m_temporary.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
         if (descriptor >= 0 && take(descriptor, fresh))
             return true;
+        if (fresh && errno != 0)
+            return false;
     }
     errno = EAGAIN;
     return false;
@@ -144,12 +158,32 @@ void WholeFile::begin_writeback() {
 
 int WholeFile::write_error() const {
     const char more[4096] = {};
-    errno = 0;
-    const off_t end = lseek(fileno(m_file), 0, SEEK_END);
-    return pwrite(fileno(m_file), more, sizeof more, std::max<off_t>(end, 0)) ==
-                   ssize_t(sizeof more)
-               ? 0
-               : errno;
+    const off_t end = std::max<off_t>(lseek(fileno(m_file), 0, SEEK_END), 0);
+    // A disk that fills up takes some, and tells at the next.
+    for (ssize_t done = 0; done < ssize_t(sizeof more);) {
+        errno = 0;
+        const ssize_t n = pwrite(fileno(m_file), more, sizeof more - size_t(done), end + done);
+        if (n <= 0)
+            return errno;
+        done += n;
+    }
+    return 0;
+}
+
+/// As the file that it takes the place of: whose it is and who may do what. Another's owner is
+/// root's alone to give; a group those who are in it may give. Where that is not had, its rights
+/// are not either.
+bool WholeFile::take_after(const struct stat& there) const {
+    const int descriptor = fileno(m_file);
+    mode_t mode = there.st_mode & 07777;
+    if (fchown(descriptor, there.st_uid, there.st_gid) != 0) {
+        mode &= ~mode_t(S_ISUID);
+        if (fchown(descriptor, uid_t(-1), there.st_gid) != 0) {
+            const mode_t others = (mode & S_IRWXO) << 3;
+            mode &= ~mode_t(S_ISGID | (S_IRWXG & ~others));
+        }
+    }
+    return fchmod(descriptor, mode) == 0;
 }
 
 bool WholeFile::commit(Failure& failure) {
@@ -159,13 +193,13 @@ bool WholeFile::commit(Failure& failure) {
     // The stream's error flag stays from the first write that failed, whoever made it.
     bool done = std::fflush(m_file) == 0 && !std::ferror(m_file);
     if (done && !m_direct) {
-        if (stat(m_target.c_str(), &there) == 0) {
-            // Another's owner is root's alone to give.
-            [[maybe_unused]] const int ignored = fchown(descriptor, there.st_uid, there.st_gid);
-            done = fchmod(descriptor, there.st_mode & 07777) == 0;
-        }
-        done = done && fsync(descriptor) == 0 &&
-               std::rename(m_temporary.c_str(), m_target.c_str()) == 0;
+        if (stat(m_target.c_str(), &there) == 0)
+            done = take_after(there);
+        done = done && fsync(descriptor) == 0;
+        const SignalsWait until_unlisted;
+        done = done && std::rename(m_temporary.c_str(), m_target.c_str()) == 0;
+        if (done)
+            unlist();
     }
     if (!done) {
         int number = errno;
@@ -179,8 +213,6 @@ bool WholeFile::commit(Failure& failure) {
     }
     std::fclose(m_file);
     m_file = nullptr;
-    unlist_unfinished(m_listed);
-    m_listed = -1;
     if (!m_direct) {
         const int folder = ::open(folder_of(m_target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
         if (folder >= 0) {

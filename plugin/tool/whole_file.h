@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <sys/stat.h>
+
 #include "plugin/tool/exit_code.h"
 
 namespace ddt::tool {
@@ -19,8 +21,8 @@ namespace ddt::tool {
 /// while at work, and nobody a lock on what is left over.
 ///
 /// A symbolic link stays one: the file that it leads to is replaced. A file that was there keeps
-/// its permissions, and its owner where that is allowed; one that may not be written is not
-/// replaced either. What is no file (/dev/null, a pipe) is written directly.
+/// its permissions, and its owner and group where that is allowed; one that may not be written is
+/// not replaced either. What is no file (/dev/null, a pipe) is written directly.
 class WholeFile {
 public:
     WholeFile() = default;
@@ -50,6 +52,8 @@ private:
     bool open_temporary();
     bool take(int descriptor, bool fresh);
     bool refuse(int number, Failure& failure) const;
+    bool take_after(const struct stat& there) const;
+    void unlist();
     void discard();
 
     std::string m_path, m_target, m_temporary;

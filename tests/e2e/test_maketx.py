@@ -48,9 +48,11 @@ class MakeTx(Case):
             self.assertLess(iba.compare(spot, same, 0, 0).maxerror, 0.1, level)
             self.assertGreater(max(iba.computePixelStats(spot).max), 0.3)
 
-    def test_bad_option(self):
-        self.fail_with("maketx", "--filter", "ddt,nonsense=1", "photo.tif", "-o", "out.tx",
-                       says=("ddt,nonsense=1",), out="out.tx")
+    def test_no_options(self):
+        """It looks for the whole text among the names that are listed."""
+        for filter in "ddt,nonsense=1", "ddt,light=encoded":
+            self.fail_with("maketx", "--filter", filter, "photo.tif", "-o", "out.tx",
+                           says=(filter,), out="out.tx")
 
     def test_oiiotool_writes_textures(self):
         self.succeed("oiiotool", "photo.tif", "-otex:filter=ddt", "out.tx")

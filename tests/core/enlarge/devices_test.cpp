@@ -15,6 +15,14 @@ TEST(Devices, TheCpuIsCalledSo) {
     EXPECT_EQ(line, "cpu");
 }
 
+TEST(Devices, WhatIsNoneIsRefused) {
+    ddt::Job job;
+    job.device = ddt::Device(9);
+    std::string line;
+    EXPECT_FALSE(ddt::describe_device(job, line));
+    EXPECT_NE(line.find("egl"), std::string::npos) << line; // what is allowed
+}
+
 TEST(Devices, WhatCannotBeHadIsNamed) {
     const char* before = std::getenv("DDT_DEVICE");
     const std::string kept = before ? before : "";

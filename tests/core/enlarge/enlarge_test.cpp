@@ -2,6 +2,7 @@
 #include "ddt/core.h"
 
 #include <cfloat>
+#include <cmath>
 #include <new>
 #include <stdexcept>
 
@@ -456,6 +457,22 @@ TEST(Enlarge, StatisticsAreSumsOverTheTiles) {
     EXPECT_EQ(two.flips, one.flips);
     EXPECT_EQ(two.evaluations, one.evaluations);
     EXPECT_EQ(two.iterations, one.iterations);
+}
+
+TEST(Enlarge, StatisticsOfWorkThatDidNotBeginAreOfNone) {
+    TestSource source({0, 0, 60, 50}, 1, 15);
+    source.values()[1000] = std::nanf("");
+    const Rect out{0, 0, 60, 50};
+    Statistics statistics;
+    statistics.pixels = -5;
+    Job job = job_of(source, 1);
+    job.holes = Holes::fill;
+    job.statistics = &statistics;
+    job.progress = [](float) { return false; };
+    TestSink sink(out, 1);
+    EXPECT_EQ(enlarge(source, sink, mapping_of(source.window(), out, out), job),
+              Outcome::cancelled);
+    EXPECT_EQ(statistics.pixels, 0);
 }
 
 TEST(Enlarge, ProgressRisesToOneAndIsNeverCalledTwiceAtOnce) {

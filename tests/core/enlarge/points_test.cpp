@@ -298,9 +298,11 @@ TEST(Draw, SizesThatCannotBe) {
     const std::vector<float> values(3);
     float pixel = 7;
     uint8_t inside = 7;
-    const double nan = std::nan("");
-    for (const PixelGrid& grid : {PixelGrid{0, 0, 1, 1, -1, 1}, PixelGrid{0, 0, 1, 1, 1, -5},
-                                  PixelGrid{0, 0, 0, 1, 1, 1}, PixelGrid{0, 0, 1, nan, 1, 1}}) {
+    const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
+    for (const PixelGrid& grid :
+         {PixelGrid{0, 0, 1, 1, -1, 1}, PixelGrid{0, 0, 1, 1, 1, -5}, PixelGrid{0, 0, 0, 1, 1, 1},
+          PixelGrid{0, 0, 1, nan, 1, 1}, PixelGrid{nan, 0, 1, 1, 1, 1},
+          PixelGrid{0, -inf, 1, 1, 1, 1}, PixelGrid{1e308, 0, 1e308, 1, 1, 1}}) {
         std::string error;
         EXPECT_FALSE(draw(mesh, values.data(), 1, grid, &pixel, &inside, &error));
         EXPECT_NE(error, "");

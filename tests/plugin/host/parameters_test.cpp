@@ -2,10 +2,14 @@
 #include "plugin/host/parameters.h"
 
 #include <algorithm>
+#include <clocale>
+#include <cstdlib>
+#include <filesystem>
 
 #include <gtest/gtest.h>
 
 #include "ddt/names.h"
+#include "tests/temporary.h"
 
 namespace {
 
@@ -45,6 +49,28 @@ std::vector<std::string> texts_of(const Parameter& p) {
 TEST(Parameters, UntouchedTheySayNothing) {
     for (const Parameter& p : parameters())
         EXPECT_EQ(item(p, p.initial), "") << p.option->key;
+}
+
+// GTK's and Qt's hosts have their user's.
+TEST(Parameters, AHostsDecimalCommaChangesNone) {
+    const std::string folder = ddt::temporary("locales");
+    std::filesystem::create_directories(folder);
+    const std::string make = "localedef -i de_DE -f UTF-8 " + folder + "/de_DE.UTF-8 2>/dev/null";
+    setenv("LOCPATH", folder.c_str(), 1);
+    const bool made = std::system(make.c_str()) == 0 && std::setlocale(LC_ALL, "de_DE.UTF-8");
+    unsetenv("LOCPATH");
+    if (!made)
+        GTEST_SKIP() << "there is no locale with a decimal comma, nor can one be made";
+    const bool comma = std::strtod("0,5", nullptr) == 0.5;
+    std::vector<double> initial;
+    for (const Parameter& p : make_parameters())
+        initial.push_back(p.initial);
+    std::setlocale(LC_ALL, "C");
+    EXPECT_TRUE(comma);
+    const std::vector<Parameter> usual = make_parameters();
+    ASSERT_EQ(initial.size(), usual.size());
+    for (size_t i = 0; i < usual.size(); ++i)
+        EXPECT_EQ(initial[i], usual[i].initial) << usual[i].option->key;
 }
 
 TEST(Parameters, EveryValueOfAnOptionCanBeSaidOfEveryFilter) {

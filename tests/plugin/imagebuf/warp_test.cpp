@@ -146,6 +146,8 @@ TEST(Warp, ShrinkingAndOtherWrapsAreOpenImageIOs) {
         ASSERT_TRUE(OIIO::ImageBufAlgo::warp(b, src, twice, "", 0.0f, false, wrap));
         EXPECT_EQ(bytes(a), bytes(b));
     }
+    EXPECT_FALSE(ddt::warp(dst, src, twice, {}, false, ImageBuf::WrapMode(7)));
+    EXPECT_NE(dst.geterror().find("wrap mode"), std::string::npos);
 }
 
 TEST(Warp, ShrinkingFillsTheMemoryItIsGivenWhateverItsType) {

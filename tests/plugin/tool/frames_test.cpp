@@ -2,8 +2,10 @@
 #include "plugin/tool/frames.h"
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -69,6 +71,16 @@ TEST(Frames, ThoseThatAreThere) {
     EXPECT_EQ(FrameName(folder + "//a.#.exr").frames_there({}), (Numbers{-3, 1, 12, 12345}));
     EXPECT_EQ(FrameName(folder + "/a.%V.#.exr").frames_there({"left", "right"}), (Numbers{4}));
     EXPECT_EQ(FrameName("/no/such/folder/a.#.exr").frames_there({}), Numbers{});
+    // Digits of the name itself.
+    std::ofstream(folder + "/shot_00122k.exr") << "";
+    EXPECT_EQ(FrameName(folder + "/shot_####2k.exr").frames_there({}), (Numbers{12}));
+}
+
+TEST(Frames, TextsOfAnyLengthAreLookedAt) {
+    Numbers frames;
+    EXPECT_FALSE(parse_frames(std::string(100000, '1'), frames));
+    EXPECT_FALSE(parse_frames("1-" + std::string(100000, '1'), frames));
+    EXPECT_FALSE(FrameName(std::string(100000, '#')).has_frame());
 }
 
 TEST(Frames, TasksOfACommandLine) {
@@ -89,6 +101,8 @@ TEST(Frames, TasksOfACommandLine) {
                           Case{"i.%V.exr", "o.%V.exr", "", "", "--views", exit_usage},
                           Case{"i.#.exr", "o.#.exr", "1", "left", "%V", exit_usage},
                           Case{"i.%V.exr", "o.%v.exr", "", "left,lower", "both become", exit_usage},
+                          Case{"a%d.exr", "a1%d.exr", "1-12", "", "another's source", exit_usage},
+                          Case{"x/%V.exr", "./x/%v.exr", "", "left,l", "source", exit_usage},
                           Case{"/none/i.#.exr", "o.#.exr", "", "", "no file", exit_failed}}) {
         EXPECT_FALSE(list_tasks(c.in, c.out, c.frames, c.views, tasks, failure));
         EXPECT_NE(failure.why.find(c.said), std::string::npos) << failure.why;
@@ -127,6 +141,31 @@ TEST(Frames, WhatIsThrownWhileMemoryIsCountedIsNoEnd) {
     frames.run = [](const FrameTask&, const std::function<bool(float)>&, Failure&) { return true; };
     Progress progress("frames", ProgressMode::none);
     EXPECT_EQ(run_frames(tasks, frames, progress).written, 8);
+}
+
+TEST(Frames, OneThatIsWaitedForKeepsNoOther) {
+    const std::vector<FrameTask> tasks = {{"first", ""}, {"slow", ""}, {"third", ""}, {"last", ""}};
+    FrameRun frames;
+    frames.jobs = 2;
+    std::promise<void> others_done;
+    std::atomic<int> done{0};
+    std::atomic<bool> in_time{false};
+    frames.memory_of = [&](const FrameTask& task) -> int64_t {
+        // As the opening of a file on a file system that hangs.
+        if (task.in == "slow")
+            in_time = others_done.get_future().wait_for(std::chrono::seconds(60)) ==
+                      std::future_status::ready;
+        return 0;
+    };
+    frames.run = [&](const FrameTask& task, const std::function<bool(float)>& progress, Failure&) {
+        progress(0.5f);
+        if (task.in != "slow" && ++done == 3)
+            others_done.set_value();
+        return true;
+    };
+    Progress progress("frames", ProgressMode::none);
+    EXPECT_EQ(run_frames(tasks, frames, progress).written, 4);
+    EXPECT_TRUE(in_time);
 }
 
 /// Run frames that take so much memory each; returns how many were worked on at once, at most.

@@ -115,6 +115,7 @@ std::string write_half(int index, int channels, const std::string& whole, const 
 
 TEST(Join, RefusesHeadersThatDoNotFit) {
     const std::string whole = "0 0 32 32", out = temporary("whole.exr");
+    std::filesystem::remove(out);
     const std::function<bool(float)> progress = [](float) { return true; };
     const auto failure_of = [&](const std::string& a, const std::string& b) {
         Failure failure;
@@ -147,6 +148,7 @@ TEST(Join, RefusesHeadersThatDoNotFit) {
 
 TEST(Join, RefusesWindowsThatDoNotFillTheWhole) {
     const std::string out = temporary("filled.exr");
+    std::filesystem::remove(out);
     const auto part = [](int index, const Rect& window) {
         return write_half(index, 3, "0 0 32 32", "half", 2, "", &window);
     };

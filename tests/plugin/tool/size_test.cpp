@@ -47,5 +47,15 @@ TEST(Size, AShapeThatIsKeptIsNotTooLarge) {
     EXPECT_EQ(to.width, 1);
 }
 
+TEST(Size, IsOfSomeImage) {
+    for (const char* text : {"640x480", "0x480", "64x48+10-20", "2000000%x100%", "20000", "0.04%",
+                             "0.04%x1000000%", "16777216", "0.00001%"})
+        EXPECT_TRUE(is_size(text)) << text;
+    for (const char* text : {"", "large", "0", "-1", "16777220", "16777217x1", "0.000001%", "1e30",
+                             "2147483648%", "nan"})
+        EXPECT_FALSE(is_size(text)) << text;
+    EXPECT_NE(wrong_size("large").find("\"large\""), std::string::npos);
+}
+
 } // namespace
 } // namespace ddt::tool

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/whole_file.h"
 
+#include <grp.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -111,7 +112,7 @@ TEST_F(WholeFiles, TwoAtOnceDoNotMix) {
 }
 
 TEST_F(WholeFiles, ASignalRemovesThem) {
-    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGRTMIN, SIGRTMAX}) {
         const pid_t child = fork();
         if (child == 0) {
             std::signal(signal, SIG_DFL); // a shell's background jobs ignore SIGINT
@@ -145,6 +146,36 @@ TEST_F(WholeFiles, KeepLinksAndPermissions) {
     EXPECT_TRUE(write(path("new.exr"), "new"));
     umask(mask);
     EXPECT_EQ(fs::status(path("new.exr")).permissions(), fs::perms(0640));
+}
+
+TEST_F(WholeFiles, KeepAGroupThatMayBeGivenAndNoRightsOfOneThatMayNot) {
+    if (geteuid() != 0)
+        GTEST_SKIP() << "only root can make another's files";
+    constexpr uid_t other = 1234, me = 4321;
+    constexpr gid_t shared = 7777, mine = 8888;
+    fs::permissions(path("."), fs::perms::all);
+    fs::permissions(temporary(""), fs::perms(0711));
+    for (const bool member : {true, false}) {
+        put(path("out.exr"), "before");
+        ASSERT_EQ(chown(path("out.exr").c_str(), other, shared), 0);
+        ASSERT_EQ(chmod(path("out.exr").c_str(), 04676), 0);
+        const pid_t child = fork();
+        if (child == 0) {
+            const gid_t group = shared;
+            const bool am_i =
+                setgroups(member ? 1 : 0, &group) == 0 && setgid(mine) == 0 && setuid(me) == 0;
+            _exit(am_i && write(path("out.exr"), "after") ? 0 : 1);
+        }
+        int status = 1;
+        ASSERT_EQ(waitpid(child, &status, 0), child);
+        ASSERT_EQ(status, 0);
+        struct stat there {};
+        ASSERT_EQ(stat(path("out.exr").c_str(), &there), 0);
+        EXPECT_EQ(there.st_uid, me);
+        EXPECT_EQ(there.st_gid, member ? shared : mine);
+        EXPECT_EQ(there.st_mode & 07777, member ? 0676u : 0666u);
+        fs::remove(path("out.exr"));
+    }
 }
 
 TEST_F(WholeFiles, AFullDiskIsAFailureThatMayPass) {
