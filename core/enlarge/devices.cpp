@@ -12,10 +12,8 @@ bool describe_device(const Job& job, std::string& line) noexcept {
     const bool had = succeeds(&line, [&](std::string& why) {
         Placement placement;
         const FilterOptions usual;
-        if (!check_options({usual.surface, job.mesh, usual.light, job.device, usual.holes}, why)) {
-            why = "ddt: " + why;
+        if (!check_options({usual.surface, job.mesh, usual.light, job.device, usual.holes}, why))
             return false;
-        }
         if (!find_place(job, placement, why))
             return false;
         text = describe(placement);

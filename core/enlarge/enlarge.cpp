@@ -41,8 +41,6 @@ bool check(const Job& job, const Mapping& mapping, std::string& error) {
     else if (std::any_of(job.kinds.begin(), job.kinds.end(),
                          [](Channel kind) { return kind > Channel::nearest; }))
         error = "ddt: Job::kinds must be blend, alpha or nearest";
-    else if (job.surface.kind > Surface::patch)
-        error = "ddt: SurfaceOptions::kind must be linear or patch";
     else
         return check_options({job.surface, job.mesh, FilterOptions().light, job.device, job.holes},
                              error);

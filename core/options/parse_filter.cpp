@@ -105,6 +105,10 @@ std::string default_text(const Option& option, std::string_view filter) {
 }
 
 bool check_options(const FilterOptions& options, std::string& error) {
+    if (options.surface.kind > Surface::patch) {
+        error = "ddt: SurfaceOptions::kind must be linear or patch";
+        return false;
+    }
     FilterOptions scratch;
     for (const Option& option : option_table()) {
         const std::string value = option.get(options);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace ddt {
@@ -13,6 +14,13 @@ using Triple = std::array<float, 3>;
 Triple run(const Light::Exact& exact, Triple rgb) {
     exact(rgb.data(), 1);
     return rgb;
+}
+
+/// A finite number's light, or back: logarithms grow beyond floats, and what is infinite spreads
+/// over whole triangles.
+float bounded(float v) {
+    constexpr float most = std::numeric_limits<float>::max();
+    return std::clamp(v, -most, most);
 }
 
 bool close(float a, float b, float tolerance) {
@@ -119,6 +127,7 @@ void Light::apply(const Exact& exact, const Curves* curves, float* rgb, size_t c
     const auto finite = [](float v) { return std::isfinite(v); };
     if (!curves && std::all_of(rgb, rgb + 3 * count, finite)) {
         exact(rgb, count);
+        std::transform(rgb, rgb + 3 * count, rgb, bounded);
         return;
     }
     for (float* v = rgb; v < rgb + 3 * count; v += 3) {
@@ -133,7 +142,7 @@ void Light::apply(const Exact& exact, const Curves* curves, float* rgb, size_t c
             c = finite(c) ? c : 0.0f;
         t = run(exact, t);
         for (int c = 0; c < 3; ++c)
-            v[c] = finite(v[c]) ? t[size_t(c)] : v[c];
+            v[c] = finite(v[c]) ? bounded(t[size_t(c)]) : v[c];
     }
 }
 
@@ -152,7 +161,7 @@ void Light::apply_alike(const Exact& exact, const Curves& curves, float* values,
 float Light::apply_one(const Exact& exact, const Curve& curve, int channel, float v) {
     if (Curve::covers(v))
         return curve(v);
-    return std::isfinite(v) ? run(exact, {v, v, v})[size_t(channel)] : v;
+    return std::isfinite(v) ? bounded(run(exact, {v, v, v})[size_t(channel)]) : v;
 }
 
 void Light::to_light(float* rgb, size_t count) const {

@@ -103,6 +103,10 @@ bool fill(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options
     return guarded_from(dst, src, [&](const auto& from, OIIO::ROI&, std::string& error) {
         if (!check_options_of(from, options, error))
             return false;
+        if (missing > Missing::alpha) {
+            error = "what is missing must be nan or alpha";
+            return false;
+        }
         const Holes holes = missing == Missing::alpha ? Holes::fill_alpha : Holes::fill;
         return copy_filled(dst, from, options, holes, 0, error);
     });

@@ -20,6 +20,7 @@ TEST(Devices, WhatIsNoneIsRefused) {
     job.device = ddt::Device(9);
     std::string line;
     EXPECT_FALSE(ddt::describe_device(job, line));
+    EXPECT_EQ(line.find("ddt: option"), 0u) << line;
     EXPECT_NE(line.find("egl"), std::string::npos) << line; // what is allowed
 }
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <locale>
 
 #include "tests/plugin/images.h"
@@ -267,6 +268,17 @@ TEST_F(LightTest, LogarithmicSpaceComesBack) {
         log->from_light(v, 1);
         ASSERT_EQ(int(v[1] * 255 + 0.5f), code);
     }
+    // 200 would be 2^1995. What is no number, or infinite, stays so.
+    const float inf = std::numeric_limits<float>::infinity();
+    float v[6] = {200, -200, 0.5f, inf, -inf, std::nanf("")};
+    log->to_light(v, 2);
+    EXPECT_EQ(v[0], std::numeric_limits<float>::max());
+    EXPECT_TRUE(std::isfinite(v[1]));
+    EXPECT_EQ(v[3], inf);
+    EXPECT_EQ(v[4], -inf);
+    EXPECT_TRUE(std::isnan(v[5]));
+    log->from_light(v, 2);
+    EXPECT_TRUE(std::isfinite(v[0]));
 }
 
 // What it is for: the middle between black and white is half the light, code 188 of 255.
