@@ -76,6 +76,16 @@ bool has_holes(std::FILE* file) {
     return hole >= 0 && hole < there.st_size;
 }
 
+/// Readers call what cannot be opened none of their format: the code for why a file cannot be, or
+/// `otherwise` if it can.
+ExitCode code_of_opening(const std::string& path, ExitCode otherwise) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0)
+        return code_of_errno(errno);
+    ::close(descriptor);
+    return otherwise;
+}
+
 } // namespace
 
 bool ImageFile::create(const std::string& path, Failure& failure) {
@@ -181,14 +191,6 @@ bool ImageFile::commit(Failure& failure) {
     m_output.reset();
     m_stream.reset();
     return m_whole.commit(failure);
-}
-
-ExitCode code_of_opening(const std::string& path, ExitCode otherwise) {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0)
-        return code_of_errno(errno);
-    ::close(descriptor);
-    return otherwise;
 }
 
 ExitCode code_of_reading(const std::string& path) {

@@ -48,12 +48,8 @@ private:
     std::unique_ptr<OIIO::ImageOutput> m_output;
 };
 
-/// Readers call what cannot be opened none of their format: the code for why a file cannot be, or
-/// `otherwise` if it can.
-ExitCode code_of_opening(const std::string& path, ExitCode otherwise);
-
-/// The same of all its bytes, which readers call broken where they cannot be read: exit_failed if
-/// they can. After a failure alone, for it reads them.
+/// Readers call a file broken, or none of their format, that cannot be opened or whose bytes cannot
+/// be read: the code for why it is, or exit_failed. After a failure alone, for it reads them.
 ExitCode code_of_reading(const std::string& path);
 
 /// Scanlines that a file of this spec keeps together, as far as it says so (TIFF); 1 to 2^20.
