@@ -99,6 +99,9 @@ void draw_picture(RandomJob& j, Random& random) {
     const float slope_x = random.unit() * 0.1f, slope_y = random.unit() * 0.1f;
     const int cx = random.below(j.width), cy = random.below(j.height), ring = random.between(6, 50),
               stripe = random.between(3, 40), lean = random.between(-3, 3);
+    const bool any_guide = j.kind == Values::noise || j.kind == Values::denormal ||
+                           j.kind == Values::full_range ||
+                           (j.kind == Values::nonfinite && random.below(2));
     for (int y = 0; y < j.height; ++y)
         for (int x = 0; x < j.width; ++x) {
             const int r2 = (x - cx) * (x - cx) + (y - cy) * (y - cy);
@@ -108,10 +111,8 @@ void draw_picture(RandomJob& j, Random& random) {
             v += 0.02f * random.unit();
             for (int c = 0; c < j.job.channels; ++c)
                 j.values.push_back(value_of(j.kind, v * (1.0f - 0.1f * float(c % 5)), random));
-            const bool whole = j.kind == Values::noise || j.kind == Values::denormal ||
-                               j.kind == Values::full_range;
-            j.guide.push_back(whole ? value_of(j.kind, v, random)
-                                    : std::round(v * 4096.0f) / 4096.0f);
+            j.guide.push_back(any_guide ? value_of(j.kind, v, random)
+                                        : std::round(v * 4096.0f) / 4096.0f);
         }
 }
 
