@@ -13,9 +13,8 @@ inline void forget_pixels(OIIO::ImageSpec& spec) {
         spec.erase_attribute(name);
 }
 
-/// Whether its reader makes colours associated in numbers of the type that it is asked for, and
-/// are better asked for as floats, as oiiotool does: of 8 bits little is left under a small alpha.
-/// So does TIFF's.
+/// Whether its reader, as TIFF's does, makes colours associated in numbers of the type that it is
+/// asked for. Ask for floats, as oiiotool does: of 8 bits little is left under a small alpha.
 inline bool is_associated_when_read(const OIIO::ImageSpec& native) {
     return native.get_int_attribute("tiff:UnassociatedAlpha") &&
            !native.get_int_attribute("oiio:UnassociatedAlpha") &&

@@ -280,10 +280,10 @@ bool can_have_tiles(const OIIO::ImageOutput& output, const OIIO::ParamValueList&
 /// Say that a file with room for more has what whole numbers leave of the pixels.
 void note_rounded(const std::string& path, OIIO::TypeDesc written, const std::string& type) {
     const OIIO::TypeDesc parts(type);
-    if (written != parts && !parts.is_floating_point() && !is_id_type(parts))
+    if (written.is_floating_point() && !parts.is_floating_point() && !is_id_type(parts))
         note(format("\"{}\" has {}, and the parts were rounded to {}; --type {} for each part "
                     "keeps what one run keeps",
-                    path, written, parts, written.is_floating_point() ? written : OIIO::TypeHalf));
+                    path, written, parts, written));
 }
 
 /// Write the rows [y0, y1) of what the format holds of the whole, which has some of them in `rows`,
