@@ -41,8 +41,7 @@ Parameter number(const Option& option, const std::string& initial) {
     if (!is_preset(option)) {
         p.low = option.low;
         // Not std::stod(): the host's locale may have a comma.
-        parse_number(initial, -std::numeric_limits<double>::max(),
-                     std::numeric_limits<double>::max(), p.initial);
+        parse_number(initial, option.low, option.high, p.initial);
     } else {
         p.low = p.initial = filters_own;
         p.help += " -1: as the filter has it.";

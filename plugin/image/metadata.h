@@ -2,6 +2,8 @@
 // What is told of an image beside its pixels.
 #pragma once
 
+#include <string>
+
 #include <OpenImageIO/imageio.h>
 
 namespace ddt {
@@ -19,6 +21,15 @@ inline bool is_associated_when_read(const OIIO::ImageSpec& native) {
     return native.get_int_attribute("tiff:UnassociatedAlpha") &&
            !native.get_int_attribute("oiio:UnassociatedAlpha") &&
            !native.format.is_floating_point() && native.format.size() <= 2;
+}
+
+/// Whether OpenImageIO cannot read a TIFF in tiles that it wrote with this: its reader overruns its
+/// memory with tiles of CMYK, and has not the tables of those in JPEG.
+inline bool spoils_tiff_tiles(const OIIO::ParamValue& attribute) {
+    if (attribute.name() != "compression")
+        return attribute.name() == "tiff:ColorSpace";
+    const std::string compression = attribute.get_string();
+    return compression.substr(0, compression.find(':')) == "jpeg";
 }
 
 } // namespace ddt

@@ -55,13 +55,16 @@ bool of_integers(const OIIO::ImageBuf& src) {
 } // namespace
 
 bool check_options_of(const OIIO::ImageBuf& src, const Options& options, std::string& error) {
-    if (!check_options(options, error))
-        return false;
     // Of `auto` the image says what it means.
-    if (options.light == "auto" || options.light == "encoded")
-        return true;
-    return find_light(options.light, src.spec().get_string_attribute("oiio:ColorSpace"), error) !=
-           nullptr;
+    return check_options(options, error) &&
+           (options.light == "auto" || check_light(src.spec(), src.nativespec(), options, error));
+}
+
+bool check_light(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& native, const Options& options,
+                 std::string& error) {
+    return options.light == "encoded" ||
+           (options.light == "auto" && channels_of(spec, native).colour.count == 0) ||
+           find_light(options.light, spec.get_string_attribute("oiio:ColorSpace"), error);
 }
 
 bool plan_reading(const OIIO::ImageBuf& src, const Options& options, const OIIO::ROI& roi,

@@ -27,6 +27,11 @@ struct Reading {
 /// the image makes use of it.
 bool check_options_of(const OIIO::ImageBuf& src, const Options& options, std::string& error);
 
+/// False with one line in `error` unless there is the light that the options name, or that the
+/// image's colour, if any, is in. `native`: of the file that it was read from.
+bool check_light(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& native, const Options& options,
+                 std::string& error);
+
 /// Decide on it for the channels of `roi` under options.light; where holes are to be filled, all
 /// channels are handed on: which pixels are missing does not depend on what is wanted. False with
 /// one line in `error` for a colour space that does not exist.

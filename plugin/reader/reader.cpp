@@ -14,9 +14,8 @@
 
 #include "core/base/guarded.h"
 #include "core/base/verbose.h"
-#include "plugin/colour/space_light.h"
-#include "plugin/image/channels.h"
 #include "plugin/image/metadata.h"
+#include "plugin/image/reading.h"
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 #include "plugin/reader/pieces.h"
@@ -69,27 +68,6 @@ private:
     std::unique_ptr<Pieces> m_pieces;     ///< of it enlarged, likewise
     std::string m_failure;                ///< why it cannot be had
 };
-
-/// Whether there is the light that the image's colour, if any, is enlarged in: who reads pixels may
-/// not ask whether that failed.
-bool check_light(const OIIO::ImageSpec& spec, const Options& options, std::string& error) {
-    if (options.light == "encoded" ||
-        (options.light == "auto" && channels_of(spec).colour.count == 0) ||
-        find_light(options.light, spec.get_string_attribute("oiio:ColorSpace"), error))
-        return true;
-    error = "ddt: " + error;
-    return false;
-}
-
-/// Who copies an image writes it in tiles if it has some: leave out what a TIFF in tiles has that
-/// OpenImageIO cannot read again (doubles are black, CMYK overruns memory, JPEG has no tables).
-void fit_tiles(OIIO::ImageSpec& spec) {
-    if (spec.format == OIIO::TypeDesc(OIIO::TypeDesc::DOUBLE))
-        spec.set_format(OIIO::TypeFloat); // all that there is
-    spec.erase_attribute("tiff:ColorSpace");
-    if (spec.get_string_attribute("compression") == "jpeg")
-        spec.erase_attribute("compression");
-}
 
 template <typename F>
 bool Reader::report(F f) {
@@ -173,8 +151,13 @@ bool Reader::describe(int subimage, std::string& error) {
         return false;
     }
     OIIO::ImageSpec to = from;
-    if (!m_request.windows(from, to, error) || !check_light(from, m_request.options, error))
+    if (!m_request.windows(from, to, error))
         return false;
+    // Who reads pixels may not ask whether that failed.
+    if (!check_light(from, from, m_request.options, error)) {
+        error = "ddt: " + error;
+        return false;
+    }
     if (!check_size(from.roi(), from.nchannels, from.format, error) ||
         !check_size(to.roi(), to.nchannels, to.format, error)) {
         error = "ddt: " + error;
@@ -184,7 +167,12 @@ bool Reader::describe(int subimage, std::string& error) {
     to.tile_width = to.tile_height = tile_side;
     to.tile_depth = 1;
     forget_pixels(to);
-    fit_tiles(to);
+    // Who copies an image writes it in tiles if it has some: TIFF's, where doubles are black, too.
+    if (to.format == OIIO::TypeDesc(OIIO::TypeDesc::DOUBLE))
+        to.set_format(OIIO::TypeFloat); // all that there is
+    auto& metadata = to.extra_attribs;
+    metadata.erase(std::remove_if(metadata.begin(), metadata.end(), spoils_tiff_tiles),
+                   metadata.end());
     m_pieces.reset();
     m_image.reset();
     m_failure.clear();

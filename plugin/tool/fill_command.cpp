@@ -18,10 +18,7 @@ namespace {
 /// Decide on what of the image the file's format has room for, each channel in the type it had.
 bool plan_file(const OIIO::ImageBuf& image, const std::string& path, ImageFile& file,
                OIIO::ImageSpec& spec, Failure& failure) {
-    spec = image.spec();
-    if (is_associated_when_read(image.nativespec())) // then the image holds floats
-        spec.set_format(image.nativespec().format);
-    spec.channelformats = image.nativespec().channelformats;
+    spec = spec_of_file(image);
     forget_pixels(spec);
     spec.tile_width = spec.tile_height = spec.tile_depth = 0;
     if (!file.create(path, failure) || !fit_format(file.output(), path, spec, failure))

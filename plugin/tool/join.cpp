@@ -10,6 +10,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "plugin/image/channels.h"
+#include "plugin/image/metadata.h"
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command.h"
@@ -269,12 +270,11 @@ OIIO::ImageSpec whole_spec(OIIO::ImageSpec spec, const PartHeader& header, bool 
     return spec;
 }
 
-/// Whether what the format writes in tiles can be read: OpenImageIO's reader of TIFF overruns its
-/// memory with tiles of CMYK, and has not the tables of those in JPEG.
+/// Whether the format has tiles, and its reader reads them.
 bool can_have_tiles(const OIIO::ImageOutput& output, const OIIO::ParamValueList& metadata) {
-    return output.supports("tiles") && (output.format_name() != std::string("tiff") ||
-                                        (metadata.get_string("compression") != "jpeg" &&
-                                         !metadata.contains("tiff:ColorSpace")));
+    return output.supports("tiles") &&
+           (output.format_name() != std::string("tiff") ||
+            std::none_of(metadata.begin(), metadata.end(), spoils_tiff_tiles));
 }
 
 /// Say that a file with room for more has what whole numbers leave of the pixels.

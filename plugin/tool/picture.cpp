@@ -82,6 +82,13 @@ bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& err
     return false;
 }
 
+OIIO::ImageSpec spec_of_file(const OIIO::ImageBuf& image) {
+    OIIO::ImageSpec spec = image.spec();
+    spec.set_format(image.nativespec().format);
+    spec.channelformats = image.nativespec().channelformats;
+    return spec;
+}
+
 Failure unreadable(const std::string& path, const std::string& error) {
     const ExitCode code = code_of_message(error);
     return {error, code == exit_failed ? code_of_reading(path) : code};

@@ -34,7 +34,10 @@ std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path)
 /// Read the first image of a file, its pixels included. False with one line in `error`.
 bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error);
 
-/// Of a file with which that failed.
+/// The image's spec with the file's types, where its pixels are held as others.
+OIIO::ImageSpec spec_of_file(const OIIO::ImageBuf& image);
+
+/// Of a file with which open_image() failed.
 Failure unreadable(const std::string& path, const std::string& error);
 
 /// Say on stderr that others of the `images` in a file than the first were not looked at, if there

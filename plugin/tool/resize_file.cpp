@@ -100,18 +100,6 @@ Failure too_far(const OIIO::ImageSpec& from, const Size& size) {
         std::ceil(from.height * (double(size.height) / from.full_height)), largest_coordinate)};
 }
 
-/// False if the image cannot be read in the light that it is to be enlarged in. Before the file is
-/// open, as check_image().
-bool check_light(const OIIO::ImageBuf& image, const std::string& path, const OIIO::ImageSpec& to,
-                 const Options& options, Failure& failure) {
-    Reading reading;
-    if (!enlarges(image.roi_full(), to.roi_full()) ||
-        plan_reading(image, options, image.roi(), reading, failure.why))
-        return true;
-    failure.why = "\"" + path + "\": " + failure.why;
-    return false;
-}
-
 /// Open the file for what of the result its format has room for: `spec` becomes that.
 bool open_file(const std::string& path, OIIO::ImageSpec& spec, ImageFile& file, Failure& failure) {
     spec.tile_width = spec.tile_height = spec.tile_depth = 0;
@@ -225,14 +213,16 @@ bool resize_file(const std::string& in, const std::string& out, const ResizeSett
     // Before the file is open: writers complain by themselves when they get no pixels (PNG).
     if (!check_image(image, in, settings.options, failure))
         return false;
-    OIIO::ImageSpec from = image.spec(), spec;
-    if (is_associated_when_read(image.nativespec())) // then the image holds floats
-        from.set_format(image.nativespec().format);
-    from.channelformats = image.nativespec().channelformats;
+    const OIIO::ImageSpec from = spec_of_file(image);
+    OIIO::ImageSpec spec;
     if (!plan_result(from, settings, spec, failure))
         return false;
-    if (!check_light(image, in, spec, settings.options, failure))
+    // Before the file is open, too.
+    if (enlarges(image.roi_full(), spec.roi_full()) &&
+        !check_light(image.spec(), image.nativespec(), settings.options, failure.why)) {
+        failure.why = "\"" + in + "\": " + failure.why;
         return false;
+    }
     OIIO::ROI made = OIIO::get_roi(spec);
     ImageFile file;
     OIIO::ImageBuf result;

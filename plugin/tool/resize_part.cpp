@@ -240,10 +240,8 @@ bool resize_part(const std::string& in, const std::string& out, const ResizeSett
     const OIIO::ImageBuf& image = file_in.image();
     if (!check_image(image, in, settings.options, failure))
         return false;
-    // The cache's pixels may be of another type than the file's.
-    OIIO::ImageSpec from = image.spec(), whole;
-    from.set_format(image.nativespec().format);
-    from.channelformats = image.nativespec().channelformats;
+    const OIIO::ImageSpec from = spec_of_file(image);
+    OIIO::ImageSpec whole;
     if (!plan_result(from, settings, whole, failure))
         return false;
     const Grid grid(rect_of(image.roi()));

@@ -46,7 +46,8 @@ bool check_outputs(const std::vector<FrameTask>& tasks, Failure& failure) {
     for (const FrameTask& task : tasks)
         sources.insert(plain(task.in));
     for (const FrameTask& task : tasks) {
-        if (plain(task.out) != plain(task.in) && sources.count(plain(task.out)) > 0)
+        const std::string out = plain(task.out);
+        if (out != plain(task.in) && sources.count(out) > 0)
             return refuse("\"" + task.in + "\" would become \"" + task.out +
                               "\", which is another's source",
                           failure);

@@ -5,10 +5,10 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <limits>
 #include <utility>
 
-#include "core/base/parse_number.h"
+#include <OpenImageIO/strutil.h>
+
 #include "ddt/mapping.h"
 #include "plugin/image/windows.h"
 
@@ -76,9 +76,9 @@ bool read_header(std::FILE* in, Frame& frame) {
     if (frame.magic[1] == '5' || frame.magic[1] == '6')
         return whole(word(in), 65535, frame.largest);
     frame.scale = word(in);
-    double scale = 0;
-    constexpr double most = std::numeric_limits<double>::max();
-    return parse_number(frame.scale, -most, most, scale) && scale != 0;
+    char* end = nullptr;
+    const double scale = OIIO::Strutil::strtod(frame.scale.c_str(), &end);
+    return !frame.scale.empty() && *end == 0 && scale != 0;
 }
 
 std::string header(const Frame& f) {
