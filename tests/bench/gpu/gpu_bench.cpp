@@ -3,14 +3,14 @@
 // to a bare machine with a driver (see CMakeLists.txt beside it).
 //
 //   gpu_bench [--device egl|osmesa] [--cases N] [--runs N] [--size WxH]
-//             [--filter FILTER] [--lists] [--jobs] [--picture FILE.ppm]
+//             [--filter FILTER] [--lists] [--jobs] [--cpu N] [--picture FILE.ppm]
 //
 // --cases: only the first N of 1080p to 4K, 4K to 8K, 8K to 16K; --size: one case of that source
 // size instead; --filter: a filter and its options as in ddt-sharp,clipped=1 (one mesh, made on the
 // device), ddt unless given; --lists: bytes, dispatches and time by kernel, and the work lists'
 // sizes by iteration; --jobs: whole jobs from memory to memory, on the device and on all, half, a
-// quarter ... of the threads, and whether their results are the same;
-// --picture: a photograph, mirrored to the size, in place of the drawn picture.
+// quarter ... of the threads, and whether their results are the same; --cpu: of those only the
+// first N; --picture: a photograph, mirrored to the size, in place of the drawn picture.
 #include <algorithm>
 #include <climits>
 #include <cstdio>
@@ -32,7 +32,7 @@ namespace {
 
 struct Options {
     Device device = Device::egl;
-    int cases = 3, runs = 10, width = 0, height = 0;
+    int cases = 3, runs = 10, width = 0, height = 0, cpu = INT_MAX;
     bool lists = false, jobs = false;
     std::string filter = "ddt", picture;
     FilterOptions parsed; ///< filter
@@ -53,6 +53,8 @@ bool parse(int argc, char** argv, Options& o) {
             o.cases = std::atoi(value);
         else if (name == "--runs" && std::atoi(value) > 0)
             o.runs = std::atoi(value);
+        else if (name == "--cpu" && std::atoi(value) > 0)
+            o.cpu = std::atoi(value);
         else if (name == "--size" && std::sscanf(value, "%dx%d", &o.width, &o.height) == 2 &&
                  o.width > 1 && o.height > 1)
             o.cases = 1;
@@ -169,7 +171,7 @@ size_t print_jobs(const Options& o, Picture& picture, Job job) {
     const auto result = print_job(device_name(o.device), cores, picture, job, o.runs);
     job.device = Device::cpu;
     size_t differing = 0;
-    for (; job.threads >= 1; job.threads /= 2) {
+    for (int i = 0; i < o.cpu && job.threads >= 1; ++i, job.threads /= 2) {
         const auto cpu = print_job("cpu", job.threads, picture, job, o.runs);
         differing += differing_bytes(result.values(), cpu.values().data());
     }
@@ -245,7 +247,7 @@ int main(int argc, char** argv) {
     if (!ddt::bench::parse(argc, argv, options)) {
         std::fprintf(stderr, "usage: gpu_bench [--device egl|osmesa] [--cases N] [--runs N] "
                              "[--size WxH] [--filter FILTER[,OPTION=VALUE...]] [--lists] "
-                             "[--jobs] [--picture FILE.ppm]\n");
+                             "[--jobs] [--cpu N] [--picture FILE.ppm]\n");
         return 1;
     }
     // Failures on the device arrive as exceptions.

@@ -125,6 +125,7 @@ TEST_P(TinCheck, AFailureIsToldAndTheCpuDoesTheWork) {
 TEST_P(TinCheck, WhereverMemoryIsMissingTheCpuDoesTheWork) {
     fresh_device().checks.tested_too = false;
     std::vector<std::string> lines;
+    EXPECT_TRUE(on_device(MeshOptions(), lines)); // hardware is checked with it
     gl::arm(gl::Fault::allocation, 0);
     EXPECT_TRUE(on_device(MeshOptions(), lines));
     const int allocations = gl::chances(gl::Fault::allocation);

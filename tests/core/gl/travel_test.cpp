@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "core/base/half.h"
+#include "core/gl/buffer.h"
 #include "core/gl/travel_check.h"
 #include "core/tiles/grid.h"
 #include "ddt/log.h"
@@ -304,6 +305,7 @@ TEST_P(Travel, AWrongProgramIsNotUsed) {
         for (const gl::Travel& travel : all)
             gpu.thread
                 .post([&] {
+                    const gl::FilledBuffers filled; // as where programs are checked
                     const bool differs = !gl::travel_differs(gpu, travel).empty();
                     wrong += differs;
                     EXPECT_TRUE(!differs || !gpu.checks.differs(gpu, Job(), travel).empty());
