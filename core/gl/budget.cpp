@@ -24,6 +24,10 @@ constexpr size_t hardware_budget = size_t(768) << 20, software_budget = size_t(2
 /// this share of what the machine has.
 constexpr size_t share_of_machine = 16;
 
+/// Memory of the host for what is on its way there: of two batches, since one is read while the
+/// other travels. What is on its way back takes half as much (runner.cpp).
+constexpr size_t host_budget = size_t(128) << 20;
+
 /// Tiles of a batch, at most. Several batches, since the host reads the next and writes the one
 /// before while the device has one; of some size, since each waits some 60 times for what the
 /// device does one after the other.
@@ -64,8 +68,10 @@ size_t affordable_tiles(const Gpu& gpu, const SlotShape& shape, int groups,
     if (!gpu.context->software && a_tile > budget_of(gpu))
         throw Failure("a tile takes " + std::to_string(a_tile >> 20) + " MiB, and " +
                       std::to_string(budget_of(gpu) >> 20) + " are taken of a GPU at most");
-    const size_t n = std::min({budget_of(gpu) / a_tile, gpu.block_limit / largest, size_t(tiles),
-                               std::min(tiles_a_batch, size_t(max_tiles) / slots)});
+    const size_t on_the_way = 2 * (numbers + slots * guide_room(shape.pixels()));
+    const size_t n =
+        std::min({budget_of(gpu) / a_tile, host_budget / on_the_way, gpu.block_limit / largest,
+                  size_t(tiles), tiles_a_batch, size_t(max_tiles) / slots});
     return std::max<size_t>(1, n);
 }
 

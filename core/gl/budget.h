@@ -10,7 +10,8 @@ namespace ddt::gl {
 SlotShape shape_for(const Rect& window);
 
 /// Tiles to have on the device at a time: not more than `tiles`, than the device's memory and
-/// storage blocks take, or than a dispatch can hold; at least 1. Throws Failure where one does not
+/// storage blocks take, than memory of the host for what travels there, or than a dispatch can
+/// hold; at least 1. Throws Failure where one does not
 /// fit a storage block, or that memory, unless it is a software renderer's.
 size_t affordable_tiles(const Gpu& gpu, const SlotShape& shape, int groups,
                         const SurfaceOptions& options, int tiles, int meshes = 1);

@@ -6,11 +6,11 @@
 #
 #   chroot_test.sh SOURCE_DIR BUILD_DIR
 #
-# Skipped (status 77) without debootstrap or root, and where the clean Debian or what the package
-# depends on is not to be had within DDT_TEST_SECONDS (160 unless set).
+# Skipped (status 77) without mmdebstrap or root, and where the clean Debian or what the package
+# depends on is not to be had within DDT_TEST_SECONDS (240 unless set).
 set -euo pipefail
 source_dir=$1 build_dir=$2
-for program in debootstrap cpack chroot; do
+for program in mmdebstrap cpack chroot; do
     command -v $program >/dev/null || { echo "skipped: no $program"; exit 77; }
 done
 [ "$(id -u)" = 0 ] || { echo "skipped: not root"; exit 77; }
@@ -28,7 +28,7 @@ trap 'exit 1' INT TERM
 failed() { echo "FAILED: $*"; exit 1; }
 # A step that depends on the network and on how busy the machine is: skipped unless it is done in time.
 within_time() {
-    local code=0 left=$((${DDT_TEST_SECONDS:-160} - SECONDS))
+    local code=0 left=$((${DDT_TEST_SECONDS:-240} - SECONDS))
     timeout -k 5 $((left > 0 ? left : 1)) "$@" >"$work/log" 2>&1 || code=$?
     [ $code != 124 ] || { echo "skipped: takes too long here: $*"; exit 77; }
     return $code
@@ -44,10 +44,10 @@ deb=$(echo "$work"/cpack/oiio-ddt_*.deb)
 mirror=$(sed -nE 's/^(deb|URIs:)[^h]*(https?:[^ ]*debian) ?.*/\2/p' /etc/apt/sources.list \
     /etc/apt/sources.list.d/* 2>/dev/null | head -n 1 || true)
 . /etc/os-release
-mkdir -p "$chroot/etc/dpkg/dpkg.cfg.d"
-echo force-unsafe-io >"$chroot/etc/dpkg/dpkg.cfg.d/unsafe-io"
-within_time debootstrap --variant=minbase "$VERSION_CODENAME" "$chroot" \
-    "${mirror:-http://deb.debian.org/debian}" || skipped "no clean Debian to be had here"
+# The lists of packages are kept.
+within_time mmdebstrap --variant=apt --skip=cleanup/apt --dpkgopt=force-unsafe-io \
+    "$VERSION_CODENAME" "$chroot" "${mirror:-http://deb.debian.org/debian}" ||
+    skipped "no clean Debian to be had here"
 cp /etc/resolv.conf /etc/hosts "$chroot/etc/" 2>/dev/null || true
 cp "$work"/cpack/*.deb "$source_dir/testimages/scene.png" "$chroot/root/"
 clean=(env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C DEBIAN_FRONTEND=noninteractive)
@@ -63,7 +63,6 @@ for host in openfx imagemagick gegl python3; do
     done
 done
 package_of() { echo "/root/$(basename "$work"/cpack/oiio-ddt-"$1"_*.deb)"; }
-apt update || skipped "no lists of packages to be had"
 apt install --simulate "$package" || { cat "$work/log"; failed "what the package depends on is not in Debian"; }
 apt install --download-only "$package" || skipped "what the package depends on is not to be had"
 apt install "$package" || { tail -n 30 "$work/log"; failed "apt install"; }
@@ -79,7 +78,7 @@ echo "installed, used, removed without a trace: oiio-ddt"
 # What follows adds to that, if there is time.
 skipped() { echo "left out: $*"; exit 0; }
 within_time() {
-    local code=0 left=$((${DDT_TEST_SECONDS:-160} - SECONDS))
+    local code=0 left=$((${DDT_TEST_SECONDS:-240} - SECONDS))
     timeout -k 5 $((left > 0 ? left : 1)) "$@" >"$work/log" 2>&1 || code=$?
     [ $code != 124 ] || skipped "for want of time: $*"
     return $code
