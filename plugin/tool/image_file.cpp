@@ -76,16 +76,6 @@ bool has_holes(std::FILE* file) {
     return hole >= 0 && hole < there.st_size;
 }
 
-/// Readers call what cannot be opened none of their format: the code for why a file cannot be, or
-/// `otherwise` if it can.
-ExitCode code_of_opening(const std::string& path, ExitCode otherwise) {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0)
-        return code_of_errno(errno);
-    ::close(descriptor);
-    return otherwise;
-}
-
 } // namespace
 
 bool ImageFile::create(const std::string& path, Failure& failure) {
@@ -167,7 +157,7 @@ bool ImageFile::check_written(Failure& failure) const {
     const ExitCode code = m_stream ? exit_failed : exit_resources;
     const auto in = OIIO::ImageInput::open(temporary());
     if (!in)
-        return refuse("what was written cannot be read back", code_of_opening(temporary(), code));
+        return refuse("what was written cannot be read back", code_of_reading(temporary(), code));
     if (in->spec().width != m_width || in->spec().height != m_height)
         return refuse(format("the format {} made {} x {} pixels of {} x {}",
                              m_output->format_name(), in->spec().width, in->spec().height, m_width,
@@ -193,13 +183,13 @@ bool ImageFile::commit(Failure& failure) {
     return m_whole.commit(failure);
 }
 
-ExitCode code_of_reading(const std::string& path) {
+ExitCode code_of_reading(const std::string& path, ExitCode otherwise) {
     // No pipe: nobody may be at its other end.
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0)
         return code_of_errno(errno);
     std::vector<char> bytes(size_t(1) << 20);
-    ExitCode code = exit_failed;
+    ExitCode code = otherwise;
     struct stat there {};
     if (fstat(descriptor, &there) != 0)
         code = code_of_errno(errno);
@@ -207,7 +197,7 @@ ExitCode code_of_reading(const std::string& path) {
         ssize_t n = 1;
         while (n > 0)
             n = ::read(descriptor, bytes.data(), bytes.size());
-        code = n < 0 ? code_of_errno(errno) : exit_failed;
+        code = n < 0 ? code_of_errno(errno) : otherwise;
     }
     ::close(descriptor);
     return code;

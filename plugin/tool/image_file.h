@@ -49,8 +49,8 @@ private:
 };
 
 /// Readers call a file broken, or none of their format, that cannot be opened or whose bytes cannot
-/// be read: the code for why it is, or exit_failed. After a failure alone, for it reads them.
-ExitCode code_of_reading(const std::string& path);
+/// be read: the code for why it is, or `otherwise`. After a failure alone, for it reads them.
+ExitCode code_of_reading(const std::string& path, ExitCode otherwise = exit_failed);
 
 /// Scanlines that a file of this spec keeps together, as far as it says so (TIFF); 1 to 2^20.
 int rows_in_strip(const OIIO::ImageSpec& spec);
