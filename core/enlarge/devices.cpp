@@ -2,6 +2,7 @@
 #include "ddt/devices.h"
 
 #include "core/base/guarded.h"
+#include "core/enlarge/thread_count.h"
 #include "core/gl/offload.h"
 #include "ddt/option_table.h"
 
@@ -14,7 +15,7 @@ bool describe_device(const Job& job, std::string& line) noexcept {
         const FilterOptions usual;
         if (!check_options({usual.surface, job.mesh, usual.light, job.device, usual.holes}, why))
             return false;
-        if (!find_place(job, placement, why))
+        if (!find_place(job, thread_count(job), placement, why))
             return false;
         text = describe(placement);
         return true;

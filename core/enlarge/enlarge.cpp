@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "core/base/guarded.h"
-#include "core/base/parallel.h"
 #include "core/base/progress.h"
 #include "core/base/verbose.h"
 #include "core/enlarge/fill.h"
+#include "core/enlarge/thread_count.h"
 #include "core/enlarge/whole_source.h"
 #include "core/gl/offload.h"
 #include "core/tiles/grid.h"
@@ -67,10 +67,6 @@ const char* describe(Outcome outcome) {
     return "ddt: unknown failure";
 }
 
-int thread_count(const Job& job) {
-    return job.threads > 0 ? allowed_threads(job.threads) : usual_threads();
-}
-
 /// Tell of a job.
 void report(const Placement& placement, const std::string& failure, const Statistics& statistics,
             double seconds) {
@@ -103,7 +99,7 @@ Outcome work(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
 Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, std::string& why) {
     const auto begin = std::chrono::steady_clock::now();
     Placement placement;
-    if (!find_place(job, placement, why))
+    if (!find_place(job, thread_count(job), placement, why))
         return Outcome::device_unavailable;
     Statistics statistics;
     if (job.statistics)

@@ -23,14 +23,16 @@ bool spans_plane(const std::vector<Steps>& points) {
                        [&](Steps p) { return orientation(points.front(), points.back(), p) != 0; });
 }
 
-/// As for an image of as many pixels.
+/// As for an image of as many pixels. One thread works on points; but how much a GPU gains on them
+/// is not known, and what is asked of it are many small steps.
 bool choose(Device device, size_t points, const MeshOptions& options, Placement& placement,
             std::string& error) {
     Job job;
     job.window = {0, 0, int(points), 1};
     job.mesh = options;
     job.device = device;
-    return find_place(job, placement, error);
+    constexpr int as_if_threads = 5;
+    return find_place(job, as_if_threads, placement, error);
 }
 
 void flip(Tin& tin, const MeshOptions& options, const Placement& placement, Workspace& workspace,

@@ -8,7 +8,7 @@
 
 namespace ddt {
 
-bool find_place(const Job& job, Placement& placement, std::string& why) {
+bool find_place(const Job& job, int threads, Placement& placement, std::string& why) {
     placement = {};
     Device wanted;
     if (!gl::wish(job, wanted, why))
@@ -16,8 +16,9 @@ bool find_place(const Job& job, Placement& placement, std::string& why) {
     if (wanted == Device::cpu)
         return true;
     const bool named = wanted != Device::automatic;
-    if (!named && (!gl::DeviceMesh::knows(job.mesh) ||
-                   job.window.area() < (gl::is_open(wanted) ? worth_using : worth_opening)))
+    if (!named &&
+        (!gl::DeviceMesh::knows(job.mesh) ||
+         job.window.area() / size_t(threads) < (gl::is_open(wanted) ? worth_using : worth_opening)))
         return true;
     bool forked = false;
     std::string reason;

@@ -6,7 +6,7 @@
 
 namespace ddt {
 
-bool find_place(const Job& job, Placement& placement, std::string& why) {
+bool find_place(const Job& job, int, Placement& placement, std::string& why) {
     placement = {};
     Device wanted;
     if (!gl::wish(job, wanted, why))

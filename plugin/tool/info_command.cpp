@@ -58,7 +58,7 @@ private:
     /// What a large image is worked on when no device is named.
     static std::string automatic_device() {
         Job job;
-        job.window = {0, 0, 8192, 8192};
+        job.window = {0, 0, 32768, 32768};
         std::string text;
         ddt::describe_device(job, text);
         return text +

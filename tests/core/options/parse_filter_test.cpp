@@ -93,7 +93,8 @@ TEST(Options, EveryNamedValueIsOneAndItsOwn) {
 
 TEST(Options, HelpTellsFromWhichSizesAGpuIsTaken) {
     const std::string help = ddt::find_option("device")->values[0].help;
-    EXPECT_NE(help.find("from " + std::to_string(ddt::worth_using) + " pixels"), std::string::npos);
+    EXPECT_NE(help.find("from " + std::to_string(ddt::worth_using) + " pixels a thread"),
+              std::string::npos);
     EXPECT_NE(help.find("or " + std::to_string(ddt::worth_opening) + " where"), std::string::npos);
 }
 

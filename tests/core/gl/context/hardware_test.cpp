@@ -80,10 +80,11 @@ protected:
 
     /// Times that a job, large enough for a GPU to be looked for, tries to load a GL library.
     static int loads(Device device) {
-        const Picture large = make_picture(Content::flat, 2100, 2000, 1, 1);
+        const Picture large = make_picture(Content::flat, 1000, 900, 1, 1);
         Order order;
-        order.out_width = 2100;
-        order.out_height = 2000;
+        order.out_width = 1000;
+        order.out_height = 900;
+        order.job.threads = 1;
         order.job.mesh.max_iterations = 0;
         order.job.surface = Surface::linear;
         gl::arm(gl::Fault::library, 1, 1000);

@@ -93,10 +93,11 @@ TEST_P(Process, AForkedChildUsesTheCpu) {
 
 TEST_P(Process, AutomaticNeverPicksASoftwareRenderer) {
     // Large enough for a GPU to be looked for. Forked children use the CPU anyway, so not there.
-    const Picture large = make_picture(Content::flat, 2100, 2000, 1, 1);
+    const Picture large = make_picture(Content::flat, 1000, 900, 1, 1);
     Order o;
-    o.out_width = 2100;
-    o.out_height = 2000;
+    o.out_width = 1000;
+    o.out_height = 900;
+    o.job.threads = 1;
     o.job.mesh.max_iterations = 0;
     o.job.surface = Surface::linear;
     // Both with what devices the machine has and as if it had a card.
