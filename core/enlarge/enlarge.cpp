@@ -87,6 +87,8 @@ Outcome work(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
     if (placement.gpu)
         failure = work_on_gpu(*placement.gpu, source, sink, mapping, job, grid, thread_count(job),
                               run, statistics);
+    else
+        missed_gpu(job, thread_count(job));
     const bool on_cpu = !placement.gpu || !failure.empty();
     statistics.device = on_cpu ? Device::cpu : placement.device;
     if (on_cpu)

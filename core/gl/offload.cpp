@@ -1,12 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/offload.h"
-#include "ddt/names.h"
 
 #include "core/gl/choice.h"
 #include "core/gl/context/gpu.h"
 #include "core/gl/device_mesh.h"
+#include "ddt/names.h"
 
 namespace ddt {
+
+namespace {
+
+size_t pixels_a_thread(const Job& job, int threads) {
+    return job.window.area() / size_t(threads);
+}
+
+/// Whether one that is open would be quicker.
+bool gains(const Job& job, int threads) {
+    return gl::DeviceMesh::knows(job.mesh) && pixels_a_thread(job, threads) >= worth_using;
+}
+
+bool worth_a_gpu(const Job& job, int threads) {
+    return gains(job, threads) &&
+           (gl::is_open(Device::automatic) ||
+            gl::missed_pixels() + pixels_a_thread(job, threads) >= worth_opening);
+}
+
+} // namespace
 
 bool find_place(const Job& job, int threads, Placement& placement, std::string& why) {
     placement = {};
@@ -16,9 +35,7 @@ bool find_place(const Job& job, int threads, Placement& placement, std::string& 
     if (wanted == Device::cpu)
         return true;
     const bool named = wanted != Device::automatic;
-    if (!named &&
-        (!gl::DeviceMesh::knows(job.mesh) ||
-         job.window.area() / size_t(threads) < (gl::is_open(wanted) ? worth_using : worth_opening)))
+    if (!named && !worth_a_gpu(job, threads))
         return true;
     bool forked = false;
     std::string reason;
@@ -31,6 +48,11 @@ bool find_place(const Job& job, int threads, Placement& placement, std::string& 
         return true;
     why = std::string("ddt: device ") + device_name(wanted) + " is unavailable: " + reason;
     return false;
+}
+
+void missed_gpu(const Job& job, int threads) {
+    if (job.device == Device::automatic && gains(job, threads))
+        gl::missed_pixels() += pixels_a_thread(job, threads);
 }
 
 bool tin_on_gpu(const MeshOptions& options) {

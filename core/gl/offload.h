@@ -19,8 +19,8 @@ struct Gpu;
 }
 
 /// Source pixels for each of the CPU's threads from which a GPU gains over them: when it must be
-/// opened first, which takes as long as a thread has with so many, and when it is open already
-/// (docs/gpu.md). The help of the option `device` tells them.
+/// opened first, which takes as long as a thread has with so many, of one job or of all so far; and
+/// when it is open already (docs/gpu.md). The help of the option `device` tells them.
 constexpr size_t worth_opening = 800'000, worth_using = 20'000;
 
 /// Where a job is worked on.
@@ -32,6 +32,9 @@ struct Placement {
 /// Choose by Job::device and DDT_DEVICE, and by the size of the job's window for so many threads.
 /// False if a device that was named cannot be had; `why` says what stood in the way.
 bool find_place(const Job& job, int threads, Placement& placement, std::string& why);
+
+/// That the job, for which no GPU was found, is done by the CPU.
+void missed_gpu(const Job& job, int threads);
 
 /// Work on the tiles of a job as far as the GPU gets; `run` knows how far that is. Adds to
 /// `statistics` for the tiles it finished. `threads`: how many may read the source and write to the

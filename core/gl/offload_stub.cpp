@@ -18,6 +18,8 @@ bool find_place(const Job& job, int, Placement& placement, std::string& why) {
     return false;
 }
 
+void missed_gpu(const Job&, int) {}
+
 std::string work_on_gpu(gl::Gpu&, Source&, Sink&, const Mapping&, const Job&, const Grid&, int,
                         Run&, Statistics&) {
     return "there is no GPU";

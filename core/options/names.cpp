@@ -36,7 +36,7 @@ constexpr Named<Device> devices[] = {
      {"auto",
       "The GPU by OpenGL if there is one, its shaders know the scheme and the image is "
       "large enough for it: from 20000 pixels a thread, or 800000 where the GPU is not open "
-      "yet. Else the CPU."}},
+      "yet, of this and earlier images. Else the CPU."}},
     {Device::cpu, {"cpu", "The processor's cores."}},
     {Device::egl, {"egl", "OpenGL by EGL and no other way, a software renderer included."}},
     {Device::osmesa, {"osmesa", "OpenGL by OSMesa, a software renderer."}},

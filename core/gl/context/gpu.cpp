@@ -24,6 +24,7 @@ struct Slot {
 /// All of it leaked, so that it outlives every thread and static object.
 struct Registry {
     Slot hardware, egl, osmesa;
+    std::atomic<size_t> missed{0};
 };
 
 std::atomic<Registry*> g_registry{new Registry};
@@ -125,6 +126,10 @@ Gpu* open(Device device, std::string& why, bool& forked) {
 bool is_open(Device device) {
     const Registry& registry = *g_registry;
     return device == Device::osmesa ? registry.osmesa.tried : registry.hardware.tried;
+}
+
+std::atomic<size_t>& missed_pixels() {
+    return g_registry.load()->missed;
 }
 
 #ifdef DDT_FAULTS

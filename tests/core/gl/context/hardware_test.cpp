@@ -78,12 +78,13 @@ protected:
         return folder;
     }
 
-    /// Times that a job, large enough for a GPU to be looked for, tries to load a GL library.
-    static int loads(Device device) {
-        const Picture large = make_picture(Content::flat, 1000, 900, 1, 1);
+    /// Times that a job, large enough for a GPU to be looked for unless another height is given,
+    /// tries to load a GL library.
+    static int loads(Device device, int height = 900) {
+        const Picture large = make_picture(Content::flat, 1000, height, 1, 1);
         Order order;
         order.out_width = 1000;
-        order.out_height = 900;
+        order.out_height = height;
         order.job.threads = 1;
         order.job.mesh.max_iterations = 0;
         order.job.surface = Surface::linear;
@@ -121,6 +122,15 @@ TEST_F(Hardware, WhereItMayBeItIsLookedFor) {
     gl::look_for_hardware_in(folder_with("card", {"dri/card0"}));
     EXPECT_EQ(loads(Device::automatic), 1);
     EXPECT_EQ(loads(Device::automatic), 0) << "looked for twice";
+}
+
+TEST_F(Hardware, IsLookedForAfterManySmallJobs) {
+    gl::look_for_hardware_in(folder_with("small", {"dri/card0"}));
+    for (int i = 0; i < 3; ++i)
+        EXPECT_EQ(loads(Device::automatic, 250), 0) << i;
+    for (int i = 0; i < 50; ++i)
+        EXPECT_EQ(loads(Device::automatic, 19), 0) << "a GPU gains nothing on these";
+    EXPECT_EQ(loads(Device::automatic, 250), 1);
 }
 
 #endif
