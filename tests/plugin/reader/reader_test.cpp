@@ -93,7 +93,6 @@ TEST_F(Reader, TilesTakeTheirPartOfTheMesh) {
         input->read_tiles(0, 0, 2176, 2240, 2176, 2240, 0, 1, 0, 3, TypeUInt8, pixels.data()))
         << input->geterror();
     const std::string told = testing::internal::GetCapturedStderr();
-    unsetenv("DDT_DEVICE");
     unsetenv("DDT_VERBOSE");
     int64_t taken = 0;
     const std::regex line("; (\\d+) pixels, \\d+ flips");
