@@ -91,19 +91,91 @@ std::string assembled(const std::string& text, const std::string& defines) {
     return out;
 }
 
-void Programs::use(const std::string& file, const std::string& defines) {
-    const std::string name = program_name(file, defines);
-    GLuint& program = m_programs[name];
-    if (!program) {
-        const auto begin = std::chrono::steady_clock::now();
-        program = compile(m_gl, name, shader_source(file, defines));
-        m_milliseconds +=
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
-                .count();
+namespace {
+
+/// Have it compiled and linked; `shader` goes with the answer().
+GLuint ask_for(const Functions& gl, [[maybe_unused]] const std::string& name, std::string source,
+               GLuint& shader) {
+#ifdef DDT_FAULTS
+    source = with_changed_constant(name, std::move(source));
+#endif
+    if (strikes(Fault::shader))
+        source += "this is no shader\n";
+    const char* text = source.c_str();
+    shader = gl.CreateShader(GL_COMPUTE_SHADER);
+    gl.ShaderSource(shader, 1, &text, nullptr);
+    gl.CompileShader(shader);
+    const GLuint program = gl.CreateProgram();
+    gl.AttachShader(program, shader);
+    gl.LinkProgram(program);
+    return program;
+}
+
+/// Wait for it. Throws Failure, and the program is deleted, if it does not compile or link.
+void answer(const Functions& gl, const std::string& name, GLuint program, GLuint shader) {
+    GLint compiled = 0, linked = 0;
+    char log[2048] = "";
+    gl.GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    if (compiled)
+        gl.GetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (!compiled)
+        gl.GetShaderInfoLog(shader, sizeof log, nullptr, log);
+    else if (!linked)
+        gl.GetProgramInfoLog(program, sizeof log, nullptr, log);
+    gl.DeleteShader(shader); // goes with the program
+    if (linked)
+        return;
+    gl.DeleteProgram(program);
+    throw Failure((compiled ? "glLinkProgram(" : "glCompileShader(") + name + "): " + log);
+}
+
+/// Adds the milliseconds of its life.
+class Stopwatch {
+public:
+    explicit Stopwatch(double& ms) : m_ms(ms) {}
+    ~Stopwatch() {
+        m_ms += std::chrono::duration<double, std::milli>(Clock::now() - m_begin).count();
     }
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+
+private:
+    using Clock = std::chrono::steady_clock;
+    double& m_ms;
+    const Clock::time_point m_begin = Clock::now();
+};
+
+} // namespace
+
+void Programs::expect(const std::string& file, const std::string& defines) {
+    const std::string name = program_name(file, defines);
+    if (m_programs.count(name) > 0)
+        return;
+    const Stopwatch watch(m_milliseconds);
+    Program p;
+    p.program = ask_for(m_gl, name, shader_source(file, defines), p.shader);
+    m_programs.emplace(name, p);
+}
+
+void Programs::finish(std::map<std::string, Program>::iterator begun) {
+    const Stopwatch watch(m_milliseconds);
+    try {
+        answer(m_gl, begun->first, begun->second.program, begun->second.shader);
+        begun->second.shader = 0;
+    } catch (const Failure&) {
+        m_programs.erase(begun);
+        throw;
+    }
+}
+
+void Programs::use(const std::string& file, const std::string& defines) {
+    expect(file, defines);
+    const auto p = m_programs.find(program_name(file, defines));
+    if (p->second.shader)
+        finish(p);
     if (before_use)
         before_use(file);
-    m_gl.UseProgram(program);
+    m_gl.UseProgram(p->second.program);
     ++m_uses[file];
 }
 
@@ -114,34 +186,10 @@ std::vector<std::string> Programs::names() const {
     return names;
 }
 
-GLuint compile(const Functions& gl, const std::string& name, std::string source) {
-#ifdef DDT_FAULTS
-    source = with_changed_constant(name, std::move(source));
-#endif
-    if (strikes(Fault::shader))
-        source += "this is no shader\n";
-    const char* text = source.c_str();
-    const GLuint shader = gl.CreateShader(GL_COMPUTE_SHADER);
-    gl.ShaderSource(shader, 1, &text, nullptr);
-    gl.CompileShader(shader);
-    GLint fine = 0;
-    char log[2048] = "";
-    gl.GetShaderiv(shader, GL_COMPILE_STATUS, &fine);
-    if (!fine) {
-        gl.GetShaderInfoLog(shader, sizeof log, nullptr, log);
-        gl.DeleteShader(shader);
-        throw Failure("glCompileShader(" + name + "): " + log);
-    }
-    const GLuint program = gl.CreateProgram();
-    gl.AttachShader(program, shader);
-    gl.LinkProgram(program);
-    gl.DeleteShader(shader); // goes with the program
-    gl.GetProgramiv(program, GL_LINK_STATUS, &fine);
-    if (!fine) {
-        gl.GetProgramInfoLog(program, sizeof log, nullptr, log);
-        gl.DeleteProgram(program);
-        throw Failure("glLinkProgram(" + name + "): " + log);
-    }
+GLuint compile(const Functions& gl, const std::string& name, const std::string& source) {
+    GLuint shader = 0;
+    const GLuint program = ask_for(gl, name, source, shader);
+    answer(gl, name, program, shader);
     return program;
 }
 

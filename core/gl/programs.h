@@ -48,6 +48,9 @@ public:
     /// Use the program of shader `file` with the macros named in `defines` (separated by spaces),
     /// compiling it at the first use. Throws Failure with the compiler's messages.
     void use(const std::string& file, const std::string& defines = "");
+    /// Have it compiled, and do not ask how that went until use(): drivers that have threads for it
+    /// compile several side by side, until they are asked about one.
+    void expect(const std::string& file, const std::string& defines);
 
     /// How often each shader was used, whatever its macros: nearly all uses are one dispatch.
     const std::map<std::string, int>& uses() const { return m_uses; }
@@ -60,8 +63,14 @@ public:
     std::function<void(const std::string& file)> before_use;
 
 private:
+    struct Program {
+        GLuint program = 0;
+        GLuint shader = 0; ///< none any more once it is known how compiling went
+    };
+    void finish(std::map<std::string, Program>::iterator begun);
+
     const Functions& m_gl;
-    std::map<std::string, GLuint> m_programs;
+    std::map<std::string, Program> m_programs;
     std::map<std::string, int> m_uses;
     double m_milliseconds = 0; ///< spent compiling
 };
@@ -75,6 +84,6 @@ std::string shader_source(const std::string& file, const std::string& defines);
 std::string assembled(const std::string& text, const std::string& defines);
 
 /// Compile and link. Throws Failure with the compiler's messages.
-GLuint compile(const Functions& gl, const std::string& name, std::string source);
+GLuint compile(const Functions& gl, const std::string& name, const std::string& source);
 
 } // namespace ddt::gl

@@ -7,6 +7,7 @@
 #include "core/base/verbose.h"
 #include "core/gl/budget.h"
 #include "core/gl/context/failure.h"
+#include "core/gl/job_programs.h"
 #include "core/gl/offload.h"
 #include "core/tiles/tile_io.h"
 
@@ -335,7 +336,12 @@ std::string work_on_gpu(gl::Gpu& gpu, Source& source, Sink& sink, const Mapping&
     std::string failure;
     try {
         gl::Travel travel = gl::travel_of(source, sink, job);
-        failure = gpu.thread.post([&] { return gpu.checks.differs(gpu, job, travel); }).get();
+        const auto begin = [&] {
+            for (const gl::JobProgram& program : gl::job_programs(job, travel))
+                gpu.programs->expect(program.file, program.macros);
+            return gpu.checks.differs(gpu, job, travel);
+        };
+        failure = gpu.thread.post(begin).get();
         if (!failure.empty())
             return failure;
         gl::Runner runner(gpu, source, sink, mapping, job, grid, std::move(travel), threads, run);

@@ -8,8 +8,8 @@
 #include "core/gl/chance.h"
 #include "core/gl/context/failure.h"
 #include "core/gl/device_mesh.h"
+#include "core/gl/job_programs.h"
 #include "core/gl/work_layout.h"
-#include "ddt/names.h"
 
 namespace ddt::gl {
 
@@ -54,9 +54,7 @@ void DeviceMesh::triangulate(const MeshOptions& options) {
 }
 
 void DeviceMesh::set_criterion(const Criterion& by) {
-    m_criterion = std::string("COST_") + cost_name(by.cost);
-    if (by.contour != 0)
-        m_criterion += " CONTOURS";
+    m_criterion = criterion_macros(by);
     m_contour_weight = by.contour * contour_unit;
 }
 

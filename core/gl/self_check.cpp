@@ -280,6 +280,7 @@ std::string scheme_key_of(const MeshOptions& mesh) {
 std::string key_of(const Job& job) {
     const MeshOptions& mesh = job.mesh;
     std::string key = scheme_key_of(mesh) + ' ' + cost_name(mesh.cost);
+    key += mesh.max_iterations == 0 ? " still" : "";
     key += mesh.contour > 0 ? " contour" : "";
     key += job.surface.kind == Surface::linear ? " linear" : " patch";
     key += job.surface.soft > 0 ? " soft" : "";
@@ -303,6 +304,8 @@ Job check_job(const Job& job) {
     check.mesh.contour = job.mesh.contour > 0 ? 0.4f : 0.0f;
     if (job.mesh.scheme == Scheme::annealing)
         check.mesh.max_iterations = 6;
+    if (job.mesh.max_iterations == 0)
+        check.mesh.max_iterations = 0;
     check.mesh.min_gain = -1.0f; // many flips, and late ones
     check.mesh.blur = 0.07f;     // several meshes differ by it
     check.mesh.meshes = std::min(job.mesh.meshes, 2);

@@ -7,6 +7,7 @@
 
 #include "core/base/float_bits.h"
 #include "core/gl/context/failure.h"
+#include "core/gl/job_programs.h"
 #include "core/surface/fitted/fitted.h"
 #include "core/surface/net.h"
 
@@ -106,9 +107,7 @@ size_t Surfaces::write_numbers(int tile, const TileSize& size, const HostBuffer&
 }
 
 void Surfaces::unpack(DeviceMesh& mesh) {
-    m_gpu.programs->use("unpack.comp", m_expected.bytes == 1   ? "CODES_8"
-                                       : m_expected.bytes == 2 ? "CODES_16"
-                                                               : "");
+    m_gpu.programs->use("unpack.comp", unpack_macros(m_expected));
     mesh.bind();
     m_numbers->bind(4);
     if (m_codes)
@@ -127,11 +126,6 @@ void Surfaces::unpack(DeviceMesh& mesh) {
 void Surfaces::bind_channels(int group) const {
     const int first = group * group_size;
     m_gl.Uniform3i(6, m_channels, first, std::min(group_size, m_channels - first));
-}
-
-std::string Surfaces::defines() const {
-    return std::string(m_options.kind == Surface::linear ? "" : "QUADRATIC ") +
-           (m_options.soft > 0 ? "SOFT" : "");
 }
 
 void Surfaces::make(DeviceMesh& mesh, const Criterion& by) {
@@ -155,11 +149,10 @@ void Surfaces::make(DeviceMesh& mesh, const Criterion& by) {
     }
 }
 
-void Surfaces::find_gradients(DeviceMesh& mesh, const Group& group, int margin,
-                              const std::string& defines) {
+void Surfaces::find_gradients(DeviceMesh& mesh, const Group& group, int margin) {
     if (m_options.kind == Surface::linear)
         return;
-    m_gpu.programs->use("gradients.comp", defines);
+    m_gpu.programs->use("gradients.comp", gradient_macros(m_options));
     mesh.bind();
     group.values->bind(1);
     group.gradients->bind(2);
@@ -187,17 +180,17 @@ void Surfaces::fit(DeviceMesh& mesh, Group& group) {
     // As in a last round; bends are wanted of edges of triangles that are read.
     m_table->bind_uniform(1);
     group.bends->bind(5);
-    find_gradients(mesh, group, 3, "FITTED");
+    find_gradients(mesh, group, 3);
     find_edges(mesh, group, 3);
     group.bends->bind(6);
     bend_edges(mesh, group, 1);
-    correct(mesh, group, 0, 2, " FITTED");
+    correct(mesh, group, 0, 2);
 }
 
 void Surfaces::find_edges(DeviceMesh& mesh, const Group& group, int margin) {
     if (!has_edges())
         return;
-    m_gpu.programs->use("net_edges.comp", defines());
+    m_gpu.programs->use("net_edges.comp", surface_macros(m_options));
     bind_net(mesh, group, *group.gradients);
     m_edges->bind(4);
     m_gl.Uniform1i(9, margin);
@@ -206,17 +199,16 @@ void Surfaces::find_edges(DeviceMesh& mesh, const Group& group, int margin) {
 }
 
 void Surfaces::bend_edges(DeviceMesh& mesh, const Group& group, int margin) {
-    m_gpu.programs->use("fitted_bends.comp", defines() + " STORED_EDGES");
+    m_gpu.programs->use("fitted_bends.comp", bend_macros(m_options));
     bind_net(mesh, group, *m_edges);
     m_gl.Uniform1i(9, margin);
     mesh.dispatch_over_sites();
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void Surfaces::correct(DeviceMesh& mesh, Group& group, int round, int margin,
-                       const std::string& more) {
+void Surfaces::correct(DeviceMesh& mesh, Group& group, int round, int margin) {
     const Buffer* to = group.corrected[round & 1].get();
-    m_gpu.programs->use("correct.comp", defines() + " STORED_EDGES" + more);
+    m_gpu.programs->use("correct.comp", correct_macros(m_options));
     bind_net(mesh, group, has_edges() ? *m_edges : *group.gradients);
     group.source->bind(4);
     to->bind(5);
@@ -272,9 +264,7 @@ void Surfaces::sample(DeviceMesh& mesh, const SamplePlan& plan, const SampleMemo
 
 void Surfaces::sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int index,
                            const SampleMemory& memory) {
-    const char* layout = m_channels % group_size == 0 ? " WHOLE_GROUPS" : "";
-    m_gpu.programs->use("sample.comp", defines() + layout + (fitted() ? " STORED_BENDS" : "") +
-                                           (index > 0 ? " MEAN" : ""));
+    m_gpu.programs->use("sample.comp", sample_macros(m_options, m_channels, index));
     m_gl.Uniform1i(2, plan.slot + index);
     m_gl.Uniform1i(3, plan.separable);
     m_gl.Uniform3i(4, plan.columns, plan.rows, plan.count);
@@ -309,6 +299,7 @@ size_t Surfaces::download(size_t count, const Travel& travel, SampleMemory& memo
 void Surfaces::pack(size_t count, const Travel& travel, SampleMemory& memory) {
     constexpr size_t most_groups = 4096; // which go on where there is more
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    m_gpu.programs->use("pack.comp", pack_macros(travel.back));
     if (travel.back == Travel::Back::codes) {
         const CodeTable& table = *travel.codes_back;
         if (!m_code_table) {
@@ -316,12 +307,9 @@ void Surfaces::pack(size_t count, const Travel& travel, SampleMemory& memory) {
             m_code_table = std::make_unique<Buffer>(m_gl, bytes);
             m_code_table->write(0, bytes, table.entries.data());
         }
-        m_gpu.programs->use("pack.comp", "CODES");
         m_code_table->bind(4);
         m_gl.Uniform4ui(1, GLuint(table.shift), table.first, bits_of(table.lowest),
                         bits_of(table.top));
-    } else {
-        m_gpu.programs->use("pack.comp", "HALFS");
     }
     m_gl.Uniform1i(0, GLint(count));
     memory.results->bind(5);

@@ -60,10 +60,9 @@ public:
     void make(DeviceMesh& mesh, const Criterion& by);
 
     // What make() left, for comparisons: a group's vertices, and their gradients where there are
-    // some; the macros of programs that use them, and binding them all as net.glsl wants it.
+    // some; and binding them all as net.glsl wants it.
     const Buffer& vertices(int group) const { return *m_groups[size_t(group)].values; }
     const Buffer& gradients(int group) const { return *m_groups[size_t(group)].gradients; }
-    std::string defines() const;
     void bind_net(const DeviceMesh& mesh, int group);
 
     /// Make room for so many coordinates of positions and numbers of results, of plans that are
@@ -93,10 +92,8 @@ private:
     }
     void bind_net(const DeviceMesh& mesh, const Group& group, const Buffer& edges);
     /// margin: how far about the positions that tiles serve something is made, in edges' lengths.
-    void find_gradients(DeviceMesh& mesh, const Group& group, int margin,
-                        const std::string& defines = "");
-    void correct(DeviceMesh& mesh, Group& group, int round, int margin,
-                 const std::string& more = "");
+    void find_gradients(DeviceMesh& mesh, const Group& group, int margin);
+    void correct(DeviceMesh& mesh, Group& group, int round, int margin);
     void fit(DeviceMesh& mesh, Group& group);
     bool has_edges() const { return m_edges != nullptr; }
     void find_edges(DeviceMesh& mesh, const Group& group, int margin);

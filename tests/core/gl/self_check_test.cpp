@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <set>
+#include <utility>
 
 #include "core/gl/context/failure.h"
 #include "core/gl/context/faults.h"
 #include "core/gl/context/gpu.h"
+#include "core/gl/job_programs.h"
 #include "core/surface/fitted/fitted.h"
 #include "ddt/names.h"
 #include "tests/core/gl/devices.h"
@@ -73,6 +75,8 @@ std::vector<Order> orders() {
             all.push_back(order);
         }
     order.job.mesh = plain_mesh();
+    order.job.mesh.max_iterations = 0;
+    all.push_back(order);
     order.job.mesh.contour = 0.4f;
     for (const Scheme scheme : {Scheme::one_round, Scheme::annealing, Scheme::pixel}) {
         order.job.mesh.scheme = scheme;
@@ -131,6 +135,14 @@ std::set<std::string> programs_of(gl::Gpu& gpu) {
     return {names.begin(), names.end()};
 }
 
+/// What is begun before it is used.
+std::set<std::string> expected_of(const Job& job) {
+    std::set<std::string> all;
+    for (const gl::JobProgram& program : gl::job_programs(job, gl::Travel()))
+        EXPECT_TRUE(all.insert(gl::program_name(program.file, program.macros)).second);
+    return all;
+}
+
 TEST_P(SelfCheck, EveryProgramIsCheckedBeforeItIsUsedAndAWrongOneIsNot) {
     std::set<std::string> proved;
     for (const int channels : {3, 4}) {
@@ -144,6 +156,7 @@ TEST_P(SelfCheck, EveryProgramIsCheckedBeforeItIsUsedAndAWrongOneIsNot) {
             EXPECT_TRUE(on_device(picture, order, lines));
             const std::set<std::string> used = programs_of(right);
             EXPECT_EQ(used, checked) << "a program was used that the check did not";
+            EXPECT_EQ(used, expected_of(order.job));
             EXPECT_TRUE(lines.empty());
             for (const std::string& program : used) {
                 if (!proved.insert(program).second)
@@ -163,6 +176,45 @@ TEST_P(SelfCheck, EveryProgramIsCheckedBeforeItIsUsedAndAWrongOneIsNot) {
     // 7 programs a cost, 6 with contours, what finds those, select, flip, the 2 others of
     // annealing, 2 that unpack, gradients, 3 of edges, 4 that correct, 2 that bend, 16 that sample.
     EXPECT_GE(proved.size(), 7 * cost_names().size() + 6 + 1 + 2 + 2 + 2 + 1 + 3 + 4 + 2 + 16);
+}
+
+int g_linked, g_linked_when_asked;
+PFNGLLINKPROGRAMPROC g_link_program;
+PFNGLGETSHADERIVPROC g_get_shader;
+
+void APIENTRY link_program(GLuint program) {
+    ++g_linked;
+    g_link_program(program);
+}
+
+void APIENTRY get_shader(GLuint shader, GLenum what, GLint* answer) {
+    g_linked_when_asked = std::min(g_linked_when_asked, g_linked);
+    g_get_shader(shader, what, answer);
+}
+
+// Drivers compile one beside the other only as long as nobody waits for one.
+TEST_P(SelfCheck, AllProgramsAreBegunBeforeOneIsWaitedFor) {
+    gl::Gpu& device = fresh_device();
+    device.thread
+        .post([&] {
+            gl::Functions& gl = device.context->gl;
+            g_link_program = std::exchange(gl.LinkProgram, link_program);
+            g_get_shader = std::exchange(gl.GetShaderiv, get_shader);
+        })
+        .get();
+    g_linked = 0;
+    g_linked_when_asked = 1000;
+    Order order;
+    order.out_width = 60;
+    order.out_height = 50;
+    order.job.surface = SurfaceOptions();
+    order.job.surface.fitted = true;
+    order.job.surface.clipped = true;
+    order.job.surface.consistency = 2;
+    std::vector<std::string> lines;
+    EXPECT_TRUE(on_device(make_picture(Content::photo, 24, 20, 3, 4), order, lines));
+    EXPECT_EQ(g_linked_when_asked, g_linked);
+    EXPECT_GE(g_linked, 11);
 }
 
 // What one of the paper's schemes proves of its program another may have no use for.

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/gl/budget.h"
+#include "core/gl/job_programs.h"
 #include "core/gl/strip.h"
 #include "core/surface/net.h"
 #include "core/triangulate/triangulate.h"
@@ -102,7 +103,7 @@ SurfaceStage GpuStages::surface(int rounds) {
     const gl::Buffer bends(gl, numbers * sizeof(float)), softness(gl, numbers * sizeof(float));
     bends.clear();
     softness.clear();
-    const std::string defines = surfaces.defines();
+    const std::string defines = gl::surface_macros(m_job.surface);
     const GLuint program = gl::compile(gl, gl::program_name("edges.comp", defines),
                                        gl::assembled(edges_comp, defines));
     gl.UseProgram(program);
