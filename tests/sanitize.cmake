@@ -33,6 +33,6 @@ set_tests_properties(sanitize.run PROPERTIES LABELS all FIXTURES_REQUIRED saniti
 if(DDT_PLUGIN AND DDT_CLANG AND DDT_CLANGXX)
   # The same numbers every time: what is new is for longer runs to find (tests/fuzz/run).
   add_test(NAME fuzz.run
-    COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/run --seconds 7 --seed 1 --built ${sanitize_dir})
+    COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/run --seconds 5 --seed 1 --built ${sanitize_dir})
   set_tests_properties(fuzz.run PROPERTIES LABELS all FIXTURES_REQUIRED sanitized RUN_SERIAL TRUE)
 endif()

@@ -147,17 +147,18 @@ private:
 
 } // namespace
 
-void Programs::expect(const std::string& file, const std::string& defines) {
+Programs::Begun::iterator Programs::begin(const std::string& file, const std::string& defines) {
     const std::string name = program_name(file, defines);
-    if (m_programs.count(name) > 0)
-        return;
+    const auto known = m_programs.find(name);
+    if (known != m_programs.end())
+        return known;
     const Stopwatch watch(m_milliseconds);
     Program p;
     p.program = ask_for(m_gl, name, shader_source(file, defines), p.shader);
-    m_programs.emplace(name, p);
+    return m_programs.emplace(name, p).first;
 }
 
-void Programs::finish(std::map<std::string, Program>::iterator begun) {
+void Programs::finish(Begun::iterator begun) {
     const Stopwatch watch(m_milliseconds);
     try {
         answer(m_gl, begun->first, begun->second.program, begun->second.shader);
@@ -168,9 +169,12 @@ void Programs::finish(std::map<std::string, Program>::iterator begun) {
     }
 }
 
+void Programs::expect(const std::string& file, const std::string& defines) {
+    begin(file, defines);
+}
+
 void Programs::use(const std::string& file, const std::string& defines) {
-    expect(file, defines);
-    const auto p = m_programs.find(program_name(file, defines));
+    const auto p = begin(file, defines);
     if (p->second.shader)
         finish(p);
     if (before_use)

@@ -67,10 +67,12 @@ private:
         GLuint program = 0;
         GLuint shader = 0; ///< none any more once it is known how compiling went
     };
-    void finish(std::map<std::string, Program>::iterator begun);
+    using Begun = std::map<std::string, Program>;
+    Begun::iterator begin(const std::string& file, const std::string& defines);
+    void finish(Begun::iterator begun);
 
     const Functions& m_gl;
-    std::map<std::string, Program> m_programs;
+    Begun m_programs; ///< by name
     std::map<std::string, int> m_uses;
     double m_milliseconds = 0; ///< spent compiling
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Options without what filters add, for tests that count on one thing at a time: the guide as it
-// is, no contours, flips down to the cost's own threshold, no soft edges.
+// is, no contours, flips down to the cost's own threshold, no soft edges, the CPU: a GPU would be
+// looked for by how much a process has done.
 #pragma once
 
 #include "ddt/core.h"
@@ -19,6 +20,7 @@ inline Job plain_job() {
     Job job;
     job.mesh = plain_mesh();
     job.surface = Surface::patch;
+    job.device = Device::cpu;
     return job;
 }
 
