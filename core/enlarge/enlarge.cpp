@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "core/base/guarded.h"
 #include "core/base/progress.h"
+#include "core/base/stopwatch.h"
 #include "core/base/verbose.h"
 #include "core/enlarge/fill.h"
 #include "core/enlarge/thread_count.h"
@@ -69,14 +69,14 @@ const char* describe(Outcome outcome) {
 
 /// Tell of a job.
 void report(const Placement& placement, const std::string& failure, const Statistics& statistics,
-            double seconds) {
+            double milliseconds) {
     if (!failure.empty())
         say("ddt: %s failed, finished on the CPU: %s", describe(placement).c_str(),
             failure.c_str());
     say("ddt: device %s; %lld pixels, %lld flips, %d iterations, %.1f ms",
         failure.empty() ? describe(placement).c_str() : "cpu",
         static_cast<long long>(statistics.pixels), static_cast<long long>(statistics.flips),
-        statistics.iterations, seconds * 1e3);
+        statistics.iterations, milliseconds);
 }
 
 /// Work on all tiles. failure: what the GPU failed at, if it did.
@@ -99,7 +99,7 @@ Outcome work(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
 }
 
 Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, std::string& why) {
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     Placement placement;
     if (!find_place(job, thread_count(job), placement, why))
         return Outcome::device_unavailable;
@@ -127,8 +127,7 @@ Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, 
         outcome = work(whole, sink, mapping, rest, placement, statistics, failure);
     }
     if (verbose())
-        report(placement, failure, statistics,
-               std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+        report(placement, failure, statistics, watch.milliseconds());
     return outcome;
 }
 

@@ -6,47 +6,47 @@
 #include "core/gl/device_mesh.h"
 #include "core/surface/fitted/fitted.h"
 #include "core/surface/net.h"
+#include "core/triangulate/schemes.h"
 #include "ddt/names.h"
 
 namespace ddt::gl {
 
 namespace {
 
+/// What DeviceMesh::triangulate() goes through, and find_gains() where that leaves none.
 void add_mesh(const MeshOptions& mesh, std::vector<JobProgram>& all) {
     const std::string by = criterion_macros(criterion(mesh));
-    const bool known = DeviceMesh::knows(mesh),
-               still = mesh.scheme == Scheme::pixel || mesh.max_iterations == 0,
-               annealing = mesh.scheme == Scheme::annealing,
-               one_round = mesh.scheme == Scheme::one_round || annealing;
+    const JobProgram gains{"evaluate.comp", by + " DENSE"};
     if (mesh.contour != 0)
         all.push_back({"contours.comp", ""});
-    if (known)
-        all.push_back({"start.comp", by});
-    if (known && !still && one_round) {
-        all.push_back({"select.comp", ""});
-        all.push_back({"flip.comp", ""});
-        all.push_back({"evaluate.comp", by});
-        all.push_back({"finish.comp", by});
-    }
-    if (known && !still && annealing) {
-        all.push_back({"anneal_draw.comp", ""});
-        all.push_back({"anneal_select.comp", by});
-        all.push_back({"anneal_flip.comp", ""});
-        all.push_back({"evaluate.comp", by + " DENSE CANDIDATES"});
-    }
-    if (known && !still && !one_round)
+    if (!DeviceMesh::knows(mesh))
+        return all.push_back(gains);
+    all.push_back({"start.comp", by});
+    if (mesh.scheme == Scheme::pixel || mesh.max_iterations == 0)
+        return all.push_back(gains);
+    if (Rules rules; find_rules(mesh, rules)) {
         all.push_back({"accept_reject.comp", by});
-    if (!known || still || !one_round)
-        all.push_back({"evaluate.comp", by + " DENSE"}); // gains are not kept
+        return all.push_back(gains);
+    }
+    for (const char* step : {"select.comp", "flip.comp"})
+        all.push_back({step, ""});
+    for (const char* step : {"evaluate.comp", "finish.comp"})
+        all.push_back({step, by});
+    if (mesh.scheme != Scheme::annealing)
+        return;
+    all.push_back({"anneal_draw.comp", ""});
+    all.push_back({"anneal_select.comp", by});
+    all.push_back({"anneal_flip.comp", ""});
+    all.push_back({"evaluate.comp", by + " DENSE CANDIDATES"});
 }
 
 void add_surface(const SurfaceOptions& options, std::vector<JobProgram>& all) {
-    const bool quadratic = options.kind != Surface::linear, fitted = is_fitted(options);
+    const bool quadratic = options.kind != Surface::linear;
     if (quadratic)
         all.push_back({"gradients.comp", gradient_macros(options)});
     if (options.consistency > 0 && (quadratic || options.soft > 0))
         all.push_back({"net_edges.comp", surface_macros(options)});
-    if (fitted)
+    if (is_fitted(options))
         all.push_back({"fitted_bends.comp", bend_macros(options)});
     if (options.consistency > 0)
         all.push_back({"correct.comp", correct_macros(options)});

@@ -2,11 +2,11 @@
 #include "core/gl/programs.h"
 
 #include <charconv>
-#include <chrono>
 #include <set>
 #include <sstream>
 
 #include "core/base/constants.h"
+#include "core/base/stopwatch.h"
 #include "core/gl/context/failure.h"
 #include "core/gl/context/faults.h"
 #include "core/gl/shader_text.h"
@@ -129,22 +129,6 @@ void answer(const Functions& gl, const std::string& name, GLuint program, GLuint
     throw Failure((compiled ? "glLinkProgram(" : "glCompileShader(") + name + "): " + log);
 }
 
-/// Adds the milliseconds of its life.
-class Stopwatch {
-public:
-    explicit Stopwatch(double& ms) : m_ms(ms) {}
-    ~Stopwatch() {
-        m_ms += std::chrono::duration<double, std::milli>(Clock::now() - m_begin).count();
-    }
-    Stopwatch(const Stopwatch&) = delete;
-    Stopwatch& operator=(const Stopwatch&) = delete;
-
-private:
-    using Clock = std::chrono::steady_clock;
-    double& m_ms;
-    const Clock::time_point m_begin = Clock::now();
-};
-
 } // namespace
 
 Programs::Begun::iterator Programs::begin(const std::string& file, const std::string& defines) {
@@ -152,14 +136,15 @@ Programs::Begun::iterator Programs::begin(const std::string& file, const std::st
     const auto known = m_programs.find(name);
     if (known != m_programs.end())
         return known;
-    const Stopwatch watch(m_milliseconds);
+    const Stopwatch watch;
     Program p;
     p.program = ask_for(m_gl, name, shader_source(file, defines), p.shader);
+    m_milliseconds += watch.milliseconds();
     return m_programs.emplace(name, p).first;
 }
 
 void Programs::finish(Begun::iterator begun) {
-    const Stopwatch watch(m_milliseconds);
+    const Stopwatch watch;
     try {
         answer(m_gl, begun->first, begun->second.program, begun->second.shader);
         begun->second.shader = 0;
@@ -167,6 +152,7 @@ void Programs::finish(Begun::iterator begun) {
         m_programs.erase(begun);
         throw;
     }
+    m_milliseconds += watch.milliseconds();
 }
 
 void Programs::expect(const std::string& file, const std::string& defines) {

@@ -40,7 +40,7 @@ namespace ddt::gl {
 DDT_LAYOUTS(DDT_LAYOUT)
 #undef DDT_LAYOUT
 
-/// The programs compiled so far. To be used on the context's thread.
+/// The programs that were begun so far. To be used on the context's thread.
 class Programs {
 public:
     explicit Programs(const Functions& gl) : m_gl(gl) {}
@@ -55,7 +55,7 @@ public:
     /// How often each shader was used, whatever its macros: nearly all uses are one dispatch.
     const std::map<std::string, int>& uses() const { return m_uses; }
     int compiled() const { return int(m_programs.size()); }
-    /// The programs compiled, by file and macros.
+    /// The programs begun, by file and macros.
     std::vector<std::string> names() const;
     double milliseconds() const { return m_milliseconds; }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/self_check.h"
 
-#include <chrono>
 #include <climits>
 #include <cstring>
 #include <iterator>
@@ -10,6 +9,7 @@
 
 #include "core/base/arith.h"
 #include "core/base/float_bits.h"
+#include "core/base/stopwatch.h"
 #include "core/gl/budget.h"
 #include "core/gl/context/failure.h"
 #include "core/gl/context/gpu.h"
@@ -330,7 +330,7 @@ const std::string& SelfChecks::differs(Gpu& gpu, const std::string& key,
     const auto known = m_differences.find(key);
     if (known != m_differences.end())
         return known->second;
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const FilledBuffers filled;
     std::string difference;
     try {
@@ -342,8 +342,7 @@ const std::string& SelfChecks::differs(Gpu& gpu, const std::string& key,
     } catch (const Failure& e) {
         difference = e.what(); // as of a program that does not compile, which takes its time
     }
-    m_milliseconds +=
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    m_milliseconds += watch.milliseconds();
     return m_differences[key] = std::move(difference);
 }
 

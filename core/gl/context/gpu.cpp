@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/context/gpu.h"
 
-#include <chrono>
 #include <mutex>
 
 #include <pthread.h>
 
+#include "core/base/stopwatch.h"
 #include "core/gl/context/faults.h"
 #include "core/gl/context/hardware.h"
 
@@ -65,7 +65,7 @@ void start(Device device, Slot& slot) {
         });
     });
     g_started = true;
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     auto* gpu = new Gpu;
     gpu->thread
         .post([&] {
@@ -74,8 +74,7 @@ void start(Device device, Slot& slot) {
                 prepare(*gpu);
         })
         .get();
-    gpu->open_milliseconds =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    gpu->open_milliseconds = watch.milliseconds();
     if (gpu->context)
         slot.gpu = gpu; // else its idle thread is left behind
 }

@@ -9,9 +9,9 @@
 namespace ddt {
 
 /// Describe in one line where `job` would be worked on: "cpu", or "egl: llvmpipe (...), OpenGL 4.5
-/// ...". Opens a GPU as the job itself would; of the job its device, options and window count.
-/// False if the device that it names, or DDT_DEVICE, cannot be had; the line then says why. Does
-/// not throw; safe to call from several threads at once.
+/// ...". Opens a GPU as the job itself would; of the job its device, options, threads and window
+/// count. False if the device that it names, or DDT_DEVICE, cannot be had; the line then says why.
+/// Does not throw; safe to call from several threads at once.
 bool describe_device(const Job& job, std::string& line) noexcept;
 
 } // namespace ddt
