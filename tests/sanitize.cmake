@@ -16,7 +16,8 @@ add_test(NAME sanitize.build
     --build-generator ${CMAKE_GENERATOR}
     --build-noclean
     --build-target unit_tests
-    --build-options -DCMAKE_BUILD_TYPE=Sanitize -DDDT_PLUGIN=${DDT_PLUGIN} -DDDT_WERROR=${DDT_WERROR}
+    --build-options -DCMAKE_BUILD_TYPE=Sanitize -DCMAKE_UNITY_BUILD=ON
+      -DDDT_PLUGIN=${DDT_PLUGIN} -DDDT_WERROR=${DDT_WERROR}
       ${sanitize_compilers})
 set_tests_properties(sanitize.build PROPERTIES LABELS all FIXTURES_SETUP sanitized RUN_SERIAL TRUE)
 # Left out, beside large_when_sanitized: colour_fork, since a child of a process with threads may find

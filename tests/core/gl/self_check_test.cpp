@@ -263,8 +263,8 @@ TEST_P(SelfCheck, SoftwareIsNotCheckedUnlessAskedTo) {
     EXPECT_EQ(device.checks.milliseconds(), 0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Devices, SelfCheck, testing::Values(Device::egl, Device::osmesa),
-                         device_name);
+// On one device: what is checked is the same code on all, and compiles for most of the time.
+INSTANTIATE_TEST_SUITE_P(Devices, SelfCheck, testing::Values(Device::egl), device_name);
 
 } // namespace
 } // namespace ddt::test

@@ -137,8 +137,8 @@ TEST_P(TinCheck, WhereverMemoryIsMissingTheCpuDoesTheWork) {
     EXPECT_EQ(lines.size(), size_t(allocations));
 }
 
-INSTANTIATE_TEST_SUITE_P(Devices, TinCheck, testing::Values(Device::egl, Device::osmesa),
-                         ddt::test::device_name);
+// On one device: what is checked is the same code on all, and compiles for most of the time.
+INSTANTIATE_TEST_SUITE_P(Devices, TinCheck, testing::Values(Device::egl), ddt::test::device_name);
 
 } // namespace
 } // namespace ddt::test

@@ -80,7 +80,7 @@ TEST(Fitted, AnEdgeIsTheSameFromItsOtherEnd) {
 }
 
 /// A net's vertices and edges.
-struct Result {
+struct NetValues {
     std::vector<float> z, e;
 };
 
@@ -89,8 +89,8 @@ struct Setting {
 };
 
 /// Of each of some channels, which are made together.
-std::vector<Result> fitted(const Scene& scene, const std::vector<std::vector<float>>& channels,
-                           Setting setting) {
+std::vector<NetValues> fitted(const Scene& scene, const std::vector<std::vector<float>>& channels,
+                              Setting setting) {
     const DenormalsAreZero zero;
     const Lattice& l = scene.lattice;
     Net net;
@@ -104,7 +104,7 @@ std::vector<Result> fitted(const Scene& scene, const std::vector<std::vector<flo
     values.resize(values.size() + group_size);
     maker.begin(l, scene.all(), {0, 0.25f, setting.clipped}, {values.data(), count, 0, count}, net);
     maker.finish();
-    std::vector<Result> results(channels.size());
+    std::vector<NetValues> results(channels.size());
     for (size_t c = 0; c < channels.size(); ++c) {
         for (int y = 0; y < l.height(); ++y)
             for (int x = 0; x < l.width(); ++x)
@@ -114,12 +114,12 @@ std::vector<Result> fitted(const Scene& scene, const std::vector<std::vector<flo
     return results;
 }
 
-Result fitted(const Scene& scene, const std::vector<float>& values, Setting setting) {
+NetValues fitted(const Scene& scene, const std::vector<float>& values, Setting setting) {
     return fitted(scene, std::vector<std::vector<float>>{values}, setting)[0];
 }
 
 /// The same one number after the other, from the formulas for scalars.
-Result slow(const Scene& scene, const std::vector<float>& values, Setting setting) {
+NetValues slow(const Scene& scene, const std::vector<float>& values, Setting setting) {
     const DenormalsAreZero zero;
     const FittedTable& table = fitted_table();
     const Lattice& l = scene.lattice;
@@ -136,7 +136,7 @@ Result slow(const Scene& scene, const std::vector<float>& values, Setting settin
     const auto tap = [&](int x, int y) {
         return scalar::odd_mirror_tap<float>(x, y, w, h, inside);
     };
-    Result r;
+    NetValues r;
     std::vector<float> index;
     const LaneLimits limits(net.strict, 0.25f, setting.clipped);
     for (int y = 0; y < h; ++y) {
@@ -184,9 +184,9 @@ TEST(Fitted, EveryInstructionSetGivesTheBitsOfTheDefinition) {
             for (const Setting setting :
                  {Setting{false, true}, Setting{false, false}, Setting{true, true}}) {
                 const auto values = make_values(kind, scene.pixels(), random);
-                const Result expected = slow(scene, values, setting);
+                const NetValues expected = slow(scene, values, setting);
                 on_each_target([&] {
-                    const Result got = fitted(scene, values, setting);
+                    const NetValues got = fitted(scene, values, setting);
                     ASSERT_EQ(differing(got.z, expected.z), 0u);
                     ASSERT_EQ(differing(got.e, expected.e), 0u);
                 });
@@ -202,7 +202,7 @@ TEST(Fitted, NeighbouringEdgesThatAreMadeTogetherHaveTheBitsOfTheDefinition) {
                 SCOPED_TRACE(::testing::Message() << flips << " flips, " << count << " channels");
                 const Scene scene(61, 15, flips, random);
                 std::vector<std::vector<float>> channels;
-                std::vector<Result> expected;
+                std::vector<NetValues> expected;
                 for (size_t c = 0; c < count; ++c) {
                     channels.push_back(make_values(kind, scene.pixels(), random));
                     expected.push_back(slow(scene, channels[c], {}));
@@ -223,7 +223,7 @@ TEST(Fitted, WhatIsNotFiniteKeepsThePlainValue) {
     auto values = fill(scene.pixels(), [&] { return 2.0f + random.unit(); });
     values[7 * 16 + 8] = std::nanf("");
     values[3 * 16 + 3] = HUGE_VALF;
-    const Result r = fitted(scene, values, {});
+    const NetValues r = fitted(scene, values, {});
     for (size_t i = 0; i < values.size(); ++i)
         if (std::isfinite(values[i]))
             EXPECT_TRUE(std::isfinite(r.z[i])) << i;

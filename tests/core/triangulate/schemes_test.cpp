@@ -4,27 +4,11 @@
 #include "core/lattice/region.h"
 #include "core/triangulate/gain.h"
 #include "ddt/names.h"
-#include "tests/core/helpers.h"
+#include "tests/core/triangulate/run.h"
 #include "tests/core/triangulate/slow_mesh.h"
 
 namespace ddt::test {
 namespace {
-
-struct Result {
-    Lattice lattice;
-    Statistics statistics;
-    double cost_start, cost;
-};
-
-Result run(const std::vector<float>& guide, int width, int height, const MeshOptions& o) {
-    Result r;
-    Workspace workspace;
-    start(r.lattice, width, height, guide.data(), o);
-    r.cost_start = total_cost(r.lattice, o.cost);
-    triangulate(r.lattice, o, workspace, r.statistics);
-    r.cost = total_cost(r.lattice, o.cost);
-    return r;
-}
 
 /// Edges of the triangles at most `steps` away from those at m, without m; by breadth first.
 std::set<int> slow_region(const Lattice& lattice, int m, int steps) {

@@ -5,24 +5,11 @@
 
 #include "core/guide/guide.h"
 #include "core/triangulate/gain.h"
-#include "tests/core/helpers.h"
+#include "tests/core/triangulate/run.h"
 #include "tests/core/triangulate/slow_mesh.h"
 
 namespace ddt::test {
 namespace {
-
-struct Result {
-    Lattice lattice;
-    Statistics statistics;
-};
-
-Result run(const std::vector<float>& guide, int width, int height, const MeshOptions& options) {
-    Result r;
-    Workspace workspace;
-    start(r.lattice, width, height, guide.data(), options);
-    triangulate(r.lattice, options, workspace, r.statistics);
-    return r;
-}
 
 MeshOptions options_of(Scheme scheme, Cost cost, float gain = -1.0f, int iterations = 64) {
     MeshOptions o = plain_mesh();

@@ -12,7 +12,7 @@ namespace ddt::test {
 namespace {
 
 /// All codes there are, and by chance; of halfs none that is not finite, which have no one NaN.
-OIIO::ImageBuf image_of(OIIO::TypeDesc type, int channels) {
+OIIO::ImageBuf image_of_codes(OIIO::TypeDesc type, int channels) {
     OIIO::ImageBuf image(OIIO::ImageSpec(300, 90, channels, type));
     std::mt19937 random(5);
     auto* bytes = static_cast<uint8_t*>(image.localpixels());
@@ -40,7 +40,7 @@ protected:
 TEST_F(SourceCodes, StandForWhatReadingGives) {
     for (const OIIO::TypeDesc& type : {OIIO::TypeUInt8, OIIO::TypeHalf})
         for (const char* light : {"auto", "encoded", "sRGB"}) {
-            const OIIO::ImageBuf image = image_of(type, 3);
+            const OIIO::ImageBuf image = image_of_codes(type, 3);
             ASSERT_TRUE(plan(image, light)) << m_error;
             ImageSource source(image, m_reading);
             const std::vector<float> table = source.codes();
@@ -69,13 +69,13 @@ TEST_F(SourceCodes, AreNotThereWhereTheyWouldNotDo) {
         EXPECT_TRUE(plan(image, light)) << m_error;
         return !ImageSource(image, m_reading).codes().empty();
     };
-    EXPECT_FALSE(has_codes(image_of(OIIO::TypeFloat, 3), "encoded"));
-    EXPECT_FALSE(has_codes(image_of(OIIO::TypeUInt32, 3), "encoded"));
+    EXPECT_FALSE(has_codes(image_of_codes(OIIO::TypeFloat, 3), "encoded"));
+    EXPECT_FALSE(has_codes(image_of_codes(OIIO::TypeUInt32, 3), "encoded"));
     // Colour is divided by alpha on its way to linear light.
-    EXPECT_FALSE(has_codes(image_of(OIIO::TypeUInt8, 4), "sRGB"));
-    EXPECT_TRUE(has_codes(image_of(OIIO::TypeUInt8, 4), "encoded"));
+    EXPECT_FALSE(has_codes(image_of_codes(OIIO::TypeUInt8, 4), "sRGB"));
+    EXPECT_TRUE(has_codes(image_of_codes(OIIO::TypeUInt8, 4), "encoded"));
     // Some of the channels.
-    const OIIO::ImageBuf image = image_of(OIIO::TypeUInt8, 3);
+    const OIIO::ImageBuf image = image_of_codes(OIIO::TypeUInt8, 3);
     OIIO::ROI some = image.roi();
     some.chend = 2;
     Options options;
