@@ -90,11 +90,15 @@ bool is_id_type(OIIO::TypeDesc type) {
     return type == OIIO::TypeDesc::UINT32 || type == OIIO::TypeDesc::INT32;
 }
 
+int alpha_of(const OIIO::ImageSpec& spec) {
+    return spec.alpha_channel < spec.nchannels ? std::max(spec.alpha_channel, -1)
+                                               : find_named(spec, {"A", "alpha"});
+}
+
 Channels channels_of(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& native) {
     const int count = spec.nchannels;
     Channels channels;
-    channels.alpha =
-        spec.alpha_channel >= 0 && spec.alpha_channel < count ? spec.alpha_channel : -1;
+    channels.alpha = alpha_of(spec);
     channels.raw = is_id_type(spec.format);
     // A file's channels may each have a type of their own, where the image has one for all.
     const bool same_channels = native.nchannels == count;

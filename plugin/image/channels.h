@@ -28,6 +28,10 @@ struct Channels {
 /// True for the types whose numbers are IDs: 32-bit integers.
 bool is_id_type(OIIO::TypeDesc type);
 
+/// The image's alpha, or -1. Where the spec names a channel that there is not, as OpenImageIO's
+/// reader of GIF does (2.4.7: 4 of 4), it is the one by the name of A or alpha.
+int alpha_of(const OIIO::ImageSpec& spec);
+
 /// `native` is of the file the pixels were read from: channels of 32-bit integers there are IDs,
 /// even where a host has made floats of them.
 Channels channels_of(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& native);

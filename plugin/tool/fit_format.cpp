@@ -6,6 +6,7 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/image/channels.h"
 #include "plugin/tool/command.h"
 
 namespace ddt::tool {
@@ -34,6 +35,7 @@ bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::
 }
 
 std::string fit_channels(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec) {
+    spec.alpha_channel = alpha_of(spec);
     if (output.supports("nchannels"))
         return {};
     const std::vector<std::string>& names = spec.channelnames;

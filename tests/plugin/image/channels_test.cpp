@@ -71,6 +71,17 @@ TEST(Channels, UnassociatedAlphaIsNotDividedBy) {
     EXPECT_EQ(ddt::channels_of(spec).alpha, 3);
 }
 
+TEST(Channels, AlphaThatIsNotThereIsFoundByItsName) {
+    ImageSpec spec = named({"R", "G", "B", "A"});
+    for (const auto& [said, found] : {std::pair(3, 3), {2, 2}, {-1, -1}, {4, 3}}) {
+        spec.alpha_channel = said;
+        EXPECT_EQ(ddt::alpha_of(spec), found) << said;
+        EXPECT_EQ(ddt::channels_of(spec).alpha, found) << said;
+    }
+    spec.channelnames[3] = "mask";
+    EXPECT_EQ(ddt::alpha_of(spec), -1);
+}
+
 TEST(Channels, IntegersAreIds) {
     for (const auto type : {TypeDesc::UINT32, TypeDesc::INT32}) {
         const auto c = ddt::channels_of(named({"R", "G", "B"}, TypeDesc(type)));

@@ -457,6 +457,27 @@ TEST(FitChannels, TakesWhatOiiotoolTakes) {
     EXPECT_EQ(left_out("a.exr", {"Y", "A"}, 1), "");
 }
 
+TEST(ResizeFile, GifKeepsItsAlpha) {
+    // OpenImageIO's writer has no alpha: red on the left, nothing on the right, 2 x 2 pixels.
+    constexpr char file[] = "GIF89a\2\0\2\0\x80\0\0\xff\0\0\0\0\0!\xf9\4\1\0\0\1\0"
+                            ",\0\0\0\0\2\0\2\0\0\2\3\x44\x10\5\0;";
+    const std::string in = temporary("transparent.gif");
+    std::ofstream(in, std::ios::binary).write(file, sizeof file - 1);
+    for (const char* name : {"transparent.png", "transparent.tif", "transparent.exr"}) {
+        const std::string out = temporary(name);
+        Failure failure;
+        testing::internal::CaptureStderr();
+        ASSERT_TRUE(resized(in, "400%", out, failure)) << failure.why;
+        EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << name;
+        const ImageBuf large(out);
+        EXPECT_EQ(large.nchannels(), 4) << name;
+        EXPECT_EQ(large.spec().alpha_channel, 3) << name;
+        EXPECT_EQ(large.getchannel(0, 4, 0, 3), 1.0f) << name;
+        EXPECT_EQ(large.getchannel(7, 4, 0, 3), 0.0f) << name;
+        EXPECT_EQ(large.getchannel(7, 4, 0, 0), 0.0f) << name;
+    }
+}
+
 TEST(ResizeFile, AnUnusableLightIsFoundBeforeTheFileIsMade) {
     const std::string in = temporary("lit.png"), out = temporary("unlit.png");
     ImageBuf image(ImageSpec(4, 4, 3, OIIO::TypeUInt8));
