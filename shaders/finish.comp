@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// All iterations that remain, one group a tile. Late iterations treat a few edges each: here they
-// cost a barrier of one group where dispatches would each wait for the whole device.
+// Iterations that remain, one group a tile. Late iterations treat a few edges each: here they
+// cost a barrier of one group where dispatches would each wait for the whole device. Some of them, or
+// all: llvmpipe leaves loops after 65535 turns of all of them together, and drivers of hardware take a
+// dispatch of seconds for one that hangs. The next dispatch goes on.
 #define ACCESS coherent
 #include "lists.glsl"
 #include "waiting.glsl"
@@ -9,6 +11,8 @@
 layout(local_size_x = FINISH_GROUP) in; // x: a tile
 
 shared uint evaluated, n_dirty, n_candidates, n_selected, n_blocked;
+
+layout(location = 5) uniform int a_dispatch; // iterations; even
 
 // Which of the two lists the iteration's dirty edges are in; its candidates are in the other one,
 // the selected in this one again, then what is dirty next in the other.
@@ -94,6 +98,12 @@ void main() {
         waiting = n_blocked;
         dirty = n_dirty;
         second = !second;
+        if (iteration + 1 == first_iteration + a_dispatch) {
+            // In the list where they are looked for first: `second` is false again.
+            if (own == 0)
+                counts[counts_of(iteration + 1, tile)].dirty = dirty;
+            break;
+        }
     }
     keep_reach(tile);
 }

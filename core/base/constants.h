@@ -56,9 +56,9 @@ namespace ddt {
     FLOAT(natural_log_2, 0.69314718f)                                                              \
     FLOAT(log_bow, 0.34f)                                                                          \
                                                                                                    \
-    /* Square of the gradient below which triangles weigh nearly alike (surface/net.h). */         \
+    /* Square of the gradient below which triangles weigh nearly alike (gradient-inl.h). */        \
     FLOAT(gradient_epsilon, 0.02f * 0.02f)                                                         \
-    /* How much more than by the gradients an edge is bent (surface/net.h). */                     \
+    /* How much more than by the gradients an edge is bent (gradient-inl.h). */                    \
     FLOAT(bend_strength, 1.75f)                                                                    \
     /* Weight of an edge's flipped state where a flip gains nothing: both count alike. */          \
     FLOAT(soft_share, 0.5f)                                                                        \

@@ -85,9 +85,13 @@ public:
     /// On the finished mesh: the gains of all edges, for soft ones; nothing to do where
     /// triangulate() keeps them. With contours the guide must have been written.
     void find_gains(const Criterion& by);
-    /// Leave all iterations of one_round() but the first n to finish.comp, n >= 1: what a check's
-    /// small picture would be done with before it comes to them.
-    void finish_after(int n) { m_dispatched = n; }
+    /// Leave all iterations of one_round() but the first n to finish.comp, n >= 1, so many
+    /// (`parts`, even) a dispatch: what a check's small picture would be done with before it comes
+    /// to them.
+    void finish_after(int n, int parts) {
+        m_dispatched = n;
+        m_parts = parts;
+    }
     /// Have find_gains() find them anew.
     void forget_gains() { m_gains_known = false; }
     const Buffer& gains() const { return m_gain; }
@@ -137,6 +141,7 @@ private:
     int m_tiles = 0;      ///< in use
     int m_iterations = 0; ///< of the last triangulate(), at most
     int m_dispatched = dispatched_iterations;
+    int m_parts = 0; ///< 0: as the device allows
     float m_min_gain = 0;
     std::string m_criterion; ///< the macros that choose it
     float m_contour_weight = 0;

@@ -192,7 +192,7 @@ std::string flip_on_gpu(gl::Gpu& gpu, Tin& tin, const MeshOptions& options,
     } catch (const gl::ContextLost& e) {
         gpu.broken = true;
         return e.what();
-    } catch (const std::exception& e) {
+    } catch (const gl::Failure& e) {
         return e.what();
     }
 }

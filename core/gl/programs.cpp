@@ -93,9 +93,8 @@ std::string assembled(const std::string& text, const std::string& defines) {
 
 namespace {
 
-/// Have it compiled and linked; `shader` goes with the answer().
-GLuint ask_for(const Functions& gl, [[maybe_unused]] const std::string& name, std::string source,
-               GLuint& shader) {
+/// Have it compiled and linked; `shader`, which is not 0, goes with the answer().
+GLuint ask_for(const Functions& gl, const std::string& name, std::string source, GLuint& shader) {
 #ifdef DDT_FAULTS
     source = with_changed_constant(name, std::move(source));
 #endif
@@ -103,9 +102,15 @@ GLuint ask_for(const Functions& gl, [[maybe_unused]] const std::string& name, st
         source += "this is no shader\n";
     const char* text = source.c_str();
     shader = gl.CreateShader(GL_COMPUTE_SHADER);
+    if (!shader)
+        throw Failure(name + ": glCreateShader failed");
     gl.ShaderSource(shader, 1, &text, nullptr);
     gl.CompileShader(shader);
     const GLuint program = gl.CreateProgram();
+    if (!program) {
+        gl.DeleteShader(shader);
+        throw Failure(name + ": glCreateProgram failed");
+    }
     gl.AttachShader(program, shader);
     gl.LinkProgram(program);
     return program;

@@ -180,6 +180,8 @@ void Runner::begin_batch() {
     m_surfaces->make(*m_mesh, criterion(m_job.mesh));
     m_stages->end();
     gl.Flush();
+    // Else another job on this thread would come upon the error, and this one not.
+    check(gl, "triangulation");
 }
 
 /// Wait for it: what fails is told of here, and the batch's memory is free.

@@ -116,9 +116,14 @@ void DeviceMesh::one_round() {
     }
     std::swap(m_from, m_to);
     bind_lists();
-    use("finish.comp", dispatched + 1, m_iterations, m_criterion);
-    m_gl.DispatchCompute(GLuint(m_tiles), 1, 1);
-    barrier();
+    // Four are at most some 60 000 turns.
+    const int a_dispatch = m_parts > 0 ? m_parts : m_gpu.context->software ? 4 : 64;
+    for (int i = dispatched + 1; i <= m_iterations + 1; i += a_dispatch) { // one more: the gains
+        use("finish.comp", i, m_iterations, m_criterion);
+        m_gl.Uniform1i(5, a_dispatch);
+        m_gl.DispatchCompute(GLuint(m_tiles), 1, 1);
+        barrier();
+    }
 }
 
 void DeviceMesh::step(const char* shader, int iteration, Step step, const std::string& defines) {

@@ -11,22 +11,26 @@ Stages::~Stages() {
 void Stages::begin(Stage stage) {
     if (!m_on)
         return;
-    m_spans.push_back({stage, {}});
+    m_spans.push_back({stage, {}, false});
     m_gl.GenQueries(2, m_spans.back().queries);
     m_gl.QueryCounter(m_spans.back().queries[0], GL_TIMESTAMP);
 }
 
 void Stages::end() {
-    if (m_on)
-        m_gl.QueryCounter(m_spans.back().queries[1], GL_TIMESTAMP);
+    if (!m_on)
+        return;
+    m_gl.QueryCounter(m_spans.back().queries[1], GL_TIMESTAMP);
+    m_spans.back().ended = true;
 }
 
 void Stages::collect() {
     for (const Span& span : m_spans) {
-        GLuint64 from = 0, to = 0;
-        m_gl.GetQueryObjectui64v(span.queries[0], GL_QUERY_RESULT, &from);
-        m_gl.GetQueryObjectui64v(span.queries[1], GL_QUERY_RESULT, &to);
-        m_milliseconds[int(span.stage)] += double(to - from) * 1e-6;
+        if (span.ended) { // not where something was thrown
+            GLuint64 from = 0, to = 0;
+            m_gl.GetQueryObjectui64v(span.queries[0], GL_QUERY_RESULT, &from);
+            m_gl.GetQueryObjectui64v(span.queries[1], GL_QUERY_RESULT, &to);
+            m_milliseconds[int(span.stage)] += double(to - from) * 1e-6;
+        }
         m_gl.DeleteQueries(2, span.queries);
     }
     m_spans.clear();

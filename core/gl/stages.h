@@ -29,6 +29,7 @@ private:
     struct Span {
         Stage stage;
         GLuint queries[2];
+        bool ended = false;
     };
     void collect();
 

@@ -154,8 +154,11 @@ std::vector<Option> make_table() {
                    surface = OptionGroup::surface, device = OptionGroup::device;
     return {
         text("light", colour, &FilterOptions::light,
-             {{"auto", "Linear light; the colour space is the image's `oiio:ColorSpace`, the "
-                       "conversion OpenColorIO's by `$OCIO`, or else by a built-in config."},
+             {{"auto",
+               "Linear light; the colour space is the image's `oiio:ColorSpace`, the "
+               "conversion OpenColorIO's by `$OCIO`, or else by a built-in config. The numbers "
+               "as they are where it names none or one of data: TIFF and BMP of many "
+               "programs name none, so say `light=sRGB`."},
               {"encoded", "The numbers as they are."}},
              "names of colour spaces",
              "The light in which values are interpolated. The name of a colour space of the "

@@ -44,8 +44,8 @@ ExitCode code_of_message(const std::string& message) {
     // check_size in plugin/image/windows.h), devices that this one has not; of libtiff and of
     // OpenImageIO's writers: a full disk; of OpenEXR's threads and of what a reader was thrown:
     // there are no more, or no memory; of ours: a file that another took the place of.
-    for (const char* said : {"out of memory", "this machine's memory",
-                             "\"device=", "Write error at ", "Write error: wrote", "std::bad_alloc",
+    for (const char* said : {"out of memory", "this machine's memory", " is unavailable: ",
+                             "Write error at ", "Write error: wrote", "std::bad_alloc",
                              "Resource temporarily unavailable", "was changed while it was read"})
         if (message.find(said) != std::string::npos)
             return exit_resources;

@@ -29,11 +29,13 @@ std::string defaults_of(const Option& option) {
 
 } // namespace
 
-Flag filter_flag(const char* help, Options& options, std::string& error) {
+Flag filter_flag(const char* help, Options& options, std::string& error, std::string* given) {
     return {"--filter",
             "SPEC",
             help,
-            [&options, &error](const std::string& text) {
+            [&options, &error, given](const std::string& text) {
+                if (given)
+                    *given = text;
                 parse_filter(text, options, error);
                 return true;
             },

@@ -12,7 +12,9 @@ namespace ddt::tool {
 
 /// A flag whose value is a specification. One that does not parse puts its line, which says more
 /// than a list of values, into `error`, which is to be looked at before the command does anything.
-Flag filter_flag(const char* help, Options& options, std::string& error);
+/// `given`, if not null, is the text itself.
+Flag filter_flag(const char* help, Options& options, std::string& error,
+                 std::string* given = nullptr);
 
 /// A term and what it means.
 struct Entry {

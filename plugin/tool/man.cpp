@@ -20,7 +20,8 @@ constexpr Code codes[] = {
     {exit_done, "Done."},
     {exit_failed, "Something cannot be read, made or written, and trying again will not help; a "
                   "line on standard error tells. No unfinished file is left."},
-    {exit_usage, "The command line is wrong; nothing was done."},
+    {exit_usage, "The command line is wrong. Nothing was done, but frames of a sequence for which "
+                 "it was right."},
     {exit_resources, "Memory, disk or device were wanting, or failed: trying again, or on another "
                      "machine, may help. No unfinished file is left."},
 };

@@ -21,7 +21,9 @@ public:
         summary = "Write the triangles of an image to an SVG, PLY or OBJ file";
         paragraphs = {
             "The image's pixels are the vertices; there are two triangles for every four "
-            "neighbouring pixels. The whole image is triangulated at once.",
+            "neighbouring pixels. The whole image is triangulated at once, on the CPU whatever the "
+            "filter's "
+            "device is.",
             "SVG is a vector picture of the image. PLY (binary) and OBJ are for 3D "
             "programs: a pixel "
             "a unit, y upwards, colours as displayed, flat unless --height is given.",
@@ -33,7 +35,7 @@ public:
         flags = {
             filter_flag("how to triangulate, as the filter's name and options: "
                         "ddt,scheme=lawson,cost=scf",
-                        m_options, m_filter_error),
+                        m_options, m_filter_error, &m_filter),
             choice_flag("--cost", cost_names(), "the cost of an edge, as in --filter ddt,cost=...",
                         m_cost),
             {"--scheme", "NAME", "which edges flip, as in --filter ddt,scheme=...",
@@ -57,11 +59,9 @@ public:
     ExitCode run(const std::vector<std::string>& values) override {
         if (!m_filter_error.empty())
             return fail(m_filter_error, exit_usage);
-        if (!m_cost.empty() || !m_scheme.empty()) {
-            find_cost(m_cost, m_options.mesh.cost);
-            find_scheme(m_scheme, m_options.mesh);
-            m_options.mesh.min_gain = -1; // what the filter has is meant for its own
-        }
+        std::string wrong;
+        if (!with_flags(wrong))
+            return fail(wrong, exit_usage);
         if (is_point_mesh(values[0]))
             return run_on_points(values);
         m_style.fill = m_fill == "flat"   ? Fill::flat
@@ -94,13 +94,22 @@ public:
     }
 
 private:
+    /// --cost and --scheme are items of the specification.
+    bool with_flags(std::string& wrong) {
+        std::string items;
+        if (!m_cost.empty())
+            items += ",cost=" + m_cost;
+        if (!m_scheme.empty())
+            items += ",scheme=" + m_scheme;
+        return items.empty() || parse_filter(m_filter + items, m_options, wrong);
+    }
     ExitCode run_on_points(const std::vector<std::string>& values) const {
         MeshReport report;
         Failure failure;
         {
             Progress progress("triangulating");
-            if (!optimise_file(values[0], values[1], m_options.mesh, report, std::ref(progress),
-                               failure)) {
+            if (!optimise_file(values[0], values[1], m_options.mesh, m_options.device, report,
+                               std::ref(progress), failure)) {
                 progress.hide();
                 return fail(failure);
             }
@@ -127,7 +136,7 @@ private:
 
     Options m_options;
     MeshStyle m_style;
-    std::string m_fill = "gradient", m_cost, m_scheme, m_filter_error;
+    std::string m_fill = "gradient", m_filter = "ddt", m_cost, m_scheme, m_filter_error;
     bool m_verbose = false;
 };
 

@@ -12,7 +12,7 @@ bool is_point_mesh(const std::string& path) {
 }
 
 bool optimise_file(const std::string& in, const std::string& out, const MeshOptions& options,
-                   MeshReport& report, const std::function<bool(float)>& progress,
+                   Device device, MeshReport& report, const std::function<bool(float)>& progress,
                    Failure& failure) {
     if (!is_point_mesh(out)) {
         failure = {"\"" + out + "\" is not allowed; of a mesh, allowed are names that end in .ply",
@@ -30,7 +30,7 @@ bool optimise_file(const std::string& in, const std::string& out, const MeshOpti
         return false;
     }
     const std::vector<float> guide = guide_of(points, columns);
-    if (!optimise(points.mesh, guide.data(), options, &report, &failure.why, progress)) {
+    if (!optimise(points.mesh, guide.data(), options, &report, &failure.why, progress, device)) {
         failure.code = code_of_message(failure.why);
         return false;
     }

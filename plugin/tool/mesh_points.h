@@ -15,7 +15,7 @@ bool is_point_mesh(const std::string& path);
 
 /// Read a PLY mesh, flip edges by its usual_columns(), write it with all its columns.
 bool optimise_file(const std::string& in, const std::string& out, const MeshOptions& options,
-                   MeshReport& report, const std::function<bool(float)>& progress,
+                   Device device, MeshReport& report, const std::function<bool(float)>& progress,
                    Failure& failure);
 
 } // namespace ddt::tool

@@ -30,8 +30,8 @@ public:
         summary = "Resize an image, a sequence, or a part of an image";
         paragraphs = {
             "The same pixels as oiiotool IN --resize:filter=ddt SIZE -o OUT with the plugin; of "
-            "ddt-sharp and 8 or 16 bits those of oiiotool --native. Channels keep their types "
-            "where OUT's format has them.",
+            "ddt-sharp and 8 or 16 bits that OUT keeps those of oiiotool --native. Channels keep "
+            "their types where OUT's format has them.",
             "Sizes are oiiotool's: 640x480; 0x480 keeps the shape; 640x480+10-20 moves the origin; "
             "50%, 50%x75%; 2.5 is a factor. They are those of the display window.",
             "Sequences: IN and OUT with # (four digits), ### (three) or %04d in place of the "

@@ -35,9 +35,9 @@ constexpr float share_of_resizing = 0.8f;
 
 /// What enlarging takes at most beside input and output: as ddt/job.h says, and what a process has
 /// once.
-int64_t memory_beside(int threads) {
+int64_t memory_beside(int threads, int meshes) {
     constexpr int64_t mib = int64_t(1) << 20;
-    return std::max(200 * mib, threads * 6 * mib) + 56 * mib;
+    return (200 + 6 * std::max(0, threads - 40)) * meshes * mib + 56 * mib;
 }
 
 /// Tiles for each thread in a strip that is resized while the one before is written: fewer, and
@@ -272,7 +272,8 @@ int64_t memory_to_resize(const std::string& in, const std::string& out,
     OIIO::ImageSpec from = file->spec();
     if (is_associated_when_read(from))
         from.set_format(OIIO::TypeFloat);
-    return int64_t(from.image_bytes() + spec.image_bytes()) + ids + memory_beside(settings.threads);
+    return int64_t(from.image_bytes() + spec.image_bytes()) + ids +
+           memory_beside(settings.threads, settings.options.mesh.meshes);
 }
 
 } // namespace ddt::tool

@@ -166,7 +166,7 @@ private:
         const std::vector<float> guide = guide_of(points, columns(points));
         if ((!points.mesh.triangles.empty() || delaunay(points.mesh, &failure.why)) &&
             optimise(points.mesh, guide.data(), m_options.mesh, nullptr, &failure.why,
-                     std::ref(progress)))
+                     std::ref(progress), m_options.device))
             return true;
         failure.code = code_of_message(failure.why);
         return false;

@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include <pthread.h>
+#include <unistd.h>
 
 #include "core/base/stopwatch.h"
 #include "core/gl/context/faults.h"
@@ -25,6 +26,7 @@ struct Slot {
 struct Registry {
     Slot hardware, egl, osmesa;
     std::atomic<size_t> missed{0};
+    std::atomic<pid_t> missed_by{0}; ///< the process that counted them
 };
 
 std::atomic<Registry*> g_registry{new Registry};
@@ -128,7 +130,11 @@ bool is_open(Device device) {
 }
 
 std::atomic<size_t>& missed_pixels() {
-    return g_registry.load()->missed;
+    Registry& registry = *g_registry;
+    // A forked child begins anew.
+    if (const pid_t self = getpid(); registry.missed_by.exchange(self) != self)
+        registry.missed = 0;
+    return registry.missed;
 }
 
 #ifdef DDT_FAULTS

@@ -137,7 +137,8 @@ enum class Outcome {
 ///
 /// Memory beside what source and sink hold: up to 200 MiB for 40 threads or fewer and 6 MiB for
 /// each further one, all times MeshOptions::meshes, and 4 bytes for each 65536 pixels of the
-/// source. Of up to 4 channels a tile's mesh takes 4 to 5 MiB, and a thread 1.3 to 4, or up to 5.5
+/// source; one thread works whatever it takes, as with hundreds of channels. Of up to 4 channels a
+/// tile's mesh takes 3.8 to 5 MiB, and a thread 1.3 to 4, or up to 5.5
 /// with corrections and a mapping that is not separable(); as many tiles are there at once as have
 /// room. So all threads work on enlargements of up to 4 channels, or 12 without corrections, and up
 /// to 8 times the size; with corrections and a mapping that is not separable() three quarters of

@@ -51,6 +51,21 @@ TEST_P(SameBits, RoundsThatAreMoreThanADispatchCanDo) {
     expect_same(GetParam(), p, order, "exproi");
 }
 
+// The same of iterations that one dispatch finishes.
+TEST_P(SameBits, IterationsThatAreMoreThanADispatchCanDo) {
+    Picture p = make_picture(Content::photo, 321, 321, 1, 7);
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x)
+            p.guide[size_t(y * p.width + x)] =
+                0.5f + 0.5f * std::sin(0.02f * (float(x) + 37.3f * float(y)));
+    Order order;
+    order.job.mesh.blur = order.job.mesh.contour = order.job.mesh.min_gain = 0;
+    order.job.mesh.max_iterations = 100;
+    order.out_width = order.out_height = 330;
+    EXPECT_EQ(enlarge_on(Device::cpu, p, order).statistics.iterations, 100);
+    expect_same(GetParam(), p, order, "one_round");
+}
+
 TEST_P(SameBits, EverySurface) {
     for (const SurfaceOptions& surface : surfaces_with({0, 1, 2}))
         for (int content = 0; content < int(Content::count); ++content) {

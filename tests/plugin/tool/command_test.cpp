@@ -165,6 +165,24 @@ TEST(Commands, MeshPrintsTheCost) {
     EXPECT_LT(after, before);
 }
 
+TEST(Commands, MeshsFlagsAreItemsOfTheFilter) {
+    const auto made = [](std::vector<std::string> flags) {
+        const std::string out = temporary("flags.ply");
+        flags.insert(flags.begin(), {scene, out, "--verbose"});
+        const Ran ran = run(make_mesh_command(), flags);
+        EXPECT_EQ(ran.code, exit_done) << ran.err;
+        return ran.out;
+    };
+    const std::string usual = made({});
+    EXPECT_EQ(made({"--cost", "abn"}), usual);
+    EXPECT_EQ(made({"--cost", "scf"}), made({"--filter", "ddt,cost=scf"}));
+    EXPECT_NE(made({"--cost", "scf"}), made({"--filter", "ddt,cost=scf,contour=0.8"}));
+    EXPECT_EQ(made({"--scheme", "lawson", "--filter", "ddt-sharp"}),
+              made({"--filter", "ddt-sharp,scheme=lawson"}));
+    EXPECT_EQ(made({"--cost", "scf", "--filter", "ddt,cost=jnd"}),
+              made({"--filter", "ddt,cost=scf"}));
+}
+
 TEST(Commands, InfoNamesTheLibraries) {
     const Ran ran = run(make_info_command(), {});
     EXPECT_EQ(ran.code, exit_done);
