@@ -179,7 +179,8 @@ class Whole(Case):
             got, text = self.run_to_end("resize", *arguments)
             self.assertEqual(got, code, text)
             self.assertTrue(text.startswith("ddt: "), text)
-        self.put("points.csv", "x,y,z\n0,0,1\n4,0,2\n0,4,3\n4,4,4\n")
+        with open(self.path("points.csv"), "w", encoding="utf-8") as file:
+            file.write("x,y,z\n0,0,1\n4,0,2\n0,4,3\n4,4,4\n")
         for command in (("resize", "photo.png", "200%", "out.png", "--filter", "ddt,device=egl"),
                         ("scatter", "points.csv", "out.exr", "--filter", "ddt,device=egl")):
             done = self.attempt(DDT, *command, __EGL_VENDOR_LIBRARY_FILENAMES="/nonexistent")
