@@ -21,9 +21,8 @@ public:
         summary = "Write the triangles of an image to an SVG, PLY or OBJ file";
         paragraphs = {
             "The image's pixels are the vertices; there are two triangles for every four "
-            "neighbouring pixels. The whole image is triangulated at once, on the CPU whatever the "
-            "filter's "
-            "device is.",
+            "neighbouring pixels. The whole image is triangulated at once, on the CPU whatever "
+            "device the filter names.",
             "SVG is a vector picture of the image. PLY (binary) and OBJ are for 3D "
             "programs: a pixel "
             "a unit, y upwards, colours as displayed, flat unless --height is given.",
