@@ -79,16 +79,19 @@ void report(const Placement& placement, const std::string& failure, const Statis
         statistics.iterations, milliseconds);
 }
 
-/// Work on all tiles. failure: what the GPU failed at, if it did.
-Outcome work(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
+size_t pixels_a_thread(const Grid& tiles, const Job& job) {
+    return tiles.pixels().area() / size_t(thread_count(job));
+}
+
+/// Work on the tiles that are shown. failure: what the GPU failed at, if it did.
+Outcome work(Source& source, Sink& sink, const Mapping& mapping, const Job& job, const Grid& grid,
              const Placement& placement, Statistics& statistics, std::string& failure) {
-    const Grid grid(job.window);
     Run run(job, grid.count());
     if (placement.gpu)
         failure = work_on_gpu(*placement.gpu, source, sink, mapping, job, grid, thread_count(job),
                               run, statistics);
     else
-        missed_gpu(job, thread_count(job));
+        missed_gpu(job, pixels_a_thread(grid, job));
     const bool on_cpu = !placement.gpu || !failure.empty();
     statistics.device = on_cpu ? Device::cpu : placement.device;
     if (on_cpu)
@@ -100,8 +103,9 @@ Outcome work(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
 
 Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, std::string& why) {
     const Stopwatch watch;
+    const Grid grid = shown_tiles(job.window, mapping);
     Placement placement;
-    if (!find_place(job, thread_count(job), placement, why))
+    if (!find_place(job, pixels_a_thread(grid, job), placement, why))
         return Outcome::device_unavailable;
     Statistics statistics;
     if (job.statistics)
@@ -109,7 +113,7 @@ Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, 
     std::string failure;
     Outcome outcome;
     if (job.holes == Holes::keep) {
-        outcome = work(source, sink, mapping, job, placement, statistics, failure);
+        outcome = work(source, sink, mapping, job, grid, placement, statistics, failure);
     } else {
         float filled = 0; // share done by then: none, where nothing is missing
         Tell filling;
@@ -124,7 +128,7 @@ Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, 
             return outcome;
         Job rest = job;
         rest.progress = part_of(job.progress, filled, 1);
-        outcome = work(whole, sink, mapping, rest, placement, statistics, failure);
+        outcome = work(whole, sink, mapping, rest, grid, placement, statistics, failure);
     }
     if (verbose())
         report(placement, failure, statistics, watch.milliseconds());

@@ -28,11 +28,10 @@ bool spans_plane(const std::vector<Steps>& points) {
 bool choose(Device device, size_t points, const MeshOptions& options, Placement& placement,
             std::string& error) {
     Job job;
-    job.window = {0, 0, int(points), 1};
     job.mesh = options;
     job.device = device;
-    constexpr int as_if_threads = 5;
-    return find_place(job, as_if_threads, placement, error);
+    constexpr size_t as_if_threads = 5;
+    return find_place(job, points / as_if_threads, placement, error);
 }
 
 void flip(Tin& tin, const MeshOptions& options, const Placement& placement, Workspace& workspace,

@@ -10,24 +10,19 @@ namespace ddt {
 
 namespace {
 
-size_t pixels_a_thread(const Job& job, int threads) {
-    return job.window.area() / size_t(threads);
-}
-
 /// Whether one that is open would be quicker.
-bool gains(const Job& job, int threads) {
-    return gl::DeviceMesh::knows(job.mesh) && pixels_a_thread(job, threads) >= worth_using;
+bool gains(const Job& job, size_t pixels_a_thread) {
+    return gl::DeviceMesh::knows(job.mesh) && pixels_a_thread >= worth_using;
 }
 
-bool worth_a_gpu(const Job& job, int threads) {
-    return gains(job, threads) &&
-           (gl::is_open(Device::automatic) ||
-            gl::missed_pixels() + pixels_a_thread(job, threads) >= worth_opening);
+bool worth_a_gpu(const Job& job, size_t pixels_a_thread) {
+    return gains(job, pixels_a_thread) && (gl::is_open(Device::automatic) ||
+                                           gl::missed_pixels() + pixels_a_thread >= worth_opening);
 }
 
 } // namespace
 
-bool find_place(const Job& job, int threads, Placement& placement, std::string& why) {
+bool find_place(const Job& job, size_t pixels_a_thread, Placement& placement, std::string& why) {
     placement = {};
     Device wanted;
     if (!gl::wish(job, wanted, why))
@@ -35,7 +30,7 @@ bool find_place(const Job& job, int threads, Placement& placement, std::string& 
     if (wanted == Device::cpu)
         return true;
     const bool named = wanted != Device::automatic;
-    if (!named && !worth_a_gpu(job, threads))
+    if (!named && !worth_a_gpu(job, pixels_a_thread))
         return true;
     bool forked = false;
     std::string reason;
@@ -50,9 +45,9 @@ bool find_place(const Job& job, int threads, Placement& placement, std::string& 
     return false;
 }
 
-void missed_gpu(const Job& job, int threads) {
-    if (job.device == Device::automatic && gains(job, threads))
-        gl::missed_pixels() += pixels_a_thread(job, threads);
+void missed_gpu(const Job& job, size_t pixels_a_thread) {
+    if (job.device == Device::automatic && gains(job, pixels_a_thread))
+        gl::missed_pixels() += pixels_a_thread;
 }
 
 bool tin_on_gpu(const MeshOptions& options) {

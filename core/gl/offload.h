@@ -29,12 +29,13 @@ struct Placement {
     gl::Gpu* gpu = nullptr;      ///< null: the CPU
 };
 
-/// Choose by Job::device and DDT_DEVICE, and by the size of the job's window for so many threads.
-/// False if a device that was named cannot be had; `why` says what stood in the way.
-bool find_place(const Job& job, int threads, Placement& placement, std::string& why);
+/// Choose by Job::device and DDT_DEVICE, and by how many source pixels there are to be worked on
+/// for each of the CPU's threads. False if a device that was named cannot be had; `why` says what
+/// stood in the way.
+bool find_place(const Job& job, size_t pixels_a_thread, Placement& placement, std::string& why);
 
 /// That the job, for which no GPU was found, is done by the CPU.
-void missed_gpu(const Job& job, int threads);
+void missed_gpu(const Job& job, size_t pixels_a_thread);
 
 /// Work on the tiles of a job as far as the GPU gets; `run` knows how far that is. Adds to
 /// `statistics` for the tiles it finished. `threads`: how many may read the source and write to the

@@ -6,7 +6,7 @@
 
 namespace ddt {
 
-bool find_place(const Job& job, int, Placement& placement, std::string& why) {
+bool find_place(const Job& job, size_t, Placement& placement, std::string& why) {
     placement = {};
     Device wanted;
     if (!gl::wish(job, wanted, why))
@@ -18,7 +18,7 @@ bool find_place(const Job& job, int, Placement& placement, std::string& why) {
     return false;
 }
 
-void missed_gpu(const Job&, int) {}
+void missed_gpu(const Job&, size_t) {}
 
 std::string work_on_gpu(gl::Gpu&, Source&, Sink&, const Mapping&, const Job&, const Grid&, int,
                         Run&, Statistics&) {

@@ -34,16 +34,31 @@ Tile with_cells(const Tile& tile, const Rect& cells) {
 }
 
 Grid::Grid(const Rect& window)
-    : m_window(window), m_columns(tiles_along(window.width())),
-      m_rows(tiles_along(window.height())) {}
+    : m_window(window), m_block{0, 0, tiles_along(window.width()), tiles_along(window.height())} {}
 
 Tile Grid::tile(int index) const {
     Tile t;
-    axis(m_window.x0, m_window.x1, index % m_columns, t.cells.x0, t.cells.x1, t.pixels.x0,
-         t.pixels.x1, t.last_x);
-    axis(m_window.y0, m_window.y1, index / m_columns, t.cells.y0, t.cells.y1, t.pixels.y0,
-         t.pixels.y1, t.last_y);
+    axis(m_window.x0, m_window.x1, m_block.x0 + index % columns(), t.cells.x0, t.cells.x1,
+         t.pixels.x0, t.pixels.x1, t.last_x);
+    axis(m_window.y0, m_window.y1, m_block.y0 + index / columns(), t.cells.y0, t.cells.y1,
+         t.pixels.y0, t.pixels.y1, t.last_y);
     return t;
+}
+
+Grid Grid::block(const Rect& tiles) const {
+    Grid part = *this;
+    part.m_block = {m_block.x0 + tiles.x0, m_block.y0 + tiles.y0, m_block.x0 + tiles.x1,
+                    m_block.y0 + tiles.y1};
+    return part;
+}
+
+Rect Grid::pixels() const {
+    if (m_block.empty())
+        return {};
+    const Rect first = tile(0).cells, last = tile(count() - 1).cells;
+    // A pixel on the border of two tiles is a corner of both's cells.
+    return {first.x0, first.y0, std::min(last.x1 + 1, m_window.x1),
+            std::min(last.y1 + 1, m_window.y1)};
 }
 
 } // namespace ddt

@@ -25,17 +25,23 @@ struct Tile {
 /// The tile with those of its cells alone.
 Tile with_cells(const Tile& tile, const Rect& cells);
 
+/// A window's tiles, or a block of them, numbered row by row.
 class Grid {
 public:
     explicit Grid(const Rect& window);
-    int count() const { return m_columns * m_rows; }
-    int columns() const { return m_columns; }
-    int rows() const { return m_rows; }
+    int count() const { return int(m_block.area()); }
+    int columns() const { return m_block.width(); }
+    int rows() const { return m_block.height(); }
     Tile tile(int index) const;
+
+    /// Those in columns x0 .. x1 - 1 and rows y0 .. y1 - 1 of them alone, or none.
+    Grid block(const Rect& tiles) const;
+    /// The part of the window that they lie in, without their halos.
+    Rect pixels() const;
 
 private:
     Rect m_window;
-    int m_columns, m_rows;
+    Rect m_block; ///< in tiles of the window
 };
 
 } // namespace ddt

@@ -61,6 +61,36 @@ Rect reach_of(const Tile& tile, const Rect& window, const Mapping& mapping) {
                          tile.last_y ? beyond : tile.cells.y1);
 }
 
+Grid shown_tiles(const Rect& window, const Mapping& mapping) {
+    const Grid all(window);
+    if (all.count() == 1)
+        return all;
+    // Whole columns and rows of tiles: there may be many thousands of tiles, and few of them shown.
+    const auto shown = [&](const Tile& first, const Tile& last) {
+        Tile strip = first;
+        strip.cells.x1 = last.cells.x1;
+        strip.cells.y1 = last.cells.y1;
+        strip.last_x = last.last_x;
+        strip.last_y = last.last_y;
+        return !reach_of(strip, window, mapping).empty();
+    };
+    const int columns = all.columns(), rows = all.rows(), last_row = (rows - 1) * columns;
+    const auto column = [&](int i) { return shown(all.tile(i), all.tile(last_row + i)); };
+    const auto row = [&](int i) {
+        return shown(all.tile(i * columns), all.tile(i * columns + columns - 1));
+    };
+    const auto range = [](int n, const auto& is_shown, int& begin, int& end) {
+        for (begin = 0; begin < n && !is_shown(begin);)
+            ++begin;
+        for (end = n; end > begin && !is_shown(end - 1);)
+            --end;
+    };
+    Rect block;
+    range(columns, column, block.x0, block.x1);
+    range(rows, row, block.y0, block.y1);
+    return all.block(block.empty() ? Rect{} : block);
+}
+
 bool serves(const Tile& tile, const Position& p) {
     return in_columns(tile, p) && p.y >> position_bits >= tile.cells.y0 && !is_below(tile, p);
 }

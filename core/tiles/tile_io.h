@@ -17,6 +17,9 @@ Rect output_of(const Mapping& mapping);
 /// Output pixels whose positions the tile may serve; empty if the mapping shows none of it.
 Rect reach_of(const Tile& tile, const Rect& window, const Mapping& mapping);
 
+/// The block of the window's tiles outside which the mapping shows nothing of it.
+Grid shown_tiles(const Rect& window, const Mapping& mapping);
+
 /// Whether a position, not outside the window, is the tile's to sample.
 bool serves(const Tile& tile, const Position& p);
 /// Whether it lies in the tile's columns, below its rows.

@@ -159,23 +159,9 @@ Rect needed(const Rect& window, const Rect& full, const Rect& box, Holes holes) 
                 part.x1 + window.x0 - full.x0, part.y1 + window.y0 - full.y0};
     if (holes != Holes::keep)
         return window;
-    // Columns of tiles by themselves, and rows: a host may ask about millions of tiles.
-    const ResizeMapping across = mapping_of(window, full, {part.x0, full.y0, part.x1, full.y1}),
-                        down = mapping_of(window, full, {full.x0, part.y0, full.x1, part.y1});
-    const Grid grid(window);
-    Rect all{window.x1, window.y1, window.x0, window.y0};
-    for (int i = 0; i < grid.columns(); ++i)
-        if (const Tile tile = grid.tile(i); !reach_of(tile, window, across).empty()) {
-            all.x0 = std::min(all.x0, tile.pixels.x0);
-            all.x1 = std::max(all.x1, tile.pixels.x1);
-        }
-    for (int i = 0; i < grid.rows(); ++i)
-        if (const Tile tile = grid.tile(i * grid.columns());
-            !reach_of(tile, window, down).empty()) {
-            all.y0 = std::min(all.y0, tile.pixels.y0);
-            all.y1 = std::max(all.y1, tile.pixels.y1);
-        }
-    return all;
+    const Grid tiles = shown_tiles(window, mapping_of(window, full, part));
+    const Rect first = tiles.tile(0).pixels, last = tiles.tile(tiles.count() - 1).pixels;
+    return {first.x0, first.y0, last.x1, last.y1};
 }
 
 Rect scaled(const Rect& window, double x_factor, double y_factor) {

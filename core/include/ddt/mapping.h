@@ -49,8 +49,8 @@ public:
     /// [x0, x1) x [y0, y1) (pixel centres at integers). Its sides may be -infinity or +infinity:
     /// clamp them to Job::window before computing with them. The result lies within
     /// +-largest_coordinate. It may hold other pixels too, which row() is then asked for in vain.
-    /// Asked for tiles of 256 x 256 pixels and, unless separable(), for parts of them, which
-    /// are 32 wide.
+    /// Asked for tiles of 256 x 256 pixels, for whole rows and columns of tiles and, unless
+    /// separable(), for parts of tiles, which are 32 wide.
     virtual Rect reach(double x0, double y0, double x1, double y1) const = 0;
     /// Positions of the output pixels x0 <= x < x1 of row y. inside[i] = 0 marks a pixel that shows
     /// nothing of the source: it is not written.
