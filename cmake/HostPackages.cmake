@@ -33,7 +33,7 @@ if(TARGET ddt_imagemagick)
     set(filters ${CMAKE_INSTALL_LIBDIR}/${DDT_FILTERS_FROM_LIB})
     install(TARGETS ddt_imagemagick LIBRARY DESTINATION ${filters}
       COMPONENT imagemagick EXCLUDE_FROM_ALL)
-    set(folder /usr/${filters})
+    set(libdir /usr/${filters})
     configure_file(plugin/imagemagick/ddt.la.in ${CMAKE_BINARY_DIR}/package/ddt.la @ONLY)
     install(FILES ${CMAKE_BINARY_DIR}/package/ddt.la DESTINATION ${filters}
       COMPONENT imagemagick EXCLUDE_FROM_ALL)

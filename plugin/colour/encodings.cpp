@@ -82,7 +82,8 @@ const Encoding* encoding_of(std::string_view name) {
 
 std::shared_ptr<const Light> find_encoding(std::string_view name) {
     static std::mutex mutex;
-    static std::map<const Encoding*, std::shared_ptr<const Light>> known;
+    // Never destroyed: hosts may resize while static objects are being torn down.
+    static auto& known = *new std::map<const Encoding*, std::shared_ptr<const Light>>;
     const Encoding* e = encoding_of(name);
     if (!e)
         return nullptr;

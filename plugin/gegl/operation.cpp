@@ -64,14 +64,14 @@ GeglRectangle source_box(GeglOperation* operation) {
 }
 
 /// False where there is nothing to enlarge: no picture, or an endless one.
-bool find_windows(GeglOperation* operation, Rect& window, Rect& full) {
+bool find_place(GeglOperation* operation, Placing& place) {
     const GeglRectangle box = source_box(operation);
     if (box.width <= 0 || box.height <= 0 || gegl_rectangle_is_infinite_plane(&box))
         return false;
-    window = rect_of(box);
+    const Rect window = rect_of(box);
     if (!window.within_limits())
         return false;
-    full = scaled(window, self_of(operation).scale, self_of(operation).scale);
+    place = by_factors(window, self_of(operation).scale, self_of(operation).scale);
     return true;
 }
 
@@ -119,7 +119,9 @@ Wanted wanted_by(GeglOperation* operation) {
     const auto flags = source ? babl_get_model_flags(source)
                               : BablModelFlag(BABL_MODEL_FLAG_RGB | BABL_MODEL_FLAG_ALPHA |
                                               BABL_MODEL_FLAG_ASSOCIATED);
-    const bool alpha = flags & BABL_MODEL_FLAG_ALPHA, is_grey = flags & BABL_MODEL_FLAG_GRAY;
+    // Of palettes there are no flags.
+    const bool alpha = !source || babl_format_has_alpha(source),
+               is_grey = flags & BABL_MODEL_FLAG_GRAY;
     const char* curve =
         flags & BABL_MODEL_FLAG_NONLINEAR ? curve_of(space ? space : babl_space("sRGB")) : nullptr;
     const bool blend_encoded = self_of(operation).light == 1;
@@ -192,26 +194,26 @@ void prepare(GeglOperation* operation) {
 }
 
 GeglRectangle get_bounding_box(GeglOperation* operation) {
-    Rect window, full;
-    return find_windows(operation, window, full) ? rectangle_of(full) : source_box(operation);
+    Placing place;
+    return find_place(operation, place) ? rectangle_of(place.full) : source_box(operation);
 }
 
 GeglRectangle get_required_for_output(GeglOperation* operation, const gchar*,
                                       const GeglRectangle* part) {
-    Rect window, full;
-    if (!find_windows(operation, window, full))
+    Placing place;
+    if (!find_place(operation, place))
         return *part;
     Enlargement work; // for what it says of holes
     std::string error;
     set_filter(specification(self_of(operation)), "linear", work, error);
-    return rectangle_of(needed(window, full, rect_of(*part), work.holes));
+    return rectangle_of(needed(place, rect_of(*part), work.holes));
 }
 
 /// All at once: in pieces, halos would be worked on again and again. GEGL keeps the result for the
 /// pieces that it asks for next.
 GeglRectangle get_cached_region(GeglOperation* operation, const GeglRectangle* part) {
-    Rect window, full;
-    return find_windows(operation, window, full) ? rectangle_of(full) : *part;
+    Placing place;
+    return find_place(operation, place) ? rectangle_of(place.full) : *part;
 }
 
 GeglRectangle get_invalidated_by_change(GeglOperation* operation, const gchar*,
@@ -222,18 +224,18 @@ GeglRectangle get_invalidated_by_change(GeglOperation* operation, const gchar*,
 gboolean process(GeglOperation* operation, GeglBuffer* input, GeglBuffer* output,
                  const GeglRectangle* part, gint) {
     Enlargement work;
-    if (!find_windows(operation, work.window, work.full)) {
+    if (!find_place(operation, work.place)) {
         g_warning("ddt: there is no picture to enlarge, or an endless one; crop it first");
         return FALSE;
     }
     const Operation& self = self_of(operation);
-    if (work.window.area() == work.full.area()) { // by a scale of 1 or little more
-        const GeglRectangle from = rectangle_of(needed(work.window, work.full, rect_of(*part)));
+    if (work.place.copies()) {
+        const GeglRectangle from = rectangle_of(needed(work.place, rect_of(*part)));
         gegl_buffer_copy(input, &from, GEGL_ABYSS_CLAMP, output, part);
         return TRUE;
     }
     work.to.box = rect_of(*part);
-    work.from.box = work.window;
+    work.from.box = work.place.window;
     const Wanted wanted = wanted_by(operation);
     work.layout = Layout::usual(wanted.channels, wanted.associated);
     // GEGL's progress is for the thread that it calls us on.

@@ -2,53 +2,30 @@
 #include "plugin/host/enlargement.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 #include "core/base/guarded.h"
-#include "core/tiles/grid.h"
-#include "core/tiles/tile_io.h"
 #include "plugin/colour/encodings.h"
 #include "plugin/host/pixels.h"
 
 namespace ddt::host {
 namespace {
 
-ResizeMapping::Axis axis(int from0, int from1, int to0, int to1, int out0, int out1) {
-    ResizeMapping::Axis a;
-    a.from0 = a.window0 = from0;
-    a.from_size = from1 - from0;
-    a.window1 = from1;
-    a.to0 = to0;
-    a.to_size = to1 - to0;
-    a.out0 = out0;
-    a.out1 = out1;
-    return a;
-}
-
-ResizeMapping mapping_of(const Rect& window, const Rect& full, const Rect& box) {
-    return {axis(window.x0, window.x1, full.x0, full.x1, box.x0, box.x1),
-            axis(window.y0, window.y1, full.y0, full.y1, box.y0, box.y1)};
-}
-
 bool holds(const Rect& outer, const Rect& inner) {
     return inner.x0 >= outer.x0 && inner.y0 >= outer.y0 && inner.x1 <= outer.x1 &&
            inner.y1 <= outer.y1;
 }
 
-bool same_size(const Rect& a, const Rect& b) {
-    return a.width() == b.width() && a.height() == b.height();
-}
-
 bool check(const Enlargement& work, std::string& error) {
-    if (work.window.empty() || work.full.empty())
+    const Rect &window = work.place.window, &full = work.place.full;
+    if (window.empty() || full.empty())
         error = "ddt: the picture has no pixels";
-    else if (work.full.width() < work.window.width() || work.full.height() < work.window.height())
-        error = "ddt: the result of " + std::to_string(work.full.width()) + " x " +
-                std::to_string(work.full.height()) + " pixels must not be smaller than the " +
-                std::to_string(work.window.width()) + " x " + std::to_string(work.window.height()) +
+    else if (full.width() < window.width() || full.height() < window.height())
+        error = "ddt: the result of " + std::to_string(full.width()) + " x " +
+                std::to_string(full.height()) + " pixels must not be smaller than the " +
+                std::to_string(window.width()) + " x " + std::to_string(window.height()) +
                 " of the picture";
-    else if (work.to.box.empty() || !holds(work.full, work.to.box))
+    else if (work.to.box.empty() || !holds(full, work.to.box))
         error = "ddt: the part wanted lies outside the result";
     return error.empty();
 }
@@ -57,7 +34,8 @@ bool check(const Enlargement& work, std::string& error) {
 void copy(const Enlargement& work) {
     const Buffer &from = work.from, &to = work.to;
     const Rect& box = to.box;
-    const int dx = work.window.x0 - work.full.x0, dy = work.window.y0 - work.full.y0;
+    const Placing& place = work.place;
+    const int dx = place.from.x0 - place.to.x0, dy = place.from.y0 - place.to.y0;
     const int channels = work.layout.channels;
     const size_t size = size_of(to.sample);
     std::vector<float> pixel(size_t(channels), 0.0f);
@@ -92,7 +70,7 @@ Outcome guarded(std::string& error, Work&& body) {
 
 Job job_of(const Enlargement& work) {
     Job job;
-    job.window = work.window;
+    job.window = work.place.window;
     job.channels = work.layout.channels;
     job.kinds = work.layout.kinds;
     job.mesh = work.mesh;
@@ -150,33 +128,6 @@ std::vector<std::string> meaning_names() {
     return names;
 }
 
-Rect needed(const Rect& window, const Rect& full, const Rect& box, Holes holes) {
-    const Rect part = common(full, box);
-    if (window.empty() || part.empty())
-        return {};
-    if (same_size(window, full))
-        return {part.x0 + window.x0 - full.x0, part.y0 + window.y0 - full.y0,
-                part.x1 + window.x0 - full.x0, part.y1 + window.y0 - full.y0};
-    if (holes != Holes::keep)
-        return window;
-    const Grid tiles = shown_tiles(window, mapping_of(window, full, part));
-    const Rect first = tiles.tile(0).pixels, last = tiles.tile(tiles.count() - 1).pixels;
-    return {first.x0, first.y0, last.x1, last.y1};
-}
-
-Rect scaled(const Rect& window, double x_factor, double y_factor) {
-    // What is beyond the limits of windows stays beyond them, and within ints.
-    const auto times = [](int n, double factor) {
-        return int(std::lround(std::clamp(double(n) * factor, -1e9, 1e9)));
-    };
-    Rect r;
-    r.x0 = times(window.x0, x_factor);
-    r.y0 = times(window.y0, y_factor);
-    r.x1 = r.x0 + std::max(1, times(window.width(), x_factor));
-    r.y1 = r.y0 + std::max(1, times(window.height(), y_factor));
-    return r;
-}
-
 GuideRecipe guide_recipe(const Layout& layout, const Meaning& meaning) {
     GuideRecipe guide;
     guide.linear = meaning.linear;
@@ -192,13 +143,12 @@ Outcome enlarge(const Enlargement& work, Source& source, Sink& sink, std::string
     return guarded(error, [&] {
         if (!check(work, error))
             return Outcome::bad_job;
-        return ddt::enlarge(source, sink, mapping_of(work.window, work.full, work.to.box),
-                            job_of(work), &error);
+        return ddt::enlarge(source, sink, work.place.mapping(work.to.box), job_of(work), &error);
     });
 }
 
 Outcome enlarge(const Enlargement& work, std::string& error) {
-    if (work.from.data && work.to.data && same_size(work.window, work.full))
+    if (work.from.data && work.to.data && work.place.copies())
         return guarded(error, [&] {
             if (!check(work, error))
                 return Outcome::bad_job;

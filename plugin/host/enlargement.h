@@ -12,6 +12,7 @@
 #include "plugin/colour/layout.h"
 #include "plugin/colour/light.h"
 #include "plugin/host/buffer.h"
+#include "plugin/host/placing.h"
 
 namespace ddt::host {
 
@@ -42,12 +43,11 @@ struct Meaning {
 bool find_meaning(std::string_view name, Meaning& meaning, std::string& error);
 std::vector<std::string> meaning_names();
 
-/// The work. `window` is the whole source, whether in memory or not: what edges are sought in, and
-/// where the grid of tiles begins. It is mapped onto `full`; what is written is to.box, bit for bit
-/// a crop of the whole. Both buffers have the layout's channels.
+/// The work. What is written is to.box, bit for bit a crop of the whole. Both buffers have the
+/// layout's channels.
 struct Enlargement {
-    Buffer from, to; ///< from.box holds needed(*this); what it lacks counts as 0
-    Rect window, full;
+    Buffer from, to; ///< from.box holds needed(place, to.box, holes); what it lacks counts as 0
+    Placing place;   ///< of the whole source, whether in memory or not
     Layout layout;
     Meaning meaning;
     SurfaceOptions surface; ///< `clipped` is what the user says: oiiotool's files count as floats
@@ -59,15 +59,8 @@ struct Enlargement {
     Statistics* statistics = nullptr;
 };
 
-/// The pixels of `window` that the part `box` of the result depends on: whole tiles and their
-/// halos; to fill holes the whole of it. Empty if box misses `full`.
-Rect needed(const Rect& window, const Rect& full, const Rect& box, Holes holes = Holes::keep);
-
-/// `window` enlarged by factors: sizes rounded to whole pixels, at least 1; the corner rounded too.
-Rect scaled(const Rect& window, double x_factor, double y_factor);
-
-/// Do it. A full that has the window's size is a copy, holes and all; a smaller one is
-/// Outcome::bad_job, with one line in `error` as of any failure. Never throws.
+/// Do it. A full that has the window's size and is not enlarged is a copy, holes and all; a smaller
+/// one is Outcome::bad_job, with one line in `error` as of any failure. Never throws.
 Outcome enlarge(const Enlargement& work, std::string& error);
 
 /// The same with a source and a sink of the host's own, whose pixels are associated linear light or

@@ -74,7 +74,7 @@ bool BufferSource::read(const Rect& r, float* values, float* guide) {
 std::vector<float> BufferSource::codes() {
     const Layout& layout = m_work.layout;
     const Sample sample = m_work.from.sample;
-    const Rect &box = m_work.from.box, &window = m_work.window;
+    const Rect &box = m_work.from.box, &window = m_work.place.window;
     const bool whole =
         box.x0 <= window.x0 && box.y0 <= window.y0 && box.x1 >= window.x1 && box.y1 >= window.y1;
     if (!(sample == Sample::uint8 || sample == Sample::half) || layout.is_ids() || !whole ||

@@ -108,18 +108,19 @@ Image* enlarged(Image& image, const Request& request, ExceptionInfo* exception) 
     }
     const bool alpha = image.matte != MagickFalse;
     work.layout = Layout::usual((is_grey(image) ? 1 : 3) + (alpha ? 1 : 0), false);
-    work.window = {0, 0, int(image.columns), int(image.rows)};
-    work.full = scaled(work.window, request.scale, request.scale);
+    const Rect window{0, 0, int(image.columns), int(image.rows)},
+        full = scaled(window, request.scale, request.scale);
+    work.place = onto(window, full);
 
     using Owned = std::unique_ptr<Image, Image* (*)(Image*)>;
-    Owned result(CloneImage(&image, size_t(work.full.width()), size_t(work.full.height()),
-                            MagickTrue, exception),
-                 DestroyImage);
+    Owned result(
+        CloneImage(&image, size_t(full.width()), size_t(full.height()), MagickTrue, exception),
+        DestroyImage);
     if (!result || SetImageStorageClass(result.get(), DirectClass) == MagickFalse)
         return nullptr;
     std::vector<uint16_t> from, to;
-    work.from = buffer_of(from, work.window, work.layout.channels);
-    work.to = buffer_of(to, work.full, work.layout.channels);
+    work.from = buffer_of(from, window, work.layout.channels);
+    work.to = buffer_of(to, full, work.layout.channels);
     const char* const maps[] = {"R", "RA", "RGB", "RGBA"};
     const char* const back[] = {"I", "IA", "RGB", "RGBA"};
     const int map = work.layout.channels - 1;
@@ -130,7 +131,7 @@ Image* enlarged(Image& image, const Request& request, ExceptionInfo* exception) 
     if (image.depth <= 8)
         bytes = of_8_bits(from);
     if (!bytes.empty())
-        work.from = buffer_of(bytes, work.window, work.layout.channels);
+        work.from = buffer_of(bytes, window, work.layout.channels);
     work.progress = Progress{&image};
     const ddt::Outcome outcome = enlarge(work, error);
     if (outcome != ddt::Outcome::done) {

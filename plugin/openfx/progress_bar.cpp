@@ -26,7 +26,8 @@ private:
     std::set<Effect> m_effects;
 };
 
-Shown shown;
+/// Never destroyed: hosts may render while static objects are being torn down.
+Shown& shown = *new Shown;
 
 } // namespace
 

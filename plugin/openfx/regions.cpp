@@ -25,7 +25,7 @@ int region_of_definition(Effect effect, Properties in, Properties out) {
     const Windows w = windows_of(source.region, scale, scale, source.settings, zooms());
     if (!w.bounded())
         return reply_default;
-    set_rect(out, "OfxImageEffectPropRegionOfDefinition", to_canonical(w.shown, scale));
+    set_rect(out, "OfxImageEffectPropRegionOfDefinition", to_canonical(w.place.full, scale));
     return ok;
 }
 
@@ -43,7 +43,7 @@ int regions_of_interest(Effect effect, Properties in, Properties out) {
     host::Enlargement work; // for what it says of holes
     std::string error;
     host::set_filter(source.settings.filter, "linear", work, error);
-    const Rect pixels = host::needed(w.window, w.full, to_pixels(wanted, source.scale), work.holes);
+    const Rect pixels = host::needed(w.place, to_pixels(wanted, source.scale), work.holes);
     if (pixels.empty())
         return reply_default;
     set_rect(out, "OfxImageClipPropRoI_Source", to_canonical(pixels, source.scale));
@@ -55,7 +55,7 @@ int is_identity(Effect effect, Properties in, Properties out) {
     if (!source.find(effect, in))
         return reply_default;
     const Windows w = source.windows();
-    if (!(w.full == w.window))
+    if (!w.place.copies())
         return reply_default;
     set(out, "OfxPropName", "Source");
     set(out, "OfxPropTime", source.time);

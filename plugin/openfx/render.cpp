@@ -127,10 +127,9 @@ int render_part(Effect effect, const SourceClip& source, const Image& from, cons
     if (!plan(from, source.settings, work, error))
         return failed;
     const Windows w = source.windows();
-    work.window = w.window;
-    work.full = w.full;
+    work.place = w.place;
     part = host::common(part, work.to.box);
-    const Rect inside = host::common(part, w.full);
+    const Rect inside = host::common(part, w.place.full);
     if (inside.width() != part.width() || inside.height() != part.height())
         clear(work.to, part, work.layout.channels);
     if (inside.empty())
@@ -150,6 +149,15 @@ int render_part(Effect effect, const SourceClip& source, const Image& from, cons
                                                : int(failed);
 }
 
+/// What clipGetImage() asks of an effect whose source has no image at that time: it is black.
+int render_black(const Image& to, const Rect& part) {
+    host::Buffer buffer;
+    if (!to.buffer(buffer) || to.channels() == 0)
+        return failed;
+    clear(buffer, host::common(part, buffer.box), to.channels());
+    return ok;
+}
+
 } // namespace
 
 int render(Effect effect, Properties in) {
@@ -161,8 +169,11 @@ int render(Effect effect, Properties in) {
         suites.effect->clip_get_handle(effect, "Output", &output, nullptr) != ok)
         return failed;
     const Image from(source.clip, source.time), to(output, source.time);
-    if (!from || !to)
-        return suites.effect->abort(effect) ? ok : failed;
+    if (!from || !to) {
+        if (suites.effect->abort(effect))
+            return ok;
+        return to ? render_black(to, render_window(in)) : failed;
+    }
     status = render_part(effect, source, from, to, render_window(in), error);
     if (!error.empty())
         complain(effect, error);

@@ -4,43 +4,42 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plugin/host/enlargement.h"
+#include "plugin/host/buffer.h"
 
 namespace ddt::ofx {
 namespace {
 
-/// The pixels that an interval touches, but for less than a hundredth of one.
-int begin_of(double v) {
-    return int(std::floor(std::clamp(v, -1e9, 1e9) + 0.01));
-}
-int end_of(double v) {
-    return int(std::ceil(std::clamp(v, -1e9, 1e9) - 0.01));
-}
-
+/// By settings of the result's size, at least the source's.
 void factors(const Rect& window, const Settings& s, double& x, double& y) {
-    x = s.width > 0 ? double(s.width) / window.width() : s.scale_x;
-    y = s.height > 0 ? double(s.height) / window.height() : s.scale_y;
-    if (s.width > 0 && s.height <= 0)
-        y = x;
-    if (s.height > 0 && s.width <= 0)
-        x = y;
+    x = s.width > 0 ? double(s.width) / window.width() : 0;
+    y = s.height > 0 ? double(s.height) / window.height() : 0;
+    x = std::max(x > 0 ? x : y, 1.0);
+    y = std::max(y > 0 ? y : x, 1.0);
 }
 
-/// The enlargement placed so that the centre stays.
-Rect zoomed(const Rect& window, const Settings& s) {
-    Rect full = host::scaled(window, s.scale_x, s.scale_y);
-    const int more_x = full.width() - window.width(), more_y = full.height() - window.height();
-    const int x0 = window.x0 - int(std::lround(std::clamp(s.centre_x, 0.0, 1.0) * more_x));
+/// What becomes what at another render scale than it does here, but for less than a pixel.
+Rect at_scale(const Rect& here, const PixelScale& factor) {
+    const auto times = [](int n, double f) { return int(std::lround(n * f)); };
+    const int x0 = times(here.x0, factor.x), y0 = times(here.y0, factor.y);
+    return {x0, y0, x0 + here.width(), y0 + here.height()};
+}
+
+/// The nearest corner of pixels to the centre, which so stays the same while the scale changes.
+host::Placing zoomed(const Rect& window, const Settings& s) {
+    const auto within = [](int begin, int size, double share) {
+        return begin + int(std::lround(std::clamp(share, 0.0, 1.0) * size));
+    };
     // Downwards from the top.
-    const int y0 = window.y0 - int(std::lround((1 - std::clamp(s.centre_y, 0.0, 1.0)) * more_y));
-    return {x0, y0, x0 + full.width(), y0 + full.height()};
+    return host::about(within(window.x0, window.width(), s.centre_x),
+                       within(window.y0, window.height(), 1 - s.centre_y), window, s.scale_x,
+                       s.scale_y);
 }
 
 } // namespace
 
 Rect to_pixels(const RectD& r, const PixelScale& scale) {
-    return host::flipped({begin_of(r.x1 * scale.x), begin_of(r.y1 * scale.y),
-                          end_of(r.x2 * scale.x), end_of(r.y2 * scale.y)});
+    return host::flipped({host::begin_of(r.x1 * scale.x), host::begin_of(r.y1 * scale.y),
+                          host::end_of(r.x2 * scale.x), host::end_of(r.y2 * scale.y)});
 }
 
 RectD to_canonical(const Rect& pixels, const PixelScale& scale) {
@@ -51,25 +50,35 @@ RectD to_canonical(const Rect& pixels, const PixelScale& scale) {
 Windows windows_of(const RectD& region, const PixelScale& scale, const PixelScale& at_full_scale,
                    const Settings& settings, bool zoom) {
     Windows w;
-    w.window = to_pixels(region, scale);
+    const Rect& window = w.place.window = to_pixels(region, scale);
     if (!w.bounded()) {
-        w.full = w.shown = w.window;
+        w.place = host::onto(window, window);
         return w;
     }
     if (zoom) {
-        w.full = zoomed(w.window, settings);
-        w.shown = w.window;
+        w.place = zoomed(window, settings);
         return w;
     }
     const Rect whole = to_pixels(region, at_full_scale);
-    double x = 1, y = 1;
-    factors(whole, settings, x, y);
-    const Rect upwards = host::scaled(host::flipped(whole), x, y);
-    w.full = to_pixels(to_canonical(host::flipped(upwards), at_full_scale), scale);
+    host::Placing at_full;
+    if (settings.width > 0 || settings.height > 0) {
+        double x = 1, y = 1;
+        factors(whole, settings, x, y);
+        const Rect upwards = host::scaled(host::flipped(whole), x, y);
+        at_full = host::onto(whole, host::flipped(upwards));
+        const PixelScale factor{scale.x / at_full_scale.x, scale.y / at_full_scale.y};
+        w.place.from = at_scale(at_full.from, factor);
+        w.place.to = at_scale(at_full.to, factor);
+    } else {
+        at_full = host::by_factors(whole, settings.scale_x, settings.scale_y);
+        w.place.from = at_full.from;
+        w.place.to = at_full.to;
+    }
+    Rect& full = w.place.full;
+    full = to_pixels(to_canonical(at_full.full, at_full_scale), scale);
     // A hair above 1 and at a small render scale it might come out smaller.
-    w.full.x1 = std::max(w.full.x1, w.full.x0 + w.window.width());
-    w.full.y0 = std::min(w.full.y0, w.full.y1 - w.window.height());
-    w.shown = w.full;
+    full.x1 = std::max(full.x1, full.x0 + window.width());
+    full.y0 = std::min(full.y0, full.y1 - window.height());
     return w;
 }
 

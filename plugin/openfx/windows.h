@@ -5,7 +5,7 @@
 // oiiotool.
 #pragma once
 
-#include "ddt/mapping.h"
+#include "plugin/host/placing.h"
 #include "plugin/openfx/abi.h"
 #include "plugin/openfx/settings.h"
 
@@ -17,12 +17,10 @@ struct PixelScale {
 };
 
 struct Windows {
-    Rect window; ///< the source's region of definition
-    Rect full;   ///< the whole enlargement
-    Rect shown;  ///< the output's region of definition: `full`, or of a zoom `window`
+    host::Placing place; ///< window, full: the regions of definition of source and output
 
     /// Whether there is a picture, and not an endless one, as that of a constant.
-    bool bounded() const { return !window.empty() && window.within_limits(); }
+    bool bounded() const { return !place.window.empty() && place.window.within_limits(); }
 };
 
 Rect to_pixels(const RectD& canonical, const PixelScale& scale);

@@ -130,7 +130,7 @@ Enlargement work_on(const py::array& pixels, const std::string& sample, const st
     Enlargement work;
     // Only read: that the memory may be written is not asked for.
     work.from = buffer_of(pixels, const_cast<void*>(pixels.data()), sample_of(sample), 0, 0);
-    work.window = work.from.box;
+    work.place.window = work.from.box;
     const auto channels = int(pixels.shape(2));
     work.layout = work.from.sample == Sample::id32 ? Layout::ids(channels)
                                                    : Layout::usual(channels, associated);
@@ -146,7 +146,7 @@ void enlarge_array(const py::array& pixels, py::array& result, const std::string
     Enlargement work = work_on(pixels, sample, filter, light, associated);
     work.to =
         buffer_of(result, result.mutable_data(), work.from.sample, origin.first, origin.second);
-    work.full = {0, 0, full.first, full.second};
+    work.place = onto(work.from.box, {0, 0, full.first, full.second});
     // Integers in memory, as of an ImageBuf.
     work.surface.clipped |= is_unsigned(work.to.sample);
     work.threads = threads;
@@ -166,7 +166,7 @@ void enlarge_array(const py::array& pixels, py::array& result, const std::string
 /// Some rows at once: their values are not needed.
 void read_guide(const Enlargement& work, std::vector<float>& guide) {
     constexpr int rows = 16;
-    const ddt::Rect& all = work.window;
+    const ddt::Rect& all = work.place.window;
     const auto width = size_t(all.width());
     std::vector<float> values(size_t(rows) * width * size_t(work.layout.channels));
     BufferSource source(work);
@@ -184,10 +184,10 @@ py::array mesh_of(const py::array& pixels, const std::string& sample, const std:
     bool done = false;
     {
         const Unlocked unlocked;
-        std::vector<float> guide(work.window.area());
+        std::vector<float> guide(work.place.window.area());
         read_guide(work, guide);
-        done = ddt::build_mesh(guide.data(), work.window.width(), work.window.height(), work.mesh,
-                               mesh, nullptr, &error, std::ref(watch));
+        done = ddt::build_mesh(guide.data(), work.place.window.width(), work.place.window.height(),
+                               work.mesh, mesh, nullptr, &error, std::ref(watch));
     }
     watch.rethrow();
     if (!done && error == "ddt: out of memory") // of ddt/mesh.h

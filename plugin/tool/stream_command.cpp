@@ -129,10 +129,9 @@ private:
         work.threads = m_threads;
         work.layout = host::Layout::usual(frame.channels, false);
         work.from = frame.buffer();
-        work.window = work.from.box;
-        work.full = host::scaled(work.window, m_scale, m_scale);
+        work.place = host::onto(work.from.box, host::scaled(work.from.box, m_scale, m_scale));
         try {
-            large = frame.of_size(work.full.width(), work.full.height());
+            large = frame.of_size(work.place.full.width(), work.place.full.height());
             if (!large.allocate(error)) {
                 error = "ddt: " + error;
                 return Outcome::bad_job;

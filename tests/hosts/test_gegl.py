@@ -19,14 +19,14 @@ def gegl_environment():
     return {"GEGL_PATH": f"{system}:{FOLDER}", "GEGL_USE_OPENCL": "no", "BABL_TOLERANCE": "0"}
 
 
-# Enlarges a file threefold in pieces of 64 x 64 pixels; prints how many those were.
-PIECES = """
+# Programs of GEGL's C functions, which Debian has no Python module for.
+GRAPH = """
 import ctypes, sys
 from ctypes import POINTER, Structure, byref, c_char_p, c_double, c_int, c_void_p
 gegl, babl = ctypes.CDLL("libgegl-0.4.so.0"), ctypes.CDLL("libbabl-0.1.so.0")
 class Rectangle(Structure):
     _fields_ = [(name, c_int) for name in ("x", "y", "width", "height")]
-for name in ("gegl_node_new", "gegl_node_new_child"):
+for name in ("gegl_node_new", "gegl_node_new_child", "gegl_buffer_new"):
     getattr(gegl, name).restype = c_void_p
 gegl.gegl_node_get_bounding_box.restype = Rectangle
 babl.babl_format.restype = c_void_p
@@ -35,18 +35,43 @@ graph = c_void_p(gegl.gegl_node_new())
 def node(operation, key, value):
     return c_void_p(gegl.gegl_node_new_child(graph, c_char_p(b"operation"), c_char_p(operation),
                                              c_char_p(key), value, None))
+def blit(node, rectangle):
+    pixels = (ctypes.c_float * (rectangle.width * rectangle.height * 4))()
+    gegl.gegl_node_blit(node, c_double(1), byref(rectangle),
+                        c_void_p(babl.babl_format(b"RGBA float")), pixels, 0, 0)
+    return pixels
+"""
+
+# Enlarges a file threefold in pieces of 64 x 64 pixels; prints how many those were.
+PIECES = GRAPH + """
 load = node(b"gegl:load", b"path", c_char_p(sys.argv[1].encode()))
 ddt = node(b"gegl:ddt", b"scale", c_double(3))
 gegl.gegl_node_link_many(load, ddt, None)
 box = gegl.gegl_node_get_bounding_box(ddt)
-pixels, pieces = (ctypes.c_float * (64 * 64 * 4))(), 0
+pieces = 0
 for y in range(0, min(box.height, 128), 64):
     for x in range(0, min(box.width, 192), 64):
-        piece = Rectangle(box.x + x, box.y + y, 64, 64)
-        gegl.gegl_node_blit(ddt, c_double(1), byref(piece),
-                            c_void_p(babl.babl_format(b"RGBA float")), pixels, 0, 0)
+        blit(ddt, Rectangle(box.x + x, box.y + y, 64, 64))
         pieces += 1
 print(pieces)
+"""
+
+# Prints alpha of the ends of a row of 8 x 8 pixels of a palette, the left half of which is
+# transparent, enlarged twofold.
+PALETTE = GRAPH + """
+plain, with_alpha = c_void_p(), c_void_p()
+babl.babl_new_palette(b"colours", byref(plain), byref(with_alpha))
+babl.babl_palette_set_palette(with_alpha, c_void_p(babl.babl_format(b"R'G'B' u8")),
+                              bytes([255, 0, 0, 0, 255, 0]), 2)
+box = Rectangle(0, 0, 8, 8)
+buffer = c_void_p(gegl.gegl_buffer_new(byref(box), with_alpha))
+row = bytes([1, 0] * 4 + [1, 255] * 4)
+gegl.gegl_buffer_set(buffer, byref(box), 0, with_alpha, row * 8, 0)
+source = node(b"gegl:buffer-source", b"buffer", buffer)
+ddt = node(b"gegl:ddt", b"scale", c_double(2))
+gegl.gegl_node_link_many(source, ddt, None)
+pixels = blit(ddt, Rectangle(0, 7, 16, 1))
+print(pixels[3], pixels[4 * 15 + 3])
 """
 
 
@@ -135,6 +160,30 @@ class Gegl(support.Case):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertGreater(int(done.stdout), 1)
         self.assertEqual(done.stderr.count("ddt: "), 1, done.stderr)
+
+    def test_palettes_keep_their_alpha(self):
+        done = self.attempt("python3", "-c", PALETTE, **gegl_environment())
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stdout.split(), ["0.0", "1.0"])
+
+    def test_what_is_cut_off_does_not_move_the_rest(self):
+        # Values tell where they come from: 41 and 42 columns from column 1 and 2 on, 1.5 times.
+        ramp = "--pattern fill:left=0,0,0:right=64,64,64 64x8 3 -d float"
+        self.succeed("oiiotool", *ramp.split(), "-o", "ramp.exr")
+        self.succeed("oiiotool", "ramp.exr", "--resize:filter=ddt-linear", "96x12", "-d", "float",
+                     "-o", "wanted.exr")
+        for x, width in (1, 41), (2, 42), (3, 40):
+            self.attempt("gegl", "ramp.exr", "-o", "out.exr", "--", "crop", f"x={x}",
+                         f"width={width}", "height=8", "ddt", "scale=1.5", "filter=ddt-linear",
+                         **gegl_environment())
+            # Columns that are whole, not of the rim; GEGL writes the corner as 0, 0.
+            first, last = -(-3 * x // 2) + 2, 3 * (x + width) // 2 - 3
+            corner = 3 * x // 2
+            self.succeed("oiiotool", "out.exr", "--origin", f"+{corner}+0", "--cut",
+                         f"{last - first}x12+{first}+0", "-o", "a.exr")
+            self.succeed("oiiotool", "wanted.exr", "--cut", f"{last - first}x12+{first}+0",
+                         "-o", "b.exr")
+            self.same_floats("a.exr", "b.exr")
 
     def test_what_has_no_end_is_told(self):
         done = self.attempt("gegl", "-o", "out.png", "--", "checkerboard", "ddt", "scale=2", "crop",

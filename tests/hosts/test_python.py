@@ -249,13 +249,16 @@ def test_the_lock_is_released_and_no_thread_stays():
     assert len(os.listdir("/proc/self/task")) == before
     counted = []
     stop = threading.Event()
-    counter = threading.Thread(target=lambda: [counted.append(1) for _ in iter(stop.is_set, True)])
+    counter = threading.Thread(target=lambda: [counted.append(1)
+                                               for _ in iter(lambda: stop.wait(0.001), True)])
     counter.start()
-    seen = []
-    oiio_ddt.enlarge(image, 4, threads=1, progress=lambda share: seen.append(len(counted)))
+    # Without a function for progress, which would let others in.
+    begin = len(counted)
+    oiio_ddt.enlarge(image, 4, threads=1)
+    counts = len(counted) - begin
     stop.set()
     counter.join()
-    assert seen[-1] > seen[0]
+    assert counts > 5 # who waits for the lock in vain gets it before or after
 
 
 def test_a_mesh_covers_the_picture():
@@ -281,6 +284,15 @@ def test_no_memory_stays():
     held, _ = tracemalloc.get_traced_memory()
     tracemalloc.stop()
     assert held < 100_000
+
+    def resident():
+        with open("/proc/self/statm", encoding="ascii") as numbers:
+            return int(numbers.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+    before = resident()
+    for _ in range(200):
+        oiio_ddt.enlarge(image, 2)
+    assert resident() - before < 200 * 20_000 # a result is 480 000
 
 
 def test_works_without_openimageio():

@@ -45,8 +45,9 @@ def enlarge(
     array     Height x width, or height x width x channels; any strides. Channels are grey; grey,
               alpha; red, green, blue; the same and alpha; further ones are quantities of their
               own. uint8 and uint16 stand for 0 to 1, int8 and int16 for -1 to 1, floats for
-              themselves; bool and integers of 32 and 64 bits are numbers of objects: copied from
-              the nearest pixel, never blended.
+              themselves, worked in 32 bits, beyond whose range float64 comes out infinite; bool and
+              integers of 32 and 64 bits are numbers of objects: copied from the nearest pixel,
+              never blended.
     scale     A factor, or one for x and one for y: at least 1. Sizes are rounded to whole pixels.
     size      Instead of a scale: (width, height) of the result.
     filter    "ddt", "ddt-linear" or "ddt-sharp", with options: "ddt,cost=scf".

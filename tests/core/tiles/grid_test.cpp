@@ -120,8 +120,8 @@ TEST(Grid, TilesThatAreShown) {
 
 TEST(Grid, ManyTilesAreNotLookedAtOneByOne) {
     const Rect window{0, 0, 1 << 20, 1 << 20};
-    const ResizeMapping resized = mapping_of(window, {0, 0, 1 << 21, 1 << 21},
-                                             {1000000, 1000000, 1000016, 1000016});
+    const ResizeMapping resized =
+        mapping_of(window, {0, 0, 1 << 21, 1 << 21}, {1000000, 1000000, 1000016, 1000016});
     const Asked mapping(resized);
     EXPECT_EQ(shown_tiles(window, mapping).count(), 1);
     EXPECT_LE(mapping.times, 2 * (4096 + 1));

@@ -59,8 +59,7 @@ Enlargement work_of(ImageBuf& from, ImageBuf& to, const std::string& light) {
     Enlargement work;
     work.from = buffer_of(from);
     work.to = buffer_of(to);
-    work.window = work.from.box;
-    work.full = work.to.box;
+    work.place = onto(work.from.box, work.to.box);
     work.layout = is_unsigned(work.from.sample) || sample_of(from.spec().format) != Sample::id32
                       ? Layout::usual(from.nchannels())
                       : Layout::ids(from.nchannels());
@@ -132,8 +131,8 @@ TEST(Enlargement, APartIsACropAndNeedsNoMoreThanItSays) {
             const OIIO::ROI roi = turned(along);
             ImageBuf to = images::make(roi, size, 3);
             Enlargement work = work_of(from, to, "linear");
-            work.full = {0, 0, size.xend, size.yend};
-            const ddt::Rect box = needed(work.window, work.full, work.to.box);
+            work.place = onto(work.from.box, {0, 0, size.xend, size.yend});
+            const ddt::Rect box = needed(work.place, work.to.box);
             EXPECT_LT(tall ? box.height() : box.width(), 400);
             ImageBuf part =
                 images::make(images::window(box.x0, box.x1, box.y0, box.y1), from.roi(), 3);
@@ -222,8 +221,8 @@ TEST(Enlargement, ACopyTakesThePixelsThatNeededNames) {
     images::fill(from, [](int x, int y, int c) { return float(x) + 0.25f * float(y) + float(c); });
     ImageBuf to = images::make(part, full, 3, TypeDesc::HALF);
     Enlargement work = work_of(from, to, "sRGB");
-    work.full = {100, -9, 130, 11};
-    const ddt::Rect box = needed(work.window, work.full, work.to.box);
+    work.place = onto(work.from.box, {100, -9, 130, 11});
+    const ddt::Rect box = needed(work.place, work.to.box);
     EXPECT_TRUE((box == ddt::Rect{3, 45, 11, 57}));
     std::string error;
     ASSERT_EQ(enlarge(work, error), ddt::Outcome::done) << error;
@@ -253,7 +252,7 @@ TEST(Enlargement, HolesAreFilledAsTheFilterDoes) {
         for (int y = 0; y < 90; ++y)
             for (int x = 0; x < 150; ++x)
                 ASSERT_FALSE(std::isnan(images::value(to, x, y))) << x << " " << y;
-        const ddt::Rect all = needed(work.window, work.full, {0, 0, 4, 4}, work.holes);
+        const ddt::Rect all = needed(work.place, {0, 0, 4, 4}, work.holes);
         EXPECT_EQ(all.width(), 60);
         EXPECT_EQ(all.height(), 40);
     }

@@ -129,6 +129,36 @@ TEST_F(OpenFx, AProxyIsEnlargedByItself) {
     EXPECT_TRUE(same_pixels(effect->output, images::enlarged(image, 62, 42, with_light("linear"))));
 }
 
+TEST_F(OpenFx, LessThanTheSourcesSizeIsTheSource) {
+    open(nuke, photograph(40, 30, 3, TypeDesc::FLOAT), "OfxBitDepthFloat", 100, 60);
+    effect->set("width", 20);
+    RectD r{};
+    ASSERT_EQ(effect->region_of_definition(r), ddt::ofx::ok);
+    EXPECT_EQ(r.x1, 100);
+    EXPECT_EQ(r.y1, 60);
+    EXPECT_EQ(r.x2, 140);
+    EXPECT_EQ(r.y2, 90);
+    EXPECT_TRUE(effect->is_identity());
+}
+
+/// As clipGetImage() of the standard asks.
+TEST_F(OpenFx, ASourceWithoutAnImageIsBlack) {
+    open(nuke, photograph(40, 30, 3, TypeDesc::FLOAT));
+    effect->output = effect->source;
+    effect->output.box = {0, 0, 80, 60};
+    effect->output.allocate();
+    Picture untouched = effect->output;
+    effect->source.bytes.clear();
+    ASSERT_EQ(effect->render({10, 0, 80, 60}), ddt::ofx::ok);
+    EXPECT_TRUE(host->messages.empty());
+    EXPECT_EQ(effect->images_held, 0);
+    for (int y = 0; y < 60; ++y) {
+        EXPECT_EQ(std::memcmp(effect->output.row(y), untouched.row(y), 120), 0);
+        const std::vector<char> black(70 * 12, 0);
+        EXPECT_EQ(std::memcmp(effect->output.row(y) + 120, black.data(), black.size()), 0);
+    }
+}
+
 TEST_F(OpenFx, AMatteIsLinearWhateverTheLight) {
     for (const char* depth : {"OfxBitDepthFloat", "OfxBitDepthShort"}) {
         const ImageBuf image = photograph(40, 30, 1, type_of(depth));

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/host/placing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/tiles/tile_io.h"
+#include "plugin/host/buffer.h"
+
+namespace ddt::host {
+namespace {
+
+ResizeMapping::Axis axis(int from0, int from1, int to0, int to1, int window0, int window1, int out0,
+                         int out1) {
+    ResizeMapping::Axis a;
+    a.from0 = from0;
+    a.from_size = from1 - from0;
+    a.to0 = to0;
+    a.to_size = to1 - to0;
+    a.window0 = window0;
+    a.window1 = window1;
+    a.out0 = out0;
+    a.out1 = out1;
+    return a;
+}
+
+/// A factor as so many pixels that become others.
+struct Ratio {
+    int from = 1, to = 1;
+};
+
+/// The one of the smallest numbers that differs by less than a ten millionth, which the floats of
+/// hosts do too: so 1.1 is 11/10, and positions are those of a result of just this many pixels. By
+/// continued fractions.
+Ratio ratio_of(double factor) {
+    constexpr double largest = 1 << 14, most_from = 1 << 14;
+    factor = std::clamp(factor, 1.0, largest);
+    double rest = factor;
+    double from = 1, to = std::floor(rest), from_before = 0, to_before = 1;
+    while (std::abs(to / from - factor) > 1e-7 * factor) {
+        rest = 1 / (rest - std::floor(rest));
+        const double a = std::floor(rest);
+        const double next = a * from + from_before;
+        if (next > most_from)
+            break;
+        from_before = std::exchange(from, next);
+        to_before = std::exchange(to, a * to + to_before);
+    }
+    return {int(from), int(to)};
+}
+
+/// (x, y) stays where it is.
+Placing stretched(const Rect& window, const Rect& full, int x, int y, double x_factor,
+                  double y_factor) {
+    const Ratio along = ratio_of(x_factor), down = ratio_of(y_factor);
+    return {window, full, {x, y, x + along.from, y + down.from}, {x, y, x + along.to, y + down.to}};
+}
+
+} // namespace
+
+ResizeMapping Placing::mapping(const Rect& box) const {
+    return {axis(from.x0, from.x1, to.x0, to.x1, window.x0, window.x1, box.x0, box.x1),
+            axis(from.y0, from.y1, to.y0, to.y1, window.y0, window.y1, box.y0, box.y1)};
+}
+
+Placing onto(const Rect& window, const Rect& full) {
+    return {window, full, window, full};
+}
+
+int begin_of(double v) {
+    return int(std::floor(std::clamp(v, -1e9, 1e9) + 0.01));
+}
+
+int end_of(double v) {
+    return int(std::ceil(std::clamp(v, -1e9, 1e9) - 0.01));
+}
+
+Placing by_factors(const Rect& window, double x_factor, double y_factor) {
+    const Rect full{begin_of(window.x0 * x_factor), begin_of(window.y0 * y_factor),
+                    end_of(window.x1 * x_factor), end_of(window.y1 * y_factor)};
+    return stretched(window, full, 0, 0, x_factor, y_factor);
+}
+
+Placing about(int x, int y, const Rect& window, double x_factor, double y_factor) {
+    return stretched(window, window, x, y, x_factor, y_factor);
+}
+
+Rect scaled(const Rect& window, double x_factor, double y_factor) {
+    // What is beyond the limits of windows stays beyond them, and within ints.
+    const auto times = [](int n, double factor) {
+        return int(std::lround(std::clamp(double(n) * factor, -1e9, 1e9)));
+    };
+    Rect r;
+    r.x0 = times(window.x0, x_factor);
+    r.y0 = times(window.y0, y_factor);
+    r.x1 = r.x0 + std::max(1, times(window.width(), x_factor));
+    r.y1 = r.y0 + std::max(1, times(window.height(), y_factor));
+    return r;
+}
+
+Rect needed(const Placing& place, const Rect& box, Holes holes) {
+    const Rect& window = place.window;
+    const Rect part = common(place.full, box);
+    if (window.empty() || part.empty())
+        return {};
+    if (place.copies()) {
+        const int x = place.from.x0 - place.to.x0, y = place.from.y0 - place.to.y0;
+        return {part.x0 + x, part.y0 + y, part.x1 + x, part.y1 + y};
+    }
+    if (holes != Holes::keep)
+        return window;
+    const Grid tiles = shown_tiles(window, place.mapping(part));
+    const Rect first = tiles.tile(0).pixels, last = tiles.tile(tiles.count() - 1).pixels;
+    return {first.x0, first.y0, last.x1, last.y1};
+}
+
+} // namespace ddt::host

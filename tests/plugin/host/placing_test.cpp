@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/host/placing.h"
+
+#include <gtest/gtest.h>
+
+namespace ddt::host {
+namespace {
+
+/// Where pixel (x, y) of the result lies in the source.
+Position position(const Placing& place, int x, int y) {
+    Position p;
+    uint8_t inside = 0;
+    place.mapping(place.full).row(y, x, x + 1, &p, &inside);
+    EXPECT_EQ(inside, 1);
+    return p;
+}
+
+/// A pixel has the same place in the source however it is cut off.
+TEST(Placing, FactorsKeepWhatIsCutOffInItsPlace) {
+    for (const double factor : {1.0, 1.01, 1.1, 1.5, 2.0, 2.2360679, 3.7, 10.0 / 3}) {
+        const Placing all = by_factors({-100, -80, 141, 93}, factor, 2);
+        for (const Rect& window : {Rect{0, 0, 41, 30}, Rect{1, 3, 42, 20}, Rect{-99, -7, -2, 93},
+                                   Rect{3, -80, 140, 0}}) {
+            const Placing part = by_factors(window, factor, 2);
+            EXPECT_GE(part.full.width(), window.width());
+            EXPECT_NEAR(part.full.x0, window.x0 * factor, 1);
+            EXPECT_NEAR(part.full.x1, window.x1 * factor, 1);
+            // But for those that show the pixels at the rim.
+            const int rim = int(factor) + 1;
+            for (int x = part.full.x0 + rim; x < part.full.x1 - rim; ++x) {
+                const Position p = position(part, x, part.full.y0 + 2);
+                ASSERT_EQ(p.x, position(all, x, all.full.y0 + 2).x) << factor << " " << x;
+                ASSERT_NEAR(double(p.x) / 65536, (x + 0.5) / factor - 0.5, 1e-4);
+            }
+        }
+    }
+}
+
+/// As of a size that was asked for in pixels, where a factor makes a whole one.
+TEST(Placing, WholeSizesAreTheFilters) {
+    for (const auto& [size, factor, larger] : {std::tuple{100, 1.1, 110},
+                                               {100, double(1.1f), 110},
+                                               {96, 1.25, 120},
+                                               {41, 3.0, 123},
+                                               {300, 1 / 0.3, 1000}}) {
+        const Rect window{0, 0, size, size}, full{0, 0, larger, larger};
+        const Placing place = by_factors(window, factor, factor), by_size = onto(window, full);
+        ASSERT_EQ(place.full, full) << factor;
+        for (int x = 0; x < larger; ++x)
+            ASSERT_EQ(position(place, x, x).x, position(by_size, x, x).x) << factor << " " << x;
+    }
+}
+
+TEST(Placing, AZoomsCentreStaysWhereItIs) {
+    const Rect window{10, 20, 71, 60};
+    for (double factor = 1; factor < 3; factor += 0.03) {
+        const Placing place = about(40, 33, window, factor, factor);
+        EXPECT_EQ(place.full, window);
+        const Position before = position(place, 39, 32), after = position(place, 40, 33);
+        EXPECT_NEAR(double(before.x + after.x) / 65536, 39 + 40, 1e-4) << factor;
+        EXPECT_NEAR(double(before.y + after.y) / 65536, 32 + 33, 1e-4) << factor;
+        EXPECT_NEAR(double(after.x - before.x) / 65536, 1 / factor, 1e-4) << factor;
+        EXPECT_EQ(place.copies(), factor == 1);
+    }
+}
+
+} // namespace
+} // namespace ddt::host
