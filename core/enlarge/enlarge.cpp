@@ -115,12 +115,12 @@ Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, 
     if (job.holes == Holes::keep) {
         outcome = work(source, sink, mapping, job, grid, placement, statistics, failure);
     } else {
-        float filled = 0; // share done by then: none, where nothing is missing
+        float filled = 0; // share done by then: that of reading, where nothing is missing
         Tell filling;
         if (job.progress)
             filling = [&](float share) {
-                filled = share_of_filling;
-                return job.progress(share * share_of_filling);
+                filled = share * share_of_filling;
+                return job.progress(filled);
             };
         WholeSource whole;
         outcome = whole.fill(source, job, thread_count(job), filling, why);

@@ -18,8 +18,9 @@ namespace {
 /// those that a hole's edges depend on, and a few that tell them where to go.
 constexpr int margin = 6;
 
-/// Of the time that filling takes, about: when edges begin to flip, and when smoothing begins.
-constexpr float flips_begin = 0.1f, smoothing_begins = 0.35f;
+/// Microseconds of one thread, about, that the mesh takes a point and smoothing a missing pixel:
+/// what shares of progress are taken from.
+constexpr float mesh_time = 10, flips_time = 1, smoothing_time = 7;
 
 class Filler {
 public:
@@ -37,9 +38,14 @@ public:
             error = "ddt: no pixel is there to fill the others from";
             return false;
         }
+        collect();
+        const auto points = float(m_mesh.x.size());
+        const float all = points * (mesh_time + flips_time) + float(count) * smoothing_time;
+        const float flips_begin = points * mesh_time / all,
+                    smoothing_begins = points * (mesh_time + flips_time) / all;
+        const Tell meshing = part_of(progress, 0, flips_begin);
         const Tell flipping = part_of(progress, flips_begin, smoothing_begins);
         const Tell smoothing = part_of(progress, smoothing_begins, 1);
-        collect();
         if (m_mesh.x.size() > most_points) {
             error = "ddt: more than " + std::to_string(most_points) + " pixels lie about the holes";
             return false;
@@ -47,7 +53,8 @@ public:
         m_surface.assign(m_image.guide, m_image.guide + size);
         std::vector<uint8_t> inside(size, 0);
         if (spans_plane() &&
-            !(triangulate_points(m_mesh, error) &&
+            !(tell(meshing, 0, error) && triangulate_points(m_mesh, error) &&
+              tell(meshing, 1, error) &&
               optimise_points(m_mesh, m_guides.data(), options, report, error, flipping, device) &&
               interpolate(inside.data(), error)))
             return false;
@@ -61,6 +68,13 @@ public:
 
 private:
     static bool is_set(uint8_t byte) { return byte != 0; }
+
+    static bool tell(const Tell& progress, float share, std::string& error) {
+        if (!progress || progress(share))
+            return true;
+        error = "ddt: cancelled";
+        return false;
+    }
 
     float* pixel(size_t i) { return m_image.values + i * m_channels; }
 

@@ -110,9 +110,13 @@ bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, M
     if (!connect(tin, mesh.triangles, error))
         return false;
     bool going = true;
+    float most = 0; // what is left of flips may grow again
     Workspace workspace;
     if (progress)
-        workspace.progress = [&](float share) { return going = progress(share); };
+        workspace.progress = [&](float share) {
+            most = std::max(most, share);
+            return going = progress(most);
+        };
     MeshReport what;
     if (report)
         what.cost_start = total_cost(TinMesh(tin, options.cost));

@@ -11,8 +11,8 @@ namespace ddt {
 namespace {
 
 /// Of a mesh of the largest tile.
-size_t lists_memory(const Job& job) {
-    return Workspace::memory(largest_pixels(job));
+SchemeMemory mesh_memory(const Job& job) {
+    return scheme_memory(job.mesh.scheme, largest_pixels(job));
 }
 
 /// The guide of a mesh; to be called in ascending order.
@@ -33,7 +33,8 @@ const float* guide_of(size_t mesh, const Job& job, TileMemory& memory) {
 
 size_t TileWorker::memory(const Job& job, const Mapping& mapping) {
     const Taken taken = TileWriter::memory(job, mapping, largest_width(job), largest_height(job));
-    return taken.other + std::max(lists_memory(job), taken.rows);
+    const SchemeMemory mesh = mesh_memory(job);
+    return taken.other + std::max(mesh.lists + mesh.other, taken.rows);
 }
 
 Outcome TileWorker::work(const Tile& tile, int first_row) {
@@ -81,7 +82,7 @@ bool TileWorker::read(const Tile& tile, TileMemory& memory) {
 void TileWorker::triangulate(const Tile& tile, TileMemory& memory) {
     MeshedTile& meshed = memory.meshed;
     m_arena.clear();
-    m_arena.reserve(lists_memory(m_job));
+    m_arena.reserve(mesh_memory(m_job).lists);
     Workspace workspace(m_arena);
     workspace.origin_x = tile.pixels.x0 - m_job.window.x0;
     workspace.origin_y = tile.pixels.y0 - m_job.window.y0;

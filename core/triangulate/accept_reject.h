@@ -15,6 +15,7 @@ public:
                  Workspace& w, Statistics& statistics)
         : m_mesh(mesh), m_criterion(criterion), m_min_gain(min_gain), m_rules(rules), m_w(w),
           m_statistics(statistics), m_marks(mesh.size(), idle) {
+        m_w.reserve_for_all(mesh.vertices());
         m_w.candidates.clear();
         m_w.dirty.clear();
         mesh.each_edge([&](int m) { touch(m); });

@@ -50,7 +50,19 @@ public:
     Annealing(Mesh& mesh, const Criterion& criterion, uint32_t seed, Workspace& w,
               Statistics& statistics)
         : m_mesh(mesh), m_criterion(criterion), m_seed(mixed(seed)), m_w(w),
-          m_statistics(statistics) {}
+          m_statistics(statistics) {
+        for (auto& part : m_part)
+            part.reserve(edges_a_part(mesh.vertices()));
+    }
+
+    /// Edges that chance puts into a part, of about three a vertex, and some more.
+    static constexpr size_t edges_a_part(size_t vertices) {
+        return vertices * 3 / parts + vertices / 64 + 16;
+    }
+    /// About the bytes that this takes.
+    static constexpr size_t memory(size_t sites, size_t vertices) {
+        return sites * sizeof(uint32_t) + parts * edges_a_part(vertices) * sizeof(int);
+    }
 
     /// Try about every second flippable edge once, an eighth of all edges after another.
     void iterate(int iteration, float temperature) {

@@ -9,6 +9,28 @@
 
 namespace ddt {
 
+SchemeMemory scheme_memory(Scheme scheme, size_t vertices) {
+    const size_t sites = 4 * vertices;
+    switch (scheme) {
+    case Scheme::one_round:
+        return {Workspace::memory(vertices), 0};
+    case Scheme::annealing:
+        return {Workspace::memory(vertices), Annealing<Lattice>::memory(sites, vertices)};
+    case Scheme::look_ahead:
+        return {0, sites};
+    case Scheme::basic:
+    case Scheme::exproi:
+    case Scheme::maxgain:
+    case Scheme::exproi_maxgain:
+    case Scheme::exproi_n_maxgain:
+        return {Workspace::memory_for_all(vertices), sites};
+    case Scheme::lawson:
+    case Scheme::pixel:
+        break;
+    }
+    return {};
+}
+
 float min_gain(const MeshOptions& options) {
     constexpr float guard = 1e-6f;
     if (options.min_gain >= 0)

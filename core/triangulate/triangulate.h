@@ -33,8 +33,8 @@ struct Workspace {
         : dirty(&arena), flippable(&arena), candidates(&arena), selected(&arena), blocked(&arena),
           again(&arena) {}
 
-    /// Take the memory for the lists of most meshes of so many vertices: as long as they get in
-    /// noise.
+    /// Take the memory for one_round's lists of most meshes of so many vertices: as long as they
+    /// get in noise.
     void reserve(size_t vertices) {
         candidates.reserve(vertices * 5 / 4); // all that is touched
         selected.reserve(vertices / 4);
@@ -46,6 +46,18 @@ struct Workspace {
         return vertices * (5 + 1) / 4 * sizeof(int) + vertices * (9 + 2) / 16 * sizeof(Blocked) +
                4 * Arena::line;
     }
+    /// The same of the paper's schemes, which begin with all edges, three a vertex.
+    void reserve_for_all(size_t vertices) {
+        dirty.reserve(vertices * 3);
+        flippable.reserve(vertices * 3);
+        candidates.reserve(vertices * 2);
+        selected.reserve(vertices / 2);
+        blocked.reserve(vertices * 2);
+    }
+    static constexpr size_t memory_for_all(size_t vertices) {
+        return vertices * (6 * 2 + 5) / 2 * sizeof(int) + vertices * 2 * sizeof(Blocked) +
+               5 * Arena::line;
+    }
 
     /// Called once an iteration by schemes: tells progress() the share that is not among the `left`
     /// of `all` things to do. False: flip no more.
@@ -53,6 +65,13 @@ struct Workspace {
         return !progress || progress(1.0f - float(left) / float(all));
     }
 };
+
+/// About the bytes that triangulate() takes of a mesh of so many vertices.
+struct SchemeMemory {
+    size_t lists = 0; ///< of the workspace
+    size_t other = 0; ///< on the heap
+};
+SchemeMemory scheme_memory(Scheme scheme, size_t vertices);
 
 /// The threshold in use: options.min_gain or, where that is negative, the cost's own; for lawson
 /// and the paper's schemes 1e-6, a bare guard against rounding.

@@ -32,7 +32,9 @@ bool has_delaunay();
 
 /// Make mesh.triangles: the Delaunay triangulation of the points, by GEOS, or by a sweep where that
 /// leaves some out, as of points in a narrow band. Positions are rounded to 2^-29 of the points'
-/// extent or finer. Of points at one position the first is used. False if there are not three that
+/// extent or finer. Of points at one position the first is used. GEOS takes about 1.2 KB and 10
+/// microseconds a point, but of points on outlines time with the square of their number: 3 s of
+/// 20000 on that of a rectangle. False if there are not three that
 /// are not on one line, a position is not finite, or without GEOS.
 bool delaunay(PointMesh& mesh, std::string* error = nullptr);
 

@@ -193,6 +193,13 @@ TEST(Memory, AWorkerTakesWhatIsSaidOfIt) {
             EXPECT_LE(peak_of(job, resized), memory_said(job, resized)) << filter;
             EXPECT_LE(peak_of(job, turned), memory_said(job, turned)) << filter;
         }
+    for (const char* scheme : {"basic", "exproi", "maxgain", "exproi-maxgain", "exproi2-maxgain",
+                               "annealing", "look-ahead", "lawson", "pixel"}) {
+        const Job job = job_of((std::string("ddt,scheme=") + scheme).c_str(), window, 3, 1);
+        EXPECT_LE(peak_of(job, resized), memory_said(job, resized)) << scheme;
+        // Nor so much that threads would stand by for nothing.
+        EXPECT_GE(peak_of(job, resized), memory_said(job, resized) * 4 / 5) << scheme;
+    }
     // As docs/scale.md says.
     EXPECT_LE(peak_of(job_of("ddt", window, 3, 1), resized), 6 * mib);
     EXPECT_LE(peak_of(job_of("ddt-linear", window, 3, 1), resized), 6 * mib);
