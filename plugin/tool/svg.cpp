@@ -30,8 +30,9 @@ public:
             for (size_t i = 0; i < 4; ++i)
                 m_colour[k][i] = parts[i] > 0.0f ? std::min(double(parts[i]), 1.0) : 0.0;
         }
-        if (m_style.fill == Fill::gradient && varies())
-            gradient(index);
+        Point way;
+        if (m_style.fill == Fill::gradient && find_way(way))
+            gradient(index, way);
         else if (m_style.fill != Fill::none) {
             double mean[4];
             for (size_t i = 0; i < 4; ++i)
@@ -46,13 +47,6 @@ public:
     }
 
 private:
-    bool varies() const {
-        for (size_t i = 0; i < 4; ++i)
-            if (m_colour[0][i] != m_colour[1][i] || m_colour[0][i] != m_colour[2][i])
-                return true;
-        return false;
-    }
-
     void colour(const char* name, const char* opacity, const double* c) {
         std::fprintf(m_file, " %s=\"#%02x%02x%02x\"", name, byte_of(float(c[0])),
                      byte_of(float(c[1])), byte_of(float(c[2])));
@@ -68,21 +62,30 @@ private:
         return {de * o.y - d * e.y, d * e.x - de * o.x};
     }
 
-    /// Along luminance's steepest way, from the first corner to the last that it reaches.
-    void gradient(size_t index) {
+    /// The direction of luminance's steepest way, or else of the first colour's, or of opacity's.
+    /// False where none changes by what could be seen.
+    bool find_way(Point& way) const {
+        constexpr double visible = 1e-6; // a pixel
         double luminance[3];
         for (size_t k = 0; k < 3; ++k)
             luminance[k] = luminance_weights[0] * m_colour[k][0] +
                            luminance_weights[1] * m_colour[k][1] +
                            luminance_weights[2] * m_colour[k][2];
-        Point way = slope(luminance);
+        way = slope(luminance);
         double length = std::hypot(way.x, way.y);
-        for (size_t i = 0; i < 4 && length < 1e-6; ++i) {
+        for (size_t i = 0; i < 4 && length < visible; ++i) {
             const double part[3] = {m_colour[0][i], m_colour[1][i], m_colour[2][i]};
             way = slope(part);
             length = std::hypot(way.x, way.y);
         }
-        const Point d{way.x / length, way.y / length};
+        if (length < visible)
+            return false;
+        way = {way.x / length, way.y / length};
+        return true;
+    }
+
+    /// Along the direction d, from the first corner to the last that it reaches.
+    void gradient(size_t index, const Point& d) {
         const Point centre{(m_at[0].x + m_at[1].x + m_at[2].x) / 3,
                            (m_at[0].y + m_at[1].y + m_at[2].y) / 3};
         double low = 0, high = 0;

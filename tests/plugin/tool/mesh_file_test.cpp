@@ -260,6 +260,20 @@ TEST_F(MeshFile, SvgGradientShowsAPlaneOfGreyExactly) {
     EXPECT_EQ(found, 2 * (w - 1) * (h - 1));
 }
 
+TEST_F(MeshFile, SvgIsFlatWhereNothingChangesVisibly) {
+    for (size_t i = 0; i < m_picture.colours.size(); ++i) {
+        const float v = i % 3 ? 0.0f : 2e-8f;
+        m_picture.colours[i] = {v, v, v, 1};
+    }
+    const std::string path = write(".svg"), text = text_of(path);
+    EXPECT_EQ(text.find("nan"), std::string::npos);
+    EXPECT_EQ(text.find("linearGradient"), std::string::npos);
+    const auto triangles = read_svg(path);
+    ASSERT_EQ(triangles.size(), 2u * (w - 1) * (h - 1));
+    for (const SvgTriangle& t : triangles)
+        EXPECT_EQ(t.fill, "#000000");
+}
+
 TEST_F(MeshFile, SvgGradientsAreWhereTheyShouldBeInWidePictures) {
     m_picture = {};
     m_picture.width = 1206;
