@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cstdio>
 
 #include <OpenImageIO/strutil.h>
 
 #include "core/options/values.h"
+#include "plugin/message/format.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/filter_flag.h"
 #include "plugin/tool/mesh_file.h"
@@ -44,13 +46,17 @@ public:
                  return find_scheme(text, parsed);
              },
              OIIO::Strutil::join(scheme_names(), ", ") + ", " + other_schemes(), ""},
-            choice_flag("--fill", {"gradient", "flat", "none"},
-                        "SVG: how triangles are filled (default: gradient)", m_fill),
-            number_flag("--lines", "WIDTH", "SVG: draw the edges too, so many pixels wide", 0, 1000,
-                        m_style.lines),
-            number_flag("--height", "Z",
-                        "PLY, OBJ: lift every vertex by its luminance, white by Z pixels", -1e6,
-                        1e6, m_style.height),
+            only_for({".svg"},
+                     choice_flag("--fill", {"gradient", "flat", "none"},
+                                 "SVG: how triangles are filled (default: gradient)", m_fill)),
+            only_for({".svg"},
+                     number_flag("--lines", "WIDTH", "SVG: draw the edges too, so many pixels wide",
+                                 0, 1000, m_style.lines)),
+            only_for({".ply", ".obj"},
+                     number_flag(
+                         "--height", "Z",
+                         "PLY, OBJ: lift an image's vertices by their luminance, white by Z pixels",
+                         -1e6, 1e6, m_style.height)),
             switch_flag("--verbose", "print the mesh's cost and what was done", m_verbose),
         };
     }
@@ -63,16 +69,21 @@ public:
             return fail(wrong, exit_usage);
         if (is_point_mesh(values[0]))
             return run_on_points(values);
-        m_style.fill = m_fill == "flat"   ? Fill::flat
-                       : m_fill == "none" ? Fill::none
-                                          : Fill::gradient;
-        if (m_style.fill == Fill::none && m_style.lines == 0)
-            m_style.lines = 0.1;
         if (!writer_for(values[1]))
             return fail("\"" + values[1] +
                             "\" is not allowed; allowed are names that end in .svg, "
                             ".ply or .obj",
                         exit_usage);
+        for (const Given& given : m_given)
+            if (!is_of(given.kinds, values[1]))
+                return fail(format("{} is for names that end in {}; \"{}\" is none", given.flag,
+                                   OIIO::Strutil::join(given.kinds, " or "), values[1]),
+                            exit_usage);
+        m_style.fill = m_fill == "flat"   ? Fill::flat
+                       : m_fill == "none" ? Fill::none
+                                          : Fill::gradient;
+        if (m_style.fill == Fill::none && m_style.lines == 0)
+            m_style.lines = 0.1;
         OIIO::ImageBuf image;
         Picture picture;
         Mesh mesh;
@@ -93,6 +104,24 @@ public:
     }
 
 private:
+    /// A flag that was given, and the extensions of the OUTs that it is for.
+    struct Given {
+        std::string flag;
+        std::vector<std::string> kinds;
+    };
+    /// The flag, which means nothing for files of other kinds: run() is told when it is given.
+    Flag only_for(const std::vector<std::string>& kinds, Flag flag) {
+        flag.set = [this, kinds, name = flag.name, set = flag.set](const std::string& text) {
+            m_given.push_back({name, kinds});
+            return set(text);
+        };
+        return flag;
+    }
+    static bool is_of(const std::vector<std::string>& kinds, const std::string& path) {
+        return std::any_of(kinds.begin(), kinds.end(), [&](const std::string& extension) {
+            return OIIO::Strutil::iends_with(path, extension);
+        });
+    }
     /// --cost and --scheme are items of the specification.
     bool with_flags(std::string& wrong) {
         std::string items;
@@ -103,6 +132,11 @@ private:
         return items.empty() || parse_filter(m_filter + items, m_options, wrong);
     }
     ExitCode run_on_points(const std::vector<std::string>& values) const {
+        if (!m_given.empty())
+            return fail(format("{} is for images; \"{}\" is a mesh already, which stays as it is "
+                               "but for its edges",
+                               m_given.front().flag, values[0]),
+                        exit_usage);
         MeshReport report;
         Failure failure;
         {
@@ -135,6 +169,7 @@ private:
 
     Options m_options;
     MeshStyle m_style;
+    std::vector<Given> m_given;
     std::string m_fill = "gradient", m_filter = "ddt", m_cost, m_scheme, m_filter_error;
     bool m_verbose = false;
 };

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <limits>
 
+#include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/strutil.h>
 #include <gtest/gtest.h>
 
 #include "plugin/tool/commands.h"
@@ -255,6 +257,31 @@ TEST(MeshOfPoints, EdgesFollowTheValues) {
     EXPECT_EQ(run(make_mesh_command(), {in, temporary("a.svg")}).code, exit_usage);
     EXPECT_EQ(run(make_mesh_command(), {in, out, "--scheme", "x"}).code, exit_usage);
     EXPECT_EQ(run(make_mesh_command(), {write_file("bad.ply", "ply\n"), out}).code, exit_failed);
+}
+
+TEST(MeshOfPoints, FlagsOfOtherFilesAreRefused) {
+    OIIO::ImageBuf image(OIIO::ImageSpec(4, 4, 3, OIIO::TypeUInt8));
+    const std::string picture = temporary("flags.png"), ply = temporary("flags.ply");
+    ASSERT_TRUE(OIIO::ImageBufAlgo::zero(image) && image.write(picture));
+    ASSERT_EQ(run(make_mesh_command(), {picture, ply, "--height", "3"}).code, exit_done);
+    struct Case {
+        std::string in, out, flag, value, told;
+    };
+    for (const Case& c :
+         {Case{picture, "x.ply", "--fill", "flat", "names that end in .svg; \"x.ply\" is none"},
+          Case{picture, "x.OBJ", "--lines", "1", "names that end in .svg; \"x.OBJ\" is none"},
+          Case{picture, "x.svg", "--height", "0",
+               "names that end in .ply or .obj; \"x.svg\" is none"},
+          Case{ply, "x.ply", "--height", "3", "images; \"" + ply + "\" is a mesh already"},
+          Case{ply, "x.ply", "--lines", "1", "images; \"" + ply + "\" is a mesh already"},
+          Case{ply, "x.ply", "--fill", "flat", "images; \"" + ply + "\" is a mesh already"}}) {
+        const std::string out = temporary(c.out);
+        const Ran ran = run(make_mesh_command(), {c.in, out, c.flag, c.value});
+        EXPECT_EQ(ran.code, exit_usage) << c.flag;
+        const std::string told = OIIO::Strutil::replace(c.told, "\"" + c.out, "\"" + out);
+        EXPECT_NE(ran.err.find(c.flag + " is for " + told), std::string::npos) << ran.err;
+        EXPECT_FALSE(std::filesystem::exists(out));
+    }
 }
 
 TEST_F(OnPoints, FillFillsWhatIsMissingAndNothingElse) {
