@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <OpenImageIO/strutil.h>
 
@@ -143,13 +144,23 @@ private:
         std::vector<std::string> names;
         for (const Column& column : points.columns)
             names.push_back(column.name);
-        for (const std::string& channel : m_channels)
+        std::set<std::string> seen;
+        for (const std::string& channel : m_channels) {
             if (!points.find(channel)) {
                 failure = {format("there is no column \"{}\"; there are {}", channel,
                                   OIIO::Strutil::join(names, ", ")),
                            exit_usage};
                 return false;
             }
+            if (!seen.insert(channel).second) {
+                failure = {
+                    format("\"{}\" would be two channels; allowed are --channels that name a "
+                           "column once",
+                           channel),
+                    exit_usage};
+                return false;
+            }
+        }
         if (points.mesh.triangles.empty())
             drop_unknown(points, m_channels);
         return true;

@@ -214,6 +214,10 @@ TEST_F(OnPoints, ScatterSaysWhatIsWrong) {
     };
     for (const Case& c :
          {Case{{in, out, "--channels", "height"}, exit_usage, "there are z, weight"},
+          Case{{in, out, "--channels", "z,weight,z"}, exit_usage, "\"z\" would be two channels"},
+          Case{{write_file("twice.csv", "x,y,v,v\n0,0,1,1\n1,0,2,2\n0,1,3,3\n"), out},
+               exit_usage,
+               "\"v\" would be two channels"},
           Case{{in, out, "--size", "12"}, exit_usage, "WxH"},
           Case{{in, out, "--size", "0x0"}, exit_usage, "WxH"},
           Case{{in, out, "--window", "0,0,1,20000"}, exit_usage, "1024 x 20480000 pixels"},
