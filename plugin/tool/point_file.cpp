@@ -12,7 +12,6 @@
 #include <OpenImageIO/strutil.h>
 
 #include "plugin/message/format.h"
-#include "plugin/tool/whole_file.h"
 
 namespace ddt::tool {
 
@@ -105,6 +104,11 @@ bool read_points(const std::string& path, PointFile& points, Failure& failure) {
 }
 
 bool write_points(const std::string& path, const PointFile& points, Failure& failure) {
+    WholeFile file;
+    return file.open(path, failure) && write_points(file, points, failure) && file.commit(failure);
+}
+
+bool write_points(WholeFile& file, const PointFile& points, Failure& failure) {
     const size_t count = points.mesh.x.size();
     std::string header = format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n"
                                 "property double x\nproperty double y\n",
@@ -125,12 +129,11 @@ bool write_points(const std::string& path, const PointFile& points, Failure& fai
         for (const int32_t v : t)
             bytes.word(uint32_t(v));
     }
-    WholeFile file;
-    if (!file.open(path, failure))
-        return false;
     std::fwrite(header.data(), 1, header.size(), file.file());
     std::fwrite(bytes.text().data(), 1, bytes.text().size(), file.file());
-    return file.commit(failure);
+    if (std::fflush(file.file()) == 0 && !std::ferror(file.file()))
+        return true;
+    return file.commit(failure); // which fails and says why
 }
 
 std::vector<std::string> usual_columns(const PointFile& points) {

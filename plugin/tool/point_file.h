@@ -7,6 +7,7 @@
 
 #include "ddt/points.h"
 #include "plugin/tool/exit_code.h"
+#include "plugin/tool/whole_file.h"
 
 namespace ddt::tool {
 
@@ -39,6 +40,9 @@ bool read_table(const std::string& text, PointFile& points, std::string& error);
 
 /// Write a binary PLY (little endian) with x, y, the columns and the triangles.
 bool write_points(const std::string& path, const PointFile& points, Failure& failure);
+/// The same into an open file, which is still to be committed. False with a failure if the system
+/// did not take all of it.
+bool write_points(WholeFile& file, const PointFile& points, Failure& failure);
 
 /// The columns a command works on when nothing names them: red, green and blue, and alpha if it is
 /// there; else z; else all.

@@ -126,8 +126,7 @@ public:
         PointFile points;
         Failure failure;
         if (read_points(values[0], points, failure) && prepare(points, failure) &&
-            triangulate(points, progress, failure) && write(points, values[1], failure) &&
-            (m_mesh_path.empty() || write_points(m_mesh_path, points, failure)))
+            triangulate(points, progress, failure) && write_both(points, values[1], failure))
             return exit_done;
         progress.hide();
         return fail(failure);
@@ -241,6 +240,16 @@ private:
         if (displayed)
             spec.attribute("oiio:ColorSpace", "sRGB");
         return spec;
+    }
+
+    /// The image and the mesh, if it is wanted. Neither replaces what was there before all of the
+    /// mesh has been written.
+    bool write_both(const PointFile& points, const std::string& path, Failure& failure) const {
+        if (m_mesh_path.empty())
+            return write(points, path, failure);
+        WholeFile mesh;
+        return mesh.open(m_mesh_path, failure) && write_points(mesh, points, failure) &&
+               write(points, path, failure) && mesh.commit(failure);
     }
 
     bool write(const PointFile& points, const std::string& path, Failure& failure) const {

@@ -241,6 +241,26 @@ TEST_F(OnPoints, ScatterSaysWhatIsWrong) {
     }
 }
 
+TEST_F(OnPoints, ScatterReplacesBothFilesOrNone) {
+    const std::string in = write_file("plane.csv", plane), full = temporary("full.ply");
+    const auto text_of = [](const std::string& path) {
+        std::ifstream file(path);
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    std::filesystem::create_symlink("/dev/full", full);
+    const std::string out = write_file("both.png", "before");
+    for (const std::string& mesh : {std::string("/no/such/folder/a.ply"), full}) {
+        const Ran ran = run(make_scatter_command(), {in, out, "--size", "4x4", "--mesh", mesh});
+        EXPECT_EQ(ran.code, mesh == full ? exit_resources : exit_failed) << ran.err;
+        EXPECT_NE(ran.err.find(mesh), std::string::npos) << ran.err;
+        EXPECT_EQ(text_of(out), "before");
+    }
+    const std::string mesh = write_file("both.ply", "before");
+    EXPECT_EQ(run(make_scatter_command(), {in, "/no/such/folder/a.png", "--mesh", mesh}).code,
+              exit_failed);
+    EXPECT_EQ(text_of(mesh), "before");
+}
+
 TEST(MeshOfPoints, EdgesFollowTheValues) {
     // A quad whose diagonal crosses the step: the other one does not.
     PointFile points;
