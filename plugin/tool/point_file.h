@@ -31,7 +31,7 @@ struct PointFile {
 /// any other name, text: a line that names the columns, x and y among them, then a line a point;
 /// between columns commas, semicolons, tabs or spaces; empty lines and lines that begin with # are
 /// passed over, the # of a first line that names columns too. False with a failure that names file
-/// and line.
+/// and line, or point, counted from 1; so where a position is not finite.
 bool read_points(const std::string& path, PointFile& points, Failure& failure);
 
 /// The two readers of it.

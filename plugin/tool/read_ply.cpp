@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Polygon File Format ("PLY"; Turk 1994) as far as points and polygons go.
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <optional>
 #include <sstream>
@@ -265,11 +266,14 @@ private:
             return false;
         if (element.name != "vertex")
             return true;
-        if (Column* column = m_target[p])
+        if (Column* column = m_target[p]) {
             column->values.push_back(float(*v) / column->scale);
-        else
-            (property.name == "x" ? m_points.mesh.x : m_points.mesh.y).push_back(*v);
-        return true;
+            return true;
+        }
+        auto& axis = property.name == "x" ? m_points.mesh.x : m_points.mesh.y;
+        axis.push_back(*v);
+        return std::isfinite(*v) ||
+               wrong(format("point {} has a position that is not finite", axis.size()));
     }
 
     bool read_list(Body& body, const Property& property, bool corners) {

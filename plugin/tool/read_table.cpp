@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Points as text: comma-separated values, XYZ files with a header.
 #include <algorithm>
+#include <cmath>
 
 #include <OpenImageIO/strutil.h>
 
@@ -72,6 +73,10 @@ bool read_table(const std::string& text, PointFile& points, std::string& error) 
                 cells[k].empty() ? 0 : OIIO::Strutil::strtod(cells[k].c_str(), &parsed);
             if (cells[k].empty() || *parsed) {
                 error = format("line {}: \"{}\" is no number", number + 1, cells[k]);
+                return false;
+            }
+            if (place[k] < 0 && !std::isfinite(v)) {
+                error = format("line {}: a position that is not finite", number + 1);
                 return false;
             }
             if (place[k] == -1)

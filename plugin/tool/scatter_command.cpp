@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -53,7 +54,7 @@ bool parse_sides(const std::string& text, int& width, int& height) {
     return true;
 }
 
-/// Leave out the points that lack a number in one of the columns.
+/// Leave out the points that lack a number in one of the columns, and triangles with such a corner.
 void drop_unknown(PointFile& points, const std::vector<std::string>& names) {
     const size_t count = points.mesh.x.size();
     std::vector<uint8_t> keep(count, 1);
@@ -67,6 +68,18 @@ void drop_unknown(PointFile& points, const std::vector<std::string>& names) {
                 numbers[to++] = numbers[i];
         numbers.resize(to);
     };
+    std::vector<int32_t> place(count); // among those that stay
+    int32_t next = 0;
+    for (size_t i = 0; i < count; ++i)
+        place[i] = keep[i] ? next++ : -1;
+    std::vector<std::array<int32_t, 3>> triangles;
+    for (std::array<int32_t, 3> t : points.mesh.triangles) {
+        for (int32_t& v : t)
+            v = size_t(v) < count ? place[size_t(v)] : v; // others are for optimise() to refuse
+        if (*std::min_element(t.begin(), t.end()) >= 0)
+            triangles.push_back(t);
+    }
+    points.mesh.triangles = std::move(triangles);
     squeeze(points.mesh.x);
     squeeze(points.mesh.y);
     for (Column& column : points.columns)
@@ -83,9 +96,10 @@ public:
             "edges are flipped until they run along the values' own edges; values are interpolated "
             "linearly over the triangles. Outside them pixels are empty: 0, alpha 0.",
             "POINTS is a PLY file or text (CSV, XYZ) whose first line names the columns, x and y "
-            "among them. Points with a value that is no number (nan) are left out. The image spans "
-            "the points' "
-            "box, the y axis upwards. Its channels are red, green, blue and alpha where the file "
+            "among them. Points with a value that is no number (nan) are left out, and triangles "
+            "that "
+            "have such a corner. The image spans the points' box, the y axis upwards. Its channels "
+            "are red, green, blue and alpha where the file "
             "has them, else z, else all columns; whole-number colours are taken as displayed "
             "(sRGB). An alpha channel is added where there is none."};
         operands = {{"POINTS", "PLY, or text with a line of names"},
@@ -160,8 +174,12 @@ private:
                 return false;
             }
         }
-        if (points.mesh.triangles.empty())
-            drop_unknown(points, m_channels);
+        const bool has_triangles = !points.mesh.triangles.empty();
+        drop_unknown(points, m_channels);
+        if (has_triangles && points.mesh.triangles.empty()) {
+            failure.why = "no triangle has numbers at its three points";
+            return false;
+        }
         return true;
     }
 

@@ -68,6 +68,8 @@ TEST(PointTable, SaysWhichLineIsWrong) {
               "line 1: the first line must name the columns, x and y among them");
     EXPECT_EQ(table_error("x,y,z\n1,2,3\n1,2\n"), "line 3 has 2 columns, not 3");
     EXPECT_EQ(table_error("x,y,z\n1,2,three\n"), "line 2: \"three\" is no number");
+    EXPECT_EQ(table_error("x,y,z\n1,2,3\n\n1,nan,3\n"), "line 4: a position that is not finite");
+    EXPECT_EQ(table_error("x,y,z\ninf,2,3\n"), "line 2: a position that is not finite");
     EXPECT_EQ(table_error("x,y,z\n"), "there are no points");
     EXPECT_EQ(table_error(""), "there are no points");
 }
@@ -119,6 +121,9 @@ TEST(Ply, RefusesNonsense) {
     EXPECT_EQ(
         error_of("ply\nformat ascii 1.0\nelement vertex 1\nproperty float z\nend_header\n1\n"),
         "there must be one element vertex, with one x and one y");
+    EXPECT_EQ(error_of("ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n"
+                       "property float y\nend_header\n0 0\n1 nan\n"),
+              "point 2 has a position that is not finite");
     const std::string with_faces = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
                                    "property float y\nelement face 1\n"
                                    "property list uchar uint vertex_indices\nend_header\n0 0\n";
@@ -192,6 +197,33 @@ TEST_F(OnPoints, ScatterLeavesTheOutsideEmptyAndPointsWithoutNumbersOut) {
                         1e-4);
             EXPECT_TRUE(image.getchannel(i, j, 0, 2) >= 0 && image.getchannel(i, j, 0, 2) <= 4);
         }
+}
+
+TEST(ScatterOfAMesh, LeavesOutTrianglesWithACornerThatHasNoNumber) {
+    // Two squares side by side; the first's lower left corner has no z.
+    const std::string header = "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\n"
+                               "property float y\nproperty float z\nelement face 2\n"
+                               "property list uchar int vertex_indices\nend_header\n";
+    const std::string vertices = "0 0 nan\n1 0 2\n2 0 3\n0 1 4\n1 1 5\n2 1 6\n";
+    const std::string in = write_file("squares.ply", header + vertices + "4 0 1 4 3\n4 1 2 5 4\n"),
+                      out = temporary("squares.exr");
+    const Ran ran = run(make_scatter_command(), {in, out, "--size", "8x4", "--window", "0,0,2,1"});
+    ASSERT_EQ(ran.code, exit_done) << ran.err;
+    const OIIO::ImageBuf image = load(out);
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 8; ++i) {
+            const float x = (float(i) + 0.5f) / 4, y = 1 - (float(j) + 0.5f) / 4;
+            EXPECT_EQ(image.getchannel(i, j, 0, 0), i < 4 ? 0.0f : 1.0f);
+            EXPECT_NEAR(image.getchannel(i, j, 0, 1), i < 4 ? 0 : 1 + x + 3 * y, 1e-5);
+        }
+    for (const auto& [faces, told] :
+         {std::pair("3 0 1 4\n3 0 4 3\n", "no triangle has numbers at its three points"),
+          std::pair("3 1 2 5\n3 1 5 99\n", "a vertex that there is not")}) {
+        const std::string wrong = write_file("wrong.ply", header + vertices + faces);
+        const Ran failed = run(make_scatter_command(), {wrong, out});
+        EXPECT_EQ(failed.code, exit_failed);
+        EXPECT_NE(failed.err.find(told), std::string::npos) << failed.err;
+    }
 }
 
 TEST_F(OnPoints, ScatterKeepsTheShapeOfAnyBox) {
