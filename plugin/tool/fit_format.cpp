@@ -11,6 +11,16 @@
 
 namespace ddt::tool {
 
+namespace {
+
+/// Of the formats with alpha some have it beside red, green and blue alone.
+bool takes_grey_with_alpha(const OIIO::ImageOutput& output) {
+    const std::string format = output.format_name();
+    return output.supports("alpha") && format != "bmp" && format != "jpeg2000";
+}
+
+} // namespace
+
 bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::ImageSpec& spec,
                 Failure& failure) {
     if (!output.supports("channelformats"))
@@ -44,8 +54,8 @@ std::string fit_channels(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec)
     int most = 3;
     if (has_alpha && (spec.alpha_channel == 3 || (spec.nchannels == 4 && !is_rgb())))
         most = 4;
-    else if (!has_alpha && spec.nchannels == 2 && spec.alpha_channel == 1)
-        most = 1; // grey
+    else if (!takes_grey_with_alpha(output) && spec.nchannels == 2 && spec.alpha_channel == 1)
+        most = 1;
     if (spec.nchannels <= most)
         return {};
     const std::string left_out =

@@ -53,6 +53,14 @@ int largest_side_of(const std::string& format) {
     return format == "jpeg" ? 65500 : format == "gif" ? 65535 : 0;
 }
 
+/// Null, or the numbers of channels that files of a format have, of which this is none and which
+/// its writer does not look at: DPX's ends the program, JPEG's makes up a third of two.
+const char* other_channels(const std::string& format, int channels) {
+    if (format == "dpx" && channels != 1 && channels != 3 && channels != 4)
+        return "1, 3 and 4";
+    return format == "jpeg" && channels == 2 ? "1 and 3" : nullptr;
+}
+
 /// Formats that leave no file to be read.
 bool is_file_format(const std::string& format) {
     return format != "null" && format != "term";
@@ -106,13 +114,11 @@ bool ImageFile::open(const OIIO::ImageSpec& spec, Failure& failure) {
             m_path, m_width, m_height, m_output->format_name(), most)};
         return false;
     }
-    // Of others DPX's writer ends the program.
-    if (m_output->format_name() == std::string("dpx") && spec.nchannels != 1 &&
-        spec.nchannels != 3 && spec.nchannels != 4) {
+    if (const char* allowed = other_channels(m_output->format_name(), spec.nchannels)) {
         failure = {
-            format("cannot write \"{}\": the format dpx has no {} channels; allowed are 1, 3 "
-                   "and 4",
-                   m_path, spec.nchannels)};
+            format("cannot write \"{}\": the format {} has no {} channels ({}); allowed are {}",
+                   m_path, m_output->format_name(), spec.nchannels,
+                   OIIO::Strutil::join(spec.channelnames, ", "), allowed)};
         return false;
     }
     // TIFF's rows make a broken file that way (OpenImageIO 2.4.7).

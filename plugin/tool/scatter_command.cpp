@@ -12,9 +12,8 @@
 #include "plugin/message/format.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/filter_flag.h"
-#include "plugin/tool/image_file.h"
-#include "plugin/tool/picture.h"
 #include "plugin/tool/point_file.h"
+#include "plugin/tool/point_image.h"
 #include "plugin/tool/progress.h"
 
 namespace ddt::tool {
@@ -97,11 +96,13 @@ public:
             "linearly over the triangles. Outside them pixels are empty: 0, alpha 0.",
             "POINTS is a PLY file or text (CSV, XYZ) whose first line names the columns, x and y "
             "among them. Points with a value that is no number (nan) are left out, and triangles "
-            "that "
-            "have such a corner. The image spans the points' box, the y axis upwards. Its channels "
-            "are red, green, blue and alpha where the file "
-            "has them, else z, else all columns; whole-number colours are taken as displayed "
-            "(sRGB). An alpha channel is added where there is none."};
+            "that have such a corner. The image spans the points' box, the y axis upwards.",
+            "Its channels are red, green, blue and alpha where the file has them, else z, else all "
+            "columns. An alpha channel is added where there is none; channels that OUT's format "
+            "has no room for are left out. Red, green and blue of points are taken as not "
+            "multiplied by alpha, as ddt mesh writes them, and are multiplied by it. Whole-number "
+            "colours are taken as displayed (sRGB): in PLY those of the types uchar and ushort. "
+            "EXR and HDR files get linear light of them."};
         operands = {{"POINTS", "PLY, or text with a line of names"},
                     {"OUT", "any image OpenImageIO writes"}};
         flags = {
@@ -231,35 +232,6 @@ private:
         return true;
     }
 
-    OIIO::ImageSpec spec_of(const PixelGrid& g, const std::vector<const Column*>& chosen,
-                            bool& has_alpha) const {
-        OIIO::ImageSpec spec(g.width, g.height, int(chosen.size()), OIIO::TypeFloat);
-        spec.channelnames.clear();
-        bool displayed = false;
-        for (size_t c = 0; c < chosen.size(); ++c) {
-            const std::string& n = chosen[c]->name;
-            spec.channelnames.push_back(n == "red"     ? "R"
-                                        : n == "green" ? "G"
-                                        : n == "blue"  ? "B"
-                                        : n == "alpha" ? "A"
-                                        : n == "z"     ? "Z"
-                                                       : n);
-            if (n == "alpha") {
-                has_alpha = true;
-                spec.alpha_channel = int(c);
-            } else {
-                displayed |= chosen[c]->scale != 1;
-            }
-        }
-        if (!has_alpha) {
-            spec.channelnames.emplace_back("A");
-            spec.alpha_channel = spec.nchannels++;
-        }
-        if (displayed)
-            spec.attribute("oiio:ColorSpace", "sRGB");
-        return spec;
-    }
-
     /// The image and the mesh, if it is wanted. Neither replaces what was there before all of the
     /// mesh has been written.
     bool write_both(const PointFile& points, const std::string& path, Failure& failure) const {
@@ -271,29 +243,9 @@ private:
     }
 
     bool write(const PointFile& points, const std::string& path, Failure& failure) const {
-        const std::vector<const Column*> chosen = columns(points);
-        PixelGrid g;
-        if (!plan(points.mesh, g, failure))
-            return false;
-        bool has_alpha = false;
-        const OIIO::ImageSpec spec = spec_of(g, chosen, has_alpha);
-        if (!check_size_of(spec, failure))
-            return false;
-        const size_t count = points.mesh.x.size(), channels = size_t(spec.nchannels);
-        std::vector<float> values(count * channels, 1.0f);
-        for (size_t c = 0; c < chosen.size(); ++c)
-            for (size_t i = 0; i < count; ++i)
-                values[i * channels + c] = chosen[c]->values[i];
-        std::vector<float> pixels(size_t(g.width) * size_t(g.height) * channels, 0.0f);
-        std::vector<uint8_t> inside(size_t(g.width) * size_t(g.height));
-        if (!draw(points.mesh, values.data(), int(channels), g, pixels.data(), inside.data(),
-                  &failure.why)) {
-            failure.code = code_of_message(failure.why);
-            return false;
-        }
-        const OIIO::ImageBuf image(spec, pixels.data());
-        return write_image(
-            image, path, [](float) {}, failure);
+        PixelGrid grid;
+        return plan(points.mesh, grid, failure) &&
+               write_point_image(points, columns(points), grid, path, failure);
     }
 
     Options m_options;

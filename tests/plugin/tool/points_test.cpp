@@ -273,6 +273,53 @@ TEST_F(OnPoints, ScatterSaysWhatIsWrong) {
     }
 }
 
+TEST_F(OnPoints, ScatterFitsItsChannelsToTheFormat) {
+    const std::string in = write_file("grey.csv", "x,y,z\n0,0,.3\n1,0,.3\n0,1,.3\n1,1,.3\n");
+    for (const char* name : {"grey.jpg", "grey.ppm", "grey.bmp"}) {
+        const std::string out = temporary(name);
+        const Ran ran = run(make_scatter_command(), {in, out, "--size", "16x16"});
+        ASSERT_EQ(ran.code, exit_done) << ran.err;
+        EXPECT_EQ(ran.err, "ddt: \"" + out + "\" has no room for A\n");
+        const OIIO::ImageBuf image = load(out);
+        for (int c = 0; c < image.nchannels(); ++c)
+            EXPECT_NEAR(image.getchannel(8, 8, 0, c), 0.3f, 0.005f) << name;
+    }
+}
+
+TEST(ScatterOfAMesh, BringsThePictureBack) {
+    OIIO::ImageSpec spec(3, 2, 4, OIIO::TypeUInt8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    OIIO::ImageBuf image(spec);
+    for (int i = 0; i < 6; ++i) {
+        const float alpha = i < 2 ? 1.0f : 0.2f * float(i);
+        const float pixel[4] = {alpha * 0.9f, alpha * 0.1f * float(i), alpha * 0.4f, alpha};
+        image.setpixel(i % 3, i / 3, pixel);
+    }
+    const std::string in = temporary("associated.png"), ply = temporary("associated.ply");
+    ASSERT_TRUE(image.write(in));
+    ASSERT_EQ(run(make_mesh_command(), {in, ply}).code, exit_done);
+    const auto scatter = [&](const std::string& out) {
+        const Ran ran = run(make_scatter_command(),
+                            {ply, out, "--size", "3x2", "--window", "-0.5,-0.5,2.5,1.5"});
+        EXPECT_EQ(ran.code, exit_done) << ran.err;
+        return load(out);
+    };
+    const OIIO::ImageBuf wanted = load(in), back = scatter(temporary("back.png"));
+    const auto difference = OIIO::ImageBufAlgo::compare(back, wanted, 0.01f, 0.01f);
+    EXPECT_EQ(difference.nfail, 0u) << difference.maxerror;
+    // The same picture in linear light, which files of EXR are.
+    const OIIO::ImageBuf exr = scatter(temporary("back.exr"));
+    ASSERT_EQ(exr.spec().channelnames, (std::vector<std::string>{"R", "G", "B", "A"}));
+    for (int i = 0; i < 6; ++i)
+        for (int c = 0; c < 4; ++c) {
+            const float alpha = wanted.getchannel(i % 3, i / 3, 0, 3);
+            const float v = wanted.getchannel(i % 3, i / 3, 0, c) / alpha;
+            const float light = v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+            EXPECT_NEAR(exr.getchannel(i % 3, i / 3, 0, c), c == 3 ? alpha : alpha * light, 0.02)
+                << i << " " << c;
+        }
+}
+
 TEST_F(OnPoints, ScatterReplacesBothFilesOrNone) {
     const std::string in = write_file("plane.csv", plane), full = temporary("full.ply");
     const auto text_of = [](const std::string& path) {

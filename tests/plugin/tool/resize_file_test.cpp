@@ -2,6 +2,7 @@
 #include "plugin/tool/resize_file.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 
@@ -435,6 +436,20 @@ TEST(ResizeFile, WhatAFormatHasNoRoomForIsLeftOutAndNamed) {
     }
 }
 
+TEST(ResizeFile, NoThirdChannelIsMadeUpForJpeg) {
+    ImageSpec spec(8, 6, 2, OIIO::TypeHalf);
+    spec.channelnames = {"u", "v"};
+    ImageBuf image(spec);
+    OIIO::ImageBufAlgo::fill(image, {0.1f, 0.2f});
+    const std::string in = temporary("uv.exr"), out = temporary("uv.jpg");
+    ASSERT_TRUE(image.write(in));
+    Failure failure;
+    EXPECT_FALSE(resized(in, "200%", out, failure));
+    EXPECT_EQ(failure.why, "cannot write \"" + out +
+                               "\": the format jpeg has no 2 channels (u, v); allowed are 1 and 3");
+    EXPECT_FALSE(std::filesystem::exists(out));
+}
+
 TEST(FitChannels, TakesWhatOiiotoolTakes) {
     const auto left_out = [](const char* file, const std::vector<std::string>& names, int alpha) {
         ImageSpec spec(8, 6, int(names.size()), OIIO::TypeHalf);
@@ -453,6 +468,8 @@ TEST(FitChannels, TakesWhatOiiotoolTakes) {
     EXPECT_EQ(left_out("a.png", {"Y", "A"}, 1), "");
     EXPECT_EQ(left_out("a.jpg", {"u", "v", "w", "x"}, -1), "x");
     EXPECT_EQ(left_out("a.jpg", {"Y", "A"}, 1), "A");
+    EXPECT_EQ(left_out("a.bmp", {"Y", "A"}, 1), "A");
+    EXPECT_EQ(left_out("a.bmp", {"R", "G", "B", "A"}, 3), "");
     EXPECT_EQ(left_out("a.tif", {"u", "v", "w", "x", "y"}, -1), "");
     EXPECT_EQ(left_out("a.exr", {"Y", "A"}, 1), "");
 }
