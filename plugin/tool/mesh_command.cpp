@@ -30,7 +30,9 @@ public:
             "a unit, y upwards, colours as displayed, flat unless --height is given.",
             "A mesh that is there already, a PLY file of any points, keeps its points; its "
             "edges are flipped so that they follow its colours, or else its z, or else all "
-            "its numbers. The mesh written has all that the points had."};
+            "its numbers. The mesh written has every number that the points had, in its "
+            "type (x and y are double); what faces had beside their corners, other elements and "
+            "comments are left out, and polygons are triangles."};
         operands = {{"IN", "any image OpenImageIO reads, or a mesh: a name that ends in .ply"},
                     {"OUT", "the mesh: a name that ends in .svg, .ply or .obj"}};
         flags = {

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limits>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/strutil.h>
@@ -41,17 +42,34 @@ private:
     std::string m_bytes;
 };
 
+/// The nearest whole number that the type holds.
+template <class Whole>
+Whole nearest(double v) {
+    using Limits = std::numeric_limits<Whole>;
+    return v > double(Limits::min()) ? Whole(std::min(std::floor(v + 0.5), double(Limits::max())))
+           : v < 0                   ? Limits::min()
+                                     : Whole(0);
+}
+
 void put(const Column& column, size_t point, Bytes& to) {
-    const float v = column.values[point] * column.scale;
-    const auto whole = [&](float most) {
-        return uint32_t(v > 0 ? std::min(v + 0.5f, most) : 0.0f);
-    };
-    if (column.type == "uchar")
-        to.word(uint8_t(whole(255)));
-    else if (column.type == "ushort")
-        to.word(uint16_t(whole(65535)));
-    else
+    const double v = column.values[point] * column.scale;
+    const std::string& type = column.type;
+    if (type == "char")
+        to.word(nearest<int8_t>(v));
+    else if (type == "uchar")
+        to.word(nearest<uint8_t>(v));
+    else if (type == "short")
+        to.word(nearest<int16_t>(v));
+    else if (type == "ushort")
+        to.word(nearest<uint16_t>(v));
+    else if (type == "int")
+        to.word(nearest<int32_t>(v));
+    else if (type == "uint")
+        to.word(nearest<uint32_t>(v));
+    else if (type == "double")
         to.number(v);
+    else
+        to.number(float(v));
 }
 
 /// A name as PLY has them: one word.
@@ -61,11 +79,6 @@ std::string written_name(const Column& column) {
         if ((unsigned char)(c) <= ' ')
             c = '_';
     return name;
-}
-
-/// Colours of whole numbers stay such; every other column is float.
-std::string written_type(const Column& column) {
-    return column.type == "uchar" || column.type == "ushort" ? column.type : "float";
 }
 
 /// The bytes of a file. False with errno if they cannot be read.
@@ -114,7 +127,7 @@ bool write_points(WholeFile& file, const PointFile& points, Failure& failure) {
                                 "property double x\nproperty double y\n",
                                 count);
     for (const Column& column : points.columns)
-        header += format("property {} {}\n", written_type(column), written_name(column));
+        header += format("property {} {}\n", column.type, written_name(column));
     header += format("element face {}\nproperty list uchar int vertex_indices\nend_header\n",
                      points.mesh.triangles.size());
     Bytes bytes;
@@ -162,7 +175,7 @@ std::vector<float> guide_of(const PointFile& points, const std::vector<const Col
     std::vector<double> mean(count, 0);
     for (const Column* column : parts)
         for (size_t i = 0; i < count; ++i)
-            mean[i] += double(column->values[i]);
+            mean[i] += column->values[i];
     double low = INFINITY, high = -INFINITY;
     for (const double v : mean)
         if (std::isfinite(v)) {

@@ -15,8 +15,8 @@ namespace ddt::tool {
 /// 65535 for colours that are bytes and words, else 1; values are divided by it.
 struct Column {
     std::string name, type; ///< as PLY calls them: "red", "uchar"
-    float scale = 1;
-    std::vector<float> values;
+    double scale = 1;
+    std::vector<double> values; ///< which hold every type's numbers
 };
 
 struct PointFile {
@@ -30,15 +30,17 @@ struct PointFile {
 /// Read PLY (text or binary, in either order of bytes; polygons become fans of triangles) or, by
 /// any other name, text: a line that names the columns, x and y among them, then a line a point;
 /// between columns commas, semicolons, tabs or spaces; empty lines and lines that begin with # are
-/// passed over, the # of a first line that names columns too. False with a failure that names file
-/// and line, or point, counted from 1; so where a position is not finite.
+/// passed over, the # of a first line that names columns too. There red, green and blue that are
+/// all whole numbers from 0 to 255, some above 1, are bytes, and so is alpha, by itself. False with
+/// a failure that names file and line, or point, counted from 1; so where a position is not finite.
 bool read_points(const std::string& path, PointFile& points, Failure& failure);
 
 /// The two readers of it.
 bool read_ply(const std::string& text, PointFile& points, std::string& error);
 bool read_table(const std::string& text, PointFile& points, std::string& error);
 
-/// Write a binary PLY (little endian) with x, y, the columns and the triangles.
+/// Write a binary PLY (little endian) with x and y as double, the columns in their types, and the
+/// triangles.
 bool write_points(const std::string& path, const PointFile& points, Failure& failure);
 /// The same into an open file, which is still to be committed. False with a failure if the system
 /// did not take all of it.

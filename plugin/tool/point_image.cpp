@@ -59,7 +59,7 @@ std::vector<float> values_of(const std::vector<const Column*>& columns, size_t c
     std::vector<float> values(count * channels, 1.0f);
     for (size_t c = 0; c < columns.size(); ++c)
         for (size_t i = 0; i < count; ++i)
-            values[i * channels + c] = columns[c]->values[i];
+            values[i * channels + c] = float(columns[c]->values[i]);
     for (size_t c = 0; c < columns.size(); ++c)
         for (size_t i = 0; i < count && is_colour(*columns[c]); ++i)
             values[i * channels + c] *= values[i * channels + alpha];

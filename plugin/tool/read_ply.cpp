@@ -267,7 +267,7 @@ private:
         if (element.name != "vertex")
             return true;
         if (Column* column = m_target[p]) {
-            column->values.push_back(float(*v) / column->scale);
+            column->values.push_back(*v / column->scale);
             return true;
         }
         auto& axis = property.name == "x" ? m_points.mesh.x : m_points.mesh.y;

@@ -27,6 +27,42 @@ std::vector<std::string> split(const std::string& line) {
     return cells;
 }
 
+/// Whether the columns hold 8-bit numbers: whole ones from 0 to 255 (and NaNs), some above 1.
+bool are_bytes(const std::vector<Column*>& columns) {
+    bool above_one = false;
+    for (const Column* column : columns)
+        for (const double v : column->values) {
+            if (!std::isnan(v) && !(v >= 0 && v <= 255 && v == std::floor(v)))
+                return false;
+            above_one |= v > 1;
+        }
+    return above_one;
+}
+
+void take_as_bytes(const std::vector<Column*>& columns) {
+    for (Column* column : columns) {
+        column->type = "uchar";
+        column->scale = 255;
+        for (auto& v : column->values)
+            v /= column->scale;
+    }
+}
+
+/// Text has no types: colours that can only be meant as 8 bits are such. Alpha is by itself, as
+/// it is often a share beside colours that are bytes.
+void find_bytes(PointFile& points) {
+    std::vector<Column*> colours, alphas;
+    for (Column& column : points.columns) {
+        if (column.name == "red" || column.name == "green" || column.name == "blue")
+            colours.push_back(&column);
+        if (column.name == "alpha")
+            alphas.push_back(&column);
+    }
+    for (const auto& columns : {colours, alphas})
+        if (are_bytes(columns))
+            take_as_bytes(columns);
+}
+
 } // namespace
 
 bool read_table(const std::string& text, PointFile& points, std::string& error) {
@@ -84,11 +120,12 @@ bool read_table(const std::string& text, PointFile& points, std::string& error) 
             else if (place[k] == -2)
                 points.mesh.y.push_back(v);
             else
-                points.columns[size_t(place[k])].values.push_back(float(v));
+                points.columns[size_t(place[k])].values.push_back(v);
         }
     }
     if (points.mesh.x.empty())
         error = "there are no points";
+    find_bytes(points);
     return !points.mesh.x.empty();
 }
 

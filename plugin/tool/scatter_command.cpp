@@ -101,8 +101,9 @@ public:
             "columns. An alpha channel is added where there is none; channels that OUT's format "
             "has no room for are left out. Red, green and blue of points are taken as not "
             "multiplied by alpha, as ddt mesh writes them, and are multiplied by it. Whole-number "
-            "colours are taken as displayed (sRGB): in PLY those of the types uchar and ushort. "
-            "EXR and HDR files get linear light of them."};
+            "colours are taken as displayed (sRGB): in PLY those of the types uchar and ushort, in "
+            "text those that are all from 0 to 255 with one above 1, whose alpha may be such a "
+            "number or a share. EXR and HDR files get linear light of them."};
         operands = {{"POINTS", "PLY, or text with a line of names"},
                     {"OUT", "any image OpenImageIO writes"}};
         flags = {

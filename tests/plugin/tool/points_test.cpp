@@ -59,7 +59,7 @@ TEST(PointTable, SeparatorsAndComments) {
         EXPECT_EQ(points.mesh.y, (std::vector<double>{2, 5}));
         ASSERT_EQ(points.columns.size(), 1u);
         EXPECT_EQ(points.columns[0].name, "z");
-        EXPECT_EQ(points.columns[0].values, (std::vector<float>{3, 6}));
+        EXPECT_EQ(points.columns[0].values, (std::vector<double>{3, 6}));
     }
 }
 
@@ -72,6 +72,27 @@ TEST(PointTable, SaysWhichLineIsWrong) {
     EXPECT_EQ(table_error("x,y,z\ninf,2,3\n"), "line 2: a position that is not finite");
     EXPECT_EQ(table_error("x,y,z\n"), "there are no points");
     EXPECT_EQ(table_error(""), "there are no points");
+}
+
+TEST(PointTable, WholeNumberColoursAreBytes) {
+    PointFile points;
+    std::string error;
+    const auto read = [&](const std::string& text) {
+        EXPECT_TRUE(read_table("x,y,red,green,blue,alpha\n" + text, points, error)) << error;
+    };
+    read("0,0,255,0,1,1\n1,0,51,0,nan,0.5\n");
+    EXPECT_EQ(points.find("red")->values, (std::vector<double>{1, 0.2}));
+    EXPECT_EQ(points.find("blue")->values[0], 1.0 / 255);
+    EXPECT_EQ(points.find("blue")->scale, 255);
+    EXPECT_EQ(points.find("alpha")->values, (std::vector<double>{1, 0.5}));
+    read("0,0,255,0,0,255\n1,0,51,0,0,51\n");
+    EXPECT_EQ(points.find("alpha")->values, (std::vector<double>{1, 0.2}));
+    for (const char* other :
+         {"0,0,1,0,1,1\n", "0,0,2,0.5,0,1\n", "0,0,256,0,0,1\n", "0,0,-1,2,0,1\n"}) {
+        read(other);
+        for (const char* name : {"red", "green", "blue", "alpha"})
+            EXPECT_EQ(points.find(name)->scale, 1) << other << name;
+    }
 }
 
 const std::string ply_header = "element vertex 3\nproperty float x\nproperty float y\n"
@@ -96,7 +117,7 @@ TEST(Ply, AllEncodingsReadAlike) {
         EXPECT_EQ(points.mesh.x, (std::vector<double>{0, 1, 0}));
         EXPECT_EQ(points.mesh.y, (std::vector<double>{0, 0, 1}));
         ASSERT_EQ(points.columns.size(), 1u);
-        EXPECT_EQ(points.columns[0].values, (std::vector<float>{1, 0, 0.2f}));
+        EXPECT_EQ(points.columns[0].values, (std::vector<double>{1, 0, 0.2}));
         ASSERT_EQ(points.mesh.triangles.size(), 1u);
         EXPECT_EQ(points.mesh.triangles[0], (std::array<int32_t, 3>{0, 1, 2}));
         // Cut short anywhere it is an error and nothing worse.
@@ -134,7 +155,14 @@ TEST(Ply, RefusesNonsense) {
 TEST(Ply, WhatIsWrittenReadsTheSame) {
     PointFile points;
     points.mesh = {{0.1, 5, 3}, {0, 1e-9, 7}, {{0, 1, 2}}};
-    points.columns = {{"z", "float", 1, {1.5f, -2, 3}}, {"red", "uchar", 255, {0, 0.2f, 1}}};
+    points.columns = {{"z", "float", 1, {1.5f, -2, 3}}, {"red", "uchar", 255, {0, 0.2, 1}}};
+    const double most = 4294967295;
+    points.columns.push_back({"id", "uint", 1, {16777217, most, 0}});
+    points.columns.push_back({"key", "int", 1, {-2147483648.0, 16777217, -1}});
+    points.columns.push_back({"exact", "double", 1, {0.1, 1e300, -1e-300}});
+    points.columns.push_back({"small", "char", 1, {-128, 127, -1}});
+    points.columns.push_back({"short", "short", 1, {-32768, 32767, -1}});
+    points.columns.push_back({"words", "ushort", 1, {0, 65535, 1}});
     const std::string path = temporary("written.ply");
     Failure failure;
     ASSERT_TRUE(write_points(path, points, failure)) << failure.why;
@@ -143,8 +171,9 @@ TEST(Ply, WhatIsWrittenReadsTheSame) {
     EXPECT_EQ(again.mesh.x, points.mesh.x);
     EXPECT_EQ(again.mesh.y, points.mesh.y);
     EXPECT_EQ(again.mesh.triangles, points.mesh.triangles);
-    ASSERT_EQ(again.columns.size(), 2u);
-    for (size_t k = 0; k < 2; ++k) {
+    ASSERT_EQ(again.columns.size(), points.columns.size());
+    for (size_t k = 0; k < points.columns.size(); ++k) {
+        EXPECT_EQ(again.columns[k].type, points.columns[k].type);
         EXPECT_EQ(again.columns[k].name, points.columns[k].name);
         EXPECT_EQ(again.columns[k].values, points.columns[k].values);
     }
