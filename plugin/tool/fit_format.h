@@ -18,9 +18,9 @@ bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::
                 Failure& failure);
 
 /// Let the spec's alpha be the image's (alpha_of()), and leave out what comes after colour and
-/// alpha, or alpha too, where the format holds no more, as oiiotool does (and alpha beside grey in BMP
-/// and JPEG 2000); returns their names, if there are any. Of other channels than R, G, B and alpha
-/// in this order it is the format's writer that complains, or ImageFile::open().
+/// alpha, or alpha too, where the format holds no more, as oiiotool does (and alpha beside grey in
+/// BMP and JPEG 2000); returns their names, if there are any. Of other channels than R, G, B and
+/// alpha in this order it is the format's writer that complains, or ImageFile::open().
 std::string fit_channels(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec);
 
 /// Say on stderr that the file `path` has no room for such channels, if there are any.

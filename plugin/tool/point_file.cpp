@@ -175,7 +175,7 @@ std::vector<float> guide_of(const PointFile& points, const std::vector<const Col
     std::vector<double> mean(count, 0);
     for (const Column* column : parts)
         for (size_t i = 0; i < count; ++i)
-            mean[i] += column->values[i];
+            mean[i] += double(float(column->values[i])); // whose sums and quotients are finite
     double low = INFINITY, high = -INFINITY;
     for (const double v : mean)
         if (std::isfinite(v)) {

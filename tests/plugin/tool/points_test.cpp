@@ -179,6 +179,17 @@ TEST(Ply, WhatIsWrittenReadsTheSame) {
     }
 }
 
+TEST(PointFile, GuidesAreNumbersWhateverTheValuesAre) {
+    PointFile points;
+    points.mesh = {{0, 1, 0}, {0, 0, 1}, {}};
+    for (const std::vector<double>& values :
+         {std::vector<double>{-1.7e308, 1.7e308, 0}, {0, 5e-324, 0}, {-3e38, 3e38, 0}}) {
+        const Column column{"z", "double", 1, values};
+        for (const float v : guide_of(points, {&column}))
+            EXPECT_TRUE(v >= 0 && v <= 1) << v;
+    }
+}
+
 /// A square of 4 x 4 with z = x + 10 y in its corners and middle, as text.
 const char* const plane = "x,y,z,weight\n0,0,0,1\n4,0,4,2\n0,4,40,3\n4,4,44,4\n2,2,22,nan\n";
 
