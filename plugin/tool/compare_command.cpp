@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
+#include <utility>
+
+#include <OpenImageIO/imagebuf.h>
 
 #include "metrics/correlation.h"
 #include "metrics/gmsd.h"
@@ -8,6 +11,7 @@
 #include "metrics/snr.h"
 #include "metrics/ssim.h"
 #include "metrics/uiqi.h"
+#include "plugin/message/format.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/picture.h"
 #include "plugin/tool/progress.h"
@@ -29,6 +33,20 @@ metrics::Image image_of(const Picture& picture) {
             image.channels[k].values[i] = 255 * (double(parts[k]) * alpha + 1 - alpha);
     }
     return image;
+}
+
+/// Of the data window within the display window: pixels there are compared with one another.
+std::pair<int64_t, int64_t> place_of(const OIIO::ImageSpec& spec) {
+    return {int64_t(spec.x) - spec.full_x, int64_t(spec.y) - spec.full_y};
+}
+
+/// "40x30+5-3 in 64x48+0+0", as oiiotool writes windows.
+std::string windows_of(const OIIO::ImageSpec& spec) {
+    const auto window = [](int width, int height, int x, int y) {
+        return format("{}x{}{:+}{:+}", width, height, x, y);
+    };
+    return window(spec.width, spec.height, spec.x, spec.y) + " in " +
+           window(spec.full_width, spec.full_height, spec.full_x, spec.full_y);
 }
 
 struct Metric {
@@ -62,15 +80,19 @@ public:
         paragraphs = {
             "Values as displayed, 0 to 255; transparent pixels over white. PSNR is over red, green "
             "and blue, the others are of luma. Equal images have psnr and snr inf, mse and gmsd 0, "
-            "the others 1. The first image is the reference. Images of IDs (32-bit integers) alone "
+            "the others 1. The first image is the reference. Data windows of one size are "
+            "compared, "
+            "which must lie at the same place of their display windows. Images of IDs (32-bit "
+            "integers) alone "
             "are refused; beside colour IDs and depth are not looked at. OpenImageIO's idiff "
             "tells whether numbers are equal."};
-        operands = {{"A", "the reference"}, {"B", "an image of the same size"}};
+        operands = {{"A", "the reference"}, {"B", "an image of the same size and place"}};
         flags = {switch_flag("--csv", "print as comma-separated values", m_csv)};
     }
 
     ExitCode run(const std::vector<std::string>& values) override {
         Picture pictures[2];
+        OIIO::ImageSpec specs[2];
         std::string error;
         for (size_t k = 0; k < 2; ++k) {
             OIIO::ImageBuf image;
@@ -78,10 +100,15 @@ public:
                 return fail(unreadable(values[k], error));
             if (!read_picture(image, {}, pictures[k], error))
                 return fail(error, code_of_message(error));
+            specs[k] = image.spec();
+            note_others(values[k], image.nsubimages());
         }
         if (pictures[0].width != pictures[1].width || pictures[0].height != pictures[1].height)
             return fail("the images are of different size: " + size_of(pictures[0]) + " and " +
                         size_of(pictures[1]));
+        if (place_of(specs[0]) != place_of(specs[1]))
+            return fail("the images lie at different places, data window in display window: " +
+                        windows_of(specs[0]) + " and " + windows_of(specs[1]));
         print(image_of(pictures[0]), image_of(pictures[1]));
         return exit_done;
     }

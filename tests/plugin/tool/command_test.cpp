@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 
+#include <OpenImageIO/imagebufalgo.h>
 #include <gtest/gtest.h>
 
 #include "plugin/tool/commands.h"
@@ -134,6 +135,29 @@ TEST(Commands, ResizeThenCompare) {
     EXPECT_EQ(equal.code, exit_done);
     EXPECT_EQ(equal.out, "psnr,mse,snr,correlation,cross-correlation,uiqi,ssim,ms-ssim,gmsd\n"
                          "inf,0,inf,1,1,1,1,1,0\n");
+}
+
+TEST(Commands, CompareRefusesImagesAtDifferentPlaces) {
+    const auto image = [](const char* name, OIIO::ROI data, OIIO::ROI full) {
+        OIIO::ImageSpec spec(data.width(), data.height(), 3, OIIO::TypeHalf);
+        OIIO::set_roi(spec, data);
+        OIIO::set_roi_full(spec, full);
+        spec.nchannels = 3;
+        OIIO::ImageBuf pixels(spec);
+        const std::string path = temporary(name);
+        EXPECT_TRUE(OIIO::ImageBufAlgo::zero(pixels) && pixels.write(path)) << pixels.geterror();
+        return path;
+    };
+    const std::string a = image("place.exr", {0, 20, 0, 16}, {0, 32, 0, 24}),
+                      moved = image("moved.exr", {5, 25, -3, 13}, {0, 32, 0, 24}),
+                      based = image("based.exr", {105, 125, 7, 23}, {105, 137, 7, 31});
+    const Ran ran = run(make_compare_command(), {a, moved});
+    EXPECT_EQ(ran.code, exit_failed);
+    EXPECT_EQ(ran.out, "");
+    EXPECT_NE(ran.err.find("20x16+0+0 in 32x24+0+0 and 20x16+5-3 in 32x24+0+0"), std::string::npos)
+        << ran.err;
+    // Both windows moved together: the same place.
+    EXPECT_EQ(run(make_compare_command(), {a, based}).code, exit_done);
 }
 
 TEST(Commands, CompareRefusesIdsAlone) {

@@ -222,6 +222,14 @@ TEST(ResizeFile, OfSeveralImagesTheFirstIsTakenWhichIsSaid) {
     testing::internal::CaptureStderr();
     EXPECT_EQ(make_fill_command()->run({in, out}), exit_done);
     EXPECT_EQ(testing::internal::GetCapturedStderr(), said);
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(make_mesh_command()->run({in, temporary("three.ply")}), exit_done);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), said);
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(make_compare_command()->run({in, in}), exit_done);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), said + said);
+    testing::internal::GetCapturedStdout();
 }
 
 /// An RLA file that says it has a display window of no width.
