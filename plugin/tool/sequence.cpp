@@ -18,6 +18,19 @@ bool refuse(const std::string& why, Failure& failure) {
     return false;
 }
 
+/// The names between commas, without blanks about them; none of an empty text. False if one is
+/// empty: of left,,right the files of no view would be looked for.
+bool parse_views(const std::string& text, std::vector<std::string>& names) {
+    if (text.empty())
+        return true;
+    for (const std::string& item : OIIO::Strutil::splits(text, ",")) {
+        names.emplace_back(OIIO::Strutil::strip(item));
+        if (names.back().empty())
+            return false;
+    }
+    return true;
+}
+
 /// Whether a name leaves open what is given, and nothing else.
 bool check_name(const std::string& text, const FrameName& name, bool frames, bool views,
                 Failure& failure) {
@@ -81,7 +94,12 @@ bool list_tasks(const std::string& in, const std::string& out, const std::string
             failure.why = "there is no file \"" + in + "\"; of its frames, " + failure.why;
         return false;
     }
-    const std::vector<std::string> names = OIIO::Strutil::splits(views, ",");
+    std::vector<std::string> names;
+    if (!parse_views(views, names))
+        return refuse("--views \"" + views +
+                          "\" is not allowed; allowed are names after commas, none of them empty: "
+                          "left,right",
+                      failure);
     std::vector<int> numbers{0};
     if (!frames.empty() && !parse_frames(frames, numbers))
         return refuse("--frames \"" + frames + "\" is not allowed; allowed are " + allowed_frames,

@@ -90,6 +90,10 @@ TEST(Frames, TasksOfACommandLine) {
     ASSERT_EQ(tasks.size(), 4u);
     EXPECT_EQ(tasks[2].in, "i.left.0002.exr");
     EXPECT_EQ(tasks[3].out, "o.r.002.png");
+    ASSERT_TRUE(list_tasks("i.%V.#.exr", "o.%V.#.exr", "1", " left, right ", tasks, failure));
+    ASSERT_EQ(tasks.size(), 2u);
+    EXPECT_EQ(tasks[0].in, "i.left.0001.exr");
+    EXPECT_EQ(tasks[1].out, "o.right.0001.exr");
     struct Case {
         const char *in, *out, *frames, *views, *said;
         ExitCode code;
@@ -101,6 +105,9 @@ TEST(Frames, TasksOfACommandLine) {
                           Case{"i.%V.exr", "o.%V.exr", "", "", "--views", exit_usage},
                           Case{"i.#.exr", "o.#.exr", "1", "left", "%V", exit_usage},
                           Case{"i.%V.exr", "o.%v.exr", "", "left,lower", "both become", exit_usage},
+                          Case{"i.%V.exr", "o.%V.exr", "", "left,,right", "none", exit_usage},
+                          Case{"i.%V.exr", "o.%V.exr", "", "left,", "left,right", exit_usage},
+                          Case{"i.%V.exr", "o.%V.exr", "", " , ", "not allowed", exit_usage},
                           Case{"a%d.exr", "a1%d.exr", "1-12", "", "another's source", exit_usage},
                           Case{"x/%V.exr", "./x/%v.exr", "", "left,l", "source", exit_usage},
                           Case{"/none/i.#.exr", "o.#.exr", "", "", "no file", exit_failed}}) {
