@@ -43,6 +43,11 @@ constexpr Compression compressions[] = {
     {"iff", "rle", 0},
 };
 
+/// "dwaa[:1-100000]", or the name alone.
+std::string with_levels(const Compression& c) {
+    return c.name + (c.highest > 0 ? "[:1-" + std::to_string(c.highest) + "]" : "");
+}
+
 bool is_level(const std::string& text, int highest) {
     int level = 0;
     return parse_number(text, 1, highest, level);
@@ -60,7 +65,7 @@ bool check_compression(const std::string& given, const std::string& format, std:
         if (name == c.name &&
             (colon == std::string::npos || is_level(given.substr(colon + 1), c.highest)))
             return true;
-        if (const std::string word = c.name + std::string(c.highest > 0 ? "[:LEVEL]" : "");
+        if (const std::string word = with_levels(c);
             (", " + allowed + ",").find(", " + word + ",") == std::string::npos)
             allowed += (allowed.empty() ? "" : ", ") + word;
     }

@@ -49,7 +49,13 @@ TEST(Compression, SaysWhatIsAllowed) {
     std::string error;
     EXPECT_FALSE(check_compression("dwaa", "tiff", error));
     EXPECT_EQ(error, "compression \"dwaa\" is not allowed in tiff; allowed are none, lzw, "
-                     "zip[:LEVEL], packbits, jpeg[:LEVEL]");
+                     "zip[:1-9], packbits, jpeg[:1-100]");
+    EXPECT_FALSE(check_compression("dwaa:0", "openexr", error));
+    EXPECT_NE(error.find(" piz, pxr24, b44, b44a, dwaa[:1-100000], dwab["), std::string::npos)
+        << error;
+    // Once, where several formats have it.
+    EXPECT_FALSE(check_compression("best", "", error));
+    EXPECT_EQ(error.find("zip[:1-9]"), error.rfind("zip[:1-9]")) << error;
     EXPECT_FALSE(check_compression("zip", "sgi", error));
     EXPECT_EQ(error, "no compression can be chosen for files of the format sgi");
 }
