@@ -28,16 +28,44 @@ std::string near_option(const std::string& message, const std::vector<Flag>& fla
     const size_t begin = message.find('"') + 1, end = message.find('"', begin);
     if (begin == 0 || end == std::string::npos)
         return "";
-    const std::string given = message.substr(begin, end - begin);
+    const std::string text = message.substr(begin, end - begin);
+    const size_t equals = text.find('=');
+    const std::string given = text.substr(0, equals);
     const auto distance = [&](const Flag& flag) {
         return OIIO::Strutil::edit_distance(given, flag.name);
     };
     const auto nearer = [&](const Flag& a, const Flag& b) { return distance(a) < distance(b); };
     const auto nearest = std::min_element(flags.begin(), flags.end(), nearer);
     // One that is spelt right was not understood for another reason.
+    if (equals != std::string::npos && nearest != flags.end() && distance(*nearest) == 0)
+        return "; " + given + " has no value";
     return nearest != flags.end() && distance(*nearest) > 0 && distance(*nearest) <= most
                ? "; did you mean " + nearest->name + "?"
                : "";
+}
+
+/// The arguments with "--name=value" of a flag that has a value as the two that it stands for;
+/// OpenImageIO's parser does not know it. What is a value itself stays as it is.
+std::vector<std::string> split_values(const std::vector<std::string>& args,
+                                      const std::vector<Flag>& flags) {
+    const auto has_value = [&](const std::string& name) {
+        return std::any_of(flags.begin(), flags.end(), [&](const Flag& flag) {
+            return flag.name == name && !flag.value.empty();
+        });
+    };
+    std::vector<std::string> split;
+    bool is_value = false;
+    for (const std::string& arg : args) {
+        const size_t equals = arg.find('=');
+        if (!is_value && equals != std::string::npos && has_value(arg.substr(0, equals))) {
+            split.push_back(arg.substr(0, equals));
+            split.push_back(arg.substr(equals + 1));
+            continue;
+        }
+        is_value = !is_value && has_value(arg);
+        split.push_back(arg);
+    }
+    return split;
 }
 
 /// Hand the command's flags to OpenImageIO's parser, which also prints them for --help.
@@ -68,9 +96,11 @@ public:
 
     ExitCode parse_and_run(const std::vector<std::string>& args) {
         const auto end_of_options = std::find(args.begin(), args.end(), "--");
+        const std::vector<std::string> options =
+            split_values({args.begin(), end_of_options}, m_command.flags);
         std::vector<const char*> pointers{"ddt"};
-        std::for_each(args.begin(), end_of_options,
-                      [&](const std::string& arg) { pointers.push_back(arg.c_str()); });
+        for (const std::string& option : options)
+            pointers.push_back(option.c_str());
         const int status = m_args.parse_args(int(pointers.size()), pointers.data());
         if (m_help) {
             m_args.print_help();

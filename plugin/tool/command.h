@@ -43,7 +43,8 @@ public:
 /// "ddt mesh [options] IN OUT"
 std::string usage(const Command& command);
 
-/// Read the command's arguments, args[0] being the first after its name, and run it.
+/// Read the command's arguments, args[0] being the first after its name, and run it. A flag's value
+/// is the next argument, or follows its name after =.
 ExitCode parse_and_run(Command& command, const std::vector<std::string>& args);
 
 /// A line on stderr, after "ddt: " unless it starts so.

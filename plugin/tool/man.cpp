@@ -47,6 +47,8 @@ std::string man_page(const std::vector<std::unique_ptr<Command>>& commands) {
     for (const auto& command : commands)
         page += format(".B {}\n.br\n", escaped(usage(*command)));
     page += ".B ddt \\-\\-help\n.br\n.B ddt \\-\\-version\n.SH COMMANDS\n"
+            "An option's value is the next argument, or follows its name after = "
+            "(\\-\\-filter=ddt\\-sharp). "
             "After \\-\\- all arguments are operands, whatever they begin with.\n";
     for (const auto& command : commands) {
         page += format(".SS {}\n{}.\n", escaped(usage(*command)), escaped(command->summary));

@@ -84,6 +84,11 @@ TEST(Commands, WrongUsageIsExitCode2AndTellsWhatIsAllowed) {
           Case{{scene, "a.svg", "--lines", "x"}, "numbers from 0"},
           Case{{scene, "a.ply", "--filter", "ddt,scheme=magic"}, "one-round, lawson"},
           Case{{scene, "a.ply", "--fliter", "ddt"}, "\"--fliter\"; did you mean --filter?"},
+          Case{{scene, "a.ply", "--fliter=ddt"}, "\"--fliter=ddt\"; did you mean --filter?"},
+          Case{{scene, "a.ply", "--verbose=1"}, "; --verbose has no value"},
+          Case{{scene, "a.ply", "--fill=red"}, "\"--fill red\" is not allowed"},
+          Case{{scene, "a.ply", "--fill="}, "gradient, flat, none"},
+          Case{{scene, "a.ply", "--filter=ddt,scheme=magic"}, "one-round, lawson"},
           Case{{scene, "a.ply", "--scheme", "magic"}, "exproiN-maxgain"},
           Case{{scene, "a.ply", "--nonsense"}, "\"--nonsense\"\n"}}) {
         const Ran ran = run(make_mesh_command(), c.args);
@@ -103,6 +108,17 @@ TEST(Commands, AfterTwoHyphensAllIsOperands) {
     EXPECT_EQ(ran.code, exit_failed);
     EXPECT_NE(ran.err.find("--size.exr"), std::string::npos) << ran.err;
     EXPECT_EQ(run(make_resize_command(), {"a.exr", "--", "200%"}).code, exit_usage);
+}
+
+TEST(Commands, ValuesMayLookLikeOptions) {
+    // The view's name, and after two hyphens a file's.
+    const Ran view =
+        run(make_resize_command(), {"in.%V.exr", "2", "out.%V.exr", "--views", "--type=half"});
+    EXPECT_EQ(view.code, exit_failed);
+    EXPECT_NE(view.err.find("in.--type=half.exr"), std::string::npos) << view.err;
+    const Ran file = run(make_resize_command(), {"--", "--type=half", "2", "out.exr"});
+    EXPECT_EQ(file.code, exit_failed);
+    EXPECT_NE(file.err.find("\"--type=half\""), std::string::npos) << file.err;
 }
 
 TEST(Commands, WhatCannotBeReadOrWrittenIsExitCode1AndNamed) {
@@ -203,6 +219,8 @@ TEST(Commands, MeshsFlagsAreItemsOfTheFilter) {
     EXPECT_NE(made({"--cost", "scf"}), made({"--filter", "ddt,cost=scf,contour=0.8"}));
     EXPECT_EQ(made({"--scheme", "lawson", "--filter", "ddt-sharp"}),
               made({"--filter", "ddt-sharp,scheme=lawson"}));
+    EXPECT_EQ(made({"--cost=scf", "--filter=ddt,blur=0"}),
+              made({"--filter", "ddt,cost=scf,blur=0"}));
     EXPECT_EQ(made({"--cost", "scf", "--filter", "ddt,cost=jnd"}),
               made({"--filter", "ddt,cost=scf"}));
 }
