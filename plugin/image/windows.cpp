@@ -82,6 +82,19 @@ bool allocate(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, in
     return true;
 }
 
+/// Whether the roi has any of the channels that the images have, both of them.
+bool check_channels(const OIIO::ROI& roi, const OIIO::ImageBuf& dst, const OIIO::ImageBuf& src,
+                    std::string& error) {
+    const int channels =
+        dst.initialized() ? std::min(src.nchannels(), dst.nchannels()) : src.nchannels();
+    if (!roi.defined() || std::max(roi.chbegin, 0) < std::min(roi.chend, channels))
+        return true;
+    error = format("the range of channels [{}, {}) has none of the image's {}; allowed are ranges "
+                   "with some of [0, {})",
+                   roi.chbegin, roi.chend, channels, channels);
+    return false;
+}
+
 /// OpenImageIO 3 reads a file into memory when its pixels are first asked for, which is now; any
 /// version leaves black what it could not read. An error that comes from elsewhere, on an image
 /// that has its pixels, is no reason to fail.
@@ -192,6 +205,8 @@ bool make_image(OIIO::ImageBuf& image, const OIIO::ImageSpec& spec, std::string&
 
 bool prepare(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int flags,
              std::string& error) {
+    if (!check_channels(roi, dst, src, error))
+        return false;
     if (dst.initialized()) {
         if (dst.deep() || dst.spec().depth > 1) {
             error = "the destination is a deep image or a volume; only flat images can be written";

@@ -30,8 +30,8 @@ bool make_image(OIIO::ImageBuf& image, const OIIO::ImageSpec& spec, std::string&
 
 /// Make `dst` ready to be written and `roi` what is to be written of it, as ImageBufAlgo does (the
 /// flags are IBAprep's): an initialised dst keeps its size and cuts the roi; another is allocated
-/// for the roi, or like src without one. The size is checked before. False with one line in
-/// `error`. A roi that misses dst comes back empty.
+/// for the roi, or like src without one. The size and the roi's channels are checked before. False
+/// with one line in `error`. A roi that misses dst comes back empty.
 bool prepare(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int flags,
              std::string& error);
 

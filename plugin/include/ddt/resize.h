@@ -26,6 +26,10 @@
 // and not where 0 and 1 are not 0 and 1 in linear light, as in logarithmic spaces; colour where
 // alpha is 0 survives.
 //
+// Regions. A roi limits which pixels and channels are written. One beside the pixels of a dst that
+// is initialised writes nothing, which is no failure; a range without any of the image's channels
+// is one.
+//
 // Result. A function of the source's pixels, windows and metadata and of the options alone: it has
 // the same bits for any number of threads, and a part (roi) is a crop of the whole.
 #pragma once

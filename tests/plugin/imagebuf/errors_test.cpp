@@ -108,6 +108,35 @@ TEST(Errors, AbsurdSize) {
     expect_error(dst, "coordinates");
 }
 
+TEST(Errors, ChannelsThatTheImageHasNot) {
+    const auto src = make(8, 8, 4);
+    for (const auto& [begin, end] : {std::pair(7, 9), {4, 5}, {2, 2}, {3, 1}, {-2, 0}}) {
+        ROI roi = window(0, 64, 0, 64);
+        roi.chbegin = begin;
+        roi.chend = end;
+        const std::string range = "[" + std::to_string(begin) + ", " + std::to_string(end) + ")";
+        expect_failure(src, (range + " has none of the image's 4; allowed").c_str(), roi);
+    }
+    // Both images must have them, and one that is there stays as it is.
+    ImageBuf dst = make(16, 16, 2);
+    images::fill(dst, [](int, int, int) { return 0.5f; });
+    ROI roi = dst.roi();
+    roi.chbegin = 2;
+    roi.chend = 4;
+    EXPECT_FALSE(ddt::resize(dst, src, {}, roi));
+    expect_error(dst, "none of the image's 2");
+    EXPECT_EQ(value(dst, 3, 3, 1), 0.5f);
+    // What is beside the pixels writes none.
+    EXPECT_TRUE(ddt::resize(dst, src, {}, window(20, 30, 0, 16))) << dst.geterror();
+    EXPECT_EQ(value(dst, 3, 3, 1), 0.5f);
+    // Some are enough.
+    roi.chbegin = 1;
+    roi.chend = 9;
+    EXPECT_TRUE(ddt::resize(dst, src, {}, roi)) << dst.geterror();
+    EXPECT_EQ(value(dst, 3, 3, 0), 0.5f);
+    EXPECT_EQ(value(dst, 3, 3, 1), 0.0f);
+}
+
 TEST(Errors, MatrixWithoutInverse) {
     const auto src = make(8, 8, 3);
     const float nan = std::nanf("");
