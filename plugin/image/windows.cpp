@@ -147,11 +147,11 @@ bool check_type(const char* whose, OIIO::TypeDesc type, std::string& error) {
 
 bool check_source_spec(const OIIO::ImageSpec& spec, std::string& error) {
     if (spec.deep) {
-        error = "the source is a deep image; only flat images can be resized";
+        error = "the source is a deep image; allowed are flat ones";
         return false;
     }
     if (spec.depth > 1 || spec.full_depth > 1) {
-        error = format("the source is a volume of depth {}; only depth 1 can be resized",
+        error = format("the source is a volume of depth {}; allowed is depth 1",
                        std::max(spec.depth, spec.full_depth));
         return false;
     }

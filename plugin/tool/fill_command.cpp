@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <OpenImageIO/imagebufalgo.h>
 
+#include "plugin/image/channels.h"
 #include "plugin/image/metadata.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/filter_flag.h"
@@ -9,6 +10,7 @@
 #include "plugin/tool/mixed_ids.h"
 #include "plugin/tool/picture.h"
 #include "plugin/tool/progress.h"
+#include "plugin/tool/resize_file.h"
 #include "plugin/tool/row_writer.h"
 
 namespace ddt::tool {
@@ -78,6 +80,11 @@ public:
         Failure failure;
         if (!open_image(values[0], image, failure.why))
             return fail(unreadable(values[0], failure.why));
+        if (!check_image(image, values[0], m_options, failure))
+            return fail(failure);
+        const Missing missing = m_missing == "alpha" ? Missing::alpha : Missing::nan;
+        if (missing == Missing::alpha && channels_of(image.spec(), image.nativespec()).alpha < 0)
+            return fail("\"" + values[0] + "\" has no alpha");
         ImageFile file;
         OIIO::ImageSpec spec;
         if (!plan_file(image, values[1], file, spec, failure))
@@ -85,7 +92,6 @@ public:
         MixedIds ids(values[0], image, spec);
         if (ids && !ids.put_into(image, failure.why))
             return fail(failure.why, code_of_message(failure.why));
-        const Missing missing = m_missing == "alpha" ? Missing::alpha : Missing::nan;
         Progress progress("filling");
         m_options.progress = std::ref(progress);
         if (!ddt::fill(filled, image, m_options, missing)) {

@@ -20,8 +20,8 @@ struct ResizeSettings {
     int threads = 1;         ///< at least 1
 };
 
-/// False with a failure, which names the file, unless it holds what can be resized with these
-/// options.
+/// False with a failure, which names the file, unless it holds what can be worked on with
+/// these options.
 bool check_image(const OIIO::ImageBuf& image, const std::string& path, const Options& options,
                  Failure& failure);
 

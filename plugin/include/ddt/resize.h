@@ -72,7 +72,7 @@ bool resize(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& optio
 /// Which pixels are missing, beside those with a NaN in a channel.
 enum class Missing {
     nan,   ///< no others
-    alpha, ///< those whose alpha is 0
+    alpha, ///< those whose alpha is 0, if there is alpha
 };
 
 /// Fill the missing pixels: dst becomes a copy of src in which they are interpolated over triangles

@@ -266,6 +266,14 @@ TEST(FillFile, ChannelsKeepTheirTypes) {
     EXPECT_EQ(ids_of(out), std::make_pair(uint32_t(5), uint32_t(70000)));
 }
 
+TEST(FillFile, WithoutAlphaNothingIsMissingByIt) {
+    const std::string in = file_of_several_types(), out = temporary("no_alpha_filled.exr");
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(parse_and_run(*make_fill_command(), {in, out, "--missing", "alpha"}), exit_failed);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "ddt: \"" + in + "\" has no alpha\n");
+    EXPECT_FALSE(std::ifstream(out).good());
+}
+
 TEST(FillFile, FormatsWithoutWindowsGetTheDisplayWindow) {
     ImageSpec spec(10, 6, 1, OIIO::TypeFloat);
     spec.x = -2;
@@ -296,8 +304,10 @@ TEST(ResizeFile, WhatHasNoFlatPixelsIsRefusedForGood) {
     Failure failure;
     EXPECT_FALSE(resized(in, "200%", out, failure));
     EXPECT_EQ(failure.code, exit_failed);
-    EXPECT_EQ(failure.why,
-              "\"" + in + "\": the source is a deep image; only flat images can be resized");
+    EXPECT_EQ(failure.why, "\"" + in + "\": the source is a deep image; allowed are flat ones");
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(make_fill_command()->run({in, out}), exit_failed);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "ddt: " + failure.why + "\n");
 
     const std::string empty = temporary("empty.fits");
     std::string header; // of an image without axes
