@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstring>
 #include <vector>
 
 #include <fcntl.h>
@@ -82,6 +83,11 @@ bool has_holes(std::FILE* file) {
         return false;
     const off_t hole = lseek(fileno(file), 0, SEEK_HOLE);
     return hole >= 0 && hole < there.st_size;
+}
+
+/// A descriptor, or less than 0 with errno. Of a pipe at once: nobody may be at its other end.
+int open_to_read(const std::string& path) {
+    return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
 }
 
 } // namespace
@@ -190,8 +196,7 @@ bool ImageFile::commit(Failure& failure) {
 }
 
 ExitCode code_of_reading(const std::string& path, ExitCode otherwise) {
-    // No pipe: nobody may be at its other end.
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    const int descriptor = open_to_read(path);
     if (descriptor < 0)
         return code_of_errno(errno);
     std::vector<char> bytes(size_t(1) << 20);
@@ -207,6 +212,14 @@ ExitCode code_of_reading(const std::string& path, ExitCode otherwise) {
     }
     ::close(descriptor);
     return code;
+}
+
+std::string why_not_opened(const std::string& path) {
+    const int descriptor = open_to_read(path);
+    if (descriptor < 0)
+        return errno == ENOENT ? "" : std::strerror(errno);
+    ::close(descriptor);
+    return {};
 }
 
 int rows_in_strip(const OIIO::ImageSpec& spec) {

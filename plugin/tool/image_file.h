@@ -52,6 +52,11 @@ private:
 /// be read: the code for why it is, or `otherwise`. After a failure alone, for it reads them.
 ExitCode code_of_reading(const std::string& path, ExitCode otherwise = exit_failed);
 
+/// What the system says of a file that is there and cannot be opened, "Permission denied", where
+/// readers say that it is none of theirs. Empty for one that can, and for a name of no file, which
+/// readers may know what to make of.
+std::string why_not_opened(const std::string& path);
+
 /// Scanlines that a file of this spec keeps together, as far as it says so (TIFF); 1 to 2^20.
 int rows_in_strip(const OIIO::ImageSpec& spec);
 

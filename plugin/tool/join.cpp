@@ -37,6 +37,8 @@ struct PartFile {
 
 bool cannot_read(const PartFile& part, Failure& failure) {
     std::string why = part.input ? part.input->geterror() : OIIO::geterror();
+    if (const std::string denied = why_not_opened(part.path); !denied.empty())
+        why = denied;
     why = std::string(OIIO::Strutil::strip(why.substr(0, why.find('\n'))));
     failure = unreadable(part.path,
                          "cannot read \"" + part.path + "\"" + (why.empty() ? "" : ": " + why));

@@ -65,6 +65,8 @@ std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path)
 }
 
 std::string why_unreadable(const std::string& said, const std::string& path) {
+    if (const std::string why = why_not_opened(path); !why.empty())
+        return "cannot read \"" + path + "\": " + why;
     const std::string why = said.empty() ? "cannot read \"" + path + "\"" : said;
     return why.find(path) == std::string::npos ? "\"" + path + "\": " + why : why;
 }
