@@ -279,10 +279,22 @@ bool can_have_tiles(const OIIO::ImageOutput& output, const OIIO::ParamValueList&
             std::none_of(metadata.begin(), metadata.end(), spoils_tiff_tiles));
 }
 
-/// Say that a file with room for more has what whole numbers leave of the pixels.
-void note_rounded(const std::string& path, OIIO::TypeDesc written, const std::string& type) {
-    const OIIO::TypeDesc parts(type);
-    if (written.is_floating_point() && !parts.is_floating_point() && !is_id_type(parts))
+/// Whether numbers of `written` are what one run would have rounded less.
+bool has_room_for_more(OIIO::TypeDesc written, OIIO::TypeDesc parts) {
+    return written.is_floating_point() && !is_id_type(parts) &&
+           (!parts.is_floating_point() ||
+            (parts == OIIO::TypeHalf && written.size() > parts.size()));
+}
+
+/// Say that a file with room for more has what the type of parts, or of one of their channels,
+/// leaves of the pixels.
+void note_rounded(const std::string& path, const OIIO::ImageSpec& file, const PartFile& part) {
+    const OIIO::TypeDesc written = file.format;
+    OIIO::TypeDesc parts(part.header.type);
+    for (int c = 0; c < part.spec.nchannels && !part.spec.channelformats.empty(); ++c)
+        if (has_room_for_more(file.channelformat(c), part.spec.channelformat(c)))
+            parts = part.spec.channelformat(c);
+    if (has_room_for_more(written, parts) && file.channelformats.empty())
         note(format("\"{}\" has {}, and the parts were rounded to {}; --type {} for each part "
                     "keeps what one run keeps",
                     path, written, parts, written));
@@ -342,7 +354,7 @@ bool join(const std::vector<std::string>& paths, const std::string& out,
     if (!file.open(written, failure))
         return false;
     note_left_out(out, left_out);
-    note_rounded(out, file.output().spec().format, parts.front().header.type);
+    note_rounded(out, file.output().spec(), parts.front());
     const auto write_black = [&](int y0, int y1) {
         if (write_kept(file.output(), whole, kept, y0, y1, held, nullptr, 0))
             return true;

@@ -158,6 +158,22 @@ class Parts(Farm):
         self.ddt("join", "part.1.exr", "joined.exr")
         self.ddt("resize", "photo.png", "200%", "whole.exr")
         self.assert_same("joined.exr", "whole.exr")
+        # TIFF has no halfs: one run's are floats there.
+        said = self.attempt(DDT, "join", "part.1.exr", "joined.tif")
+        self.assertEqual(said.returncode, 0)
+        self.assertIn('"joined.tif" has float, and the parts were rounded to half; --type float',
+                      said.stderr)
+        self.parts("photo.png", "200%", 1, "--type", "float")
+        self.assertEqual(self.ddt("join", "part.1.exr", "joined.tif"), "")
+        self.ddt("resize", "photo.png", "200%", "whole.tif", "--type", "float")
+        self.assert_same("joined.tif", "whole.tif")
+
+    def test_halfs_among_floats_that_are_rounded_twice_are_told(self):
+        self.succeed("oiiotool", "scene.exr", "photo.png", "--ch", "Z=R", "--siappend", "--sisplit",
+                     "--chappend", "-d", "R=half,G=half,B=half,Z=float", "-o", "mixed.exr")
+        self.parts("mixed.exr", "200%", 1)
+        self.assertEqual(self.ddt("join", "part.1.exr", "joined.exr"), "")
+        self.ddt("join", "part.1.exr", "joined.tif", says="the parts were rounded to half")
 
     def test_another_source_is_refused_wherever_it_differs(self):
         self.succeed("oiiotool", "--pattern", "noise", "900x800", "3", "-d", "uint8", "-o", "a.ppm")
