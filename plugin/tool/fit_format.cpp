@@ -7,6 +7,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "plugin/image/channels.h"
+#include "plugin/message/format.h"
 #include "plugin/tool/command.h"
 
 namespace ddt::tool {
@@ -74,6 +75,12 @@ std::string fit_channels(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec)
 void note_left_out(const std::string& path, const std::string& channels) {
     if (!channels.empty())
         note("\"" + path + "\" has no room for " + channels);
+}
+
+void note_instead(const std::string& path, const char* what, const std::string& asked,
+                  const std::string& written) {
+    if (!asked.empty() && !written.empty() && asked != written)
+        note(format("\"{}\" cannot have the {} {}; {} is written", path, what, asked, written));
 }
 
 } // namespace ddt::tool

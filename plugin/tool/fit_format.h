@@ -26,4 +26,9 @@ std::string fit_channels(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec)
 /// Say on stderr that the file `path` has no room for such channels, if there are any.
 void note_left_out(const std::string& path, const std::string& channels);
 
+/// Say on stderr that the file `path` has something else than was asked for, a "type" or
+/// "compression"; nothing where nothing was, or nothing is known of what was written.
+void note_instead(const std::string& path, const char* what, const std::string& asked,
+                  const std::string& written);
+
 } // namespace ddt::tool

@@ -158,7 +158,7 @@ Failure ImageFile::failed() const {
 }
 
 /// Look at the file as its readers will.
-bool ImageFile::check_written(Failure& failure) const {
+bool ImageFile::check_written(Failure& failure) {
     if (m_stream && (std::fflush(m_whole.file()) != 0 || std::ferror(m_whole.file())))
         return true; // commit() tells what a write said
     const auto refuse = [&](const std::string& why, ExitCode code) {
@@ -175,6 +175,8 @@ bool ImageFile::check_written(Failure& failure) const {
                              m_output->format_name(), in->spec().width, in->spec().height, m_width,
                              m_height),
                       exit_failed);
+    m_compression = in->spec().get_string_attribute("compression");
+    m_compression.resize(std::min(m_compression.size(), m_compression.find(':')));
     // Reading the pixels of small icons ends the program (OpenImageIO 2.4.7).
     const bool enough = m_stream || m_output->format_name() == std::string("ico");
     if (!enough && (has_holes(m_whole.file()) || !can_be_read(*in)))

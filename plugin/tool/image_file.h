@@ -32,15 +32,18 @@ public:
     void begin_writeback() { m_whole.begin_writeback(); }
     /// Close the writer, check, and give the file its name.
     bool commit(Failure& failure);
+    /// Of the file that was committed, without a level, as its reader names it: its writer may have
+    /// chosen another than the spec's without a word (TIFF: jpeg). Empty where that is not known.
+    const std::string& compression() const { return m_compression; }
     /// What was said of the temporary file, as of the file that it becomes.
     std::string with_its_name(const std::string& said) const;
     /// What the writer said, as a failure.
     Failure failed() const;
 
 private:
-    bool check_written(Failure& failure) const;
+    bool check_written(Failure& failure);
 
-    std::string m_path;
+    std::string m_path, m_compression;
     int m_width = 0, m_height = 0; ///< what it was opened with
     WholeFile m_whole;
     // Before the writer that uses it: it goes after that.

@@ -468,6 +468,59 @@ TEST(ResizeFile, NoThirdChannelIsMadeUpForJpeg) {
     EXPECT_FALSE(std::filesystem::exists(out));
 }
 
+/// What is said on stderr of a resized image of so many channels of a type.
+std::string said_of(int channels, OIIO::TypeDesc of, const std::string& name,
+                    const std::string& type, const std::string& compression = "") {
+    ImageBuf image(ImageSpec(16, 16, channels, of));
+    OIIO::ImageBufAlgo::zero(image);
+    const std::string in = temporary("asked.tif"), out = temporary(name);
+    EXPECT_TRUE(image.write(in)) << image.geterror();
+    ResizeSettings settings;
+    settings.size = "200%";
+    settings.type = type;
+    settings.compression = compression;
+    Failure failure;
+    testing::internal::CaptureStderr();
+    EXPECT_TRUE(resize_file(
+        in, out, settings, [](float) { return true; }, failure))
+        << failure.why;
+    const std::string said = testing::internal::GetCapturedStderr();
+    const std::string begin = "ddt: \"" + out + "\" cannot have the ";
+    return said.compare(0, begin.size(), begin) == 0 ? said.substr(begin.size()) : said;
+}
+
+TEST(ResizeFile, ATypeThatTheFormatHasNotIsNamed) {
+    EXPECT_EQ(said_of(3, OIIO::TypeUInt8, "a.exr", "uint8"), "type uint8; half is written\n");
+    EXPECT_EQ(said_of(3, OIIO::TypeUInt8, "a.png", "half"), "type half; uint8 is written\n");
+    EXPECT_EQ(said_of(3, OIIO::TypeUInt8, "a.jpg", "float"), "type float; uint8 is written\n");
+    EXPECT_EQ(said_of(3, OIIO::TypeUInt8, "a.tif", "half"), "type half; float is written\n");
+    EXPECT_EQ(said_of(3, OIIO::TypeUInt8, "a.png", "uint16"), "");
+    EXPECT_EQ(said_of(3, OIIO::TypeUInt8, "a.exr", "float"), "");
+    EXPECT_EQ(said_of(3, OIIO::TypeFloat, "a.png", ""), ""); // nobody asked
+}
+
+TEST(ResizeFile, ACompressionThatTheFileHasNotIsNamed) {
+    const auto uint8 = OIIO::TypeUInt8, uint16 = OIIO::TypeUInt16;
+    EXPECT_EQ(said_of(3, uint16, "a.tif", "", "jpeg:85"), "compression jpeg; zip is written\n");
+    EXPECT_EQ(said_of(4, uint8, "a.tif", "", "jpeg"), "compression jpeg; zip is written\n");
+    EXPECT_EQ(said_of(1, uint16, "a.exr", "half", "dwaa:45"), "compression dwaa; zip is written\n");
+    // Those that files have are not spoken of.
+    EXPECT_EQ(said_of(3, uint8, "a.tif", "", "jpeg:85"), "");
+    for (const char* compression : {"none", "lzw", "zip:6", "packbits"})
+        EXPECT_EQ(said_of(3, uint16, "a.tif", "", compression), "") << compression;
+    for (const char* compression :
+         {"none", "rle", "zip:4", "zips", "piz", "pxr24", "b44", "b44a", "dwaa:45", "dwab"})
+        EXPECT_EQ(said_of(3, uint16, "a.exr", "half", compression), "") << compression;
+    for (const char* compression : {"filtered", "huffman", "rle", "fixed"})
+        EXPECT_EQ(said_of(3, uint8, "a.png", "", compression), "") << compression;
+    for (const char* compression : {"none", "rle"}) {
+        EXPECT_EQ(said_of(3, uint8, "a.tga", "", compression), "") << compression;
+        EXPECT_EQ(said_of(3, uint8, "a.iff", "", compression), "") << compression;
+    }
+    EXPECT_EQ(said_of(3, uint8, "a.jpg", "", "jpeg:80"), "");
+    EXPECT_EQ(said_of(3, uint8, "a.webp", "", "lossless"), "");
+}
+
 TEST(FitChannels, TakesWhatOiiotoolTakes) {
     const auto left_out = [](const char* file, const std::vector<std::string>& names, int alpha) {
         ImageSpec spec(8, 6, int(names.size()), OIIO::TypeHalf);
