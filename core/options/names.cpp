@@ -47,7 +47,7 @@ constexpr Named<Holes> holes_table[] = {
     {Holes::fill,
      {"fill", "Those with a NaN are filled, over triangles of the pixels about them, so that edges "
               "run on."}},
-    {Holes::fill_alpha, {"fill-alpha", "Those whose alpha is 0, too. Without alpha, as fill."}},
+    {Holes::fill_alpha, {"fill-alpha", "Those whose alpha is 0, too. Without alpha, as `fill`."}},
 };
 
 template <class Value, size_t n>

@@ -42,11 +42,13 @@ Failure thrown() {
 ExitCode code_of_message(const std::string& message) {
     // Of the library: memory that ran out, images that another machine may have memory for (see
     // check_size in plugin/image/windows.h), devices that this one has not; of libtiff and of
-    // OpenImageIO's writers: a full disk; of OpenEXR's threads and of what a reader was thrown:
-    // there are no more, or no memory; of ours: a file that another took the place of.
-    for (const char* said : {"out of memory", "this machine's memory", " is unavailable: ",
-                             "Write error at ", "Write error: wrote", "std::bad_alloc",
-                             "Resource temporarily unavailable", "was changed while it was read"})
+    // OpenImageIO's writers: a full disk; of OpenEXR's threads, of zlib's compress() and of what a
+    // reader was thrown: there are no more, or no memory; of ours: a file that another took the
+    // place of.
+    for (const char* said :
+         {"out of memory", "this machine's memory", " is unavailable: ", "Write error at ",
+          "Write error: wrote", "std::bad_alloc", "Data compression (zlib) failed",
+          "Resource temporarily unavailable", "was changed while it was read"})
         if (message.find(said) != std::string::npos)
             return exit_resources;
     return exit_failed;

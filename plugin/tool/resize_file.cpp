@@ -101,8 +101,7 @@ Failure too_far(const OIIO::ImageSpec& from, const Size& size) {
 }
 
 /// Open the file for what of the result its format has room for: `spec` becomes that.
-bool open_file(const std::string& path, const ResizeSettings& settings, OIIO::ImageSpec& spec,
-               ImageFile& file, Failure& failure) {
+bool open_file(const std::string& path, OIIO::ImageSpec& spec, ImageFile& file, Failure& failure) {
     spec.tile_width = spec.tile_height = spec.tile_depth = 0;
     if (!file.create(path, failure) || !fit_format(file.output(), path, spec, failure))
         return false;
@@ -110,7 +109,6 @@ bool open_file(const std::string& path, const ResizeSettings& settings, OIIO::Im
     if (!check_size_of(spec, failure) || !file.open(spec, failure))
         return false;
     note_left_out(path, left_out);
-    note_instead(path, "type", settings.type, file.output().spec().format.c_str());
     return true;
 }
 
@@ -228,7 +226,7 @@ bool resize_file(const std::string& in, const std::string& out, const ResizeSett
     OIIO::ROI made = OIIO::get_roi(spec);
     ImageFile file;
     OIIO::ImageBuf result;
-    if (!open_file(out, settings, spec, file, failure) || !hold_result(spec, file, result, failure))
+    if (!open_file(out, spec, file, failure) || !hold_result(spec, file, result, failure))
         return false;
     made = OIIO::roi_intersection(made, result.roi());
     // Beyond its data window an image is black.
@@ -251,8 +249,10 @@ bool resize_file(const std::string& in, const std::string& out, const ResizeSett
     const auto writing = [&](float share) {
         progress(share_of_resizing + share * (1 - share_of_resizing));
     };
+    const std::string type = file.output().spec().format.c_str();
     if (!writer.finish(writing, failure) || !file.commit(failure))
         return false;
+    note_instead(out, "type", settings.type, type);
     note_instead(out, "compression", settings.compression.substr(0, settings.compression.find(':')),
                  file.compression());
     note_others(in, reader.images());
