@@ -2,13 +2,11 @@
 #include "core/enlarge/whole_source.h"
 
 #include <algorithm>
-#include <atomic>
 #include <limits>
-#include <mutex>
-#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/enlarge/fill.h"
+#include "core/tiles/run.h"
 
 namespace ddt {
 
@@ -18,33 +16,6 @@ constexpr int rows_at_once = 64;
 
 /// Of the time that reading and filling take, about.
 constexpr float filling_begins = 0.02f;
-
-/// How far several threads are with bands of the source.
-class Reading {
-public:
-    Reading(int bands, Tell progress) : m_bands(bands), m_progress(std::move(progress)) {}
-
-    bool going() const { return m_outcome == Outcome::done; }
-    Outcome outcome() const { return m_outcome; }
-    /// To be called of each band.
-    void ended(bool read) {
-        const std::lock_guard<std::mutex> lock(m_mutex);
-        ++m_done;
-        if (!going())
-            return;
-        if (!read)
-            m_outcome = Outcome::source_failed;
-        else if (m_progress && !m_progress(float(m_done) / float(m_bands)))
-            m_outcome = Outcome::cancelled;
-    }
-
-private:
-    const int m_bands;
-    const Tell m_progress;
-    std::atomic<Outcome> m_outcome{Outcome::done};
-    std::mutex m_mutex;
-    int m_done = 0;
-};
 
 } // namespace
 
@@ -60,16 +31,22 @@ Outcome WholeSource::fill(Source& source, const Job& job, int threads, const Tel
     m_values.resize(m_window.area() * m_channels);
     m_guide.resize(m_window.area());
     const int bands = (m_window.height() + rows_at_once - 1) / rows_at_once;
-    Reading reading(bands, part_of(progress, 0, filling_begins));
+    Job reading = job;
+    reading.progress = part_of(progress, 0, filling_begins);
+    Run run(reading, bands);
     for_each_index(threads, bands, [&](int, int band) {
         const int y0 = m_window.y0 + band * rows_at_once;
         const Rect r{m_window.x0, y0, m_window.x1, std::min(y0 + rows_at_once, m_window.y1)};
         const size_t first = place(r.x0, r.y0);
-        if (reading.going())
-            reading.ended(source.read(r, &m_values[first * m_channels], &m_guide[first]));
+        if (!run.going())
+            return;
+        if (source.read(r, &m_values[first * m_channels], &m_guide[first]))
+            run.tile_done(band);
+        else
+            run.end(Outcome::source_failed);
     });
-    if (!reading.going())
-        return reading.outcome();
+    if (!run.going())
+        return run.outcome();
     const HoledImage image{m_values.data(),
                            m_guide.data(),
                            m_window.width(),
