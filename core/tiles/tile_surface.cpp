@@ -71,7 +71,7 @@ void TileSurface::begin(const TileMesh& mesh, const Tile& tile, int cells, const
     m_arena = &arena;
     const Rect part = mesh.sampled(tile);
     if (is_corrected(surface) && m_nets.size() > 1)
-        m_corrected.resize(mesh.lattice().vertices() * size_t(m_job.channels));
+        take_memory(m_corrected, mesh.lattice().vertices() * size_t(m_job.channels));
     const int ahead =
         is_corrected(surface) ? CorrectedRows::rows_ahead(mesh.lattice(), surface.consistency) : 0;
     m_fans.begin(mesh.lattice(), fan_rows(ahead, m_nets.size(), cells));

@@ -192,6 +192,8 @@ TEST(Memory, AWorkerTakesWhatIsSaidOfIt) {
             const Job job = job_of(filter, window, channels, 1);
             EXPECT_LE(peak_of(job, resized), memory_said(job, resized)) << filter;
             EXPECT_LE(peak_of(job, turned), memory_said(job, turned)) << filter;
+            // The corner's tile is smaller than the one after it: nothing grows to twice of it.
+            EXPECT_LE(peak_of(job, to, {0, 0, 1200, 8}), memory_said(job, resized)) << filter;
         }
     for (const char* scheme : {"basic", "exproi", "maxgain", "exproi-maxgain", "exproi2-maxgain",
                                "annealing", "look-ahead", "lawson", "pixel"}) {
