@@ -15,7 +15,7 @@ bool describe_device(const Job& job, std::string& line) noexcept {
         const FilterOptions usual;
         if (!check_options({usual.surface, job.mesh, usual.light, job.device, usual.holes}, why))
             return false;
-        if (!find_place(job, job.window.area() / size_t(thread_count(job)), placement, why))
+        if (!find_place(job, pixels_a_thread(job.window.area(), job), placement, why))
             return false;
         text = describe(placement);
         return true;

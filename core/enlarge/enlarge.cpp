@@ -79,10 +79,6 @@ void report(const Placement& placement, const std::string& failure, const Statis
         statistics.iterations, milliseconds);
 }
 
-size_t pixels_a_thread(const Grid& tiles, const Job& job) {
-    return tiles.pixels().area() / size_t(thread_count(job));
-}
-
 /// Work on the tiles that are shown. failure: what the GPU failed at, if it did.
 Outcome work(Source& source, Sink& sink, const Mapping& mapping, const Job& job, const Grid& grid,
              const Placement& placement, Statistics& statistics, std::string& failure) {
@@ -91,7 +87,7 @@ Outcome work(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
         failure = work_on_gpu(*placement.gpu, source, sink, mapping, job, grid, thread_count(job),
                               run, statistics);
     else
-        missed_gpu(job, pixels_a_thread(grid, job));
+        missed_gpu(job, pixels_a_thread(grid.pixels().area(), job));
     const bool on_cpu = !placement.gpu || !failure.empty();
     statistics.device = on_cpu ? Device::cpu : placement.device;
     if (on_cpu)
@@ -105,7 +101,7 @@ Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, 
     const Stopwatch watch;
     const Grid grid = shown_tiles(job.window, mapping);
     Placement placement;
-    if (!find_place(job, pixels_a_thread(grid, job), placement, why))
+    if (!find_place(job, pixels_a_thread(grid.pixels().area(), job), placement, why))
         return Outcome::device_unavailable;
     Statistics statistics;
     if (job.statistics)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many threads a job has.
+// How many threads a job has, and what each works on.
 #pragma once
 
 #include "core/base/parallel.h"
@@ -9,6 +9,11 @@ namespace ddt {
 
 inline int thread_count(const Job& job) {
     return job.threads > 0 ? allowed_threads(job.threads) : usual_threads();
+}
+
+/// Each thread's share, by which a device is chosen.
+inline size_t pixels_a_thread(size_t pixels, const Job& job) {
+    return pixels / size_t(thread_count(job));
 }
 
 } // namespace ddt

@@ -11,14 +11,9 @@ namespace ddt {
 
 namespace {
 
-/// All together take no more than this for a few threads, times the meshes, and so much more for
-/// each further one.
+/// Of few threads together, and of each further one.
 constexpr size_t few_limit = size_t(200) << 20;
 constexpr size_t few_threads = 40, limit_per_thread = size_t(6) << 20;
-
-size_t memory_limit(size_t threads) {
-    return few_limit + (threads - std::min(threads, few_threads)) * limit_per_thread;
-}
 
 /// With fewer places than members by this factor, meshes would be what they wait for: they are a
 /// fifth of the work or more.
@@ -29,8 +24,13 @@ constexpr size_t pixels_a_thread = size_t(1) << 16;
 
 } // namespace
 
+size_t memory_limit(size_t threads, int meshes) {
+    return (few_limit + (threads - std::min(threads, few_threads)) * limit_per_thread) *
+           size_t(meshes);
+}
+
 CrewSize crew_size(const Mapping& mapping, const Job& job, const Grid& grid, size_t threads) {
-    const size_t bytes = memory_limit(threads) * size_t(job.mesh.meshes);
+    const size_t bytes = memory_limit(threads, job.mesh.meshes);
     const size_t worker = TileWorker::memory(job, mapping), place = TileMemory::needed(job);
     const auto tiles = size_t(grid.count());
     const size_t useful = std::max(tiles, output_of(mapping).area() / pixels_a_thread);

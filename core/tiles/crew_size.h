@@ -21,4 +21,8 @@ struct CrewSize {
 /// each there is in any case.
 CrewSize crew_size(const Mapping& mapping, const Job& job, const Grid& grid, size_t threads);
 
+/// The bytes that all threads together may take beside what source and sink hold, as ddt/job.h
+/// says.
+size_t memory_limit(size_t threads, int meshes);
+
 } // namespace ddt

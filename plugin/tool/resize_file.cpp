@@ -9,6 +9,7 @@
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/strutil.h>
 
+#include "core/tiles/crew_size.h"
 #include "core/tiles/grid.h"
 #include "plugin/image/metadata.h"
 #include "plugin/image/reading.h"
@@ -33,12 +34,8 @@ namespace {
 /// Of the whole, as progress tells: what is left is writing.
 constexpr float share_of_resizing = 0.8f;
 
-/// What enlarging takes at most beside input and output: as ddt/job.h says, and what a process has
-/// once.
-int64_t memory_beside(int threads, int meshes) {
-    constexpr int64_t mib = int64_t(1) << 20;
-    return (200 + 6 * std::max(0, threads - 40)) * meshes * mib + 56 * mib;
-}
+/// What a process has once.
+constexpr int64_t memory_of_process = int64_t(56) << 20;
 
 /// Tiles for each thread in a strip that is resized while the one before is written: fewer, and
 /// threads would wait for the last tiles of each.
@@ -276,8 +273,9 @@ int64_t memory_to_resize(const std::string& in, const std::string& out,
     OIIO::ImageSpec from = file->spec();
     if (is_associated_when_read(from))
         from.set_format(OIIO::TypeFloat);
-    return int64_t(from.image_bytes() + spec.image_bytes()) + ids +
-           memory_beside(settings.threads, settings.options.mesh.meshes);
+    const auto beside =
+        int64_t(memory_limit(size_t(settings.threads), settings.options.mesh.meshes));
+    return int64_t(from.image_bytes() + spec.image_bytes()) + ids + beside + memory_of_process;
 }
 
 } // namespace ddt::tool
