@@ -17,7 +17,7 @@ WRAPPER = os.path.join(BUILD, "bin", "ddt-oiiotool")
 
 # Variables that would change what is tested.
 FOREIGN = ("OIIO_LIBRARY_PATH", "OPENIMAGEIO_PLUGIN_PATH", "LD_PRELOAD", "OCIO",
-           "OPENIMAGEIO_OPTIONS", "DDT_DEVICE", "DDT_VERBOSE")
+           "OPENIMAGEIO_OPTIONS", "DDT_DEVICE", "DDT_EGL_DEVICE", "DDT_VERBOSE")
 
 
 def environment(plugin):

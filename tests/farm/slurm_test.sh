@@ -44,6 +44,7 @@ export SLURM_CONF=$work/slurm.conf
 port=$((20000 + $$ % 4000 * 3))
 sed -e "s,@WORK@,$work,g" -e "s,@USER@,$(id -un),g" -e "s,@PORT0@,$port,g" \
     -e "s,@PORT1@,$((port + 1)),g" -e "s,@PORT2@,$((port + 2)),g" "$here/slurm.conf.in" >"$SLURM_CONF"
+echo "NodeName=n1 Name=gpu File=/dev/null" >"$work/gres.conf"
 slurmctld -D >"$work/ctld.out" 2>&1 &
 daemons+=($!)
 for node in n1 n2; do
@@ -57,9 +58,10 @@ while ((SECONDS < begin + 30)) && kill -0 "${daemons[0]}" 2>/dev/null && ! up; d
 up || { echo "skipped: Slurm does not start here: $(cat "$work"/*.out | grep -m 1 -i error || true)"; exit 77; }
 
 # ddt, but for frame 3, whose first run finds a disk with room for one block, and for what runs first
-# on n2, which would take long.
+# on n2, which would take long. Leaves the device that it was told.
 cat >"$work/bin/ddt" <<END
 #!/bin/bash
+echo "\${DDT_DEVICE:-any}" >>"$work/devices"
 if [[ "\$*" = *"--frames 3 "* ]] && mkdir "$work/tried" 2>/dev/null; then
     ulimit -f 1
 elif [ "\$SLURMD_NODENAME" = n2 ] && mkdir "$work/lost" 2>/dev/null; then
@@ -96,6 +98,7 @@ wait "$array" || { echo "FAILED: the array"; exit 1; }
 for i in 1 2 3 4 5 6; do
     cmp "one.000$i.png" "out.000$i.png" || { echo "FAILED: frame $i"; exit 1; }
 done
+[ "$(sort -u "$work/devices")" = cpu ] || { echo "FAILED: frames without a GPU on $(sort -u "$work/devices")"; exit 1; }
 echo "six frames, one tried again, one node lost with frame $lost on it: the same bytes"
 
 slurmd -D -N n2 >"$work/n2.out" 2>&1 &
@@ -111,6 +114,12 @@ done
 idiff -q one.exr out.exr || { echo "FAILED: four parts joined"; cat slurm-*.out; exit 1; }
 [ ! -e out.exr.part-1-of-4.exr ] || { echo "FAILED: parts are left over"; exit 1; }
 echo "four parts, joined after they were done: the same pixels"
+
+rm "$work/devices"
+timeout 60 sbatch --wait --array=1 --gpus=1 "$scripts/frames.sbatch" in.#.png 300% given.#.png --threads 1
+[ "$(cat "$work/devices")" = any ] || { echo "FAILED: a frame with a GPU on $(cat "$work/devices")"; exit 1; }
+cmp one.0001.png given.0001.png || { echo "FAILED: the frame with a GPU"; exit 1; }
+echo "a frame with a GPU: not kept from it"
 
 # Of parts that fail: the join does not wait for ever.
 join=$(CPUS=1 "$scripts/parts.sh" 2 whole.exr 100% out.exr --filter none)

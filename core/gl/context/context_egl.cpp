@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // EGL without a window system. The display may be one the host uses too, so it is never terminated.
+#include <charconv>
+#include <cstdlib>
 #include <cstring>
 #include <vector>
 
@@ -79,8 +81,24 @@ struct Candidate {
     void* native;
 };
 
-/// All ways, in the order in which they are tried.
-std::vector<Candidate> candidates(const Egl& egl, Wanted wanted) {
+/// What names one of a machine's GPUs, by its number among them as EGL lists them.
+constexpr const char* gpu_variable = "DDT_EGL_DEVICE";
+
+/// Of all the named one alone.
+std::vector<Candidate> only(const char* name, const std::vector<Candidate>& gpus,
+                            std::string& why) {
+    size_t number = gpus.size();
+    const char* end = name + std::strlen(name);
+    if (const auto parsed = std::from_chars(name, end, number);
+        parsed.ec == std::errc() && parsed.ptr == end && number < gpus.size())
+        return {gpus[number]};
+    why = std::string(gpu_variable) + "=" + name + " is none of the " +
+          std::to_string(gpus.size()) + " GPUs that EGL lists, counted from 0";
+    return {};
+}
+
+/// All ways, in the order in which they are tried; `why` if there is none.
+std::vector<Candidate> candidates(const Egl& egl, Wanted wanted, std::string& why) {
     std::vector<Candidate> hardware, software;
     EGLDeviceEXT devices[32];
     EGLint n = 0;
@@ -93,6 +111,9 @@ std::vector<Candidate> candidates(const Egl& egl, Wanted wanted) {
         (soft ? software : hardware)
             .push_back({"EGL device " + std::to_string(i), EGL_PLATFORM_DEVICE_EXT, devices[i]});
     }
+    why = "EGL lists no hardware device";
+    if (const char* name = std::getenv(gpu_variable); name && *name)
+        return only(name, hardware, why);
     std::vector<Candidate> all = hardware;
     // The list could be read: no hardware in it means there is none.
     if (wanted == Wanted::hardware && known && !hardware_unlisted())
@@ -183,13 +204,13 @@ std::unique_ptr<Context> make_egl_context(Wanted wanted, std::string& why) {
     Egl egl;
     if (!egl.load(why))
         return nullptr;
-    std::string reasons;
-    for (const Candidate& candidate : candidates(egl, wanted)) {
+    std::string none, reasons;
+    for (const Candidate& candidate : candidates(egl, wanted, none)) {
         if (auto context = try_candidate(egl, candidate, wanted, why))
             return context;
         reasons += (reasons.empty() ? "" : "; ") + why;
     }
-    why = reasons.empty() ? "EGL lists no hardware device" : reasons;
+    why = reasons.empty() ? none : reasons;
     return nullptr;
 }
 

@@ -132,6 +132,24 @@ TEST_P(Process, TheEnvironmentNamesTheDeviceOfAutomaticJobs) {
     EXPECT_NE(result.error.find("osmesa"), std::string::npos) << result.error;
 }
 
+/// As far as one GPU tells, or none.
+TEST(Egl, TheEnvironmentNamesOneOfSeveralGpus) {
+    std::string why;
+    for (const char* name : {"31", "-1", "first", "0 "}) {
+        setenv("DDT_EGL_DEVICE", name, 1);
+        EXPECT_EQ(gl::make_egl_context(gl::Wanted::any, why), nullptr) << name;
+        EXPECT_NE(why.find("DDT_EGL_DEVICE=" + std::string(name) + " is none of"),
+                  std::string::npos)
+            << why;
+    }
+    unsetenv("DDT_EGL_DEVICE");
+    const auto usual = gl::make_egl_context(gl::Wanted::hardware, why);
+    setenv("DDT_EGL_DEVICE", "0", 1);
+    const auto first = gl::make_egl_context(gl::Wanted::any, why);
+    unsetenv("DDT_EGL_DEVICE");
+    EXPECT_EQ(first != nullptr, usual != nullptr) << why;
+}
+
 INSTANTIATE_TEST_SUITE_P(Devices, Process, testing::Values(Device::egl, Device::osmesa),
                          device_name);
 
