@@ -9,6 +9,7 @@
 
 #include "core/base/codes.h"
 #include "core/base/half.h"
+#include "plugin/image/cached_reads.h"
 #include "plugin/image/channels.h"
 #include "plugin/image/own_tasks.h"
 #include "plugin/message/format.h"
@@ -111,6 +112,7 @@ bool read_cached(const OIIO::ImageBuf& image, const OIIO::ROI& roi, OIIO::TypeDe
     error = cache->geterror();
     if (error.empty())
         error = "the source image cannot be read";
+    CachedReads::fail(image, error);
     return false;
 }
 
@@ -132,25 +134,11 @@ bool read_pixels(const OIIO::ImageBuf& image, const Rect& r, int chbegin, int ch
                                pixel * r.width(), OIIO::AutoStride);
 }
 
-bool read_ids(const OIIO::ImageBuf& src, OIIO::ImageBuf& ids, std::string& error) {
-    const OIIO::TypeDesc native = src.nativespec().format;
-    if (src.storage() != OIIO::ImageBuf::IMAGECACHE || !is_id_type(native))
-        return true;
-    ids.reset(src.name(), src.subimage(), src.miplevel());
-    if (!ids.read(src.subimage(), src.miplevel(), true, native)) {
-        error = format("the source image cannot be read: {}", ids.geterror());
-        return false;
-    }
-    // What the caller may have changed since.
-    ids.specmod().extra_attribs = src.spec().extra_attribs;
-    ids.set_origin(src.spec().x, src.spec().y);
-    ids.set_roi_full(src.roi_full());
-    return true;
-}
-
 void write_pixels(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, OIIO::TypeDesc type,
                   const void* values) {
-    write_strided(image, r, chbegin, chend, type, values,
+    // An identifier is the same in the other type, where a number would be scaled.
+    const bool ids = is_id_type(type) && is_id_type(image.spec().format);
+    write_strided(image, r, chbegin, chend, ids ? image.spec().format : type, values,
                   OIIO::stride_t(type.size()) * (chend - chbegin));
 }
 

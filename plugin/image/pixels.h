@@ -24,13 +24,8 @@ inline void* address(OIIO::ImageBuf& image, int x, int y, int channel) {
 bool read_pixels(const OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend,
                  OIIO::TypeDesc type, void* out, std::string& error);
 
-/// OpenImageIO's cache, which may stand behind `src`, makes floats of 32-bit integers. If it does,
-/// read them into `ids`, else uninitialised, as they are. False with one line in `error` when the
-/// file cannot be read.
-bool read_ids(const OIIO::ImageBuf& src, OIIO::ImageBuf& ids, std::string& error);
-
-/// The other way, into an image in local memory; values without gaps. Thread-safe for different
-/// pixels.
+/// The other way, into an image in local memory; values without gaps. 32-bit integers keep their
+/// bits in both types of these. Thread-safe for different pixels.
 void write_pixels(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, OIIO::TypeDesc type,
                   const void* values);
 

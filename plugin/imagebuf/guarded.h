@@ -8,7 +8,8 @@
 #include <OpenImageIO/imagebufalgo.h>
 
 #include "core/base/guarded.h"
-#include "plugin/image/pixels.h"
+#include "plugin/image/cached_reads.h"
+#include "plugin/image/ids.h"
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 
@@ -52,7 +53,9 @@ bool guarded_from(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, Body&& body) n
         if (&dst == &src)
             copy = src;
         const OIIO::ImageBuf& from = &dst == &src ? copy : src;
-        return read_ids(from, ids, error) && body(ids.initialized() ? ids : from, touched, error);
+        const CachedReads reads(from);
+        return reads.all_well(error) && read_ids(from, ids, error) &&
+               body(ids.initialized() ? ids : from, touched, error) && reads.all_well(error);
     });
 }
 

@@ -8,6 +8,7 @@
 #include <OpenImageIO/timer.h>
 
 #include "core/base/verbose.h"
+#include "plugin/image/cached_reads.h"
 #include "plugin/image/sink.h"
 #include "plugin/image/source.h"
 #include "plugin/image/windows.h"
@@ -99,6 +100,7 @@ bool check_was_read(const OIIO::ImageBuf& reader, std::string& error) {
     if (!reader.has_error())
         return true;
     error = "the source image cannot be read: " + reader.geterror();
+    CachedReads::fail(reader, error);
     return false;
 }
 

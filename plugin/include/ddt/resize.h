@@ -12,12 +12,12 @@
 // another the pixels asked for are untouched or black, never half of a result.
 //
 // Pixels. uint8, int8, uint16, int16, half, float and double are interpolated as float32 numbers;
-// uint32 and int32 are identifiers, copied bit for bit from the nearest vertex of the mesh, and so
-// are the channels of other images that are IDs by name, by cryptomatte metadata or by their own
-// type in the file: as floats, which have no room for all doubles and integers beyond 2^24. NaN and
-// infinities stay within the triangles that touch them; an integer dst shows NaN as 0. Numbers
-// of magnitude below 2^-80, some 8e-25, count as 0 where they are interpolated. An image
-// whose display window does not change its size keeps its pixels' exact bits.
+// uint32 and int32 are identifiers, copied bit for bit, to either type, from the nearest vertex of
+// the mesh, and so are the channels of other images that are IDs by name, by cryptomatte metadata
+// or by their own type in the file: as floats, which have no room for all doubles and integers
+// beyond 2^24. NaN and infinities stay within the triangles that touch them; an integer dst shows
+// NaN as 0. Numbers of magnitude below 2^-80, some 8e-25, count as 0 where they are interpolated.
+// An image whose display window does not change its size keeps its pixels' exact bits.
 //
 // Light. Colour (R, G, B or grey) is interpolated in linear light: OpenColorIO converts it from the
 // image's colour space and back, by the config in $OCIO or else a built-in one. Where the image

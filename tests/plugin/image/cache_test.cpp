@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sources that are files behind OpenImageIO's cache.
+#include <array>
 #include <cstdio>
 #include <filesystem>
+#include <thread>
 
 #include "plugin/image/lazy_file.h"
+#include "tests/core/gathering.h"
 #include "tests/plugin/images.h"
 #include "tests/temporary.h"
 
@@ -34,6 +37,18 @@ protected:
         m_cache = empty_cache();
     }
     ~CacheTest() override { std::remove(m_path.c_str()); }
+    /// Noise in place of the picture.
+    void write(int size) {
+        auto image = images::make(size, size, 1, OIIO::TypeUInt8);
+        images::noise(image);
+        image.set_write_tiles(tile, tile);
+        ASSERT_TRUE(image.write(m_path)) << image.geterror();
+    }
+    /// Half of that.
+    void truncate(int size) {
+        write(size);
+        std::filesystem::resize_file(m_path, std::filesystem::file_size(m_path) / 2);
+    }
     int64_t statistic(const char* name) const {
         long long value = -1;
         EXPECT_TRUE(m_cache->getattribute(name, OIIO::TypeDesc::INT64, &value)) << name;
@@ -127,15 +142,11 @@ TEST_F(CacheTest, ATruncatedFileIsAnError) {
     EXPECT_FALSE(dst.initialized());
 }
 
-// OpenImageIO's own filters go on with black. (Its cache keeps black tiles, too, and finds nothing
-// wrong with them the next time: here it is another one each time.)
-TEST_F(CacheTest, ATruncatedFileIsAnErrorWhateverIsMadeOfIt) {
+// OpenImageIO's cache keeps black tiles, and finds nothing wrong with them the next time; its own
+// filters go on with black.
+TEST_F(CacheTest, ATruncatedFileIsAnErrorWhateverIsMadeOfItEachTime) {
     constexpr int few = 4 * tile;
-    auto image = images::make(few, few, 1, OIIO::TypeUInt8);
-    images::noise(image);
-    image.set_write_tiles(tile, tile);
-    ASSERT_TRUE(image.write(m_path)) << image.geterror();
-    std::filesystem::resize_file(m_path, std::filesystem::file_size(m_path) / 2);
+    truncate(few);
     const float half[3][3] = {{0.5f, 0, 0}, {0, 0.5f, 0}, {0, 0, 1}};
     const OIIO::ROI small(0, few / 2, 0, few / 2, 0, 1), narrow(0, few / 2, 0, few + 8, 0, 1);
     using Work = std::function<bool(OIIO::ImageBuf & dst, const OIIO::ImageBuf& src)>;
@@ -143,15 +154,45 @@ TEST_F(CacheTest, ATruncatedFileIsAnErrorWhateverIsMadeOfIt) {
                          [&](auto& dst, auto& src) { return ddt::resize(dst, src, {}, narrow); },
                          [&](auto& dst, auto& src) { return ddt::warp(dst, src, half); },
                          [&](auto& dst, auto& src) { return ddt::fill(dst, src); }};
-    for (const Work& work : ways) {
-        const OIIO::ImageBuf src(m_path, 0, 0, empty_cache());
-        OIIO::ImageBuf dst;
-        EXPECT_FALSE(work(dst, src));
-        EXPECT_FALSE(dst.initialized());
-        const std::string error = dst.geterror();
-        EXPECT_EQ(error.find("ddt: "), 0u) << error;
-        EXPECT_EQ(error.find('\n'), std::string::npos) << error;
-    }
+    m_cache = empty_cache();
+    for (int time = 0; time < 2; ++time)
+        for (const Work& work : ways) {
+            const OIIO::ImageBuf src(m_path, 0, 0, m_cache);
+            OIIO::ImageBuf dst;
+            EXPECT_FALSE(work(dst, src));
+            EXPECT_FALSE(dst.initialized());
+            const std::string error = dst.geterror();
+            EXPECT_EQ(error.find("ddt: "), 0u) << error;
+            EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+        }
+}
+
+TEST_F(CacheTest, ATruncatedFileIsAnErrorToAllWhoReadItAtOnce) {
+    constexpr int few = 4 * tile, callers = 4;
+    truncate(few);
+    m_cache = empty_cache();
+    ddt::test::Gathering begun(callers);
+    std::array<bool, callers> done{};
+    std::vector<std::thread> threads;
+    for (bool& is_done : done)
+        threads.emplace_back([&] {
+            const OIIO::ImageBuf src(m_path, 0, 0, m_cache);
+            OIIO::ImageBuf dst;
+            ddt::Options options;
+            options.device = ddt::Device::cpu;
+            const ddt::test::Gathering::Guest here(begun);
+            is_done = ddt::resize(dst, src, options, OIIO::ROI(0, few + 8, 0, few + 8), 1);
+        });
+    for (auto& thread : threads)
+        thread.join();
+    for (const bool is_done : done)
+        EXPECT_FALSE(is_done);
+    // Repaired, it is read anew.
+    write(few);
+    m_cache->invalidate(OIIO::ustring(m_path), true);
+    const OIIO::ImageBuf src(m_path, 0, 0, m_cache);
+    OIIO::ImageBuf dst;
+    EXPECT_TRUE(ddt::resize(dst, src, {}, OIIO::ROI(0, few + 8, 0, few + 8))) << dst.geterror();
 }
 
 } // namespace
