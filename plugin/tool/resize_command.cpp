@@ -59,7 +59,9 @@ public:
             whole_flag("--jobs", "N",
                        "frames at a time (default: 1), fewer where memory would not do", 1, 64,
                        m_run.jobs),
-            switch_flag("--skip-existing", "leave out what is there already", m_run.skip_existing),
+            switch_flag("--skip-existing",
+                        "leave out what is there already (of parts: of the same result)",
+                        m_run.skip_existing),
             switch_flag("--keep-going", "go on with the other frames after one failed",
                         m_run.keep_going),
             {"--part", "K/N", "write the part K of N into OUT, an EXR file, for ddt join",
@@ -95,6 +97,10 @@ public:
                 why.code = code_of_reading(task.in);
             return done;
         };
+        if (m_part.count > 0)
+            m_run.is_made = [this](const FrameTask& task) {
+                return is_part_there(task.in, task.out, m_settings, m_part);
+            };
         m_run.memory_of = [this](const FrameTask& task) {
             return m_run.jobs > 1 ? memory_to_resize(task.in, task.out, m_settings) : 0;
         };

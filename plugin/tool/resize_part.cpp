@@ -226,35 +226,71 @@ bool open_part(const std::string& path, const OIIO::ImageSpec& spec, ImageFile& 
     return file.open(spec, failure);
 }
 
+/// What a part is made from and belongs to.
+struct PartJob {
+    explicit PartJob(const std::string& in) : path(in), file(in, 0, {cache_megabytes, true}) {}
+    const OIIO::ImageBuf& image() const { return file.image(); }
+    Grid grid() const { return Grid(rect_of(image().roi())); }
+
+    bool plan(const ResizeSettings& settings, const Part& part, Failure& failure) {
+        if (!file.image().init_spec(path, 0, 0)) {
+            failure.why = why_unreadable(image(), path);
+            failure.code = code_of_message(failure.why);
+            return false;
+        }
+        if (!check_image(image(), path, settings.options, failure))
+            return false;
+        from = spec_of_file(image());
+        if (!plan_result(from, settings, whole, failure))
+            return false;
+        if (!check_part(from, whole, grid(), part, failure))
+            return false;
+        const std::string job = fingerprint(path, from, whole, settings);
+        if (job.empty()) {
+            failure = {"\"" + path + "\" is no file that can be read as bytes, which --part needs"};
+            return false;
+        }
+        header = header_of(job, part, whole);
+        return true;
+    }
+
+    const std::string path;
+    LazyFile file;
+    OIIO::ImageSpec from, whole; ///< the source and the result
+    PartHeader header;
+};
+
 } // namespace
+
+bool is_part_there(const std::string& in, const std::string& out, const ResizeSettings& settings,
+                   Part part) {
+    const EndsWithoutMemory or_the_cache_waits;
+    PartHeader there;
+    const auto file = OIIO::ImageInput::open(out);
+    if (!file) {
+        OIIO::geterror(); // 3.x prints what nobody asked for
+        return false;
+    }
+    if (!there.read_from(file->spec()))
+        return false;
+    PartJob job(in);
+    Failure ignored; // whoever makes the part tells
+    return job.plan(settings, part, ignored) && job.header.job == there.job &&
+           part.index == there.part.index && part.count == there.part.count;
+}
 
 bool resize_part(const std::string& in, const std::string& out, const ResizeSettings& settings,
                  Part part, const std::function<bool(float)>& progress, Failure& failure) {
     const EndsWithoutMemory or_the_cache_waits;
-    LazyFile file_in(in, 0, {cache_megabytes, true});
-    if (!file_in.image().init_spec(in, 0, 0)) {
-        failure.why = why_unreadable(file_in.image(), in);
-        failure.code = code_of_message(failure.why);
+    PartJob job(in);
+    if (!job.plan(settings, part, failure))
         return false;
-    }
-    const OIIO::ImageBuf& image = file_in.image();
-    if (!check_image(image, in, settings.options, failure))
-        return false;
-    const OIIO::ImageSpec from = spec_of_file(image);
-    OIIO::ImageSpec whole;
-    if (!plan_result(from, settings, whole, failure))
-        return false;
-    const Grid grid(rect_of(image.roi()));
-    if (!check_part(from, whole, grid, part, failure))
-        return false;
+    const OIIO::ImageBuf& image = job.image();
+    const OIIO::ImageSpec &from = job.from, &whole = job.whole;
+    const Grid grid = job.grid();
     const PartTiles tiles(grid, from, whole, part);
-    const std::string job = fingerprint(in, from, whole, settings);
-    if (job.empty()) {
-        failure = {"\"" + in + "\" is no file that can be read as bytes, which --part needs"};
-        return false;
-    }
     OIIO::ImageSpec spec = file_spec(whole, tiles.pixels());
-    header_of(job, part, whole).write_to(spec);
+    job.header.write_to(spec);
     ImageFile file;
     if (!open_part(out, spec, file, failure))
         return false;

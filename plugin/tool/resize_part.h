@@ -16,4 +16,9 @@ namespace ddt::tool {
 bool resize_part(const std::string& in, const std::string& out, const ResizeSettings& settings,
                  Part part, const std::function<bool(float)>& progress, Failure& failure);
 
+/// Whether `out` is what resize_part() would write: the same part of the same result, of a source
+/// that has not changed (see fingerprint()).
+bool is_part_there(const std::string& in, const std::string& out, const ResizeSettings& settings,
+                   Part part);
+
 } // namespace ddt::tool

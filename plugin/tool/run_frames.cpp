@@ -41,7 +41,7 @@ public:
             const FrameTask& task = m_tasks[index];
             // Others go on while a file system thinks.
             lock.unlock();
-            const bool skipped = m_run.skip_existing && is_there(task.out);
+            const bool skipped = m_run.skip_existing && is_there(task.out) && is_made(task);
             const int64_t memory = skipped ? 0 : memory_of(task);
             lock.lock();
             if (skipped) {
@@ -70,6 +70,14 @@ public:
     FrameCounts counts() const { return m_counts; }
 
 private:
+    bool is_made(const FrameTask& task) const {
+        try {
+            return !m_run.is_made || m_run.is_made(task);
+        } catch (const std::exception&) {
+            return false; // the attempt tells
+        }
+    }
+
     int64_t memory_of(const FrameTask& task) const {
         try {
             return m_run.memory_of ? m_run.memory_of(task) : 0;

@@ -23,6 +23,9 @@ struct FrameRun {
     bool keep_going = false;    ///< go on with the others after one failed
     /// One frame. Called from several threads at once.
     std::function<bool(const FrameTask&, const std::function<bool(float)>& progress, Failure&)> run;
+    /// Whether what is there is what `run` would write; null: it is. Called from several threads at
+    /// once.
+    std::function<bool(const FrameTask&)> is_made;
     /// Bytes that a frame will take, about.
     std::function<int64_t(const FrameTask&)> memory_of;
 };

@@ -2,6 +2,7 @@
 #include "plugin/tool/part.h"
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "plugin/tool/fingerprint.h"
 #include "plugin/tool/join.h"
 #include "plugin/tool/part_header.h"
+#include "plugin/tool/resize_part.h"
 #include "tests/temporary.h"
 
 namespace ddt::tool {
@@ -111,6 +113,46 @@ std::string write_half(int index, int channels, const std::string& whole, const 
     EXPECT_TRUE(file && file->open(path, spec) &&
                 file->write_image(OIIO::TypeHalf, pixels.data()) && file->close());
     return path;
+}
+
+TEST(Parts, AreThereIfTheyAreOfTheSameResult) {
+    const std::string in = temporary("part_source.exr"), out = temporary("part_there.exr"),
+                      other = temporary("part_other.exr");
+    OIIO::ImageBuf image(OIIO::ImageSpec(300, 600, 1, OIIO::TypeHalf));
+    ASSERT_TRUE(image.write(in));
+    ResizeSettings settings;
+    settings.size = "200%";
+    settings.threads = 1;
+    const Part part{2, 3};
+    const auto is_there = [&](const Part& which) {
+        return is_part_there(in, out, settings, which);
+    };
+    EXPECT_FALSE(is_there(part));
+    std::ofstream(out).put('x');
+    EXPECT_FALSE(is_there(part));
+    ASSERT_TRUE(image.write(out)); // no part
+    EXPECT_FALSE(is_there(part));
+    Failure failure;
+    ASSERT_TRUE(resize_part(
+        in, out, settings, part, [](float) { return true; }, failure))
+        << failure.why;
+    EXPECT_TRUE(is_there(part));
+    EXPECT_FALSE(is_there({1, 3}));
+    EXPECT_FALSE(is_there({2, 4}));
+    settings.threads = 2; // changes no bit
+    EXPECT_TRUE(is_there(part));
+    settings.options.mesh.cost = Cost::scf;
+    EXPECT_FALSE(is_there(part));
+    settings.options = {};
+    settings.size = "300%";
+    EXPECT_FALSE(is_there(part));
+    settings.size = "200%";
+    OIIO::ImageBufAlgo::fill(image, {0.5f});
+    ASSERT_TRUE(image.write(other));
+    std::filesystem::rename(other, in);
+    EXPECT_FALSE(is_there(part));
+    std::filesystem::remove(in);
+    EXPECT_FALSE(is_there(part));
 }
 
 TEST(Join, RefusesHeadersThatDoNotFit) {
