@@ -27,6 +27,10 @@ endif()
 # Highway's functions on vectors of a wider instruction set than the rest is compiled for must be inlined,
 # which they are not with -O0: GCC 12 breaks off, and what it makes of others crashes.
 add_compile_options($<$<CONFIG:Debug>:-Og>)
+# Nor does a project have to name a build type that has this one as a part.
+if(NOT CMAKE_CXX_FLAGS MATCHES "-O")
+  add_compile_options($<$<STREQUAL:$<CONFIG>,>:-O2>)
+endif()
 
 # For code that takes no time to run, tests and the command line: less to compile.
 set(DDT_BRIEFLY $<$<CONFIG:Release>:-O1>)

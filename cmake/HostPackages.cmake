@@ -13,7 +13,7 @@ if(TARGET ddt_python)
   set(modules lib/python3/dist-packages)
   install(TARGETS ddt_python LIBRARY DESTINATION ${modules}/oiio_ddt
     COMPONENT python3 EXCLUDE_FROM_ALL)
-  install(DIRECTORY ${CMAKE_BINARY_DIR}/hosts/python/oiio_ddt DESTINATION ${modules}
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/hosts/python/oiio_ddt DESTINATION ${modules}
     COMPONENT python3 EXCLUDE_FROM_ALL
     FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed PATTERN __pycache__ EXCLUDE)
   execute_process(COMMAND ${DDT_PYTHON} -c
@@ -34,8 +34,8 @@ if(TARGET ddt_imagemagick)
     install(TARGETS ddt_imagemagick LIBRARY DESTINATION ${filters}
       COMPONENT imagemagick EXCLUDE_FROM_ALL)
     set(libdir /usr/${filters})
-    configure_file(plugin/imagemagick/ddt.la.in ${CMAKE_BINARY_DIR}/package/ddt.la @ONLY)
-    install(FILES ${CMAKE_BINARY_DIR}/package/ddt.la DESTINATION ${filters}
+    configure_file(plugin/imagemagick/ddt.la.in ${PROJECT_BINARY_DIR}/package/ddt.la @ONLY)
+    install(FILES ${PROJECT_BINARY_DIR}/package/ddt.la DESTINATION ${filters}
       COMPONENT imagemagick EXCLUDE_FROM_ALL)
     install(FILES plugin/imagemagick/delegates.xml
       DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/oiio-ddt-imagemagick/examples
@@ -48,7 +48,7 @@ endif()
 if(TARGET ddt_openfx)
   set(DDT_OFX_INSTALL_DIR ${CMAKE_INSTALL_LIBDIR}/OFX/Plugins)
   get_target_property(built ddt_openfx LIBRARY_OUTPUT_DIRECTORY)
-  file(RELATIVE_PATH in_bundle ${CMAKE_BINARY_DIR}/hosts/openfx ${built})
+  file(RELATIVE_PATH in_bundle ${PROJECT_BINARY_DIR}/hosts/openfx ${built})
   install(TARGETS ddt_openfx LIBRARY DESTINATION ${DDT_OFX_INSTALL_DIR}/${in_bundle}
     COMPONENT openfx EXCLUDE_FROM_ALL)
 endif()

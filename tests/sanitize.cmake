@@ -3,16 +3,16 @@
 # where there is one, for then the fuzzers are libFuzzer's and run too. A folder has one compiler.
 find_program(DDT_CLANG clang)
 find_program(DDT_CLANGXX clang++)
-set(sanitize_dir ${CMAKE_BINARY_DIR}/sanitize)
+set(sanitize_dir ${PROJECT_BINARY_DIR}/sanitize)
 set(sanitize_compilers -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
   -DCMAKE_C_COMPILER=${CMAKE_C_COMPILER})
 if(DDT_CLANG AND DDT_CLANGXX)
-  set(sanitize_dir ${CMAKE_BINARY_DIR}/sanitize_clang)
+  set(sanitize_dir ${PROJECT_BINARY_DIR}/sanitize_clang)
   set(sanitize_compilers -DCMAKE_CXX_COMPILER=${DDT_CLANGXX} -DCMAKE_C_COMPILER=${DDT_CLANG})
 endif()
 add_test(NAME sanitize.build
   COMMAND ${CMAKE_CTEST_COMMAND}
-    --build-and-test ${CMAKE_SOURCE_DIR} ${sanitize_dir}
+    --build-and-test ${PROJECT_SOURCE_DIR} ${sanitize_dir}
     --build-generator ${CMAKE_GENERATOR}
     --build-noclean
     --build-target unit_tests

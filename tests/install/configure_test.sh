@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What configuring makes of this project where it is not as usual: with headers in folders of their own.
+# What configuring makes of this project where it is not as usual: with headers in folders of their own,
+# and as a part of another project.
 # Nothing is compiled; the commands that would are looked at.
 #
 #   configure_test.sh SOURCE_DIR CMAKE_ARGUMENT...
@@ -38,3 +39,36 @@ core/tin/delaunay_geos.cpp geos
 core/gl/context/functions.cpp gl
 core/gl/context/context_egl.cpp egl
 END
+
+# Another project that has this one as a part keeps its build type, folders, packages, tests and definitions.
+mkdir "$scratch/whole"
+cat >"$scratch/whole/CMakeLists.txt" <<END
+cmake_minimum_required(VERSION 3.20)
+project(whole LANGUAGES C CXX)
+enable_testing()
+add_subdirectory("$source_dir" part)
+file(WRITE \${CMAKE_BINARY_DIR}/mine.cpp "")
+add_library(mine MODULE \${CMAKE_BINARY_DIR}/mine.cpp)
+target_link_libraries(mine PRIVATE ddt::ddt_image)
+END
+whole=$scratch/whole/build
+quietly cmake -S "$scratch/whole" -B "$whole" "${arguments[@]}" -DCMAKE_INSTALL_PREFIX="$scratch/prefix"
+! grep -E '^CMAKE_BUILD_TYPE:[A-Z]*=.|^CMAKE_INSTALL_LIBDIR:[A-Z]*=.*linux-gnu|^CPACK_|^GTest_DIR' \
+    "$whole/CMakeCache.txt" || failed "a part changes the whole's choices"
+for file in CPackConfig.cmake plugins bin lib; do
+    [ ! -e "$whole/$file" ] || failed "a part makes the whole's $file"
+done
+(cd "$whole" && ctest -N) | grep -qx 'Total Tests: 0' || failed "a part's tests are the whole's"
+with "$whole" mine.cpp "$source_dir/plugin/include" || failed "a part's headers are not seen by the whole"
+! with "$whole" mine.cpp "-DHWY_" || failed "a part's definitions are the whole's"
+for file in core/triangulate/gain_simd.cpp plugin/host/targets.cpp plugin/colour/codetable.cpp; do
+    with "$whole" $file "-DHWY_BROKEN_EMU128=0" || failed "$file: Highway is not compiled as elsewhere"
+    # Without optimisation GCC breaks off.
+    with "$whole" $file " -O" || failed "$file is not optimised"
+done
+
+# Asked for, the part's tests are of the part.
+quietly cmake -S "$scratch/whole" -B "$whole" -DDDT_TESTS=ON
+grep -qF "readme_test.sh\" \"$source_dir\" \"$whole/part\"" "$whole/part/tests/CTestTestfile.cmake" ||
+    failed "tests of a part look for it elsewhere"
+! grep -F "$scratch/whole\"" -r "$whole/part/tests" --include=CTestTestfile.cmake || failed "the whole is tested"
