@@ -79,6 +79,11 @@ configure_build() {
     local generator=()
     [ -e "$ddt_build/CMakeCache.txt" ] || generator=(-G Ninja)
     mkdir -p "$ddt_build" || die "cannot write to $ddt_root"
+    local path
+    for path in "$ddt_build" "$ddt_build/configure.log"; do
+        [ ! -e "$path" ] || [ -w "$path" ] || die "cannot write to $path." \
+            "If another user built here, such as root, run this as that user or remove $ddt_build"
+    done
     use_ccache
     quietly configure.log cmake -S "$ddt_root" -B "$ddt_build" "${generator[@]}" "$@" ||
         die "cmake could not configure the build (its messages are above)."

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What demo and check do about missing packages, with dpkg, apt-get and sudo played by functions.
+# What demo and check do about missing packages, with dpkg, apt-get and sudo played by functions; how
+# check takes its arguments; what is said of a build that belongs to somebody else.
 # shellcheck disable=SC2016 # scripts are kept in single quotes until their own bash runs them
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -78,5 +79,40 @@ expect "no apt-get" 1 "there is no apt-get" \
 
 expect "not Debian" 1 "not a Debian system" \
     'unset -f dpkg-query; PATH=$scratch/bin; install_packages demo'
+
+# check, with everything played that it would do.
+mkdir -p "$scratch/tree/cmake" "$scratch/tree/bin"
+cp "$here/../check" "$scratch/tree/"
+ln -s "$scratch/tree/check" "$scratch/link"
+cat >"$scratch/tree/cmake/setup.sh" <<END
+. "$here/../cmake/setup.sh"
+install_packages() { echo "install \$*"; }
+configure_build() { echo "configure \$*"; }
+compile_build() { echo "compile \$*"; }
+PATH=$scratch/tree/bin:\$PATH
+END
+printf '#!/bin/sh\necho "ctest $*"\n' >"$scratch/tree/bin/ctest"
+chmod +x "$scratch/tree/bin/ctest"
+expect "check" 0 "configure -DDDT_TESTS=ON" 'bash $scratch/tree/check; bash $scratch/tree/check | grep "ctest .*--label-exclude"'
+expect "check --all comes before CMake's arguments" 0 "configure -DDDT_TESTS=ON -DX=1" \
+    'bash $scratch/tree/check --all -DX=1; bash $scratch/tree/check --all | grep -x "compile --target all check_all"'
+expect "check --all comes after CMake's arguments" 0 "configure -DDDT_TESTS=ON -DX=1" \
+    'bash $scratch/tree/check -DX=1 --all; bash $scratch/tree/check -DX=1 --all | grep -x "install demo check all"'
+expect "the value of a CMake argument is one of its own" 0 "configure -DDDT_TESTS=ON -D X=1 -G Ninja" \
+    'bash $scratch/tree/check -D X=1 -G Ninja'
+expect "check refuses a word" 1 "and not: Lattice" 'bash $scratch/tree/check Lattice'
+expect "check refuses an empty word" 1 "takes --all and CMake's arguments" 'bash $scratch/tree/check ""'
+expect "check --help" 0 "every test: also sanitizers" 'bash $scratch/tree/check --help'
+expect "check by way of a link" 0 "compile" 'bash $scratch/link'
+
+# Another user's build/. What root may do in any folder is dropped; where that cannot be, root is not asked.
+mkdir "$scratch/build"
+chmod a-w "$scratch/build"
+as_owner=()
+[ "$(id -u)" != 0 ] || as_owner=(setpriv --bounding-set -dac_override)
+if "${as_owner[@]}" bash -c '[ ! -w "$0" ]' "$scratch/build" 2>/dev/null; then
+    expect "a build that another user made" 1 "cannot write to $scratch/build." \
+        "${as_owner[*]}"' bash -c ". $here/../cmake/setup.sh; ddt_build=$scratch/build; configure_build"'
+fi
 
 exit "$failures"
