@@ -58,14 +58,14 @@ for ${host_${component}}.")
 endforeach()
 
 # Login shells tell hosts where plugins are, by `script`. By the GNU standards /etc belongs to the
-# prefix /usr; others get none. A link, and not a file that dpkg would keep as the user's on removal.
-# Further arguments are install()'s.
+# prefix /usr, which the script names; others get neither. A link, and not a file that dpkg would keep
+# as the user's on removal. Further arguments are install()'s.
 function(ddt_profile package script)
   configure_file(${script} ${documents}/${package}/profile.sh @ONLY)
-  install(FILES ${documents}/${package}/profile.sh
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/${package} ${ARGN})
   install(CODE "
     if(CMAKE_INSTALL_PREFIX MATCHES \"^/usr$|/_CPack_Packages/.*/usr$\")
+      file(INSTALL \"${documents}/${package}/profile.sh\"
+        DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/${package}\")
       set(etc \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/../etc/profile.d\")
       file(MAKE_DIRECTORY \"\${etc}\")
       file(CREATE_LINK /usr/share/${package}/profile.sh \"\${etc}/${package}.sh\" SYMBOLIC)

@@ -23,6 +23,8 @@ for package in "$work"/cpack/*.deb; do
     ! dpkg-deb -c "$package" | grep -vE '^(drwxr-xr-x|-rw[x-]r-[x-]r-[x-]|lrwxrwxrwx) ' ||
         failed "$package: not for all users"
 done
+profile=$(dpkg-deb -c "$deb" | grep -cE ' \./(usr/share/oiio-ddt/profile\.sh|etc/profile\.d/oiio-ddt\.sh -> /usr/share/oiio-ddt/profile\.sh)$')
+[ "$profile" = 2 ] || failed "login shells are not told of the plugin"
 lintian --fail-on error,warning --allow-root --tag-display-limit 0 "$work"/cpack/*.deb ||
     failed "lintian complains"
 
