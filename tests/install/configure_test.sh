@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # What configuring makes of this project where it is not as usual: with headers in folders of their own,
-# and as a part of another project.
+# for several build types at once, and as a part of another project.
 # Nothing is compiled; the commands that would are looked at.
 #
-#   configure_test.sh SOURCE_DIR CMAKE_ARGUMENT...
+#   configure_test.sh SOURCE_DIR GENERATOR CMAKE_ARGUMENT...
 set -euo pipefail
-source_dir=$1
-shift
+source_dir=$1 generator=$2
+shift 2
 arguments=("$@" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -21,13 +21,17 @@ with() {
     ! grep -qvF -- "$3" <<<"$commands"
 }
 
+# By a generator of several build types, where it is at hand.
+several=$generator
+[ "$generator" != Ninja ] || several="Ninja Multi-Config"
+
 # Libraries elsewhere than in /usr/include, as far as headers tell.
 mkdir -p "$scratch/pc" "$scratch"/elsewhere/{highway,geos,gl,egl}
 pc() { printf '%s\n' "Name: $1" 'Description: a stand-in' "Version: $2" "Cflags: -I$3" >"$scratch/pc/$1.pc"; }
 pc libhwy 1.0.3 "$scratch/elsewhere/highway"
 pc geos 3.11.1 "$scratch/elsewhere/geos"
 export PKG_CONFIG_PATH=$scratch/pc${PKG_CONFIG_PATH:+:$PKG_CONFIG_PATH}
-quietly cmake -S "$source_dir" -B "$scratch/build" "${arguments[@]}" -DDDT_TESTS=OFF \
+quietly cmake -S "$source_dir" -B "$scratch/build" -G "$several" "${arguments[@]}" -DDDT_TESTS=OFF \
     -DDDT_GL_HEADERS="$scratch/elsewhere/gl" -DDDT_EGL_HEADERS="$scratch/elsewhere/egl"
 while read -r file folder; do
     with "$scratch/build" "$file" "$scratch/elsewhere/$folder " || failed "$file does not see the headers of $folder"
@@ -39,6 +43,15 @@ core/tin/delaunay_geos.cpp geos
 core/gl/context/functions.cpp gl
 core/gl/context/context_egl.cpp egl
 END
+
+# Whatever the build type, what is built is where README says.
+if [ "$several" != "$generator" ]; then
+    for file in plugins/ddt.imageio.so bin/ddt lib/libddt_core.a 'hosts/openfx/oiio-ddt.ofx.bundle/Contents/[^/:]*/oiio-ddt.ofx'; do
+        for type in Release Debug; do
+            grep -q "^build $file: " "$scratch/build/CMakeFiles/impl-$type.ninja" || failed "$type has no $file"
+        done
+    done
+fi
 
 # Another project that has this one as a part keeps its build type, folders, packages, tests and definitions.
 mkdir "$scratch/whole"
@@ -52,7 +65,7 @@ add_library(mine MODULE \${CMAKE_BINARY_DIR}/mine.cpp)
 target_link_libraries(mine PRIVATE ddt::ddt_image)
 END
 whole=$scratch/whole/build
-quietly cmake -S "$scratch/whole" -B "$whole" "${arguments[@]}" -DCMAKE_INSTALL_PREFIX="$scratch/prefix"
+quietly cmake -S "$scratch/whole" -B "$whole" -G "$generator" "${arguments[@]}" -DCMAKE_INSTALL_PREFIX="$scratch/prefix"
 ! grep -E '^CMAKE_BUILD_TYPE:[A-Z]*=.|^CMAKE_INSTALL_LIBDIR:[A-Z]*=.*linux-gnu|^CPACK_|^GTest_DIR' \
     "$whole/CMakeCache.txt" || failed "a part changes the whole's choices"
 for file in CPackConfig.cmake plugins bin lib; do
