@@ -2,7 +2,7 @@
 # The image libraries the plugin and the ImageBuf library need, as the imported targets
 # OpenImageIO::OpenImageIO and PkgConfig::DDT_OCIO. Used as CoreDependencies.cmake is, after it.
 # No version here: OpenImageIO's own check refuses another major one than is asked for.
-find_package(OpenImageIO REQUIRED)
+find_package(OpenImageIO REQUIRED ${ddt_quiet})
 if(OpenImageIO_VERSION VERSION_LESS 2.4)
   message(FATAL_ERROR "OpenImageIO ${OpenImageIO_VERSION} is too old: 2.4 or later is needed")
 endif()
@@ -20,5 +20,5 @@ set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
 unset(ddt_folders)
 
 # By pkg-config: Debian's CMake config of OpenColorIO names an include folder that is not there.
-pkg_check_modules(DDT_OCIO REQUIRED IMPORTED_TARGET OpenColorIO>=2.1)
-message(STATUS "OpenImageIO ${OpenImageIO_VERSION}, OpenColorIO ${DDT_OCIO_VERSION}")
+pkg_check_modules(DDT_OCIO REQUIRED ${ddt_quiet} IMPORTED_TARGET OpenColorIO>=2.1)
+message(${ddt_status} "OpenImageIO ${OpenImageIO_VERSION}, OpenColorIO ${DDT_OCIO_VERSION}")

@@ -41,6 +41,23 @@ cmake -G Ninja -S "$scratch/consumer" -B "$scratch/consumer/linked" -DCMAKE_PREF
     >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
 grep -q "oiio-ddt_DIR:PATH=$scratch/root" "$scratch/consumer/linked/CMakeCache.txt"
 
+# Whoever asks for it quietly is told nothing.
+mkdir "$scratch/quiet"
+cat >"$scratch/quiet/CMakeLists.txt" <<'END'
+cmake_minimum_required(VERSION 3.20)
+project(quiet LANGUAGES C CXX)
+message(STATUS "from here on")
+find_package(oiio-ddt QUIET)
+find_package(oiio-ddt QUIET)
+message(STATUS "found: ${oiio-ddt_FOUND}")
+END
+cmake -G Ninja -S "$scratch/quiet" -B "$scratch/quiet/build" -DCMAKE_PREFIX_PATH="$scratch/prefix" \
+    >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
+grep -q 'found: 1' "$scratch/log" || { cat "$scratch/log"; exit 1; }
+! sed '1,/from here on/d' "$scratch/log" |
+    grep -E 'oneTBB|Highway|GEOS|OpenColorIO|OpenImageIO [0-9]|Found (Threads|PkgConfig)' ||
+    { echo "FAILED: find_package(oiio-ddt QUIET) is not quiet"; exit 1; }
+
 # With another OpenImageIO than it was built with it is not found.
 mkdir "$scratch/other"
 echo 'set(OpenImageIO_VERSION 9.9.9)' >"$scratch/other/OpenImageIOConfig.cmake"
