@@ -32,8 +32,10 @@ Failure thrown() {
         throw;
     } catch (const std::bad_alloc&) {
         return {"out of memory", exit_resources};
-    } catch (const std::system_error& e) { // no more threads
-        return {e.what(), code_of_errno(e.code().value())};
+    } catch (const std::system_error& e) {
+        const int number = e.code().value();
+        return {number == EAGAIN ? "no more threads can be started" : e.what(),
+                code_of_errno(number)};
     } catch (const std::exception& e) {
         return {e.what(), code_of_message(e.what())};
     }

@@ -103,7 +103,11 @@ bool ImageFile::create(const std::string& path, Failure& failure) {
     m_output = OIIO::ImageOutput::create(path);
     if (!m_output) {
         const std::string why(OIIO::Strutil::strip(OIIO::geterror()));
-        failure = {why.empty() ? "cannot write \"" + path + "\"" : why};
+        // Nothing is said of what a writer throws as it begins.
+        failure = why.empty()
+                      ? Failure{"cannot write \"" + path + "\": out of memory or of threads",
+                                exit_resources}
+                      : Failure{why};
         return false;
     }
     return m_whole.open(path, failure);
@@ -154,6 +158,8 @@ Failure ImageFile::failed() const {
     ExitCode code = of_stream ? exit_resources : code_of_message(why);
     if (code == exit_failed && m_whole.file()) // writers may not say why
         code = code_of_errno(m_whole.write_error());
+    if (code == exit_failed) // as where there are no more descriptors
+        code = code_of_reading(temporary());
     return {"cannot write \"" + m_path + "\"" + (why.empty() ? "" : ": " + why), code};
 }
 

@@ -105,7 +105,8 @@ const Column* PointFile::find(const std::string& name) const {
 bool read_points(const std::string& path, PointFile& points, Failure& failure) {
     std::string text;
     if (!read_bytes(path, text)) {
-        failure = {"\"" + path + "\": " + std::strerror(errno ? errno : EIO), exit_failed};
+        const int number = errno ? errno : EIO;
+        failure = {"\"" + path + "\": " + std::strerror(number), code_of_errno(number)};
         return false;
     }
     const std::string extension = OIIO::Strutil::lower(OIIO::Filesystem::extension(path));

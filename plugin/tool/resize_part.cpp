@@ -13,6 +13,7 @@
 #include "plugin/image/lazy_file.h"
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
+#include "plugin/tool/file_state.h"
 #include "plugin/tool/fingerprint.h"
 #include "plugin/tool/id_file.h"
 #include "plugin/tool/image_file.h"
@@ -228,7 +229,8 @@ bool open_part(const std::string& path, const OIIO::ImageSpec& spec, ImageFile& 
 
 /// What a part is made from and belongs to.
 struct PartJob {
-    explicit PartJob(const std::string& in) : path(in), file(in, 0, {cache_megabytes, true}) {}
+    explicit PartJob(const std::string& in)
+        : path(in), state(in), file(in, 0, {cache_megabytes, true}) {}
     const OIIO::ImageBuf& image() const { return file.image(); }
     Grid grid() const { return Grid(rect_of(image().roi())); }
 
@@ -247,7 +249,12 @@ struct PartJob {
             return false;
         const std::string job = fingerprint(path, from, whole, settings);
         if (job.empty()) {
-            failure = {"\"" + path + "\" is no file that can be read as bytes, which --part needs"};
+            const std::string why = why_not_opened(path);
+            failure = {"\"" + path + "\"" +
+                           (why.empty()
+                                ? " is no file that can be read as bytes, which --part needs"
+                                : ": " + why),
+                       code_of_reading(path)};
             return false;
         }
         header = header_of(job, part, whole);
@@ -255,6 +262,7 @@ struct PartJob {
     }
 
     const std::string path;
+    const FileState state; ///< before anything was read
     LazyFile file;
     OIIO::ImageSpec from, whole; ///< the source and the result
     PartHeader header;
@@ -313,6 +321,12 @@ bool resize_part(const std::string& in, const std::string& out, const ResizeSett
             failure = error.empty() ? file.failed() : Failure{error, code_of_message(error)};
             return false;
         }
+    }
+    // Or it would be of a source that there never was, and pass for one of the fingerprint's.
+    if (!job.state.is_unchanged()) {
+        failure.why = "\"" + in + "\" was changed while it was read";
+        failure.code = code_of_message(failure.why);
+        return false;
     }
     if (!file.commit(failure))
         return false;

@@ -72,10 +72,17 @@ void remove_all() {
     remove_listed();
 }
 
-void end(int signal) {
+/// Others wait meanwhile, or one that comes at once would end the program before the files are
+/// gone.
+void end(int number) {
     remove_all();
-    // The handler was for once: this one ends the program, and the parent sees by what.
-    raise(signal);
+    // This one ends the program, and the parent sees by what.
+    std::signal(number, SIG_DFL);
+    sigset_t this_one;
+    sigemptyset(&this_one);
+    sigaddset(&this_one, number);
+    raise(number);
+    pthread_sigmask(SIG_UNBLOCK, &this_one, nullptr);
 }
 
 /// A new_handler. Takes no memory.
@@ -100,7 +107,8 @@ void remove_unfinished() {
 void remove_unfinished_on_signals() {
     struct sigaction action {};
     action.sa_handler = end;
-    action.sa_flags = SA_RESETHAND | SA_NODEFER;
+    sigemptyset(&action.sa_mask);
+    for_each_signal([&](int signal) { sigaddset(&action.sa_mask, signal); });
     for_each_signal([&](int signal) {
         struct sigaction before {};
         sigaction(signal, nullptr, &before);

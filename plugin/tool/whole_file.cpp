@@ -48,6 +48,14 @@ std::string temporary_name(const fs::path& target, int number) {
     return (folder_of(target) / ("." + stem + rest)).string();
 }
 
+/// Whether it is a file that this user left, and no other name is of it: another's, in a folder for
+/// all, would stay another's under the name of the result.
+bool is_left_over(int descriptor) {
+    struct stat open {};
+    return fstat(descriptor, &open) == 0 && S_ISREG(open.st_mode) && open.st_uid == geteuid() &&
+           open.st_nlink == 1;
+}
+
 /// Whether the name still is that of the open file.
 bool still_named(int descriptor, const std::string& path) {
     struct stat open {
@@ -103,15 +111,20 @@ bool WholeFile::take(int descriptor, bool fresh) {
 }
 
 bool WholeFile::open_temporary() {
+    // What takes the place of a file has its rights at the end, and until then none that it may not
+    // have.
+    const mode_t mode = m_exists ? 0600 : 0666;
     for (int i = 0; i < most_writers; ++i) {
         m_temporary = temporary_name(m_target, i);
-        int descriptor = ::open(m_temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        int descriptor = ::open(m_temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode);
         const bool fresh = descriptor >= 0;
         if (!fresh && errno != EEXIST)
             return false;
         if (!fresh)
-            descriptor = ::open(m_temporary.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
-        if (descriptor >= 0 && take(descriptor, fresh))
+            descriptor = ::open(m_temporary.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+        if (descriptor >= 0 && !fresh && !is_left_over(descriptor))
+            close(descriptor);
+        else if (descriptor >= 0 && take(descriptor, fresh))
             return true;
         if (fresh && errno != 0)
             return false;
@@ -129,12 +142,12 @@ bool WholeFile::open(const std::string& path, Failure& failure) {
     // A link to /dev/stdout leads on to a pipe, which has no path.
     if (stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode))
         m_target = path;
-    const bool exists = stat(m_target.c_str(), &there) == 0;
-    if (exists && S_ISDIR(there.st_mode))
+    m_exists = stat(m_target.c_str(), &m_before) == 0;
+    if (m_exists && S_ISDIR(m_before.st_mode))
         return refuse(EISDIR, failure);
-    if (exists && faccessat(AT_FDCWD, m_target.c_str(), W_OK, AT_EACCESS) != 0)
+    if (m_exists && faccessat(AT_FDCWD, m_target.c_str(), W_OK, AT_EACCESS) != 0)
         return refuse(errno, failure);
-    m_direct = exists && !S_ISREG(there.st_mode);
+    m_direct = m_exists && !S_ISREG(m_before.st_mode);
     if (m_direct) {
         m_temporary = m_path;
         m_file = std::fopen(m_path.c_str(), "wb");
@@ -183,7 +196,8 @@ bool WholeFile::take_after(const struct stat& there) const {
             mode &= ~mode_t(S_ISGID | (S_IRWXG & ~others));
         }
     }
-    return fchmod(descriptor, mode) == 0;
+    // Where a file system has no rights of single files there are none to take over.
+    return fchmod(descriptor, mode) == 0 || errno == EPERM || errno == ENOTSUP || errno == ENOSYS;
 }
 
 bool WholeFile::commit(Failure& failure) {
@@ -195,6 +209,8 @@ bool WholeFile::commit(Failure& failure) {
     if (done && !m_direct) {
         if (stat(m_target.c_str(), &there) == 0)
             done = take_after(there);
+        else if (m_exists)
+            done = take_after(m_before);
         done = done && fsync(descriptor) == 0;
         const SignalsWait until_unlisted;
         done = done && std::rename(m_temporary.c_str(), m_target.c_str()) == 0;

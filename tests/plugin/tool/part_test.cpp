@@ -155,6 +155,28 @@ TEST(Parts, AreThereIfTheyAreOfTheSameResult) {
     EXPECT_FALSE(is_there(part));
 }
 
+TEST(Parts, OfASourceThatChangesMeanwhileAreNone) {
+    const std::string in = temporary("part_changes.tif"), out = temporary("part_of_both.exr");
+    OIIO::ImageBuf image(OIIO::ImageSpec(300, 600, 1, OIIO::TypeUInt8));
+    ASSERT_TRUE(image.write(in));
+    ResizeSettings settings;
+    settings.size = "200%";
+    settings.threads = 1;
+    bool changed = false;
+    const auto change = [&](float) {
+        if (!changed)
+            std::fstream(in, std::ios::in | std::ios::out).seekp(20000).put('x');
+        return changed = true;
+    };
+    Failure failure;
+    EXPECT_FALSE(resize_part(in, out, settings, {1, 1}, change, failure));
+    EXPECT_TRUE(changed);
+    EXPECT_EQ(failure.code, exit_resources);
+    EXPECT_NE(failure.why.find("was changed while it was read"), std::string::npos) << failure.why;
+    EXPECT_FALSE(std::filesystem::exists(out));
+    EXPECT_TRUE(resize_part(in, out, settings, {1, 1}, change, failure)) << failure.why;
+}
+
 TEST(Join, RefusesHeadersThatDoNotFit) {
     const std::string whole = "0 0 32 32", out = temporary("whole.exr");
     std::filesystem::remove(out);

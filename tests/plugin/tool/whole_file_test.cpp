@@ -100,6 +100,47 @@ TEST_F(WholeFiles, WhatAKilledProcessLeftIsTakenOver) {
     EXPECT_EQ(files(), 1u);
 }
 
+TEST_F(WholeFiles, WhatSomebodyElseLeftIsNot) {
+    const std::string first = path(".out.ddt-0.exr"), out = path("out.exr");
+    const auto expect_untouched = [&](const char* what) {
+        EXPECT_TRUE(write(out, "whole")) << what << ": " << m_failure.why;
+        EXPECT_EQ(text_of(out), "whole") << what;
+        EXPECT_TRUE(fs::exists(first)) << what;
+        fs::remove(out);
+        fs::remove(first);
+    };
+    put(path("precious"), "precious");
+    fs::create_hard_link(path("precious"), first);
+    expect_untouched("a file with another name");
+    fs::create_symlink("precious", first);
+    expect_untouched("a link");
+    EXPECT_EQ(text_of(path("precious")), "precious");
+    ASSERT_EQ(mkfifo(first.c_str(), 0666), 0);
+    expect_untouched("a pipe");
+    if (geteuid() == 0) {
+        put(first, "");
+        ASSERT_EQ(chown(first.c_str(), 1234, 1234), 0);
+        expect_untouched("another's");
+    }
+}
+
+TEST_F(WholeFiles, AreNoMoreReadableMeanwhileThanWhatTheyReplace) {
+    const std::string out = path("out.exr");
+    const auto rights = [](const std::string& of) { return fs::status(of).permissions(); };
+    put(out, "before");
+    fs::permissions(out, fs::perms(0600));
+    WholeFile file;
+    ASSERT_TRUE(file.open(out, m_failure)) << m_failure.why;
+    EXPECT_EQ(rights(file.temporary()), fs::perms(0600));
+    // It has the rights of what was there, even if that has gone.
+    fs::permissions(out, fs::perms(0644));
+    WholeFile other;
+    ASSERT_TRUE(other.open(out, m_failure)) << m_failure.why;
+    fs::remove(out);
+    ASSERT_TRUE(other.commit(m_failure)) << m_failure.why;
+    EXPECT_EQ(rights(out), fs::perms(0644));
+}
+
 TEST_F(WholeFiles, TwoAtOnceDoNotMix) {
     WholeFile a, b;
     ASSERT_TRUE(a.open(path("out.exr"), m_failure) && b.open(path("out.exr"), m_failure));
