@@ -78,7 +78,7 @@ CachedReads::~CachedReads() {
     if (Registry::the().is_to_forget(*m_state))
         try {
             m_image.imagecache()->invalidate(m_state->file.second, true);
-        } catch (...) { // out of memory; then it is remembered
+        } catch (...) { // out of memory: a later call may be told nothing
         }
     Registry::the().leave(*m_state);
 }
