@@ -14,8 +14,9 @@ namespace {
 
 constexpr int side = 8;
 
-/// Numbers that floats have room for, or not.
+/// Numbers that floats have room for, or just not, or not at all.
 constexpr uint32_t small_ids[] = {0, 1, 777, (1u << 24) - 1},
+                   rounded_ids[] = {5, 16777217, 16777216, 7},
                    large_ids[] = {5, 16777217, 2000000001, 4294967295};
 
 using Numbers = std::vector<uint32_t>;
@@ -54,7 +55,7 @@ protected:
 };
 
 TEST_P(Ids, AreThoseOfTheFile) {
-    for (const uint32_t* ids : {small_ids, large_ids}) {
+    for (const uint32_t* ids : {small_ids, rounded_ids, large_ids}) {
         write(ids);
         OIIO::ImageBuf src(m_path), read;
         OIIO::ImageCache::create(true)->invalidate(OIIO::ustring(m_path), true);

@@ -139,6 +139,31 @@ TEST(Frames, OnlyWhatIsDoneIsSaidToBeDone) {
     EXPECT_NE(went_on.find("ddt progress 100% frames"), std::string::npos) << went_on;
 }
 
+TEST(Frames, OnesThatAreThereAreLeftOutIfTheyAreWhatWouldBeMade) {
+    const std::string there = temporary("frame that is there");
+    std::ofstream(there) << "made";
+    const std::vector<FrameTask> tasks = {
+        {"made so", there}, {"made otherwise", there}, {"not", ""}};
+    FrameRun frames;
+    frames.skip_existing = true;
+    std::vector<std::string> run;
+    frames.run = [&](const FrameTask& task, const std::function<bool(float)>&, Failure&) {
+        run.push_back(task.in);
+        return true;
+    };
+    Progress progress("frames", ProgressMode::none);
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(run_frames(tasks, frames, progress).skipped, 2);
+    EXPECT_EQ(run, Names{"not"});
+    run.clear();
+    frames.is_made = [](const FrameTask& task) { return task.in == "made so"; };
+    EXPECT_EQ(run_frames(tasks, frames, progress).skipped, 1);
+    EXPECT_EQ(run, (Names{"made otherwise", "not"}));
+    run.clear();
+    frames.is_made = [](const FrameTask&) -> bool { throw std::runtime_error("no threads"); };
+    EXPECT_EQ(run_frames(tasks, frames, progress).skipped, 0);
+}
+
 TEST(Frames, WhatIsThrownWhileMemoryIsCountedIsNoEnd) {
     std::vector<FrameTask> tasks(8);
     FrameRun frames;

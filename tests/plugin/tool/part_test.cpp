@@ -158,7 +158,9 @@ TEST(Parts, AreThereIfTheyAreOfTheSameResult) {
 TEST(Parts, OfASourceThatChangesMeanwhileAreNone) {
     const std::string in = temporary("part_changes.tif"), out = temporary("part_of_both.exr");
     OIIO::ImageBuf image(OIIO::ImageSpec(300, 600, 1, OIIO::TypeUInt8));
+    image.specmod().attribute("compression", "none");
     ASSERT_TRUE(image.write(in));
+    const auto size = std::filesystem::file_size(in);
     ResizeSettings settings;
     settings.size = "200%";
     settings.threads = 1;
@@ -171,6 +173,7 @@ TEST(Parts, OfASourceThatChangesMeanwhileAreNone) {
     Failure failure;
     EXPECT_FALSE(resize_part(in, out, settings, {1, 1}, change, failure));
     EXPECT_TRUE(changed);
+    EXPECT_EQ(std::filesystem::file_size(in), size);
     EXPECT_EQ(failure.code, exit_resources);
     EXPECT_NE(failure.why.find("was changed while it was read"), std::string::npos) << failure.why;
     EXPECT_FALSE(std::filesystem::exists(out));
