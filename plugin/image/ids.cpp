@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/image/ids.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>

@@ -48,20 +48,33 @@ std::string temporary_name(const fs::path& target, int number) {
     return (folder_of(target) / ("." + stem + rest)).string();
 }
 
-/// Whether it is a file that this user left, and no other name is of it: another's, in a folder for
-/// all, would stay another's under the name of the result.
-bool is_left_over(int descriptor) {
-    struct stat open {};
-    return fstat(descriptor, &open) == 0 && S_ISREG(open.st_mode) && open.st_uid == geteuid() &&
-           open.st_nlink == 1;
-}
-
 /// Whether the name still is that of the open file.
 bool still_named(int descriptor, const std::string& path) {
     struct stat open {
     }, named{};
     return fstat(descriptor, &open) == 0 && stat(path.c_str(), &named) == 0 &&
            open.st_dev == named.st_dev && open.st_ino == named.st_ino;
+}
+
+/// Remove what a process of this user left when it was killed: a file of no other name, on which
+/// nobody has a lock. Another's, in a folder for all, would stay another's under the name of the
+/// result.
+bool remove_left_over(const std::string& path) {
+    const int descriptor = open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (descriptor < 0)
+        return false;
+    struct stat there {};
+    const bool left = fstat(descriptor, &there) == 0 && S_ISREG(there.st_mode) &&
+                      there.st_uid == geteuid() && there.st_nlink == 1 &&
+                      flock(descriptor, LOCK_EX | LOCK_NB) == 0 && still_named(descriptor, path) &&
+                      unlink(path.c_str()) == 0;
+    close(descriptor);
+    return left;
+}
+
+/// A new file; less than 0 with errno.
+int create_new(const std::string& path, mode_t mode) {
+    return open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode);
 }
 
 } // namespace
@@ -92,18 +105,16 @@ bool WholeFile::refuse(int number, Failure& failure) const {
     return false;
 }
 
-/// Make the open temporary file this one's, unless another is at work on it.
-bool WholeFile::take(int descriptor, bool fresh) {
+/// Make the new temporary file this one's, unless another was quick to take it for left over.
+bool WholeFile::take(int descriptor) {
     const bool locked = flock(descriptor, LOCK_EX | LOCK_NB) == 0;
-    // File systems without locks: what was there before may be somebody's.
-    const bool ours = locked || (fresh && errno != EWOULDBLOCK);
+    // There are file systems without locks, where nobody takes it.
+    const bool ours = locked || errno != EWOULDBLOCK;
     errno = 0;
-    if (ours && still_named(descriptor, m_temporary) && ftruncate(descriptor, 0) == 0 &&
-        (m_file = fdopen(descriptor, "w+b")))
+    if (ours && still_named(descriptor, m_temporary) && (m_file = fdopen(descriptor, "w+b")))
         return true;
-    // It is another's, and by now may be done.
     const int number = errno == ENOENT ? 0 : errno;
-    if (fresh && number != 0)
+    if (number != 0)
         unlink(m_temporary.c_str());
     close(descriptor);
     errno = number;
@@ -116,17 +127,19 @@ bool WholeFile::open_temporary() {
     const mode_t mode = m_exists ? 0600 : 0666;
     for (int i = 0; i < most_writers; ++i) {
         m_temporary = temporary_name(m_target, i);
-        int descriptor = ::open(m_temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-        const bool fresh = descriptor >= 0;
-        if (!fresh && errno != EEXIST)
+        int descriptor = create_new(m_temporary, mode);
+        if (descriptor < 0 && errno == EEXIST) {
+            if (!remove_left_over(m_temporary))
+                continue; // of another who is at work
+            descriptor = create_new(m_temporary, mode);
+        }
+        if (descriptor < 0 && errno == EEXIST)
+            continue;
+        if (descriptor < 0)
             return false;
-        if (!fresh)
-            descriptor = ::open(m_temporary.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
-        if (descriptor >= 0 && !fresh && !is_left_over(descriptor))
-            close(descriptor);
-        else if (descriptor >= 0 && take(descriptor, fresh))
+        if (take(descriptor))
             return true;
-        if (fresh && errno != 0)
+        if (errno != 0)
             return false;
     }
     errno = EAGAIN;

@@ -17,8 +17,8 @@ namespace ddt::tool {
 ///
 /// The temporary file lies in the same folder, its name hidden and with the same extension:
 /// .NAME.ddt-0.exr. A signal that can be caught removes it (see unfinished.h). After one that
-/// cannot (SIGKILL) it stays, and the next of this user's to write this file takes it over: it
-/// holds a lock on it while at work, and nobody a lock on what is left over.
+/// cannot (SIGKILL) it stays, and the next of this user's to write this file removes it: it holds
+/// a lock on it while at work, and nobody a lock on what is left over.
 ///
 /// A symbolic link stays one: the file that it leads to is replaced. A file that was there keeps
 /// its permissions, and its owner and group where that is allowed; one that may not be written is
@@ -50,7 +50,7 @@ public:
 
 private:
     bool open_temporary();
-    bool take(int descriptor, bool fresh);
+    bool take(int descriptor);
     bool refuse(int number, Failure& failure) const;
     bool take_after(const struct stat& there) const;
     void unlist();

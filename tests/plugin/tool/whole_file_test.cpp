@@ -81,7 +81,7 @@ TEST_F(WholeFiles, AreNothingWithoutCommit) {
     EXPECT_EQ(files(), 0u);
 }
 
-TEST_F(WholeFiles, WhatAKilledProcessLeftIsTakenOver) {
+TEST_F(WholeFiles, WhatAKilledProcessLeftIsRemoved) {
     const pid_t child = fork();
     if (child == 0) {
         WholeFile file;
