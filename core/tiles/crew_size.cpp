@@ -20,7 +20,7 @@ constexpr size_t few_threads = 40, limit_per_thread = size_t(6) << 20;
 constexpr size_t members_a_place = 5;
 
 /// Output pixels that are worth a thread, where there are fewer tiles than threads.
-constexpr size_t pixels_a_thread = size_t(1) << 16;
+constexpr size_t least_pixels_a_thread = size_t(1) << 16;
 
 } // namespace
 
@@ -33,7 +33,7 @@ CrewSize crew_size(const Mapping& mapping, const Job& job, const Grid& grid, siz
     const size_t bytes = memory_limit(threads, job.mesh.meshes);
     const size_t worker = TileWorker::memory(job, mapping), place = TileMemory::needed(job);
     const auto tiles = size_t(grid.count());
-    const size_t useful = std::max(tiles, output_of(mapping).area() / pixels_a_thread);
+    const size_t useful = std::max(tiles, output_of(mapping).area() / least_pixels_a_thread);
     const size_t fitting = bytes * members_a_place / (worker * members_a_place + place);
 
     CrewSize size;

@@ -324,8 +324,7 @@ bool resize_part(const std::string& in, const std::string& out, const ResizeSett
     }
     // Or it would be of a source that there never was, and pass for one of the fingerprint's.
     if (!job.state.is_unchanged()) {
-        failure.why = "\"" + in + "\" was changed while it was read";
-        failure.code = code_of_message(failure.why);
+        failure = {"\"" + in + "\" was changed while it was read", exit_resources};
         return false;
     }
     if (!file.commit(failure))

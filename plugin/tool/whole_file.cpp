@@ -72,9 +72,19 @@ bool remove_left_over(const std::string& path) {
     return left;
 }
 
-/// A new file; less than 0 with errno.
+/// A new file, also in place of one that was left; less than 0 with errno, EEXIST where there is
+/// somebody's.
 int create_new(const std::string& path, mode_t mode) {
-    return open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    const auto create = [&] {
+        return open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    };
+    const int descriptor = create();
+    if (descriptor >= 0 || errno != EEXIST)
+        return descriptor;
+    if (remove_left_over(path))
+        return create();
+    errno = EEXIST;
+    return -1;
 }
 
 } // namespace
@@ -127,12 +137,7 @@ bool WholeFile::open_temporary() {
     const mode_t mode = m_exists ? 0600 : 0666;
     for (int i = 0; i < most_writers; ++i) {
         m_temporary = temporary_name(m_target, i);
-        int descriptor = create_new(m_temporary, mode);
-        if (descriptor < 0 && errno == EEXIST) {
-            if (!remove_left_over(m_temporary))
-                continue; // of another who is at work
-            descriptor = create_new(m_temporary, mode);
-        }
+        const int descriptor = create_new(m_temporary, mode);
         if (descriptor < 0 && errno == EEXIST)
             continue;
         if (descriptor < 0)
