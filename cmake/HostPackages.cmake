@@ -52,10 +52,4 @@ if(TARGET ddt_openfx)
   install(TARGETS ddt_openfx LIBRARY DESTINATION ${DDT_OFX_INSTALL_DIR}/${in_bundle}
     COMPONENT openfx EXCLUDE_FROM_ALL)
 endif()
-# GEOS is opened by name, for `holes=fill` (plugin/host): where it is missing all else works.
-if(DDT_GEOS_FOUND)
-  foreach(component GEGL PYTHON3 OPENFX)
-    set(CPACK_DEBIAN_${component}_PACKAGE_SUGGESTS libgeos-c1v5)
-  endforeach()
-  set(CPACK_DEBIAN_IMAGEMAGICK_PACKAGE_SUGGESTS "oiio-ddt, libgeos-c1v5")
-endif()
+set(CPACK_DEBIAN_IMAGEMAGICK_PACKAGE_SUGGESTS oiio-ddt)

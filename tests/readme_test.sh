@@ -29,7 +29,7 @@ oiiotool in.0001.exr --resize 320x240 -o render.exr
 
 # Where OpenImageIO's own calls cannot be redirected, as README.md and `ddt info` say.
 if OIIO_LIBRARY_PATH=$PWD/build/plugins build/bin/ddt info | grep -q 'maketx cannot use'; then
-    sed -i '/maketx --filter/d' "$scratch"/sh-*
+    sed -i '/maketx .*--filter/d' "$scratch"/sh-*
 fi
 
 ran=0

@@ -1,155 +1,150 @@
 // SPDX-License-Identifier: Apache-2.0
 // Filling holes of images.
 #include <algorithm>
+#include <atomic>
 #include <deque>
+#include <mutex>
+#include <numeric>
 
 #include "core/base/arith.h"
 #include "core/base/guarded.h"
+#include "core/base/parallel.h"
 #include "core/enlarge/fill.h"
+#include "core/enlarge/hole_groups.h"
+#include "core/enlarge/hole_mesh.h"
 #include "core/enlarge/membrane.h"
-#include "core/enlarge/points.h"
-#include "core/tin/draw.h"
 
 namespace ddt {
 
 namespace {
 
-/// Pixels that are there and no farther than this from a hole, along both axes, are in the mesh:
-/// those that a hole's edges depend on, and a few that tell them where to go.
-constexpr int margin = 6;
+/// Microseconds of one thread, about, that meshes take for each side of a hole's rim and smoothing
+/// for a missing pixel: what shares of progress are taken from.
+constexpr float mesh_time = 150, smoothing_time = 7;
 
-/// Microseconds of one thread, about, that the mesh takes a point and smoothing a missing pixel:
-/// what shares of progress are taken from.
-constexpr float mesh_time = 10, flips_time = 1, smoothing_time = 7;
+/// Progress of tasks that run side by side, in one rising share.
+class SharedProgress {
+public:
+    SharedProgress(const Tell& whole, float all) : m_whole(whole), m_all(all) {}
+
+    /// Tell that so much more is done. False once it was cancelled. May throw.
+    bool add(float done) {
+        const std::lock_guard<std::mutex> lock(m_mutex);
+        m_done += done;
+        if (m_going && m_whole)
+            m_going = m_whole(std::min(m_done / m_all, 1.0f));
+        return m_going;
+    }
+
+private:
+    const Tell& m_whole;
+    const float m_all;
+    std::mutex m_mutex;
+    float m_done = 0;
+    bool m_going = true;
+};
 
 class Filler {
 public:
     Filler(const HoledImage& image, const uint8_t* missing)
-        : m_image(image), m_width(image.width), m_height(image.height),
-          m_channels(size_t(image.channels)), m_missing(missing) {}
+        : m_image(image), m_missing(missing), m_size(size_t(image.width) * size_t(image.height)) {}
 
     bool fill(const MeshOptions& options, Device device, const Tell& progress, MeshReport* report,
               std::string& error) {
-        const size_t size = size_t(m_width) * size_t(m_height);
-        const auto count = size_t(std::count_if(m_missing, m_missing + size, is_set));
+        const auto count = size_t(std::count_if(m_missing, m_missing + m_size, is_set));
         if (count == 0)
             return true;
-        if (count == size) {
+        if (count == m_size) {
             error = "ddt: no pixel is there to fill the others from";
             return false;
         }
-        collect();
-        const auto points = float(m_mesh.x.size());
-        const float all = points * (mesh_time + flips_time) + float(count) * smoothing_time;
-        const float flips_begin = points * mesh_time / all,
-                    smoothing_begins = points * (mesh_time + flips_time) / all;
-        const Tell meshing = part_of(progress, 0, flips_begin);
-        const Tell flipping = part_of(progress, flips_begin, smoothing_begins);
-        const Tell smoothing = part_of(progress, smoothing_begins, 1);
-        if (m_mesh.x.size() > most_points) {
-            error = "ddt: more than " + std::to_string(most_points) + " pixels lie about the holes";
+        const std::vector<HoleGroup> groups = group_holes(m_missing, m_image.width, m_image.height);
+        float meshes = 0;
+        for (const HoleGroup& group : groups)
+            meshes += float(group.rim) * mesh_time;
+        const float smoothing_begins = meshes / (meshes + float(count) * smoothing_time);
+        m_surface.assign(m_image.guide, m_image.guide + m_size);
+        m_inside.assign(m_size, 0);
+        if (!make_meshes(groups, options, device, part_of(progress, 0, smoothing_begins), report,
+                         error))
             return false;
-        }
-        m_surface.assign(m_image.guide, m_image.guide + size);
-        std::vector<uint8_t> inside(size, 0);
-        if (spans_plane() &&
-            !(tell(meshing, 0, error) && triangulate_points(m_mesh, error) &&
-              tell(meshing, 1, error) &&
-              optimise_points(m_mesh, m_guides.data(), options, report, error, flipping, device) &&
-              interpolate(inside.data(), error)))
-            return false;
-        if (!smooth(inside, smoothing)) {
+        if (!smooth(part_of(progress, smoothing_begins, 1))) {
             error = "ddt: cancelled";
             return false;
         }
-        spread(inside);
+        spread();
         return true;
     }
 
 private:
     static bool is_set(uint8_t byte) { return byte != 0; }
 
-    static bool tell(const Tell& progress, float share, std::string& error) {
-        if (!progress || progress(share))
-            return true;
-        error = "ddt: cancelled";
-        return false;
+    float* pixel(size_t i) { return m_image.values + i * size_t(m_image.channels); }
+    bool is_known(size_t i) const { return !m_missing[i] || m_inside[i]; }
+
+    /// A mesh for each group, those that take longest first; and what they cover.
+    bool make_meshes(const std::vector<HoleGroup>& groups, const MeshOptions& options,
+                     Device device, const Tell& progress, MeshReport* report, std::string& error) {
+        std::vector<size_t> order(groups.size());
+        std::iota(order.begin(), order.end(), size_t(0));
+        std::stable_sort(order.begin(), order.end(),
+                         [&](size_t a, size_t b) { return groups[a].rim > groups[b].rim; });
+        float all = 0;
+        for (const HoleGroup& group : groups)
+            all += float(group.rim);
+        SharedProgress shared(progress, all);
+        std::vector<MeshReport> reports(groups.size());
+        std::mutex mutex; // of `error`
+        std::atomic<bool> going{shared.add(0)};
+        if (!going)
+            error = "ddt: cancelled";
+        const int threads =
+            m_image.threads > 0 ? allowed_threads(m_image.threads) : usual_threads();
+        for_each_index(threads, int(groups.size()), [&](int, int k) {
+            if (!going)
+                return;
+            const DenormalsAreZero mode; // whichever thread this is
+            const size_t own = order[size_t(k)];
+            float told = 0;
+            const Tell tell = [&](float share) {
+                const float more = (share - told) * float(groups[own].rim);
+                told = share;
+                return going && shared.add(more);
+            };
+            std::string why;
+            HoleMesh mesh(m_image, m_missing, groups[own]);
+            const bool made =
+                mesh.make(options, device, tell, report ? &reports[own] : nullptr, why) &&
+                mesh.fill(m_surface.data(), m_inside.data(), why);
+            if (made && tell(1))
+                return;
+            const std::lock_guard<std::mutex> lock(mutex);
+            if (error.empty())
+                error = made ? "ddt: cancelled" : why;
+            going = false;
+        });
+        if (report)
+            *report = sum_of(reports);
+        return going;
     }
 
-    float* pixel(size_t i) { return m_image.values + i * m_channels; }
-
-    /// How many missing pixels there are near each pixel, by sums along rows, then columns.
-    std::vector<uint8_t> near_holes() const {
-        const size_t size = size_t(m_width) * size_t(m_height);
-        std::vector<uint8_t> rows(size, 0), near(size, 0);
-        for (int y = 0; y < m_height; ++y)
-            for (int x = 0; x < m_width; ++x) {
-                const size_t i = size_t(y) * size_t(m_width) + size_t(x);
-                if (m_missing[i])
-                    std::fill(&rows[i] - std::min(x, margin),
-                              &rows[i] + std::min(m_width - 1 - x, margin) + 1, uint8_t(1));
-            }
-        for (int y = 0; y < m_height; ++y) {
-            const int last = std::min(y + margin, m_height - 1);
-            for (int k = std::max(y - margin, 0); k <= last; ++k)
-                for (int x = 0; x < m_width; ++x)
-                    near[size_t(y) * size_t(m_width) + size_t(x)] |=
-                        rows[size_t(k) * size_t(m_width) + size_t(x)];
+    static MeshReport sum_of(const std::vector<MeshReport>& reports) {
+        MeshReport sum = reports[0];
+        for (size_t i = 1; i < reports.size(); ++i) {
+            sum.cost_start += reports[i].cost_start;
+            sum.cost += reports[i].cost;
+            sum.statistics += reports[i].statistics;
+            if (reports[i].statistics.device != sum.statistics.device)
+                sum.statistics.device = Device::cpu;
         }
-        return near;
+        return sum;
     }
 
-    void collect() {
-        const std::vector<uint8_t> near = near_holes();
-        for (int y = 0; y < m_height; ++y)
-            for (int x = 0; x < m_width; ++x) {
-                const size_t i = size_t(y) * size_t(m_width) + size_t(x);
-                if (m_missing[i] || !near[i])
-                    continue;
-                m_mesh.x.push_back(x);
-                m_mesh.y.push_back(y);
-                m_guides.push_back(m_image.guide[i]);
-                m_points.insert(m_points.end(), pixel(i), pixel(i) + m_channels);
-            }
-    }
-
-    /// Whether three of the points are not on one line.
-    bool spans_plane() const {
-        const size_t n = m_mesh.x.size();
-        for (size_t i = 2; i < n; ++i)
-            if ((m_mesh.x[1] - m_mesh.x[0]) * (m_mesh.y[i] - m_mesh.y[0]) !=
-                (m_mesh.y[1] - m_mesh.y[0]) * (m_mesh.x[i] - m_mesh.x[0]))
-                return true;
-        return false;
-    }
-
-    float value(size_t channel, const std::array<int32_t, 3>& triangle,
-                const Covered& covered) const {
-        if (m_image.kinds && m_image.kinds[channel] == Channel::nearest) {
-            const double* w = covered.weight;
-            const auto k = size_t(std::max_element(w, w + 3) - w);
-            return m_points[size_t(triangle[k]) * m_channels + channel];
-        }
-        return value_at(m_points.data(), int(m_channels), int(channel), triangle, covered);
-    }
-
-    bool interpolate(uint8_t* inside, std::string& error) {
-        return each_pixel(m_mesh, {0, 0, 1, 1, m_width, m_height}, inside, error,
-                          [&](const std::array<int32_t, 3>& triangle, const Covered& covered) {
-                              if (!m_missing[covered.pixel])
-                                  return;
-                              for (size_t c = 0; c < m_channels; ++c)
-                                  pixel(covered.pixel)[c] = value(c, triangle, covered);
-                              m_surface[covered.pixel] =
-                                  value_at(m_guides.data(), 1, 0, triangle, covered);
-                          });
-    }
-
-    bool smooth(const std::vector<uint8_t>& inside, const Tell& progress) {
-        std::vector<uint8_t> filled(inside.size()), known(inside.size());
-        for (size_t i = 0; i < inside.size(); ++i) {
-            filled[i] = m_missing[i] && inside[i];
-            known[i] = !m_missing[i] || inside[i];
+    bool smooth(const Tell& progress) {
+        std::vector<uint8_t> filled(m_size), known(m_size);
+        for (size_t i = 0; i < m_size; ++i) {
+            filled[i] = m_missing[i] && m_inside[i];
+            known[i] = is_known(i);
             if (filled[i] && m_image.guide_too)
                 m_image.guide[i] = m_surface[i];
         }
@@ -158,12 +153,12 @@ private:
 
     /// Give missing pixels outside all triangles the value of the nearest that has one, counted in
     /// steps along rows and columns.
-    void spread(const std::vector<uint8_t>& inside) {
-        const size_t size = inside.size(), width = size_t(m_width);
-        std::vector<uint8_t> known(size);
+    void spread() {
+        const auto width = size_t(m_image.width);
+        std::vector<uint8_t> known(m_size);
         std::deque<size_t> queue;
-        for (size_t i = 0; i < size; ++i)
-            known[i] = !m_missing[i] || inside[i];
+        for (size_t i = 0; i < m_size; ++i)
+            known[i] = is_known(i);
         const auto each_neighbour = [&](size_t i, auto&& f) {
             const size_t x = i % width;
             if (i >= width)
@@ -172,10 +167,10 @@ private:
                 f(i - 1);
             if (x + 1 < width)
                 f(i + 1);
-            if (i + width < size)
+            if (i + width < m_size)
                 f(i + width);
         };
-        for (size_t i = 0; i < size; ++i)
+        for (size_t i = 0; i < m_size; ++i)
             if (known[i])
                 each_neighbour(i, [&](size_t n) {
                     if (!known[n] && (queue.empty() || queue.back() != i))
@@ -187,7 +182,7 @@ private:
                 if (known[n])
                     return;
                 known[n] = 1;
-                std::copy_n(pixel(i), m_channels, pixel(n));
+                std::copy_n(pixel(i), m_image.channels, pixel(n));
                 if (m_image.guide_too)
                     m_image.guide[n] = m_image.guide[i];
                 queue.push_back(n);
@@ -196,13 +191,10 @@ private:
     }
 
     const HoledImage& m_image;
-    int m_width, m_height;
-    size_t m_channels;
     const uint8_t* m_missing;
-    PointMesh m_mesh;
-    std::vector<float> m_guides;  ///< a point
-    std::vector<float> m_points;  ///< the points' values
-    std::vector<float> m_surface; ///< the guide, filled
+    const size_t m_size;
+    std::vector<float> m_surface;  ///< the guide, filled
+    std::vector<uint8_t> m_inside; ///< 1 where a mesh covers a missing pixel
 };
 
 } // namespace

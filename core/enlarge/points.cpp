@@ -23,6 +23,45 @@ bool spans_plane(const std::vector<Steps>& points) {
                        [&](Steps p) { return orientation(points.front(), points.back(), p) != 0; });
 }
 
+using Triangles = std::vector<std::array<int32_t, 3>>;
+
+/// `find(points, triangles)`: makes the triangles of points that are as find_delaunay() asks for;
+/// false with one line in `error`.
+template <class Find>
+bool triangulate_by(PointMesh& mesh, std::string& error, Find&& find) {
+    StepGrid grid;
+    if (!grid.fit(mesh.x, mesh.y, error))
+        return false;
+    // The points row by row, of those at one position the first alone.
+    std::vector<int32_t> order(mesh.x.size());
+    std::iota(order.begin(), order.end(), 0);
+    const std::vector<Tin::Vertex> vertices = vertices_of(grid, mesh.x, mesh.y);
+    const auto at = [&](int32_t i) { return vertices[size_t(i)].at; };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int32_t i, int32_t k) { return before(at(i), at(k)); });
+    order.erase(std::unique(order.begin(), order.end(),
+                            [&](int32_t i, int32_t k) {
+                                return !before(at(i), at(k)) && !before(at(k), at(i));
+                            }),
+                order.end());
+    std::vector<Steps> points;
+    points.reserve(order.size());
+    for (const int32_t i : order)
+        points.push_back(at(i));
+    if (!spans_plane(points)) {
+        error = "ddt: triangles need 3 points that are not on one line";
+        return false;
+    }
+    Triangles triangles;
+    if (!find(points, triangles))
+        return false;
+    for (auto& t : triangles)
+        for (int32_t& v : t)
+            v = order[size_t(v)];
+    mesh.triangles = std::move(triangles);
+    return true;
+}
+
 /// As for an image of as many pixels. One thread works on points; but how much a GPU gains on them
 /// is not known, and what is asked of it are many small steps.
 bool choose(Device device, size_t points, const MeshOptions& options, Placement& placement,
@@ -58,40 +97,22 @@ void flip(Tin& tin, const MeshOptions& options, const Placement& placement, Work
 
 bool triangulate_points(PointMesh& mesh, std::string& error) {
     const DenormalsAreZero as_on_gpus;
-    StepGrid grid;
-    if (!grid.fit(mesh.x, mesh.y, error))
-        return false;
-    // The points row by row, of those at one position the first alone.
-    std::vector<int32_t> order(mesh.x.size());
-    std::iota(order.begin(), order.end(), 0);
-    const std::vector<Tin::Vertex> vertices = vertices_of(grid, mesh.x, mesh.y);
-    const auto at = [&](int32_t i) { return vertices[size_t(i)].at; };
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int32_t i, int32_t k) { return before(at(i), at(k)); });
-    order.erase(std::unique(order.begin(), order.end(),
-                            [&](int32_t i, int32_t k) {
-                                return !before(at(i), at(k)) && !before(at(k), at(i));
-                            }),
-                order.end());
-    std::vector<Steps> points;
-    points.reserve(order.size());
-    for (const int32_t i : order)
-        points.push_back(at(i));
-    if (!spans_plane(points)) {
-        error = "ddt: triangles need 3 points that are not on one line";
-        return false;
-    }
-    std::vector<std::array<int32_t, 3>> triangles;
-    if (!find_delaunay(points, triangles, error))
-        return false;
-    complete_hull(points, triangles);
-    if (!covers_hull(points, triangles))
-        triangles = swept_delaunay(points);
-    for (auto& t : triangles)
-        for (int32_t& v : t)
-            v = order[size_t(v)];
-    mesh.triangles = std::move(triangles);
-    return true;
+    return triangulate_by(mesh, error, [&](const std::vector<Steps>& points, Triangles& triangles) {
+        if (!find_delaunay(points, triangles, error))
+            return false;
+        complete_hull(points, triangles);
+        return covers_hull(points, triangles) || swept_delaunay(points, triangles);
+    });
+}
+
+bool sweep_points(PointMesh& mesh, std::string& error, const Tell& progress) {
+    const DenormalsAreZero as_on_gpus;
+    return triangulate_by(mesh, error, [&](const std::vector<Steps>& points, Triangles& triangles) {
+        const bool done = swept_delaunay(points, triangles, progress);
+        if (!done)
+            error = "ddt: cancelled";
+        return done;
+    });
 }
 
 bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, MeshReport* report,

@@ -33,10 +33,9 @@ constexpr Named<Start> starts[] = {
 
 constexpr Named<Device> devices[] = {
     {Device::automatic,
-     {"auto",
-      "The GPU by OpenGL if there is one, its shaders know the scheme and the image is "
-      "large enough for it: from 20000 pixels a thread, or 800000 where the GPU is not open "
-      "yet, of this and earlier images. Else the CPU."}},
+     {"auto", "The GPU by OpenGL, if there is one, its shaders know the scheme and the image is "
+              "large enough: 20000 source pixels for each CPU thread, or 800000 (counting earlier "
+              "images) if the GPU is yet to be opened. Else the CPU."}},
     {Device::cpu, {"cpu", "The processor's cores."}},
     {Device::egl, {"egl", "OpenGL by EGL and no other way, a software renderer included."}},
     {Device::osmesa, {"osmesa", "OpenGL by OSMesa, a software renderer."}},
@@ -45,7 +44,7 @@ constexpr Named<Device> devices[] = {
 constexpr Named<Holes> holes_table[] = {
     {Holes::keep, {"keep", "Nothing."}},
     {Holes::fill,
-     {"fill", "Those with a NaN are filled, over triangles of the pixels about them, so that edges "
+     {"fill", "Those with a NaN are filled over triangles of the pixels around them, so that edges "
               "run on."}},
     {Holes::fill_alpha, {"fill-alpha", "Those whose alpha is 0, too. Without alpha, as `fill`."}},
 };

@@ -155,10 +155,10 @@ std::vector<Option> make_table() {
     return {
         text("light", colour, &FilterOptions::light,
              {{"auto",
-               "Linear light; the colour space is the image's `oiio:ColorSpace`, the "
-               "conversion OpenColorIO's by `$OCIO`, or else by a built-in config. The numbers "
-               "as they are where it names none or one of data: TIFF and BMP of many "
-               "programs name none, so say `light=sRGB`."},
+               "Linear light. The image's `oiio:ColorSpace` names its space; OpenColorIO converts "
+               "by `$OCIO`'s config, or else a built-in one. If it names none, or one of data, "
+               "the numbers are used as they are. Many programs' TIFF and BMP name none: say "
+               "`light=sRGB`."},
               {"encoded", "The numbers as they are."}},
              "names of colour spaces",
              "The light in which values are interpolated. The name of a colour space of the "
@@ -166,24 +166,24 @@ std::vector<Option> make_table() {
         choice("cost", mesh, &MeshOptions::cost, cost_name, find_cost, cost_values(),
                "What an edge of the mesh costs."),
         number("blur", mesh, &MeshOptions::blur, 0.0f, largest_blur,
-               "Calms what edges are sought in: the share of each neighbour.")
+               "Blur of the guide in which edges are sought, as the weight of each neighbour; "
+               "calms the mesh.")
             .in("ddt-linear", "0")
             .in("ddt-sharp", "0.05"),
-        number(
-            "contour", mesh, &MeshOptions::contour, 0.0f, most_contour,
-            "How much the direction of contours, seen over seven pixels, counts beside the cost: a "
-            "steadier mesh that follows them further. 0, the cost alone, with costs other than "
-            "`abn` and schemes other than `one-round`, unless given.")
+        number("contour", mesh, &MeshOptions::contour, 0.0f, most_contour,
+               "Weight of the contours' direction, seen over seven pixels, beside the cost: a "
+               "steadier mesh that follows them further. "
+               "Unless given, 0 (the cost alone) with any cost but `abn` or any scheme but "
+               "`one-round`.")
             .in("ddt-sharp", "0.4")
             .where(is_abn_one_round, "0"),
         number("meshes", mesh, &MeshOptions::meshes, 1, most_meshes,
                "So many meshes are made, of guides blurred by `blur` - 0.07 to `blur` + 0.07, and "
                "their surfaces averaged: steadier and smoother, for nearly so many times the time "
                "and memory."),
-        number(
-            "min_gain", mesh, &MeshOptions::min_gain, 0.0f, largest_real,
-            "A flip must lower the cost by more than this; less is noise. `auto` with costs other "
-            "than `abn` and schemes other than `one-round`, unless given.")
+        number("min_gain", mesh, &MeshOptions::min_gain, 0.0f, largest_real,
+               "A flip must lower the cost by more than this; less is noise. Unless given, `auto` "
+               "with any cost but `abn` or any scheme but `one-round`.")
             .or_negative("auto", "0.005 with `abn`, and next to nothing with other costs and with "
                                  "`lawson` and the paper's schemes.")
             .in("ddt-linear", "auto")
@@ -197,32 +197,31 @@ std::vector<Option> make_table() {
         choice("start", mesh, &MeshOptions::start, start_name, find_start, start_values(),
                "The diagonal that each cell of four pixels starts with."),
         toggle("clipped", surface, &SurfaceOptions::clipped,
-               "1: what leaves 0 to 1 will be cut off afterwards, as in a PNG. `ddt-sharp` may "
-               "then make such values, and outlines get sharper. ImageBufs and Python's arrays of "
-               "unsigned integers of 8 or 16 bits count as 1, but `fitted` does not follow."),
+               "1: values outside 0 to 1 will be cut off afterwards, as in a PNG. `ddt-sharp` may "
+               "then produce them, and outlines get sharper. ImageBufs and Python arrays of "
+               "unsigned 8- or 16-bit integers count as 1, but that does not turn on `fitted`."),
         number(
             "consistency", surface, &SurfaceOptions::consistency, 0, most_consistency,
             "Rounds that correct the surface so that its mean over each source pixel comes back.")
             .in("ddt-sharp", "2"),
         toggle("fitted", surface, &SurfaceOptions::fitted,
-               "1: vertices and bends by weights that were fitted to pictures stand in place of "
-               "the rounds of `consistency`, where there are any. Unless given, 1 in `ddt-sharp` "
-               "with `clipped=1`, the cost `abn` and 2 rounds: the pictures they were fitted to "
-               "had no highlights brighter than white, which is 1.")
+               "1: weights fitted to pictures give the vertices and bends, in place of the rounds "
+               "of `consistency`, if there are any. Unless given, 1 only in `ddt-sharp` with "
+               "`clipped=1`, the cost `abn` and 2 rounds: those pictures had no highlights above "
+               "white (1).")
             .in("ddt-sharp", "1")
             .where(is_clipped_abn_two_rounds, "0"),
         number("limit", surface, &SurfaceOptions::limit, 0.0f, largest_real,
                "How far a corrected pixel may leave the range of its 3x3 neighbours, as a share of "
-               "that range; downwards of the darkest of them, if that is less."),
+               "that range; downwards, as a share of the darkest of them if that is less."),
         number("soft", surface, &SurfaceOptions::soft, 0.0f, largest_real,
                "Edges that would lose less than this by a flip are blended with their flipped "
-               "state; steadier in sequences. 0 with costs other than `abn`, unless given.")
+               "state; steadier in sequences. Unless given, 0 with any cost but `abn`.")
             .in("ddt-linear", "0")
             .in("ddt-sharp", "0.3")
             .where(is_abn, "0"),
         choice("holes", surface, &FilterOptions::holes, holes_name, find_holes, holes_values(),
-               "What becomes of pixels that are missing. Filling needs the whole image in memory, "
-               "and GEOS when this was built."),
+               "What becomes of missing pixels. Filling needs the whole image in memory."),
         choice("device", device, &FilterOptions::device, device_name, find_device, device_values(),
                "Where meshes are computed. No choice changes a bit of the result."),
     };

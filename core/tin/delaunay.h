@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/tin/tin.h"
 
 namespace ddt {
@@ -22,8 +23,12 @@ bool find_delaunay(const std::vector<Steps>& points, std::vector<std::array<int3
 void complete_hull(const std::vector<Steps>& points,
                    std::vector<std::array<int32_t, 3>>& triangles);
 
-/// The Delaunay triangles of such points, all of them whatever shape they have together.
-std::vector<std::array<int32_t, 3>> swept_delaunay(const std::vector<Steps>& points);
+/// The Delaunay triangles of such points, all of them whatever shape they have together; of four or
+/// more on a circle others than find_delaunay()'s. Of n points of a lattice it takes time with
+/// n^1.5: 1 microsecond a point of 5000, 20 of a million. False: `progress`, told the share of
+/// points that have their triangles, cancelled it.
+bool swept_delaunay(const std::vector<Steps>& points,
+                    std::vector<std::array<int32_t, 3>>& triangles, const Tell& progress = {});
 
 /// Whether the triangles' areas add up to that of the points' convex hull.
 bool covers_hull(const std::vector<Steps>& points,

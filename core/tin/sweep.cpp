@@ -38,12 +38,20 @@ public:
         : m_points(points), m_next(points.size(), -1), m_previous(points.size(), -1),
           m_rim(points.size(), -1) {}
 
-    std::vector<std::array<int32_t, 3>> triangles() {
+    bool triangulate(const Tell& progress) {
+        constexpr size_t told_each = 1024;
         const std::vector<int32_t> order = along_longer_axis();
-        size_t i = begin(order);
-        for (; i < order.size(); ++i)
+        for (size_t i = begin(order); i < order.size(); ++i) {
+            if (progress && i % told_each == 0 && !progress(float(i) / float(order.size())))
+                return false;
             insert(order[i], order[i - 1]);
+        }
+        return true;
+    }
+
+    std::vector<std::array<int32_t, 3>> triangles() const {
         std::vector<std::array<int32_t, 3>> all;
+        all.reserve(m_corner.size() / 3);
         for (size_t h = 0; h < m_corner.size(); h += 3)
             all.push_back({m_corner[h], m_corner[h + 1], m_corner[h + 2]});
         return all;
@@ -178,8 +186,13 @@ private:
 
 } // namespace
 
-std::vector<std::array<int32_t, 3>> swept_delaunay(const std::vector<Steps>& points) {
-    return Sweep(points).triangles();
+bool swept_delaunay(const std::vector<Steps>& points,
+                    std::vector<std::array<int32_t, 3>>& triangles, const Tell& progress) {
+    Sweep sweep(points);
+    if (!sweep.triangulate(progress))
+        return false;
+    triangles = sweep.triangles();
+    return true;
 }
 
 } // namespace ddt

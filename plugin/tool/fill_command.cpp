@@ -60,7 +60,7 @@ public:
             "across the hole; more than a pixel inside they are smoothed where there are no edges. "
             "All other pixels stay as they are. Beyond the outermost pixels that are there the "
             "nearest goes on. The filter's scheme one-round, which is meant for pictures, is "
-            "look-ahead here; its min_gain does not count. Needs GEOS."};
+            "look-ahead here; its min_gain does not count."};
         operands = {{"IN", "any image OpenImageIO reads"}, {"OUT", "any image OpenImageIO writes"}};
         flags = {
             choice_flag("--missing", {"nan", "alpha"},

@@ -208,8 +208,6 @@ TEST(Allocation, AMesh) {
 }
 
 TEST(Allocation, Holes) {
-    if (!has_delaunay())
-        GTEST_SKIP() << "built without GEOS";
     const OnDevice cpu("cpu");
     std::vector<uint8_t> missing(size_t(width * height));
     for (size_t i = 0; i < missing.size(); i += 7)
@@ -253,8 +251,6 @@ private:
 };
 
 TEST(Allocation, AJobWithHolesKnowsThatItIsMemory) {
-    if (!has_delaunay())
-        GTEST_SKIP() << "built without GEOS";
     const OnDevice cpu("cpu");
     HoledSource source;
     fail_at_every_request(

@@ -30,8 +30,6 @@ class Holes(Case):
                 for x in range(image.spec().width)]
 
     def test_by_every_way_in(self):
-        if not self.filled():
-            self.skipTest("built without GEOS")
         spec = "ddt,holes=fill"
         self.succeed("oiiotool", "holes.exr", f"--resize:filter={spec}", "400%", "-o", "a.exr")
         self.succeed(DDT, "resize", "holes.exr", "400%", "b.exr", "--filter", spec)
@@ -53,9 +51,6 @@ class Holes(Case):
         self.succeed("oiiotool", "holes.exr", f"--resize:filter={spec}-alpha", "400%", "-o",
                      "e.exr")
         self.assertGreater(min(p[3] for p in self.pixels("e.exr")), 0.999)
-
-    def filled(self):
-        return self.attempt(DDT, "fill", "holes.exr", "f.exr").returncode == 0
 
 
 if __name__ == "__main__":

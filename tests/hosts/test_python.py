@@ -77,11 +77,7 @@ def test_holes_are_filled_as_the_filter_fills_them():
     image = picture(channels=3, dtype="float32")
     image[20:31, 25:40] = np.nan
     image[5, 6, 0] = np.nan
-    try:
-        ours = oiio_ddt.enlarge(image, size=(161, 101), filter="ddt,holes=fill", light="linear")
-    except ValueError as error:
-        assert "GEOS" in str(error)
-        pytest.skip(str(error))
+    ours = oiio_ddt.enlarge(image, size=(161, 101), filter="ddt,holes=fill", light="linear")
     assert np.isfinite(ours).all()
     assert ours.tobytes() == by_filter(image, (161, 101), "ddt,light=linear,holes=fill").tobytes()
 

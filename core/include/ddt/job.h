@@ -110,10 +110,9 @@ struct Job {
     /// Channel::nearest is NaN, and by fill_alpha those whose Channel::alpha is 0, are filled as by
     /// fill_holes() of ddt/points.h, with `mesh` (but the cost's own min_gain, and look_ahead in
     /// place of one_round); a pixel that lacks some channels keeps the others. Takes 4 bytes a
-    /// pixel for each channel and 8 more, and about 1.2 KB for each pixel that is no farther than 6
-    /// from a missing one, along both axes: those are the points of a mesh. Only with GEOS; a
+    /// pixel for each channel and XX more, and for each thread YY for each pixel about the hole it works on. A
     /// failure if all pixels are missing, beyond 2^31 - 1 of them, and where more than 2^27 lie
-    /// about the missing ones.
+    /// about one hole.
     Holes holes = Holes::keep;
     /// Called from time to time with the share done, 0 to 1, one thread at a time; return false
     /// to cancel. May be empty.

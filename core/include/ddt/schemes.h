@@ -14,7 +14,7 @@
     X(maxgain, "maxgain", "The paper's: edges with the largest gains, accepted in rounds.")        \
     X(exproi_maxgain, "exproi-maxgain", "The paper's: `maxgain` with the wide region.")            \
     X(exproi_n_maxgain, "exproi2-maxgain",                                                         \
-      "The paper's: `maxgain`, the region wide for the first 2 iterations, or so many.")           \
+      "The paper's: `maxgain` with the wide region for the first 2 iterations (or N).")            \
     X(look_ahead, "look-ahead",                                                                    \
       "As `lawson`, and pairs of flips that pay only together: a cheaper mesh, slowly.")           \
     X(annealing, "annealing",                                                                      \

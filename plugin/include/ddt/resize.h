@@ -79,7 +79,7 @@ enum class Missing {
 /// of the pixels about them, as Job::holes of ddt/job.h says, whatever options.holes; edges are
 /// sought under options.light, values are interpolated as they are. A pixel that lacks some
 /// channels keeps the others; channels of identifiers are copied from the nearest vertex. A failure
-/// without GEOS, and if no pixel is there; not if none is missing.
+/// if no pixel is there; not if none is missing.
 bool fill(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options = {},
           Missing missing = Missing::nan);
 

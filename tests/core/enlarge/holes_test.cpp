@@ -77,8 +77,6 @@ Plain picture() {
 }
 
 TEST(JobHoles, AreFilledAsFillHolesDoesAndTheMeshSeesThemSo) {
-    if (!has_delaunay())
-        GTEST_SKIP() << "built without GEOS";
     Plain holed = picture();
     for (int y = 20; y < 41; ++y)
         for (int x = 30; x < 49; ++x) {
@@ -129,8 +127,6 @@ TEST(JobHoles, AreFilledAsFillHolesDoesAndTheMeshSeesThemSo) {
 }
 
 TEST(JobHoles, ProgressRisesAndCancelsAtAnyCall) {
-    if (!has_delaunay())
-        GTEST_SKIP() << "built without GEOS";
     Plain holed = picture();
     for (int y = 20; y < 41; ++y)
         for (int x = 30; x < 49; ++x)
@@ -171,6 +167,66 @@ TEST(JobHoles, ProgressRisesAndCancelsAtAnyCall) {
     ASSERT_EQ(shares.size(), 3u); // two bands of rows, and the tile
     EXPECT_LT(shares[1], 0.02f);
     EXPECT_EQ(shares[2], 1.0f);
+}
+
+/// Single pixels all over it, and a hole larger than those that share meshes.
+TEST(FillHoles, HasTheSameBitsByAnyNumberOfThreads) {
+    constexpr int side = 210;
+    Random random(5);
+    std::vector<float> whole(side * side), values;
+    std::vector<uint8_t> missing(whole.size());
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const size_t i = size_t(y * side + x);
+            whole[i] = float((3 * x + 5 * y) % 41 < 17) + 0.01f * float(random.below(20));
+            missing[i] = random.below(20) == 0 || (x > 90 && x < 190 && y > 70 && y < 100);
+        }
+    const ManyThreads allowed;
+    std::vector<float> first;
+    for (const int threads : {1, 3, 8}) {
+        values = whole;
+        for (size_t i = 0; i < values.size(); ++i)
+            if (missing[i])
+                values[i] = std::nanf("");
+        std::vector<float> guide = values;
+        std::string error;
+        MeshReport report;
+        ASSERT_TRUE(fill_holes({values.data(), guide.data(), side, side, 1, nullptr, true, threads},
+                               missing.data(), plain_mesh(), Device::cpu, {}, &report, error))
+            << error;
+        for (size_t i = 0; i < values.size(); ++i)
+            EXPECT_TRUE(missing[i] ? values[i] >= 0 && values[i] <= 1.2f : values[i] == whole[i]);
+        EXPECT_GT(report.statistics.flips, 0);
+        EXPECT_LT(report.cost, report.cost_start);
+        if (first.empty())
+            first = values;
+        EXPECT_EQ(values, first) << threads;
+    }
+}
+
+/// What is missing far away changes nothing: meshes are those of the holes about a pixel.
+TEST(FillHoles, HolesFarAwayChangeNothing) {
+    constexpr int side = 300;
+    Random random(6);
+    std::vector<float> whole(side * side);
+    for (float& v : whole)
+        v = 0.01f * float(random.below(100));
+    const auto filled = [&](bool more) {
+        std::vector<float> values = whole;
+        std::vector<uint8_t> missing(whole.size());
+        for (int y = 10; y < 40; y += 3)
+            missing[size_t(y * side + y)] = 1;
+        if (more)
+            for (int y = 200; y < 290; ++y)
+                std::fill_n(&missing[size_t(y * side + 180)], 90, uint8_t(1));
+        std::string error;
+        EXPECT_TRUE(fill_holes(values.data(), side, side, 1, nullptr, whole.data(), missing.data(),
+                               plain_mesh(), &error))
+            << error;
+        values.resize(size_t(150 * side));
+        return values;
+    };
+    EXPECT_EQ(filled(false), filled(true));
 }
 
 /// A step across a hole 24 pixels wide, and noise on its rim.

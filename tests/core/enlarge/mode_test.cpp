@@ -72,8 +72,6 @@ std::vector<float> result_of_halfs() {
 
 /// Pixels without alpha are filled, those with the smallest there is too.
 std::vector<float> result_of_holes() {
-    if (!has_delaunay())
-        return {};
     const Rect window{0, 0, 30, 20}, out{0, 0, 60, 40};
     TestSource source(window, 2, 5);
     Random random(14);

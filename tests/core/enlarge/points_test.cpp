@@ -361,7 +361,7 @@ double error_of_filling(const MeshOptions& options) {
     return wrong;
 }
 
-TEST_F(Delaunay, EdgesRunOnAcrossHoles) {
+TEST(FillHoles, EdgesRunOnAcrossThem) {
     MeshOptions options;
     options.cost = Cost::dp;
     options.scheme = Scheme::look_ahead;
@@ -371,7 +371,7 @@ TEST_F(Delaunay, EdgesRunOnAcrossHoles) {
     EXPECT_LT(error_of_filling(options), 0.6 * error_of_filling(without));
 }
 
-TEST_F(Delaunay, HolesAtTheRimTakeTheNearestPixel) {
+TEST(FillHoles, AtTheRimTakesTheNearestPixel) {
     std::vector<float> image(8 * 6, 0.5f), guide(8 * 6, 0.5f);
     std::vector<uint8_t> missing(8 * 6, 0);
     for (size_t i = 0; i < 8; ++i) // the upper row and a corner

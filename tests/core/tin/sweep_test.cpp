@@ -42,7 +42,8 @@ bool in_circle(Steps a, Steps b, Steps c, Steps d) {
 }
 
 void check(const std::vector<Steps>& points, bool circles) {
-    const auto triangles = swept_delaunay(points);
+    std::vector<std::array<int32_t, 3>> triangles;
+    ASSERT_TRUE(swept_delaunay(points, triangles));
     EXPECT_TRUE(covers_hull(points, triangles));
     std::set<int32_t> used;
     std::set<std::array<int32_t, 2>> sides;

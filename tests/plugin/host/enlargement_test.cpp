@@ -230,8 +230,6 @@ TEST(Enlargement, ACopyTakesThePixelsThatNeededNames) {
 }
 
 TEST(Enlargement, HolesAreFilledAsTheFilterDoes) {
-    if (!ddt::has_delaunay())
-        GTEST_SKIP() << "built without GEOS";
     for (const std::string light : {"linear", "sRGB"}) {
         ImageBuf from = picture(60, 40, 3, TypeDesc::FLOAT);
         const float nan = std::numeric_limits<float>::quiet_NaN();

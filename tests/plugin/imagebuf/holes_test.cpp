@@ -46,13 +46,6 @@ ddt::Options options_of(const std::string& spec) {
     return options;
 }
 
-class HolesOption : public testing::Test {
-    void SetUp() override {
-        if (!ddt::has_delaunay())
-            GTEST_SKIP() << "built without GEOS";
-    }
-};
-
 /// How many of the result's pixels are not what the whole picture gives.
 int count_wrong(const ImageBuf& result) {
     ImageBuf whole = images::make(width, height, channels);
@@ -68,7 +61,7 @@ int count_wrong(const ImageBuf& result) {
 }
 
 // The hole is 32 x 40 of the result's pixels; what is not sure is a strip along the edge.
-TEST_F(HolesOption, EdgesRunOnAcrossWhatIsFilled) {
+TEST(HolesOption, EdgesRunOnAcrossWhatIsFilled) {
     for (const bool by_alpha : {false, true}) {
         const std::string holes = by_alpha ? "fill-alpha" : "fill";
         const ImageBuf src = holed(by_alpha);
@@ -79,7 +72,7 @@ TEST_F(HolesOption, EdgesRunOnAcrossWhatIsFilled) {
     }
 }
 
-TEST_F(HolesOption, TransparentPixelsAreKeptUnlessChosen) {
+TEST(HolesOption, TransparentPixelsAreKeptUnlessChosen) {
     const ImageBuf src = holed(true);
     const auto a = enlarged(src, 80, 60, options_of("ddt,holes=fill"));
     const auto b = enlarged(src, 80, 60, options_of("ddt"));
@@ -90,7 +83,7 @@ TEST_F(HolesOption, TransparentPixelsAreKeptUnlessChosen) {
     EXPECT_LT(count_wrong(c), 30);
 }
 
-TEST_F(HolesOption, APartIsACropOfTheWholeInPixelsAndChannels) {
+TEST(HolesOption, APartIsACropOfTheWholeInPixelsAndChannels) {
     ImageBuf src = holed(false);
     const float lacks_blue[] = {0.5f, 0.5f, nan, 1.0f};
     src.setpixel(31, 20, lacks_blue);
@@ -104,7 +97,7 @@ TEST_F(HolesOption, APartIsACropOfTheWholeInPixelsAndChannels) {
     EXPECT_EQ(bytes(dst, part), bytes(whole, part));
 }
 
-TEST_F(HolesOption, FilledBeforeWhatIsNotEnlargedToo) {
+TEST(HolesOption, FilledBeforeWhatIsNotEnlargedToo) {
     const ImageBuf src = holed(false);
     const ddt::Options options = options_of("ddt,holes=fill");
     ImageBuf filled;
@@ -116,7 +109,7 @@ TEST_F(HolesOption, FilledBeforeWhatIsNotEnlargedToo) {
             << size.first;
 }
 
-TEST_F(HolesOption, FillingTellsOfItsMeshIfItMakesOne) {
+TEST(HolesOption, FillingTellsOfItsMeshIfItMakesOne) {
     ddt::Statistics statistics;
     ddt::Options options = options_of("ddt");
     options.statistics = &statistics;
@@ -131,7 +124,7 @@ TEST_F(HolesOption, FillingTellsOfItsMeshIfItMakesOne) {
     EXPECT_EQ(statistics.pixels, -7);
 }
 
-TEST_F(HolesOption, NoMoreMemoryIsTakenThanAnImageMayHave) {
+TEST(HolesOption, NoMoreMemoryIsTakenThanAnImageMayHave) {
     const ImageBuf src = images::make(600, 600, 3, OIIO::TypeHalf); // 2 MB, and floats 4 or more
     int before = 0;
     OIIO::getattribute("limits:imagesize_MB", before);
@@ -147,7 +140,7 @@ TEST_F(HolesOption, NoMoreMemoryIsTakenThanAnImageMayHave) {
     OIIO::attribute("limits:imagesize_MB", before);
 }
 
-TEST_F(HolesOption, OtherPixelsKeepTheirBits) {
+TEST(HolesOption, OtherPixelsKeepTheirBits) {
     ImageBuf src = images::make(9, 9, 2, OIIO::TypeDesc::DOUBLE);
     for (int y = 0; y < 9; ++y)
         for (int x = 0; x < 9; ++x)
@@ -163,7 +156,7 @@ TEST_F(HolesOption, OtherPixelsKeepTheirBits) {
     EXPECT_NEAR(at(4, 1), 16777222.0, 4);
 }
 
-TEST_F(HolesOption, IdentifiersHaveNone) {
+TEST(HolesOption, IdentifiersHaveNone) {
     ImageBuf src = images::make(4, 4, 3, OIIO::TypeUInt32);
     for (int y = 0; y < 4; ++y)
         for (int x = 0; x < 4; ++x)
@@ -176,7 +169,7 @@ TEST_F(HolesOption, IdentifiersHaveNone) {
     EXPECT_EQ(bytes(filled), bytes(kept));
 }
 
-TEST_F(HolesOption, Warps) {
+TEST(HolesOption, Warps) {
     const ImageBuf src = holed(false);
     for (const float scale : {1.0f, 2.0f, 0.5f}) {
         const Imath::M33f m(scale, 0, 0, 0, scale, 0, 3, 0, 1);
@@ -188,7 +181,7 @@ TEST_F(HolesOption, Warps) {
     }
 }
 
-TEST_F(HolesOption, SaysWhatCannotBe) {
+TEST(HolesOption, SaysWhatCannotBe) {
     ImageBuf src = images::make(8, 8, 1), dst;
     images::fill(src, [](int, int, int) { return nan; });
     EXPECT_FALSE(

@@ -126,8 +126,6 @@ TEST(Progress, WarpAndMixedResizeToo) {
 }
 
 TEST(Progress, FillingToo) {
-    if (!ddt::has_delaunay())
-        GTEST_SKIP() << "built without GEOS";
     auto src = make(80, 60, 3, OIIO::TypeFloat);
     images::fill(src, [](int x, int y, int) {
         return x > 30 && x < 50 && y > 20 && y < 40 ? std::nanf("") : float(x + y) / 200;

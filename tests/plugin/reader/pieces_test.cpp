@@ -96,8 +96,6 @@ TEST_F(PiecesTest, FactorsOfAllSizes) {
 }
 
 TEST_F(PiecesTest, HolesAreThoseOfTheWholeImage) {
-    if (!ddt::has_delaunay())
-        GTEST_SKIP() << "built without GEOS";
     // A channel for alpha, which is 0 in two places on different tiles of the mesh.
     m_source.specmod().alpha_channel = 2;
     images::fill(m_source, [](int x, int y, int c) {

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which missing pixels are filled over one mesh.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "ddt/mapping.h"
+
+namespace ddt {
+
+/// Missing pixels that share a mesh.
+struct HoleGroup {
+    Rect box;                   ///< the least that holds them
+    std::vector<size_t> pixels; ///< their places in the image, row by row
+    size_t rim = 0;             ///< sides of theirs beyond which a pixel is there
+};
+
+/// Holes of up to this many pixels each way share meshes.
+constexpr int hole_block = 64;
+
+/// Every missing pixel of an image (its byte is not 0) in one group. A hole is what touches, along
+/// sides or at corners. Holes of up to hole_block x hole_block pixels whose boxes begin in the same
+/// block of that size are one group, so that where single pixels are missing all over an image
+/// meshes stay small, and can be made side by side; a larger hole is a group of its own. The groups
+/// are those of the image alone, in the order of their first pixels.
+std::vector<HoleGroup> group_holes(const uint8_t* missing, int width, int height);
+
+} // namespace ddt

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/enlarge/hole_mesh.h"
+
+#include <algorithm>
+
+#include "core/enlarge/points.h"
+#include "core/tin/draw.h"
+
+namespace ddt {
+
+namespace {
+
+/// Pixels that are there and no farther than this from a hole, along both axes, are in the mesh:
+/// those that a hole's edges depend on, and a few that tell them where to go.
+constexpr int margin = 6;
+
+} // namespace
+
+HoleMesh::HoleMesh(const HoledImage& image, const uint8_t* missing, const HoleGroup& group)
+    : m_image(image),
+      m_group(group), m_box{std::max(group.box.x0 - margin, 0), std::max(group.box.y0 - margin, 0),
+                            std::min(group.box.x1 + margin, image.width),
+                            std::min(group.box.y1 + margin, image.height)} {
+    const std::vector<uint8_t> near = near_holes();
+    const auto channels = size_t(image.channels);
+    for (int y = m_box.y0; y < m_box.y1; ++y)
+        for (int x = m_box.x0; x < m_box.x1; ++x) {
+            const size_t i = place(x, y);
+            if (missing[i] || !near[local(i)])
+                continue;
+            m_mesh.x.push_back(x);
+            m_mesh.y.push_back(y);
+            m_guides.push_back(image.guide[i]);
+            const float* values = image.values + i * channels;
+            m_values.insert(m_values.end(), values, values + channels);
+        }
+}
+
+/// A pixel's place in the box.
+size_t HoleMesh::local(size_t pixel) const {
+    const size_t x = pixel % size_t(m_image.width), y = pixel / size_t(m_image.width);
+    return (y - size_t(m_box.y0)) * size_t(m_box.width()) + x - size_t(m_box.x0);
+}
+
+/// Of the box 1 where one of the group's pixels lies within the margin along both axes, else 0:
+/// widened along rows, then columns.
+std::vector<uint8_t> HoleMesh::near_holes() const {
+    const auto width = size_t(m_box.width()), height = size_t(m_box.height());
+    std::vector<uint8_t> rows(m_box.area(), 0), near(m_box.area(), 0);
+    for (const size_t pixel : m_group.pixels) {
+        const size_t i = local(pixel), x = i % width, row = i - x;
+        const size_t first = x - std::min(x, size_t(margin)),
+                     last = std::min(x + margin, width - 1);
+        std::fill(&rows[row + first], &rows[row + last] + 1, uint8_t(1));
+    }
+    for (size_t y = 0; y < height; ++y) {
+        const size_t last = std::min(y + margin, height - 1);
+        for (size_t k = y - std::min(y, size_t(margin)); k <= last; ++k)
+            for (size_t x = 0; x < width; ++x)
+                near[y * width + x] |= rows[k * width + x];
+    }
+    return near;
+}
+
+/// Whether three of the points are not on one line.
+bool HoleMesh::spans_plane() const {
+    for (size_t i = 2; i < m_mesh.x.size(); ++i)
+        if ((m_mesh.x[1] - m_mesh.x[0]) * (m_mesh.y[i] - m_mesh.y[0]) !=
+            (m_mesh.y[1] - m_mesh.y[0]) * (m_mesh.x[i] - m_mesh.x[0]))
+            return true;
+    return false;
+}
+
+bool HoleMesh::make(const MeshOptions& options, Device device, const Tell& progress,
+                    MeshReport* report, std::string& error) {
+    if (m_mesh.x.size() > most_points) {
+        error = "ddt: more than " + std::to_string(most_points) + " pixels lie about a hole";
+        return false;
+    }
+    constexpr float flips_begin = 0.2f; // about
+    return !spans_plane() || (sweep_points(m_mesh, error, part_of(progress, 0, flips_begin)) &&
+                              optimise_points(m_mesh, m_guides.data(), options, report, error,
+                                              part_of(progress, flips_begin, 1), device));
+}
+
+float HoleMesh::value(size_t channel, const std::array<int32_t, 3>& triangle,
+                      const Covered& covered) const {
+    const auto channels = size_t(m_image.channels);
+    if (m_image.kinds && m_image.kinds[channel] == Channel::nearest) {
+        const double* w = covered.weight;
+        const auto k = size_t(std::max_element(w, w + 3) - w);
+        return m_values[size_t(triangle[k]) * channels + channel];
+    }
+    return value_at(m_values.data(), int(channels), int(channel), triangle, covered);
+}
+
+bool HoleMesh::fill(float* surface, uint8_t* inside, std::string& error) const {
+    if (m_mesh.triangles.empty())
+        return true;
+    std::vector<uint8_t> own(m_box.area(), 0), covered_by(m_box.area());
+    for (const size_t pixel : m_group.pixels)
+        own[local(pixel)] = 1;
+    const PixelGrid grid{double(m_box.x0), double(m_box.y0), 1, 1, m_box.width(), m_box.height()};
+    const auto channels = size_t(m_image.channels);
+    return each_pixel(m_mesh, grid, covered_by.data(), error,
+                      [&](const std::array<int32_t, 3>& triangle, const Covered& covered) {
+                          if (!own[covered.pixel])
+                              return;
+                          const auto width = size_t(m_box.width());
+                          const size_t i = place(m_box.x0 + int(covered.pixel % width),
+                                                 m_box.y0 + int(covered.pixel / width));
+                          for (size_t c = 0; c < channels; ++c)
+                              m_image.values[i * channels + c] = value(c, triangle, covered);
+                          surface[i] = value_at(m_guides.data(), 1, 0, triangle, covered);
+                          inside[i] = 1;
+                      });
+}
+
+} // namespace ddt
