@@ -213,6 +213,11 @@ bool fill_holes(float* values, int width, int height, int channels, const Channe
             why = "ddt: an image has no negative size, and at least 1 channel";
             return false;
         }
+        if (kinds && std::any_of(kinds, kinds + channels,
+                                 [](Channel kind) { return kind > Channel::nearest; })) {
+            why = "ddt: channels must be blend, alpha or nearest";
+            return false;
+        }
         const HoledImage image{values, const_cast<float*>(guide), width, height, channels, kinds,
                                false};
         return fill_holes(image, missing, options, Device::automatic, progress, nullptr, why);

@@ -121,7 +121,10 @@ bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, M
     options.contour = 0; // pixels alone have contours
     StepGrid grid;
     Placement placement;
-    if (!check_options(options, error) || !grid.fit(mesh.x, mesh.y, error) ||
+    FilterOptions all;
+    all.mesh = options;
+    all.device = device;
+    if (!check_options(all, error) || !grid.fit(mesh.x, mesh.y, error) ||
         !choose(device, mesh.x.size(), options, placement, error))
         return false;
     Tin tin;

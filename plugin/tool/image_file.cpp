@@ -94,6 +94,10 @@ int open_to_read(const std::string& path) {
 
 bool ImageFile::create(const std::string& path, Failure& failure) {
     m_path = path;
+    if (path.empty()) {
+        failure = {"\"\" is no name of a file"};
+        return false;
+    }
     if (path.find('?') != std::string::npos) {
         failure = {"cannot write \"" + path +
                    "\": OpenImageIO takes what follows a ? in a name for arguments, and would not "

@@ -95,6 +95,14 @@ bool read_bytes(const std::string& path, std::string& bytes) {
 
 } // namespace
 
+std::optional<double> number_in(const std::string& word) {
+    char* end = nullptr;
+    const double number = word.empty() ? 0 : OIIO::Strutil::strtod(word.c_str(), &end);
+    if (word.empty() || end != word.c_str() + word.size())
+        return {};
+    return number;
+}
+
 const Column* PointFile::find(const std::string& name) const {
     for (const Column& column : columns)
         if (column.name == name)

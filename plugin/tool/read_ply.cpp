@@ -29,6 +29,17 @@ constexpr NumberName number_names[] = {
     {"float", "float32", Number::float32, 4}, {"double", "float64", Number::float64, 8},
 };
 
+/// Whether a type of whole numbers has this one. Floats have all: rounded, and infinite beyond.
+bool has_room(const NumberName& type, double v) {
+    if (type.number == Number::float32 || type.number == Number::float64)
+        return true;
+    const bool is_signed =
+        type.number == Number::int8 || type.number == Number::int16 || type.number == Number::int32;
+    const double codes = std::ldexp(1.0, int(type.bytes) * 8);
+    const double low = is_signed ? -codes / 2 : 0;
+    return v == std::floor(v) && v >= low && v < low + codes;
+}
+
 const NumberName* find_number(const std::string& name) {
     for (const NumberName& n : number_names)
         if (name == n.name || name == n.other)
@@ -57,22 +68,17 @@ public:
 
     /// The next number; none at the end, or where there is something else.
     std::optional<double> next(const NumberName& as) {
-        return m_encoding == Encoding::text ? next_word() : next_bytes(as);
+        return m_encoding == Encoding::text ? next_word(as) : next_bytes(as);
     }
 
 private:
-    std::optional<double> next_word() {
+    std::optional<double> next_word(const NumberName& as) {
         const char* blanks = " \t\r\n";
         m_at = std::min(m_text.find_first_not_of(blanks, m_at), m_text.size());
         const size_t end = std::min(m_text.find_first_of(blanks, m_at), m_text.size());
-        double v = 0;
-        const std::string word = m_text.substr(m_at, end - m_at);
+        const std::optional<double> v = number_in(m_text.substr(m_at, end - m_at));
         m_at = end;
-        char* parsed = nullptr;
-        v = word.empty() ? 0 : OIIO::Strutil::strtod(word.c_str(), &parsed);
-        if (word.empty() || *parsed)
-            return {};
-        return v;
+        return v && has_room(as, *v) ? v : std::nullopt;
     }
     template <class T>
     static double as_number(const unsigned char* bytes) {
@@ -155,7 +161,7 @@ private:
             std::string word;
             words >> word;
             if (word == "end_header")
-                return true;
+                return m_has_format || wrong("the PLY header has no line \"format\"");
             if (word == "format"     ? !read_format(words)
                 : word == "element"  ? !read_element(words)
                 : word == "property" ? !read_property(words)
@@ -165,12 +171,13 @@ private:
         return wrong("the PLY header has no end");
     }
     bool read_format(std::istringstream& words) {
-        std::string name;
-        words >> name;
+        std::string name, version;
+        words >> name >> version;
+        m_has_format = version == "1.0";
         m_encoding = name == "ascii"                  ? Encoding::text
                      : name == "binary_little_endian" ? Encoding::little
                                                       : Encoding::big;
-        return m_encoding != Encoding::big || name == "binary_big_endian";
+        return m_has_format && (m_encoding != Encoding::big || name == "binary_big_endian");
     }
     bool read_element(std::istringstream& words) {
         Element element;
@@ -211,7 +218,8 @@ private:
                 for (size_t p = 0; p < element.properties.size(); ++p)
                     if (!read_value(body, element, p))
                         return m_error.empty()
-                                   ? wrong(format("{} {} ends too early or holds what is no number",
+                                   ? wrong(format("{} {} ends too early or holds what is no number "
+                                                  "of its type",
                                                   element.name, i))
                                    : false;
         }
@@ -285,7 +293,7 @@ private:
             const auto v = body.next(*property.number);
             if (!v)
                 return false;
-            if (corners && !(*v >= 0 && *v < double(most_points)))
+            if (corners && !(*v >= 0 && *v < double(most_points) && *v == std::floor(*v)))
                 return wrong("a face has a vertex that there is not");
             if (corners)
                 list.push_back(int32_t(*v));
@@ -299,6 +307,7 @@ private:
     PointFile& m_points;
     size_t m_at = 0;
     Encoding m_encoding = Encoding::text;
+    bool m_has_format = false;
     std::vector<Element> m_elements;
     std::vector<Column*> m_target; ///< where a vertex's properties go; null: x or y
     std::string m_error;

@@ -13,18 +13,32 @@ namespace ddt::tool {
 
 namespace {
 
-/// The cells of a line.
-std::vector<std::string> split(const std::string& line) {
-    const bool separated = line.find_first_of(",;") != std::string::npos;
+/// What is between a line's cells: a comma, else a semicolon, else (empty) blanks.
+std::string separator_of(const std::string& line) {
+    for (const char* separator : {",", ";"})
+        if (line.find(separator) != std::string::npos)
+            return separator;
+    return "";
+}
+
+std::vector<std::string> split(const std::string& line, const std::string& separator) {
+    if (separator.empty())
+        return OIIO::Strutil::splits(line);
     std::vector<std::string> cells;
-    if (separated) {
-        for (const std::string& cell :
-             OIIO::Strutil::splits(line, line.find(',') != std::string::npos ? "," : ";"))
-            cells.emplace_back(OIIO::Strutil::strip(cell, " \t\"'"));
-    } else {
-        cells = OIIO::Strutil::splits(line); // at blanks
-    }
+    for (const std::string& cell : OIIO::Strutil::splits(line, separator))
+        cells.emplace_back(OIIO::Strutil::strip(cell, " \t\"'"));
     return cells;
+}
+
+/// The names of the columns, if x and y are among them, each once; else none.
+std::vector<std::string> names_in(const std::string& line, const std::string& separator) {
+    std::vector<std::string> names;
+    for (const std::string& cell : split(line, separator))
+        names.push_back(OIIO::Strutil::lower(cell));
+    for (const char* axis : {"x", "y"})
+        if (std::count(names.begin(), names.end(), axis) != 1)
+            return {};
+    return names;
 }
 
 /// Whether the columns hold 8-bit numbers: whole ones from 0 to 255 (and NaNs), some above 1.
@@ -68,19 +82,20 @@ void find_bytes(PointFile& points) {
 bool read_table(const std::string& text, PointFile& points, std::string& error) {
     points = {};
     std::vector<int> place; ///< of each column: -1 x, -2 y, else an index
+    std::string separator;
     size_t number = 0;
     for (size_t at = begin_of_text(text); at < text.size(); ++number) {
         const size_t end = std::min(text.find('\n', at), text.size());
         std::string line(OIIO::Strutil::strip(text.substr(at, end - at)));
         at = end + 1;
-        if (!line.empty() && line[0] == '#')
+        const bool comment = !line.empty() && line[0] == '#';
+        if (comment)
             line = place.empty() ? std::string(OIIO::Strutil::strip(line.substr(1))) : "";
         if (line.empty())
             continue;
-        const std::vector<std::string> cells = split(line);
         if (place.empty()) {
-            for (const std::string& cell : cells) {
-                const std::string name = OIIO::Strutil::lower(cell);
+            separator = separator_of(line);
+            for (const std::string& name : names_in(line, separator)) {
                 if (name == "x" || name == "y") {
                     place.push_back(name == "x" ? -1 : -2);
                     continue;
@@ -88,29 +103,27 @@ bool read_table(const std::string& text, PointFile& points, std::string& error) 
                 place.push_back(int(points.columns.size()));
                 points.columns.push_back({name, "float", 1, {}});
             }
-            const auto axes = [&](int axis) {
-                return std::count(place.begin(), place.end(), axis);
-            };
-            if (axes(-1) != 1 || axes(-2) != 1) {
+            if (place.empty() && !comment) {
                 error = format("line {}: the first line must name the columns, x and y among them",
                                number + 1);
                 return false;
             }
             continue;
         }
+        const std::vector<std::string> cells =
+            split(line, separator.empty() ? separator_of(line) : separator);
         if (cells.size() != place.size()) {
             error =
                 format("line {} has {} columns, not {}", number + 1, cells.size(), place.size());
             return false;
         }
         for (size_t k = 0; k < cells.size(); ++k) {
-            char* parsed = nullptr;
-            const double v =
-                cells[k].empty() ? 0 : OIIO::Strutil::strtod(cells[k].c_str(), &parsed);
-            if (cells[k].empty() || *parsed) {
+            const std::optional<double> number_there = number_in(cells[k]);
+            if (!number_there) {
                 error = format("line {}: \"{}\" is no number", number + 1, cells[k]);
                 return false;
             }
+            const double v = *number_there;
             if (place[k] < 0 && !std::isfinite(v)) {
                 error = format("line {}: a position that is not finite", number + 1);
                 return false;

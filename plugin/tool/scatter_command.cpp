@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include <OpenImageIO/strutil.h>
@@ -150,7 +151,8 @@ public:
 
 private:
     bool prepare(PointFile& points, Failure& failure) {
-        if (m_channels.empty())
+        const bool named = !m_channels.empty();
+        if (!named)
             m_channels = usual_columns(points);
         if (m_channels.empty()) {
             failure = {"the points have no values beside x and y", exit_failed};
@@ -168,11 +170,11 @@ private:
                 return false;
             }
             if (!seen.insert(channel).second) {
-                failure = {
-                    format("\"{}\" would be two channels; allowed are --channels that name a "
-                           "column once",
-                           channel),
-                    exit_usage};
+                failure = named ? Failure{format("\"{}\" would be two channels; allowed are "
+                                                 "--channels that name a column once",
+                                                 channel),
+                                          exit_usage}
+                                : Failure{format("there are two columns \"{}\"", channel)};
                 return false;
             }
         }
@@ -182,6 +184,18 @@ private:
             failure.why = "no triangle has numbers at its three points";
             return false;
         }
+        return fit_floats(points, failure);
+    }
+
+    /// Whether floats hold the values: none that is finite may become infinite.
+    bool fit_floats(const PointFile& points, Failure& failure) const {
+        for (const Column* column : columns(points))
+            for (const double v : column->values)
+                if (std::isfinite(v) && std::fabs(v) > double(std::numeric_limits<float>::max())) {
+                    failure.why = format("\"{}\" has a value beyond the range of a float, {}",
+                                         column->name, v);
+                    return false;
+                }
         return true;
     }
 

@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <utility>
 
 #include <OpenImageIO/strutil.h>
 
+#include "core/base/parse_number.h"
 #include "ddt/mapping.h"
 #include "plugin/image/windows.h"
+#include "plugin/message/format.h"
 
 namespace ddt::tool {
 
@@ -39,46 +42,74 @@ std::string word(std::FILE* in) {
     return text.size() < longest_word ? text : "";
 }
 
-bool whole(const std::string& text, int most, int& number) {
-    char* end = nullptr;
-    const long value = std::strtol(text.c_str(), &end, 10);
-    number = int(value);
-    return !text.empty() && *end == 0 && value >= 1 && value <= most;
+constexpr int largest_value = 65535, most_channels = 4;
+
+/// A whole number of a header, called `name` there, from 1 to `most`.
+bool read_whole(const char* name, const std::string& text, int most, int& number,
+                std::string& error) {
+    if (parse_number(text, 1, most, number))
+        return true;
+    if (text.empty()) {
+        error = format("the header ends before its {}", name);
+        return false;
+    }
+    error = format("{} \"{}\" is not allowed in a header; allowed are 1 to {}", name, text, most);
+    return false;
 }
 
 /// The lines "WIDTH 640" up to "ENDHDR".
-bool read_pam(std::FILE* in, Frame& frame) {
-    bool sizes = true;
+bool read_pam(std::FILE* in, Frame& frame, std::string& error) {
+    struct Field {
+        const char* name;
+        int most;
+        int& number;
+    };
+    const Field fields[] = {{"WIDTH", largest_side, frame.width},
+                            {"HEIGHT", largest_side, frame.height},
+                            {"DEPTH", most_channels, frame.channels},
+                            {"MAXVAL", largest_value, frame.largest}};
     for (std::string key = word(in); key != "ENDHDR"; key = word(in)) {
+        const auto* field = std::find_if(std::begin(fields), std::end(fields),
+                                         [&](const Field& f) { return key == f.name; });
+        if (key.empty()) {
+            error = "the header ends before ENDHDR";
+            return false;
+        }
+        if (field == std::end(fields) && key != "TUPLTYPE") {
+            error = format("\"{}\" is not allowed in the header of a P7 picture", key);
+            return false;
+        }
         const std::string value = word(in);
-        if (key == "WIDTH")
-            sizes &= whole(value, largest_side, frame.width);
-        else if (key == "HEIGHT")
-            sizes &= whole(value, largest_side, frame.height);
-        else if (key == "DEPTH")
-            sizes &= whole(value, 4, frame.channels);
-        else if (key == "MAXVAL")
-            sizes &= whole(value, 65535, frame.largest);
-        else if (key == "TUPLTYPE")
+        if (field == std::end(fields))
             frame.tuple_type = value;
-        else
+        else if (!read_whole(field->name, value, field->most, field->number, error))
             return false;
     }
-    return sizes && frame.width > 0 && frame.height > 0 && frame.channels > 0 && frame.largest > 0;
+    for (const Field& field : fields)
+        if (field.number == 0) {
+            error = format("there is no {} in the header of a P7 picture", field.name);
+            return false;
+        }
+    return true;
 }
 
-bool read_header(std::FILE* in, Frame& frame) {
+bool read_header(std::FILE* in, Frame& frame, std::string& error) {
     if (frame.magic == "P7")
-        return read_pam(in, frame);
+        return read_pam(in, frame, error);
     frame.channels = frame.magic == "P6" || frame.magic == "PF" ? 3 : 1;
-    if (!whole(word(in), largest_side, frame.width) || !whole(word(in), largest_side, frame.height))
+    if (!read_whole("width", word(in), largest_side, frame.width, error) ||
+        !read_whole("height", word(in), largest_side, frame.height, error))
         return false;
-    if (frame.magic[1] == '5' || frame.magic[1] == '6')
-        return whole(word(in), 65535, frame.largest);
+    if (!frame.is_float())
+        return read_whole("largest value", word(in), largest_value, frame.largest, error);
     frame.scale = word(in);
     char* end = nullptr;
     const double scale = OIIO::Strutil::strtod(frame.scale.c_str(), &end);
-    return !frame.scale.empty() && *end == 0 && scale != 0;
+    if (!frame.scale.empty() && *end == 0 && std::isfinite(scale) && scale != 0)
+        return true;
+    error = format("scale \"{}\" is not allowed in a header; allowed are finite numbers but 0",
+                   frame.scale);
+    return false;
 }
 
 std::string header(const Frame& f) {
@@ -181,10 +212,8 @@ ReadResult read_frame(std::FILE* in, Frame& frame, std::string& error) {
         error = "no picture begins here; allowed are PAM (P7), PPM (P6), PGM (P5) and PFM";
         return ReadResult::failed;
     }
-    if (!read_header(in, frame)) {
-        error = "the header is not one of a " + frame.magic + " picture of 1 to 4 channels";
+    if (!read_header(in, frame, error))
         return ReadResult::failed;
-    }
     if (frame.tuple_type.compare(0, 4, "CMYK") == 0) {
         error = "the tuple type " + frame.tuple_type +
                 " is not allowed; allowed are grey and RGB, with alpha or without";

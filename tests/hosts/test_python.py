@@ -155,6 +155,35 @@ def test_errors_name_what_is_allowed(arguments, says):
     assert str(caught.value).startswith("ddt: ") and "\n" not in str(caught.value)
 
 
+@pytest.mark.parametrize("arguments, says", [
+    (dict(scale="2"), "scale '2' is not allowed; allowed are a number, or one for x and one for y"),
+    (dict(scale=(2,)), "scale"),
+    (dict(size=5), "size 5 is not allowed; allowed are whole numbers, .width, height."),
+    (dict(size=(400.5, 300)), "size"),
+    (dict(size=("400", "300")), "size"),
+    (dict(scale=2, roi=(0, 0, 1)), "roi"),
+    (dict(scale=2, roi="0011"), "roi"),
+    (dict(scale=2, threads=2.5), "threads"),
+    (dict(scale=2, threads=None), "threads"),
+    (dict(scale=2, filter=None), "filter None is not allowed; allowed are texts"),
+    (dict(scale=2, light=5), "light"),
+])
+def test_arguments_of_other_types_are_named(arguments, says):
+    with pytest.raises(TypeError, match=says) as caught:
+        oiio_ddt.enlarge(picture(), **arguments)
+    assert str(caught.value).startswith("ddt: ") and "\n" not in str(caught.value)
+
+
+def test_what_is_masked_is_not_shown():
+    image = picture(channels=3, dtype="float32")
+    masked = np.ma.array(image, mask=image > 0.5)
+    for work in (oiio_ddt.mesh, lambda array: oiio_ddt.enlarge(array, 2)):
+        with pytest.raises(TypeError, match="masked"):
+            work(masked)
+    ours = oiio_ddt.enlarge(np.ma.array(image), 2)
+    assert ours.tobytes() == oiio_ddt.enlarge(image, 2).tobytes()
+
+
 def test_what_is_too_large_is_told():
     with pytest.raises(ValueError, match="scale 900000"):
         oiio_ddt.enlarge(np.ones((9000, 2), np.uint8), 900000.0, roi=(0, 0, 2, 2))

@@ -81,7 +81,16 @@ class Stream(support.Case):
 
     def test_what_is_no_picture_is_named(self):
         for data, says in ((b"GIF89a", b"frame 1: no picture begins here"),
-                           (b"P6\n4 x\n", b"header"), (b"P7\nWIDTH 4\n", b"header"),
+                           (b"P6\n4 x\n", b'height "x" is not allowed in a header; allowed are 1 to'),
+                           (b"P6\n4 0\n", b'height "0" is not allowed'),
+                           (b"P6\n4 4\n65536\n", b'largest value "65536" is not allowed in a header; '
+                            b"allowed are 1 to 65535"),
+                           (b"P5\n4 4", b"the header ends before its largest value"),
+                           (b"P7\nWIDTH 4\n", b"the header ends before ENDHDR"),
+                           (b"P7\nWIDTH 4\nENDHDR\n", b"there is no HEIGHT in the header"),
+                           (b"P7\nDEPTH 5\n", b'DEPTH "5" is not allowed in a header; allowed are 1 to 4'),
+                           (b"P7\nCOLOR 5\n", b'"COLOR" is not allowed in the header'),
+                           (b"Pf\n1 1\nnan\n0000", b'scale "nan" is not allowed'),
                            (b"P7\nWIDTH 1\nHEIGHT 1\nDEPTH 4\nMAXVAL 255\nTUPLTYPE CMYK\nENDHDR\n0000",
                             b"CMYK is not allowed")):
             done = self.stream(data)

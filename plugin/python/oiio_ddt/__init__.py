@@ -11,6 +11,7 @@ at once; they release the interpreter's lock while they work. Ctrl-C cancels.
 
 from __future__ import annotations
 
+import operator
 from typing import Any, Callable, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -47,7 +48,8 @@ def enlarge(
               own. uint8 and uint16 stand for 0 to 1, int8 and int16 for -1 to 1, floats for
               themselves, worked in 32 bits, beyond whose range float64 comes out infinite; bool and
               integers of 32 and 64 bits are numbers of objects: copied from the nearest pixel,
-              never blended.
+              never blended. A masked array must have nothing masked: give NaN there, and
+              filter="ddt,holes=fill".
     scale     A factor, or one for x and one for y: at least 1. Sizes are rounded to whole pixels.
     size      Instead of a scale: (width, height) of the result.
     filter    "ddt", "ddt-linear" or "ddt-sharp", with options: "ddt,cost=scf".
@@ -55,10 +57,11 @@ def enlarge(
     light     What the numbers of colour mean. "linear": linear light, as in an EXR. "encoded": an
               encoding, blended as it is. "sRGB", "Rec709", "Gamma1.8", "Gamma2.2", "Gamma2.4":
               encoded so, and blended in linear light. None: "linear" of floats, "encoded" of
-              integers, as the filter does for an image whose colour space nobody says.
+              integers, as the filter does for an image whose colour space nobody says. Where the
+              filter has an option light=, that counts.
     alpha     "associated": colour is multiplied by alpha already. "unassociated": it is not, as
               in a PNG; colour where alpha is 0 does not show.
-    threads   How many to use; 0: as many as there are cores.
+    threads   How many to use; 0 or less: as many as there are cores.
     progress  Called now and then with the share done, 0 to 1; if it returns False, or what is false
               and not None, the work ends with Cancelled, if it raises, with that exception.
 
@@ -67,13 +70,14 @@ def enlarge(
     had, KeyboardInterrupt, Cancelled.
     """
     pixels, dtype, sample = _as_pixels(array)
+    _check_texts(filter=filter, light=light)
     height, width = pixels.shape[:2]
     full = _full_size(width, height, scale, size)
     x0, y0, x1, y1 = _checked_roi(roi, full)
     associated = _is_associated(alpha)
     result = np.empty((y1 - y0, x1 - x0, pixels.shape[2]), pixels.dtype)
     _ddt.enlarge(pixels, result, sample, full, (x0, y0), filter, _light_of(dtype, light),
-                 associated, max(-1, min(int(threads), 2**31 - 1)), progress)
+                 associated, _thread_count(threads), progress)
     result = _as_dtype(result, dtype)
     return result[..., 0] if np.ndim(array) == 2 else result
 
@@ -97,6 +101,7 @@ def mesh(
     if sample == "id32":
         raise TypeError(f"ddt: dtype {dtype} is not allowed for a mesh, as of numbers of objects; "
                         "allowed are floats and integers of 8 and 16 bits")
+    _check_texts(filter=filter, light=light)
     return _ddt.mesh(pixels, sample, filter, _light_of(dtype, light), _is_associated(alpha),
                      progress)
 
@@ -104,6 +109,9 @@ def mesh(
 def _as_pixels(array: Any) -> Tuple[np.ndarray, np.dtype, str]:
     """The array as height x width x channels of what the core knows, its dtype, and what its
     numbers are."""
+    if np.ma.is_masked(array):
+        raise TypeError("ddt: an array with masked pixels is not allowed; allowed are NaN there, "
+                        'which filter="ddt,holes=fill" fills')
     pixels = np.asarray(array)
     dtype = pixels.dtype
     sample = _SAMPLES.get(dtype.name)
@@ -132,6 +140,29 @@ def _as_dtype(result: np.ndarray, dtype: np.dtype) -> np.ndarray:
     return result.astype(dtype, copy=False)
 
 
+def _check_texts(filter: Any, light: Any) -> None:
+    for name, text in (("filter", filter), ("light", light)):
+        if not (isinstance(text, str) or text is None and name == "light"):
+            raise TypeError(f"ddt: {name} {text!r:.60} is not allowed; allowed are texts")
+
+
+def _whole_numbers(name: str, numbers: Any, allowed: str) -> Tuple[int, ...]:
+    """As many as names are in `allowed`."""
+    try:
+        whole = tuple(operator.index(n) for n in numbers)
+    except TypeError:
+        whole = ()
+    if len(whole) != allowed.count(",") + 1:
+        raise TypeError(f"ddt: {name} {numbers!r:.60} is not allowed; allowed are whole numbers, "
+                        f"{allowed}")
+    return whole
+
+
+def _thread_count(threads: Any) -> int:
+    (count,) = _whole_numbers("threads", (threads,), "(threads)")
+    return max(-1, min(count, 2**31 - 1))
+
+
 def _light_of(dtype: np.dtype, light: Optional[str]) -> str:
     if light is None:
         return "linear" if dtype.kind == "f" else "encoded"
@@ -149,14 +180,19 @@ def _full_size(width: int, height: int, scale: Any, size: Any) -> Tuple[int, int
     if (scale is None) == (size is None):
         raise ValueError("ddt: give either a scale or a size")
     if size is not None:
-        full_width, full_height = (int(n) for n in size)
+        full_width, full_height = _whole_numbers("size", size, "(width, height)")
         if not (width <= full_width <= 2**29 and height <= full_height <= 2**29):
             raise ValueError(f"ddt: size {size} is not allowed; it must not be smaller than the "
                              f"image, {width} x {height}, nor larger than 2**29")
         return full_width, full_height
-    x, y = (scale, scale) if np.ndim(scale) == 0 else scale
+    try:
+        x, y = (n * 1.0 for n in ((scale, scale) if np.ndim(scale) == 0 else scale))
+    except (TypeError, ValueError):
+        raise TypeError(f"ddt: scale {scale!r:.60} is not allowed; allowed are a number, or one for "
+                        "x and one for y") from None
     if not (1 <= x < 1e6 and 1 <= y < 1e6):
-        raise ValueError(f"ddt: scale {scale} is not allowed; allowed are numbers from 1 on")
+        raise ValueError(f"ddt: scale {scale} is not allowed; allowed are numbers from 1 to below "
+                         "1000000")
     full_width, full_height = int(width * x + 0.5), int(height * y + 0.5)
     if max(full_width, full_height) > 2**29:
         raise ValueError(f"ddt: scale {scale} is not allowed; it makes {full_width} x "
@@ -165,7 +201,8 @@ def _full_size(width: int, height: int, scale: Any, size: Any) -> Tuple[int, int
 
 
 def _checked_roi(roi: Any, full: Tuple[int, int]) -> Tuple[int, int, int, int]:
-    x0, y0, x1, y1 = (0, 0, *full) if roi is None else (int(n) for n in roi)
+    x0, y0, x1, y1 = ((0, 0, *full) if roi is None else
+                      _whole_numbers("roi", roi, "(x0, y0, x1, y1)"))
     if not (0 <= x0 < x1 <= full[0] and 0 <= y0 < y1 <= full[1]):
         raise ValueError(f"ddt: roi {roi} is not allowed; allowed are (x0, y0, x1, y1) within the "
                          f"result of {full[0]} x {full[1]} pixels")

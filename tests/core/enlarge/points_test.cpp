@@ -208,6 +208,9 @@ TEST(Optimise, RefusesWhatIsNoTriangulation) {
     MeshOptions options;
     options.max_iterations = 1000;
     EXPECT_FALSE(optimise(mesh, guide, options));
+    std::string error;
+    EXPECT_FALSE(optimise(mesh, guide, {}, nullptr, &error, {}, Device(9)));
+    EXPECT_EQ(error.compare(0, 33, "ddt: option \"device=\" is not allo"), 0) << error;
     EXPECT_TRUE(optimise(mesh, guide, {}));
 }
 
@@ -401,6 +404,10 @@ TEST(FillHoles, AtTheRimTakesTheNearestPixel) {
     EXPECT_FALSE(
         fill_holes(image.data(), 8, 6, 1, nullptr, guide.data(), missing.data(), {}, &error));
     EXPECT_EQ(error, "ddt: no pixel is there to fill the others from");
+    const Channel unknown = Channel(9);
+    EXPECT_FALSE(
+        fill_holes(image.data(), 8, 6, 1, &unknown, guide.data(), missing.data(), {}, &error));
+    EXPECT_EQ(error, "ddt: channels must be blend, alpha or nearest");
 }
 
 } // namespace

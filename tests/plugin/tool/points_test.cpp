@@ -51,6 +51,7 @@ std::string table_error(const std::string& text) {
 TEST(PointTable, SeparatorsAndComments) {
     for (const char* text :
          {"x,y,z\n1,2,3\n4,5,6\n", "# X Y Z\n1 2 3\n\n# more\n4\t5  6\n", "x;y;z\r\n1;2;3\r\n4;5;6",
+          "# of 2010, by hand; more\n#\nx,y,z\n1,2,3\n#\n4,5,6\n",
           "\"z\", \"x\",\"y\"\n3, 1, 2\n6,4,5\n", "\xEF\xBB\xBFx,y,z\n1,2,3\n4,5,6\n"}) {
         PointFile points;
         std::string error;
@@ -68,6 +69,10 @@ TEST(PointTable, SaysWhichLineIsWrong) {
               "line 1: the first line must name the columns, x and y among them");
     EXPECT_EQ(table_error("x,y,z\n1,2,3\n1,2\n"), "line 3 has 2 columns, not 3");
     EXPECT_EQ(table_error("x,y,z\n1,2,three\n"), "line 2: \"three\" is no number");
+    EXPECT_EQ(table_error(std::string("x,y,z\n1,2,3\0 4\n", 14)).substr(0, 8), "line 2: ");
+    EXPECT_EQ(table_error("x;y;z\n0,5;1;2\n"), "line 2: \"0,5\" is no number");
+    EXPECT_EQ(table_error("# a,b\n1,2,3\n"),
+              "line 2: the first line must name the columns, x and y among them");
     EXPECT_EQ(table_error("x,y,z\n1,2,3\n\n1,nan,3\n"), "line 4: a position that is not finite");
     EXPECT_EQ(table_error("x,y,z\ninf,2,3\n"), "line 2: a position that is not finite");
     EXPECT_EQ(table_error("x,y,z\n"), "there are no points");
@@ -148,8 +153,19 @@ TEST(Ply, RefusesNonsense) {
     const std::string with_faces = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
                                    "property float y\nelement face 1\n"
                                    "property list uchar uint vertex_indices\nend_header\n0 0\n";
-    for (const char* face : {"3 0 0 4294967295", "3 0 0 134217728", "3 0 0 -1"})
+    for (const char* face : {"3 0 0 4294967295", "3 0 0 134217728"})
         EXPECT_EQ(error_of(with_faces + face), "a face has a vertex that there is not") << face;
+    for (const char* face : {"3 0 0 -1", "3 0 0 4294967296", "3 0 0 0.5", "256 0 0 0"})
+        EXPECT_EQ(error_of(with_faces + face),
+                  "face 0 ends too early or holds what is no number of its type")
+            << face;
+    std::string floats = with_faces;
+    floats.replace(floats.find("uchar uint"), 10, "uchar float");
+    EXPECT_EQ(error_of(floats + "3 0 0 0.5"), "a face has a vertex that there is not");
+    EXPECT_EQ(error_of("ply\nelement vertex 1\nend_header\n"),
+              "the PLY header has no line \"format\"");
+    EXPECT_EQ(error_of("ply\nformat ascii 2.0\nend_header\n"),
+              "not a line of a PLY header: \"format ascii 2.0\"");
 }
 
 TEST(Ply, WhatIsWrittenReadsTheSame) {
@@ -288,8 +304,11 @@ TEST_F(OnPoints, ScatterSaysWhatIsWrong) {
          {Case{{in, out, "--channels", "height"}, exit_usage, "there are z, weight"},
           Case{{in, out, "--channels", "z,weight,z"}, exit_usage, "\"z\" would be two channels"},
           Case{{write_file("twice.csv", "x,y,v,v\n0,0,1,1\n1,0,2,2\n0,1,3,3\n"), out},
-               exit_usage,
-               "\"v\" would be two channels"},
+               exit_failed,
+               "there are two columns \"v\""},
+          Case{{write_file("huge.csv", "x,y,v\n0,0,1\n1,0,-1e39\n0,1,3\n"), out},
+               exit_failed,
+               "\"v\" has a value beyond the range of a float, -1e+39"},
           Case{{in, out, "--size", "12"}, exit_usage, "WxH"},
           Case{{in, out, "--size", "0x0"}, exit_usage, "WxH"},
           Case{{in, out, "--window", "0,0,1,20000"}, exit_usage, "1024 x 20480000 pixels"},
