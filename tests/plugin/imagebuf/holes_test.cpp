@@ -187,6 +187,8 @@ TEST(HolesOption, SaysWhatCannotBe) {
     EXPECT_FALSE(
         ddt::resize(dst, src, options_of("ddt,holes=fill"), OIIO::ROI(0, 16, 0, 16, 0, 1)));
     EXPECT_EQ(dst.geterror(), "ddt: no pixel is there to fill the others from");
+    EXPECT_FALSE(ddt::fill(dst, holed(false), {}, ddt::Missing(2)));
+    EXPECT_EQ(dst.geterror(), "ddt: what is missing must be nan or alpha");
     ddt::Options options;
     std::string error;
     EXPECT_FALSE(ddt::parse_filter("ddt,holes=x", options, error));

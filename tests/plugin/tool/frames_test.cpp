@@ -57,6 +57,10 @@ TEST(Frames, Names) {
     EXPECT_EQ(FrameName("a%d.exr").name(7), "a7.exr");
     EXPECT_EQ(FrameName("dir#/%V/a.%v.#.exr").name(7, "left"), "dir#/left/a.l.0007.exr");
     EXPECT_EQ(FrameName("a.%V_%V.exr").name(0, "right"), "a.right_right.exr");
+    // Sixteen digits hold any number, and none is cut off.
+    const FrameName long_one(std::string(60, '#'));
+    EXPECT_EQ(long_one.name(7), "0000000000000007");
+    EXPECT_EQ(long_one.name(-2147483647), "-000002147483647");
     EXPECT_FALSE(FrameName("dir#/a.exr").has_frame());
     EXPECT_FALSE(FrameName("100%.exr").has_frame());
 }
@@ -162,6 +166,12 @@ TEST(Frames, OnesThatAreThereAreLeftOutIfTheyAreWhatWouldBeMade) {
     run.clear();
     frames.is_made = [](const FrameTask&) -> bool { throw std::runtime_error("no threads"); };
     EXPECT_EQ(run_frames(tasks, frames, progress).skipped, 0);
+    // What keeps a place, or is no file, is no frame.
+    frames.is_made = nullptr;
+    std::ofstream(there, std::ios::trunc).flush();
+    const std::string folder = temporary("folder of a frame's name");
+    std::filesystem::create_directory(folder);
+    EXPECT_EQ(run_frames({{"a", there}, {"b", folder}}, frames, progress).skipped, 0);
 }
 
 TEST(Frames, WhatIsThrownWhileMemoryIsCountedIsNoEnd) {

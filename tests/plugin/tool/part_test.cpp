@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/part.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -291,6 +294,69 @@ colorspaces:
     settings.options.light = "encoded";
     const auto [encoded, encoded_too] = both();
     EXPECT_EQ(encoded, encoded_too);
+}
+
+TEST(Parts, OfAWideWholeHaveLowTiles) {
+    const std::string in = temporary("part_of_wide.exr"), out = temporary("part_is_wide.exr");
+    ASSERT_TRUE(OIIO::ImageBuf(OIIO::ImageSpec(300, 2, 1, OIIO::TypeFloat)).write(in));
+    ResizeSettings settings;
+    // A row of tiles of 64 rows is 64 MiB at most.
+    for (const auto& [size, height] : {std::pair("262144x2", 64), {"262145x2", 16}}) {
+        settings.size = size;
+        Failure failure;
+        ASSERT_TRUE(resize_part(
+            in, out, settings, {1, 1}, [](float) { return true; }, failure))
+            << failure.why;
+        EXPECT_EQ(OIIO::ImageInput::open(out)->spec().tile_height, height) << size;
+    }
+}
+
+/// How many files a process has open at most, until this is destroyed.
+class OpenFiles {
+public:
+    explicit OpenFiles(int more) {
+        const int next = dup(STDERR_FILENO);
+        close(next);
+        getrlimit(RLIMIT_NOFILE, &m_before);
+        const rlimit few{rlim_t(next + more), m_before.rlim_max};
+        setrlimit(RLIMIT_NOFILE, &few);
+    }
+    ~OpenFiles() { setrlimit(RLIMIT_NOFILE, &m_before); }
+
+private:
+    rlimit m_before{};
+};
+
+TEST(Join, HasNoMoreFilesOpenThanARowOfPartsNeeds) {
+    constexpr int count = 40;
+    std::vector<std::string> parts;
+    for (int i = 0; i < count; ++i) {
+        const Rect window{0, 16 * i, 32, 16 * i + 16};
+        parts.push_back(write_half(i, 3, "0 0 32 640", "half", count, "", &window));
+    }
+    Failure failure;
+    const OpenFiles few(12);
+    EXPECT_TRUE(join(
+        parts, temporary("of_many.exr"), [](float) { return true; }, failure))
+        << failure.why;
+}
+
+TEST(Fingerprint, CountsEveryByteOfAFileUpToItsLast) {
+    const std::string in = temporary("of_bytes.ppm");
+    // A piece is 64 KiB.
+    for (const size_t size : {size_t(1), size_t(65536), size_t(65537), size_t(200000)}) {
+        const auto of = [&](const std::string& bytes) {
+            std::ofstream(in, std::ios::binary | std::ios::trunc) << bytes;
+            return fingerprint(in, {}, {}, {});
+        };
+        const std::string plain = of(std::string(size, 'a'));
+        EXPECT_EQ(of(std::string(size, 'a')), plain);
+        for (const size_t place : {size_t(0), size / 2, size - 1}) {
+            std::string other(size, 'a');
+            other[place] = 'b';
+            EXPECT_NE(of(other), plain) << place << " of " << size;
+        }
+    }
 }
 
 } // namespace

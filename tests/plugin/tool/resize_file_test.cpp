@@ -395,6 +395,22 @@ TEST(PlanResult, DataWindowsScaleWithoutRounding) {
         }
 }
 
+TEST(PlanResult, DataWindowsBeginRoundedDownAndHaveSizesRoundedUp) {
+    ImageSpec from(301, 19, 1, OIIO::TypeHalf), to;
+    from.x = -7;
+    from.y = 5;
+    from.full_x = -3;
+    from.full_width = 290;
+    from.full_height = 30;
+    ResizeSettings settings;
+    settings.size = "130%";
+    Failure failure;
+    ASSERT_TRUE(plan_result(from, settings, to, failure)) << failure.why;
+    EXPECT_EQ(to.roi_full(), OIIO::ROI(-3, 374, 0, 39, 0, 1, 0, 1));
+    // 5.2 left of the display window's edge, 391.3 wide; 6.5 below it, 24.7 high.
+    EXPECT_EQ(to.roi(), OIIO::ROI(-9, 383, 6, 31, 0, 1, 0, 1));
+}
+
 TEST(PlanResult, WhatIsSaidOfTheSourcesPixelsGoesAndTheLevelOfCompressionStays) {
     ImageSpec from(8, 8, 1, OIIO::TypeHalf), to;
     from.attribute("oiio:AverageColor", "0.5");
@@ -408,6 +424,12 @@ TEST(PlanResult, WhatIsSaidOfTheSourcesPixelsGoesAndTheLevelOfCompressionStays) 
     EXPECT_EQ(to.find_attribute("oiio:AverageColor"), nullptr);
     EXPECT_EQ(to.find_attribute("textureformat"), nullptr);
     EXPECT_EQ(to.get_string_attribute("compression"), "dwab:120");
+    from.attribute("compression", "dwaa");
+    ASSERT_TRUE(plan_result(from, settings, to, failure));
+    EXPECT_EQ(to.get_string_attribute("compression"), "dwaa:120");
+    from.attribute("compression", "zip"); // which has none of that
+    ASSERT_TRUE(plan_result(from, settings, to, failure));
+    EXPECT_EQ(to.get_string_attribute("compression"), "zip");
     settings.compression = "dwab:45";
     ASSERT_TRUE(plan_result(from, settings, to, failure));
     EXPECT_EQ(to.get_string_attribute("compression"), "dwab:45");
@@ -519,6 +541,37 @@ TEST(ResizeFile, ACompressionThatTheFileHasNotIsNamed) {
     }
     EXPECT_EQ(said_of(3, uint8, "a.jpg", "", "jpeg:80"), "");
     EXPECT_EQ(said_of(3, uint8, "a.webp", "", "lossless"), "");
+}
+
+TEST(FitFormat, LeavesOutWhatLiesBeforeZero) {
+    ImageSpec window(20, 15, 3, OIIO::TypeUInt8);
+    window.x = -7;
+    window.y = -5;
+    window.full_x = -2;
+    window.full_y = -3;
+    window.full_width = 12;
+    window.full_height = 9;
+    const auto fitted = [&](const char* file, Failure& failure) {
+        ImageSpec spec = window;
+        const auto output = OIIO::ImageOutput::create(file);
+        const bool fits = fit_format(*output, file, spec, failure);
+        return fits ? spec.roi() : OIIO::ROI();
+    };
+    Failure failure;
+    EXPECT_EQ(fitted("a.exr", failure), OIIO::ROI(-7, 13, -5, 10, 0, 1, 0, 3));
+    // Without windows: of the display window.
+    EXPECT_EQ(fitted("a.png", failure), OIIO::ROI(0, 10, 0, 6, 0, 1, 0, 3));
+    EXPECT_EQ(failure.why, "");
+    for (const auto& [x, y] : {std::pair(-12, 0), {0, -9}}) {
+        window.full_x = x;
+        window.full_y = y;
+        EXPECT_FALSE(fitted("a.png", failure).defined());
+        EXPECT_NE(failure.why.find("\"a.png\": no pixel has coordinates of 0 and more"),
+                  std::string::npos)
+            << failure.why;
+        EXPECT_EQ(failure.code, exit_failed);
+        EXPECT_TRUE(fitted("a.exr", failure).defined());
+    }
 }
 
 TEST(FitChannels, TakesWhatOiiotoolTakes) {
