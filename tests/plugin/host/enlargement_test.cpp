@@ -183,6 +183,58 @@ TEST(Enlargement, CodesAreStoredWithTheGapsBetweenPixels) {
     EXPECT_TRUE(packed == bytes(wanted));
 }
 
+TEST(Enlargement, ChannelsMayRunBackwards) {
+    ImageBuf from = picture(40, 30, 3, TypeDesc::UINT8);
+    const ImageBuf wanted = by_filter(from, "sRGB", 100, 70);
+    ImageBuf to = images::make(100, 70, 3, TypeDesc::UINT8);
+    Enlargement work = work_of(from, to, "sRGB");
+    std::vector<uint8_t> memory(100 * 70 * 3);
+    work.to = {memory.data() + 2, 300, 3, -1, work.to.box, Sample::uint8}; // blue first
+    std::string error;
+    ASSERT_EQ(enlarge(work, error), ddt::Outcome::done) << error;
+    for (size_t i = 0; i < memory.size(); i += 3)
+        std::swap(memory[i], memory[i + 2]);
+    EXPECT_TRUE(memory == bytes(wanted));
+}
+
+TEST(Enlargement, RowsOfFloatsMayBeginAnywhere) {
+    ImageBuf from = picture(40, 30, 3, TypeDesc::FLOAT);
+    const std::vector<unsigned char> wanted = bytes(by_filter(from, "linear", 100, 70));
+    ImageBuf to = images::make(100, 70, 3, TypeDesc::FLOAT);
+    Enlargement work = work_of(from, to, "linear");
+    constexpr size_t row = 100 * 3 * sizeof(float);
+    for (const size_t gap : {0, 2, 4}) {
+        std::vector<unsigned char> memory(70 * (row + gap) + 4), dense;
+        work.to = {memory.data(), ptrdiff_t(row + gap), 12, 4, work.to.box, Sample::float32};
+        std::string error;
+        ASSERT_EQ(enlarge(work, error), ddt::Outcome::done) << error;
+        for (size_t y = 0; y < 70; ++y) {
+            const auto begin = memory.begin() + ptrdiff_t(y * (row + gap));
+            dense.insert(dense.end(), begin, begin + row);
+        }
+        EXPECT_TRUE(dense == wanted) << gap;
+    }
+}
+
+TEST(Enlargement, TellsHowFarItIsAndStopsWhenTold) {
+    ImageBuf from = picture(40, 30, 3, TypeDesc::HALF),
+             to = images::make(100, 70, 3, TypeDesc::HALF);
+    Enlargement work = work_of(from, to, "sRGB");
+    std::vector<float> shares;
+    bool going = true;
+    work.progress = [&](float share) {
+        shares.push_back(share);
+        return going;
+    };
+    std::string error;
+    ASSERT_EQ(enlarge(work, error), ddt::Outcome::done) << error;
+    ASSERT_FALSE(shares.empty());
+    EXPECT_EQ(shares.back(), 1.0f);
+    going = false;
+    EXPECT_EQ(enlarge(work, error), ddt::Outcome::cancelled);
+    EXPECT_EQ(error, "ddt: cancelled");
+}
+
 TEST(Enlargement, UnassociatedAlphaIsMultipliedFirst) {
     ImageBuf from = picture(60, 40, 4, TypeDesc::FLOAT), straight;
     ASSERT_TRUE(OIIO::ImageBufAlgo::unpremult(straight, from));
@@ -207,9 +259,21 @@ TEST(Enlargement, TheSameSizeIsACopyAndASmallerOneAnError) {
     std::string error;
     ASSERT_EQ(enlarge(work_of(from, to, "sRGB"), error), ddt::Outcome::done);
     EXPECT_TRUE(bytes(to) == bytes(from));
+    // Of numbers of another kind, the values.
+    ImageBuf floats = images::make(30, 20, 3, TypeDesc::FLOAT), values;
+    ASSERT_EQ(enlarge(work_of(from, floats, "sRGB"), error), ddt::Outcome::done);
+    ASSERT_TRUE(values.copy(from, TypeDesc::FLOAT));
+    EXPECT_TRUE(bytes(floats) == bytes(values));
     ImageBuf small = images::make(29, 20, 3, TypeDesc::HALF);
     EXPECT_EQ(enlarge(work_of(from, small, "sRGB"), error), ddt::Outcome::bad_job);
     EXPECT_NE(error.find("29 x 20"), std::string::npos) << error;
+    ImageBuf large = images::make(60, 40, 3, TypeDesc::HALF);
+    for (const ddt::Rect& full : {ddt::Rect{0, 0, 59, 40}, {0, 0, 60, 39}, {1, 0, 60, 40}}) {
+        Enlargement work = work_of(from, large, "sRGB");
+        work.place = onto(work.from.box, full);
+        EXPECT_EQ(enlarge(work, error), ddt::Outcome::bad_job);
+        EXPECT_EQ(error, "ddt: the part wanted lies outside the result");
+    }
 }
 
 /// A part of the copy, from a picture that lies elsewhere than the result.

@@ -64,5 +64,27 @@ TEST(Placing, AZoomsCentreStaysWhereItIs) {
     }
 }
 
+/// Also where its end, rounded by itself, would be another.
+TEST(Placing, ASizeIsTheSameWhereverAWindowLies) {
+    for (int x = -3; x <= 3; ++x) {
+        const Rect r = scaled({x, 2 * x, x + 3, 2 * x + 1}, 1.5, 1.1);
+        EXPECT_EQ(r.width(), 5) << x; // 4.5
+        EXPECT_EQ(r.height(), 1) << x;
+        EXPECT_NEAR(r.x0, x * 1.5, 0.5);
+        EXPECT_NEAR(r.y0, x * 2.2, 0.5);
+    }
+    EXPECT_EQ(scaled({7, 7, 9, 9}, 0.1, 0.1), (Rect{1, 1, 2, 2})); // one pixel at least
+}
+
+TEST(Placing, FillingHolesNeedsTheWholeWindow) {
+    const Rect window{0, 0, 1000, 900};
+    const Placing place = onto(window, {0, 0, 2000, 1800});
+    const Rect corner{0, 0, 10, 10};
+    EXPECT_LT(needed(place, corner).width(), 600);
+    EXPECT_EQ(needed(place, corner, Holes::fill), window);
+    EXPECT_EQ(needed(place, corner, Holes::fill_alpha), window);
+    EXPECT_TRUE(needed(place, {2000, 0, 2010, 10}, Holes::fill).empty());
+}
+
 } // namespace
 } // namespace ddt::host

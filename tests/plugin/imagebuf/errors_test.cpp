@@ -74,6 +74,22 @@ TEST(Errors, FileThatIsCutShort) {
     expect_error(dst, "cannot be read");
 }
 
+TEST(Errors, WhatIsBetweenIsNoLargerThanAnImageMayBe) {
+    const ImageBuf src = make(600, 600, 3, OIIO::TypeHalf); // 2 MB
+    ImageBuf high = make(10, 1200, 3), doubles = make(599, 599, 3, OIIO::TypeDesc::DOUBLE);
+    int before = 0;
+    OIIO::getattribute("limits:imagesize_MB", before);
+    OIIO::attribute("limits:imagesize_MB", 3);
+    // Enlarged first, that has 600 x 1200 floats; and OpenImageIO's result is of floats.
+    EXPECT_FALSE(ddt::resize(high, src));
+    expect_error(high, "limits:imagesize_MB");
+    EXPECT_FALSE(ddt::resize(doubles, src));
+    expect_error(doubles, "limits:imagesize_MB");
+    OIIO::attribute("limits:imagesize_MB", before);
+    EXPECT_TRUE(ddt::resize(high, src)) << high.geterror();
+    EXPECT_TRUE(ddt::resize(doubles, src)) << doubles.geterror();
+}
+
 TEST(Errors, DeepImage) {
     ImageSpec spec(8, 8, 3, OIIO::TypeFloat);
     spec.deep = true;
