@@ -195,6 +195,24 @@ TEST(Ply, WhatIsWrittenReadsTheSame) {
     }
 }
 
+TEST(Ply, WholeNumbersAreTheNearestThatTheirTypeHolds) {
+    PointFile points;
+    points.mesh.x = {0, 1, 2, 3, 4};
+    points.mesh.y = {0, 0, 0, 0, 0};
+    points.columns = {{"a", "char", 1, {-1000, -1.6, 1.4, 1.6, 1000}},
+                      {"b", "ushort", 1, {-1, NAN, 0.5, 65534.6, 1e9}},
+                      {"c", "int", 1, {-1e300, -0.6, 0.4, 2147483646.6, 1e300}}};
+    const std::string path = temporary("rounded.ply");
+    Failure failure;
+    ASSERT_TRUE(write_points(path, points, failure)) << failure.why;
+    PointFile again;
+    ASSERT_TRUE(read_points(path, again, failure)) << failure.why;
+    using Values = std::vector<double>;
+    EXPECT_EQ(again.find("a")->values, (Values{-128, -2, 1, 2, 127}));
+    EXPECT_EQ(again.find("b")->values, (Values{0, 0, 1, 65535, 65535}));
+    EXPECT_EQ(again.find("c")->values, (Values{-2147483648.0, -1, 0, 2147483647, 2147483647}));
+}
+
 TEST(PointFile, GuidesAreNumbersWhateverTheValuesAre) {
     PointFile points;
     points.mesh = {{0, 1, 0}, {0, 0, 1}, {}};

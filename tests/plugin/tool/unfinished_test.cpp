@@ -48,6 +48,16 @@ TEST(Unfinished, ASignalBetweenTheMakingOfAFileAndItsListingWaits) {
     EXPECT_FALSE(fs::exists(path));
 }
 
+TEST(Unfinished, ASignalThatWasIgnoredIsIgnoredOn) {
+    EXPECT_EQ(ended_by([] { raise(SIGHUP); }), SIGHUP);
+    EXPECT_EQ(ended_by([] {
+                  std::signal(SIGHUP, SIG_IGN); // as nohup does, before the program begins
+                  remove_unfinished_on_signals();
+                  raise(SIGHUP);
+              }),
+              0);
+}
+
 TEST(Unfinished, SoItDoesWhereAnotherThreadTakesIt) {
     const std::string path = temporary("unfinished in a thread");
     EXPECT_EQ(ended_by([&] {
