@@ -69,8 +69,8 @@ DDT_INLINE int list_crossed(int x0, int x1, Crossed&& crossed, int* columns) {
         const uint64_t word = crossed(x) >> 1;
         if (!word)
             continue;
-        // A branch on each could not be foretold. The top byte of a product is a sum of bytes: of
-        // bit k of byte k, or of how many there are.
+        // Branch-free: a branch on each byte would be mispredicted. The top byte of a product is a
+        // sum of bytes: of bit k of byte k, or of how many there are.
         uint8_t listed[cells_at_once]; // a copy, which no column is in the way of
         std::memcpy(listed, listed_bytes.of[word * 0x0102040810204080u >> 56], sizeof listed);
         for (int i = 0; i < cells_at_once; ++i)

@@ -2,7 +2,6 @@
 // Where a walk round a vertex begins: Lattice::find_first_edges() and its kin.
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <vector>
 
 #include "core/base/compress_lanes.h"

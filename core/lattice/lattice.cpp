@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <optional>
-#include <utility>
 
 #include "core/guide/contour.h"
 #include "core/lattice/crossed_columns.h"
@@ -79,11 +78,13 @@ void Lattice::start(int width, int height, const float* guide, bool flat, bool c
     const auto of_two = [](auto&& edge) {
         return RecordOfTwo(edge(0, 0), edge(0, 1), edge(1, 0), edge(1, 1));
     };
-    const RecordOfTwo level = of_two([](int a, int b) { return horizontal(a, b, true, true); }),
-                      upright = of_two([](int a, int b) { return vertical(a, b, true, true); }),
-                      slanting = of_two([](int, int b) { return diagonal(b); });
+    const RecordOfTwo horizontals =
+                          of_two([](int a, int b) { return horizontal(a, b, true, true); }),
+                      verticals = of_two([](int a, int b) { return vertical(a, b, true, true); }),
+                      diagonals = of_two([](int, int b) { return diagonal(b); });
 
-    // How cells are divided: kept for two rows of them, since a level edge has its apexes in both.
+    // How cells are divided: kept for two rows of them, since a horizontal edge has its apexes in
+    // both.
     const int last = width - 1;
     std::optional<ContourRows> words;
     if (contours)
@@ -97,7 +98,7 @@ void Lattice::start(int width, int height, const float* guide, bool flat, bool c
             divide(z, z + width, word, last, flat, below.data());
         Site* even = m_sites.data() + site(0, 2 * y);
         int x = has_above && has_below
-                    ? make_level_row(z, word, above.data(), below.data(), level, last, even)
+                    ? make_even_row(z, word, above.data(), below.data(), horizontals, last, even)
                     : 0;
         for (; x < last; ++x) {
             even[2 * x].vertex = Vertex{z[x], {word ? word[x] : 0}};
@@ -109,7 +110,7 @@ void Lattice::start(int width, int height, const float* guide, bool flat, bool c
         Site* odd = m_sites.data() + site(0, 2 * y + 1);
         odd[0] = vertical(0, below[0], false, true);
         odd[1] = diagonal(below[0]);
-        x = 1 + make_upright_row(below.data() + 1, upright, slanting, last - 1, odd + 2);
+        x = 1 + make_odd_row(below.data() + 1, verticals, diagonals, last - 1, odd + 2);
         for (; x < last; ++x) {
             odd[2 * x] = vertical(below[size_t(x) - 1], below[size_t(x)], true, true);
             odd[2 * x + 1] = diagonal(below[size_t(x)]);

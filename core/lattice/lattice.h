@@ -15,6 +15,18 @@
 //
 // "Left" of a direction v is where det(v, .) > 0. (With y downwards, as in images, that is the
 // right-hand side on screen; only consistency matters.)
+//
+// The rest of this folder, in the order in which it is used:
+//   start_rows       the starting mesh, for start()
+//   flips, region    flips of many edges at once; the edges near one
+//   divisions        how each cell is divided once no edge flips any more. Most are "plain": their
+//                    own diagonal divides them. Others are "crossed": crossed_columns.h lists them
+//   first_edges      for walks round a vertex; fans: such walks for many vertices at once
+//   neighbours, row_reach    how far edges go from a part of the lattice, or from a row
+//   locate           the triangle of a position; crossed_cell: those of all positions in a crossed
+//                    cell; crossed_search: in many crossed cells at once
+// site_lanes-inl.h, known_lanes-inl.h, every_second-inl.h: sites and edges as lanes of vectors;
+// quad-inl.h: the parallelogram round an edge, for scalars and lanes.
 #pragma once
 
 #include <algorithm>
@@ -76,8 +88,9 @@ constexpr uint32_t rigid_mark = 0xff7f;
 constexpr uint32_t touched_word = 0xff800000u;
 /// Both are at least this, and the words of gains are less.
 constexpr uint32_t least_unsettled = rigid_mark << 16;
-/// No gain that is stored is less, and none that is not a number is negative: such words tell
-/// something else.
+/// Stored gains are at least this, and NaN is stored with its sign clear: smaller floats and NaN
+/// with a sign have words that encode rigid_mark and touched_word, or that settled() takes for
+/// them.
 constexpr float least_gain = -1e38f;
 
 /// An edge with midpoint m, ends a = m - v and b = m + v; vectors in doubled coordinates, which
@@ -258,7 +271,7 @@ public:
     bool touch(int m) {
         uint32_t& word = edge(m).word;
         const bool is_new = word < least_unsettled;
-        // Without a branch, which compilers make of ?: here; it would be a guess.
+        // Branch-free: compilers make a branch of ?: here, and it would be mispredicted.
         word = choose(is_new, touched_word, word);
         return is_new;
     }

@@ -7,7 +7,7 @@ namespace {
 
 /// The triangle s, t, c (det > 0).
 Corners ordered(Corner s, Corner t, Corner c) {
-    // Without branches, which could not be foretold.
+    // Branch-free: the branches would be mispredicted.
     const auto address = [](Corner a) { return a.y * (1 << 16) + a.x; };
     const Corner around[5] = {s, t, c, s, t};
     int first = int(address(t) < address(s));

@@ -76,7 +76,7 @@ Triangle locate(const Lattice& lattice, Point p);
 /// Whether weight 0 with respect to an edge along d counts as inside: the sign of
 /// det(d, (t, t^2)) for tiny t > 0.
 inline bool tie_inside(Vec d) {
-    // d.y < 0 or, where it is 0, d.x > 0; without a branch, which could not be foretold.
+    // d.y < 0 or, where it is 0, d.x > 0. Branch-free: the branch would be mispredicted.
     return 256 * d.y < d.x;
 }
 

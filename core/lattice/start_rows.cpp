@@ -66,8 +66,8 @@ HWY_INLINE hn::Vec<D64> records(const RecordOfTwo& of, const DownFlag* first,
                    hn::And(hn::And(a, b), hn::Set(d64, of.both_down)));
 }
 
-HWY_ATTR int make_level_row(const float* guide, const uint32_t* words, const DownFlag* above,
-                            const DownFlag* below, const RecordOfTwo& level, int n, Site* to) {
+HWY_ATTR int make_even_row(const float* guide, const uint32_t* words, const DownFlag* above,
+                           const DownFlag* below, const RecordOfTwo& horizontals, int n, Site* to) {
     static_assert(offsetof(Vertex, guide) == 0 && offsetof(Vertex, contour) == 4, "two halves");
     const D64 d64;
     const hn::Rebind<uint32_t, D64> d32;
@@ -78,17 +78,17 @@ HWY_ATTR int make_level_row(const float* guide, const uint32_t* words, const Dow
         auto vertices = load(guide + x);
         if (words)
             vertices = hn::Or(vertices, hn::ShiftLeft<32>(load(words + x)));
-        hn::StoreInterleaved2(vertices, records(level, above + x, below + x), d64,
+        hn::StoreInterleaved2(vertices, records(horizontals, above + x, below + x), d64,
                               reinterpret_cast<uint64_t*>(to + 2 * x));
     });
 }
 
-HWY_ATTR int make_upright_row(const DownFlag* cells, const RecordOfTwo& upright,
-                              const RecordOfTwo& diagonal, int n, Site* to) {
+HWY_ATTR int make_odd_row(const DownFlag* cells, const RecordOfTwo& verticals,
+                          const RecordOfTwo& diagonals, int n, Site* to) {
     const D64 d64;
     return each_whole_vector(n, int(hn::Lanes(d64)), [&](int x) HWY_ATTR {
-        hn::StoreInterleaved2(records(upright, cells + x - 1, cells + x),
-                              records(diagonal, cells + x, cells + x), d64,
+        hn::StoreInterleaved2(records(verticals, cells + x - 1, cells + x),
+                              records(diagonals, cells + x, cells + x), d64,
                               reinterpret_cast<uint64_t*>(to + 2 * x));
     });
 }
@@ -101,22 +101,22 @@ HWY_AFTER_NAMESPACE();
 namespace ddt {
 
 HWY_EXPORT(divide_flat);
-HWY_EXPORT(make_level_row);
-HWY_EXPORT(make_upright_row);
+HWY_EXPORT(make_even_row);
+HWY_EXPORT(make_odd_row);
 
 int divide_flat(const float* upper, const float* lower, const uint32_t* words, int n,
                 DownFlag* down) {
     return HWY_DYNAMIC_DISPATCH(divide_flat)(upper, lower, words, n, down);
 }
 
-int make_level_row(const float* guide, const uint32_t* words, const DownFlag* above,
-                   const DownFlag* below, const RecordOfTwo& level, int n, Site* to) {
-    return HWY_DYNAMIC_DISPATCH(make_level_row)(guide, words, above, below, level, n, to);
+int make_even_row(const float* guide, const uint32_t* words, const DownFlag* above,
+                  const DownFlag* below, const RecordOfTwo& horizontals, int n, Site* to) {
+    return HWY_DYNAMIC_DISPATCH(make_even_row)(guide, words, above, below, horizontals, n, to);
 }
 
-int make_upright_row(const DownFlag* cells, const RecordOfTwo& upright, const RecordOfTwo& diagonal,
-                     int n, Site* to) {
-    return HWY_DYNAMIC_DISPATCH(make_upright_row)(cells, upright, diagonal, n, to);
+int make_odd_row(const DownFlag* cells, const RecordOfTwo& verticals, const RecordOfTwo& diagonals,
+                 int n, Site* to) {
+    return HWY_DYNAMIC_DISPATCH(make_odd_row)(cells, verticals, diagonals, n, to);
 }
 
 } // namespace ddt

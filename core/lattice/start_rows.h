@@ -40,14 +40,14 @@ private:
 int divide_flat(const float* upper, const float* lower, const uint32_t* words, int n,
                 DownFlag* down);
 
-/// Make n vertices of a row of the guide, and behind each the level edge between the cells above
-/// and below. No words: contours of 0.
-int make_level_row(const float* guide, const uint32_t* words, const DownFlag* above,
-                   const DownFlag* below, const RecordOfTwo& level, int n, Site* to);
+/// Make an even row of the doubled lattice: n vertices of a row of the guide, and behind each the
+/// horizontal edge between the cells above and below. No words: contours of 0.
+int make_even_row(const float* guide, const uint32_t* words, const DownFlag* above,
+                  const DownFlag* below, const RecordOfTwo& horizontals, int n, Site* to);
 
-/// Make the upright edges on the left of n cells, of which the first has one on its other side,
-/// too, and behind each the cell's diagonal.
-int make_upright_row(const DownFlag* cells, const RecordOfTwo& upright, const RecordOfTwo& diagonal,
-                     int n, Site* to);
+/// Make an odd row: the vertical edges on the left of n cells, and behind each the cell's diagonal.
+/// There is a cell before the first, too.
+int make_odd_row(const DownFlag* cells, const RecordOfTwo& verticals, const RecordOfTwo& diagonals,
+                 int n, Site* to);
 
 } // namespace ddt

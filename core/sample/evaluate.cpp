@@ -2,6 +2,7 @@
 #include "core/sample/evaluate.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <type_traits>
 

@@ -1,5 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reading the surface at a row of positions.
+//
+// Row by row, where positions form no grid or a channel is Channel::nearest: locate_row() finds the
+// triangle or plain cell of each position, evaluate_row() the values.
+//
+// Where they form a grid, by blocks of rows that lie in one row of cells: locate_block() says which
+// cells are made how, and evaluate_block() has each kind made by a function of its own:
+//   LocatedBlock::phases    neighbouring cells in which positions lie alike, all as if they were
+//                           plain: evaluate_phases() (phases.cpp), several cells in a vector
+//   LocatedBlock::ranges    other cells: evaluate_ranges() (evaluate.cpp), cell by cell, several
+//                           positions in a vector
+//   LocatedBlock::crossed   those in which positions lie alike and that other edges cross:
+//                           evaluate_crossed() (crossed.cpp), over what evaluate_phases() left
 #pragma once
 
 #include <vector>
@@ -139,8 +151,8 @@ void evaluate_block(const Net& net, Surface surface, const Columns& columns,
                     const LocatedBlock& block, int channels, int first, int count, float* out,
                     size_t row);
 
-/// Make each of n means of some surfaces that of one more, whose values are `last` and whose share
-/// is 1 / their number.
+/// Running means over surfaces, n of them: include the surface whose values are `last` with the
+/// weight share = 1 / (number of surfaces, this one included).
 void join_last(const float* last, size_t n, float share, float* mean);
 
 } // namespace ddt

@@ -13,7 +13,7 @@ namespace {
 
 constexpr float unit = 1.0f / float(position_one);
 
-/// Without a branch, which could not be foretold.
+/// Branch-free: the branch would be mispredicted.
 Span::Kind kind_of(Division division) {
     constexpr Span::Kind kinds[] = {Span::cell_down, Span::cell_up, Span::triangle};
     static_assert(int(Division::down) == 0 && int(Division::up) == 1 && int(Division::other) == 2,

@@ -40,7 +40,7 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 enum Quadrant : int { upper_left, upper_right, lower_left, lower_right };
 
 /// The means of the quadrants of plain cells, `at` floats from the first. down: 1 where the
-/// diagonal is down, else 0. A branch on the division could not be foretold.
+/// diagonal is down, else 0. Branch-free: a branch on the division would be mispredicted.
 template <bool quadratic, bool soft, class T>
 HWY_INLINE void plain_means(const CellNumbers& values, const CellNumbers& softness, ptrdiff_t at,
                             T down, T means[4]) {

@@ -73,8 +73,8 @@ private:
     HWY_INLINE const CrossedRows::Cell* load(const CrossedRows::Cell* cells,
                                              const CrossedRows::Cell* end,
                                              const CellTriangle* triangles) {
-        // How many triangles a cell has could not be foretold: as many as usual are filled in at
-        // once.
+        // Branch-free for most cells: a loop over as many triangles as a cell has would be
+        // mispredicted, so as many as usual are filled in at once.
         int32_t columns[TriangleNumbers::most + most_row_lanes] = {};
         int shifts[TriangleNumbers::most + usual];
         const CellTriangle* const first = triangles + cells->first;

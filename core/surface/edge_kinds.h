@@ -10,14 +10,14 @@ namespace ddt {
 
 /// Edges at or beside the vertices of a row of pixels: to the next vertex on the right or below, or
 /// within the cell between.
-enum class EdgeKind { level, upright, diagonal };
+enum class EdgeKind { horizontal, vertical, diagonal };
 
 /// Whether their midpoints are in odd columns, or rows, of the doubled lattice.
 constexpr bool in_odd_column(EdgeKind kind) {
-    return kind != EdgeKind::upright;
+    return kind != EdgeKind::vertical;
 }
 constexpr bool in_odd_row(EdgeKind kind) {
-    return kind != EdgeKind::level;
+    return kind != EdgeKind::horizontal;
 }
 
 /// From the site of the row's first vertex to that of the edge in column 0.
@@ -35,9 +35,9 @@ DDT_INLINE int list_others(const Lattice& lattice, int x0, int x1, int begin, in
     const NearDivisions divisions(lattice, y);
     const auto crossed = [&](int x) {
         const uint64_t here = crossed_cells(divisions.below + x);
-        return kind == EdgeKind::level     ? here | crossed_cells(divisions.above + x)
-               : kind == EdgeKind::upright ? here | crossed_cells(divisions.below + x - 1)
-                                           : here;
+        return kind == EdgeKind::horizontal ? here | crossed_cells(divisions.above + x)
+               : kind == EdgeKind::vertical ? here | crossed_cells(divisions.below + x - 1)
+                                            : here;
     };
     int n = 0;
     for (int x = x0; x < std::min(begin, x1); ++x)

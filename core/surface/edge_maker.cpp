@@ -106,8 +106,8 @@ void EdgeMaker::load_vertices(int end, int keep) {
 }
 
 void EdgeMaker::to_row(int y, int keep) {
-    // In steps, or all of what is far above would have to be kept, and all that edges which are
-    // asked for together are made from.
+    // In steps of rows_at_once: one long advance would need every source row of that stretch at
+    // once.
     for (int next = m_edge_rows / 2 + rows_at_once;
          m_few_edges && next < std::min(y, m_part.y1 - rows_at_once);
          next = m_edge_rows / 2 + rows_at_once)

@@ -105,14 +105,14 @@ struct PlainRow {
         const auto down = [&](int dx, int dy)
                               HWY_ATTR { return spread<T>(down_rows[dy + 1] + dx, place, count); };
         PlainEdges<T> e;
-        if constexpr (kind == EdgeKind::level) { // from (x, y) to (x + 1, y)
+        if constexpr (kind == EdgeKind::horizontal) { // from (x, y) to (x + 1, y)
             e.zi = z(0, 0), e.zj = z(1, 0);
             e.zc = either(down(0, 0), z(1, 1), z(0, 1));
             e.zd = either(down(0, -1), z(0, -1), z(1, -1));
             if (bend)
                 e.gix = gx(0, 0), e.giy = gy(0, 0), e.gjx = gx(1, 0), e.gjy = gy(1, 0);
             e.vx = T(1.0f), e.vy = T(0.0f);
-        } else if constexpr (kind == EdgeKind::upright) { // from (x, y) to (x, y + 1)
+        } else if constexpr (kind == EdgeKind::vertical) { // from (x, y) to (x, y + 1)
             e.zi = z(0, 0), e.zj = z(0, 1);
             e.zc = either(down(-1, 0), z(-1, 0), z(-1, 1));
             e.zd = either(down(0, 0), z(1, 1), z(1, 0));
@@ -179,14 +179,14 @@ HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y, EdgeSc
                          Net& net) {
     const int x0 = part.x0, x1 = part.x1, last = lattice.width() - 1, pixel_y = y / 2;
     if (y & 1) {
-        make_kind<EdgeKind::upright, bend, soft, tame>(lattice, x0, x1, 1, last, pixel_y, scratch,
-                                                       net);
+        make_kind<EdgeKind::vertical, bend, soft, tame>(lattice, x0, x1, 1, last, pixel_y, scratch,
+                                                        net);
         make_kind<EdgeKind::diagonal, bend, soft, tame>(lattice, x0, x1 - 1, 0, last, pixel_y,
                                                         scratch, net);
     } else {
         const bool rim = y == 0 || pixel_y == lattice.height() - 1;
-        make_kind<EdgeKind::level, bend, soft, tame>(lattice, x0, x1 - 1, rim ? last : 0, last,
-                                                     pixel_y, scratch, net);
+        make_kind<EdgeKind::horizontal, bend, soft, tame>(lattice, x0, x1 - 1, rim ? last : 0, last,
+                                                          pixel_y, scratch, net);
     }
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a namespace, once for each SIMD target: T is a float or a vector of floats, a
-// lane a channel. GLSL twin: shaders/surface.glsl. Comparisons are written out, a min or max would
-// leave the sign of zero and NaN to the device.
+// lane a channel. GLSL twin: shaders/surface.glsl. Only lower(), upper(), if_less() and
+// if_less_equal() choose: a library's min or max would leave the sign of zero and NaN to the
+// device.
 
-// tame: the values are (core/surface/tame.h), so that nothing has to be looked at for being finite:
-// the same bits in fewer steps.
+// tame: all values are tame (core/surface/tame.h), so the tests for inf and NaN are left out: the
+// same bits in fewer steps.
 
 /// Mean gradient at a vertex over the triangles round it (see net.h). Taken relative to the first
 /// triangle's gradient, so that a plane comes back exactly.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/surface/kept_rows.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace ddt {

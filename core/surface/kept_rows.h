@@ -12,8 +12,8 @@ namespace ddt {
 /// Rows of pixels that are made at a time, at least.
 constexpr int rows_at_once = 4;
 
-/// Rows of pixels by which what is kept of an array goes on at a time, beside those in use. With
-/// more of them less is moved, but what is made leaves the cache before it is used.
+/// Spare rows of pixels by which the kept window advances before its rows are moved to the front.
+/// With more of them less is moved, but what is made leaves the cache before it is used.
 constexpr int rows_to_go_on = 4;
 
 /// Rows of vertices and of what belongs to edges that are in use at a time in most tiles, at most.

@@ -22,6 +22,27 @@
 //
 // Non-finite values stay inside the triangles that touch them: such a triangle counts for no
 // gradient and the edges of such a vertex have e = 0.
+//
+// How a net is made, in this order:
+//   set_vertices() (here)               z, from the pixels or a ValueRows
+//   make_gradients() (gradients.cpp)    g at the vertices
+//   make_edges() (edges.cpp)            e and q, from z, g and the mesh's gains
+// EdgeMaker drives these row by row, downwards, just ahead of whoever reads the net. In filters
+// that correct the vertices first, the same comes twice or more:
+//   CorrectedRows   rounds of consistency.h, each a MeanRows: a net of its own, and the means of
+//                   its surface over pixels. Each asks the round before for rows of values; the
+//                   last one's values go to the EdgeMaker above
+//   FittedMaker     (fitted/) one MeanRows; from its means move_fitted() makes z and bend_fitted()
+//                   e, and an EdgeMaker q: in place of both above
+// Whoever reads a finished net chooses by for_surface() which terms it has, and evaluates a
+// triangle by Patch::at() (patch-inl.h): core/sample at positions, add_means() (consistency.cpp)
+// for means.
+//
+// Regular vertices and edges, all of whose cells are divided by their own diagonals, have
+// neighbours that lie alike along a row: they are made in vectors (each_vector()). Irregular ones,
+// at the rim or beside a cell that other edges cross, are listed (list_crossed()) and looked up one
+// by one. Most arrays are SiteRows, which have all rows of a lattice, or only a window of them that
+// moves downwards as rows are made and used (kept_rows.h).
 #pragma once
 
 #include <vector>
@@ -49,9 +70,9 @@ struct SiteRows {
     float* at(int site) { return numbers.data() + ptrdiff_t((site - first) >> 1) * count; }
 };
 
-/// The same at each site. Even columns have the vertices and, in the rows between, the upright
-/// edges of cells, odd columns their level edges and their centres: of each, a row is one run of
-/// floats, which is worked on by vectors wherever pixels begin (core/base/row_lanes-inl.h).
+/// The same at each site. Even columns have the vertices and, in the rows between, the vertical
+/// edges of cells, odd columns their horizontal edges and their centres: of each, a row is one run
+/// of floats, which is worked on by vectors wherever pixels begin (core/base/row_lanes-inl.h).
 struct SiteNumbers {
     SiteRows even, odd;
     const float* at(int site) const { return (site & 1 ? odd : even).at(site); }
@@ -76,8 +97,9 @@ struct Net {
     float* soft_at(int site) { return soft.at(site); }
 };
 
-/// A net to read from. What lies where is the same in all its arrays, and cannot be taken to change
-/// with what is stored meanwhile.
+/// A net to read from. One place() serves all its arrays. Pointers and sizes are copies of the
+/// net's: a vector store may alias anything, so that the compiler would load the net's again after
+/// each.
 struct NetView {
     struct Part {
         const float *even = nullptr, *odd = nullptr;
@@ -108,20 +130,20 @@ public:
     CellNumbers(const NetView& net, const NetView::Part& part, int site) : m_count(net.count) {
         const float *even = part.even + net.place(site), *odd = part.odd + net.place(site);
         m_vertices[0] = even, m_left = even + net.row, m_vertices[1] = even + 2 * net.row;
-        m_level[0] = odd, m_centre = odd + net.row, m_level[1] = odd + 2 * net.row;
+        m_horizontal[0] = odd, m_centre = odd + net.row, m_horizontal[1] = odd + 2 * net.row;
     }
     /// right, below: 0 or 1.
     const float* corner(ptrdiff_t x, int right, int below) const {
         return m_vertices[below] + (x + right * m_count);
     }
-    const float* top(ptrdiff_t x) const { return m_level[0] + x; }
+    const float* top(ptrdiff_t x) const { return m_horizontal[0] + x; }
     const float* left(ptrdiff_t x) const { return m_left + x; }
     const float* centre(ptrdiff_t x) const { return m_centre + x; }
     const float* right(ptrdiff_t x) const { return m_left + (x + m_count); }
-    const float* bottom(ptrdiff_t x) const { return m_level[1] + x; }
+    const float* bottom(ptrdiff_t x) const { return m_horizontal[1] + x; }
 
 private:
-    const float *m_vertices[2] = {}, *m_level[2] = {}, *m_left = nullptr, *m_centre = nullptr;
+    const float *m_vertices[2] = {}, *m_horizontal[2] = {}, *m_left = nullptr, *m_centre = nullptr;
     ptrdiff_t m_count = 0;
 };
 

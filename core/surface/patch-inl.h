@@ -207,8 +207,9 @@ struct PlainCell {
     }
 };
 
-/// The mean of some surfaces at a position from that of all but the last, and the last, whose share
-/// is 1 / their number. It lies between the two, so what is the same in all of them stays as it is.
+/// Running mean over surfaces: `mean` of all before, with `last` included with the weight share =
+/// 1 / (number of surfaces). It lies between the two, so what is the same in all of them stays as
+/// it is.
 template <class T>
 DDT_INLINE T joined(T mean, T last, T share) {
     T f = mean * (T(1.0f) - share) + last * share;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of which whatever is made is finite: nothing that is made of them has to be looked at.
+// Values so small that every gradient, bend and sum of them is finite: code may skip its tests for
+// inf and NaN.
 #pragma once
 
 #include <cstddef>

@@ -40,7 +40,7 @@ public:
         return can_give() ? m_rows.height() : 0;
     }
 
-    /// Let the lower half go to `to`, if either gets enough.
+    /// Let the lower half go to `to`, if each half has at least `least` rows.
     bool give(RowsLeft& to) {
         const std::scoped_lock lock(m_mutex, to.m_mutex);
         if (!can_give())

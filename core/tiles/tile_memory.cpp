@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <utility>
 
 #include "core/guide/contour.h"
 #include "core/surface/net.h"

@@ -41,7 +41,8 @@ size_t largest_pixels(const Job& job);
 constexpr size_t most_idle = 2;
 constexpr size_t most_idle_bytes = size_t(12) << 20;
 
-/// What was kept, or new and empty; kept for who comes next, unless there is enough.
+/// Memory that an earlier tile left, or new and empty memory. Left for a later one at the end,
+/// unless as much is kept already.
 class KeptMemory {
 public:
     KeptMemory();

@@ -7,11 +7,12 @@
 
 namespace ddt {
 
-/// Tiles are begun in order, from the first; on a machine with several nodes of memory each node's
-/// threads have a run of neighbouring tiles of their own, so that what they read and write lies
-/// together, and the system puts a result's pages where they are written first. How many nodes
-/// there are need not be known: the first that asks has all tiles, and who has none, the second
-/// half of the most that another has left, by whole rows of tiles where there are two or more.
+/// Tiles are begun in order, from the first. On a machine with several nodes of memory the threads
+/// of each node have a run of neighbouring tiles of their own: what they read and write lies
+/// together, and the system puts a result's pages on the node that writes them first. The number of
+/// nodes need not be known: the first node that asks gets all tiles; a node without tiles gets the
+/// second half of the longest run that another node has left, cut between rows of tiles where it
+/// can be.
 class TileOrder {
 public:
     TileOrder(int tiles, int columns) : m_columns(columns), m_shares{{nobody, 0, tiles}} {}

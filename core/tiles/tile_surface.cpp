@@ -15,9 +15,9 @@ EdgeRecipe recipe_of(const SurfaceOptions& surface, FanRows* fans, Arena* arena,
     return {surface.kind != Surface::linear, surface.soft > 0, surface.soft, fans, arena, cells};
 }
 
-/// Rows of fans that are worth being kept for who asks for them again: later rounds of corrections,
-/// or groups of channels, each of which asks for so many rows of cells. ahead:
-/// CorrectedRows::rows_ahead(), if there are rounds.
+/// Rows of fans that are worth keeping because they are asked for again: by later rounds of
+/// corrections, or by other groups of channels, each of which asks for `cells` rows of cells at
+/// once. ahead: CorrectedRows::rows_ahead(), if there are rounds.
 int fan_rows(int ahead, size_t groups, int cells) {
     return ahead > 0 ? ahead : groups > 1 ? 4 * rows_at_once + cells - 1 : 1;
 }

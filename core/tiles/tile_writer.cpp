@@ -258,8 +258,8 @@ int TileWriter::sample_block(const int32_t* y, int n, float* out, size_t row) {
     return rows;
 }
 
-/// Make the mean of the first `mesh` meshes that of one more, whose values are `last`. Identifiers
-/// remain the first's.
+/// Running mean over meshes: include in the mean of the first `mesh` of them the next one, whose
+/// values are `last`. Identifiers remain the first's.
 void TileWriter::join(size_t mesh, const float* last, size_t positions, float* mean) const {
     const DenormalsAreZero as_on_gpus;
     const float share = 1.0f / float(mesh + 1);

@@ -44,7 +44,7 @@ private:
     /// Where a tile is meshed, and stays until all of it is written.
     struct Place {
         std::optional<KeptMemory> memory;
-        int node = -1; ///< of memory, that of whoever worked here first; -1: nobody did
+        int node = -1; ///< of memory, that of the first thread that worked here; -1: none did
         int tile = 0;
         int number = 0; ///< of the tile, in the order in which tiles were begun
         int parts = 0;  ///< members that work on it; 0: it is free
@@ -110,7 +110,7 @@ private:
         return false;
     }
 
-    /// Whose memory is near, if there is one, else where there is none yet.
+    /// A free place: best one whose memory is near, else one that has none yet, else any; or null.
     Place* free_place(int node) {
         Place* found = nullptr;
         const auto near = [&](const Place& p) { return p.node == node ? 2 : p.node < 0 ? 1 : 0; };
@@ -133,10 +133,10 @@ private:
         m_changed.notify_all();
     }
 
-    /// Who has the most rows to give away, if anybody has, of those whose memory is near if any of
-    /// them have; where a tile waits for a place, of those at the tile that was begun first, so
-    /// that places are free one after the other: were all at once, meshes would be all there is to
-    /// do next, for fewer than there are.
+    /// The member to take rows from, or null if none has rows to give away: rather one whose memory
+    /// is near; then, where a tile waits for a place, one at the tile that was begun first; then
+    /// the one with the most rows. Places get free one after the other this way: if all got free
+    /// at once, there would be only meshes to make next, for fewer members than there are.
     Member* whom_to_help(bool tile_waits, int node) {
         Member* found = nullptr;
         std::array<int, 3> least{};

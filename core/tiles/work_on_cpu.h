@@ -12,11 +12,12 @@ namespace ddt {
 /// Tells the node of memory that is nearest to the calling thread, a number of at least 0.
 using NodeOfThread = int (*)();
 
-/// Work on all tiles that are not done, by up to so many threads, at as many tiles, as their memory
-/// allows (crew_size.h). Who finds no tile to begin, or no place for it, takes half of the rows
-/// that another's tile has left: the mesh is one thread's work, what is read off it anyone's. On a
-/// machine with several nodes of memory each has tiles of its own as long as there are any
-/// (tile_order.h), and rows of those are taken first. Adds to `statistics`.
+/// Work on all tiles that are not done, with up to `threads` threads and at as many tiles at once
+/// as memory allows (crew_size.h). A thread that finds no tile to begin, or no place for its mesh,
+/// takes half of the rows that another thread's tile has left: a mesh is made by one thread, but
+/// sampled by any number. On a machine with several nodes of memory each node has tiles of its own
+/// as long as there are any (tile_order.h), and its threads help with those first. Adds to
+/// `statistics`.
 void work_on_cpu(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                  const Grid& grid, int threads, Run& run, Statistics& statistics,
                  NodeOfThread node = this_memory_node);

@@ -2,6 +2,9 @@
 // What costs need to know of a triangle of any shape. GLSL twin: shaders/tin.glsl.
 #pragma once
 
+#include <cstdint>
+#include <cstring>
+
 #include "core/cost/cost.h"
 #include "core/tin/tin.h"
 

@@ -27,7 +27,7 @@ int64_t evaluate_all(Mesh& mesh, const Criterion& criterion, float min_gain, Wor
     w.candidates.clear();
     size_t first = 0;
     mesh.each_edge([&](int m) {
-        mesh.touch(m); // those that cannot be flipped any more have a gain no longer
+        mesh.touch(m); // clears the gain of an edge that is no longer flippable
         if (!mesh.flippable(m))
             return;
         w.candidates.push_back(m);

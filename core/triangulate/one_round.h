@@ -24,7 +24,7 @@ void select(const Mesh& mesh, Workspace& w) {
         const int* sites = w.candidates.data() + i;
         const size_t n = std::min(w.candidates.size() - i, regions_at_once);
         find_blockers(mesh, sites, n, blockers);
-        // Without branches, which would be guesses.
+        // Branch-free: the branches would be mispredicted.
         size_t selected = 0, blocked = 0;
         for (size_t k = 0; k < n; ++k) {
             const bool waits = blockers[k] >= 0;
@@ -58,7 +58,7 @@ void flip_selected(Mesh& mesh, Workspace& w) {
     for (size_t i = 0; i < w.selected.size(); i += regions_at_once) {
         const size_t n = std::min(w.selected.size() - i, regions_at_once);
         const size_t found = find_settled(mesh, w.selected.data() + i, n, edges);
-        // Without branches: whether an edge was met before is anyone's guess.
+        // Branch-free: a branch on whether an edge was met before would be mispredicted.
         size_t touched = 0;
         for (size_t k = 0; k < found; ++k) {
             const int m = edges[k];
@@ -81,7 +81,7 @@ void sort_blocked(const Mesh& mesh, Workspace& w) {
     size_t kept = 0;
     for (size_t i = 0; i < w.blocked.size();) {
         const size_t end = std::min(w.blocked.size(), i + std::size(again));
-        // Without branches, which would be guesses.
+        // Branch-free: the branches would be mispredicted.
         size_t number = 0;
         for (; i < end; ++i) {
             const Workspace::Blocked b = w.blocked[i];

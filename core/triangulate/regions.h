@@ -9,7 +9,7 @@ namespace ddt {
 
 /// Edges in a 2-region, the edge itself among them, at most.
 constexpr size_t most_in_region = 13;
-/// Of so many edges regions are best looked at together.
+/// Edges whose regions are looked at together.
 constexpr size_t regions_at_once = 64;
 
 /// Whether the candidate at `other`, in the 2-region of the one at m, goes before it.
@@ -20,8 +20,8 @@ bool goes_before(const Mesh& mesh, int other, int m) {
 }
 
 /// For each of the candidates sites[0..n) an edge of its 2-region that goes before it, or -1 if it
-/// is the best of its region. Which of several is found is open: nothing depends on it but how
-/// often is looked.
+/// is the best of its region. Which of several is unspecified: it affects only how often a
+/// candidate is looked at again.
 template <class Mesh>
 void find_blockers(const Mesh& mesh, const int* sites, size_t n, int* blockers) {
     for (size_t i = 0; i < n; ++i) {

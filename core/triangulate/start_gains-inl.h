@@ -172,7 +172,7 @@ private:
             const Row& under = row(y + 1).guide;
             const Floats z2 = under.load(x), z3 = under.load(x + 1);
             const Floats zc = either(down, z3, z2), zd = either(down, z0, z1);
-            // One of da and ac is upright, the other half as steep as dc, which climbs two rows.
+            // One of da and ac is vertical, the other half as steep as dc, which climbs two rows.
             const Floats a1 = za - zd, a2 = zc - za, b1 = zb - zd, b2 = zc - zb;
             Edges f;
             f.adc = Cost::face(a2 - a1, either(down, a1, a2));
@@ -198,10 +198,10 @@ private:
                 return turned(down, above.xy.load(x) + below.xy.load(x)) -
                        (above.yy.load(x) + below.yy.load(x));
             };
-            const Floats level = either(flippable, gain(f, along), Floats(no_gain));
-            store_gains(first + 2 * x, end - x, Floats(no_gain), level);
+            const Floats gains = either(flippable, gain(f, along), Floats(no_gain));
+            store_gains(first + 2 * x, end - x, Floats(no_gain), gains);
             count(flippable, end - x);
-            propose(level, first + 2 * x + 1, end - x);
+            propose(gains, first + 2 * x + 1, end - x);
         }
         add_candidates();
     }
@@ -212,12 +212,12 @@ private:
         const int first = m_lattice.site(0, 2 * y + 1);
         for (int x = 1; x < end; x += lanes) {
             Floats flippable;
-            const Floats upright = vertical(y, x, flippable);
-            const Floats slanting = diagonal(y, x);
-            store_gains(first + 2 * x, end - x, upright, slanting);
+            const Floats verticals = vertical(y, x, flippable);
+            const Floats diagonals = diagonal(y, x);
+            store_gains(first + 2 * x, end - x, verticals, diagonals);
             count(flippable, end - x);
-            propose(upright, first + 2 * x, end - x);
-            propose(slanting, first + 2 * x + 1, end - 1 - x);
+            propose(verticals, first + 2 * x, end - x);
+            propose(diagonals, first + 2 * x + 1, end - 1 - x);
         }
         m_evaluations += std::max(end - 2, 0); // all diagonals
         add_candidates();
@@ -363,7 +363,7 @@ private:
         const auto good =
             hn::And(hn::FirstN(d, size_t(n < 0 ? 0 : n)), hn::Gt(gained.v, hn::Set(d, m_min_gain)));
         const auto sites = hn::Add(hn::Set(di, site), hn::ShiftLeft<1>(hn::Iota(di, 0)));
-        // Without a branch, which would be a guess.
+        // Branch-free: the branch would be mispredicted.
         m_number += store_compressed(sites, hn::RebindMask(di, good), m_found.data() + m_number);
     }
 

@@ -69,10 +69,10 @@ HWY_ATTR void bend_row(const FittedSource& source, const Rect& part, int my, con
     const AnyBends any(source, index, plain_net, net);
     const PlainBends plain(source, index, plain_net, scratch, net, y);
     if (my & 1) {
-        bend_kind<EdgeKind::upright>(source, x0, x1, y, any, plain, scratch, net);
+        bend_kind<EdgeKind::vertical>(source, x0, x1, y, any, plain, scratch, net);
         bend_kind<EdgeKind::diagonal>(source, x0, x1 - 1, y, any, plain, scratch, net);
     } else {
-        bend_kind<EdgeKind::level>(source, x0, x1 - 1, y, any, plain, scratch, net);
+        bend_kind<EdgeKind::horizontal>(source, x0, x1 - 1, y, any, plain, scratch, net);
     }
 }
 

@@ -14,7 +14,7 @@
 // and the step of one consistency round; an edge's f: the pixels along it, less its midpoint's
 // value, the plain bend e of net.h, and what the next pixels along it tell, within its rise; an
 // edge's g: combinations of 30 pixels that are 0 wherever the picture varies along one axis only,
-// so that an exactly level, upright or diagonal contour stays as even as it is.
+// so that an exactly horizontal, vertical or diagonal contour stays as even as it is.
 //
 // t_0 = 1, the others rise from 0 to 1 between nodes of an index between 0, where there are but two
 // levels, and about 0.2, in texture: the mean of min(s - low, high - s) over the 5x5 pixels in

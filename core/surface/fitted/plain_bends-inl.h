@@ -54,12 +54,12 @@ public:
         T both; // ends' indices
         // As PlainRow::edges() of edges.cpp has them; apexes are relative to the midpoint in
         // doubled coordinates.
-        if constexpr (kind == EdgeKind::level) {
+        if constexpr (kind == EdgeKind::horizontal) {
             f.find_any(ptrdiff_t(0), right, Either<0>{right + 2 * below, 2 * below - right},
                        Either<1>{-right - 2 * below, right - 2 * below}, plain,
                        Tap<T>{here, {down(0, 0), down(0, -1)}});
             both = index(0, 0) + index(1, 0);
-        } else if constexpr (kind == EdgeKind::upright) {
+        } else if constexpr (kind == EdgeKind::vertical) {
             f.find_any(ptrdiff_t(0), below, Either<0>{-below - 2 * right, below - 2 * right},
                        Either<1>{below + 2 * right, 2 * right - below}, plain,
                        Tap<T>{here, {down(-1, 0), down(0, 0)}});

@@ -243,8 +243,8 @@ struct Contour {
 TEST(Fitted, AContourThatIsLevelUprightOrDiagonalStaysEven) {
     constexpr int size = 48, factor = 4;
     const Contour contours[] = {
-        {"level", [](int, int y) { return y; }, false},
-        {"upright", [](int x, int) { return x; }, false},
+        {"horizontal", [](int, int y) { return y; }, false},
+        {"vertical", [](int x, int) { return x; }, false},
         {"falling", [](int x, int y) { return x - y + 24; }, true},
         {"rising", [](int x, int y) { return x + y - 24; }, true},
     };
