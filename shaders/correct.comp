@@ -86,7 +86,7 @@ ivec2 cell_of(ivec2 p, int quadrant) {
 
 void list_crossed(ivec2 p) {
     for (int i = 0; i < 4; ++i)
-        if (division(first_site, cell_of(p, i)) == division_other)
+        if (division(first_site, cell_of(p, i)) == division_crossed)
             crossed[atomicAdd(crossed_count, 1)] = 4 * gl_LocalInvocationIndex + uint(i);
 }
 
@@ -103,7 +103,7 @@ void share_crossed(int tile) {
 vec4 mean_of(ivec2 v, int quadrant) {
     ivec2 cell = cell_of(v, quadrant);
     int how = division(first_site, cell);
-    if (how == division_other)
+    if (how == division_crossed)
         return crossed_mean[4 * int(gl_LocalInvocationIndex) + quadrant];
     bool v_to_d = (how == division_down) == ((v.x == cell.x) == (v.y == cell.y));
     QuadrantCell c = quadrant_cell(cell, v);

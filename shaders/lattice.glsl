@@ -80,12 +80,12 @@ int division(int first_site, ivec2 cell) {
     Edge centre = edge_at(first_site + offset(2 * cell + 1));
     ivec2 v = centre.v.y < 0 ? -centre.v : centre.v, apex = centre.left;
     if (apex != -centre.right)
-        return division_other;
+        return division_crossed;
     if (v == ivec2(1, 1) && (apex == ivec2(-1, 1) || apex == ivec2(1, -1)))
         return division_down;
     if (v == ivec2(-1, 1) && (apex == ivec2(-1, -1) || apex == ivec2(1, 1)))
         return division_up;
-    return division_other;
+    return division_crossed;
 }
 
 // A side of the quad round a flippable edge, in the order ac, cb, bd, da. C++ twin, with a figure:

@@ -22,7 +22,7 @@ namespace ddt {
     /* How a cell is divided: Division of lattice/lattice.h. */                                    \
     INT(division_down, 0)                                                                          \
     INT(division_up, 1)                                                                            \
-    INT(division_other, 2)                                                                         \
+    INT(division_crossed, 2)                                                                       \
     /* A position's bits behind the point; a pixel in its units. */                                \
     INT(position_bits, 16)                                                                         \
     INT(position_one, 1 << 16)                                                                     \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Positions in a cell that edges cross which are not its own (Division::other).
+// Positions in a crossed cell (Division::crossed).
 #pragma once
 
 #include <cstdint>
@@ -53,11 +53,10 @@ struct CellPlanes {
     }
 };
 
-/// As many triangles as a cell's positions belong to, if others than its own cross it, at most
-/// unless edges are very long.
+/// As many triangles as a crossed cell's positions belong to, at most unless edges are very long.
 constexpr size_t usual_crossing_triangles = 5;
 
-/// A triangle that some of a cell's positions belong to.
+/// A triangle that some of a crossed cell's positions belong to.
 struct CrossingTriangle {
     int vertex[3]; ///< as in Triangle
     CellPlanes planes;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cells of a row that edges of others cross, which are few: looking at each would take longer
-// than what is then done with them.
+// The crossed cells of a row (Division::crossed), which are few: looking at each cell would take
+// longer than what is then done with those.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 
 namespace ddt {
 
-/// A byte each, the first cell's lowest, that is not 0 where a cell of a row's is crossed
-/// (Division::other).
+/// A byte for each of cells_at_once cells of a row, the first cell's lowest: not 0 where it is
+/// crossed.
 inline uint64_t crossed_cells(const Division* divisions) {
-    static_assert(sizeof(Division) == 1 && int(Division::other) == 2 && int(Division::up) == 1,
+    static_assert(sizeof(Division) == 1 && int(Division::crossed) == 2 && int(Division::up) == 1,
                   "one bit tells");
     uint64_t word;
     std::memcpy(&word, divisions, sizeof word);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The triangles of many cells that other edges cross, where positions lie alike in each.
+// The triangles of many crossed cells in which positions lie alike.
 #pragma once
 
 #include <algorithm>

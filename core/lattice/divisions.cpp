@@ -32,7 +32,7 @@ HWY_INLINE VI diagonals(const Site* sites) {
 }
 
 HWY_ATTR void find_divisions(const Site* centres, int n, Division* to) {
-    static_assert(int(Division::down) == 0 && int(Division::up) == 1 && int(Division::other) == 2,
+    static_assert(int(Division::down) == 0 && int(Division::up) == 1 && int(Division::crossed) == 2,
                   "stored as numbers");
     const DI di;
     const hn::Rebind<uint8_t, DI> bytes;
@@ -51,7 +51,7 @@ HWY_ATTR void find_divisions(const Site* centres, int n, Division* to) {
         const auto up = hn::Or(are(up_word), are(up_word_back));
         const VI which =
             hn::IfThenZeroElse(down, hn::IfThenElse(up, hn::Set(di, int(Division::up)),
-                                                    hn::Set(di, int(Division::other))));
+                                                    hn::Set(di, int(Division::crossed))));
         hn::StoreU(hn::DemoteTo(bytes, which), bytes, reinterpret_cast<uint8_t*>(to + k));
     }
 }

@@ -145,10 +145,11 @@ constexpr int widest_lanes = INT16_MAX / 2;
 constexpr int cells_at_once = 8;
 
 /// How a cell (2x2 pixels) is divided, told by the edge at its centre.
+/// A cell divided in two is called plain.
 enum class Division : uint8_t {
-    down = division_down,   ///< in two, by the diagonal from upper left to lower right
-    up = division_up,       ///< in two, by the other diagonal
-    other = division_other, ///< edges that are not the cell's own cross it
+    down = division_down,       ///< in two, by the diagonal from upper left to lower right
+    up = division_up,           ///< in two, by the other diagonal
+    crossed = division_crossed, ///< edges that are not the cell's own cross it
 };
 
 /// v and left of an edge's record as one number.
@@ -354,8 +355,8 @@ public:
 
     /// Fill Vertex::first of the vertices of `part`; after the last flip.
     void find_first_edges(const Rect& part);
-    /// The same of those alone that are corners of cells which are not plain (Division::other), or
-    /// on the lattice's rim; others may be left as they are. The part's divisions have been found.
+    /// The same of those alone that are corners of crossed cells (Division::crossed) or on the
+    /// lattice's rim; others may be left as they are. The part's divisions have been found.
     void find_walked_first_edges(const Rect& part);
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Positions that lie alike in neighbouring cells which edges of others cross: those of several
+// Positions that lie alike in crossed cells: those of several
 // cells, each in its own triangle, beside each other in the lanes.
 #pragma once
 

@@ -10,8 +10,8 @@
 //                           plain: evaluate_phases() (phases.cpp), several cells in a vector
 //   LocatedBlock::ranges    other cells: evaluate_ranges() (evaluate.cpp), cell by cell, several
 //                           positions in a vector
-//   LocatedBlock::crossed   those in which positions lie alike and that other edges cross:
-//                           evaluate_crossed() (crossed.cpp), over what evaluate_phases() left
+//   LocatedBlock::crossed   crossed cells in which positions lie alike: evaluate_crossed()
+//                           (crossed.cpp), over what evaluate_phases() left there
 #pragma once
 
 #include <vector>
@@ -119,7 +119,7 @@ struct LocatedBlock {
     int count = 0;           ///< of rows
     float y[most_rows];      ///< the rows' positions relative to the cells' first corners
     std::vector<CrossingTriangle> crossing;
-    /// Of Columns::alike, those that other edges cross: evaluate_crossed() makes them.
+    /// The crossed cells of Columns::alike: evaluate_crossed() makes them.
     CrossedRows::Row crossed;
     LocatedRow rows[most_rows]; ///< where a cell has more positions than CellPositions
 };

@@ -16,7 +16,7 @@ constexpr float unit = 1.0f / float(position_one);
 /// Branch-free: the branch would be mispredicted.
 Span::Kind kind_of(Division division) {
     constexpr Span::Kind kinds[] = {Span::cell_down, Span::cell_up, Span::triangle};
-    static_assert(int(Division::down) == 0 && int(Division::up) == 1 && int(Division::other) == 2,
+    static_assert(int(Division::down) == 0 && int(Division::up) == 1 && int(Division::crossed) == 2,
                   "the order of the kinds");
     return kinds[int(division)];
 }
@@ -172,7 +172,7 @@ bool are_mostly_plain(const Division* divisions, const Columns::Alike& alike) {
         return false;
     int crossed = 0;
     for (int x = 0; x < alike.cells; ++x)
-        crossed += divisions[x] == Division::other;
+        crossed += divisions[x] == Division::crossed;
     return 8 * (alike.cells - crossed) >= least_eighths[alike.phases - least_phases] * alike.cells;
 }
 
@@ -190,8 +190,8 @@ bool find_crossed_alike(const Lattice& lattice, const Columns& columns, int cy,
     return true;
 }
 
-/// Find what the columns lie in, in row cy of cells, and the triangles of cells that other edges
-/// cross. Returns whether any of them have more positions than CellPositions.
+/// Find what the columns lie in, in row cy of cells, and the triangles of crossed cells. Returns
+/// whether any of them have more positions than CellPositions.
 bool find_ranges(const Lattice& lattice, const Columns& columns, int cy, LocatedBlock& block) {
     const int first_site = lattice.vertex_site(0, cy);
     const Division* divisions = lattice.divisions(cy);

@@ -7,8 +7,8 @@
 
 namespace ddt {
 
-/// What evaluate_block() does of Columns::alike, as if all their cells were plain: the values of
-/// cells that are not may be anything.
+/// What evaluate_block() does of Columns::alike, as if all their cells were plain: the values in
+/// crossed cells may be anything.
 void evaluate_phases(const Net& net, Surface surface, const Columns& columns,
                      const LocatedBlock& block, int channels, int first, float* out, size_t row);
 

@@ -18,7 +18,7 @@ namespace ddt {
 /// Positions along an axis at which quadrants' means are taken (consistency-inl.h).
 constexpr int quadrant_side = 4;
 
-/// The positions of means in a cell that other edges cross.
+/// The positions of means in a crossed cell.
 const CellPositions& mean_positions();
 
 /// What add_means() works in, kept from one row to the next.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a SIMD target's namespace, after crossed_cell-inl.h, triangle_numbers-inl.h and
-// crossed_rows.h: the surface at positions of cells that other edges cross. A lane is first a
+// crossed_rows.h: the surface at positions of crossed cells. A lane is first a
 // triangle and then a position, of one channel; so all lanes are in use, however few positions a
 // triangle has.
 

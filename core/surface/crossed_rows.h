@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The triangles of cells that other edges cross, kept for whoever asks for the same positions next.
+// The triangles of crossed cells, kept for whoever asks for the same positions next.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ public:
     /// Start on a lattice, whose divisions have been found. rows: to be kept, one at least.
     void begin(const Lattice& lattice, const CellPositions& positions, int rows);
 
-    /// A cell that other edges cross, and its triangles.
+    /// A crossed cell and its triangles.
     struct Cell {
         int x;
         int first, count; ///< in Row::triangles
@@ -37,8 +37,8 @@ private:
     std::vector<Row> m_rows; ///< row y at [y % size]
 };
 
-/// Find those of cells x0 .. x1 - 1 of row y that other edges cross, and their triangles. At most
-/// as many positions as CrossedSearch has.
+/// Find the crossed ones of cells x0 .. x1 - 1 of row y, and their triangles; with no more
+/// positions than CrossedSearch::most_positions.
 void find_crossed(const Lattice& lattice, const CellPositions& positions, int y, int x0, int x1,
                   CrossedRows::Row& row);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a SIMD target's namespace, after patch-inl.h, crossed_cell-inl.h and
-// blocks-inl.h: the surface at positions in a cell that edges cross which are not its own.
+// blocks-inl.h: the surface at positions in a crossed cell.
 
 /// The blocks whose bits are set.
 HWY_INLINE hn::Mask<D> blocks_of(unsigned bits) {

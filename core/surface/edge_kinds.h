@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edges between cells that are divided by their own diagonals, which lie alike along a row.
+// Regular edges: those between plain cells, whose ends and apexes lie alike along a row, so that
+// they are worked on in vectors. Irregular edges: those at the rim, or in or beside a crossed cell;
+// they are listed, and looked up one at a time.
 #pragma once
 
 #include <algorithm>
@@ -26,12 +28,12 @@ int to_first(const Lattice& lattice) {
     return int(in_odd_column(kind)) + (in_odd_row(kind) ? lattice.stride() : 0);
 }
 
-/// List the columns from x0 to x1 - 1 whose edges of a kind, of row y of pixels, may be any: those
-/// outside begin .. end - 1 and those beside cells that other edges cross. Returns how many; as
-/// many as cells_at_once more may be written.
+/// List the columns from x0 to x1 - 1 whose edges of a kind, of row y of pixels, are irregular:
+/// those outside begin .. end - 1 and those beside crossed cells. Returns how many; as many as
+/// cells_at_once more may be written.
 template <EdgeKind kind>
-DDT_INLINE int list_others(const Lattice& lattice, int x0, int x1, int begin, int end, int y,
-                           int* columns) {
+DDT_INLINE int list_irregular(const Lattice& lattice, int x0, int x1, int begin, int end, int y,
+                              int* columns) {
     const NearDivisions divisions(lattice, y);
     const auto crossed = [&](int x) {
         const uint64_t here = crossed_cells(divisions.below + x);

@@ -31,7 +31,7 @@ using DI = hn::RebindToSigned<D>;
 
 #include "core/lattice/site_lanes-inl.h"
 
-#include "core/surface/crossed_edges-inl.h"
+#include "core/surface/irregular_edges-inl.h"
 
 /// Weights of the flipped states (see net.h), 0 to 1/2, of edges at n pairs of sites of a row:
 /// those of the first, third, ... go to even[0], even[1], ... Edges that cannot be flipped have
@@ -68,14 +68,14 @@ HWY_INLINE T either(T flag, T yes, T no) {
     return if_less(T(0.0f), flag, yes, no);
 }
 
-/// Neighbouring edges of plain cells: what belongs to their ends i and j and their apexes c and d.
+/// Neighbouring regular edges: what belongs to their ends i and j and their apexes c and d.
 template <class T>
-struct PlainEdges {
+struct RegularEdges {
     T zi, zj, zc, zd, gix, giy, gjx, gjy, vx, vy;
 };
 
-/// What plain edges at or beside the vertices of a row are made from, from column 0 on.
-struct PlainRow {
+/// What regular edges at or beside the vertices of a row are made from, from column 0 on.
+struct RegularRow {
     const float* vertices[3];  ///< of the rows above, at and below
     const float* down_rows[2]; ///< of the cells above and below
     const float* gradients;    ///< x of those of the row
@@ -83,8 +83,8 @@ struct PlainRow {
     int count;                 ///< of channels
 
     /// Without bends there are no gradients.
-    PlainRow(const Lattice& lattice, const Net& net, const NearCells& cells, int y,
-             const float* gradients_)
+    RegularRow(const Lattice& lattice, const Net& net, const NearCells& cells, int y,
+               const float* gradients_)
         : vertices{vertex_row(lattice, net, y - 1), vertex_row(lattice, net, y),
                    vertex_row(lattice, net, y + 1)},
           down_rows{cells.above(y), cells.below(y)}, gradients(gradients_),
@@ -92,7 +92,7 @@ struct PlainRow {
 
     /// Edges of a kind at a place, as T has.
     template <EdgeKind kind, bool bend, class T>
-    HWY_INLINE PlainEdges<T> edges(const RowPlace& place) const {
+    HWY_INLINE RegularEdges<T> edges(const RowPlace& place) const {
         const auto z = [&](int dx, int dy)
                            HWY_ATTR { return T::load(vertices[dy + 1] + place.at + dx * count); };
         const auto gx = [&](int dx, int dy) HWY_ATTR {
@@ -104,7 +104,7 @@ struct PlainRow {
         // 1 where cell (x + dx, y + dy)'s diagonal is down.
         const auto down = [&](int dx, int dy)
                               HWY_ATTR { return spread<T>(down_rows[dy + 1] + dx, place, count); };
-        PlainEdges<T> e;
+        RegularEdges<T> e;
         if constexpr (kind == EdgeKind::horizontal) { // from (x, y) to (x + 1, y)
             e.zi = z(0, 0), e.zj = z(1, 0);
             e.zc = either(down(0, 0), z(1, 1), z(0, 1));
@@ -135,8 +135,8 @@ struct PlainRow {
 };
 
 /// Edges of a kind at or beside the vertices in columns x0 .. x1 - 1 of row y of pixels. From
-/// column `begin` to `end` those between plain cells are made as vectors. A function each:
-/// compilers take far longer over one of all.
+/// column `begin` to `end` the regular ones are made as vectors. A function each: compilers take
+/// far longer over one of all.
 template <EdgeKind kind, bool bend, bool soft, bool tame>
 HWY_NOINLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, int end, int y,
                             EdgeScratch& scratch, Net& net) {
@@ -145,13 +145,13 @@ HWY_NOINLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, i
     const float* weights = scratch.weights[in_odd_column(kind)].data();
     float* const e = bend ? net.at(first) : nullptr;
     float* const q = soft ? net.soft_at(first) : nullptr;
-    const PlainRow plain(lattice, net, scratch.edge_cells, y,
-                         bend ? scratch.gradients.at(row) : nullptr);
+    const RegularRow regular(lattice, net, scratch.edge_cells, y,
+                             bend ? scratch.gradients.at(row) : nullptr);
     begin = std::max(begin, x0);
     end = std::max(std::min(end, x1), begin);
     each_vector(begin, end, count, [&](auto vector, const RowPlace& place) HWY_ATTR {
         using T = decltype(vector);
-        const PlainEdges<T> edges = plain.edges<kind, bend, T>(place);
+        const RegularEdges<T> edges = regular.edges<kind, bend, T>(place);
         if (soft)
             edge_softness<tame>(spread<T>(weights, place, count), edges.zi, edges.zj, edges.zc,
                                 edges.zd)
@@ -165,12 +165,12 @@ HWY_NOINLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, i
     if (scratch.columns.size() < most)
         scratch.columns.resize(most);
     int* const columns = scratch.columns.data();
-    const int n = list_others<kind>(lattice, x0, x1, begin, end, y, columns);
+    const int n = list_irregular<kind>(lattice, x0, x1, begin, end, y, columns);
     if (n > 0)
         std::fill_n(columns + n, most_row_lanes, columns[n - 1]);
-    const AnyEdges any{net.vertex(row), plain.gradients, plain.to_y, row,
-                       first - row,     weights,         count};
-    make_listed<bend, soft>(SiteLanes(lattice), any, columns, n, e, q);
+    const IrregularEdges irregular{net.vertex(row), regular.gradients, regular.to_y, row,
+                                   first - row,     weights,           count};
+    make_irregular<bend, soft>(SiteLanes(lattice), irregular, columns, n, e, q);
 }
 
 /// The edges with midpoints in row y of the doubled lattice.

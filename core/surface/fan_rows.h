@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fans of vertices beside cells that other edges cross, kept for whoever asks for the same row
-// next.
+// The fans of vertices beside crossed cells, kept for whoever asks for the same row next.
 #pragma once
 
 #include <vector>

@@ -81,11 +81,11 @@ struct Differences {
     T nw, n, ne, e, se, s, sw, w;
 };
 
-/// The mean gradient at a vertex whose four cells are each divided by a diagonal of their own, of
-/// which those run to the vertex whose flag is more than 0. The triangles come in the same order as
-/// to a walk round the vertex, and add the same; a place where there is none has no weight.
+/// The mean gradient at a regular vertex, whose four cells are plain; those diagonals run to it
+/// whose flag is more than 0. The triangles come in the same order as to a walk round the vertex,
+/// and add the same; a place where there is none has no weight.
 template <bool tame, class T>
-DDT_INLINE GradientMean<T, tame> plain_mean(const Differences<T>& d, T nw, T ne, T se, T sw) {
+DDT_INLINE GradientMean<T, tame> regular_mean(const Differences<T>& d, T nw, T ne, T se, T sw) {
     using Mean = GradientMean<T, tame>;
     const T zero = T(0.0f);
     const T minus_n = zero - d.n, minus_w = zero - d.w;

@@ -78,7 +78,7 @@ HWY_INLINE GradientMean<PixelLanes, tame> mean_round(const Site* vertex, const f
     return mean;
 }
 
-/// The gradients at the vertices of a group of fans; gradients, to_y: see PlainRows.
+/// The gradients at the vertices of a group of fans; gradients, to_y: see RegularVertices.
 template <bool tame>
 HWY_INLINE void make_group(const Fans::Group& group, const Spokes& spokes, const float* vertices,
                            int count, float* gradients, ptrdiff_t to_y) {
@@ -97,13 +97,13 @@ HWY_INLINE void make_group(const Fans::Group& group, const Spokes& spokes, const
     }
 }
 
-/// What plain vertices of a row are surrounded by, from column 0 on.
-struct PlainRows {
+/// What regular vertices of a row, whose four cells are plain, are surrounded by, from column 0 on.
+struct RegularVertices {
     const float *above, *here, *below; ///< vertices
     const float *down_above, *down_below;
     int count; ///< of channels
 
-    PlainRows(const Lattice& lattice, const Net& net, const NearCells& cells, int y)
+    RegularVertices(const Lattice& lattice, const Net& net, const NearCells& cells, int y)
         : above(vertex_row(lattice, net, y - 1)), here(vertex_row(lattice, net, y)),
           below(vertex_row(lattice, net, y + 1)), down_above(cells.above(y)),
           down_below(cells.below(y)), count(net.count()) {}
@@ -127,8 +127,8 @@ struct PlainRows {
         d.w = difference(here, -1);
         const T one(1.0f);
         T gx, gy;
-        plain_mean<tame>(d, down(down_above - 1), one - down(down_above), down(down_below),
-                         one - down(down_below - 1))
+        regular_mean<tame>(d, down(down_above - 1), one - down(down_above), down(down_below),
+                           one - down(down_below - 1))
             .result(gx, gy);
         gx.store(gradients + at);
         gy.store(gradients + at + to_y);
@@ -148,11 +148,11 @@ HWY_INLINE void make_any(const Lattice& lattice, const Rect& part, int y0, int y
         scratch.gradient_cells.load_below(lattice, part, y);
         float* gradients = scratch.gradients.at(lattice.vertex_site(0, y));
         const ptrdiff_t to_y = ptrdiff_t(lattice.width()) * count;
-        const PlainRows plain(lattice, net, cells, y);
+        const RegularVertices regular(lattice, net, cells, y);
         const bool rim = y == 0 || y == last_y;
         if (!rim && begin < end)
             each_vector(begin, end, count, [&](auto vector, const RowPlace& place) HWY_ATTR {
-                plain.make_gradients<tame, decltype(vector)>(place, gradients, to_y);
+                regular.make_gradients<tame, decltype(vector)>(place, gradients, to_y);
             });
         const auto walk = [&](int x) HWY_ATTR {
             const int s = lattice.vertex_site(x, y);

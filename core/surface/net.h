@@ -38,10 +38,10 @@
 // triangle by Patch::at() (patch-inl.h): core/sample at positions, add_means() (consistency.cpp)
 // for means.
 //
-// Regular vertices and edges, all of whose cells are divided by their own diagonals, have
-// neighbours that lie alike along a row: they are made in vectors (each_vector()). Irregular ones,
-// at the rim or beside a cell that other edges cross, are listed (list_crossed()) and looked up one
-// by one. Most arrays are SiteRows, which have all rows of a lattice, or only a window of them that
+// Regular vertices and edges, whose cells are all divided by their own diagonals, have neighbours
+// that lie alike along a row: they are made in vectors (each_vector()). Irregular ones, at the rim
+// or beside a crossed cell (Division::crossed), are listed (list_crossed()) and looked up one by
+// one. Most arrays are SiteRows, which have all rows of a lattice, or only a window of them that
 // moves downwards as rows are made and used (kept_rows.h).
 #pragma once
 

@@ -27,28 +27,29 @@ namespace HWY_NAMESPACE {
 
 #include "core/base/row_lanes-inl.h"
 
-#include "core/surface/fitted/any_bends-inl.h"
-#include "core/surface/fitted/plain_bends-inl.h"
+#include "core/surface/fitted/irregular_bends-inl.h"
+#include "core/surface/fitted/regular_bends-inl.h"
 
 /// Edges of a kind at or beside the vertices in columns x0 .. x1 - 1 of row y of pixels. A function
 /// each: compilers take far longer over one of all.
 template <EdgeKind kind>
-HWY_NOINLINE void bend_kind(const FittedSource& source, int x0, int x1, int y, const AnyBends& any,
-                            const PlainBends& plain, BendScratch& scratch, Net& net) {
+HWY_NOINLINE void bend_kind(const FittedSource& source, int x0, int x1, int y,
+                            const IrregularBends& irregular, const RegularBends& regular,
+                            BendScratch& scratch, Net& net) {
     const Lattice& lattice = source.lattice;
-    constexpr int margin = PlainBends::margin;
+    constexpr int margin = RegularBends::margin;
     const bool inner = y >= margin && y + margin < lattice.height();
     const int begin = inner ? std::max(x0, margin) : x1,
               end = std::max(std::min(x1, lattice.width() - margin), begin);
     const int first = lattice.vertex_site(0, y) + to_first<kind>(lattice);
     float* const e = net.at(first);
     each_vector(begin, end, source.count, [&](auto vector, const RowPlace& place) HWY_ATTR {
-        plain.at<kind, decltype(vector)>(place, first).store(e + place.at);
+        regular.at<kind, decltype(vector)>(place, first).store(e + place.at);
     });
     int* const columns = scratch.columns.data();
-    const int n = list_others<kind>(lattice, x0, x1, begin, end, y, columns);
+    const int n = list_irregular<kind>(lattice, x0, x1, begin, end, y, columns);
     for (int i = 0; i < n; ++i)
-        any.bend(2 * columns[i] + in_odd_column(kind), 2 * y + in_odd_row(kind));
+        irregular.bend(2 * columns[i] + in_odd_column(kind), 2 * y + in_odd_row(kind));
 }
 
 /// What BendScratch has of the edges of row y of the doubled lattice.
@@ -66,13 +67,13 @@ HWY_ATTR void bend_row(const FittedSource& source, const Rect& part, int my, con
                        const Net& plain_net, BendScratch& scratch, Net& net) {
     const int x0 = part.x0, x1 = part.x1, y = my / 2;
     load_edges(source.lattice, part, my, scratch);
-    const AnyBends any(source, index, plain_net, net);
-    const PlainBends plain(source, index, plain_net, scratch, net, y);
+    const IrregularBends irregular(source, index, plain_net, net);
+    const RegularBends regular(source, index, plain_net, scratch, net, y);
     if (my & 1) {
-        bend_kind<EdgeKind::vertical>(source, x0, x1, y, any, plain, scratch, net);
-        bend_kind<EdgeKind::diagonal>(source, x0, x1 - 1, y, any, plain, scratch, net);
+        bend_kind<EdgeKind::vertical>(source, x0, x1, y, irregular, regular, scratch, net);
+        bend_kind<EdgeKind::diagonal>(source, x0, x1 - 1, y, irregular, regular, scratch, net);
     } else {
-        bend_kind<EdgeKind::horizontal>(source, x0, x1 - 1, y, any, plain, scratch, net);
+        bend_kind<EdgeKind::horizontal>(source, x0, x1 - 1, y, irregular, regular, scratch, net);
     }
 }
 

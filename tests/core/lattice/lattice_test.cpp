@@ -264,7 +264,7 @@ TEST(Lattice, FirstEdgesThatAreWalkedFromAreFound) {
                 for (int cy = y - 1; cy <= y; ++cy)
                     for (int cx = x - 1; cx <= x; ++cx)
                         if (cx < 0 || cy < 0 || cx == w - 1 || cy == h - 1 ||
-                            whole.divisions(cy)[cx] == Division::other)
+                            whole.divisions(cy)[cx] == Division::crossed)
                             return true;
                 return false;
             };

@@ -23,7 +23,7 @@ TEST(CrossedRows, EachCellHasItsTriangles) {
             const CrossedRows::Row& row = rows.row(y, 0, lattice.width() - 1);
             auto cell = row.cells.begin();
             for (int x = 0; x + 1 < lattice.width(); ++x) {
-                if (lattice.divisions(y)[x] != Division::other)
+                if (lattice.divisions(y)[x] != Division::crossed)
                     continue;
                 ++crossed;
                 std::vector<CrossingTriangle> expected;

@@ -29,7 +29,7 @@ TEST(FanRows, HaveTheVerticesBesideCrossedCells) {
             std::vector<int> expected;
             for (int x = 1; x < last; ++x)
                 for (int cell = 0; cell < 4; ++cell)
-                    if (lattice.divisions(y - cell / 2)[x - cell % 2] == Division::other) {
+                    if (lattice.divisions(y - cell / 2)[x - cell % 2] == Division::crossed) {
                         expected.push_back(x);
                         break;
                     }

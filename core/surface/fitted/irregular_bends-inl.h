@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a SIMD target's namespace, after features-inl.h and row_lanes-inl.h: fitted bends
-// of edges that may be any, one by one.
+// of irregular edges (edge_kinds.h), one at a time.
 
 /// How nearly a flip of an edge would pay.
 HWY_INLINE float nearness(const Edge& e, const FittedTable& table) {
@@ -39,10 +39,10 @@ HWY_INLINE bool reaches_inside(const Edge& e, int mx, int my, int width, int hei
     return fits(mx, e.v.x, e.left.x, right.x, width) && fits(my, e.v.y, e.left.y, right.y, height);
 }
 
-class AnyBends {
+class IrregularBends {
 public:
-    HWY_INLINE AnyBends(const FittedSource& source, const IndexRows& index, const Net& plain,
-                        Net& net)
+    HWY_INLINE IrregularBends(const FittedSource& source, const IndexRows& index, const Net& plain,
+                              Net& net)
         : m_source(source), m_index(index), m_plain(plain), m_net(net),
           m_strict(PixelLanes::load(net.strict)) {}
 

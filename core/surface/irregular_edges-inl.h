@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a SIMD target's namespace, after gradient-inl.h, blocks-inl.h, row_lanes-inl.h
-// and site_lanes-inl.h: edges that may be any, a block an edge.
+// and site_lanes-inl.h: irregular edges (edge_kinds.h), a block an edge.
 
 /// Of as many edges of a row as there are lanes: how many floats from the row's first vertex their
 /// ends i and j, and if `soft` their apexes c and d, are, and what else they are made from.
@@ -50,8 +50,9 @@ HWY_INLINE void store_each(Blocks numbers, const int* columns, int count, float*
                     row + ptrdiff_t(columns[b]) * count);
 }
 
-/// What edges of a row belong to: of each, what lies at the row's first vertex and beyond.
-struct AnyEdges {
+/// What irregular edges of a row are made from: of each, what lies at the row's first vertex and
+/// beyond.
+struct IrregularEdges {
     const float *vertices, *gradients;
     ptrdiff_t to_y; ///< from a gradient's x to its y
     int row;        ///< the site of the row's first vertex
@@ -63,8 +64,8 @@ struct AnyEdges {
 /// e, if `bend`, and q, if `soft`, of the edges in n columns; what follows these, as many as a
 /// vector has lanes, may be any of them. e, q: from column 0 on. Compiled once for all kinds.
 template <bool bend, bool soft>
-HWY_NOINLINE void make_listed(const SiteLanes& lattice, const AnyEdges& from, const int* columns,
-                              int n, float* e, float* q) {
+HWY_NOINLINE void make_irregular(const SiteLanes& lattice, const IrregularEdges& from,
+                                 const int* columns, int n, float* e, float* q) {
     const int lanes = int(hn::Lanes(D())), blocks = blocks_in_vector();
     EdgeList<soft> list;
     for (int done = 0; done < n; done += lanes) {

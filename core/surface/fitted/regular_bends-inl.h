@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a SIMD target's namespace, after features-inl.h and row_lanes-inl.h: fitted bends
-// of edges between cells that are divided by their own diagonals.
+// of regular edges (edge_kinds.h).
 
 /// An address that in each lane is one of two: by flag `k`, `yes` where it is 1.
 template <int k>
@@ -27,13 +27,13 @@ struct Tap {
 };
 
 /// What edges of a kind at or beside the vertices of row y of pixels are made from, from column 0
-/// on: those between plain cells that are this far from the rim at least.
-class PlainBends {
+/// on: those that are this far from the rim at least.
+class RegularBends {
 public:
     static constexpr int margin = 3;
 
-    HWY_INLINE PlainBends(const FittedSource& source, const IndexRows& index, const Net& plain,
-                          const BendScratch& scratch, const Net& net, int y)
+    HWY_INLINE RegularBends(const FittedSource& source, const IndexRows& index, const Net& plain,
+                            const BendScratch& scratch, const Net& net, int y)
         : m_here(source.at(0, y)), m_down{scratch.cells.above(y), scratch.cells.below(y)},
           m_index{index.at(0, y), index.at(0, y + 1)}, m_plain(plain), m_scratch(scratch),
           m_strict(net.strict, source.count), m_count(source.count),
@@ -52,7 +52,7 @@ public:
         const float* const here = m_here + place.at;
         EdgeFeatures<T> f;
         T both; // ends' indices
-        // As PlainRow::edges() of edges.cpp has them; apexes are relative to the midpoint in
+        // As RegularRow::edges() of edges.cpp has them; apexes are relative to the midpoint in
         // doubled coordinates.
         if constexpr (kind == EdgeKind::horizontal) {
             f.find_any(ptrdiff_t(0), right, Either<0>{right + 2 * below, 2 * below - right},
