@@ -34,9 +34,9 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
 #include "core/surface/crossed_cells-inl.h"
 
-/// Where results go.
-struct CellOutput {
-    float* first; ///< the first position of the cells
+/// Stores the values of one cell.
+struct CellStore {
+    float* first; ///< the first position of the first cell
     size_t row;   ///< floats from a row to the next
     int channels, count;
 
@@ -65,7 +65,7 @@ HWY_INLINE void to_pixels(const Values& f, int used, float* pixels) {
 template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_cells(const Net& net, const Columns::Alike& alike,
                                const LocatedBlock& block, const PositionLanes& lanes,
-                               const CellOutput& out) {
+                               const CellStore& out) {
     CrossedCells<quadratic, soft> crossed(net, 2 * block.cell_row * net.stride, lanes);
     using Values = typename CrossedCells<quadratic, soft>::Values;
     HWY_ALIGN float pixels[PositionLanes::most * most_in_pixel];
@@ -86,13 +86,12 @@ HWY_INLINE void evaluate_cells(const Net& net, const Columns::Alike& alike,
 }
 
 HWY_ATTR void evaluate_crossed(const Net& net, Surface surface, const Columns& columns,
-                               const LocatedBlock& block, int channels, int first, int count,
-                               float* to, size_t row) {
+                               const LocatedBlock& block, const GroupOutput& to) {
     const Columns::Alike& alike = columns.alike;
     CellPositions positions;
     positions.set(columns.x.data() + alike.begin, alike.phases, block.y, block.count);
     const PositionLanes lanes(positions, [](int i) { return i; });
-    const CellOutput out{to + size_t(alike.begin) * size_t(channels) + first, row, channels, count};
+    const CellStore out{to.at(alike.begin), to.row, to.channels, to.count};
     for_surface(net, surface, [&](auto quadratic, auto soft) HWY_ATTR {
         evaluate_cells<decltype(quadratic)::value, decltype(soft)::value>(net, alike, block, lanes,
                                                                           out);
@@ -109,10 +108,8 @@ namespace ddt {
 HWY_EXPORT(evaluate_crossed);
 
 void evaluate_crossed(const Net& net, Surface surface, const Columns& columns,
-                      const LocatedBlock& block, int channels, int first, int count, float* out,
-                      size_t row) {
-    HWY_DYNAMIC_DISPATCH(evaluate_crossed)
-    (net, surface, columns, block, channels, first, count, out, row);
+                      const LocatedBlock& block, const GroupOutput& to) {
+    HWY_DYNAMIC_DISPATCH(evaluate_crossed)(net, surface, columns, block, to);
 }
 
 } // namespace ddt

@@ -9,7 +9,6 @@ namespace ddt {
 
 /// What evaluate_block() does of LocatedBlock::crossed; nothing else is overwritten.
 void evaluate_crossed(const Net& net, Surface surface, const Columns& columns,
-                      const LocatedBlock& block, int channels, int first, int count, float* out,
-                      size_t row);
+                      const LocatedBlock& block, const GroupOutput& to);
 
 } // namespace ddt

@@ -34,8 +34,8 @@ constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 #include "core/surface/crossing-inl.h"
 #include "core/surface/for_surface-inl.h"
 
-/// Where results go.
-struct Output {
+/// Stores blocks, a position each, of a row or of some rows.
+struct BlockStore {
     float* to[LocatedBlock::most_rows]; ///< a row's first position, first channel of the group
     int channels = 0, count = 0;
     /// All lanes may be stored: what is too much is overwritten by what follows.
@@ -43,10 +43,10 @@ struct Output {
     /// Lane i of a packed vector, one with no gaps between its blocks' channels, is lane packed[i].
     HWY_ALIGN int32_t packed[row_padding];
 
-    Output(float* to_, int rows, size_t row, int channels_, int count_)
-        : channels(channels_), count(count_), whole(channels_ <= group_size) {
+    BlockStore(const GroupOutput& group, int rows)
+        : channels(group.channels), count(group.count), whole(group.channels <= group_size) {
         for (int r = 0; r < rows; ++r)
-            to[r] = to_ + size_t(r) * row;
+            to[r] = group.at(0) + size_t(r) * group.row;
         const int lanes = int(hn::Lanes(D()));
         for (int i = 0; i < lanes; ++i)
             packed[i] = (i / count * group_size + i % count) % lanes;
@@ -90,7 +90,8 @@ struct Strictness {
 
 template <bool quadratic, bool soft, bool tame>
 HWY_INLINE void evaluate_patch(Patch<Blocks>& patch, const Strictness& strict,
-                               const LocatedRow& row, const Span& span, const Output& out, int r) {
+                               const LocatedRow& row, const Span& span, const BlockStore& out,
+                               int r) {
     patch.template find_range<soft, tame>(strict.lanes, strict.all);
     for (int i = span.begin; i < span.end; i += blocks_in_vector())
         out.store(patch.template at<quadratic, soft, tame>(spread(row.weight[0].data() + i),
@@ -101,7 +102,7 @@ HWY_INLINE void evaluate_patch(Patch<Blocks>& patch, const Strictness& strict,
 
 template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_triangle(const NetView& net, const Strictness& strict,
-                                  const LocatedRow& row, const Span& span, const Output& out,
+                                  const LocatedRow& row, const Span& span, const BlockStore& out,
                                   int r = 0) {
     Patch<Blocks> patch;
     load_patch<quadratic, soft>(net, span.vertex, span.edge, patch);
@@ -157,7 +158,7 @@ HWY_INLINE void with_cell(const NetCells& net, const Strictness& strict, Span::K
 
 template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_cell(const NetView& net, const Strictness& strict, const LocatedRow& row,
-                              const Span& span, const Output& out) {
+                              const Span& span, const BlockStore& out) {
     const int step = blocks_in_vector();
     const float *x = row.weight[0].data(), *y = row.weight[1].data();
     const NetCells cell(net, soft, span.vertex[0]);
@@ -168,7 +169,7 @@ HWY_INLINE void evaluate_cell(const NetView& net, const Strictness& strict, cons
 }
 
 template <bool quadratic, bool soft>
-HWY_INLINE void evaluate_spans(const Net& whole, const LocatedRow& row, const Output& out) {
+HWY_INLINE void evaluate_spans(const Net& whole, const LocatedRow& row, const BlockStore& out) {
     const NetView net(whole);
     const Strictness strict(whole);
     for (const Span& span : row.spans)
@@ -183,7 +184,7 @@ HWY_INLINE void evaluate_spans(const Net& whole, const LocatedRow& row, const Ou
 /// block's. What evaluate_crossed() makes comes last.
 template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_ranges(const Net& whole, const Columns& columns, const LocatedBlock& block,
-                                Output out) {
+                                BlockStore out) {
     const int step = blocks_in_vector();
     const bool one_group = out.whole;
     const int phases_end = block.phases ? columns.alike.end() : 0;
@@ -229,18 +230,17 @@ HWY_INLINE void evaluate_ranges(const Net& whole, const Columns& columns, const 
     }
 }
 
-HWY_ATTR void evaluate(const Net& net, Surface surface, const LocatedRow& row, int channels,
-                       int first, int count, float* to) {
-    const Output out(to + first, 1, 0, channels, count);
+HWY_ATTR void evaluate(const Net& net, Surface surface, const LocatedRow& row,
+                       const GroupOutput& to) {
+    const BlockStore out(to, 1);
     for_surface(net, surface, [&](auto quadratic, auto soft) HWY_ATTR {
         evaluate_spans<decltype(quadratic)::value, decltype(soft)::value>(net, row, out);
     });
 }
 
 HWY_ATTR void evaluate_rows(const Net& net, Surface surface, const Columns& columns,
-                            const LocatedBlock& block, int channels, int first, int count,
-                            float* to, size_t row) {
-    const Output out(to + first, block.count, row, channels, count);
+                            const LocatedBlock& block, const GroupOutput& to) {
+    const BlockStore out(to, block.count);
     for_surface(net, surface, [&](auto quadratic, auto soft) HWY_ATTR {
         evaluate_ranges<decltype(quadratic)::value, decltype(soft)::value>(net, columns, block,
                                                                            out);
@@ -299,35 +299,33 @@ int largest_vertex(const LocatedRow& row, const Span& span, int stride, int i) {
 
 /// Copy Channel::nearest values over what evaluate() made of them.
 void copy_nearest(const Net& net, NearestMask nearest, int stride, const LocatedRow& row,
-                  int channels, int first, int count, float* out) {
+                  const GroupOutput& to) {
     for (const Span& span : row.spans)
         for (int i = span.begin; i < span.end; ++i) {
             const float* z = net.vertex(largest_vertex(row, span, stride, i));
-            float* to = out + size_t(i) * size_t(channels) + first;
-            for (int c = 0; c < count; ++c)
+            float* p = to.at(i);
+            for (int c = 0; c < to.count; ++c)
                 if (nearest & (1u << c))
-                    std::memcpy(to + c, z + c, sizeof(float));
+                    std::memcpy(p + c, z + c, sizeof(float));
         }
 }
 
 } // namespace
 
 void evaluate_row(const Net& net, Surface surface, NearestMask nearest, const LocatedRow& row,
-                  int channels, int first, int count, float* out) {
-    HWY_DYNAMIC_DISPATCH(evaluate)(net, surface, row, channels, first, count, out);
+                  const GroupOutput& to) {
+    HWY_DYNAMIC_DISPATCH(evaluate)(net, surface, row, to);
     if (nearest)
-        copy_nearest(net, nearest, net.stride, row, channels, first, count, out);
+        copy_nearest(net, nearest, net.stride, row, to);
 }
 
 void evaluate_block(const Net& net, Surface surface, const Columns& columns,
-                    const LocatedBlock& block, int channels, int first, int count, float* out,
-                    size_t row) {
+                    const LocatedBlock& block, const GroupOutput& to) {
     if (block.phases)
-        evaluate_phases(net, surface, columns, block, channels, first, out, row);
-    HWY_DYNAMIC_DISPATCH(evaluate_rows)
-    (net, surface, columns, block, channels, first, count, out, row);
+        evaluate_phases(net, surface, columns, block, to);
+    HWY_DYNAMIC_DISPATCH(evaluate_rows)(net, surface, columns, block, to);
     if (!block.crossed.cells.empty())
-        evaluate_crossed(net, surface, columns, block, channels, first, count, out, row);
+        evaluate_crossed(net, surface, columns, block, to);
 }
 
 void join_last(const float* last, size_t n, float share, float* mean) {

@@ -136,20 +136,33 @@ using NearestMask = unsigned;
 /// Floats beyond the end of its row that evaluate_row() may write.
 constexpr int row_padding = 16;
 
-/// Evaluate a group's surface at a located row: `count` channels of position i go to
-/// out[i * channels + first ...]. Up to row_padding floats after the row's last are overwritten.
+/// Where a group's values go: `count` channels of position i of row r to
+/// out[r * row + i * channels + first_channel] and on.
+struct GroupOutput {
+    float* out;
+    size_t row;   ///< floats from a row to the next, where there are several
+    int channels; ///< floats a position has in `out`, of which the group's are
+    int first_channel, count;
+
+    /// The group's first channel at a position of the first row.
+    float* at(int position) const {
+        return out + size_t(position) * size_t(channels) + first_channel;
+    }
+};
+
+/// Evaluate a group's surface at a located row. Up to row_padding floats after the row's last are
+/// overwritten.
 ///
 /// Every value is clamped to the range of its triangle's vertices, which takes off the last bit of
 /// rounding; a vertex with weight 0 contributes exactly nothing, even if it is not finite; NaN
 /// results have the bits 0x7fc00000, zeros no sign.
 void evaluate_row(const Net& net, Surface surface, NearestMask nearest, const LocatedRow& row,
-                  int channels, int first, int count, float* out);
+                  const GroupOutput& to);
 
-/// The same for a block's rows, `row` floats apart in `out`, nothing past their ends overwritten;
-/// for groups that have no Channel::nearest.
+/// The same for a block's rows, nothing past their ends overwritten; for groups that have no
+/// Channel::nearest.
 void evaluate_block(const Net& net, Surface surface, const Columns& columns,
-                    const LocatedBlock& block, int channels, int first, int count, float* out,
-                    size_t row);
+                    const LocatedBlock& block, const GroupOutput& to);
 
 /// Running means over surfaces, n of them: include the surface whose values are `last` with the
 /// weight share = 1 / (number of surfaces, this one included).

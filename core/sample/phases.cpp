@@ -147,9 +147,9 @@ struct PlainCells {
     }
 };
 
-/// Where results go.
-struct Rows {
-    float* first; ///< the first position of the cells
+/// Where the rows of values of all cells go.
+struct PhaseRows {
+    float* first; ///< the first position of the first cell
     size_t row;   ///< floats from a row to the next
     int channels; ///< floats a position has there
 };
@@ -174,7 +174,7 @@ HWY_INLINE void store_row(const MadeCells& made, int first, int cells, int count
 template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_cells(const Net& whole, const LocatedBlock& block,
                                const Columns::Alike& alike, const PlainPositions& positions,
-                               const Rows& out) {
+                               const PhaseRows& out) {
     using T = RowLanes;
     const NetView net(whole);
     const int first_site = 2 * (block.cell_row * whole.stride + alike.cell), count = int(net.count);
@@ -220,12 +220,11 @@ HWY_INLINE void evaluate_cells(const Net& whole, const LocatedBlock& block,
 }
 
 HWY_ATTR void evaluate_phases(const Net& net, Surface surface, const Columns& columns,
-                              const LocatedBlock& block, int channels, int first, float* out,
-                              size_t row) {
+                              const LocatedBlock& block, const GroupOutput& to) {
     const Columns::Alike& alike = columns.alike;
     const PlainPositions positions(columns.x.data() + alike.begin, alike.phases, block.y,
                                    block.count);
-    const Rows rows{out + size_t(alike.begin) * size_t(channels) + first, row, channels};
+    const PhaseRows rows{to.at(alike.begin), to.row, to.channels};
     for_surface(net, surface, [&](auto quadratic, auto soft) HWY_ATTR {
         evaluate_cells<decltype(quadratic)::value, decltype(soft)::value>(net, block, alike,
                                                                           positions, rows);
@@ -242,9 +241,8 @@ namespace ddt {
 HWY_EXPORT(evaluate_phases);
 
 void evaluate_phases(const Net& net, Surface surface, const Columns& columns,
-                     const LocatedBlock& block, int channels, int first, float* out, size_t row) {
-    HWY_DYNAMIC_DISPATCH(evaluate_phases)
-    (net, surface, columns, block, channels, first, out, row);
+                     const LocatedBlock& block, const GroupOutput& to) {
+    HWY_DYNAMIC_DISPATCH(evaluate_phases)(net, surface, columns, block, to);
 }
 
 } // namespace ddt

@@ -10,6 +10,6 @@ namespace ddt {
 /// What evaluate_block() does of Columns::alike, as if all their cells were plain: the values in
 /// crossed cells may be anything.
 void evaluate_phases(const Net& net, Surface surface, const Columns& columns,
-                     const LocatedBlock& block, int channels, int first, float* out, size_t row);
+                     const LocatedBlock& block, const GroupOutput& to);
 
 } // namespace ddt

@@ -95,6 +95,10 @@ GroupValues TileSurface::group_values(const float* values, int group) const {
     return {values, m_job.channels, group * group_size, channels_in_group(m_job.channels, group)};
 }
 
+GroupOutput TileSurface::group_output(int group, float* out, size_t row) const {
+    return {out, row, m_job.channels, group * group_size, channels_in_group(m_job.channels, group)};
+}
+
 EdgeRecipe TileSurface::recipe(int cells) {
     return recipe_of(m_job.surface, &m_fans, m_arena, cells);
 }
@@ -155,7 +159,7 @@ void TileSurface::sample(const Point* points, int n, float* out) {
     locate_row(m_mesh->lattice(), points, n, m_search, m_row);
     for (int g = 0; g < int(m_nets.size()); ++g)
         evaluate_row(m_nets[size_t(g)], m_job.surface.kind, nearest_mask(m_job, g), m_row,
-                     m_job.channels, g * group_size, channels_in_group(m_job.channels, g), out);
+                     group_output(g, out, 0));
 }
 
 int TileSurface::sample_block(const Columns& columns, std::vector<Point>& points, const int32_t* y,
@@ -163,8 +167,8 @@ int TileSurface::sample_block(const Columns& columns, std::vector<Point>& points
     const DenormalsAreZero as_on_gpus;
     const int rows = locate_block(m_mesh->lattice(), columns, points, y, n, m_search, m_block);
     for (int g = 0; g < int(m_nets.size()); ++g)
-        evaluate_block(m_nets[size_t(g)], m_job.surface.kind, columns, m_block, m_job.channels,
-                       g * group_size, channels_in_group(m_job.channels, g), out, row);
+        evaluate_block(m_nets[size_t(g)], m_job.surface.kind, columns, m_block,
+                       group_output(g, out, row));
     return rows;
 }
 

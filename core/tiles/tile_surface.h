@@ -45,6 +45,7 @@ public:
 
 private:
     GroupValues group_values(const float* values, int group) const;
+    GroupOutput group_output(int group, float* out, size_t row) const;
     EdgeRecipe recipe(int cells);
     void set_strictness(int group, Net& net) const;
     void begin_corrected(int group, const float* values, const Rect& part, int cells);

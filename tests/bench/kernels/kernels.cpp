@@ -181,7 +181,8 @@ void evaluate_rows(benchmark::State& state) {
     std::vector<float> out(width * channels + row_padding);
     for (auto _ : state)
         for (const LocatedRow& row : located) {
-            evaluate_row(tile().net, Surface::patch, 0, row, channels, 0, channels, out.data());
+            evaluate_row(tile().net, Surface::patch, 0, row,
+                         {out.data(), 0, channels, 0, channels});
             benchmark::DoNotOptimize(out.data());
         }
     count(state, int64_t(rows * width));
@@ -205,8 +206,8 @@ void sample_blocks(benchmark::State& state) {
         search.begin();
         for (int y = 0; y < rows;) {
             y += locate_block(tile().mesh, columns, points, ys.data() + y, rows - y, search, block);
-            evaluate_block(tile().net, Surface::patch, columns, block, channels, 0, channels,
-                           out.data(), width * channels);
+            evaluate_block(tile().net, Surface::patch, columns, block,
+                           {out.data(), width * channels, channels, 0, channels});
             benchmark::DoNotOptimize(out.data());
         }
     }

@@ -202,8 +202,8 @@ std::vector<float> untiled(const TestSource& source, const Job& job, const Resiz
             points.push_back({int32_t(p.x - int64_t(w.x0) * position_one),
                               int32_t(p.y - int64_t(w.y0) * position_one)});
         locate_row(lattice, points.data(), out.width(), search, row);
-        evaluate_row(net, job.surface.kind, 0, row, 1, 0, 1,
-                     values.data() + size_t(y - out.y0) * size_t(out.width()));
+        float* const to = values.data() + size_t(y - out.y0) * size_t(out.width());
+        evaluate_row(net, job.surface.kind, 0, row, {to, 0, 1, 0, 1});
     }
     values.resize(out.area());
     return values;

@@ -48,9 +48,8 @@ public:
         std::vector<float> out(size + row_padding + 1, canary);
         for (int g = 0; g < int(m_nets.size()); ++g)
             evaluate_row(m_nets[size_t(g)], m_surface,
-                         g < 8 ? m_nearest >> (g * group_size) & 15 : 0, located, m_channels,
-                         g * group_size, std::min(group_size, m_channels - g * group_size),
-                         out.data());
+                         g < 8 ? m_nearest >> (g * group_size) & 15 : 0, located,
+                         output_of(g, out.data(), 0));
         EXPECT_EQ(out.back(), canary);
         out.resize(size);
         return out;
@@ -82,9 +81,8 @@ public:
             m_crossed += !block.crossed.cells.empty();
             m_mixed += block.phases && !block.crossed.cells.empty();
             for (int g = 0; g < int(m_nets.size()); ++g)
-                evaluate_block(m_nets[size_t(g)], m_surface, columns, block, m_channels,
-                               g * group_size, std::min(group_size, m_channels - g * group_size),
-                               out.data() + at * row, row);
+                evaluate_block(m_nets[size_t(g)], m_surface, columns, block,
+                               output_of(g, out.data() + at * row, row));
             at += size_t(rows);
         }
         std::vector<float> values;
@@ -97,8 +95,8 @@ public:
         return values;
     }
 
-    /// Of the last grid(); of how many blocks they were evaluated together, of how many those that
-    /// are not plain, and of how many both.
+    /// Of the last grid(); of how many blocks they were evaluated together, of how many the
+    /// crossed cells, and of how many both.
     const Columns::Alike& alike() const { return m_alike; }
     int blocks() const { return m_blocks; }
     int together() const { return m_together; }
@@ -106,6 +104,11 @@ public:
     int mixed() const { return m_mixed; }
 
 private:
+    GroupOutput output_of(int group, float* out, size_t row) const {
+        const int first = group * group_size;
+        return {out, row, m_channels, first, std::min(group_size, m_channels - first)};
+    }
+
     const Scene& m_scene;
     Columns::Alike m_alike;
     int m_blocks = 0, m_together = 0, m_crossed = 0, m_mixed = 0;
