@@ -179,16 +179,60 @@ HWY_INLINE void evaluate_spans(const Net& whole, const LocatedRow& row, const Bl
             evaluate_cell<quadratic, soft>(net, strict, row, span, out);
 }
 
+/// The positions of a block that lie in a plain cell. place: as CellNumbers has it.
+template <bool quadratic, bool soft>
+HWY_INLINE void evaluate_plain_cell(const NetCells& cells, ptrdiff_t place,
+                                    const Strictness& strict, const Columns& columns,
+                                    const LocatedBlock& block, const LocatedBlock::Range& range,
+                                    const BlockStore& out) {
+    const int step = blocks_in_vector();
+    with_cell<quadratic, soft>(cells, strict, range.kind, place, [&](auto&& at) HWY_ATTR {
+        for (int i = range.begin; i < range.end; i += step) {
+            const Blocks x = spread(columns.x.data() + i);
+            for (int r = 0; r < block.count; ++r)
+                out.store(at(x, Blocks(block.y[r])), i, range.end, r);
+        }
+    });
+}
+
+/// Those in a crossed cell whose triangles are known. positions: kept from one cell to the next.
+template <bool quadratic, bool soft>
+HWY_INLINE void evaluate_crossed_cell(const NetView& net, const Strictness& strict,
+                                      const Columns& columns, const LocatedBlock& block,
+                                      const LocatedBlock::Range& range, const BlockStore& out,
+                                      CellPositions& positions, float* values) {
+    const int n = range.end - range.begin;
+    positions.set(columns.x.data() + range.begin, n, block.y, block.count);
+    const CrossingTriangle* first = block.crossing.data() + range.triangle;
+    for (const CrossingTriangle* t = first; t < first + range.triangles; ++t)
+        evaluate_crossing<quadratic, soft>(net, strict.lanes, strict.all, *t, positions, values);
+    for (int r = 0; r < block.count; ++r)
+        out.store_exactly(values + r * n * group_size, n, range.begin, r);
+}
+
+/// Those in crossed cells that were located row by row. next_span: of each row the first span that
+/// was not evaluated yet.
+template <bool quadratic, bool soft>
+HWY_INLINE void evaluate_range_in_rows(const NetView& net, const Strictness& strict,
+                                       const LocatedBlock& block, const LocatedBlock::Range& range,
+                                       const BlockStore& out, size_t* next_span) {
+    for (int r = 0; r < block.count; ++r) {
+        const LocatedRow& located = block.rows[r];
+        size_t& s = next_span[r];
+        for (; s < located.spans.size() && located.spans[s].begin < range.end; ++s)
+            evaluate_triangle<quadratic, soft>(net, strict, located, located.spans[s], out, r);
+    }
+}
+
 /// A block's ranges. What is stored too much is overwritten by the range to the right, except
 /// before what evaluate_phases() made and at the end of a row: there stands what is not the
 /// block's. What evaluate_crossed() makes comes last.
 template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_ranges(const Net& whole, const Columns& columns, const LocatedBlock& block,
                                 BlockStore out) {
-    const int step = blocks_in_vector();
     const bool one_group = out.whole;
     const int phases_end = block.phases ? columns.alike.end() : 0;
-    size_t span[LocatedBlock::most_rows] = {};
+    size_t next_span[LocatedBlock::most_rows] = {};
     const NetView net(whole);
     const int first_site = 2 * block.cell_row * whole.stride;
     const NetCells cells(net, soft, first_site);
@@ -199,34 +243,14 @@ HWY_INLINE void evaluate_ranges(const Net& whole, const Columns& columns, const 
     for (const LocatedBlock::Range& range : block.ranges) {
         out.whole = one_group && range.end > phases_end &&
                     (columns.count - range.end) * out.channels >= row_padding;
-        if (range.kind != Span::triangle) {
-            const ptrdiff_t place = net.place(range.site) - first_cell;
-            with_cell<quadratic, soft>(cells, strict, range.kind, place, [&](auto&& at) HWY_ATTR {
-                for (int i = range.begin; i < range.end; i += step) {
-                    const Blocks x = spread(columns.x.data() + i);
-                    for (int r = 0; r < block.count; ++r)
-                        out.store(at(x, Blocks(block.y[r])), i, range.end, r);
-                }
-            });
-            continue;
-        }
-        if (range.triangles) {
-            const int n = range.end - range.begin;
-            positions.set(columns.x.data() + range.begin, n, block.y, block.count);
-            const CrossingTriangle* first = block.crossing.data() + range.triangle;
-            for (const CrossingTriangle* t = first; t < first + range.triangles; ++t)
-                evaluate_crossing<quadratic, soft>(net, strict.lanes, strict.all, *t, positions,
-                                                   values);
-            for (int r = 0; r < block.count; ++r)
-                out.store_exactly(values + r * n * group_size, n, range.begin, r);
-            continue;
-        }
-        for (int r = 0; r < block.count; ++r) {
-            const LocatedRow& located = block.rows[r];
-            size_t& s = span[r];
-            for (; s < located.spans.size() && located.spans[s].begin < range.end; ++s)
-                evaluate_triangle<quadratic, soft>(net, strict, located, located.spans[s], out, r);
-        }
+        if (range.is_cell())
+            evaluate_plain_cell<quadratic, soft>(cells, net.place(range.site) - first_cell, strict,
+                                                 columns, block, range, out);
+        else if (range.has_triangles())
+            evaluate_crossed_cell<quadratic, soft>(net, strict, columns, block, range, out,
+                                                   positions, values);
+        else
+            evaluate_range_in_rows<quadratic, soft>(net, strict, block, range, out, next_span);
     }
 }
 

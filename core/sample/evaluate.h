@@ -103,13 +103,18 @@ private:
 struct LocatedBlock {
     static constexpr int most_rows = 8;
 
-    /// Neighbouring columns that lie in one cell, or (kind triangle) in some that are not plain.
+    /// Neighbouring columns: either of one plain cell, or of one crossed cell whose triangles were
+    /// found, or of crossed cells with more positions than CellPositions has, whose spans are in
+    /// `rows`.
     struct Range {
-        Span::Kind kind;
+        Span::Kind kind; ///< of a plain cell how it is divided, else triangle
         int begin, end;
-        int site; ///< of the first cell's first corner
-        /// Those of `crossing` with positions in the one cell; none: `rows` has the positions.
-        int triangle = 0, triangles = 0;
+        int site;                        ///< of the first cell's first corner
+        int triangle = 0, triangles = 0; ///< the crossed cell's: the first in `crossing`, how many
+
+        bool is_cell() const { return kind != Span::triangle; }
+        bool has_triangles() const { return triangles > 0; }
+        bool is_in_rows() const { return !is_cell() && !has_triangles(); }
     };
     std::vector<Range> ranges; ///< in order, without gaps but where `phases` or `crossed` has cells
     /// evaluate_phases() makes Columns::alike, most of which are plain.
@@ -118,10 +123,10 @@ struct LocatedBlock {
     int cell_row = 0;        ///< the row of cells
     int count = 0;           ///< of rows
     float y[most_rows];      ///< the rows' positions relative to the cells' first corners
-    std::vector<CrossingTriangle> crossing;
+    std::vector<CrossingTriangle> crossing; ///< of the crossed cells that ranges are of
     /// The crossed cells of Columns::alike: evaluate_crossed() makes them.
     CrossedRows::Row crossed;
-    LocatedRow rows[most_rows]; ///< where a cell has more positions than CellPositions
+    LocatedRow rows[most_rows]; ///< spans of the ranges that are in rows
 };
 
 /// Locate rows of positions until the row of cells ends, at most LocatedBlock::most_rows: those at

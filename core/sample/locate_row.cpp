@@ -159,10 +159,6 @@ void Columns::find_alike() {
 
 namespace {
 
-bool is_in_rows(const LocatedBlock::Range& range) {
-    return range.kind == Span::triangle && range.triangles == 0;
-}
-
 /// Whether so many of these cells are plain that it is worth evaluating all as if they were
 /// (measured): of two or three positions along x half of them, of four 5/8.
 bool are_mostly_plain(const Division* divisions, const Columns::Alike& alike) {
@@ -190,19 +186,44 @@ bool find_crossed_alike(const Lattice& lattice, const Columns& columns, int cy,
     return true;
 }
 
+/// Decide whether the cells in which positions lie alike are evaluated together, and if so flag how
+/// they are divided.
+void choose_phases(const Division* divisions, const Columns::Alike& alike, LocatedBlock& block) {
+    const Division* alike_divisions = divisions + alike.cell;
+    block.phases = are_mostly_plain(alike_divisions, alike);
+    if (block.phases) {
+        block.down.resize(size_t(alike.cells) + row_padding);
+        flag_down(alike_divisions, 0, alike.cells, block.down.data());
+    }
+}
+
+/// Find the triangles of the crossed cell (cx, cy) that a range is of.
+void find_triangles(const Lattice& lattice, int cx, int cy, const CellPositions& positions,
+                    LocatedBlock& block, LocatedBlock::Range& range) {
+    range.triangle = int(block.crossing.size());
+    // A vector that grows by itself would take up to twice of it.
+    if (block.crossing.capacity() == 0)
+        block.crossing.reserve(usual_crossing_triangles * size_t(lattice.width()));
+    find_crossing_triangles(lattice, cx, cy, positions, block.crossing);
+    range.triangles = int(block.crossing.size()) - range.triangle;
+}
+
+/// Add a range that is in rows, to the last one if that is and ends where it begins.
+void add_in_rows(const LocatedBlock::Range& range, std::vector<LocatedBlock::Range>& ranges) {
+    if (!ranges.empty() && ranges.back().is_in_rows() && ranges.back().end == range.begin)
+        ranges.back().end = range.end;
+    else
+        ranges.push_back(range);
+}
+
 /// Find what the columns lie in, in row cy of cells, and the triangles of crossed cells. Returns
 /// whether any of them have more positions than CellPositions.
 bool find_ranges(const Lattice& lattice, const Columns& columns, int cy, LocatedBlock& block) {
     const int first_site = lattice.vertex_site(0, cy);
     const Division* divisions = lattice.divisions(cy);
     const Columns::Alike& alike = columns.alike;
-    const Division* alike_divisions = divisions + alike.cell;
     block.cell_row = cy;
-    block.phases = are_mostly_plain(alike_divisions, alike);
-    if (block.phases) {
-        block.down.resize(size_t(alike.cells) + row_padding);
-        flag_down(alike_divisions, 0, alike.cells, block.down.data());
-    }
+    choose_phases(divisions, alike, block);
     std::vector<LocatedBlock::Range>& ranges = block.ranges;
     ranges.clear();
     ranges.reserve(columns.runs.size());
@@ -229,24 +250,18 @@ bool find_ranges(const Lattice& lattice, const Columns& columns, int cy, Located
         LocatedBlock::Range range{kind_of(divisions[run.cell]), run.begin, run.end,
                                   first_site + 2 * run.cell};
         const int n = run.end - run.begin;
-        if (range.kind == Span::triangle && is_found(run.cell))
+        if (range.is_cell()) {
+            ranges.push_back(range);
+        } else if (is_found(run.cell)) {
             continue;
-        if (range.kind == Span::triangle && n * block.count <= CellPositions::most) {
+        } else if (n * block.count <= CellPositions::most) {
             positions.set(columns.x.data() + run.begin, n, block.y, block.count);
-            range.triangle = int(block.crossing.size());
-            // A vector that grows by itself would take up to twice of it.
-            if (block.crossing.capacity() == 0)
-                block.crossing.reserve(usual_crossing_triangles * size_t(lattice.width()));
-            find_crossing_triangles(lattice, run.cell, cy, positions, block.crossing);
-            range.triangles = int(block.crossing.size()) - range.triangle;
-        } else if (range.kind == Span::triangle) {
+            find_triangles(lattice, run.cell, cy, positions, block, range);
+            ranges.push_back(range);
+        } else {
             any_in_rows = true;
-            if (!ranges.empty() && is_in_rows(ranges.back()) && ranges.back().end == run.begin) {
-                ranges.back().end = run.end;
-                continue;
-            }
+            add_in_rows(range, ranges);
         }
-        ranges.push_back(range);
     }
     return any_in_rows;
 }
@@ -267,7 +282,7 @@ int locate_block(const Lattice& lattice, const Columns& columns, std::vector<Poi
     for (int r = 0; r < rows; ++r) {
         RowLocator locator(lattice, points.data(), int(points.size()), search, block.rows[r]);
         for (const LocatedBlock::Range& range : block.ranges) {
-            if (!is_in_rows(range))
+            if (!range.is_in_rows())
                 continue;
             for (int i = range.begin; i < range.end; ++i)
                 points[size_t(i)].y = y[r];
