@@ -24,29 +24,29 @@ void NearCells::load_below(const Lattice& lattice, const Rect& part, int y) {
 }
 
 void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
-                      bool few_values, bool few_edges, int count, Net& net) {
+                      Windowed windowed, int count, Net& net) {
     m_lattice = &lattice;
     m_reach.find(lattice);
     m_net = &net;
     m_part = part;
     m_recipe = recipe;
-    m_few_values = few_values;
-    m_few_edges = few_edges;
-    m_scratch.tame = few_values;
+    m_windowed = windowed;
+    m_scratch.tame = values_windowed(); // as load_vertices() finds; of other values it is not known
     if (!recipe.fans)
         m_fans.begin(lattice, 1);
     m_scratch.fans = recipe.fans ? recipe.fans : &m_fans;
-    const RowsInUse rows = few_edges ? most_in_use() : RowsInUse{};
+    const RowsInUse rows = edges_windowed() ? most_in_use() : RowsInUse{};
     m_gradient_rows = part.y0;
     m_edge_rows = 2 * part.y0;
     m_scratch.edge_cells.resize(lattice.width());
     m_scratch.gradient_cells.resize(lattice.width());
     // Above the part, edges that end there look for a gradient.
-    const int top = few_edges ? m_reach.first_neighbour(part.y0) : 0;
+    const int top = edges_windowed() ? m_reach.first_neighbour(part.y0) : 0;
     if (recipe.bend)
-        take_rows(lattice, count, few_edges ? top : 0, few_edges ? rows.edges : lattice.height(),
-                  recipe.arena, m_scratch.gradients);
-    if (few_values) {
+        take_rows(lattice, count, edges_windowed() ? top : 0,
+                  edges_windowed() ? rows.edges : lattice.height(), recipe.arena,
+                  m_scratch.gradients);
+    if (values_windowed()) {
         net.stride = lattice.stride();
         m_vertex_rows = top;
         take_rows(lattice, count, top, rows.vertices, recipe.arena, net.values.even);
@@ -54,7 +54,7 @@ void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe
     }
     for (auto& weights : m_scratch.weights)
         weights.resize(recipe.soft ? size_t(lattice.width()) + edge_padding : 0);
-    if (recipe.soft && few_edges) {
+    if (recipe.soft && edges_windowed()) {
         take_rows(lattice, count, part.y0, rows.edges, recipe.arena, net.soft.even);
         take_rows(lattice, count, part.y0, rows.edges, recipe.arena, net.soft.odd);
     } else if (recipe.soft) {
@@ -64,25 +64,25 @@ void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe
 
 void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
                       Net& net) {
-    begin(lattice, part, recipe, false, false, net.count(), net);
+    begin(lattice, part, recipe, Windowed::none, net.count(), net);
 }
 
 void EdgeMaker::begin_edge_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
                                 Net& net) {
-    begin(lattice, part, recipe, false, true, net.count(), net);
+    begin(lattice, part, recipe, Windowed::edges, net.count(), net);
 }
 
 void EdgeMaker::begin_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
                            const GroupValues& values, Net& net) {
     m_values = values;
     m_value_rows = nullptr;
-    begin(lattice, part, recipe, true, true, values.count, net);
+    begin(lattice, part, recipe, Windowed::all, values.count, net);
 }
 
 void EdgeMaker::begin_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
                            ValueRows& values, Net& net) {
     m_value_rows = &values;
-    begin(lattice, part, recipe, true, true, values.count(), net);
+    begin(lattice, part, recipe, Windowed::all, values.count(), net);
 }
 
 /// Have rows of vertices before `end`, where rows before `keep` may go.
@@ -109,7 +109,7 @@ void EdgeMaker::to_row(int y, int keep) {
     // In steps of rows_at_once: one long advance would need every source row of that stretch at
     // once.
     for (int next = m_edge_rows / 2 + rows_at_once;
-         m_few_edges && next < std::min(y, m_part.y1 - rows_at_once);
+         edges_windowed() && next < std::min(y, m_part.y1 - rows_at_once);
          next = m_edge_rows / 2 + rows_at_once)
         go_on(next, std::min(next, keep));
     go_on(y, keep);
@@ -151,16 +151,16 @@ void EdgeMaker::go_on(int y, int keep) {
     const auto make_room_for_edges = [&](SiteRows& rows) {
         make_room(lattice, std::min(top, edges), (m_edge_rows + 1) / 2, last + 1, rows);
     };
-    if (m_few_values) {
+    if (values_windowed()) {
         load_vertices(values_end(y),
                       std::min(top, m_reach.first_neighbour(std::min(edges, m_gradient_rows))));
         make_room_for_edges(m_net->values.odd);
     }
-    if (m_few_edges && m_recipe.soft) {
+    if (edges_windowed() && m_recipe.soft) {
         make_room_for_edges(m_net->soft.even);
         make_room_for_edges(m_net->soft.odd);
     }
-    if (m_few_edges && m_recipe.bend)
+    if (edges_windowed() && m_recipe.bend)
         make_room(lattice, m_reach.first_end(edges), m_gradient_rows, m_reach.last_end(last) + 1,
                   m_scratch.gradients);
     if (m_recipe.bend)
@@ -168,7 +168,7 @@ void EdgeMaker::go_on(int y, int keep) {
     m_gradient_rows = std::max(m_gradient_rows, gradients);
     if (m_recipe.bend || m_recipe.soft)
         make_edges(lattice, m_part, m_edge_rows, 2 * last + 1, m_recipe.bend, m_recipe.soft,
-                   1.0f / m_recipe.tau, m_scratch, *m_net);
+                   m_recipe.soft ? 1.0f / m_recipe.tau : 0.0f, m_scratch, *m_net);
     m_edge_rows = 2 * last + 1;
 }
 

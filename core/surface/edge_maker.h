@@ -29,6 +29,13 @@ struct EdgeRecipe {
     int cells = 1;
 };
 
+/// Of which arrays an EdgeMaker keeps but a window of rows (kept_rows.h); the others have all rows.
+enum class Windowed {
+    none,
+    edges, ///< softness and gradients; vertices and bends are as the net has them
+    all,   ///< these and the net's vertices and bends
+};
+
 /// Makes a net's edges from the top row downwards, so that rows can be used while they are in the
 /// cache, and need not be kept longer than they are used.
 class EdgeMaker {
@@ -72,8 +79,10 @@ public:
     static Taken memory(int width, int height, int count, const EdgeRecipe& recipe);
 
 private:
-    void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe, bool few_values,
-               bool few_edges, int count, Net& net);
+    void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
+               Windowed windowed, int count, Net& net);
+    bool edges_windowed() const { return m_windowed != Windowed::none; }
+    bool values_windowed() const { return m_windowed == Windowed::all; }
     void go_on(int y, int keep);
     int last_row(int y) const;
     int values_end(int y) const;
@@ -89,7 +98,7 @@ private:
     EdgeRecipe m_recipe;
     GroupValues m_values;              ///< of a net of some rows,
     ValueRows* m_value_rows = nullptr; ///< or what makes them
-    bool m_few_values = false, m_few_edges = false;
+    Windowed m_windowed = Windowed::none;
     int m_vertex_rows = 0;   ///< rows of pixels above this one are set
     int m_gradient_rows = 0; ///< ... have gradients
     int m_edge_rows = 0;     ///< rows of the doubled lattice above this one are done

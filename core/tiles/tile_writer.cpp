@@ -108,8 +108,8 @@ void TileWriter::make_edges_for(int32_t y, int32_t keep) {
 }
 
 /// The same for row y of those that are written; other columns of the same rows may come next.
-void TileWriter::make_edges_for_row(int y, bool panels) {
-    make_edges_for(m_ys[size_t(y)], m_ys[panels ? 0 : size_t(y)]);
+void TileWriter::make_edges_for_row(int y) {
+    make_edges_for(m_ys[size_t(y)], m_ys[m_panels ? 0 : size_t(y)]);
 }
 
 /// Whether columns lie at ascending positions, each so near to the one before that it follows it.
@@ -194,15 +194,15 @@ Outcome TileWriter::write_grid(RowsLeft& left) {
     begin_surfaces(part_of(tile, all), 1);
     take_memory(all);
     const int width = int(m_points.size());
-    const bool panels = all.width() > width;
-    if (!panels)
+    m_panels = all.width() > width;
+    if (!m_panels)
         find_columns(tile, all);
     const size_t row = size_t(width) * size_t(m_job.channels);
     const auto next = [&](int y) {
         return take(left, whole_cells(all, y, rows_of(strip_floats, row)));
     };
     for (Rect rows = next(all.y0); !rows.empty(); rows = next(rows.y1))
-        if (const Outcome written = write_strip(rows, panels); written != Outcome::done)
+        if (const Outcome written = write_strip(rows); written != Outcome::done)
             return written;
     return outcome();
 }
@@ -222,15 +222,15 @@ int TileWriter::rows_together(int height, size_t row) const {
 }
 
 /// Write some rows of a grid.
-Outcome TileWriter::write_strip(const Rect& rows, bool panels) {
+Outcome TileWriter::write_strip(const Rect& rows) {
     const Tile& tile = m_meshed->tile;
     return each_panel(rows, [&](const Rect& part) {
-        if (panels) {
+        if (m_panels) {
             for (TileSurface& surface : m_surfaces)
                 surface.begin_panel();
             find_columns(tile, part);
         }
-        return write_rows(tile, part, panels);
+        return write_rows(tile, part);
     });
 }
 
@@ -278,7 +278,7 @@ bool TileWriter::hand_over(const Rect& r) {
     return taken;
 }
 
-Outcome TileWriter::write_rows(const Tile& tile, const Rect& rows, bool panels) {
+Outcome TileWriter::write_rows(const Tile& tile, const Rect& rows) {
     const auto channels = size_t(m_job.channels);
     m_ys.clear();
     for (int y = rows.y0; y < rows.y1; ++y)
@@ -286,7 +286,7 @@ Outcome TileWriter::write_rows(const Tile& tile, const Rect& rows, bool panels) 
     const bool blocks = !any_nearest(m_job);
     size_t row = 0;
     if (float* const place = blocks ? m_sink.place(rows, row) : nullptr) {
-        place_rows(rows, panels, place, row);
+        place_rows(rows, place, row);
         return Outcome::done;
     }
     row = size_t(rows.width()) * channels;
@@ -303,7 +303,7 @@ Outcome TileWriter::write_rows(const Tile& tile, const Rect& rows, bool panels) 
         if (y > handed && y + made > handed + most && !hand_over_to(y))
             return Outcome::sink_failed;
         float* out = m_out.data() + size_t(y - handed) * row;
-        make_edges_for_row(y, panels);
+        make_edges_for_row(y);
         if (blocks) {
             made = sample_block(m_ys.data() + y, std::min(height, handed + most) - y, out, row);
             continue;
@@ -316,14 +316,14 @@ Outcome TileWriter::write_rows(const Tile& tile, const Rect& rows, bool panels) 
 }
 
 /// The same of rows that the sink has a place for, `row` floats apart.
-void TileWriter::place_rows(const Rect& rows, bool panels, float* place, size_t row) {
+void TileWriter::place_rows(const Rect& rows, float* place, size_t row) {
     const int height = rows.height();
     const size_t own_row = size_t(rows.width()) * size_t(m_job.channels);
     const int most = rows_together(height, own_row);
     if (m_past_caches)
         m_out.resize(size_t(most) * own_row + row_padding);
     for (int y = 0; y < height;) {
-        make_edges_for_row(y, panels);
+        make_edges_for_row(y);
         const int32_t* ys = m_ys.data() + y;
         float* to = place + size_t(y) * row;
         if (!m_past_caches) {

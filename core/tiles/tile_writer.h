@@ -49,7 +49,7 @@ private:
     int rows_together(int height, size_t row) const;
     Tile part_of(const Tile& tile, const Rect& pixels) const;
     void make_edges_for(int32_t y, int32_t keep);
-    void make_edges_for_row(int y, bool panels);
+    void make_edges_for_row(int y);
     bool ascends(const Tile& tile, const Rect& row);
     void find_columns(const Tile& tile, const Rect& rows);
     /// Columns of output that are worked on at once: what is kept for each column stays small
@@ -70,9 +70,9 @@ private:
     }
     void begin_surfaces(const Tile& part, int cells);
     Outcome write_grid(RowsLeft& left);
-    Outcome write_strip(const Rect& rows, bool panels);
-    Outcome write_rows(const Tile& tile, const Rect& rows, bool panels);
-    void place_rows(const Rect& rows, bool panels, float* place, size_t row);
+    Outcome write_strip(const Rect& rows);
+    Outcome write_rows(const Tile& tile, const Rect& rows);
+    void place_rows(const Rect& rows, float* place, size_t row);
     Outcome write_bands(RowsLeft& left);
     Outcome write_band(const Tile& band);
     Outcome write_runs(const Tile& band, const Rect& row, BandSpans::Span* later);
@@ -101,7 +101,8 @@ private:
     std::vector<Position> m_positions;
     std::vector<uint8_t> m_inside;
     std::vector<Point> m_points;
-    Columns m_columns; ///< where write_rows() is
+    Columns m_columns;     ///< where write_rows() is
+    bool m_panels = false; ///< a grid's rows are written in several panels, one after the other
     BandSpans m_spans;
     std::vector<int32_t> m_ys;
     std::vector<float> m_out;
