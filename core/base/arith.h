@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 #include "core/base/constants.h"
 
@@ -26,6 +27,9 @@
 #define DDT_INLINED __attribute__((always_inline))
 
 namespace ddt {
+
+/// What every NaN of a result becomes: their bits would be up to each compiler.
+constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
 /// While it lives, this thread treats denormal floats as zero, as GPUs do, rounds to nearest and
 /// traps nothing, whatever its caller has set. Otherwise values below 1.2e-38 could differ between

@@ -48,10 +48,15 @@ struct Lanes {
         else
             return hn::IfThenElse(hn::Lt(a.v, b.v), yes.v, no.v);
     }
-    /// The smaller or larger, where neither is NaN; of zeros of two signs, either.
+    /// Where the flag is more than 0 `yes`, else `no`; a lane.
+    friend HWY_INLINE Lanes either(Lanes flag, Lanes yes, Lanes no) {
+        return if_less(Lanes(0.0f), flag, yes, no);
+    }
+    /// The smaller or larger, where neither is NaN; of zeros of two signs, any.
     friend HWY_INLINE Lanes lane_min(Lanes a, Lanes b) { return hn::Min(a.v, b.v); }
     friend HWY_INLINE Lanes lane_max(Lanes a, Lanes b) { return hn::Max(a.v, b.v); }
-    /// b where it is less, or more, than a, else a; a lane.
+    /// b where it is less, or more, than a, else a, so that a stays where either is NaN, and of
+    /// zeros of two signs: what x86's instructions do in one step, and the GLSL twins alike.
     friend HWY_INLINE Lanes lower(Lanes a, Lanes b) {
         if constexpr (min_is_a_choice)
             return hn::Min(b.v, a.v);

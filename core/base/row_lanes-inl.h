@@ -3,7 +3,7 @@
 // `count` floats each as vectors, which need not begin or end where a pixel does. What is done to a
 // float is the same for all, or differs by the pixel (spread()) or by the channel (ChannelLanes).
 
-using RowTag = hn::CappedTag<float, most_row_lanes>;
+using RowTag = hn::CappedTag<float, most_lanes>;
 using RowLanes = Lanes<RowTag>;
 using OneLane = Lanes<hn::CappedTag<float, 1>>;
 
@@ -51,10 +51,10 @@ HWY_INLINE T spread(const float* p, const RowPlace& place, int count) {
 
 /// A number a channel.
 struct ChannelLanes {
-    float numbers[most_row_lanes + most_in_pixel];
+    float numbers[most_lanes + most_in_pixel];
 
     HWY_INLINE ChannelLanes(const float* of_channels, int count) {
-        for (int k = 0; k < most_row_lanes + most_in_pixel; ++k)
+        for (int k = 0; k < most_lanes + most_in_pixel; ++k)
             numbers[k] = of_channels[k % count];
     }
     /// That of each lane's channel.

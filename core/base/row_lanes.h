@@ -14,19 +14,20 @@ struct RowPlace {
     int c;        ///< and which of the pixel's it is
 };
 
-/// Lanes of the widest vectors that rows are worked on by.
-constexpr int most_row_lanes = 16;
+/// Lanes of the widest vectors, of floats or of integers of 32 bits, that are worked on by: those
+/// of 512 bits. So many numbers are written or read past the end of most lists and rows.
+constexpr int most_lanes = 16;
 /// Floats a pixel has at most.
 constexpr int most_in_pixel = 4;
 
 /// of[count - 1][c][k]: how many pixels, of `count` floats, lane k lies after the first lane's,
 /// which is float c of its pixel.
 struct PixelOfLane {
-    int32_t of[most_in_pixel][most_in_pixel][most_row_lanes] = {};
+    int32_t of[most_in_pixel][most_in_pixel][most_lanes] = {};
     constexpr PixelOfLane() {
         for (int count = 1; count <= most_in_pixel; ++count)
             for (int c = 0; c < count; ++c)
-                for (int k = 0; k < most_row_lanes; ++k)
+                for (int k = 0; k < most_lanes; ++k)
                     of[count - 1][c][k] = (c + k) / count;
     }
 };

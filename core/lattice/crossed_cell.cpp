@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/arith.h"
+#include "core/base/row_lanes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/lattice/crossed_cell.cpp"
@@ -16,7 +17,7 @@ namespace ddt {
 namespace HWY_NAMESPACE {
 #include "core/base/vectors-inl.h"
 
-using D = hn::CappedTag<float, 16>;
+using D = hn::CappedTag<float, most_lanes>;
 
 #include "core/base/lanes-inl.h"
 #include "core/lattice/crossed_cell-inl.h"

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/row_lanes.h"
 #include "core/lattice/locate.h"
 
 namespace ddt {
@@ -29,7 +30,7 @@ public:
 private:
     bool has(const float* x, int columns, const float* y, int rows) const;
 
-    static constexpr int padding = 16;
+    static constexpr int padding = most_lanes;
     int m_columns = 0, m_rows = 0;
     float m_x[most + padding] = {}, m_y[most + padding] = {};
 };

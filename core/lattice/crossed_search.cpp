@@ -5,6 +5,7 @@
 
 #include "core/base/arith.h"
 #include "core/base/compress_lanes.h"
+#include "core/base/row_lanes.h"
 #include "core/guide/contour.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -18,7 +19,7 @@ namespace ddt {
 namespace HWY_NAMESPACE {
 #include "core/base/vectors-inl.h"
 
-using D = hn::CappedTag<float, 16>;
+using D = hn::CappedTag<float, most_lanes>;
 using DI = hn::RebindToSigned<D>;
 using VF = hn::Vec<D>;
 using MI = hn::Mask<DI>;
@@ -82,11 +83,11 @@ public:
     HWY_INLINE void each(const Line* const (&line)[lines], F&& f) const {
         const D d;
         const int columns = m_positions.columns(), rows = m_positions.rows();
-        HWY_ALIGN float across[lines][CrossedSearch::most_positions * 16];
+        HWY_ALIGN float across[lines][CrossedSearch::most_positions * most_lanes];
         for (int c = 0; c < columns; ++c)
             for (int k = 0; k < lines; ++k)
                 hn::Store(hn::Mul(line[k]->along_y, hn::Set(d, m_positions.x()[c])), d,
-                          across[k] + 16 * c);
+                          across[k] + most_lanes * c);
         VI bit = hn::Set(DI(), 1);
         for (int r = 0; r < rows; ++r) {
             const VF y = hn::Set(d, m_positions.y()[r * columns]);
@@ -96,7 +97,7 @@ public:
             for (int c = 0; c < columns; ++c) {
                 VF side[lines];
                 for (int k = 0; k < lines; ++k)
-                    side[k] = hn::Sub(down[k], hn::Load(d, across[k] + 16 * c));
+                    side[k] = hn::Sub(down[k], hn::Load(d, across[k] + most_lanes * c));
                 f(bit, side);
                 bit = hn::Add(bit, bit);
             }
@@ -244,7 +245,7 @@ HWY_ATTR void search(const Lattice& lattice, int cy, const int* x, int n,
     const int lanes = int(hn::Lanes(di));
     Searcher searcher(lattice, cy, positions, found);
     Lots lots[2];
-    HWY_ALIGN int32_t cell[16];
+    HWY_ALIGN int32_t cell[most_lanes];
     for (int i = 0; i < n; i += lanes) {
         for (int k = 0; k < lanes; ++k)
             cell[k] = i + k < n ? x[i + k] << number_bits | (i + k) : cell[0];

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/base/row_lanes.h"
 #include "core/lattice/crossed_cell.h"
 
 namespace ddt {
@@ -36,7 +37,7 @@ public:
 
     /// Triangles in the order in which they are found; padded to whole vectors.
     struct Found {
-        static constexpr int room = most_lots + 16;
+        static constexpr int room = most_lots + most_lanes;
         int count = 0;
         int32_t corners_01[room];             ///< bytes x, y, x, y
         int32_t corner_2_and_positions[room]; ///< bytes x, y, and a bit a position

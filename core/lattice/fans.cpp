@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/base/row_lanes.h"
 #include "core/guide/contour.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -17,7 +18,7 @@ namespace ddt {
 namespace HWY_NAMESPACE {
 #include "core/base/vectors-inl.h"
 
-using D = hn::CappedTag<float, 16>;
+using D = hn::CappedTag<float, most_lanes>;
 using DI = hn::RebindToSigned<D>;
 
 #include "core/base/lanes-inl.h"
@@ -36,7 +37,7 @@ struct Walks {
           first(lattice.first(vertex)), at(first), degree(hn::Zero(DI())),
           open(hn::FirstN(DI(), hn::Lanes(DI()))) {}
 
-    /// To the next spoke. Twin of next_spoke() (core/surface/gradients.cpp).
+    /// To the next spoke. Twin of next_spoke().
     HWY_INLINE void step(const SiteLanes& lattice) {
         const EdgeLanes e = lattice.edge(vertex + lattice.offset(at));
         const VecLanes apex{hn::IfThenElse(hn::Eq(e.v.xy, at.xy), e.left.xy, e.right.xy)};
@@ -58,7 +59,7 @@ struct Walks {
 HWY_INLINE int walked_at_once() {
     return 2 * int(hn::Lanes(DI()));
 }
-constexpr int most_at_once = 32;
+constexpr int most_at_once = 2 * most_lanes;
 
 /// Walk round walked_at_once() vertices of a row: spoke k of vertex i to walked[k *
 /// walked_at_once() + i].

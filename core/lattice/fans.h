@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/arith.h"
+#include "core/base/row_lanes.h"
 #include "core/lattice/lattice.h"
 
 namespace ddt {
@@ -35,8 +37,19 @@ struct Fans {
     std::vector<Vec> spokes;
 
     /// Vectors of spokes may be read as far as this beyond the last.
-    static constexpr size_t padding = 16;
+    static constexpr size_t padding = most_lanes;
 };
+
+/// From the spoke of a vertex to the neighbour at x, y (relative to it, in pixels) to the next one
+/// to the left or right; false on the rim. Twin: Walks::step() in fans.cpp.
+DDT_INLINE bool next_spoke(const Site* vertex, int stride, bool left, int& x, int& y) {
+    const Edge& e = vertex[ptrdiff_t(y) * stride + x].edge;
+    const bool outwards = e.v == Vec(x, y);
+    const Vec apex = outwards == left ? e.left : e.right();
+    x = (x + apex.x) >> 1;
+    y = (y + apex.y) >> 1;
+    return !apex.zero();
+}
 
 /// Find the fans of the vertices in n columns of row y, none of them on the hull's rim, whose
 /// Vertex::first has been found. walked: memory that is kept from one use to the next.

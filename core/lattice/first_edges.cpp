@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/compress_lanes.h"
+#include "core/base/row_lanes.h"
 #include "core/guide/contour.h"
 #include "core/lattice/crossed_columns.h"
 #include "core/lattice/lattice.h"
@@ -21,9 +22,6 @@ namespace ddt {
 /// A vertex' neighbours, in the order of the addresses of the edges to them.
 constexpr std::array<std::array<int, 2>, 8> neighbours{
     {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
-
-/// Numbers that may be written past the last of a list.
-constexpr size_t list_padding = 16;
 } // namespace ddt
 #endif
 
@@ -32,7 +30,7 @@ namespace ddt {
 namespace HWY_NAMESPACE {
 #include "core/base/vectors-inl.h"
 
-using D = hn::CappedTag<float, list_padding>;
+using D = hn::CappedTag<float, most_lanes>;
 using DI = hn::RebindToSigned<D>;
 
 #include "core/base/compress-inl.h"
@@ -146,8 +144,7 @@ void Lattice::find_short_first_edges(const Rect& part) {
         vertex(vertex_site(x, y)).first = first_short_edge(*this, x, y);
     };
     const int last = m_width - 1, begin = std::max(part.x0, 1), end = std::min(part.x1, last);
-    std::vector<int> vertices(size_t(m_width) + cells_at_once),
-        first(vertices.size() + list_padding);
+    std::vector<int> vertices(size_t(m_width) + cells_at_once), first(vertices.size() + most_lanes);
     for (int y = part.y0; y < part.y1; ++y) {
         if (part.x0 == 0)
             find_at_rim(0, y);
@@ -183,7 +180,7 @@ void Lattice::find_long_first_edges(const Rect& part) {
     const int x0 = std::max(part.x0 - far, 0), x1 = std::min(part.x1 + far, m_width - 1),
               y1 = std::min(part.y1 + far, m_height - 1);
     const size_t cells = size_t(m_width) + cells_at_once;
-    std::vector<int> columns(cells), edges(3 * cells), sites(3 * cells + list_padding),
+    std::vector<int> columns(cells), edges(3 * cells), sites(3 * cells + most_lanes),
         vectors(sites.size());
     for (int y = std::max(part.y0 - far, 0); y < y1; ++y) {
         size_t n = 0;

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/base/compress_lanes.h"
+#include "core/base/row_lanes.h"
 #include "core/guide/contour.h"
 #include "core/lattice/lattice.h"
 
@@ -34,7 +35,6 @@ namespace ddt {
 namespace HWY_NAMESPACE {
 #include "core/base/vectors-inl.h"
 
-constexpr size_t most_lanes = 16;
 using D = hn::CappedTag<float, most_lanes>;
 using DI = hn::RebindToSigned<D>;
 

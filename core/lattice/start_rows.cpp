@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/row_lanes.h"
 #include "core/guide/contour.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -16,7 +17,7 @@ namespace ddt {
 namespace HWY_NAMESPACE {
 #include "core/base/vectors-inl.h"
 
-using D = hn::CappedTag<float, 16>;
+using D = hn::CappedTag<float, most_lanes>;
 using DI = hn::RebindToSigned<D>;
 using D64 = hn::Repartition<uint64_t, D>;
 

@@ -16,6 +16,7 @@
 
 #include <vector>
 
+#include "core/base/row_lanes.h"
 #include "core/lattice/crossed_cell.h"
 #include "core/lattice/locate.h"
 #include "core/surface/crossed_rows.h"
@@ -139,7 +140,7 @@ int locate_block(const Lattice& lattice, const Columns& columns, std::vector<Poi
 using NearestMask = unsigned;
 
 /// Floats beyond the end of its row that evaluate_row() may write.
-constexpr int row_padding = 16;
+constexpr int row_padding = most_lanes;
 
 /// Where a group's values go: `count` channels of position i of row r to
 /// out[r * row + i * channels + first_channel] and on.

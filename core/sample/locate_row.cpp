@@ -140,7 +140,7 @@ void Columns::find(const Point* points, int n, int width) {
 /// Find the longest stretch of such cells.
 void Columns::find_alike() {
     // Fewer may not fill a vector.
-    constexpr int least_cells = 16;
+    constexpr int least_cells = most_lanes;
     const auto follows = [&](const Run& last, const Run& run) {
         const int n = run.end - run.begin;
         return run.cell == last.cell + 1 && n == last.end - last.begin &&

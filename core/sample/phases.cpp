@@ -2,7 +2,6 @@
 #include "core/sample/phases.h"
 
 #include <algorithm>
-#include <limits>
 #include <type_traits>
 
 #include "core/base/arith.h"
@@ -18,8 +17,6 @@ HWY_BEFORE_NAMESPACE();
 namespace ddt {
 namespace HWY_NAMESPACE {
 #include "core/base/vectors-inl.h"
-
-constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
 #include "core/base/lanes-inl.h"
 #include "core/surface/for_surface-inl.h"
@@ -64,11 +61,11 @@ struct PlainPositions {
 
 /// Cells that are made before their values are handed out: whole vectors of any number of channels.
 constexpr int cells_together = 32;
-static_assert(cells_together % most_row_lanes == 0, "whole vectors");
+static_assert(cells_together % most_lanes == 0, "whole vectors");
 
 /// The surface in neighbouring cells: for each position of a cell a row of floats, `count` a cell.
 struct MadeCells {
-    static constexpr int beyond = most_row_lanes; ///< that may be written before, and read past
+    static constexpr int beyond = most_lanes; ///< that may be written before, and read past
     HWY_ALIGN float floats[PlainPositions::most][beyond + cells_together * most_in_pixel + beyond];
 
     HWY_INLINE float* at(int position) { return floats[position] + beyond; }

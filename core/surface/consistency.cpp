@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cfloat>
-#include <limits>
 #include <type_traits>
 
 #include "core/base/arith.h"
@@ -19,8 +18,6 @@ HWY_BEFORE_NAMESPACE();
 namespace ddt {
 namespace HWY_NAMESPACE {
 #include "core/base/vectors-inl.h"
-
-constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
 #include "core/base/lanes-inl.h"
 #include "core/lattice/crossed_cell-inl.h"
@@ -68,8 +65,8 @@ HWY_INLINE void plain_means(const CellNumbers& values, const CellNumbers& softne
             c.qvx = q[vx], c.qvy = q[vy], c.qxd = q[xd], c.qyd = q[yd], c.q_diagonal = q[m];
         const T through = c.template through<quadratic, soft>(),
                 across = c.template across<quadratic, soft>();
-        return from_upper_left_to_lower_right ? if_less(T(0.0f), down, through, across)
-                                              : if_less(T(0.0f), down, across, through);
+        return from_upper_left_to_lower_right ? either(down, through, across)
+                                              : either(down, across, through);
     };
     means[upper_left] = mean(z0, z1, z2, z3, t, l, r, b, true);
     means[upper_right] = mean(z1, z0, z3, z2, t, r, l, b, false);

@@ -75,7 +75,7 @@ private:
                                              const CellTriangle* triangles) {
         // Branch-free for most cells: a loop over as many triangles as a cell has would be
         // mispredicted, so as many as usual are filled in at once.
-        int32_t columns[TriangleNumbers::most + most_row_lanes] = {};
+        int32_t columns[TriangleNumbers::most + most_lanes] = {};
         int shifts[TriangleNumbers::most + usual];
         const CellTriangle* const first = triangles + cells->first;
         const int lanes = TriangleNumbers::lanes();

@@ -59,7 +59,7 @@ struct EdgeScratch {
 };
 
 /// Floats beyond the last of a row that may be read or written.
-constexpr size_t edge_padding = most_row_lanes;
+constexpr size_t edge_padding = most_lanes;
 
 /// Make the gradients at the vertices of rows y0 .. y1 - 1 of pixels; those of the row before y0
 /// were made last, if it is in the part.

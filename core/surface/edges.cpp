@@ -38,11 +38,8 @@ using DI = hn::RebindToSigned<D>;
 /// gains that are far below 0, and what vertices have is of no account.
 HWY_ATTR void soft_weights(const Site* sites, int n, float reciprocal_tau, float* even,
                            float* odd) {
-    const auto weigh = [&](auto g) HWY_ATTR {
-        using T = decltype(g);
-        const T zero(0.0f), one(1.0f), share(soft_share), r(reciprocal_tau);
-        return upper(zero, share * (one + lower(zero, g) * r));
-    };
+    const auto weigh = [&](auto gain)
+                           HWY_ATTR { return soft_weight(gain, decltype(gain)(reciprocal_tau)); };
     const RowTag d;
     const int lanes = int(hn::Lanes(d));
     int i = 0;
@@ -60,12 +57,6 @@ HWY_ATTR void soft_weights(const Site* sites, int n, float reciprocal_tau, float
         weigh(OneLane(sites[2 * i].edge.gain())).store(even + i);
         weigh(OneLane(sites[2 * i + 1].edge.gain())).store(odd + i);
     }
-}
-
-/// Where flag is 1 `yes`, where it is 0 `no`.
-template <class T>
-HWY_INLINE T either(T flag, T yes, T no) {
-    return if_less(T(0.0f), flag, yes, no);
 }
 
 /// Neighbouring regular edges: what belongs to their ends i and j and their apexes c and d.
@@ -161,13 +152,13 @@ HWY_NOINLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, i
                             edges.vx, edges.vy)
                 .store(e + place.at);
     });
-    const size_t most = size_t(x1 - x0) + cells_at_once + most_row_lanes;
+    const size_t most = size_t(x1 - x0) + cells_at_once + most_lanes;
     if (scratch.columns.size() < most)
         scratch.columns.resize(most);
     int* const columns = scratch.columns.data();
     const int n = list_irregular<kind>(lattice, x0, x1, begin, end, y, columns);
     if (n > 0)
-        std::fill_n(columns + n, most_row_lanes, columns[n - 1]);
+        std::fill_n(columns + n, most_lanes, columns[n - 1]);
     const IrregularEdges irregular{net.vertex(row), regular.gradients, regular.to_y, row,
                                    first - row,     weights,           count};
     make_irregular<bend, soft>(SiteLanes(lattice), irregular, columns, n, e, q);

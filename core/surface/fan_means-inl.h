@@ -6,7 +6,7 @@
 HWY_INLINE void load_spokes(const Vec* from, size_t n, int row, int count, Spokes& spokes) {
     const hn::RebindToSigned<D> di;
     const hn::Rebind<uint16_t, D> d16;
-    const size_t lanes = hn::Lanes(di), size = n + most_row_lanes;
+    const size_t lanes = hn::Lanes(di), size = n + most_lanes;
     if (spokes.x.size() < size) {
         spokes.x.resize(size);
         spokes.y.resize(size);
@@ -59,7 +59,7 @@ HWY_INLINE GradientMean<Blocks, tame> means_of_fans(const Fans::Group& group, in
     if (group.least == group.most)
         return mean;
     // Those that have come round stay as they are.
-    float degrees[most_row_lanes] = {};
+    float degrees[most_lanes] = {};
     for (int b = 0; b < blocks; ++b)
         degrees[b] = float(group.degree[i + b]);
     const Blocks degree = spread(degrees);

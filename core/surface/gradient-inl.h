@@ -89,7 +89,6 @@ DDT_INLINE GradientMean<T, tame> regular_mean(const Differences<T>& d, T nw, T n
     using Mean = GradientMean<T, tame>;
     const T zero = T(0.0f);
     const T minus_n = zero - d.n, minus_w = zero - d.w;
-    const auto either = [&](T flag, T a, T b) { return if_less(zero, flag, a, b); };
     Mean mean;
     T gx = d.n - d.nw, gy = minus_n;
     T first = either(nw, Mean::weigh(gx, gy), zero);
@@ -123,6 +122,13 @@ DDT_INLINE T edge_bend(T gix, T giy, T gjx, T gjy, T zi, T zj, T vx, T vy) {
     T e = T(bend_strength) * ((gix - gjx) * vx + (giy - gjy) * vy);
     e = lower(upper(e, zero - limit), limit);
     return tame ? e : if_less_equal(limit, T(largest_float), e, zero);
+}
+
+/// The weight w of the flipped state of a flippable edge with this gain (see net.h).
+template <class T>
+DDT_INLINE T soft_weight(T gain, T reciprocal_tau) {
+    const T zero = T(0.0f);
+    return upper(zero, T(soft_share) * (T(1.0f) + lower(zero, gain) * reciprocal_tau));
 }
 
 /// q of an edge from i to j with apexes c and d, weight w (see net.h).

@@ -5,6 +5,7 @@
 
 #include "core/base/arith.h"
 #include "core/base/row_lanes.h"
+#include "core/lattice/fans.h"
 #include "core/surface/edge_scratch.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -38,16 +39,6 @@ struct Spoke {
         : x(x_), y(y_), fx(float(x_)), fy(float(y_)),
           dz(PixelLanes::load(net + count * ptrdiff_t(y_ * stride + x_)) - z) {}
 };
-
-/// The next spoke to the left or right of one; false on the rim.
-HWY_INLINE bool next_spoke(const Site* vertex, int stride, bool left, int& x, int& y) {
-    const Edge& e = vertex[ptrdiff_t(y) * stride + x].edge;
-    const bool outwards = e.v == Vec(x, y);
-    const Vec apex = outwards == left ? e.left : e.right();
-    x = (x + apex.x) >> 1;
-    y = (y + apex.y) >> 1;
-    return !apex.zero();
-}
 
 /// The mean gradient at a vertex on the rim, or any: over its triangles in a fixed order, from the
 /// first edge to the left, and on the hull's rim from the first edge to the right.

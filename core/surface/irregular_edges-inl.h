@@ -6,9 +6,9 @@
 /// ends i and j, and if `soft` their apexes c and d, are, and what else they are made from.
 template <bool soft>
 struct EdgeList {
-    HWY_ALIGN int32_t i[most_row_lanes], j[most_row_lanes], c[most_row_lanes], d[most_row_lanes];
+    HWY_ALIGN int32_t i[most_lanes], j[most_lanes], c[most_lanes], d[most_lanes];
     // Padded for spread().
-    float vx[2 * most_row_lanes], vy[2 * most_row_lanes], weight[2 * most_row_lanes];
+    float vx[2 * most_lanes], vy[2 * most_lanes], weight[2 * most_lanes];
 
     /// to_first: from the row's first vertex to the edge in column 0, in sites. weights: from
     /// column 0 on.
@@ -36,14 +36,14 @@ struct EdgeList {
 
 /// The numbers at some of a list's places, a block each.
 HWY_INLINE Blocks at_each(const float* row, const int32_t* places) {
-    const float* p[most_row_lanes / group_size];
+    const float* p[most_lanes / group_size];
     for (int b = 0; b < blocks_in_vector(); ++b)
         p[b] = row + places[b];
     return load_each(p);
 }
 
 HWY_INLINE void store_each(Blocks numbers, const int* columns, int count, float* row) {
-    HWY_ALIGN float all[most_row_lanes];
+    HWY_ALIGN float all[most_lanes];
     numbers.store(all);
     for (int b = 0; b < blocks_in_vector(); ++b)
         store_pixel(PixelLanes::load(all + b * group_size), count,

@@ -14,7 +14,7 @@ public:
                          const CellTriangle* triangles, const int32_t* columns, int n) {
         static_assert(sizeof(CellTriangle) == 2 * sizeof(int32_t), "two words");
         std::memcpy(m_words, triangles, size_t(n) * sizeof(CellTriangle));
-        std::fill_n(m_words + 2 * n, 2 * most_row_lanes, 0);
+        std::fill_n(m_words + 2 * n, 2 * most_lanes, 0);
         m_to_odd = floats_between(net.values.even, net.values.odd);
         m_to_odd_soft = floats_between(net.soft.even, net.soft.odd);
         m_tame = true;
@@ -62,7 +62,7 @@ public:
 
 private:
     enum { z = 0, e = 3, q = 6, low = 9, high = 10, all = 11 };
-    static constexpr int room = most + most_row_lanes;
+    static constexpr int room = most + most_lanes;
     using IntTag = hn::RebindToSigned<RowTag>;
 
     static ptrdiff_t floats_between(const float* from, const float* to) {
@@ -170,7 +170,7 @@ private:
     int32_t m_words[2 * room]; ///< the triangles, as they are kept
     /// From the row's first in even columns to each number of as many triangles as there are
     /// lanes, in floats; and to the first in odd columns.
-    int64_t m_places[low][most_row_lanes];
+    int64_t m_places[low][most_lanes];
     ptrdiff_t m_to_odd = 0, m_to_odd_soft = 0;
     float m_planes[6][room];
     float m_numbers[group_size][all][room];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows of a starting lattice's cells, several of them in the lanes: what start_gains.cpp keeps of a
-// cell while it goes down the rows. Included in a namespace that has D, Floats and most_lanes.
+// cell while it goes down the rows. Included in a namespace that has D and Floats.
 
 /// A row of numbers, with room for whole vectors before its begin and past its end. Those from
 /// number 1 on are aligned: vectors that are not touch two lines of the cache each.
@@ -50,7 +50,7 @@ private:
     Row m_parts[parts];
 };
 
-/// Where the flag is more than 0 `yes`, else `no`.
+/// either() of each number of two faces.
 template <class T>
 HWY_INLINE T either(Floats flag, const T& yes, const T& no) {
     constexpr int parts = sizeof(T) / sizeof(Floats);

@@ -3,6 +3,7 @@
 // flips touch. A lattice's by the widest vectors this machine has, an edge a lane.
 #pragma once
 
+#include "core/base/row_lanes.h"
 #include "core/lattice/lattice.h"
 
 namespace ddt {
@@ -37,7 +38,7 @@ void find_blockers(const Mesh& mesh, const int* sites, size_t n, int* blockers) 
 void find_blockers(const Lattice& lattice, const int* sites, size_t n, int* blockers);
 
 /// Edges that may be written past the last.
-constexpr size_t region_padding = 16;
+constexpr size_t region_padding = most_lanes;
 
 /// The edges of the 2-regions of the flippable edges sites[0..n), some more than once; those that
 /// touch() would refuse may be left out. Returns how many, at most most_in_region for each.

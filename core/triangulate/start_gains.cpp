@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/base/compress_lanes.h"
+#include "core/base/row_lanes.h"
 #include "core/triangulate/evaluate.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -22,14 +23,6 @@
 #include <hwy/foreach_target.h>
 
 #include "core/base/vectors.h"
-
-#ifndef DDT_START_GAINS_ONCE
-#define DDT_START_GAINS_ONCE
-namespace ddt {
-/// Cells that are worked on at once, at most, on any target.
-constexpr size_t most_lanes = 16;
-} // namespace ddt
-#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace ddt {

@@ -22,7 +22,7 @@ struct Tap {
     HWY_INLINE T operator()(ptrdiff_t at) const { return T::load(first + at); }
     template <int k>
     HWY_INLINE T operator()(Either<k> at) const {
-        return if_less(T(0.0f), flag[k], T::load(first + at.yes), T::load(first + at.no));
+        return either(flag[k], T::load(first + at.yes), T::load(first + at.no));
     }
 };
 
@@ -69,7 +69,7 @@ public:
             f.find_any(Either<0>{0, right}, Either<0>{right + below, below - right},
                        Either<0>{below - right, -right - below},
                        Either<0>{right - below, right + below}, plain, Tap<T>{here, {flag, flag}});
-            both = if_less(T(0.0f), flag, index(0, 0) + index(1, 1), index(1, 0) + index(0, 1));
+            both = either(flag, index(0, 0) + index(1, 1), index(1, 0) + index(0, 1));
         }
         constexpr bool odd = in_odd_column(kind), diagonal = kind == EdgeKind::diagonal;
         const T near = spread<T>(m_scratch.near[odd].data(), place, m_count);
@@ -78,7 +78,7 @@ public:
         const auto null = [&](int k, int i) HWY_ATTR {
             const T weight = T(kinds[1][k][i]) + near * T(kinds[2][k][i]);
             // A cell's own diagonal can be flipped.
-            return diagonal ? weight : if_less(T(0.0f), flippable, weight, T(kinds[0][k][i]));
+            return diagonal ? weight : either(flippable, weight, T(kinds[0][k][i]));
         };
         return fitted_bend(f, both * T(0.5f), m_strict.at<T>(place), null, table);
     }
