@@ -19,7 +19,7 @@
 #include "core/gl/tin_check.h"
 #include "core/gl/travel_check.h"
 #include "core/guide/guide.h"
-#include "core/surface/fitted/fitted.h"
+#include "core/surface/corrections.h"
 #include "core/tiles/tile_io.h"
 #include "core/tiles/tile_worker.h"
 #include "core/triangulate/gain.h"

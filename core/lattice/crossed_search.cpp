@@ -112,8 +112,8 @@ private:
 constexpr int number_bits = 7;
 static_assert(CrossedSearch::most_cells == 1 << number_bits, "every number fits");
 
-/// Lots of positions that are beyond side s t of a triangle whose third corner is `own`.
-struct Lots {
+/// Groups of positions that are beyond side s t of a triangle whose third corner is `own`.
+struct PositionGroups {
     int count = 0;
     int32_t side[CrossedSearch::Found::room];              ///< s and t, bytes x, y, x, y
     int32_t own_and_positions[CrossedSearch::Found::room]; ///< bytes x, y, and a bit a position
@@ -132,7 +132,7 @@ public:
           m_all((1 << positions.count()) - 1), m_found(found) {}
 
     /// Positions of cells `cell` on their way from the central edges.
-    HWY_INLINE void begin(VI cell, MI here, Lots& next) {
+    HWY_INLINE void begin(VI cell, MI here, PositionGroups& next) {
         const DI di;
         const VecLanes ones = VecLanes::ones();
         const EdgeLanes centre = m_mesh.edge(site(ones, cell));
@@ -151,14 +151,14 @@ public:
         enter(t, s, half(ones + centre.right), to_the_right, to_the_right, cell, next);
     }
 
-    /// Lots i, i + 1, ... of some, as many as a vector has.
-    HWY_INLINE void go_on(const Lots& lots, int i, Lots& next) {
+    /// Take groups i, i + 1, ..., as many as a vector has lanes, a triangle further.
+    HWY_INLINE void go_on(const PositionGroups& groups, int i, PositionGroups& next) {
         const DI di;
-        const auto here = hn::FirstN(di, std::min(size_t(lots.count - i), hn::Lanes(di)));
+        const auto here = hn::FirstN(di, std::min(size_t(groups.count - i), hn::Lanes(di)));
         const auto load = [&](const int32_t* p)
                               HWY_ATTR { return hn::IfThenElseZero(here, hn::LoadU(di, p + i)); };
-        const VI side = load(lots.side), rest = load(lots.own_and_positions),
-                 cell = load(lots.cell);
+        const VI side = load(groups.side), rest = load(groups.own_and_positions),
+                 cell = load(groups.cell);
         VecLanes s = VecLanes::of_bytes<0>(side), t = VecLanes::of_bytes<2>(side);
         const VecLanes own = VecLanes::of_bytes<0>(rest);
         const VI positions = hn::And(hn::ShiftRight<16>(rest), hn::Set(di, m_all));
@@ -189,7 +189,7 @@ private:
     /// In the triangle s, t, c, which `positions` come to across s t, and which those of `going`
     /// may leave.
     HWY_INLINE void enter(VecLanes s, VecLanes t, VecLanes c, VI positions, VI going, VI cell,
-                          Lots& next) {
+                          PositionGroups& next) {
         const DI di;
         const Line tc(t, c), cs(c, s), turn(c);
         const Line* const lines[] = {&tc, &cs, &turn};
@@ -223,13 +223,13 @@ private:
             int(store_compressed(hn::And(cell, hn::Set(di, (1 << number_bits) - 1)), any, to));
     }
 
-    HWY_INLINE void add(Lots& lots, VI s, VI t, VI own, VI positions, VI cell) const {
+    HWY_INLINE void add(PositionGroups& groups, VI s, VI t, VI own, VI positions, VI cell) const {
         const DI di;
         const MI any = hn::Gt(positions, hn::Zero(di));
-        store_compressed(hn::Or(s, upper_half(t)), any, lots.side + lots.count);
+        store_compressed(hn::Or(s, upper_half(t)), any, groups.side + groups.count);
         store_compressed(hn::Or(own, upper_half(positions)), any,
-                         lots.own_and_positions + lots.count);
-        lots.count += int(store_compressed(cell, any, lots.cell + lots.count));
+                         groups.own_and_positions + groups.count);
+        groups.count += int(store_compressed(cell, any, groups.cell + groups.count));
     }
 
     SiteLanes m_mesh;
@@ -244,15 +244,16 @@ HWY_ATTR void search(const Lattice& lattice, int cy, const int* x, int n,
     const DI di;
     const int lanes = int(hn::Lanes(di));
     Searcher searcher(lattice, cy, positions, found);
-    Lots lots[2];
+    PositionGroups groups[2];
     HWY_ALIGN int32_t cell[most_lanes];
     for (int i = 0; i < n; i += lanes) {
         for (int k = 0; k < lanes; ++k)
             cell[k] = i + k < n ? x[i + k] << number_bits | (i + k) : cell[0];
-        searcher.begin(hn::Load(di, cell), hn::FirstN(di, size_t(std::min(n - i, lanes))), lots[0]);
+        searcher.begin(hn::Load(di, cell), hn::FirstN(di, size_t(std::min(n - i, lanes))),
+                       groups[0]);
     }
-    for (int turn = 0; lots[turn].count; turn ^= 1) {
-        Lots &now = lots[turn], &next = lots[turn ^ 1];
+    for (int turn = 0; groups[turn].count; turn ^= 1) {
+        PositionGroups &now = groups[turn], &next = groups[turn ^ 1];
         next.count = 0;
         for (int i = 0; i < now.count; i += lanes)
             searcher.go_on(now, i, next);

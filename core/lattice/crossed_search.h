@@ -11,7 +11,7 @@ namespace ddt {
 
 /// Goes from the edge at each cell's centre to the triangles that positions belong to, as locate()
 /// does for one of them: all positions that cross the same edges on their way go together, and
-/// those of all cells are on their way at once, a lane each lot.
+/// those of all cells are on their way at once, a lane for each such group.
 class CrossedSearch {
 public:
     /// Positions in a cell, at most.
@@ -19,7 +19,7 @@ public:
     /// Cells that are searched together, at most; and those of so many positions.
     static constexpr int most_cells = 128;
     static int most_cells_with(int positions) {
-        return std::min(most_lots / positions, most_cells);
+        return std::min(most_groups / positions, most_cells);
     }
 
     /// Find which triangles the positions belong to in n cells of row cy, those with first corners
@@ -32,12 +32,12 @@ public:
     int first(int i) const { return m_first[i]; }
     int count(int i) const { return m_first[i + 1] - m_first[i]; }
 
-    /// Lots have a position each at least, so there are never more.
-    static constexpr int most_lots = 512;
+    /// Groups have a position each at least, so there are never more.
+    static constexpr int most_groups = 512;
 
     /// Triangles in the order in which they are found; padded to whole vectors.
     struct Found {
-        static constexpr int room = most_lots + most_lanes;
+        static constexpr int room = most_groups + most_lanes;
         int count = 0;
         int32_t corners_01[room];             ///< bytes x, y, x, y
         int32_t corner_2_and_positions[room]; ///< bytes x, y, and a bit a position
@@ -47,7 +47,7 @@ public:
 private:
     void sort(const Found& found, int cells);
 
-    CellTriangle m_triangles[most_lots];
+    CellTriangle m_triangles[most_groups];
     int m_first[most_cells + 1];
 };
 

@@ -6,9 +6,13 @@
 
 namespace ddt {
 
+Rect clipped_to(const Lattice& lattice, const Rect& part) {
+    return {std::max(part.x0, 0), std::max(part.y0, 0), std::min(part.x1, lattice.width()),
+            std::min(part.y1, lattice.height())};
+}
+
 Rect grown(const Lattice& lattice, const Rect& part, int by) {
-    return {std::max(part.x0 - by, 0), std::max(part.y0 - by, 0),
-            std::min(part.x1 + by, lattice.width()), std::min(part.y1 + by, lattice.height())};
+    return clipped_to(lattice, {part.x0 - by, part.y0 - by, part.x1 + by, part.y1 + by});
 }
 
 Rect with_neighbours(const Lattice& lattice, const Rect& part) {

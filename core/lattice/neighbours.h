@@ -7,6 +7,8 @@
 
 namespace ddt {
 
+/// What of a rectangle of pixels lies in a lattice.
+Rect clipped_to(const Lattice& lattice, const Rect& part);
 /// A part of a lattice, in pixels, and so many pixels round it.
 Rect grown(const Lattice& lattice, const Rect& part, int by);
 

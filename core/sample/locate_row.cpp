@@ -5,7 +5,7 @@
 
 #include "core/lattice/crossed_columns.h"
 #include "core/lattice/crossed_search.h"
-#include "core/surface/edge_scratch.h"
+#include "core/surface/near_cells.h"
 
 namespace ddt {
 

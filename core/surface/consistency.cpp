@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "core/base/arith.h"
-#include "core/surface/edge_scratch.h"
+#include "core/surface/near_cells.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/surface/consistency.cpp"

@@ -110,11 +110,14 @@ int CorrectedRows::rows_ahead(const Lattice& lattice, int rounds) {
     return rounds * rounds_apart(lattice) + 2 * rows_at_once;
 }
 
-Taken CorrectedRows::memory(int width, int height, int count, const CorrectionRecipe& recipe) {
+MemoryNeeded CorrectedRows::memory(int width, int height, int count,
+                                   const CorrectionRecipe& recipe) {
     // Of the source, where it has more channels; what is made of it.
     const size_t rows = (3 + 1) * size_t(width) * size_t(count) * sizeof(float);
-    const Taken round = Taken{0, rows} + MeanRows::memory(width, height, count, recipe.edges);
-    return size_t(recipe.rounds) * round + Taken{0, CrossedRows::memory(width, usual_rounds_apart)};
+    const MemoryNeeded round =
+        MemoryNeeded{0, rows} + MeanRows::memory(width, height, count, recipe.edges);
+    return size_t(recipe.rounds) * round +
+           MemoryNeeded{0, CrossedRows::memory(width, usual_rounds_apart)};
 }
 
 } // namespace ddt

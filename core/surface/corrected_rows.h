@@ -40,7 +40,7 @@ public:
     static int rows_ahead(const Lattice& lattice, int rounds);
 
     /// About the bytes that this takes of `count` channels where edges are of the usual length.
-    static Taken memory(int width, int height, int count, const CorrectionRecipe& recipe);
+    static MemoryNeeded memory(int width, int height, int count, const CorrectionRecipe& recipe);
 
 private:
     class Round : public ValueRows {

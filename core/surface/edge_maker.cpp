@@ -7,22 +7,6 @@
 
 namespace ddt {
 
-void NearCells::resize(int width) {
-    for (std::vector<float>& row : rows)
-        row.resize(size_t(width) + edge_padding);
-}
-
-void NearCells::begin(const Lattice& lattice, const Rect& part, int y) {
-    if (y > 0)
-        load_below(lattice, part, y - 1);
-}
-
-void NearCells::load_below(const Lattice& lattice, const Rect& part, int y) {
-    if (y + 1 < lattice.height())
-        flag_down(lattice.divisions(y), std::max(part.x0 - 1, 0),
-                  std::min(part.x1, lattice.width() - 1), rows[y % 2].data());
-}
-
 void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
                       Windowed windowed, int count, Net& net) {
     m_lattice = &lattice;
@@ -58,7 +42,7 @@ void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe
         take_rows(lattice, count, part.y0, rows.edges, recipe.arena, net.soft.even);
         take_rows(lattice, count, part.y0, rows.edges, recipe.arena, net.soft.odd);
     } else if (recipe.soft) {
-        whole(lattice, count, net.soft);
+        keep_all_rows(lattice, count, net.soft);
     }
 }
 
@@ -172,18 +156,18 @@ void EdgeMaker::go_on(int y, int keep) {
     m_edge_rows = 2 * last + 1;
 }
 
-Taken EdgeMaker::memory(int width, int height, int count, const EdgeRecipe& recipe) {
+MemoryNeeded EdgeMaker::memory(int width, int height, int count, const EdgeRecipe& recipe) {
     const auto kept = [&](int used) {
         return rows_memory(width, height, count, used + recipe.cells - 1);
     };
-    Taken taken;
+    MemoryNeeded needed;
     const size_t edges = kept(usual_edge_rows);
-    taken.rows =
+    needed.rows =
         kept(usual_vertex_rows) + edges + (recipe.soft ? 2 * edges : 0) + (recipe.bend ? edges : 0);
     // Flags of four rows of cells, two rows of weights, one of columns; what each row reaches.
-    taken.other = 7 * size_t(width) * sizeof(float) + 4 * size_t(height) * sizeof(int) +
-                  (recipe.bend ? FanRows::memory(width, 1) : 0);
-    return taken;
+    needed.other = 7 * size_t(width) * sizeof(float) + 4 * size_t(height) * sizeof(int) +
+                   (recipe.bend ? FanRows::memory(width, 1) : 0);
+    return needed;
 }
 
 } // namespace ddt

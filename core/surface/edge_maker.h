@@ -76,7 +76,7 @@ public:
     const SiteRows& gradients() const { return m_scratch.gradients; }
 
     /// About the bytes that this and a net of some rows of `count` channels usually take.
-    static Taken memory(int width, int height, int count, const EdgeRecipe& recipe);
+    static MemoryNeeded memory(int width, int height, int count, const EdgeRecipe& recipe);
 
 private:
     void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,

@@ -67,7 +67,7 @@ void make_room(const Lattice& lattice, int keep, int made, int end, SiteRows& ke
     numbers.resize(numbers.capacity());
 }
 
-void whole(const Lattice& lattice, int count, SiteNumbers& numbers) {
+void keep_all_rows(const Lattice& lattice, int count, SiteNumbers& numbers) {
     for (SiteRows* rows : {&numbers.even, &numbers.odd}) {
         rows->numbers.resize(lattice.size() / 2 * size_t(count) + edge_padding);
         rows->count = count;

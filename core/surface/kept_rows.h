@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "core/surface/edge_scratch.h"
+#include "core/surface/net.h"
 
 namespace ddt {
 
@@ -25,12 +25,14 @@ constexpr size_t site_row(int width, int count) {
 }
 
 /// About the bytes that something takes.
-struct Taken {
+struct MemoryNeeded {
     size_t rows = 0;  ///< of SiteRows, by take_rows(): in an arena, if there is one
     size_t other = 0; ///< on the heap
     size_t all() const { return rows + other; }
-    friend Taken operator+(Taken a, Taken b) { return {a.rows + b.rows, a.other + b.other}; }
-    friend Taken operator*(size_t n, Taken a) { return {n * a.rows, n * a.other}; }
+    friend MemoryNeeded operator+(MemoryNeeded a, MemoryNeeded b) {
+        return {a.rows + b.rows, a.other + b.other};
+    }
+    friend MemoryNeeded operator*(size_t n, MemoryNeeded a) { return {n * a.rows, n * a.other}; }
 };
 
 /// Take the memory for so many floats.
@@ -49,6 +51,6 @@ size_t rows_memory(int width, int height, int count, int rows);
 void make_room(const Lattice& lattice, int keep, int made, int end, SiteRows& kept);
 
 /// Have all rows there.
-void whole(const Lattice& lattice, int count, SiteNumbers& numbers);
+void keep_all_rows(const Lattice& lattice, int count, SiteNumbers& numbers);
 
 } // namespace ddt

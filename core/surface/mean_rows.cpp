@@ -45,10 +45,10 @@ const float* MeanRows::row(int y, int keep) {
     return sums(y);
 }
 
-Taken MeanRows::memory(int width, int height, int count, const EdgeRecipe& recipe) {
+MemoryNeeded MeanRows::memory(int width, int height, int count, const EdgeRecipe& recipe) {
     // Two rows of sums, four of quadrants' means.
     return EdgeMaker::memory(width, height, count, recipe) +
-           Taken{0, 6 * size_t(width) * size_t(count) * sizeof(float)};
+           MemoryNeeded{0, 6 * size_t(width) * size_t(count) * sizeof(float)};
 }
 
 } // namespace ddt

@@ -33,7 +33,7 @@ public:
     const Rect& part() const { return m_edges.part(); }
 
     /// About the bytes that this takes of `count` channels where edges are of the usual length.
-    static Taken memory(int width, int height, int count, const EdgeRecipe& recipe);
+    static MemoryNeeded memory(int width, int height, int count, const EdgeRecipe& recipe);
 
 private:
     template <class Values>

@@ -9,7 +9,7 @@ namespace ddt {
 
 void set_vertices(const Lattice& lattice, const float* values, int channels, int first, int count,
                   Net& net) {
-    whole(lattice, count, net.values);
+    keep_all_rows(lattice, count, net.values);
     net.stride = lattice.stride();
     set_vertices(lattice, {values, channels, first, count},
                  {0, 0, lattice.width(), lattice.height()}, net);

@@ -45,6 +45,7 @@
 // moves downwards as rows are made and used (kept_rows.h).
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/base/arena.h"
@@ -56,6 +57,9 @@ namespace ddt {
 
 /// Channels that are worked on together, at most.
 constexpr int group_size = most_in_pixel;
+
+/// Floats beyond the last of a row that may be read or written.
+constexpr size_t edge_padding = most_lanes;
 
 /// One number a channel at each site of even columns of the doubled lattice, or at each of odd
 /// ones, in some rows of it or in all. What follows a site's may be read as if it were its own, up

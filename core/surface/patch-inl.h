@@ -48,6 +48,9 @@ struct Patch {
         return T::all_within(tame_size, (size_of(z0) + size_of(z1)) + size_of(z2));
     }
 
+    // Unlike lower() and upper(), b stays unless a is strictly beyond it: so f, and NaN as f, stays
+    // where bounds are put to it. Tame: any, since zeros alone may differ, and at() clears their
+    // sign.
     template <bool tame>
     static DDT_INLINE T smaller(T a, T b) {
         return tame ? lane_min(a, b) : if_less(a, b, a, b);

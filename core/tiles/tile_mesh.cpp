@@ -3,7 +3,7 @@
 
 #include "core/base/arith.h"
 #include "core/lattice/neighbours.h"
-#include "core/surface/fitted/fitted.h"
+#include "core/surface/corrections.h"
 
 namespace ddt {
 
@@ -14,18 +14,10 @@ namespace {
 Rect sampled_part(const Lattice& lattice, const Tile& tile) {
     const Rect &c = tile.cells, &p = tile.pixels;
     const Rect sampled{c.x0 - p.x0, c.y0 - p.y0, c.x1 + 1 - p.x0, c.y1 + 1 - p.y0};
-    return with_neighbours(lattice, grown(lattice, sampled, 0));
+    return with_neighbours(lattice, clipped_to(lattice, sampled));
 }
 
 } // namespace
-
-bool wants_gains(const SurfaceOptions& surface) {
-    return surface.soft > 0 || is_fitted(surface);
-}
-
-bool is_corrected(const SurfaceOptions& surface) {
-    return surface.consistency > 0 && !is_fitted(surface);
-}
 
 size_t TileMesh::memory(int width, int height) {
     const size_t pixels = size_t(width) * size_t(height), sites = 4 * pixels;

@@ -10,11 +10,6 @@
 
 namespace ddt {
 
-/// Whether a surface depends on the finished mesh's gains.
-bool wants_gains(const SurfaceOptions& surface);
-/// Whether vertices are corrected before edges are made.
-bool is_corrected(const SurfaceOptions& surface);
-
 /// A mesh and its memory, kept from one tile to the next, and from job to job.
 class TileMesh {
 public:

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/arith.h"
+#include "core/surface/corrections.h"
 #include "core/surface/kept_rows.h"
 #include "core/tiles/tile_io.h"
 
@@ -31,36 +32,38 @@ TileSurface::TileSurface(const Job& job) : m_job(job), m_nets(size_t(group_count
         m_edges.resize(m_nets.size());
 }
 
-Taken TileSurface::memory(const Job& job, int width, int height, int cells) {
+MemoryNeeded TileSurface::memory(const Job& job, int width, int height, int cells) {
     const EdgeRecipe recipe = recipe_of(job.surface, nullptr, nullptr, cells);
     const EdgeRecipe row_by_row = recipe_of(job.surface, nullptr, nullptr, 1);
     const int groups = group_count(job.channels);
-    Taken taken;
+    MemoryNeeded needed;
     for (int g = 0; g < groups; ++g) {
         const int count = channels_in_group(job.channels, g);
-        taken = taken + (is_fitted(job.surface)
-                             ? FittedMaker::memory(width, height, {nullptr, job.channels, 0, count},
-                                                   job.surface.soft > 0, cells)
-                             : EdgeMaker::memory(width, height, count, recipe));
+        needed =
+            needed + (is_fitted(job.surface)
+                          ? FittedMaker::memory(width, height, {nullptr, job.channels, 0, count},
+                                                job.surface.soft > 0, cells)
+                          : EdgeMaker::memory(width, height, count, recipe));
     }
     if (is_corrected(job.surface)) {
-        const Taken rounds =
+        const MemoryNeeded rounds =
             CorrectedRows::memory(width, height, channels_in_group(job.channels, 0),
                                   {job.surface.kind, row_by_row, job.surface.consistency});
         if (groups == 1)
-            taken = taken + rounds;
+            needed = needed + rounds;
         else
-            taken.other += rounds.all() +
-                           size_t(width) * size_t(height) * sizeof(float) * size_t(job.channels);
+            needed.other += rounds.all() +
+                            size_t(width) * size_t(height) * sizeof(float) * size_t(job.channels);
     }
     // Of a row of cells that are all crossed.
-    taken.other += size_t(width) * (sizeof(LocatedBlock::Range) +
-                                    usual_crossing_triangles * sizeof(CrossingTriangle)) +
-                   CrossedRows::memory(width, 1);
+    needed.other += size_t(width) * (sizeof(LocatedBlock::Range) +
+                                     usual_crossing_triangles * sizeof(CrossingTriangle)) +
+                    CrossedRows::memory(width, 1);
     const int ahead =
         is_corrected(job.surface) ? CorrectedRows::usual_rows_ahead(job.surface.consistency) : 0;
-    taken.other += FanRows::memory(width, std::min(fan_rows(ahead, size_t(groups), cells), height));
-    return taken;
+    needed.other +=
+        FanRows::memory(width, std::min(fan_rows(ahead, size_t(groups), cells), height));
+    return needed;
 }
 
 void TileSurface::begin(const TileMesh& mesh, const Tile& tile, int cells, const float* values,

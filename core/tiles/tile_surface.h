@@ -20,7 +20,7 @@ public:
     explicit TileSurface(const Job& job);
 
     /// About the bytes that this takes for a lattice of width x height pixels; cells: of begin().
-    static Taken memory(const Job& job, int width, int height, int cells);
+    static MemoryNeeded memory(const Job& job, int width, int height, int cells);
 
     /// Lay the surface over a mesh, through `values`, the job's channels for each pixel, to sample
     /// it in the cells of `part`, the mesh's tile or one with some of its cells, no more than so

@@ -32,9 +32,10 @@ const float* guide_of(size_t mesh, const Job& job, TileMemory& memory) {
 } // namespace
 
 size_t TileWorker::memory(const Job& job, const Mapping& mapping) {
-    const Taken taken = TileWriter::memory(job, mapping, largest_width(job), largest_height(job));
+    const MemoryNeeded needed =
+        TileWriter::memory(job, mapping, largest_width(job), largest_height(job));
     const SchemeMemory mesh = mesh_memory(job);
-    return taken.other + std::max(mesh.lists + mesh.other, taken.rows);
+    return needed.other + std::max(mesh.lists + mesh.other, needed.rows);
 }
 
 Outcome TileWorker::work(const Tile& tile, int first_row) {

@@ -55,7 +55,7 @@ constexpr size_t least_past_caches = size_t(1) << 23;
 
 } // namespace
 
-Taken TileWriter::memory(const Job& job, const Mapping& mapping, int width, int height) {
+MemoryNeeded TileWriter::memory(const Job& job, const Mapping& mapping, int width, int height) {
     const InCell pixels = in_cell(mapping);
     const size_t cells = size_t(std::min(width, tile_size));
     const size_t columns = std::min(cells * size_t(pixels.columns), size_t(panel_columns(job)));
@@ -65,8 +65,8 @@ Taken TileWriter::memory(const Job& job, const Mapping& mapping, int width, int 
     const size_t out = std::max(handed_floats, made) + row_padding;
     return size_t(job.mesh.meshes) *
                TileSurface::memory(job, width, height, grid ? 1 : cells_in_band(job.channels)) +
-           Taken{0, (job.mesh.meshes > 1 ? 2 : 1) * out * sizeof(float) +
-                        columns * (sizeof(Position) + sizeof(Point) + sizeof(float))};
+           MemoryNeeded{0, (job.mesh.meshes > 1 ? 2 : 1) * out * sizeof(float) +
+                               columns * (sizeof(Position) + sizeof(Point) + sizeof(float))};
 }
 
 TileWriter::TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times,

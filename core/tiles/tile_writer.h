@@ -40,7 +40,7 @@ public:
     static int cells_in_band(int channels);
 
     /// About the bytes that this takes for a job, for lattices of width x height pixels.
-    static Taken memory(const Job& job, const Mapping& mapping, int width, int height);
+    static MemoryNeeded memory(const Job& job, const Mapping& mapping, int width, int height);
 
 private:
     void take_memory(const Rect& pixels);

@@ -34,15 +34,11 @@
 #include <vector>
 
 #include "core/surface/consistency.h"
-#include "core/surface/edge_scratch.h"
 #include "core/surface/fitted/weights.h"
+#include "core/surface/near_cells.h"
+#include "core/surface/net.h"
 
 namespace ddt {
-
-/// Whether a surface is made of fitted vertices and bends.
-inline bool is_fitted(const SurfaceOptions& options) {
-    return options.fitted && options.consistency > 0 && options.kind == Surface::patch;
-}
 
 /// One group's source: `count` floats for every pixel of the lattice, and as many more that may be
 /// read as make up group_size.

@@ -121,13 +121,14 @@ void FittedMaker::make_row() {
         bend_fitted(source, m_part, m_edge_rows, index, m_plain.net(), m_bends, *m_net);
 }
 
-Taken FittedMaker::memory(int width, int height, const GroupValues& values, bool soft, int cells) {
+MemoryNeeded FittedMaker::memory(int width, int height, const GroupValues& values, bool soft,
+                                 int cells) {
     const size_t row = size_t(width) * size_t(values.count) * sizeof(float);
     const size_t copied = values.count < values.channels ? size_t(height) : 0;
     return MeanRows::memory(width, height, values.count, {true, soft, 1}) +
            EdgeMaker::memory(width, height, values.count,
                              {false, soft, 1, nullptr, nullptr, cells}) +
-           Taken{0, row * (copied + usual_index_rows) + 7 * size_t(width) * sizeof(float)};
+           MemoryNeeded{0, row * (copied + usual_index_rows) + 7 * size_t(width) * sizeof(float)};
 }
 
 } // namespace ddt

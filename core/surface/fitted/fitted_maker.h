@@ -44,7 +44,8 @@ public:
 
     /// About the bytes that this and the net take where edges are of the usual length. values: what
     /// is told of their channels; soft, cells: of the recipe.
-    static Taken memory(int width, int height, const GroupValues& values, bool soft, int cells);
+    static MemoryNeeded memory(int width, int height, const GroupValues& values, bool soft,
+                               int cells);
 
 private:
     void go_on(int y, int keep);

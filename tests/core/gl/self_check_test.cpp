@@ -12,7 +12,7 @@
 #include "core/gl/context/faults.h"
 #include "core/gl/context/gpu.h"
 #include "core/gl/job_programs.h"
-#include "core/surface/fitted/fitted.h"
+#include "core/surface/corrections.h"
 #include "ddt/names.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
