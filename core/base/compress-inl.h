@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included inside a SIMD target's namespace, where hn is Highway's, with tag DI of int32_t, and
-// after core/base/compress_lanes.h.
+// Included inside a SIMD target's namespace: lanes of a mask put side by side.
+// Needs: compress_lanes.h, vectors-inl.h, a tag DI of int32_t.
 
 /// The lanes of `mask`, side by side; what follows them is open.
 HWY_INLINE hn::Vec<DI> compressed(hn::Vec<DI> lanes, hn::Mask<DI> mask) {

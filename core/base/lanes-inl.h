@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included inside a SIMD target's namespace, where hn is Highway's: a vector of floats with the
-// operators that the formulas are written in. D is a Highway tag of float.
+// Included inside a SIMD target's namespace: a vector of floats with the operators that the
+// formulas are written in. D is a Highway tag of float.
+// Needs: constants.h, vectors-inl.h.
 
 /// Whether hn::Min(b, a) is b < a ? b : a, of NaN and of zeros of two signs too, and hn::Max alike:
 /// x86's instructions are.

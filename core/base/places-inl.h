@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included inside a SIMD target's namespace, where hn is Highway's, with tag DI of int32_t: words
-// and records of 8 bytes at places that are lanes of a vector.
+// Included inside a SIMD target's namespace: words and records of 8 bytes at places that are lanes
+// of a vector.
+// Needs: vectors-inl.h, a tag DI of int32_t.
 
 /// Whether a load each is quicker than a gather. With AVX2: on a Zen 3 eight words took 5.8 ns by a
 /// gather and 4.9 by loads, and where processors are kept from telling what others gathered,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included inside a SIMD target's namespace, after row_lanes.h and lanes-inl.h: rows of pixels with
-// `count` floats each as vectors, which need not begin or end where a pixel does. What is done to a
-// float is the same for all, or differs by the pixel (spread()) or by the channel (ChannelLanes).
+// Included inside a SIMD target's namespace: rows of pixels with `count` floats each as vectors,
+// which need not begin or end where a pixel does. What is done to a float is the same for all, or
+// differs by the pixel (spread()) or by the channel (ChannelLanes).
+// Needs: <type_traits>, row_lanes.h, lanes-inl.h.
 
 using RowTag = hn::CappedTag<float, most_lanes>;
 using RowLanes = Lanes<RowTag>;

@@ -2,6 +2,7 @@
 // Included inside a namespace, once for scalars and once for each SIMD target, so that the formula
 // stands in one place: T is float or a vector of floats with +, -, *. GLSL twin:
 // shaders/arith.glsl.
+// Needs: arith.h, rsqrt_seed() of T.
 
 /// 1/sqrt(x) for x > 0 by `steps` Newton steps: with 3 to about 1 part in 10^7, with 1 to 1 in 500,
 /// enough for a weight. rsqrt(0) is finite.

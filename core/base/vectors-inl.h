@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included inside a SIMD target's namespace, after core/base/vectors.h: the vectors of that target.
+// Included inside a SIMD target's namespace: the vectors of that target, hn.
+// Needs: vectors.h.
 
 // Where a machine has no instruction set of use to Highway (x86 without SSSE3, as some virtual
 // machines have it), not its emulation, which is a loop for each operation, nor, since

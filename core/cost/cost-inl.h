@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a namespace, once for scalars and once for each SIMD target: T is float or a
 // vector of floats. GLSL twin: shaders/cost.glsl.
+// Needs: arith.h, rsqrt-inl.h.
 //
 // A cost is a class with a Face, what it needs to know of a triangle, made once from the gradient
 // (gx, gy) of the guide in that triangle, and between(), the cost of the edge (ex, ey), in pixels,

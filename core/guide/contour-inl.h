@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a namespace, once for scalars and once for each SIMD target, where compilers make
 // vectors of the loops over it. GLSL twin: shaders/contour.glsl.
+// Needs: <cstdint>, arith.h, rsqrt-inl.h.
 
 /// A structure tensor: sums of the products of the gradient's components.
 struct Tensor {

@@ -2,6 +2,7 @@
 // Included inside a namespace, once for scalars and once for each SIMD target, where compilers make
 // vectors of the loops over it: so every choice is one between two numbers, both at hand, by
 // integers: of floats that are not below 0, the bits are in the same order, and NaN is the largest.
+// Needs: <cstdint>, arith.h, float_bits.h.
 
 DDT_INLINE bool is_finite(float v) {
     return (bits_of(v) & 0x7f800000u) != 0x7f800000u;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a namespace, once for each SIMD target: T is a vector of floats, of positions.
+// Needs: arith.h.
 
 /// The weights of the positions x, y in a triangle that crosses their cell.
 template <class T>

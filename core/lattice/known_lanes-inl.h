@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included inside a SIMD target's namespace, after site_lanes-inl.h: flippable edges and the sides
-// of their quads. A gather that waits for another, which told it where, waits twice as long in a
-// lattice that is in no near cache. So of many edges the own records are gathered first, then those
-// of the sides, and what follows waits for neither.
+// Included inside a SIMD target's namespace: flippable edges and the sides of their quads. A gather
+// that waits for another, which told it where, waits twice as long in a lattice that is in no near
+// cache. So of many edges the own records are gathered first, then those of the sides, and what
+// follows waits for neither.
+// Needs: site_lanes-inl.h.
 
 /// A lattice seen from flippable edges whose records are at hand, and those of their quads' sides.
 struct KnownLanes : SiteLanes {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a namespace, once for scalars (lattice.h) and once for each SIMD target
-// (lattice/site_lanes-inl.h): V is a vector of the lattice, or a lane's each, with +, - and
-// half(). GLSL twin: Side in shaders/lattice.glsl.
+// (lattice/site_lanes-inl.h): V is a vector of the lattice, or a lane's each. GLSL twin: Side in
+// shaders/lattice.glsl.
+// Needs: arith.h, +, - and half() of V.
 
 /// The parallelogram round a flippable edge ab, whose midpoint m is the middle of its other
 /// diagonal cd too, c on the left of ab. Its sides are in the order ac, cb, bd, da, in which the

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included inside a SIMD target's namespace, where hn is Highway's, after lanes-inl.h, and with
-// tags D of float and DI of int32_t, and core/guide/contour.h: a lattice's sites and vectors, one a
-// lane.
+// Included inside a SIMD target's namespace: a lattice's sites and vectors, one a lane.
+// Needs: contour.h, lattice.h, lanes-inl.h, tags D of float and DI of int32_t.
 
 #include "core/base/places-inl.h"
 

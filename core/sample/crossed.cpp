@@ -2,6 +2,7 @@
 #include "core/sample/crossed.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <type_traits>
 

@@ -2,6 +2,7 @@
 #include "core/sample/phases.h"
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 #include "core/base/arith.h"

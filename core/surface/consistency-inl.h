@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a namespace, once for scalars (fitted/scalar.h) and once for each SIMD target: T
 // is a float or a vector of floats, a lane a channel. GLSL twin: shaders/consistency.glsl.
+// Needs: mapping.h (Rect), arith.h; lower(), upper(), if_less(), if_less_equal() of T.
 //
 // A source pixel is four quadrants, each a quarter of one of the cells round its vertex V. The mean
 // of the surface over a quadrant is taken at 4 positions, (1/8 or 3/8, 1/8 or 3/8) from V, relative

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included inside a SIMD target's namespace, after crossed_cell-inl.h, triangle_numbers-inl.h and
-// crossed_rows.h: the surface at positions of crossed cells. A lane is first a
-// triangle and then a position, of one channel; so all lanes are in use, however few positions a
-// triangle has.
+// Included inside a SIMD target's namespace: the surface at positions of crossed cells. A lane is
+// first a triangle and then a position, of one channel; so all lanes are in use, however few
+// positions a triangle has.
+// Needs: <algorithm>, crossed_rows.h, crossed_cell-inl.h, triangle_numbers-inl.h.
 
 /// Where positions lie in their cell, a lane each: all those of a cell, in some order, and after
 /// them those of as many other cells as there is room for.

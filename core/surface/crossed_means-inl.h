@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included inside a SIMD target's namespace, after consistency-inl.h, blocks-inl.h and
-// crossed_cells-inl.h: the means of the quadrants of crossed cells.
+// Included inside a SIMD target's namespace: the means of the quadrants of crossed cells.
+// Needs: consistency.h, blocks-inl.h, crossed_cells-inl.h.
 
 /// Of lane `lane`, which of all positions of means it is: the quadrants' first ones, their second
 /// ones, and so on, in the order back and forth through all positions.

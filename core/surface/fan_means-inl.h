@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included inside a SIMD target's namespace, after gradient-inl.h and blocks-inl.h: mean gradients
-// at vertices whose fans lie side by side, a block a vertex.
+// Included inside a SIMD target's namespace: mean gradients at vertices whose fans lie side by
+// side, a block a vertex.
+// Needs: edge_scratch.h, gradient-inl.h, blocks-inl.h.
 
 /// n spokes of fans as numbers. row: floats of a row of pixels.
 HWY_INLINE void load_spokes(const Vec* from, size_t n, int row, int count, Spokes& spokes) {

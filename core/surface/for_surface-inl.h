@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included inside a SIMD target's namespace, after core/surface/net.h.
+// Included inside a SIMD target's namespace: what a surface is made of, as constants.
+// Needs: <type_traits>, net.h.
 
 /// Call f(quadratic, soft) with what a net's surface is made of, as integral constants.
 template <class F>

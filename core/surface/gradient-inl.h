@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included inside a namespace, once for each SIMD target: T is a float or a vector of floats, a
-// lane a channel. GLSL twin: shaders/surface.glsl. Only lower(), upper(), if_less() and
-// if_less_equal() choose: a library's min or max would leave the sign of zero and NaN to the
-// device.
+// Included inside a namespace, once for each SIMD target: T is a vector of floats, a lane a
+// channel. GLSL twin: shaders/surface.glsl. Only lower(), upper(), if_less() and if_less_equal()
+// choose: a library's min or max would leave the sign of zero and NaN to the device.
+// Needs: arith.h, lanes-inl.h, rsqrt-inl.h.
 
 // tame: all values are tame (core/surface/tame.h), so the tests for inf and NaN are left out: the
 // same bits in fewer steps.

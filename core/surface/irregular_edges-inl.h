@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included inside a SIMD target's namespace, after gradient-inl.h, blocks-inl.h, row_lanes-inl.h
-// and site_lanes-inl.h: irregular edges (edge_kinds.h), a block an edge.
+// Included inside a SIMD target's namespace: irregular edges (edge_kinds.h), a block an edge.
+// Needs: <algorithm>, gradient-inl.h, blocks-inl.h, row_lanes-inl.h, site_lanes-inl.h.
 
 /// Of as many edges of a row as there are lanes: how many floats from the row's first vertex their
 /// ends i and j, and if `soft` their apexes c and d, are, and what else they are made from.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a namespace, once for each SIMD target: T is a vector of floats, a lane a
 // channel. GLSL twin: shaders/surface.glsl.
+// Needs: <cmath>, arith.h, lanes-inl.h.
 
 /// A triangle of the control net, loaded.
 template <class T>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included inside a SIMD target's namespace, after patch-inl.h, blocks-inl.h and row_lanes-inl.h:
-// triangles that cross cells, a lane a triangle, of one channel.
+// Included inside a SIMD target's namespace: triangles that cross cells, a lane a triangle, of one
+// channel.
+// Needs: <algorithm>, <cstring>, crossed_cell.h, net.h, patch-inl.h, blocks-inl.h, row_lanes-inl.h.
 
 /// What triangles have, a number each.
 class TriangleNumbers {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows of a starting lattice's cells, several of them in the lanes: what start_gains.cpp keeps of a
-// cell while it goes down the rows. Included in a namespace that has D and Floats.
+// Included inside a SIMD target's namespace: rows of a starting lattice's cells, several of them in
+// the lanes: what start_gains.cpp keeps of a cell while it goes down the rows.
+// Needs: <cstring>, <vector>, row_lanes.h, lanes-inl.h, Floats = Lanes<D>.
 
 /// A row of numbers, with room for whole vectors before its begin and past its end. Those from
 /// number 1 on are aligned: vectors that are not touch two lines of the cache each.

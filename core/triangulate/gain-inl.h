@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a namespace, once for scalars and once for each SIMD target: T is float or a
 // vector of floats. GLSL twin: shaders/gain.glsl.
+// Needs: contour.h, arith.h, cost-inl.h, quad-inl.h.
 
 /// What the gain of flipping edge ab, with apexes c (left) and d, depends on: eight vertices. The
 /// sides are in the order of QuadOf (core/lattice/quad-inl.h).

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included inside a SIMD target's namespace, where hn is Highway's, after cost-inl.h, gain-inl.h,
-// every_second-inl.h and cell_rows-inl.h, and with tags D of float, DI of int32_t and D64 of
-// uint64_t: the gains of the edges of a starting mesh that are not near its rim.
+// Included inside a SIMD target's namespace: the gains of the edges of a starting mesh that are not
+// near its rim.
+// Needs: <algorithm>, arena.h, contour.h, triangulate.h, compress-inl.h, gain-inl.h,
+// every_second-inl.h, cell_rows-inl.h, tags D of float, DI of int32_t and D64 of uint64_t.
 
 /// Goes down the rows of cells of a lattice.
 template <class Cost>

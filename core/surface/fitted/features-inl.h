@@ -3,6 +3,8 @@
 // scalars and once for each SIMD target: T is a float or a vector of floats, a lane a channel. GLSL
 // twins: shaders/fitted*.glsl. Pixels come through `tap`, a function of a vertex of the lattice or
 // beyond its rim. Sums are written so that an edge seen from its other end has the same bits.
+// Needs: <cstddef>, arith.h, weights.h, rsqrt-inl.h; lower(), upper(), if_less(), if_less_equal()
+// of T.
 
 /// The pixel at (x, y), where the picture goes on past its rim as its odd mirror image: so does
 /// what varies along one axis only, and so do planes. `inside` reads it within.

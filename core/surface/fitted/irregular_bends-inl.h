@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included inside a SIMD target's namespace, after features-inl.h and row_lanes-inl.h: fitted bends
-// of irregular edges (edge_kinds.h), one at a time.
+// Included inside a SIMD target's namespace: fitted bends of irregular edges (edge_kinds.h), one at
+// a time.
+// Needs: <algorithm>, <cstdlib>, fitted.h, features-inl.h, row_lanes-inl.h.
 
 /// How nearly a flip of an edge would pay.
 HWY_INLINE float nearness(const Edge& e, const FittedTable& table) {

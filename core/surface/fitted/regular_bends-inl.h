@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included inside a SIMD target's namespace, after features-inl.h and row_lanes-inl.h: fitted bends
-// of regular edges (edge_kinds.h).
+// Included inside a SIMD target's namespace: fitted bends of regular edges (edge_kinds.h).
+// Needs: edge_kinds.h, fitted.h, features-inl.h, row_lanes-inl.h.
 
 /// An address that in each lane is one of two: by flag `k`, `yes` where it is 1.
 template <int k>
