@@ -97,9 +97,8 @@ void CorrectedRows::Round::correct() {
         return;
     move_row(lattice, m_means.net(), x0, x1, y, {source_row(y - 1), source, source_row(y + 1)}, sum,
              m_all->m_limits, m_row.data());
-    for (int c = 0; c < count(); ++c)
-        for (int x = x0; m_all->m_recipe.kept_lanes >> c & 1u && x < x1; ++x)
-            m_row[size_t(float_of(x) + c)] = source[float_of(x) + c];
+    copy_lanes(source + float_of(x0), x1 - x0, count(), m_all->m_recipe.kept_lanes,
+               m_row.data() + float_of(x0));
 }
 
 int CorrectedRows::usual_rows_ahead(int rounds) {

@@ -2,6 +2,7 @@
 #include "core/surface/net.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "core/surface/kept_rows.h"
 
@@ -55,6 +56,13 @@ const float* group_row(const GroupValues& values, int width, int y, std::vector<
     copied.resize(row);
     copy_pixels(values, first, size_t(width), copied.data());
     return copied.data();
+}
+
+void copy_lanes(const float* from, int pixels, int count, unsigned lanes, float* to) {
+    for (int x = 0; lanes && x < pixels; ++x, from += count, to += count)
+        for (int c = 0; c < count; ++c)
+            if (lanes >> c & 1u)
+                std::memcpy(to + c, from + c, sizeof(float)); // bits: identifiers may look like NaN
 }
 
 void copy_group(const GroupValues& values, size_t pixels, float* to) {

@@ -178,6 +178,8 @@ void set_vertices(const Lattice& lattice, const float* values, int channels, int
 /// Those of the pixels of `part` alone, whose rows the net must have.
 void set_vertices(const Lattice& lattice, const GroupValues& values, const Rect& part, Net& net);
 void set_vertices(const Lattice& lattice, ValueRows& values, const Rect& part, Net& net);
+/// Copy those channels of some pixels, `count` floats each, whose bits are set in `lanes`.
+void copy_lanes(const float* from, int pixels, int count, unsigned lanes, float* to);
 /// Copy a group's values of so many pixels, `count` floats each.
 void copy_group(const GroupValues& values, size_t pixels, float* to);
 

@@ -2,7 +2,6 @@
 #include "core/surface/fitted/fitted_maker.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "core/lattice/neighbours.h"
 
@@ -108,11 +107,8 @@ void FittedMaker::make_row() {
     set_vertices(lattice, m_values, {m_moved.x0, y, m_moved.x1, y + 1}, *m_net);
     move_fitted(source, m_moved.x0, m_moved.x1, y, m_limits, sums,
                 m_index.data() + size_t(y % m_index_rows) * row_size(), *m_net);
-    for (int x = m_moved.x0; x < m_moved.x1 && m_recipe.kept_lanes; ++x)
-        for (int c = 0; c < m_values.count; ++c)
-            if (m_recipe.kept_lanes >> c & 1u)
-                std::memcpy(m_net->vertex(lattice.vertex_site(x, y)) + c, source.at(x, y) + c,
-                            sizeof(float));
+    copy_lanes(source.at(m_moved.x0, y), m_moved.width(), m_values.count, m_recipe.kept_lanes,
+               m_net->vertex(lattice.vertex_site(m_moved.x0, y)));
     m_vertex_rows = y + 1;
 
     const int end = bent_end(m_vertex_rows);
