@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <climits>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -33,11 +34,13 @@ bool append_range(const std::string& item, std::vector<int>& frames) {
     if ((part[2].matched && !number(part[2], last)) || (part[3].matched && !number(part[3], by)) ||
         by < 1)
         return false;
-    const size_t count = size_t(std::abs(int64_t(last) - first)) / size_t(by) + 1;
+    // The distance between two ints may be more than an int holds.
+    const int64_t step = last < first ? -int64_t(by) : by;
+    const size_t count = size_t((int64_t(last) - first) / step) + 1;
     if (frames.size() + count > most_frames)
         return false;
     for (size_t i = 0; i < count; ++i)
-        frames.push_back(first + int(i) * (last < first ? -by : by));
+        frames.push_back(int(first + int64_t(i) * step));
     return true;
 }
 

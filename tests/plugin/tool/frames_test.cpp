@@ -3,6 +3,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <climits>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <future>
@@ -10,6 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <thread>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -43,6 +46,15 @@ TEST(Frames, Lists) {
     EXPECT_EQ(frames("3-1"), (Numbers{3, 2, 1}));
     EXPECT_EQ(frames("10-1x4"), (Numbers{10, 6, 2}));
     EXPECT_EQ(frames("-3--1,5,-1-1"), (Numbers{-3, -2, -1, 5, 0, 1}));
+    // From the least int to the greatest: 4294967295 apart.
+    for (const auto& [text, first, last] :
+         {std::tuple("-2147483648-2147483647x5000", INT_MIN, INT_MIN + int64_t(858993) * 5000),
+          {"2147483647--2147483648x5000", INT_MAX, INT_MAX - int64_t(858993) * 5000},
+          {"-2147483648-2147483647x2147483647", INT_MIN, INT_MAX - 1}}) {
+        const Numbers numbers = frames(text);
+        EXPECT_EQ(numbers.front(), first) << text;
+        EXPECT_EQ(numbers.back(), last) << text;
+    }
     for (const char* wrong : {"", "x", "1-", "1-5x0", "1-5x", "1--", "1,,2", "1-5y2", "1 - 5",
                               "1-2000000", "1-600000,1-600000", "99999999999"})
         EXPECT_EQ(frames(wrong), (Numbers{-999})) << wrong;
