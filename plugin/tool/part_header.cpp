@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/part_header.h"
 
-#include <cstdio>
+#include <climits>
+#include <string_view>
 
 #include <OpenImageIO/strutil.h>
 
+#include "core/base/parse_number.h"
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/metadata_text.h"
@@ -27,6 +29,17 @@ bool is_number_type(const std::string& name) {
     const OIIO::TypeDesc type(name);
     return stored_type(type) != OIIO::TypeUnknown &&
            type == OIIO::TypeDesc(OIIO::TypeDesc::BASETYPE(type.basetype));
+}
+
+bool parse_int(std::string_view text, int& number) {
+    return parse_number(text, INT_MIN, INT_MAX, number);
+}
+
+/// Four numbers and nothing else: a file may be anyone's.
+bool parse_window(const std::string& text, Rect& window) {
+    const std::vector<OIIO::string_view> words = OIIO::Strutil::splitsv(text, " ");
+    return words.size() == 4 && parse_int(words[0], window.x0) && parse_int(words[1], window.y0) &&
+           parse_int(words[2], window.x1) && parse_int(words[3], window.y1);
 }
 
 } // namespace
@@ -73,13 +86,10 @@ bool PartHeader::read_from(const OIIO::ImageSpec& spec) {
     type = spec.get_string_attribute(type_key);
     const std::string names = spec.get_string_attribute(channels_key);
     channels = names.empty() ? std::vector<std::string>() : OIIO::Strutil::splits(names, "\n");
-    const std::string window = spec.get_string_attribute(whole_key);
     return !job.empty() && spec.tile_width >= 1 &&
            parse_part(spec.get_string_attribute(part_key), part) &&
-           std::sscanf(window.c_str(), "%d %d %d %d", &whole.x0, &whole.y0, &whole.x1, &whole.y1) ==
-               4 &&
-           !whole.empty() && is_number_type(type) &&
-           metadata_of(spec.get_string_attribute(metadata_key), metadata);
+           parse_window(spec.get_string_attribute(whole_key), whole) && !whole.empty() &&
+           is_number_type(type) && metadata_of(spec.get_string_attribute(metadata_key), metadata);
 }
 
 } // namespace ddt::tool

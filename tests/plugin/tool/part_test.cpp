@@ -202,6 +202,10 @@ TEST(Join, RefusesHeadersThatDoNotFit) {
          "of different jobs");
     says(failure_of(write_half(0, 3, whole, "point[7]"), write_half(1, 3, whole, "half")),
          "is no part");
+    for (const char* wrong : {"0 0 32 32 40", "0 0 32 32x", "0 0 32", "0 0 32 4294967328",
+                              "0 0 32 99999999999999999999", ""})
+        says(failure_of(write_half(0, 3, wrong, "half"), write_half(1, 3, whole, "half")),
+             "is no part");
     says(failure_of(write_half(0, 3, whole, "half", 2, "R\nG\nX"), write_half(1, 3, whole, "half")),
          "other channels");
     says(failure_of(write_half(0, 3, whole, "half", 2, "G\nB"), write_half(1, 3, whole, "half")),
