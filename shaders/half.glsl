@@ -7,7 +7,8 @@ uint half_of_float(uint bits) {
     uint odd = size >> 13 & 1u;
     uint normal = (size - 0x38000000u + 0xfffu + odd) >> 13;
     // Below 2^-14: a sum of 1/2 or more is rounded to multiples of the least half, 2^-24.
-    uint small = floatBitsToUint(uintBitsToFloat(size) + 0.5) - 0x3f000000u;
+    precise float sum = uintBitsToFloat(size) + 0.5;
+    uint small = floatBitsToUint(sum) - 0x3f000000u;
     uint payload = size >> 13 & 0x3ffu;
     uint nan = 0x7c00u | payload | uint(payload == 0u); // must not become infinity
     uint finite = size < 0x38800000u ? small : normal;

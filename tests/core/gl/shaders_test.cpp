@@ -5,62 +5,117 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
+#include <map>
 #include <regex>
 #include <set>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "core/gl/job_programs.h"
 #include "core/gl/programs.h"
+#include "core/gl/shader_text.h"
 #include "ddt/names.h"
 #include "tests/temporary.h"
 
 namespace ddt::test {
 namespace {
 
-struct Variant {
-    std::string file, defines;
-    /// Choosing and flipping edges compares floats at most.
-    bool integers_only() const {
-        return file == "select.comp" || file == "flip.comp" || file == "anneal_flip.comp" ||
-               file == "anneal_draw.comp" || file == "tin_anneal_draw.comp";
-    }
-};
+/// By their files and macros.
+using Variants = std::map<std::string, gl::JobProgram>;
 
-std::vector<Variant> variants() {
-    std::vector<Variant> all = {{"select.comp", ""},      {"flip.comp", ""},
-                                {"gradients.comp", ""},   {"contours.comp", ""},
-                                {"anneal_draw.comp", ""}, {"anneal_flip.comp", ""}};
+bool is_program(const std::string& file) {
+    const std::string end = ".comp";
+    return file.size() > end.size() && file.substr(file.size() - end.size()) == end;
+}
+
+/// Those that compare floats at most: they choose and flip edges, draw numbers or move bits.
+bool integers_only(const std::string& name, const gl::JobProgram& program) {
+    static const std::set<std::string> known = {
+        "select.comp",      "flip.comp",       "anneal_flip.comp",
+        "anneal_draw.comp", "unpack.comp",     "tin_anneal_draw.comp",
+        "tin_accept.comp",  "tin_reject.comp", "pack.comp CODES"};
+    return known.count(program.file) > 0 || known.count(name) > 0;
+}
+
+void add(const Job& job, const gl::Travel& travel, Variants& all) {
+    for (const gl::JobProgram& program : gl::job_programs(job, travel))
+        all[gl::program_name(program.file, program.macros)] = program;
+}
+
+void add_meshes(Variants& all) {
+    Job job;
     for (const std::string& cost : cost_names())
-        for (const char* file :
-             {"start.comp", "evaluate.comp", "evaluate.comp DENSE",
-              "evaluate.comp DENSE CANDIDATES", "finish.comp", "accept_reject.comp",
-              "anneal_select.comp", "anneal_select.comp CONTOURS", "start.comp CONTOURS",
-              "tin_faces.comp", "tin_evaluate.comp", "tin_anneal_draw.comp",
-              "tin_anneal_select.comp"}) {
-            const std::string name = file;
-            const size_t space = name.find(' ');
-            all.push_back({name.substr(0, space),
-                           "COST_" + cost + (space == name.npos ? "" : name.substr(space))});
+        for (const std::string& scheme : scheme_names())
+            for (const float contour : {0.0f, 0.8f})
+                for (const int iterations : {0, 64}) {
+                    find_cost(cost, job.mesh.cost);
+                    find_scheme(scheme, job.mesh);
+                    job.mesh.contour = contour;
+                    job.mesh.max_iterations = iterations;
+                    add(job, {}, all);
+                }
+}
+
+void add_surfaces(Variants& all) {
+    Job job;
+    for (const Surface kind : {Surface::linear, Surface::patch})
+        for (const float soft : {0.0f, 0.4f})
+            for (const int consistency : {0, 1})
+                for (const bool fitted : {false, true})
+                    for (const int channels : {3, 4})
+                        for (const int meshes : {1, 2}) {
+                            job.surface.kind = kind;
+                            job.surface.soft = soft;
+                            job.surface.consistency = consistency;
+                            job.surface.fitted = fitted;
+                            job.channels = channels;
+                            job.mesh.meshes = meshes;
+                            add(job, {}, all);
+                        }
+}
+
+void add_travel(Variants& all) {
+    using Back = gl::Travel::Back;
+    for (const int bytes : {1, 2, 4})
+        for (const Back back : {Back::floats, Back::halfs, Back::codes}) {
+            gl::Travel travel;
+            travel.there.bytes = bytes;
+            travel.back = back;
+            add({}, travel, all);
         }
-    all.push_back({"gradients.comp", "FITTED"});
-    for (const char* net :
-         {"", "QUADRATIC", "SOFT", "QUADRATIC SOFT", "QUADRATIC FITTED", "QUADRATIC SOFT FITTED"})
-        all.push_back({"correct.comp", std::string("STORED_EDGES ") + net});
-    for (const char* net : {"QUADRATIC", "SOFT", "QUADRATIC SOFT"})
-        all.push_back({"net_edges.comp", net});
-    for (const char* net : {"QUADRATIC", "QUADRATIC SOFT"})
-        all.push_back({"fitted_bends.comp", std::string("STORED_EDGES ") + net});
-    for (const char* net : {"", "QUADRATIC", "SOFT", "QUADRATIC SOFT", "QUADRATIC STORED_BENDS",
-                            "QUADRATIC SOFT STORED_BENDS"})
-        for (const char* result : {"", " WHOLE_GROUPS", " MEAN", " WHOLE_GROUPS MEAN"})
-            all.push_back({"sample.comp", std::string(net) + result});
+}
+
+/// Those of meshes of points, which no job has: core/gl/device_tin.cpp.
+void add_points(Variants& all) {
+    for (const gl::ShaderText* shader = gl::shader_texts; shader->name; ++shader) {
+        const std::string file = shader->name;
+        if (!is_program(file) || file.compare(0, 4, "tin_") != 0)
+            continue;
+        for (const std::string& cost : cost_names()) {
+            const std::string macros = "COST_" + cost;
+            all[gl::program_name(file, macros)] = {file, macros};
+        }
+    }
+}
+
+/// All that there are.
+Variants variants() {
+    Variants all;
+    add_meshes(all);
+    add_surfaces(all);
+    add_travel(all);
+    add_points(all);
     return all;
 }
 
 /// What the compiler prints for the shader: messages and the code it makes of it.
-std::string compiled(const Variant& v) {
+std::string compiled(const gl::JobProgram& program) {
     const std::string file = temporary("shader.comp");
-    std::ofstream(file) << gl::shader_source(v.file, v.defines);
+    std::ofstream(file) << gl::shader_source(program.file, program.macros);
     const std::string command =
         "glslangValidator -G -H -S comp -o " + temporary("shader.spv") + " " + file;
     FILE* pipe = popen((command + " 2>&1").c_str(), "r");
@@ -72,45 +127,60 @@ std::string compiled(const Variant& v) {
     return text;
 }
 
+/// Expect what the compiler printed to be of a shader without faults, each operation on floats
+/// decorated. Returns how many there are.
+int expect_exact(const std::string& name, const std::string& printed) {
+    static const std::set<std::string> operations_of_floats = {"FAdd", "FSub", "FMul", "FDiv",
+                                                               "VectorTimesScalar"};
+    EXPECT_EQ(printed.find("ERROR"), std::string::npos) << name << ": " << printed.substr(0, 500);
+    std::set<int> exact; // by their numbers, which stand before a name or a colon
+    int operations = 0;
+    std::istringstream lines(printed);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream of_line(line);
+        const std::vector<std::string> words(std::istream_iterator<std::string>(of_line), {});
+        if (words.size() == 3 && words[0] == "Decorate" && words[2] == "NoContraction") {
+            exact.insert(std::stoi(words[1]));
+        } else if (words.size() > 2 && (operations_of_floats.count(words[2]) ||
+                                        line.find("(Fma)") != std::string::npos)) {
+            EXPECT_TRUE(exact.count(std::stoi(words[0]))) << name << ": not precise: " << line;
+            ++operations;
+        }
+    }
+    return operations;
+}
+
 TEST(Shaders, TheReferenceCompilerTakesThemAndContractsNothing) {
     if (std::system("glslangValidator --version >/dev/null 2>&1") != 0)
         GTEST_SKIP() << "glslangValidator is not installed (./check installs it)";
-    const std::regex decoration("Decorate (\\d+)(?:\\([^)]*\\))? NoContraction"),
-        operation(
-            "^\\s*(\\d+)(?:\\([^)]*\\))?:.*\\b(FAdd|FSub|FMul|FDiv|VectorTimesScalar|Fma)\\b");
-    for (const Variant& v : variants()) {
-        const std::string text = compiled(v), what = v.file + " " + v.defines;
-        EXPECT_EQ(text.find("ERROR"), std::string::npos) << what << ": " << text.substr(0, 500);
-        std::set<std::string> exact;
-        int operations = 0;
-        std::istringstream lines(text);
-        std::smatch match;
-        for (std::string line; std::getline(lines, line);) {
-            if (std::regex_search(line, match, decoration)) {
-                exact.insert(match[1]);
-            } else if (std::regex_search(line, match, operation)) {
-                EXPECT_TRUE(exact.count(match[1])) << what << ": not precise: " << line;
-                ++operations;
-            }
-        }
+    for (const auto& [name, program] : variants()) {
+        const int operations = expect_exact(name, compiled(program));
         // Else neither would a forgotten `precise` be seen.
-        EXPECT_EQ(operations > 0, !v.integers_only()) << what;
+        EXPECT_EQ(operations > 0, !integers_only(name, program)) << name;
     }
+}
+
+TEST(Shaders, AreAllLookedAt) {
+    std::set<std::string> looked_at;
+    for (const auto& [name, program] : variants())
+        looked_at.insert(program.file);
+    for (const gl::ShaderText* shader = gl::shader_texts; shader->name; ++shader)
+        EXPECT_EQ(looked_at.count(shader->name) > 0, is_program(shader->name)) << shader->name;
 }
 
 // OpenGL 4.3 promises a program eight storage blocks, and as many places to bind buffers to.
 TEST(Shaders, BindNoMoreThanIsPromised) {
     const std::regex block("binding = (\\d+)\\).*\\bbuffer\\b");
-    for (const Variant& v : variants()) {
-        std::istringstream lines(gl::shader_source(v.file, v.defines));
+    for (const auto& [name, program] : variants()) {
+        std::istringstream lines(gl::shader_source(program.file, program.macros));
         std::smatch match;
         int blocks = 0;
         for (std::string line; std::getline(lines, line);)
             if (std::regex_search(line, match, block)) {
-                EXPECT_LT(std::stoi(match[1]), 8) << v.file << " " << v.defines << ": " << line;
+                EXPECT_LT(std::stoi(match[1]), 8) << name << ": " << line;
                 ++blocks;
             }
-        EXPECT_GT(blocks, 0) << v.file;
+        EXPECT_GT(blocks, 0) << name;
     }
 }
 
