@@ -20,6 +20,7 @@
 #include "ddt/option_table.h"
 #include "ddt/points.h"
 #include "ddt/resize.h"
+#include "tests/environment.h"
 
 // The program's code: this project's, and what the compiler made for it of the standard library.
 extern "C" const char __executable_start, etext;
@@ -151,15 +152,8 @@ Bits enlarged_size(int channels) {
     return Bits(size_t(scale * width * scale * height * channels));
 }
 
-/// The environment names a device for one test.
-class OnDevice {
-public:
-    explicit OnDevice(const char* device) { setenv("DDT_DEVICE", device, 1); }
-    ~OnDevice() { unsetenv("DDT_DEVICE"); }
-};
-
 TEST(Allocation, TheCpu) {
-    const OnDevice cpu("cpu");
+    const Environment cpu("DDT_DEVICE", "cpu");
     for (const char* filter : {"ddt", "ddt-sharp", "ddt-sharp,clipped=1", "ddt-linear",
                                "ddt,scheme=maxgain,meshes=2", "ddt,scheme=annealing"})
         for (const int threads : {1, 2}) {
@@ -173,7 +167,7 @@ class AllocationOn : public testing::TestWithParam<const char*> {};
 
 // Mesa's own requests, and those of its compiler, are met: they end the process.
 TEST_P(AllocationOn, ADevice) {
-    const OnDevice device(GetParam());
+    const Environment device("DDT_DEVICE", GetParam());
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
     for (const char* filter : {"ddt", "ddt-sharp,clipped=1", "ddt,scheme=maxgain"}) {
         SCOPED_TRACE(filter);
@@ -208,7 +202,7 @@ TEST(Allocation, AMesh) {
 }
 
 TEST(Allocation, Holes) {
-    const OnDevice cpu("cpu");
+    const Environment cpu("DDT_DEVICE", "cpu");
     std::vector<uint8_t> missing(size_t(width * height));
     for (size_t i = 0; i < missing.size(); i += 7)
         missing[i] = 1;
@@ -251,7 +245,7 @@ private:
 };
 
 TEST(Allocation, AJobWithHolesKnowsThatItIsMemory) {
-    const OnDevice cpu("cpu");
+    const Environment cpu("DDT_DEVICE", "cpu");
     HoledSource source;
     fail_at_every_request(
         [&](Bits& result, std::string& error) {
@@ -271,7 +265,7 @@ TEST(Allocation, AJobWithHolesKnowsThatItIsMemory) {
 
 // OpenImageIO's own requests are met.
 TEST(Allocation, AnImageBuf) {
-    const OnDevice cpu("cpu");
+    const Environment cpu("DDT_DEVICE", "cpu");
     for (const OIIO::TypeDesc& type : {OIIO::TypeFloat, OIIO::TypeUInt8}) {
         OIIO::ImageSpec spec(width, height, 3, type);
         spec.attribute("oiio:ColorSpace", "sRGB");

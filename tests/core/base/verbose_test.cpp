@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/verbose.h"
 
-#include <cstdlib>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "ddt/core.h"
+#include "tests/environment.h"
 
 namespace ddt {
 namespace {
 
 TEST(Verbose, IsAnythingSetThatDoesNotBeginWithZero) {
-    unsetenv("DDT_VERBOSE");
+    const Environment unset("DDT_VERBOSE", std::nullopt);
     EXPECT_FALSE(verbose());
     for (const char* no : {"", "0", "00"}) {
-        setenv("DDT_VERBOSE", no, 1);
+        const Environment set("DDT_VERBOSE", no);
         EXPECT_FALSE(verbose()) << no;
     }
     for (const char* yes : {"1", "2", "yes"}) {
-        setenv("DDT_VERBOSE", yes, 1);
+        const Environment set("DDT_VERBOSE", yes);
         EXPECT_TRUE(verbose()) << yes;
     }
-    unsetenv("DDT_VERBOSE");
 }
 
 TEST(Verbose, ACallbackTakesTheLines) {
-    unsetenv("DDT_VERBOSE");
+    const Environment unset("DDT_VERBOSE", std::nullopt);
     std::vector<std::string> lines;
     set_log([&](const char* line) { lines.emplace_back(line); });
     EXPECT_TRUE(verbose());

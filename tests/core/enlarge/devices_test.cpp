@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ddt/devices.h"
 
-#include <cstdlib>
-
 #include <gtest/gtest.h>
+
+#include "tests/environment.h"
 
 namespace {
 
@@ -25,18 +25,12 @@ TEST(Devices, WhatIsNoneIsRefused) {
 }
 
 TEST(Devices, WhatCannotBeHadIsNamed) {
-    const char* before = std::getenv("DDT_DEVICE");
-    const std::string kept = before ? before : "";
-    setenv("DDT_DEVICE", "no\nsuch", 1);
+    const ddt::Environment device("DDT_DEVICE", "no\nsuch");
     std::string line;
     EXPECT_FALSE(ddt::describe_device(ddt::Job(), line));
     EXPECT_EQ(line.find("ddt: "), 0u) << line;
     EXPECT_NE(line.find("no such"), std::string::npos) << line;
     EXPECT_EQ(line.find('\n'), std::string::npos) << line;
-    if (before)
-        setenv("DDT_DEVICE", kept.c_str(), 1);
-    else
-        unsetenv("DDT_DEVICE");
 }
 
 } // namespace

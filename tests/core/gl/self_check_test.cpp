@@ -4,7 +4,7 @@
 #include "core/gl/self_check.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -16,6 +16,7 @@
 #include "ddt/names.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
+#include "tests/environment.h"
 
 namespace ddt::test {
 namespace {
@@ -105,14 +106,13 @@ class SelfCheck : public OnDevice {
 protected:
     void SetUp() override {
         OnDevice::SetUp();
-        setenv("DDT_VERBOSE", "1", 1);
+        m_verbose.emplace("DDT_VERBOSE", "1");
     }
     void TearDown() override {
         gl::change_constant("", "", "");
         gl::arm(gl::Fault::allocation, 0);
         gl::arm(gl::Fault::shader, 0);
         gl::forget_devices();
-        unsetenv("DDT_VERBOSE");
     }
 
     /// Do the job; true if on the device. `lines`: what was said of checks that failed.
@@ -128,6 +128,9 @@ protected:
         EXPECT_EQ(result.bits, cpu.bits);
         return result.statistics.device == GetParam();
     }
+
+private:
+    std::optional<Environment> m_verbose; ///< once the device is known
 };
 
 std::set<std::string> programs_of(gl::Gpu& gpu) {

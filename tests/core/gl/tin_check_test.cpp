@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The programs for meshes of points are checked before they are used; where one is wrong, or fails,
 // the CPU does the work and a line says why.
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -9,6 +10,7 @@
 #include "ddt/names.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/shaken_grid.h"
+#include "tests/environment.h"
 
 namespace ddt::test {
 namespace {
@@ -39,13 +41,12 @@ class TinCheck : public OnDevice {
 protected:
     void SetUp() override {
         OnDevice::SetUp();
-        setenv("DDT_VERBOSE", "1", 1);
+        m_verbose.emplace("DDT_VERBOSE", "1");
     }
     void TearDown() override {
         gl::change_constant("", "", "");
         gl::arm(gl::Fault::allocation, 0);
         gl::forget_devices();
-        unsetenv("DDT_VERBOSE");
     }
 
     /// Flip; true if on the device. `lines`: what was said of failures.
@@ -63,6 +64,9 @@ protected:
         EXPECT_EQ(cpu.triangles, device.triangles);
         return report.statistics.device == GetParam();
     }
+
+private:
+    std::optional<Environment> m_verbose; ///< once the device is known
 };
 
 std::set<std::string> programs_of(gl::Gpu& gpu) {

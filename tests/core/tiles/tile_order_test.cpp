@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <set>
 
-#include "core/base/memory_node.h"
+#include "tests/core/random.h"
 
 namespace ddt::test {
 namespace {
@@ -50,21 +49,17 @@ TEST(TileOrder, GivesWhoHasNoneLeftHalfOfTheMostThatAnotherHas) {
 
 TEST(TileOrder, GivesEachTileOnceWhoeverAsks) {
     for (unsigned seed = 1; seed <= 50; ++seed) {
-        std::srand(seed);
-        const int columns = 1 + std::rand() % 9, tiles = 1 + std::rand() % 90;
+        Random random(seed);
+        const int columns = 1 + int(random.below(9)), tiles = 1 + int(random.below(90));
         TileOrder order(tiles, columns);
         std::set<int> given;
         while (!order.empty()) {
-            const int tile = order.next(std::rand() % 5);
+            const int tile = order.next(int(random.below(5)));
             EXPECT_TRUE(tile >= 0 && tile < tiles);
             EXPECT_TRUE(given.insert(tile).second);
         }
         EXPECT_EQ(given.size(), size_t(tiles));
     }
-}
-
-TEST(MemoryNode, IsANumber) {
-    EXPECT_GE(this_memory_node(), 0);
 }
 
 } // namespace

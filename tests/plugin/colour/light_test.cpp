@@ -4,27 +4,19 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <locale>
+#include <optional>
 
+#include "tests/environment.h"
 #include "tests/plugin/images.h"
 #include "tests/temporary.h"
 
 namespace {
 
-/// Sets $OCIO for as long as it lives.
-class Ocio {
-public:
-    explicit Ocio(const std::string& path) { setenv("OCIO", path.c_str(), 1); }
-    ~Ocio() { unsetenv("OCIO"); }
-};
-
 class LightTest : public testing::Test {
 protected:
-    void SetUp() override { unsetenv("OCIO"); }
-
     static std::shared_ptr<const ddt::Light> light(const std::string& space,
                                                    const std::string& option = "auto") {
         std::string error;
@@ -79,6 +71,9 @@ colorspaces:
 )";
         return path;
     }
+
+private:
+    const ddt::Environment m_none_named{"OCIO", std::nullopt};
 };
 
 TEST_F(LightTest, NamesOfGammas) {
@@ -90,7 +85,7 @@ TEST_F(LightTest, NamesOfGammas) {
                                 "g101_rec709_scene", "g20_rec2020_scene", "g-2_rec709_scene"})
         EXPECT_FALSE(light(unknown)->known()) << unknown;
     // The config that is carried has aliases of these names.
-    const Ocio another(write_config());
+    const ddt::Environment another("OCIO", write_config());
     for (const char* name : {"g18_rec709_scene", "g22_rec709_scene", "g24_rec709_scene"})
         EXPECT_TRUE(light("", name)->converts()) << name;
 }
@@ -197,20 +192,20 @@ TEST_F(LightTest, NamedSpaceMustBeKnown) {
 
 TEST_F(LightTest, MissingOrBrokenConfigIsAnError) {
     {
-        const Ocio ocio("/nowhere/config.ocio");
+        const ddt::Environment ocio("OCIO", "/nowhere/config.ocio");
         const std::string error = error_of("sRGB");
         EXPECT_NE(error.find("/nowhere/config.ocio"), std::string::npos) << error;
     }
     const std::string path = ddt::temporary("broken.ocio");
     std::ofstream(path) << "this is no config\n";
-    const Ocio ocio(path);
+    const ddt::Environment ocio("OCIO", path);
     EXPECT_NE(error_of("sRGB").find(path), std::string::npos);
     EXPECT_NE(error_of("", "sRGB").find(path), std::string::npos);
     EXPECT_TRUE(light("")); // nothing to look up
 }
 
 TEST_F(LightTest, UsersConfigComesFirst) {
-    const Ocio ocio(write_config());
+    const ddt::Environment ocio("OCIO", write_config());
     const auto srgb = light("sRGB");
     EXPECT_NEAR(to(*srgb, 0.5f, 0, 1)[0], 0.2140411f, 1e-5f); // the matrix is left out
     EXPECT_NEAR(to(*srgb, 0.5f, 0, 1)[1], 0.0f, 1e-5f);
@@ -242,7 +237,7 @@ TEST_F(LightTest, EachChannelMayHaveACurveOfItsOwn) {
 }
 
 TEST_F(LightTest, SpaceThatMixesChannelsGoesThroughOcio) {
-    const Ocio ocio(write_config());
+    const ddt::Environment ocio("OCIO", write_config());
     const auto curvy = light("curvy");
     const auto v = to(*curvy, 0.2f, 0.4f, 0.9f);
     EXPECT_NEAR(v[0], std::pow(0.6 * 0.2 + 0.3 * 0.4 + 0.1 * 0.9, 2.2), 1e-5);
@@ -258,7 +253,7 @@ TEST_F(LightTest, SpaceThatMixesChannelsGoesThroughOcio) {
 }
 
 TEST_F(LightTest, LogarithmicSpaceComesBack) {
-    const Ocio ocio(write_config());
+    const ddt::Environment ocio("OCIO", write_config());
     const auto log = light("log");
     ASSERT_TRUE(log->converts());
     EXPECT_FALSE(log->keeps_unit());

@@ -3,12 +3,13 @@
 // this program's builtin_config() is found before the library's.
 #include "plugin/colour/builtin.h"
 
-#include <cstdlib>
+#include <optional>
 #include <sstream>
 
 #include <gtest/gtest.h>
 
 #include "plugin/colour/space_light.h"
+#include "tests/environment.h"
 
 namespace ddt {
 
@@ -48,7 +49,7 @@ float red_luma(const char* option, const char* space) {
 }
 
 TEST(Order, TheCarriedConfigIsAskedBeforeOpenColorIOs) {
-    unsetenv("OCIO");
+    const ddt::Environment none_named("OCIO", std::nullopt);
     for (const char* space : {"sRGB", "srgb_rec709_scene", "linear", "g22_rec709_scene"}) {
         EXPECT_FLOAT_EQ(red_luma("auto", space), 0.2126f) << space;
         EXPECT_FLOAT_EQ(red_luma(space, ""), 0.2126f) << space;
@@ -56,7 +57,7 @@ TEST(Order, TheCarriedConfigIsAskedBeforeOpenColorIOs) {
 }
 
 TEST(Order, OpenColorIOsConfigKnowsTheRest) {
-    unsetenv("OCIO");
+    const ddt::Environment none_named("OCIO", std::nullopt);
     EXPECT_FLOAT_EQ(red_luma("auto", "new in this version"), 0.5f);
     EXPECT_FLOAT_EQ(red_luma("new in this version", ""), 0.5f);
 }

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "ddt/names.h"
+#include "tests/environment.h"
 #include "tests/temporary.h"
 
 namespace {
@@ -56,9 +57,8 @@ TEST(Parameters, AHostsDecimalCommaChangesNone) {
     const std::string folder = ddt::temporary("locales");
     std::filesystem::create_directories(folder);
     const std::string make = "localedef -i de_DE -f UTF-8 " + folder + "/de_DE.UTF-8 2>/dev/null";
-    setenv("LOCPATH", folder.c_str(), 1);
+    const ddt::Environment locales("LOCPATH", folder);
     const bool made = std::system(make.c_str()) == 0 && std::setlocale(LC_ALL, "de_DE.UTF-8");
-    unsetenv("LOCPATH");
     if (!made)
         GTEST_SKIP() << "there is no locale with a decimal comma, nor can one be made";
     const bool comma = std::strtod("0,5", nullptr) == 0.5;

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "tests/environment.h"
 #include "tests/plugin/images.h"
 #include "tests/temporary.h"
 
@@ -188,13 +189,12 @@ TEST(Errors, OptionsAreCheckedWhetherOrNotTheyAreUsed) {
 TEST(Errors, MissingConfig) {
     auto src = make(8, 8, 3);
     src.specmod().attribute("oiio:ColorSpace", "sRGB");
-    setenv("OCIO", "/nowhere/config.ocio", 1);
+    const ddt::Environment config("OCIO", "/nowhere/config.ocio");
     expect_failure(src, "/nowhere/config.ocio");
     ddt::Options encoded;
     encoded.light = "encoded";
     ImageBuf dst;
     EXPECT_TRUE(ddt::resize(dst, src, encoded, window(0, 64, 0, 64))) << dst.geterror();
-    unsetenv("OCIO");
 }
 
 TEST(Errors, CancelledLeavesNothing) {

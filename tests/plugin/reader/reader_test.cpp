@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The reader by way of OIIO: ImageInput, ImageCache, TextureSystem.
+#include "tests/environment.h"
 #include "tests/temporary.h"
 
 #include <cstdint>
@@ -85,15 +86,13 @@ TEST_F(Reader, TilesTakeTheirPartOfTheMesh) {
         ImageBufAlgo::resize(ImageBuf(path()), "", 0.0f, ROI(0, 1024, 0, 1024)).write(large));
     auto input = ImageInput::open(large + ".ddt?scale=4");
     ASSERT_TRUE(input) << OIIO::geterror();
-    setenv("DDT_VERBOSE", "1", 1);
-    setenv("DDT_DEVICE", "cpu", 1);
+    const ddt::Environment verbose("DDT_VERBOSE", "1"), device("DDT_DEVICE", "cpu");
     std::vector<uint8_t> pixels(64 * 64 * 3);
     testing::internal::CaptureStderr();
     EXPECT_TRUE(
         input->read_tiles(0, 0, 2176, 2240, 2176, 2240, 0, 1, 0, 3, TypeUInt8, pixels.data()))
         << input->geterror();
     const std::string told = testing::internal::GetCapturedStderr();
-    unsetenv("DDT_VERBOSE");
     int64_t taken = 0;
     const std::regex line("; (\\d+) pixels, \\d+ flips");
     for (std::sregex_iterator found(told.begin(), told.end(), line), end; found != end; ++found)

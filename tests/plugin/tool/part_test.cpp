@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -18,6 +19,7 @@
 #include "plugin/tool/join.h"
 #include "plugin/tool/part_header.h"
 #include "plugin/tool/resize_part.h"
+#include "tests/environment.h"
 #include "tests/temporary.h"
 
 namespace ddt::tool {
@@ -285,12 +287,11 @@ colorspaces:
     Failure failure;
     ASSERT_TRUE(plan_result(spec, settings, result, failure));
     const auto both = [&] {
-        unsetenv("OCIO");
-        const std::string without = fingerprint(in, spec, result, settings);
-        setenv("OCIO", config.c_str(), 1);
-        const std::string with = fingerprint(in, spec, result, settings);
-        unsetenv("OCIO");
-        return std::pair(without, with);
+        const auto fingerprint_in = [&](const std::optional<std::string>& ocio) {
+            const Environment set("OCIO", ocio);
+            return fingerprint(in, spec, result, settings);
+        };
+        return std::pair(fingerprint_in(std::nullopt), fingerprint_in(config));
     };
     const auto [without, with] = both();
     EXPECT_NE(without, "");

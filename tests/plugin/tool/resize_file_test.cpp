@@ -13,6 +13,7 @@
 #include "plugin/tool/fit_format.h"
 #include "plugin/tool/join.h"
 #include "plugin/tool/resize_part.h"
+#include "tests/environment.h"
 #include "tests/temporary.h"
 
 namespace ddt::tool {
@@ -623,11 +624,10 @@ TEST(ResizeFile, AnUnusableLightIsFoundBeforeTheFileIsMade) {
     const std::string in = temporary("lit.png"), out = temporary("unlit.png");
     ImageBuf image(ImageSpec(4, 4, 3, OIIO::TypeUInt8));
     ASSERT_TRUE(OIIO::ImageBufAlgo::zero(image) && image.write(in));
-    setenv("OCIO", "/nonexistent.ocio", 1);
+    const Environment config("OCIO", "/nonexistent.ocio");
     Failure failure;
     testing::internal::CaptureStderr(); // libpng's, of a file that gets no pixels
     const bool done = resized(in, "200%", out, failure);
-    unsetenv("OCIO");
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     EXPECT_FALSE(done);
     EXPECT_NE(failure.why.find("/nonexistent.ocio"), std::string::npos);

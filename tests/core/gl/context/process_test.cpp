@@ -5,12 +5,14 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <thread>
 
 #include "core/gl/context/context.h"
 #include "core/gl/context/faults.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
+#include "tests/environment.h"
 #include "tests/temporary.h"
 
 namespace ddt::test {
@@ -121,12 +123,13 @@ TEST_P(Process, AutomaticNeverPicksASoftwareRenderer) {
 }
 
 TEST_P(Process, TheEnvironmentNamesTheDeviceOfAutomaticJobs) {
-    setenv("DDT_DEVICE", GetParam() == Device::egl ? "egl" : "osmesa", 1);
-    EXPECT_EQ(enlarge_on(Device::automatic, picture, order).statistics.device, GetParam());
-    EXPECT_EQ(enlarge_on(Device::cpu, picture, order).statistics.device, Device::cpu);
-    setenv("DDT_DEVICE", "voodoo", 1);
+    {
+        const Environment known("DDT_DEVICE", GetParam() == Device::egl ? "egl" : "osmesa");
+        EXPECT_EQ(enlarge_on(Device::automatic, picture, order).statistics.device, GetParam());
+        EXPECT_EQ(enlarge_on(Device::cpu, picture, order).statistics.device, Device::cpu);
+    }
+    const Environment unknown("DDT_DEVICE", "voodoo");
     const Result result = enlarge_on(Device::automatic, picture, order);
-    unsetenv("DDT_DEVICE");
     EXPECT_EQ(result.outcome, Outcome::device_unavailable);
     EXPECT_NE(result.error.find("voodoo"), std::string::npos) << result.error;
     EXPECT_NE(result.error.find("osmesa"), std::string::npos) << result.error;
@@ -136,17 +139,16 @@ TEST_P(Process, TheEnvironmentNamesTheDeviceOfAutomaticJobs) {
 TEST(Egl, TheEnvironmentNamesOneOfSeveralGpus) {
     std::string why;
     for (const char* name : {"31", "-1", "first", "0 "}) {
-        setenv("DDT_EGL_DEVICE", name, 1);
+        const Environment none("DDT_EGL_DEVICE", name);
         EXPECT_EQ(gl::make_egl_context(gl::Wanted::any, why), nullptr) << name;
         EXPECT_NE(why.find("DDT_EGL_DEVICE=" + std::string(name) + " is none of"),
                   std::string::npos)
             << why;
     }
-    unsetenv("DDT_EGL_DEVICE");
+    const Environment unset("DDT_EGL_DEVICE", std::nullopt);
     const auto usual = gl::make_egl_context(gl::Wanted::hardware, why);
-    setenv("DDT_EGL_DEVICE", "0", 1);
+    const Environment set("DDT_EGL_DEVICE", "0");
     const auto first = gl::make_egl_context(gl::Wanted::any, why);
-    unsetenv("DDT_EGL_DEVICE");
     EXPECT_EQ(first != nullptr, usual != nullptr) << why;
 }
 
