@@ -15,7 +15,6 @@ layout(local_size_x = FINISH_GROUP) in; // x: a tile
 
 layout(location = 5) uniform bool by_gain;
 layout(location = 6) uniform int wide_iterations;
-layout(location = 7) uniform bool all_rounds;
 layout(location = 9) uniform ivec2 progress; // where in `stamp` a tile's is kept; most_turns
 
 // `from` is the list of dirty edges here, `to` that of selected ones.
@@ -253,7 +252,7 @@ void main() {
                 begin_iteration(tile, list);
                 phase = in_rounds;
             }
-        } else if (waiting > 0 && (all_rounds || rounds == 0)) {
+        } else if (waiting > 0) {
             treat_a_round(list);
         } else {
             phase = n_candidates == 0 ? ended : begins;

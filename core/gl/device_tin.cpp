@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// C++ twin: core/triangulate/accept_reject.h on a TinMesh. one_round() is its MaxGain with a single
-// round of accepting.
+// C++ twins: core/triangulate/accept_reject.h and one_round.h on a TinMesh: one_round() is MaxGain
+// whose rounds end with the first.
 #include "core/gl/device_tin.h"
 
 #include <algorithm>
@@ -56,9 +56,6 @@ void DeviceTin::mark_all_dirty() {
 
 void DeviceTin::triangulate(const MeshOptions& options, const Workspace& workspace,
                             Statistics& statistics) {
-    const Rules best_first{true, 0, false}; // one_round
-    Rules rules = best_first;
-    find_rules(options, rules);
     m_cost = std::string("COST_") + cost_name(options.cost);
     m_min_gain = min_gain(options);
     if (options.scheme == Scheme::pixel)
@@ -66,21 +63,21 @@ void DeviceTin::triangulate(const MeshOptions& options, const Workspace& workspa
     pass("tin_faces.comp", m_triangles);
     if (options.scheme == Scheme::annealing) {
         Workspace silent;
-        flip_by(best_first, options.max_iterations, silent, statistics);
+        flip_by({}, options.max_iterations, silent, statistics);
         anneal(options, workspace, statistics);
         mark_all_dirty();
-        flip_by(best_first, options.max_iterations, silent, statistics);
+        flip_by({}, options.max_iterations, silent, statistics);
     } else {
-        flip_by(rules, options.max_iterations, workspace, statistics);
+        flip_by(find_rules(options), options.max_iterations, workspace, statistics);
     }
     finish(m_gl, "tin");
 }
 
-void DeviceTin::flip_by(const Rules& rules, int iterations, const Workspace& workspace,
-                        Statistics& statistics) {
-    m_by_gain = rules.by_gain;
+void DeviceTin::flip_by(const std::optional<Rules>& rules, int iterations,
+                        const Workspace& workspace, Statistics& statistics) {
+    m_by_gain = !rules || rules->by_gain;
     for (int i = 1; i <= iterations; ++i) {
-        const bool wide = i <= rules.wide_iterations;
+        const bool wide = rules && i <= rules->wide_iterations;
         const Counts found = pass("tin_evaluate.comp", m_edges);
         statistics.evaluations += found.evaluated;
         if (found.candidates == 0)
@@ -93,8 +90,8 @@ void DeviceTin::flip_by(const Rules& rules, int iterations, const Workspace& wor
             if (waiting >= before)
                 throw DoesNotEnd("no edge of a round was accepted");
             pass("tin_reject.comp", m_edges, wide);
-            statistics.rounds += rules.all_rounds;
-        } while (rules.all_rounds && waiting > 0);
+            statistics.rounds += rules.has_value();
+        } while (rules && waiting > 0);
         statistics.flips += pass("tin_flip.comp", m_edges).flipped;
         statistics.iterations = std::max(statistics.iterations, i);
         if (!workspace.go_on(found.candidates, m_edges))

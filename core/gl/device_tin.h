@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/gl/buffer.h"
 #include "core/gl/chance.h"
@@ -43,7 +44,8 @@ private:
 
     Counts pass(const char* shader, size_t invocations, bool wide = false,
                 const Chance* chance = nullptr);
-    void flip_by(const Rules& rules, int iterations, const Workspace& workspace,
+    /// Without rules as one_round does.
+    void flip_by(const std::optional<Rules>& rules, int iterations, const Workspace& workspace,
                  Statistics& statistics);
     void anneal(const MeshOptions& options, const Workspace& workspace, Statistics& statistics);
     void mark_all_dirty();

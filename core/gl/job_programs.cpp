@@ -24,7 +24,7 @@ void add_mesh(const MeshOptions& mesh, std::vector<JobProgram>& all) {
     all.push_back({"start.comp", by});
     if (mesh.scheme == Scheme::pixel || mesh.max_iterations == 0)
         return all.push_back(gains);
-    if (Rules rules; find_rules(mesh, rules)) {
+    if (find_rules(mesh)) {
         all.push_back({"accept_reject.comp", by});
         return all.push_back(gains);
     }

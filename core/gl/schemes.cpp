@@ -2,6 +2,7 @@
 // Triangulation as dispatches. C++ twins: core/triangulate.
 #include <algorithm>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include "core/base/constants.h"
@@ -44,9 +45,8 @@ void DeviceMesh::triangulate(const MeshOptions& options) {
     start(options);
     if (m_iterations == 0)
         return;
-    Rules rules;
-    if (find_rules(options, rules))
-        accept_reject(rules);
+    if (const std::optional<Rules> rules = find_rules(options))
+        accept_reject(*rules);
     else if (options.scheme == Scheme::annealing)
         annealing(options);
     else
@@ -146,7 +146,6 @@ void DeviceMesh::accept_reject(const Rules& rules) {
     use("accept_reject.comp", 1, m_iterations, m_criterion);
     m_gl.Uniform1i(5, rules.by_gain);
     m_gl.Uniform1i(6, rules.wide_iterations);
-    m_gl.Uniform1i(7, rules.all_rounds);
     // llvmpipe's loops turn 65535 times a dispatch. Drivers of hardware take a dispatch of seconds
     // for one that hangs: so many turns are half of one where each waits for memory, for a
     // microsecond.

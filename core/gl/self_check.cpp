@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "core/base/arith.h"
 #include "core/base/float_bits.h"
@@ -263,15 +264,14 @@ std::string key_of(const Rules& rules) {
     return std::string("accept_reject") + (rules.by_gain ? " by gain" : "") +
            (rules.wide_iterations == 0               ? ""
             : rules.wide_iterations >= Rules::always ? " wide"
-                                                     : " wide at first") +
-           (rules.all_rounds ? " all rounds" : "");
+                                                     : " wide at first");
 }
 
 std::string scheme_key_of(const MeshOptions& mesh) {
-    Rules rules;
+    const std::optional<Rules> rules = find_rules(mesh);
     return !DeviceMesh::knows(mesh)           ? "mesh of the CPU"
            : mesh.scheme == Scheme::pixel     ? "pixel"
-           : find_rules(mesh, rules)          ? key_of(rules)
+           : rules                            ? key_of(*rules)
            : mesh.scheme == Scheme::annealing ? "annealing"
                                               : "one_round";
 }

@@ -104,7 +104,7 @@ private:
             for (size_t i = first; i < m_w.selected.size(); ++i)
                 reject_round(m_w.selected[i]);
             ++m_statistics.rounds;
-        } while (m_rules.all_rounds && !m_w.blocked.empty());
+        } while (!m_w.blocked.empty());
     }
 
     /// Move every candidate that nothing blocks from m_w.blocked to m_w.selected. All see the marks

@@ -18,7 +18,6 @@ void run_scheme(Mesh& mesh, const MeshOptions& options, Workspace& workspace,
     const float threshold = min_gain(options);
     const int iterations = options.max_iterations;
     statistics.pixels += int64_t(mesh.vertices());
-    Rules rules;
     switch (options.scheme) {
     case Scheme::one_round:
         return one_round(mesh, by, threshold, iterations, workspace, statistics);
@@ -33,8 +32,8 @@ void run_scheme(Mesh& mesh, const MeshOptions& options, Workspace& workspace,
     case Scheme::maxgain:
     case Scheme::exproi_maxgain:
     case Scheme::exproi_n_maxgain:
-        find_rules(options, rules);
-        return accept_reject(mesh, by, threshold, iterations, rules, workspace, statistics);
+        return accept_reject(mesh, by, threshold, iterations, find_rules(options).value(),
+                             workspace, statistics);
     case Scheme::pixel:
         return; // the starting mesh is the result
     }

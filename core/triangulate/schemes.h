@@ -7,6 +7,8 @@
 // each kept for life; smaller comes first. The definitions are in the header of the scheme's name.
 #pragma once
 
+#include <optional>
+
 #include "core/triangulate/triangulate.h"
 
 namespace ddt {
@@ -33,13 +35,12 @@ struct Rules {
     bool by_gain;        ///< priority: the largest gain, ties to the smaller address; else the
                          ///< smallest address. (The address is the paper's edge ID, kept for life.)
     int wide_iterations; ///< iterations in which a candidate's region is that of degree 3, not 2
-    bool all_rounds;     ///< accept and reject until every candidate is treated; else one round
 
     static constexpr int always = 1 << 30;
 };
 
-/// The rules of the options' scheme; false if it is not one of the paper's.
-bool find_rules(const MeshOptions& options, Rules& rules);
+/// The rules of the options' scheme; none if it is not one of the paper's.
+std::optional<Rules> find_rules(const MeshOptions& options);
 
 /// Cervenansky et al. 2010, section 4 and figure 6. An iteration: evaluate; edges that gain more
 /// than min_gain are candidates. Rounds: a candidate with the highest priority among the untreated

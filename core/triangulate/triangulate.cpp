@@ -61,31 +61,26 @@ float blur_share(const MeshOptions& options, int index) {
     return least + (most - least) * (float(index) / float(options.meshes - 1));
 }
 
-bool find_rules(const MeshOptions& options, Rules& rules) {
+std::optional<Rules> find_rules(const MeshOptions& options) {
     switch (options.scheme) {
     case Scheme::basic:
-        rules = {false, 0, true};
-        return true;
+        return Rules{false, 0};
     case Scheme::exproi:
-        rules = {false, Rules::always, true};
-        return true;
+        return Rules{false, Rules::always};
     case Scheme::maxgain:
-        rules = {true, 0, true};
-        return true;
+        return Rules{true, 0};
     case Scheme::exproi_maxgain:
-        rules = {true, Rules::always, true};
-        return true;
+        return Rules{true, Rules::always};
     case Scheme::exproi_n_maxgain:
-        rules = {true, options.wide_iterations, true};
-        return true;
+        return Rules{true, options.wide_iterations};
     case Scheme::one_round:
     case Scheme::lawson:
     case Scheme::look_ahead:
     case Scheme::annealing:
     case Scheme::pixel:
-        return false;
+        return {};
     }
-    return false;
+    return {};
 }
 
 Criterion criterion(const MeshOptions& options) {
