@@ -17,6 +17,8 @@ layout(location = 5) uniform bool by_gain;
 layout(location = 6) uniform int wide_iterations;
 layout(location = 9) uniform ivec2 progress; // where in `stamp` a tile's is kept; most_turns
 
+#include "comes_before.glsl"
+
 // `from` is the list of dirty edges here, `to` that of selected ones.
 
 // What the scheme knows of an edge. A dirty edge's iteration is of no interest.
@@ -42,15 +44,6 @@ void region_in(bool wide, int m, out int region[wide_region_size]) {
     region_of(m, e, near);
     for (int k = 0; k < wide_region_size; ++k)
         region[k] = k < 12 ? near[k] : -1;
-}
-
-bool comes_before(int m, int n) {
-    if (by_gain) {
-        float a = gain[m], b = gain[n];
-        if (a != b)
-            return a > b;
-    }
-    return m < n;
 }
 
 int find_untreated_blocker(bool wide, int m) {

@@ -33,6 +33,13 @@ vec4 if_less_equal(vec4 a, vec4 b, vec4 yes, vec4 no) {
     precise vec4 r = mix(no, yes, lessThanEqual(a, b));
     return r;
 }
+// b where it is less, or more, than a, else a; a lane.
+vec4 lower(vec4 a, vec4 b) {
+    return if_less(b, a, b, a);
+}
+vec4 upper(vec4 a, vec4 b) {
+    return if_less(a, b, b, a);
+}
 
 // Denormal floats as 0, which the CPU makes of them by itself (DenormalsAreZero in
 // core/base/arith.h). For products of what may be of any size: elsewhere least_value of

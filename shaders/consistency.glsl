@@ -36,11 +36,9 @@ vec4 across(QuadrantCell c) {
 vec4 corrected(vec4 z, vec4 source, vec4 sum, vec4 low, vec4 high) {
     precise vec4 step_ = (source - z) - sum * 0.25;
     precise vec4 negated = vec4(0.0) - step_;
-    vec4 size = if_less(step_, negated, negated, step_);
+    vec4 size = upper(step_, negated);
     precise vec4 moved = z + step_;
-    moved = if_less(moved, low, low, moved);
-    moved = if_less(high, moved, high, moved);
-    return if_less_equal(size, vec4(largest_float), moved, z);
+    return if_less_equal(size, vec4(largest_float), lower(upper(moved, low), high), z);
 }
 
 void widen(vec4 limit, float lowest, inout vec4 low, inout vec4 high) {

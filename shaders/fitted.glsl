@@ -12,13 +12,6 @@ layout(std140, binding = 1) uniform Fitted {
     vec4 null_weights[36]; // four nodes, three kinds, three lengths
 };
 
-vec4 lower(vec4 a, vec4 b) {
-    return if_less(b, a, b, a);
-}
-vec4 upper(vec4 a, vec4 b) {
-    return if_less(a, b, b, a);
-}
-
 // The pixel at p; past the rim the picture goes on as its odd mirror image.
 vec4 tap(ivec2 p, ivec2 size) {
     ivec2 c = clamp(p, ivec2(0), size - 1), m = clamp(2 * c - p, ivec2(0), size - 1);
@@ -48,11 +41,11 @@ vec4 finite_or(vec4 v, vec4 otherwise) {
 
 // v within a range; NaN stays.
 vec4 clamped(vec4 v, vec4 low, vec4 high) {
-    vec4 above = if_less(v, low, low, v);
-    return if_less(high, above, high, above);
+    return lower(upper(v, low), high);
 }
 
-vec4 share(vec4 index, int k) {
+// Where an index lies between the nodes: what the weights of node k > 0 count.
+vec4 share_of(vec4 index, int k) {
     precise vec4 t = (index - fitted_node[k - 1]) * node_scale;
     return upper(vec4(0.0), lower(vec4(1.0), t));
 }

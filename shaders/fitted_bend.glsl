@@ -77,7 +77,7 @@ vec4 fitted_bend(Edge e, ivec2 m, float g, vec4 index, ivec2 size) {
         if (k == 0)
             f = sum;
         else
-            f = f + share(index, k) * sum;
+            f = f + share_of(index, k) * sum;
     }
     precise vec4 wide = bend_limit * range;
     vec4 limit = if_less(zero, strict, rise, wide);

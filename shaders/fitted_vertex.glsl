@@ -48,7 +48,7 @@ vec4 fitted_vertex(Surroundings s, vec4 index, vec4 step_, vec4 limit, float low
         if (k == 0)
             move = sum;
         else
-            move = move + share(index, k) * sum;
+            move = move + share_of(index, k) * sum;
     }
     precise vec4 moved = z + finite_or(move, zero);
     return finite_or(clamped(moved, low, high), z);

@@ -2,7 +2,8 @@
 // Regions of an edge as arrays. C++ twin: core/lattice/region.h, where any_beyond is recursive.
 // After lattice.glsl.
 
-// The 2-region of the flippable edge e at m without m itself; -1 where there is none.
+// The 2-region of the flippable edge e at m without m itself; -1 where there is none. C++ twin:
+// Lattice::any_of_region().
 void region_of(int m, Edge e, out int region[12]) {
     Side s = first_side(e);
     for (int k = 0; k < 4; ++k) {
@@ -32,7 +33,8 @@ bool next_sides(Beyond b, out Beyond minus, out Beyond plus) {
 
 const int wide_region_size = 28;
 
-// The region of degree 3 of the flippable edge e at m; -1 where there is none, some twice.
+// The region of degree 3 of the flippable edge e at m; -1 where there is none, some twice. C++ twin:
+// any_of_wide_region().
 void wide_region_of(int m, Edge e, out int region[wide_region_size]) {
     Side s = first_side(e);
     for (int k = 0; k < 4; ++k) {

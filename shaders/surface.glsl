@@ -50,11 +50,10 @@ vec4 edge_bend(vec4 gix, vec4 giy, vec4 gjx, vec4 gjy, vec4 zi, vec4 zj, ivec2 v
     const vec4 zero = vec4(0.0);
     precise vec4 difference = zj - zi;
     precise vec4 negated = zero - difference;
-    precise vec4 limit = if_less(difference, zero, negated, difference);
-    precise vec4 lower = zero - limit;
+    precise vec4 limit = upper(difference, negated);
+    precise vec4 least = zero - limit;
     precise vec4 e = bend_strength * ((gix - gjx) * float(v.x) + (giy - gjy) * float(v.y));
-    e = if_less(e, lower, lower, e);
-    e = if_less(limit, e, limit, e);
+    e = lower(upper(e, least), limit);
     return if_less_equal(limit, vec4(largest_float), e, zero);
 }
 
@@ -80,11 +79,20 @@ struct Patch {
     vec4 z0, z1, z2, e01, e12, e20, q01, q12, q20, low, high;
 };
 
+float smaller(float a, float b) {
+    precise float r = a < b ? a : b;
+    return r;
+}
+vec4 smaller(vec4 a, vec4 b) {
+    return if_less(a, b, a, b);
+}
+vec4 larger(vec4 a, vec4 b) {
+    return if_less(b, a, a, b);
+}
+
 void find_range(inout Patch p, vec4 strict) {
-    p.low = if_less(p.z1, p.z0, p.z1, p.z0);
-    p.low = if_less(p.z2, p.low, p.z2, p.low);
-    p.high = if_less(p.z0, p.z1, p.z1, p.z0);
-    p.high = if_less(p.high, p.z2, p.z2, p.high);
+    p.low = smaller(p.z2, smaller(p.z1, p.z0));
+    p.high = larger(p.z2, larger(p.z1, p.z0));
 #ifdef SOFT
     const vec4 zero = vec4(0.0), infinity = uintBitsToFloat(uvec4(0x7f800000u)),
                minus_infinity = uintBitsToFloat(uvec4(0xff800000u));
@@ -92,11 +100,6 @@ void find_range(inout Patch p, vec4 strict) {
     p.low = if_less(zero, strict, p.low, if_less_equal(zero, p.low, half_low, minus_infinity));
     p.high = if_less(zero, strict, p.high, infinity);
 #endif
-}
-
-float smaller(float a, float b) {
-    precise float r = a < b ? a : b;
-    return r;
 }
 
 // b z, but 0 where b = 0, whatever z is.
@@ -116,9 +119,7 @@ vec4 at(Patch p, float b0, float b1, float b2) {
 #ifdef SOFT
     f = f + ((smaller(b0, b1) * p.q01 + smaller(b1, b2) * p.q12) + smaller(b2, b0) * p.q20);
 #endif
-    f = if_less(f, p.low, p.low, f);
-    f = if_less(p.high, f, p.high, f);
-    return f;
+    return smaller(p.high, larger(p.low, f));
 }
 
 // The mean of some surfaces at a position from that of all but the last, and the last, whose share is

@@ -2,15 +2,7 @@
 // A round's winners: untreated edges before which none comes in their region. C++ twin:
 // AcceptReject::accept() in core/triangulate/accept_reject.h.
 #include "tin.glsl"
-
-bool comes_before(int m, int n) {
-    if (by_gain) {
-        float a = gain[m], b = gain[n];
-        if (a != b)
-            return a > b;
-    }
-    return m < n;
-}
+#include "comes_before.glsl"
 
 void main() {
     int m = own_index();

@@ -69,7 +69,7 @@ private:
     }
 
     /// Whether candidate m comes before n.
-    bool before(int m, int n) const {
+    bool comes_before(int m, int n) const {
         if (m_rules.by_gain) {
             const float a = m_mesh.gain(m), b = m_mesh.gain(n);
             if (a != b)
@@ -79,10 +79,10 @@ private:
     }
 
     /// An untreated candidate in m's region that comes before m, or -1.
-    int find_blocker(int m) {
+    int find_untreated_blocker(int m) {
         int blocker = -1;
         any_of_region(m, [&](int other) {
-            if (mark(other) != untreated || !before(other, m))
+            if (mark(other) != untreated || !comes_before(other, m))
                 return false;
             blocker = other;
             return true;
@@ -115,7 +115,7 @@ private:
             if (mark(waiting.site) != untreated)
                 continue;
             if (waiting.blocker < 0 || mark(waiting.blocker) != untreated)
-                waiting.blocker = find_blocker(waiting.site);
+                waiting.blocker = find_untreated_blocker(waiting.site);
             if (waiting.blocker < 0)
                 m_w.selected.push_back(waiting.site);
             else

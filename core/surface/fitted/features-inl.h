@@ -157,15 +157,19 @@ DDT_INLINE T clamped(T v, T low, T high) {
     return lower(upper(v, low), high);
 }
 
-/// Where an index lies between the nodes: what each node's weights count.
+/// Where an index lies between the nodes: what the weights of node k > 0 count.
+template <class T>
+DDT_INLINE T share_of(T index, const FittedTable& table, int k) {
+    const T t = (index - T(table.node[k - 1])) * T(table.node_scale);
+    return upper(T(0.0f), lower(T(1.0f), t));
+}
+
+/// What those of each node do.
 template <class T>
 DDT_INLINE void find_shares(T index, const FittedTable& table, T share[fitted_nodes]) {
-    const T zero = T(0.0f), one = T(1.0f);
-    share[0] = one;
-    for (int k = 1; k < fitted_nodes; ++k) {
-        const T t = (index - T(table.node[k - 1])) * T(table.node_scale);
-        share[k] = upper(zero, lower(one, t));
-    }
+    share[0] = T(1.0f);
+    for (int k = 1; k < fitted_nodes; ++k)
+        share[k] = share_of(index, table, k);
 }
 
 /// What these weights make of a vertex' features.
