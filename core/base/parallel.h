@@ -19,6 +19,11 @@ int usual_threads();
 /// print a warning about; at least 1.
 int allowed_threads(int wanted);
 
+/// The number to use for an option: `wanted` if more than 0, else the usual one.
+inline int threads_for(int wanted) {
+    return wanted > 0 ? allowed_threads(wanted) : usual_threads();
+}
+
 /// Let allowed_threads() allow this many from now on, where oneTBB's limit is lower, as on fewer
 /// cores: for programs of our own, whose user asked for them. Libraries leave the limit alone.
 void allow_threads(int number);

@@ -115,8 +115,7 @@ bool sweep(const std::vector<Knot>& knots, const std::vector<Plane>& planes,
             going = false;
         return begun++;
     };
-    const int threads = image.threads > 0 ? allowed_threads(image.threads) : usual_threads();
-    for_each_index(threads, sweeps, [&](int, int) {
+    for_each_index(threads_for(image.threads), sweeps, [&](int, int) {
         const size_t own = begin();
         const DenormalsAreZero mode; // whichever thread this is
         for (int y = 0; y < height && going; ++y) {

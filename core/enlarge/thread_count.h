@@ -8,7 +8,7 @@
 namespace ddt {
 
 inline int thread_count(const Job& job) {
-    return job.threads > 0 ? allowed_threads(job.threads) : usual_threads();
+    return threads_for(job.threads);
 }
 
 /// Each thread's share, by which a device is chosen.

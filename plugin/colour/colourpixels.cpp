@@ -89,6 +89,17 @@ light_of_codes(const Light& light, const ColourLayout& layout, int stride, int b
     return values;
 }
 
+GuideRecipe guide_recipe(const Light& light, const ColourLayout& layout, bool linear) {
+    GuideRecipe guide;
+    guide.linear = linear;
+    guide.alpha = layout.alpha;
+    for (int k = 0; k < layout.count; ++k) {
+        guide.channel[k] = layout.channel[k];
+        guide.weight[k] = layout.count == 3 ? light.luma()[size_t(k)] : 1.0f;
+    }
+    return guide;
+}
+
 void to_light(const Light& light, const ColourLayout& layout, float* pixels, size_t count,
               int stride) {
     convert(

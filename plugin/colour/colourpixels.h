@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "ddt/guide.h"
 #include "plugin/colour/layout.h"
 #include "plugin/colour/light.h"
 
@@ -22,6 +23,10 @@ bool all_alike(const Light& light, const ColourLayout& layout, int stride);
 std::vector<float>
 light_of_codes(const Light& light, const ColourLayout& layout, int stride, int bits,
                const std::function<void(const void* numbers, int n, float* values)>& floats);
+
+/// How edges are sought in pixels of this colour, whose numbers are linear light or, if not
+/// `linear`, seen as they are.
+GuideRecipe guide_recipe(const Light& light, const ColourLayout& layout, bool linear);
 
 /// Convert the colour of `count` pixels of `stride` floats each, in place, to linear light.
 ///

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/base/guarded.h"
+#include "plugin/colour/colourpixels.h"
 #include "plugin/colour/encodings.h"
 #include "plugin/host/pixels.h"
 
@@ -129,14 +130,7 @@ std::vector<std::string> meaning_names() {
 }
 
 GuideRecipe guide_recipe(const Layout& layout, const Meaning& meaning) {
-    GuideRecipe guide;
-    guide.linear = meaning.linear;
-    guide.alpha = layout.colour.alpha;
-    for (int k = 0; k < layout.colour.count; ++k) {
-        guide.channel[k] = layout.colour.channel[k];
-        guide.weight[k] = layout.colour.count == 3 ? meaning.light->luma()[size_t(k)] : 1.0f;
-    }
-    return guide;
+    return ddt::guide_recipe(*meaning.light, layout.colour, meaning.linear);
 }
 
 Outcome enlarge(const Enlargement& work, Source& source, Sink& sink, std::string& error) {
@@ -159,8 +153,8 @@ Outcome enlarge(const Enlargement& work, std::string& error) {
         error = "ddt: there is no memory with pixels";
         return Outcome::bad_job;
     }
-    BufferSource source(work);
-    BufferSink sink(work);
+    HostSource source(work);
+    HostSink sink(work);
     return enlarge(work, source, sink, error);
 }
 

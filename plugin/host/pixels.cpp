@@ -41,10 +41,10 @@ void from_work(const Enlargement& work, float* values, size_t count) {
         dissociate(layout.colour, values, count, layout.channels);
 }
 
-BufferSource::BufferSource(const Enlargement& work)
+HostSource::HostSource(const Enlargement& work)
     : m_work(work), m_guide(guide_recipe(work.layout, work.meaning)) {}
 
-void BufferSource::read_row(int y, const Rect& r, float* values) const {
+void HostSource::read_row(int y, const Rect& r, float* values) const {
     const Rect& box = m_work.from.box;
     const int channels = m_work.layout.channels;
     const int x0 = std::clamp(box.x0, r.x0, r.x1), x1 = std::clamp(box.x1, x0, r.x1);
@@ -56,7 +56,7 @@ void BufferSource::read_row(int y, const Rect& r, float* values) const {
              values + size_t(x0 - r.x0) * size_t(channels));
 }
 
-bool BufferSource::read(const Rect& r, float* values, float* guide) {
+bool HostSource::read(const Rect& r, float* values, float* guide) {
     const Layout& layout = m_work.layout;
     const auto width = size_t(r.width());
     for (int y = r.y0; y < r.y1; ++y, values += width * size_t(layout.channels), guide += width) {
@@ -71,7 +71,7 @@ bool BufferSource::read(const Rect& r, float* values, float* guide) {
     return true;
 }
 
-std::vector<float> BufferSource::codes() {
+std::vector<float> HostSource::codes() {
     const Layout& layout = m_work.layout;
     const Sample sample = m_work.from.sample;
     const Rect &box = m_work.from.box, &window = m_work.place.window;
@@ -87,7 +87,7 @@ std::vector<float> BufferSource::codes() {
                           });
 }
 
-bool BufferSource::read_codes(const Rect& r, void* codes, float* guide) {
+bool HostSource::read_codes(const Rect& r, void* codes, float* guide) {
     const int channels = m_work.layout.channels;
     const auto width = size_t(r.width());
     const size_t row = width * size_t(channels);
@@ -102,7 +102,7 @@ bool BufferSource::read_codes(const Rect& r, void* codes, float* guide) {
     return true;
 }
 
-bool BufferSink::write(const Rect& r, float* values) {
+bool HostSink::write(const Rect& r, float* values) {
     const Layout& layout = m_work.layout;
     if (write_codes(r, values))
         return true;
@@ -115,13 +115,13 @@ bool BufferSink::write(const Rect& r, float* values) {
 }
 
 /// Whether numbers are stored without a conversion but to the memory's kind.
-bool BufferSink::as_they_are() const {
+bool HostSink::as_they_are() const {
     const Layout& layout = m_work.layout;
     return !must_associate(layout) && ddt::as_they_are(*m_work.meaning.light, layout.colour);
 }
 
 /// Floats that stay as they are.
-float* BufferSink::place(const Rect& r, size_t& row) {
+float* HostSink::place(const Rect& r, size_t& row) {
     const Buffer& to = m_work.to;
     constexpr ptrdiff_t size = sizeof(float);
     const bool as_floats =
@@ -134,11 +134,11 @@ float* BufferSink::place(const Rect& r, size_t& row) {
     return reinterpret_cast<float*>(p);
 }
 
-bool BufferSink::takes_halfs() const {
+bool HostSink::takes_halfs() const {
     return m_work.to.sample == Sample::half && !m_work.layout.is_ids() && as_they_are();
 }
 
-const CodeTable* BufferSink::takes_codes() const {
+const CodeTable* HostSink::takes_codes() const {
     const Layout& layout = m_work.layout;
     const Light& light = *m_work.meaning.light;
     return m_work.to.sample == Sample::uint8 && !layout.is_ids() &&
@@ -147,7 +147,7 @@ const CodeTable* BufferSink::takes_codes() const {
                : nullptr;
 }
 
-bool BufferSink::write_packed(const Rect& r, const void* numbers) {
+bool HostSink::write_packed(const Rect& r, const void* numbers) {
     const auto* from = static_cast<const char*>(numbers);
     const int channels = m_work.layout.channels;
     const auto width = size_t(r.width());
@@ -158,7 +158,7 @@ bool BufferSink::write_packed(const Rect& r, const void* numbers) {
 }
 
 /// The usual case at once.
-bool BufferSink::write_codes(const Rect& r, const float* values) const {
+bool HostSink::write_codes(const Rect& r, const float* values) const {
     const Buffer& to = m_work.to;
     const int channels = m_work.layout.channels;
     const CodeTable* codes = takes_codes();

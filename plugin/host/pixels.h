@@ -10,9 +10,9 @@ namespace ddt::host {
 void to_work(const Enlargement& work, float* values, size_t count);
 void from_work(const Enlargement& work, float* values, size_t count);
 
-class BufferSource final : public Source {
+class HostSource final : public Source {
 public:
-    explicit BufferSource(const Enlargement& work);
+    explicit HostSource(const Enlargement& work);
     bool read(const Rect& r, float* values, float* guide) override;
     /// Of 8 bits and of halfs, all channels of which convert alike.
     std::vector<float> codes() override;
@@ -25,9 +25,9 @@ private:
     GuideRecipe m_guide;
 };
 
-class BufferSink final : public Sink {
+class HostSink final : public Sink {
 public:
-    explicit BufferSink(const Enlargement& work) : m_work(work) {}
+    explicit HostSink(const Enlargement& work) : m_work(work) {}
     bool write(const Rect& r, float* values) override;
     float* place(const Rect& r, size_t& row) override;
     /// Into halfs, of numbers that stay as they are.

@@ -11,20 +11,6 @@
 namespace ddt::host {
 namespace {
 
-ResizeMapping::Axis axis(int from0, int from1, int to0, int to1, int window0, int window1, int out0,
-                         int out1) {
-    ResizeMapping::Axis a;
-    a.from0 = from0;
-    a.from_size = from1 - from0;
-    a.to0 = to0;
-    a.to_size = to1 - to0;
-    a.window0 = window0;
-    a.window1 = window1;
-    a.out0 = out0;
-    a.out1 = out1;
-    return a;
-}
-
 /// A factor as so many pixels that become others.
 struct Ratio {
     int from = 1, to = 1;
@@ -60,8 +46,8 @@ Placing stretched(const Rect& window, const Rect& full, int x, int y, double x_f
 } // namespace
 
 ResizeMapping Placing::mapping(const Rect& box) const {
-    return {axis(from.x0, from.x1, to.x0, to.x1, window.x0, window.x1, box.x0, box.x1),
-            axis(from.y0, from.y1, to.y0, to.y1, window.y0, window.y1, box.y0, box.y1)};
+    return {{from.x0, from.width(), to.x0, to.width(), window.x0, window.x1, box.x0, box.x1},
+            {from.y0, from.height(), to.y0, to.height(), window.y0, window.y1, box.y0, box.y1}};
 }
 
 Placing onto(const Rect& window, const Rect& full) {

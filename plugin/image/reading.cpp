@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "plugin/colour/colourpixels.h"
 #include "plugin/colour/space_light.h"
 
 namespace ddt {
@@ -32,13 +33,8 @@ std::vector<int> select(const Reading& reading, const OIIO::ROI& roi, int all) {
 }
 
 GuideRecipe recipe(const Channels& channels, const Light& light, bool linear) {
-    GuideRecipe guide;
-    guide.linear = linear;
+    GuideRecipe guide = guide_recipe(light, channels.colour, linear);
     guide.alpha = channels.alpha;
-    for (int k = 0; k < channels.colour.count; ++k) {
-        guide.channel[k] = channels.colour.channel[k];
-        guide.weight[k] = channels.colour.count == 3 ? light.luma()[k] : 1.0f;
-    }
     if (channels.colour.count == 0) {
         guide.channel[0] = channels.guide;
         guide.weight[0] = 1.0f;

@@ -41,20 +41,6 @@ bool check_windows(const char* whose, const OIIO::ImageSpec& spec, int least_dis
            fits("display", spec.full_y, spec.full_height, least_display);
 }
 
-ResizeMapping::Axis axis(int from0, int from_size, int to0, int to_size, int window0, int window,
-                         int out0, int out1) {
-    ResizeMapping::Axis a;
-    a.from0 = from0;
-    a.from_size = from_size;
-    a.to0 = to0;
-    a.to_size = to_size;
-    a.window0 = window0;
-    a.window1 = window0 + window;
-    a.out0 = out0;
-    a.out1 = out1;
-    return a;
-}
-
 /// What IBAprep does with a roi and a dst that is not initialised, less making pixels black of
 /// which all will be written: that would take a tenth of the filter's time.
 bool allocate(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int flags,
@@ -265,14 +251,14 @@ OIIO::ROI cut_to_data(const OIIO::ImageSpec& src, const OIIO::ImageSpec& dst, OI
 
 ResizeMapping::Axis x_axis(const OIIO::ImageSpec& src, const OIIO::ImageSpec& dst,
                            const OIIO::ROI& roi) {
-    return axis(src.full_x, src.full_width, dst.full_x, dst.full_width, src.x, src.width,
-                roi.xbegin, roi.xend);
+    return {src.full_x, src.full_width,    dst.full_x, dst.full_width,
+            src.x,      src.x + src.width, roi.xbegin, roi.xend};
 }
 
 ResizeMapping::Axis y_axis(const OIIO::ImageSpec& src, const OIIO::ImageSpec& dst,
                            const OIIO::ROI& roi) {
-    return axis(src.full_y, src.full_height, dst.full_y, dst.full_height, src.y, src.height,
-                roi.ybegin, roi.yend);
+    return {src.full_y, src.full_height,    dst.full_y, dst.full_height,
+            src.y,      src.y + src.height, roi.ybegin, roi.yend};
 }
 
 } // namespace ddt

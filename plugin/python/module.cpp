@@ -169,7 +169,7 @@ void read_guide(const Enlargement& work, std::vector<float>& guide) {
     const ddt::Rect& all = work.place.window;
     const auto width = size_t(all.width());
     std::vector<float> values(size_t(rows) * width * size_t(work.layout.channels));
-    BufferSource source(work);
+    HostSource source(work);
     for (int y = all.y0; y < all.y1; y += rows)
         (void)source.read({all.x0, y, all.x1, std::min(y + rows, all.y1)}, values.data(),
                           &guide[size_t(y - all.y0) * width]);

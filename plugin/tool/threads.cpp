@@ -16,7 +16,7 @@ int share_threads(int wanted) {
     int threads = wanted;
     if (wanted <= 0)
         OIIO::getattribute("threads", threads);
-    threads = threads > 0 ? allowed_threads(threads) : usual_threads();
+    threads = threads_for(threads);
     // OpenImageIO's pool has one thread less than it is told, and its TIFF writer compresses side
     // by side only where the pool has two.
     try {

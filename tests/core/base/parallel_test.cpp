@@ -51,6 +51,9 @@ TEST(Parallel, AtLeastOneThread) {
     EXPECT_GE(ddt::usual_threads(), 1);
     EXPECT_EQ(ddt::allowed_threads(1), 1);
     EXPECT_EQ(ddt::allowed_threads(-3), 1);
+    EXPECT_EQ(ddt::threads_for(1), 1);
+    for (const int usual : {0, -3})
+        EXPECT_EQ(ddt::threads_for(usual), ddt::usual_threads());
 }
 
 } // namespace
