@@ -15,7 +15,7 @@ namespace ddt {
 enum class Caught { nothing, out_of_memory, other };
 
 /// Set *error, unless null, to "ddt: " and `what` in one line; to nothing where memory runs out.
-inline void tell(std::string* error, const char* what) noexcept {
+inline void set_error(std::string* error, const char* what) noexcept {
     if (!error)
         return;
     error->clear();
@@ -34,12 +34,12 @@ Caught guarded_call(std::string* error, F&& f) noexcept {
         f();
         return Caught::nothing;
     } catch (const std::bad_alloc&) {
-        tell(error, "out of memory");
+        set_error(error, "out of memory");
         return Caught::out_of_memory;
     } catch (const std::exception& e) {
-        tell(error, e.what());
+        set_error(error, e.what());
     } catch (...) {
-        tell(error, "an exception of unknown type");
+        set_error(error, "an exception of unknown type");
     }
     return Caught::other;
 }

@@ -10,7 +10,7 @@ Outcome enlarge(const float* src, int width, int height, int channels, const flo
                 float* dst, int dst_width, int dst_height, const SurfaceOptions& surface,
                 const MeshOptions& mesh, int threads, std::string* error) {
     if (dst_width < width || dst_height < height || !src || !dst) {
-        tell(error, "ddt: the output must not be smaller than the input, nor a buffer null");
+        set_error(error, "ddt: the output must not be smaller than the input, nor a buffer null");
         return Outcome::bad_job;
     }
     Job job;

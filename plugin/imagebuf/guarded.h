@@ -36,7 +36,7 @@ bool guarded(OIIO::ImageBuf& dst, Body&& body) noexcept {
             OIIO::ImageBufAlgo::zero(dst, touched);
         if (!pending)
             dst.geterror(); // OpenImageIO's own words for it
-        tell(&error, error.empty() ? "out of memory" : std::string(error).c_str());
+        set_error(&error, error.empty() ? "out of memory" : std::string(error).c_str());
         set_error(dst, error);
     });
     return done;
