@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "ddt/guide.h"
-#include "plugin/colour/codetable.h"
+#include "plugin/colour/code_table.h"
 #include "plugin/colour/curve.h"
 
 namespace ddt {

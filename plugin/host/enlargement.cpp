@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "core/base/guarded.h"
-#include "plugin/colour/colourpixels.h"
+#include "plugin/colour/colour_pixels.h"
 #include "plugin/colour/encodings.h"
 #include "plugin/host/pixels.h"
 

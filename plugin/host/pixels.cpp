@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "plugin/colour/colourpixels.h"
+#include "plugin/colour/colour_pixels.h"
 
 namespace ddt::host {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "plugin/colour/colourpixels.h"
+#include "plugin/colour/colour_pixels.h"
 #include "plugin/colour/space_light.h"
 
 namespace ddt {

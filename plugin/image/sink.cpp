@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "plugin/colour/colourpixels.h"
+#include "plugin/colour/colour_pixels.h"
 #include "plugin/image/pixels.h"
 
 namespace ddt {

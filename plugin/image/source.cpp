@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "plugin/colour/colourpixels.h"
+#include "plugin/colour/colour_pixels.h"
 #include "plugin/image/pixels.h"
 
 namespace ddt {

@@ -2,6 +2,7 @@
 // An enlarged image, piece by piece.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>

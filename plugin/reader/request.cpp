@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/reader/request.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>

@@ -5,7 +5,7 @@
 
 #include <OpenImageIO/imagebuf.h>
 
-#include "plugin/colour/colourpixels.h"
+#include "plugin/colour/colour_pixels.h"
 #include "plugin/colour/encodings.h"
 #include "plugin/tool/fit_format.h"
 #include "plugin/tool/image_file.h"

@@ -38,7 +38,7 @@ while read -r file folder; do
 done <<END
 core/triangulate/gain_simd.cpp highway
 plugin/host/targets.cpp highway
-plugin/colour/codetable.cpp highway
+plugin/colour/code_table.cpp highway
 core/tin/delaunay_geos.cpp geos
 core/gl/context/functions.cpp gl
 core/gl/context/context_egl.cpp egl
@@ -74,7 +74,7 @@ done
 (cd "$whole" && ctest -N) | grep -qx 'Total Tests: 0' || failed "a part's tests are the whole's"
 with "$whole" mine.cpp "$source_dir/plugin/include" || failed "a part's headers are not seen by the whole"
 ! with "$whole" mine.cpp "-DHWY_" || failed "a part's definitions are the whole's"
-for file in core/triangulate/gain_simd.cpp plugin/host/targets.cpp plugin/colour/codetable.cpp; do
+for file in core/triangulate/gain_simd.cpp plugin/host/targets.cpp plugin/colour/code_table.cpp; do
     with "$whole" $file "-DHWY_BROKEN_EMU128=0" || failed "$file: Highway is not compiled as elsewhere"
     # Without optimisation GCC breaks off.
     with "$whole" $file " -O" || failed "$file is not optimised"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "plugin/colour/codetable.h"
+#include "plugin/colour/code_table.h"
 
 #include <algorithm>
 #include <array>

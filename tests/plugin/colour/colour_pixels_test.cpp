@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "plugin/colour/colourpixels.h"
+#include "plugin/colour/colour_pixels.h"
 #include "plugin/colour/space_light.h"
 #include "tests/plugin/images.h"
 

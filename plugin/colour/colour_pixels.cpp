@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "plugin/colour/colourpixels.h"
+#include "plugin/colour/colour_pixels.h"
 
 #include <algorithm>
 #include <cmath>
