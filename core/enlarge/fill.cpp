@@ -98,9 +98,7 @@ private:
         std::atomic<bool> going{shared.add(0)};
         if (!going)
             error = "ddt: cancelled";
-        const int threads =
-            m_image.threads > 0 ? allowed_threads(m_image.threads) : usual_threads();
-        for_each_index(threads, int(groups.size()), [&](int, int k) {
+        for_each_index(threads_for(m_image.threads), int(groups.size()), [&](int, int k) {
             if (!going)
                 return;
             const DenormalsAreZero mode; // whichever thread this is

@@ -9,10 +9,10 @@ namespace ddt::gl {
 /// The slot for the tiles of a window.
 SlotShape shape_for(const Rect& window);
 
-/// Tiles to have on the device at a time: not more than `tiles`, than the device's memory, its
-/// storage blocks or the host's memory for what travels take, or than a dispatch can hold; at least
-/// 1. Throws Failure where one does not fit a storage block, or the device's memory, unless it is a
-/// software renderer's.
+/// How many tiles to have on the device at a time: at most `tiles`, and as many as the device's
+/// memory, its storage blocks, the host's memory for what travels and a dispatch have room for; at
+/// least 1. Throws Failure if one does not fit a storage block, or does not fit the memory of a
+/// device that is no software renderer.
 size_t affordable_tiles(const Gpu& gpu, const SlotShape& shape, int groups,
                         const SurfaceOptions& options, int tiles, int meshes = 1);
 

@@ -46,8 +46,8 @@ struct IterationCounts {
     uint32_t evaluated = 0, candidates = 0, selected = 0, blocked = 0, dirty = 0, rounds = 0;
 };
 
-/// How far edges go at most that have an end beyond a side of what a tile serves: x of those to the
-/// left and right, y of those above and below. The layout of shaders/counts.glsl.
+/// How far those edges go, at most, that have an end beyond a side of what a tile serves: in x to
+/// the left and right, in y above and below. The layout of shaders/counts.glsl.
 struct Reach {
     uint32_t left = 1, upper = 1, right = 1, lower = 1; ///< of the starting mesh
 };
@@ -79,15 +79,15 @@ public:
     /// shape.stride(). Returns the bytes.
     size_t write_sites(int slot, const void* sites);
 
-    /// Whether triangulate() knows the scheme; of others the finished mesh must be written.
+    /// Whether triangulate() knows the scheme; for others the finished mesh must be written.
     static bool knows(const MeshOptions& options);
     void triangulate(const MeshOptions& options);
     /// On the finished mesh: the gains of all edges, for soft ones; nothing to do where
     /// triangulate() keeps them. With contours the guide must have been written.
     void find_gains(const Criterion& by);
     /// Leave all iterations of one_round() but the first n to finish.comp, n >= 1, so many
-    /// (`parts`, even) a dispatch: what a check's small picture would be done with before it comes
-    /// to them.
+    /// (`parts`, even) a dispatch: else a check's small picture would be done before it comes to
+    /// finish.comp.
     void finish_after(int n, int parts) {
         m_dispatched = n;
         m_parts = parts;

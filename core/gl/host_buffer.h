@@ -10,7 +10,8 @@
 namespace ddt::gl {
 
 /// Where the driver can (OpenGL 4.4), pinned and mapped for as long as it exists: the device copies
-/// by itself, and who asked for it goes on. Elsewhere plain memory, and copying may wait.
+/// by itself, and the thread that asked for it goes on. Elsewhere plain memory, and copying may
+/// wait.
 class HostBuffer {
 public:
     /// Of plain memory.

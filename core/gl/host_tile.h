@@ -28,7 +28,7 @@ struct HostTile {
 /// Bytes of HostTile::memory.
 size_t host_bytes(const Job& job, const SlotShape& shape, const Numbers& numbers);
 
-/// What one who reads tiles takes for all of them.
+/// Memory of a thread that reads tiles, the same for all of them.
 struct ReadMemory {
     std::vector<float> guide, blurred;
 };

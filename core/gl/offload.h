@@ -18,9 +18,9 @@ namespace gl {
 struct Gpu;
 }
 
-/// Source pixels for each of the CPU's threads from which a GPU gains over them: when it must be
-/// opened first, which takes as long as a thread has with so many, of one job or of all so far; and
-/// when it is open already (docs/gpu.md). The help of the option `device` tells them.
+/// From how many source pixels on, for each of the CPU's threads, a GPU is quicker than these: when
+/// it must be opened first, which takes as long as a thread needs for so many, of one job or of all
+/// so far; and when it is open already (docs/gpu.md). The help of the option `device` tells them.
 constexpr size_t worth_opening = 800'000, worth_using = 20'000;
 
 /// Where a job is worked on.
@@ -34,7 +34,7 @@ struct Placement {
 /// stood in the way.
 bool find_place(const Job& job, size_t pixels_a_thread, Placement& placement, std::string& why);
 
-/// That the job, for which no GPU was found, is done by the CPU.
+/// To be told that the job, for which no GPU was found, is done by the CPU.
 void missed_gpu(const Job& job, size_t pixels_a_thread);
 
 /// Work on the tiles of a job as far as the GPU gets; `run` knows how far that is. Adds to

@@ -48,8 +48,8 @@ public:
     static size_t bytes(const SlotShape& shape, size_t groups, const SurfaceOptions& options);
     static size_t largest_bytes(const SlotShape& shape, const SurfaceOptions& options);
 
-    /// What the numbers of the slots' tiles are, each of which takes `meshes` slots. To be told
-    /// before anything below is called.
+    /// What the numbers of the slots' tiles are, each of which takes `meshes` slots. To be called
+    /// before anything below.
     void expect(const Numbers& numbers, int channels, int meshes);
     /// Have a tile's numbers, from `at` on in `from`, copied to the device; returns the bytes.
     size_t write_numbers(int tile, const TileSize& size, const HostBuffer& from, size_t at);

@@ -17,7 +17,8 @@ struct Ratio {
 };
 
 /// The one of the smallest numbers that differs by less than a ten millionth, which the floats of
-/// hosts do too: so 1.1 is 11/10, and positions are those of a result of just this many pixels. By
+/// hosts do too: so 1.1 is 11/10, and positions are those of a result of just this many pixels.
+/// Where that takes more than most_from pixels, as 2.00005 does, the nearest of so many. By
 /// continued fractions.
 Ratio ratio_of(double factor) {
     constexpr double largest = 1 << 14, most_from = 1 << 14;
@@ -28,8 +29,15 @@ Ratio ratio_of(double factor) {
         rest = 1 / (rest - std::floor(rest));
         const double a = std::floor(rest);
         const double next = a * from + from_before;
-        if (next > most_from)
+        if (next > most_from) {
+            const double fewer = std::floor((most_from - from_before) / from);
+            const double last = fewer * from + from_before, of_last = fewer * to + to_before;
+            if (std::abs(of_last / last - factor) < std::abs(to / from - factor)) {
+                from = last;
+                to = of_last;
+            }
             break;
+        }
         from_before = std::exchange(from, next);
         to_before = std::exchange(to, a * to + to_before);
     }

@@ -8,11 +8,11 @@
 
 namespace ddt {
 
-/// One call's reads of the file behind an image. What a cache could not read it keeps as black, and
-/// says so only once and to one of those who ask: whoever asks meanwhile, or later, gets black and
-/// no error. So calls that read the same file at once all fail where one of them does, and the last
-/// of them has the cache forget the file, that the next call may find out for itself. Of an image
-/// in memory nothing. Thread-safe.
+/// One call's reads of the file behind an image. A cache keeps as black what it could not read, and
+/// reports that once, to one of those who ask: all others, meanwhile and later, get black and no
+/// error. So calls that read the same file at once all fail if one of them does, and the last of
+/// them makes the cache forget the file, so that the next call finds out for itself. For an image
+/// in memory there is nothing to do. Thread-safe.
 class CachedReads {
 public:
     /// `image` must outlive this.

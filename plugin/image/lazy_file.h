@@ -24,7 +24,8 @@ public:
         bool whole_rows = false;
     };
 
-    /// `hints` are handed to the file's reader. What cannot be read is found when it is. The image
+    /// `hints` are handed to the file's reader. Pixels that cannot be read are noticed when they
+    /// are asked for. The image
     /// is of the file's type, or of floats where is_associated_when_read().
     LazyFile(const std::string& path, int subimage, const Pieces& pieces,
              const OIIO::ImageSpec* hints = nullptr);

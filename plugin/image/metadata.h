@@ -15,16 +15,16 @@ inline void forget_pixels(OIIO::ImageSpec& spec) {
         spec.erase_attribute(name);
 }
 
-/// Whether its reader, as TIFF's does, makes colours associated in numbers of the type that it is
-/// asked for. Ask for floats, as oiiotool does: of 8 bits little is left under a small alpha.
+/// Whether the file's reader, as TIFF's does, makes colours associated in numbers of the type that
+/// it is asked for. Ask for floats, as oiiotool does: a small alpha leaves little of 8 bits.
 inline bool is_associated_when_read(const OIIO::ImageSpec& native) {
     return native.get_int_attribute("tiff:UnassociatedAlpha") &&
            !native.get_int_attribute("oiio:UnassociatedAlpha") &&
            !native.format.is_floating_point() && native.format.size() <= 2;
 }
 
-/// Whether OpenImageIO cannot read a TIFF in tiles that it wrote with this: its reader overruns its
-/// memory with tiles of CMYK, and has not the tables of those in JPEG.
+/// Whether OpenImageIO cannot read back a TIFF in tiles that it wrote with this attribute: its
+/// reader overruns its memory with tiles of CMYK, and lacks the tables of those in JPEG.
 inline bool spoils_tiff_tiles(const OIIO::ParamValue& attribute) {
     if (attribute.name() != "compression")
         return attribute.name() == "tiff:ColorSpace";

@@ -8,10 +8,10 @@
 
 namespace ddt {
 
-/// While one is there, what its thread asks of OpenImageIO is not shared with the pool. A thread
-/// that waits for its share of the pool's takes up whatever else waits there, as a task that asks
-/// the reader for another piece of the image that is being made: which may be for ever, if this
-/// thread is one of those that make it.
+/// While one is there, OpenImageIO does not share with its pool what this thread asks of it. A
+/// thread that waits for the pool takes up any task that waits there, such as one that asks the
+/// reader for another piece of the image that is being made. That task may wait for ever, if this
+/// thread is one of those that make the image.
 class OwnTasksOnly {
 public:
     OwnTasksOnly() : m_added(!pool().is_worker(std::this_thread::get_id())) {

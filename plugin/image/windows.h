@@ -22,7 +22,7 @@ bool check_source_spec(const OIIO::ImageSpec& spec, std::string& error);
 bool check_size(const OIIO::ROI& roi, int channels, OIIO::TypeDesc format, std::string& error);
 
 /// Make `image` one as `spec` says, its pixels not yet written. False with one line in `error` when
-/// there is no memory, where OpenImageIO 3 calls an image initialised that has no pixels.
+/// there is no memory: OpenImageIO 3 then calls an image initialised that has no pixels.
 bool take_memory(OIIO::ImageBuf& image, const OIIO::ImageSpec& spec, std::string& error);
 
 /// The same with black pixels.
@@ -40,8 +40,8 @@ inline Rect rect_of(const OIIO::ROI& roi) {
     return {roi.xbegin, roi.ybegin, roi.xend, roi.yend};
 }
 
-/// What `roi` of dst's pixels shows of src: without those that the enlarged data window does not
-/// touch, where it ends within the display window, along axes that do not shrink. May be empty.
+/// `roi`, of dst's pixels, without those that src's enlarged data window does not touch: where it
+/// ends within the display window, along axes that do not shrink. May be empty.
 OIIO::ROI cut_to_data(const OIIO::ImageSpec& src, const OIIO::ImageSpec& dst, OIIO::ROI roi);
 
 /// src's display window mapped onto dst's, `roi` of dst's pixels wanted.

@@ -15,10 +15,10 @@
 // are options. Empty lines and lines that start with # do not count. Options after a sidecar's name
 // come after its own.
 //
-// Who opens names or sidecars that come from others should know: the image's path may be absolute
-// or climb by "..", so a sidecar reads any image that the process may read, and asks for any size
-// that OpenImageIO's attribute "limits:imagesize_MB" allows. What is not a regular file is refused,
-// and a request is no image for another request. See SECURITY.md.
+// A warning to programs that open names or sidecars that come from others: the image's path may be
+// absolute or climb by "..", so a sidecar reads any image that the process may read, and asks for
+// any size that OpenImageIO's attribute "limits:imagesize_MB" allows. A file that is not a regular
+// one is refused, and a request cannot name another request as its image. See SECURITY.md.
 //
 // Options: scale=FACTOR, or width= or height= in pixels of the display window, or both (one alone
 // keeps the shape); filter=NAME, a filter specification, by default "ddt"; and the options of the

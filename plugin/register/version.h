@@ -6,8 +6,8 @@
 
 namespace ddt {
 
-/// Libraries are told apart by their names' ends: of "libName.so.2.4" it is "2.4", with the stem
-/// "libName.so.".
+/// Libraries are told apart by the ends of their names: with the stem "libName.so.", the end of
+/// "libName.so.2.4" is "2.4".
 struct Versions {
     std::string ours;   ///< of the library that defines a function of ours
     std::string theirs; ///< of another one that is loaded; empty if there is none

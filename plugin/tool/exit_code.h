@@ -6,7 +6,7 @@
 
 namespace ddt::tool {
 
-/// A signal that ends the program makes a shell see 128 plus its number beside these.
+/// Besides these a shell sees 128 plus the number of a signal that ended the program.
 enum ExitCode {
     exit_done = 0,
     exit_failed = 1,    ///< something cannot be read, made or written; trying again would not help
@@ -20,14 +20,14 @@ struct Failure {
     ExitCode code = exit_failed;
 };
 
-/// The code for a failed system call: exit_resources for those that say that something ran out or
-/// a device failed.
+/// The code for a failed system call: exit_resources where it says that something ran out or a
+/// device failed.
 ExitCode code_of_errno(int number);
 
-/// What the exception says that is being handled.
+/// The message of the exception that is being handled.
 Failure thrown();
 
-/// The code for a message of the library, which are text alone.
+/// The code for a failure of the library, which tells it by a text alone.
 ExitCode code_of_message(const std::string& message);
 
 } // namespace ddt::tool

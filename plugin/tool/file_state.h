@@ -9,7 +9,7 @@
 namespace ddt::tool {
 
 /// What changes with a file's bytes: which file has the name, its size and the times of its last
-/// changes. Of a file that is not there nothing is the same.
+/// changes. A file that is not there never counts as unchanged.
 class FileState {
 public:
     explicit FileState(const std::string& path)

@@ -11,10 +11,11 @@
 namespace ddt::tool {
 
 /// A hash of what makes the result: the source, the result's windows and pixel type, the filter's
-/// options less the device, and the version. Of the source its header, its size in bytes and all
-/// of them up to 64 MiB; of a larger one 1024 pieces of 64 KiB, evenly spread, for reading all of
-/// it would take longer than a part: sources that differ only between the pieces look like one. Not
-/// the time of its last change: machines may have copies. Empty if the file cannot be read.
+/// options less the device, and the version. The source counts by its header, its size in bytes
+/// and the bytes themselves, up to 64 MiB all of them. A larger one counts by 1024 pieces of 64
+/// KiB, evenly spread, since reading all of it would take longer than a part: sources that differ
+/// only between the pieces look like one. The time of its last change does not count: machines may
+/// have copies. Empty if the file cannot be read.
 std::string fingerprint(const std::string& source, const OIIO::ImageSpec& source_spec,
                         const OIIO::ImageSpec& result, const ResizeSettings& settings);
 

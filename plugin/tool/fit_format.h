@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of an image a file's format has room for.
+// How much of an image a file's format has room for.
 #pragma once
 
 #include <string>
@@ -19,15 +19,15 @@ bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::
 
 /// Let the spec's alpha be the image's (alpha_of()), and leave out what comes after colour and
 /// alpha, or alpha too, where the format holds no more, as oiiotool does (and alpha beside grey in
-/// BMP and JPEG 2000); returns their names, if there are any. Of other channels than R, G, B and
-/// alpha in this order it is the format's writer that complains, or ImageFile::open().
+/// BMP and JPEG 2000); returns their names, if there are any. The format's writer, or
+/// ImageFile::open(), complains about other channels than R, G, B and alpha in this order.
 std::string fit_channels(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec);
 
 /// Say on stderr that the file `path` has no room for such channels, if there are any.
 void note_left_out(const std::string& path, const std::string& channels);
 
 /// Say on stderr that the file `path` has something else than was asked for, a "type" or
-/// "compression"; nothing where nothing was, or nothing is known of what was written.
+/// "compression". Silent if nothing was asked for, or if it is not known what was written.
 void note_instead(const std::string& path, const char* what, const std::string& asked,
                   const std::string& written);
 

@@ -22,9 +22,8 @@ public:
     /// integers all.
     IdFile(const std::string& path, const OIIO::ImageBuf& image, std::vector<int> channels);
 
-    /// `ids` becomes an image of those channels of which there are those pixels of `wanted` that
-    /// there are, and the others of the file's tiles and rows they lie in. False with one line in
-    /// `error`.
+    /// `ids` becomes an image of those channels: of the pixels of `wanted` that the file has, and
+    /// the others of the file's tiles and rows that they lie in. False with one line in `error`.
     bool read(const Rect& wanted, OIIO::ImageBuf& ids, std::string& error);
 
 private:

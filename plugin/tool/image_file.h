@@ -16,8 +16,8 @@ namespace ddt::tool {
 
 /// An image file to be written, which appears under its name only when whole and checked. Writers
 /// of many formats do not look whether what they write arrives (PNG: a full disk), so their stream
-/// is ours where they let us; the others' files are read back. Of every file the size is, which
-/// some writers do not look at either (GIF: 66000 becomes 464).
+/// is ours where they let us; the others' files are read back. The size of every file is read back,
+/// which some writers do not look at either (GIF: 66000 becomes 464).
 class ImageFile {
 public:
     /// Decide on the format by the name's extension and open a temporary file.
@@ -32,10 +32,11 @@ public:
     void begin_writeback() { m_whole.begin_writeback(); }
     /// Close the writer, check, and give the file its name.
     bool commit(Failure& failure);
-    /// Of the file that was committed, without a level, as its reader names it: its writer may have
-    /// chosen another than the spec's without a word (TIFF: jpeg). Empty where that is not known.
+    /// The compression of the file that was committed, as its reader names it, without a level: the
+    /// writer may have chosen another than the spec's without a word (TIFF: jpeg). Empty where it
+    /// is not known.
     const std::string& compression() const { return m_compression; }
-    /// What was said of the temporary file, as of the file that it becomes.
+    /// A message about the temporary file, as one about the file that it becomes.
     std::string with_its_name(const std::string& said) const;
     /// What the writer said, as a failure.
     Failure failed() const;
@@ -51,13 +52,14 @@ private:
     std::unique_ptr<OIIO::ImageOutput> m_output;
 };
 
-/// Readers call a file broken, or none of their format, that cannot be opened or whose bytes cannot
-/// be read: the code for why it is, or `otherwise`. After a failure alone, for it reads them.
+/// If a file cannot be opened, or its bytes cannot be read, readers call it broken or none of their
+/// format: the code for the reason then, else `otherwise`. Reads the bytes, so it is to be called
+/// after a failure only.
 ExitCode code_of_reading(const std::string& path, ExitCode otherwise = exit_failed);
 
-/// What the system says of a file that is there and cannot be opened, "Permission denied", where
-/// readers say that it is none of theirs. Empty for one that can, and for a name of no file, which
-/// readers may know what to make of.
+/// If a file is there and cannot be opened, readers say that it is none of theirs: what the system
+/// says then, such as "Permission denied". Empty for a file that can be opened, and for a name of
+/// no file, which readers may know what to make of.
 std::string why_not_opened(const std::string& path);
 
 /// Scanlines that a file of this spec keeps together, as far as it says so (TIFF); 1 to 2^20.

@@ -11,7 +11,7 @@ namespace ddt::tool {
 /// Names of channels, "id, mask00.R".
 struct LostIds {
     std::string by_type;        ///< it has no room for them
-    std::string by_compression; ///< it rounds them; of others than those
+    std::string by_compression; ///< it rounds them; others than those
 };
 
 /// The channels of object numbers, by plugin/image/channels.h, that do not come back from a file

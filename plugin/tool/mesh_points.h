@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flipping the edges of a mesh that somebody has.
+// Flipping the edges of a mesh that is there already.
 #pragma once
 
 #include <functional>

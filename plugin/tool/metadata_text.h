@@ -11,7 +11,8 @@ namespace ddt::tool {
 /// A line each, whatever their types; pointers are left out.
 std::string text_of(const OIIO::ParamValueList& metadata);
 
-/// The metadata that a text is of, in its order. False, and `metadata` is empty, if it is of none.
+/// The metadata of a text that text_of() made, in its order. False, and `metadata` is empty, for
+/// any other text.
 bool metadata_of(const std::string& text, OIIO::ParamValueList& metadata);
 
 } // namespace ddt::tool

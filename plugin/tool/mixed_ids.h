@@ -14,13 +14,13 @@
 namespace ddt::tool {
 
 /// An image of a file whose channels have several types is held as floats, which have no room for
-/// all numbers that name objects. In place of such a number its bits are worked on, which means
-/// copied, and written.
+/// all numbers that name objects. Such a number's bits stand in its place while the image is worked
+/// on, which means that they are copied, and are written.
 class MixedIds final : public Arrival {
 public:
     MixedIds() = default;
-    /// Of the channels of the file `path`, whose image this is, those that are 32-bit integers in
-    /// it and in the file that is written; `written`: its spec.
+    /// For those channels of the file `path`, whose image this is, that are 32-bit integers in it
+    /// and in the file that is written; `written`: its spec.
     MixedIds(const std::string& path, const OIIO::ImageBuf& image, const OIIO::ImageSpec& written);
 
     /// Whether there are any. If not, nothing below is called.

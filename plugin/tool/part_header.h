@@ -25,8 +25,8 @@ struct PartHeader {
     std::string type; ///< the whole's pixel type, where the file's holds more
     /// The channels' names in the whole's order: a file's are sorted. Empty: as the file has them.
     std::vector<std::string> channels;
-    /// The whole's, as one run writes them: of those that belong to another format OpenEXR keeps
-    /// none, and it adds its own.
+    /// The whole's, as one run writes them. Those of the part's own file would not do: OpenEXR
+    /// keeps none that belong to another format, and adds its own.
     OIIO::ParamValueList metadata;
 
     void write_to(OIIO::ImageSpec& spec) const;

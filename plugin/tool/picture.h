@@ -37,11 +37,10 @@ bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& err
 /// The image's spec with the file's types, where its pixels are held as others.
 OIIO::ImageSpec spec_of_file(const OIIO::ImageBuf& image);
 
-/// Of a file with which open_image() failed.
+/// The failure for a file that open_image() could not open.
 Failure unreadable(const std::string& path, const std::string& error);
 
-/// Say on stderr that others of the `images` in a file than the first were not looked at, if there
-/// are any.
+/// Say on stderr that of the `images` in a file only the first was looked at, if there are more.
 void note_others(const std::string& path, int images);
 
 /// Read an image under options.light. False with one line in `error`, as for an image of IDs

@@ -31,9 +31,10 @@ struct PointFile {
 /// Read PLY (text or binary, in either order of bytes; polygons become fans of triangles) or, by
 /// any other name, text: a line that names the columns, x and y among them, then a line a point;
 /// between columns commas, semicolons, tabs or spaces; empty lines and lines that begin with # are
-/// passed over, but for a first line that names columns after a #. There red, green and blue that are
-/// all whole numbers from 0 to 255, some above 1, are bytes, and so is alpha, by itself. False with
-/// a failure that names file and line, or point, counted from 1; so where a position is not finite.
+/// passed over, but for a first line that names columns after a #. In a text, red, green and blue
+/// that are all whole numbers from 0 to 255, some above 1, are bytes, and so is alpha, by itself.
+/// False with a failure that names file and line, or point, counted from 1; also where a position
+/// is not finite.
 bool read_points(const std::string& path, PointFile& points, Failure& failure);
 
 /// The number that all of a word is, as C reads it ("1e3", "nan", "0x10"), or none.

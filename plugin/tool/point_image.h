@@ -10,7 +10,7 @@
 
 namespace ddt::tool {
 
-/// Draw the columns of triangulated points and write what of it OUT's format has room for
+/// Draw the columns of triangulated points and write as much of it as OUT's format has room for
 /// (fit_format.h). Red, green, blue, alpha and z become the channels R, G, B, A and Z, others keep
 /// their names; without alpha there is one that tells where triangles are. Points' red, green and
 /// blue are not associated with their alpha, the image's are. Numbers that are so by the columns'

@@ -27,9 +27,9 @@ bool check_image(const OIIO::ImageBuf& image, const std::string& path, const Opt
 
 /// What an image of spec `from`, which check_image() found right, becomes: the windows that
 /// oiiotool makes. The size is the display window's; the data window is scaled along with it, its
-/// origin rounded down, its size up. Of a size that does not change, neither does the origin. False
-/// with a failure if the size is not allowed, or the data window would leave the coordinates that
-/// are.
+/// origin rounded down, its size up. Where a size does not change, the origin does not either.
+/// False with a failure if the size is not allowed, or the data window would leave the coordinates
+/// that are allowed.
 bool plan_result(const OIIO::ImageSpec& from, const ResizeSettings& settings,
                  OIIO::ImageSpec& result, Failure& failure);
 

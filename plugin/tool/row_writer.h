@@ -14,7 +14,7 @@
 
 namespace ddt::tool {
 
-/// Writes scanlines on a thread of its own, in order. Of one thread's use otherwise.
+/// Writes scanlines on a thread of its own, in order. To be used by one other thread.
 class RowWriter {
 public:
     /// Rows of `image`, whose pixels are in local memory and stay there, into `file`, which was
@@ -30,7 +30,7 @@ public:
     /// Whether writing came to an end before all rows were written.
     bool has_failed();
     /// Wait until all rows are written; they are all ready. `progress` is called with the share of
-    /// rows that is. False, with a failure, if one could not be.
+    /// rows that are. False, with a failure, if one could not be written.
     bool finish(const std::function<void(float)>& progress, Failure& failure);
 
 private:

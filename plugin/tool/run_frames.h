@@ -19,7 +19,7 @@ struct FrameTask {
 
 struct FrameRun {
     int jobs = 1;               ///< frames at a time
-    bool skip_existing = false; ///< leave out those of which `out` is there
+    bool skip_existing = false; ///< leave out those whose `out` is there
     bool keep_going = false;    ///< go on with the others after one failed
     /// One frame. Called from several threads at once.
     std::function<bool(const FrameTask&, const std::function<bool(float)>& progress, Failure&)> run;

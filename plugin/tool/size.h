@@ -24,10 +24,10 @@ constexpr const char* allowed_sizes =
 /// False for anything else, and for a size that is not positive or beyond 2^24.
 bool parse_size(const std::string& text, const Size& from, Size& to);
 
-/// Whether it is one of some image.
+/// Whether `text` is a size, for an image of some size.
 bool is_size(const std::string& text);
 
-/// What to say of a text that is none.
+/// The message about a text that is none.
 std::string wrong_size(const std::string& text);
 
 } // namespace ddt::tool

@@ -14,8 +14,8 @@ namespace ddt::tool {
 /// program by exit() leaves none either. Once, at the start.
 void remove_unfinished_on_signals();
 
-/// Remove them now, and from now on: for a program that ends at once. Of several threads the first
-/// returns alone.
+/// Remove them now, and from now on: for a program that ends at once. If several threads call it,
+/// only the first returns.
 void remove_unfinished();
 
 /// While one of these is there, a signal waits: between the making of a file and its listing nobody

@@ -17,8 +17,8 @@ namespace ddt::tool {
 ///
 /// The temporary file lies in the same folder, its name hidden and with the same extension:
 /// .NAME.ddt-0.exr. A signal that can be caught removes it (see unfinished.h). After one that
-/// cannot (SIGKILL) it stays, and the next of this user's to write this file removes it: it holds
-/// a lock on it while at work, and nobody a lock on what is left over.
+/// cannot (SIGKILL) it stays, and the next process of this user that writes the file removes it: a
+/// process at work holds a lock on its temporary file, and nobody holds one on what is left over.
 ///
 /// A symbolic link stays one: the file that it leads to is replaced. A file that was there keeps
 /// its permissions, and its owner and group where that is allowed; one that may not be written is
@@ -40,12 +40,12 @@ public:
     /// Let what was written so far go to the disk meanwhile, so that commit() waits for less.
     void begin_writeback();
 
-    /// What a write says now: an error's number, or 0. It writes beyond the end: of a file that is
-    /// to be given up.
+    /// The error's number that a write gives now, or 0. It writes beyond the end, so only for a
+    /// file that is to be given up.
     int write_error() const;
 
-    /// All of it on the disk, then under its name. False with a failure, and no file, if a write to
-    /// file() failed at any time, or one of these does.
+    /// Put all of it on the disk, then under its name. False with a failure, and no file, if a
+    /// write to file() failed at any time, or one of these does.
     bool commit(Failure& failure);
 
 private:

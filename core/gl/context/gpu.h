@@ -36,8 +36,8 @@ Gpu* open(Device device, std::string& why, bool& forked);
 /// Whether open() has been asked for that device before, so that it takes no time now.
 bool is_open(Device device);
 
-/// What the CPU has had so far, in this process, of jobs that a GPU would have been quicker with
-/// had it been open: source pixels for each thread.
+/// Source pixels for each thread that the CPU has worked on so far, in this process, in jobs that a
+/// GPU would have done sooner had it been open.
 std::atomic<size_t>& missed_pixels();
 
 } // namespace ddt::gl

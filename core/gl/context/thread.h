@@ -37,7 +37,7 @@ public:
     }
 
 private:
-    /// A link of the queue, made by who posts, so that queueing cannot fail.
+    /// A link of the queue. The thread that posts makes it, so that queueing cannot fail.
     struct Task {
         virtual ~Task() = default;
         /// The last thing done with the task: it may be gone afterwards.

@@ -36,6 +36,14 @@ TEST(Placing, FactorsKeepWhatIsCutOffInItsPlace) {
     }
 }
 
+/// The nearest ratio of up to 16384 pixels is 32769/16384; 2/1 would be 0.4 pixels off.
+TEST(Placing, AFactorNextToASimpleOneIsNotThatOne) {
+    constexpr double factor = 2.00005;
+    const Placing all = by_factors({0, 0, 16000, 2}, factor, 1);
+    const int x = all.full.x1 - 1;
+    EXPECT_NEAR(double(position(all, x, 0).x) / 65536, (x + 0.5) / factor - 0.5, 0.1);
+}
+
 /// As of a size that was asked for in pixels, where a factor makes a whole one.
 TEST(Placing, WholeSizesAreTheFilters) {
     for (const auto& [size, factor, larger] : {std::tuple{100, 1.1, 110},
