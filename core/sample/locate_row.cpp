@@ -234,7 +234,7 @@ bool find_ranges(const Lattice& lattice, const Columns& columns, int cy, Located
         return crossed_found && alike.cell <= cell && cell < alike.cell + alike.cells;
     };
     bool any_in_rows = false;
-    // Of alike cells that are evaluated together, those alone that are crossed.
+    // Of alike cells that are evaluated together only the crossed ones need a range.
     const int alike_end = block.phases ? alike.cell + alike.cells : 0;
     const auto crossed = [&](int x) { return crossed_cells(divisions + x); };
     const Columns::Run* const end = columns.runs.data() + columns.runs.size();

@@ -27,9 +27,9 @@ public:
     };
     Span row(int y) const;
 
-    /// Whether row(y) holds all that is left of the row for this band and those that follow. So it
-    /// is where reach() is far from tight: then no more should be looked at by bands that follow
-    /// than what is left to them.
+    /// Whether row(y) holds all that is left of the row for this band and those that follow, as it
+    /// does where reach() is far from tight. Then leave() should say what is left to the latter, so
+    /// that they look at no more.
     bool holds_rest(int y) const;
     void leave(int y, const Span& rest) { m_left[index(y)] = rest; }
 

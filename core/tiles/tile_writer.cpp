@@ -11,10 +11,10 @@ namespace ddt {
 
 namespace {
 
-/// Floats of output that are taken to be made at once, about,
+/// About as many floats of output as a thread takes from the rows that are left at a time.
 constexpr size_t strip_floats = size_t(1) << 16;
-/// and that are handed to the sink where it has no place for them: 64 KiB, or as many as lie in a
-/// row of cells.
+/// About as many as are handed to the sink at a time where it has no place for them: 64 KiB, or
+/// more if a row of cells has more.
 constexpr size_t handed_floats = size_t(1) << 14;
 
 /// Rows of so many floats, at least one, that take no more than `floats`.
@@ -46,8 +46,8 @@ InCell in_cell(const Mapping& mapping) {
     return found;
 }
 
-/// Output pixels that are worth being made by a thread of its own, about: what a tile's surface
-/// needs round any part of it is made for each part.
+/// About as many output pixels as are worth being made by a thread of their own: each part of a
+/// tile has the surface round it made once more.
 constexpr size_t shared_pixels = size_t(3) << 13;
 
 /// Floats of a result that is larger than what a core has of the caches, by far.

@@ -20,8 +20,8 @@ namespace ddt {
 /// tile to the next.
 class TileWriter {
 public:
-    /// arena: for rows of a tile's surface, which clear it. run: whose end is this one's too, or
-    /// null.
+    /// arena: for rows of a tile's surface; it is cleared for each part that is written. run: where
+    /// it ends, nothing more is written; null: there is none.
     TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times, Arena& arena,
                const Run* run);
 
@@ -31,8 +31,8 @@ public:
     /// Whether the positions of a tile's output pixels are the points of a grid: y the same in a
     /// row, x in a column, both ascending, neighbours in a row so near that they can be followed.
     bool is_grid(const Tile& tile, const Rect& pixels);
-    /// Of as many rows, in which these pixels are made, those that are worth being made by a thread
-    /// of its own.
+    /// The fewest rows that are worth being made by a thread of their own, where `pixels` are made
+    /// in `rows` rows.
     static int least_shared_rows(int rows, const Rect& pixels);
 
     /// Rows of cells that are worked on together where the output is no grid: with more of them

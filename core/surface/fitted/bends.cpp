@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fitted bends. Edges between cells that are divided by their own diagonals lie alike, and are made
-// several beside each other; others one by one.
+// Fitted bends: those of regular edges in vectors, of irregular ones one at a time (edge_kinds.h).
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
