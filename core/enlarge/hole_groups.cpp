@@ -42,16 +42,19 @@ private:
         const int x = int(i % size_t(m_width)), y = int(i / size_t(m_width));
         hole.box = {std::min(hole.box.x0, x), std::min(hole.box.y0, y),
                     std::max(hole.box.x1, x + 1), std::max(hole.box.y1, y + 1)};
+        bool all = true;
         for (int v = std::max(y - 1, 0); v <= std::min(y + 1, m_height - 1); ++v)
             for (int u = std::max(x - 1, 0); u <= std::min(x + 1, m_width - 1); ++u) {
                 const size_t other = size_t(v) * size_t(m_width) + size_t(u);
                 if (!m_missing[other]) {
+                    all = false;
                     hole.rim += u == x || v == y;
                 } else if (!m_seen[other]) {
                     m_seen[other] = 1;
                     hole.pixels.push_back(other);
                 }
             }
+        hole.deep |= all;
     }
 
     void add(HoleGroup hole) {
@@ -71,6 +74,7 @@ private:
                   std::max(to.box.x1, hole.box.x1), std::max(to.box.y1, hole.box.y1)};
         to.pixels.insert(to.pixels.end(), hole.pixels.begin(), hole.pixels.end());
         to.rim += hole.rim;
+        to.deep |= hole.deep;
     }
 
     const uint8_t* m_missing;

@@ -15,6 +15,7 @@ struct HoleGroup {
     Rect box;                   ///< the least that holds them
     std::vector<size_t> pixels; ///< their places in the image, row by row
     size_t rim = 0;             ///< sides of theirs beyond which a pixel is there
+    bool deep = false;          ///< whether all pixels round one of them are missing
 };
 
 /// Holes of up to this many pixels each way share meshes.

@@ -14,6 +14,14 @@ namespace {
 /// those that a hole's edges depend on, and a few that tell them where to go.
 constexpr int margin = 6;
 
+/// Meshes of a deep hole, of which the one that costs least is taken: across it there is nothing
+/// that tells flips where to go. With 4 of them a quarter fewer pixels are wrong where a straight
+/// edge is to run on across a hole of 4 x 4 to 15 x 15 than with 1.
+constexpr int deep_starts = 4;
+
+/// Of the time of a mesh, about.
+constexpr float sweeps_share = 0.2f;
+
 } // namespace
 
 HoleMesh::HoleMesh(const HoledImage& image, const uint8_t* missing, const HoleGroup& group)
@@ -77,10 +85,30 @@ bool HoleMesh::make(const MeshOptions& options, Device device, const Tell& progr
         error = "ddt: more than " + std::to_string(most_points) + " pixels lie about a hole";
         return false;
     }
-    constexpr float flips_begin = 0.2f; // about
-    return !spans_plane() || (sweep_points(m_mesh, error, part_of(progress, 0, flips_begin)) &&
-                              optimise_points(m_mesh, m_guides.data(), options, report, error,
-                                              part_of(progress, flips_begin, 1), device));
+    if (!spans_plane())
+        return true;
+    // Flips end in some local minimum, which depends on the start.
+    const int starts = m_group.deep ? deep_starts : 1;
+    MeshReport least;
+    std::vector<std::array<int32_t, 3>> best;
+    for (int start = 0; start < starts; ++start) {
+        const float begin = float(start) / float(starts), end = float(start + 1) / float(starts),
+                    flips = begin + (end - begin) * sweeps_share;
+        MeshReport made;
+        if (!sweep_points(m_mesh, {m_guides.data(), uint32_t(start)}, error,
+                          part_of(progress, begin, flips)) ||
+            !optimise_points(m_mesh, m_guides.data(), options, &made, error,
+                             part_of(progress, flips, end), device))
+            return false;
+        if (start == 0 || made.cost < least.cost) {
+            least = made;
+            best.swap(m_mesh.triangles);
+        }
+    }
+    m_mesh.triangles = std::move(best);
+    if (report)
+        *report = least;
+    return true;
 }
 
 float HoleMesh::value(size_t channel, const std::array<int32_t, 3>& triangle,

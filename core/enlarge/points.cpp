@@ -25,8 +25,8 @@ bool spans_plane(const std::vector<Steps>& points) {
 
 using Triangles = std::vector<std::array<int32_t, 3>>;
 
-/// `find(points, triangles)`: makes the triangles of points that are as find_delaunay() asks for;
-/// false with one line in `error`.
+/// `find(points, order, triangles)`: makes the triangles of points that are as find_delaunay() asks
+/// for, point i the mesh's order[i]; false with one line in `error`.
 template <class Find>
 bool triangulate_by(PointMesh& mesh, std::string& error, Find&& find) {
     StepGrid grid;
@@ -53,7 +53,7 @@ bool triangulate_by(PointMesh& mesh, std::string& error, Find&& find) {
         return false;
     }
     Triangles triangles;
-    if (!find(points, triangles))
+    if (!find(points, order, triangles))
         return false;
     for (auto& t : triangles)
         for (int32_t& v : t)
@@ -97,22 +97,29 @@ void flip(Tin& tin, const MeshOptions& options, const Placement& placement, Work
 
 bool triangulate_points(PointMesh& mesh, std::string& error) {
     const DenormalsAreZero as_on_gpus;
-    return triangulate_by(mesh, error, [&](const std::vector<Steps>& points, Triangles& triangles) {
-        if (!find_delaunay(points, triangles, error))
-            return false;
-        complete_hull(points, triangles);
-        return covers_hull(points, triangles) || swept_delaunay(points, triangles);
-    });
+    return triangulate_by(
+        mesh, error, [&](const std::vector<Steps>& points, const auto&, Triangles& triangles) {
+            if (!find_delaunay(points, triangles, error))
+                return false;
+            complete_hull(points, triangles);
+            return covers_hull(points, triangles) || swept_delaunay(points, triangles);
+        });
 }
 
-bool sweep_points(PointMesh& mesh, std::string& error, const Tell& progress) {
+bool sweep_points(PointMesh& mesh, Ties ties, std::string& error, const Tell& progress) {
     const DenormalsAreZero as_on_gpus;
-    return triangulate_by(mesh, error, [&](const std::vector<Steps>& points, Triangles& triangles) {
-        const bool done = swept_delaunay(points, triangles, progress);
-        if (!done)
-            error = "ddt: cancelled";
-        return done;
-    });
+    return triangulate_by(mesh, error,
+                          [&](const std::vector<Steps>& points, const std::vector<int32_t>& order,
+                              Triangles& triangles) {
+                              std::vector<float> guide;
+                              for (size_t i = 0; i < order.size() && ties.guide; ++i)
+                                  guide.push_back(ties.guide[order[i]]);
+                              const Ties sorted{ties.guide ? guide.data() : nullptr, ties.seed};
+                              const bool done = swept_delaunay(points, triangles, sorted, progress);
+                              if (!done)
+                                  error = "ddt: cancelled";
+                              return done;
+                          });
 }
 
 bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, MeshReport* report,

@@ -23,12 +23,20 @@ bool find_delaunay(const std::vector<Steps>& points, std::vector<std::array<int3
 void complete_hull(const std::vector<Steps>& points,
                    std::vector<std::array<int32_t, 3>>& triangles);
 
-/// The Delaunay triangles of such points, all of them whatever shape they have together; of four or
-/// more on a circle others than find_delaunay()'s. Of n points of a lattice it takes time with
-/// n^1.5: 1 microsecond a point of 5000, 20 of a million. False: `progress`, told the share of
-/// points that have their triangles, cancelled it.
+/// Which of a quadrilateral's diagonals is made where its corners lie on one circle, as those of
+/// every square do: the one along which `guide`, a number a point, changes less, or, where `seed`
+/// is not 0, one by chance, another one for another seed. With neither, whichever comes.
+struct Ties {
+    const float* guide = nullptr;
+    uint32_t seed = 0;
+};
+
+/// The Delaunay triangles of such points, all of them whatever shape they have together. Of n
+/// points of a lattice it takes time with n^1.5: 1 microsecond a point of 5000, 20 of a million.
+/// False: `progress`, told the share of points that have their triangles, cancelled it.
 bool swept_delaunay(const std::vector<Steps>& points,
-                    std::vector<std::array<int32_t, 3>>& triangles, const Tell& progress = {});
+                    std::vector<std::array<int32_t, 3>>& triangles, Ties ties = {},
+                    const Tell& progress = {});
 
 /// Whether the triangles' areas add up to that of the points' convex hull.
 bool covers_hull(const std::vector<Steps>& points,

@@ -3,6 +3,7 @@
 // interpolation", 1977: a sweep, and flips wherever a circle is not empty.)
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -30,12 +31,19 @@ Wide within_circle(Steps a, Steps b, Steps c, Steps d) {
            Wide(det(r, p)) * q.square();
 }
 
+/// Bits that depend on all of x's. (Mueller's integer hash, 2012.)
+uint32_t hashed(uint32_t x) {
+    x = (x ^ x >> 16) * 0x45d9f3bu;
+    x = (x ^ x >> 16) * 0x45d9f3bu;
+    return x ^ x >> 16;
+}
+
 /// Half-edge h belongs to triangle h / 3 and goes from corner[h] to corner[next(h)], the triangle
 /// to its left.
 class Sweep {
 public:
-    explicit Sweep(const std::vector<Steps>& points)
-        : m_points(points), m_next(points.size(), -1), m_previous(points.size(), -1),
+    Sweep(const std::vector<Steps>& points, Ties ties)
+        : m_points(points), m_ties(ties), m_next(points.size(), -1), m_previous(points.size(), -1),
           m_rim(points.size(), -1) {}
 
     bool triangulate(const Tell& progress) {
@@ -155,6 +163,22 @@ private:
         }
     }
 
+    /// Whether a diagonal from p to q is made rather than one from a to b. Each such flip lowers
+    /// the sum of all edges' numbers and changes no circle: so flips end.
+    bool is_preferred(int32_t p, int32_t q, int32_t a, int32_t b) const {
+        if (m_ties.seed != 0)
+            return chance(p, q) < chance(a, b);
+        return m_ties.guide && change(p, q) < change(a, b);
+    }
+    float change(int32_t u, int32_t v) const {
+        return std::abs(m_ties.guide[size_t(u)] - m_ties.guide[size_t(v)]);
+    }
+    /// An edge's number by chance.
+    uint32_t chance(int32_t u, int32_t v) const {
+        const auto edge = std::minmax(u, v);
+        return hashed(hashed(hashed(m_ties.seed) ^ uint32_t(edge.first)) ^ uint32_t(edge.second));
+    }
+
     /// h is the side of its triangle opposite to the point that was inserted.
     void flip_if_wrong(int32_t h, std::vector<int32_t>& doubtful) {
         const int32_t t = m_twin[size_t(h)];
@@ -162,7 +186,8 @@ private:
             return;
         const int32_t a = corner(h), b = corner(t), p = corner(previous(h)),
                       q = corner(previous(t));
-        if (within_circle(at(a), at(b), at(p), at(q)) <= 0)
+        const Wide within = within_circle(at(a), at(b), at(p), at(q));
+        if (within < 0 || (within == 0 && !is_preferred(p, q, a, b)))
             return;
         const int32_t bp = m_twin[size_t(next(h))], pa = m_twin[size_t(previous(h))],
                       aq = m_twin[size_t(next(t))], qb = m_twin[size_t(previous(t))];
@@ -179,6 +204,7 @@ private:
     }
 
     const std::vector<Steps>& m_points;
+    const Ties m_ties;
     std::vector<int32_t> m_corner, m_twin; ///< a half-edge
     /// Of a vertex on the rim the vertices after and before it, and the half-edge to the next.
     std::vector<int32_t> m_next, m_previous, m_rim;
@@ -187,8 +213,9 @@ private:
 } // namespace
 
 bool swept_delaunay(const std::vector<Steps>& points,
-                    std::vector<std::array<int32_t, 3>>& triangles, const Tell& progress) {
-    Sweep sweep(points);
+                    std::vector<std::array<int32_t, 3>>& triangles, Ties ties,
+                    const Tell& progress) {
+    Sweep sweep(points, ties);
     if (!sweep.triangulate(progress))
         return false;
     triangles = sweep.triangles();

@@ -93,9 +93,9 @@ TEST(Options, EveryNamedValueIsOneAndItsOwn) {
 
 TEST(Options, HelpTellsFromWhichSizesAGpuIsTaken) {
     const std::string help = ddt::find_option("device")->values[0].help;
-    EXPECT_NE(help.find("from " + std::to_string(ddt::worth_using) + " pixels a thread"),
+    EXPECT_NE(help.find(std::to_string(ddt::worth_using) + " source pixels for each CPU thread"),
               std::string::npos);
-    EXPECT_NE(help.find("or " + std::to_string(ddt::worth_opening) + " where"), std::string::npos);
+    EXPECT_NE(help.find("or " + std::to_string(ddt::worth_opening) + " ("), std::string::npos);
 }
 
 TEST(Options, KeysReachTheFieldsTheyName) {
