@@ -4,8 +4,8 @@
 //
 // The costs and schemes are those of MeshOptions (ddt/options.h); lengths are measured in a unit in
 // which a mesh's triangles have the mean area 1/2, as those of an image have in pixels. Functions
-// return false with one line in `error`, when that is not null; nothing here throws. No buffer may be
-// null where nothing says that it may. Functions may be called from several threads at once for
+// return false with one line in `error`, when that is not null; nothing here throws. No buffer may
+// be null where nothing says that it may. Functions may be called from several threads at once for
 // different meshes.
 #pragma once
 

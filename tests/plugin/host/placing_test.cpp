@@ -40,7 +40,7 @@ TEST(Placing, FactorsKeepWhatIsCutOffInItsPlace) {
 TEST(Placing, AFactorNextToASimpleOneIsNotThatOne) {
     constexpr double factor = 2.00005;
     const Placing all = by_factors({0, 0, 16000, 2}, factor, 1);
-    const int x = all.full.x1 - 1;
+    const int x = all.full.x1 - 9; // not one of those that show the rim
     EXPECT_NEAR(double(position(all, x, 0).x) / 65536, (x + 0.5) / factor - 0.5, 0.1);
 }
 
