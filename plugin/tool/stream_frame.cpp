@@ -100,7 +100,7 @@ bool read_header(std::FILE* in, Frame& frame, std::string& error) {
     if (!read_whole("width", word(in), largest_side, frame.width, error) ||
         !read_whole("height", word(in), largest_side, frame.height, error))
         return false;
-    if (!frame.is_float())
+    if (frame.magic[1] == '5' || frame.magic[1] == '6')
         return read_whole("largest value", word(in), largest_value, frame.largest, error);
     frame.scale = word(in);
     char* end = nullptr;
