@@ -15,8 +15,8 @@ namespace ddt {
 bool triangulate_points(PointMesh& mesh, std::string& error);
 
 /// The same by the sweep alone (core/tin/sweep.cpp): for pixels, where it takes a twentieth to half
-/// of GEOS's time, none of its memory, and can be cancelled. False with
-/// one line in `error`; throws std::bad_alloc and what `progress` throws.
+/// of GEOS's time, none of its memory, and can be cancelled. False with one line in `error`; throws
+/// std::bad_alloc and what `progress` throws.
 bool sweep_points(PointMesh& mesh, Ties ties, std::string& error, const Tell& progress);
 
 /// optimise(). False with one line in `error`; throws std::bad_alloc and what `progress` throws.

@@ -41,9 +41,9 @@ bool in_circle(Steps a, Steps b, Steps c, Steps d) {
            0;
 }
 
-void check(const std::vector<Steps>& points, bool circles) {
+void check(const std::vector<Steps>& points, bool circles, Ties ties = {}) {
     std::vector<std::array<int32_t, 3>> triangles;
-    ASSERT_TRUE(swept_delaunay(points, triangles));
+    ASSERT_TRUE(swept_delaunay(points, triangles, ties));
     EXPECT_TRUE(covers_hull(points, triangles));
     std::set<int32_t> used;
     std::set<std::array<int32_t, 2>> sides;
@@ -92,6 +92,62 @@ TEST(Sweep, ManyOnOneLine) {
     for (int x = 0; x < 40; ++x)
         points.push_back({x, 2});
     check(points, true);
+}
+
+std::vector<Steps> square(int side) {
+    std::vector<Steps> points;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
+            points.push_back({x, y});
+    return points;
+}
+
+TEST(Sweep, OfPointsOnACircleTheFlatterDiagonalIsMade) {
+    const auto points = square(2);
+    for (const auto& [guide, first, second] :
+         {std::tuple{std::array{0.0f, 1.0f, 0.2f, 0.1f}, 0, 3}, // its ends differ by 0.1, not 0.8
+          std::tuple{std::array{0.0f, 0.5f, 0.4f, 1.0f}, 1, 2}}) {
+        std::vector<std::array<int32_t, 3>> triangles;
+        ASSERT_TRUE(swept_delaunay(points, triangles, {guide.data(), 0}));
+        ASSERT_EQ(triangles.size(), 2u);
+        for (const auto& t : triangles)
+            for (const int32_t v : {first, second})
+                EXPECT_EQ(std::count(t.begin(), t.end(), v), 1);
+    }
+}
+
+TEST(Sweep, AnotherSeedIsAnotherTriangulation) {
+    constexpr int side = 9;
+    const auto points = square(side);
+    Random random(2);
+    std::vector<float> guide;
+    for (size_t i = 0; i < points.size(); ++i)
+        guide.push_back(float(random.below(100)));
+    std::set<std::vector<std::array<int32_t, 3>>> all;
+    for (uint32_t seed = 0; seed < 5; ++seed) {
+        check(points, true, {guide.data(), seed});
+        std::vector<std::array<int32_t, 3>> triangles;
+        ASSERT_TRUE(swept_delaunay(points, triangles, {guide.data(), seed}));
+        EXPECT_EQ(triangles.size(), size_t(2 * (side - 1) * (side - 1)));
+        for (auto& t : triangles)
+            std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+        std::sort(triangles.begin(), triangles.end());
+        all.insert(triangles);
+    }
+    EXPECT_EQ(all.size(), 5u);
+}
+
+TEST(Sweep, CanBeCancelled) {
+    const auto points = square(60);
+    std::vector<std::array<int32_t, 3>> triangles;
+    float last = -1;
+    EXPECT_FALSE(swept_delaunay(points, triangles, {}, [&](float share) {
+        EXPECT_GT(share, last);
+        last = share;
+        return share < 0.5f;
+    }));
+    EXPECT_GE(last, 0.5f);
+    EXPECT_TRUE(triangles.empty());
 }
 
 // A road, two kilometres long and six metres wide: GEOS makes nothing of it.
