@@ -52,4 +52,3 @@ if(TARGET ddt_openfx)
   install(TARGETS ddt_openfx LIBRARY DESTINATION ${DDT_OFX_INSTALL_DIR}/${in_bundle}
     COMPONENT openfx EXCLUDE_FROM_ALL)
 endif()
-set(CPACK_DEBIAN_IMAGEMAGICK_PACKAGE_SUGGESTS oiio-ddt)

@@ -5,6 +5,7 @@
 #include <deque>
 #include <mutex>
 #include <numeric>
+#include <utility>
 
 #include "core/base/arith.h"
 #include "core/base/guarded.h"
@@ -25,7 +26,7 @@ constexpr float mesh_time = 150, smoothing_time = 7;
 /// Progress of tasks that run side by side, in one rising share.
 class SharedProgress {
 public:
-    SharedProgress(const Tell& whole, float all) : m_whole(whole), m_all(all) {}
+    SharedProgress(Tell whole, float all) : m_whole(std::move(whole)), m_all(all) {}
 
     /// Tell that so much more is done. False once it was cancelled. May throw.
     bool add(float done) {
@@ -37,7 +38,7 @@ public:
     }
 
 private:
-    const Tell& m_whole;
+    const Tell m_whole;
     const float m_all;
     std::mutex m_mutex;
     float m_done = 0;
@@ -59,14 +60,15 @@ public:
             return false;
         }
         const std::vector<HoleGroup> groups = group_holes(m_missing, m_image.width, m_image.height);
-        float meshes = 0;
+        float rims = 0;
         for (const HoleGroup& group : groups)
-            meshes += float(group.rim) * mesh_time;
+            rims += float(group.rim);
+        const float meshes = rims * mesh_time;
         const float smoothing_begins = meshes / (meshes + float(count) * smoothing_time);
         m_surface.assign(m_image.guide, m_image.guide + m_size);
         m_inside.assign(m_size, 0);
-        if (!make_meshes(groups, options, device, part_of(progress, 0, smoothing_begins), report,
-                         error))
+        SharedProgress meshing(part_of(progress, 0, smoothing_begins), rims);
+        if (!make_meshes(groups, options, device, meshing, report, error))
             return false;
         if (!smooth(part_of(progress, smoothing_begins, 1))) {
             error = "ddt: cancelled";
@@ -84,15 +86,12 @@ private:
 
     /// A mesh for each group, those that take longest first; and what they cover.
     bool make_meshes(const std::vector<HoleGroup>& groups, const MeshOptions& options,
-                     Device device, const Tell& progress, MeshReport* report, std::string& error) {
+                     Device device, SharedProgress& shared, MeshReport* report,
+                     std::string& error) {
         std::vector<size_t> order(groups.size());
         std::iota(order.begin(), order.end(), size_t(0));
         std::stable_sort(order.begin(), order.end(),
                          [&](size_t a, size_t b) { return groups[a].rim > groups[b].rim; });
-        float all = 0;
-        for (const HoleGroup& group : groups)
-            all += float(group.rim);
-        SharedProgress shared(progress, all);
         std::vector<MeshReport> reports(groups.size());
         std::mutex mutex; // of `error`
         std::atomic<bool> going{shared.add(0)};

@@ -94,10 +94,11 @@ bool HoleMesh::make(const MeshOptions& options, Device device, const Tell& progr
     for (int start = 0; start < starts; ++start) {
         const float begin = float(start) / float(starts), end = float(start + 1) / float(starts),
                     flips = begin + (end - begin) * sweeps_share;
-        MeshReport made;
+        MeshReport made; // which takes going through the mesh twice
+        MeshReport* wanted = report || starts > 1 ? &made : nullptr;
         if (!sweep_points(m_mesh, {m_guides.data(), uint32_t(start)}, error,
                           part_of(progress, begin, flips)) ||
-            !optimise_points(m_mesh, m_guides.data(), options, &made, error,
+            !optimise_points(m_mesh, m_guides.data(), options, wanted, error,
                              part_of(progress, flips, end), device))
             return false;
         if (start == 0 || made.cost < least.cost) {

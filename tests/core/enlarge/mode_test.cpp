@@ -6,7 +6,6 @@
 #include "core/base/arith.h"
 #include "core/base/codes.h"
 #include "core/base/half.h"
-#include "ddt/points.h"
 #include "tests/core/helpers.h"
 #include "tests/core/job_helpers.h"
 

@@ -6,7 +6,6 @@
 #include <limits>
 #include <map>
 
-#include "ddt/points.h"
 #include "ddt/resize.h"
 #include "plugin/colour/encodings.h"
 #include "plugin/host/request.h"

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "ddt/option_table.h"
-#include "ddt/points.h"
 #include <OpenImageIO/Imath.h>
 
 #include "tests/plugin/images.h"

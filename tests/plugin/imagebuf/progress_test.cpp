@@ -5,7 +5,6 @@
 #include <mutex>
 #include <thread>
 
-#include "ddt/points.h"
 #include "tests/many_threads.h"
 #include "tests/plugin/images.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/reader/pieces.h"
 
-#include "ddt/points.h"
 #include "tests/plugin/images.h"
 
 namespace {
