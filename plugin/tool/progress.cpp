@@ -6,6 +6,8 @@
 
 #include <unistd.h>
 
+#include "core/base/one_line.h"
+
 namespace ddt::tool {
 
 namespace {
@@ -24,13 +26,17 @@ ProgressMode progress_mode(const std::string& name) {
                             : ProgressMode::automatic;
 }
 
-Progress::Progress(std::string label, ProgressMode mode, const bool* terminal)
-    : m_label(std::move(label)), m_mode(mode),
+Progress::Progress(const std::string& label, ProgressMode mode, const bool* terminal)
+    : m_label(one_line(label)), m_mode(mode),
       m_terminal(mode == ProgressMode::automatic &&
                  (terminal ? *terminal : isatty(STDERR_FILENO) == 1)) {}
 
 Progress::~Progress() {
     hide();
+}
+
+void Progress::label(const std::string& text) {
+    m_label = one_line(text);
 }
 
 void Progress::hide() {

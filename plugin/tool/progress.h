@@ -21,7 +21,7 @@ ProgressMode progress_mode(const std::string& name);
 class Progress {
 public:
     /// A null `terminal` asks whether stderr is one.
-    explicit Progress(std::string label, ProgressMode mode = ProgressMode::automatic,
+    explicit Progress(const std::string& label, ProgressMode mode = ProgressMode::automatic,
                       const bool* terminal = nullptr);
     ~Progress();
     Progress(const Progress&) = delete;
@@ -29,7 +29,7 @@ public:
     bool operator()(float share);
 
     /// Another name for what goes on.
-    void label(std::string text) { m_label = std::move(text); }
+    void label(const std::string& text);
     /// Take the bar away, for a message; it comes again.
     void hide();
 

@@ -19,6 +19,18 @@ TEST(OneLine, BreaksAndTheBlanksRoundThemBecomeOneBlank) {
     EXPECT_EQ(one_line(" \n "), "");
 }
 
+TEST(OneLine, HoldsNothingThatATerminalObeys) {
+    EXPECT_EQ(one_line("\033[2Jred\a.png"), "?[2Jred?.png");
+    EXPECT_EQ(one_line("a\177b"), "a?b");
+    EXPECT_EQ(one_line("a\xC2\x9B"
+                       "31mb"),
+              "a?31mb");
+    EXPECT_EQ(one_line(std::string("a\0b", 3)), "a?b");
+    // Letters, the first character after those, and tabs stay, as does what is no UTF-8.
+    EXPECT_EQ(one_line("\u00e9\u00a0\u3042\tb"), "\u00e9\u00a0\u3042\tb");
+    EXPECT_EQ(one_line("a\xC2"), "a\xC2");
+}
+
 TEST(OneLine, OfWhatIsTooLongTheTwoEndsStay) {
     const std::string name(5000, 'x'), line = one_line("cannot open " + name + ": no such file");
     EXPECT_LE(line.size(), ddt::longest_line);
