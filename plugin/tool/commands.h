@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "plugin/tool/command.h"
+#include "plugin/tool/command/command.h"
 
 namespace ddt::tool {
 

@@ -12,9 +12,9 @@
 #include "metrics/ssim.h"
 #include "metrics/uiqi.h"
 #include "plugin/message/format.h"
+#include "plugin/tool/command/progress.h"
 #include "plugin/tool/commands.h"
-#include "plugin/tool/picture.h"
-#include "plugin/tool/progress.h"
+#include "plugin/tool/file/picture.h"
 
 namespace ddt::tool {
 

@@ -3,15 +3,15 @@
 
 #include "plugin/image/channels.h"
 #include "plugin/image/metadata.h"
+#include "plugin/tool/command/filter_flag.h"
+#include "plugin/tool/command/progress.h"
 #include "plugin/tool/commands.h"
-#include "plugin/tool/filter_flag.h"
-#include "plugin/tool/fit_format.h"
-#include "plugin/tool/image_file.h"
-#include "plugin/tool/mixed_ids.h"
-#include "plugin/tool/picture.h"
-#include "plugin/tool/progress.h"
-#include "plugin/tool/resize_file.h"
-#include "plugin/tool/row_writer.h"
+#include "plugin/tool/file/fit_format.h"
+#include "plugin/tool/file/image_file.h"
+#include "plugin/tool/file/picture.h"
+#include "plugin/tool/ids/mixed_ids.h"
+#include "plugin/tool/resize/resize_file.h"
+#include "plugin/tool/resize/row_writer.h"
 
 namespace ddt::tool {
 

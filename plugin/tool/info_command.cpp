@@ -9,8 +9,8 @@
 #include "ddt/devices.h"
 #include "ddt/names.h"
 #include "plugin/message/format.h"
+#include "plugin/tool/command/filter_flag.h"
 #include "plugin/tool/commands.h"
-#include "plugin/tool/filter_flag.h"
 #include "plugin/tool/plugin_file.h"
 
 namespace ddt::tool {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/command/progress.h"
+#include "plugin/tool/command/threads.h"
 #include "plugin/tool/commands.h"
-#include "plugin/tool/join.h"
-#include "plugin/tool/progress.h"
-#include "plugin/tool/threads.h"
+#include "plugin/tool/part/join.h"
 
 namespace ddt::tool {
 

@@ -14,8 +14,8 @@
 #include <OpenImageIO/imageio.h>
 
 #include "plugin/tool/commands.h"
+#include "plugin/tool/file/unfinished.h"
 #include "plugin/tool/man.h"
-#include "plugin/tool/unfinished.h"
 
 namespace ddt::tool {
 

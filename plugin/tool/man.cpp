@@ -4,7 +4,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "plugin/message/format.h"
-#include "plugin/tool/filter_flag.h"
+#include "plugin/tool/command/filter_flag.h"
 
 namespace ddt::tool {
 

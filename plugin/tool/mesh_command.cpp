@@ -6,11 +6,11 @@
 
 #include "core/options/values.h"
 #include "plugin/message/format.h"
+#include "plugin/tool/command/filter_flag.h"
+#include "plugin/tool/command/progress.h"
 #include "plugin/tool/commands.h"
-#include "plugin/tool/filter_flag.h"
-#include "plugin/tool/mesh_file.h"
-#include "plugin/tool/mesh_points.h"
-#include "plugin/tool/progress.h"
+#include "plugin/tool/mesh/mesh_file.h"
+#include "plugin/tool/mesh/mesh_points.h"
 
 namespace ddt::tool {
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 
+#include "plugin/tool/command/filter_flag.h"
+#include "plugin/tool/command/progress.h"
+#include "plugin/tool/command/threads.h"
 #include "plugin/tool/commands.h"
-#include "plugin/tool/compression.h"
-#include "plugin/tool/filter_flag.h"
-#include "plugin/tool/image_file.h"
-#include "plugin/tool/progress.h"
-#include "plugin/tool/resize_file.h"
-#include "plugin/tool/resize_part.h"
-#include "plugin/tool/sequence.h"
-#include "plugin/tool/size.h"
-#include "plugin/tool/threads.h"
+#include "plugin/tool/file/compression.h"
+#include "plugin/tool/file/image_file.h"
+#include "plugin/tool/part/resize_part.h"
+#include "plugin/tool/resize/resize_file.h"
+#include "plugin/tool/resize/size.h"
+#include "plugin/tool/sequence/sequence.h"
 
 namespace ddt::tool {
 

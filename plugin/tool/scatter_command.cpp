@@ -11,11 +11,11 @@
 #include "ddt/mapping.h"
 #include "ddt/resize.h"
 #include "plugin/message/format.h"
+#include "plugin/tool/command/filter_flag.h"
+#include "plugin/tool/command/progress.h"
 #include "plugin/tool/commands.h"
-#include "plugin/tool/filter_flag.h"
-#include "plugin/tool/point_file.h"
-#include "plugin/tool/point_image.h"
-#include "plugin/tool/progress.h"
+#include "plugin/tool/points/point_file.h"
+#include "plugin/tool/points/point_image.h"
 
 namespace ddt::tool {
 

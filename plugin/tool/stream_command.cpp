@@ -10,8 +10,8 @@
 #include "core/base/parallel.h"
 #include "plugin/host/request.h"
 #include "plugin/tool/commands.h"
-#include "plugin/tool/hand_over.h"
-#include "plugin/tool/stream_frame.h"
+#include "plugin/tool/stream/hand_over.h"
+#include "plugin/tool/stream/stream_frame.h"
 
 namespace ddt::tool {
 

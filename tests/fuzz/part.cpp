@@ -5,9 +5,9 @@
 
 #include <OpenImageIO/imageio.h>
 
-#include "plugin/tool/join.h"
-#include "plugin/tool/metadata_text.h"
-#include "plugin/tool/part.h"
+#include "plugin/tool/file/metadata_text.h"
+#include "plugin/tool/part/join.h"
+#include "plugin/tool/part/part.h"
 #include "tests/fuzz/bytes.h"
 #include "tests/fuzz/require.h"
 #include "tests/temporary.h"

@@ -3,7 +3,7 @@
 // triangulated, flipped and drawn, or fails with one line. The first byte chooses the reader.
 #include <cmath>
 
-#include "plugin/tool/point_file.h"
+#include "plugin/tool/points/point_file.h"
 #include "tests/fuzz/bytes.h"
 #include "tests/fuzz/require.h"
 

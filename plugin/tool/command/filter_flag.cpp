@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/command/filter_flag.h"
+
+#include <OpenImageIO/strutil.h>
+
+#include "ddt/names.h"
+#include "ddt/option_table.h"
+#include "plugin/message/format.h"
+
+namespace ddt::tool {
+
+namespace {
+
+/// Terminals have no `code`.
+std::string plain(const char* help) {
+    return OIIO::Strutil::replace(help, "`", "", true);
+}
+
+/// "0.07, ddt-linear 0, ddt-sharp 0.05"
+std::string defaults_of(const Option& option) {
+    const std::vector<std::string> filters = filter_names();
+    const std::string own = default_text(option, filters[0]);
+    std::string text = own;
+    for (const std::string& filter : filters)
+        if (default_text(option, filter) != own)
+            text += format(", {} {}", filter, default_text(option, filter));
+    return text;
+}
+
+} // namespace
+
+Flag filter_flag(const char* help, Options& options, std::string& error, std::string* given) {
+    return {"--filter",
+            "SPEC",
+            help,
+            [&options, &error, given](const std::string& text) {
+                if (given)
+                    *given = text;
+                parse_filter(text, options, error);
+                return true;
+            },
+            "",
+            filter_notes()};
+}
+
+std::vector<Entry> filter_entries() {
+    std::vector<Entry> entries;
+    for (const std::string& filter : filter_names())
+        entries.push_back({filter, plain(filter_help(filter).c_str())});
+    for (const Option& option : option_table()) {
+        std::string meaning = format("{} Allowed: {}. Default: {}.", plain(option.help),
+                                     option.allowed(), defaults_of(option));
+        for (const NamedValue& value : option.values)
+            meaning += format(" {}: {}", value.name, plain(value.help));
+        entries.push_back({option.key + std::string("="), meaning});
+    }
+    return entries;
+}
+
+std::string filter_notes() {
+    constexpr int columns = 80, indent = 14;
+    std::string text = "Filters and options (SPEC is a filter's name, or ddt,key=value,...):\n";
+    for (const Entry& entry : filter_entries())
+        text += format("  {:<11} {}\n", entry.term,
+                       OIIO::Strutil::wordwrap(entry.meaning, columns - 2, indent));
+    return text;
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/command/threads.h"
+
+#include <cstdlib>
+#include <system_error>
+
+#include <OpenImageIO/imageio.h>
+
+#include "core/base/parallel.h"
+#include "plugin/tool/command/command.h"
+
+namespace ddt::tool {
+
+int share_threads(int wanted) {
+    allow_threads(wanted);
+    int threads = wanted;
+    if (wanted <= 0)
+        OIIO::getattribute("threads", threads);
+    threads = threads_for(threads);
+    // OpenImageIO's pool has one thread less than it is told, and its TIFF writer compresses side
+    // by side only where the pool has two.
+    try {
+        OIIO::attribute("threads", threads == 2 ? 3 : threads);
+    } catch (const std::system_error&) {
+        // There are no more. A pool that is half made ends the program by a signal, at its end.
+        std::_Exit(fail(thrown()));
+    }
+    if (wanted > 0)
+        OIIO::attribute("exr_threads", threads == 1 ? -1 : threads); // -1: none of its own
+    return threads;
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/file/fit_format.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <OpenImageIO/strutil.h>
+
+#include "plugin/image/channels.h"
+#include "plugin/message/format.h"
+#include "plugin/tool/command/command.h"
+
+namespace ddt::tool {
+
+namespace {
+
+/// Of the formats with alpha some have it beside red, green and blue alone.
+bool takes_grey_with_alpha(const OIIO::ImageOutput& output) {
+    const std::string format = output.format_name();
+    return output.supports("alpha") && format != "bmp" && format != "jpeg2000";
+}
+
+} // namespace
+
+bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::ImageSpec& spec,
+                Failure& failure) {
+    if (!output.supports("channelformats"))
+        spec.channelformats.clear();
+    OIIO::ROI roi = spec.roi();
+    if (!output.supports("displaywindow"))
+        roi = spec.roi_full();
+    if (!output.supports("negativeorigin")) {
+        roi.xbegin = std::max(roi.xbegin, 0);
+        roi.ybegin = std::max(roi.ybegin, 0);
+    }
+    if (roi.width() < 1 || roi.height() < 1) {
+        failure = {"cannot write \"" + path + "\": no pixel has coordinates of 0 and more, and " +
+                   output.format_name() + " holds no others"};
+        return false;
+    }
+    spec.x = roi.xbegin;
+    spec.y = roi.ybegin;
+    spec.width = roi.width();
+    spec.height = roi.height();
+    return true;
+}
+
+std::string fit_channels(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec) {
+    spec.alpha_channel = alpha_of(spec);
+    if (output.supports("nchannels"))
+        return {};
+    const std::vector<std::string>& names = spec.channelnames;
+    const bool has_alpha = output.supports("alpha");
+    const auto is_rgb = [&] { return names[0] == "R" && names[1] == "G" && names[2] == "B"; };
+    int most = 3;
+    if (has_alpha && (spec.alpha_channel == 3 || (spec.nchannels == 4 && !is_rgb())))
+        most = 4;
+    else if (!takes_grey_with_alpha(output) && spec.nchannels == 2 && spec.alpha_channel == 1)
+        most = 1;
+    if (spec.nchannels <= most)
+        return {};
+    const std::string left_out =
+        OIIO::Strutil::join(std::vector(names.begin() + most, names.end()), ", ");
+    spec.nchannels = most;
+    spec.channelnames.resize(size_t(most));
+    if (!spec.channelformats.empty())
+        spec.channelformats.resize(size_t(most));
+    if (spec.alpha_channel >= most)
+        spec.alpha_channel = -1;
+    if (spec.z_channel >= most)
+        spec.z_channel = -1;
+    return left_out;
+}
+
+void note_left_out(const std::string& path, const std::string& channels) {
+    if (!channels.empty())
+        note("\"" + path + "\" has no room for " + channels);
+}
+
+void note_instead(const std::string& path, const char* what, const std::string& asked,
+                  const std::string& written) {
+    if (!asked.empty() && !written.empty() && asked != written)
+        note(format("\"{}\" cannot have the {} {}; {} is written", path, what, asked, written));
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/file/image_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <vector>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/vfs.h>
+#include <unistd.h>
+
+#include <OpenImageIO/strutil.h>
+
+#include "plugin/message/format.h"
+
+namespace ddt::tool {
+
+namespace {
+
+/// The JPEG library ends the program when a write to a FILE* of its own fails; OpenImageIO gives it
+/// one of streams that say they are files.
+class Stream final : public OIIO::Filesystem::IOFile {
+public:
+    explicit Stream(std::FILE* file) : IOFile(file, Write) {}
+    const char* proxytype() const override { return "whole file"; }
+};
+
+/// Read every pixel; false if that fails.
+bool can_be_read(OIIO::ImageInput& in) {
+    const OIIO::ImageSpec& spec = in.spec();
+    const int rows = spec.tile_height > 0 ? spec.tile_height : 16;
+    // Room for whole tiles: OpenImageIO's reader writes beyond the image's edge (2.4.7, TIFF).
+    const size_t width =
+        spec.tile_width > 0 ? size_t(spec.width) + size_t(spec.tile_width) : size_t(spec.width);
+    std::vector<char> pixels(spec.pixel_bytes(true) * width * size_t(rows));
+    const int end = spec.y + spec.height;
+    for (int y = spec.y; y < end; y += rows) {
+        const int y1 = std::min(end, y + rows);
+        const bool read = spec.tile_width > 0
+                              ? in.read_native_tiles(0, 0, spec.x, spec.x + spec.width, y, y1, 0, 1,
+                                                     pixels.data())
+                              : in.read_native_scanlines(0, 0, y, y1, 0, pixels.data());
+        if (!read)
+            return false;
+    }
+    return true;
+}
+
+/// Pixels a side that files of a format hold at most, where its writer does not say so: the JPEG
+/// library ends the program, GIF's keeps the low bits. 0: it does, or there is no bound.
+int largest_side_of(const std::string& format) {
+    return format == "jpeg" ? 65500 : format == "gif" ? 65535 : 0;
+}
+
+/// Null, or the numbers of channels that files of a format have, of which this is none and which
+/// its writer does not look at: DPX's ends the program, JPEG's makes up a third of two.
+const char* other_channels(const std::string& format, int channels) {
+    if (format == "dpx" && channels != 1 && channels != 3 && channels != 4)
+        return "1, 3 and 4";
+    return format == "jpeg" && channels == 2 ? "1 and 3" : nullptr;
+}
+
+/// Formats that leave no file to be read.
+bool is_file_format(const std::string& format) {
+    return format != "null" && format != "term";
+}
+
+bool is_regular(std::FILE* file) {
+    struct stat there {};
+    return fstat(fileno(file), &there) == 0 && S_ISREG(there.st_mode);
+}
+
+/// Whether parts of a file were never written. A writer that goes from row to row of a full disk
+/// (SGI, RLA, FITS) leaves them, and they read as zeros.
+bool has_holes(std::FILE* file) {
+    constexpr long zfs = 0x2fc12fc1; // makes holes of zeros that were written
+    struct stat there {};
+    struct statfs system {};
+    if (fstat(fileno(file), &there) != 0 || fstatfs(fileno(file), &system) != 0 ||
+        long(system.f_type) == zfs)
+        return false;
+    const off_t hole = lseek(fileno(file), 0, SEEK_HOLE);
+    return hole >= 0 && hole < there.st_size;
+}
+
+/// A descriptor, or less than 0 with errno. Of a pipe at once: nobody may be at its other end.
+int open_to_read(const std::string& path) {
+    return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+}
+
+} // namespace
+
+bool ImageFile::create(const std::string& path, Failure& failure) {
+    m_path = path;
+    if (path.empty()) {
+        failure = {"\"\" is no name of a file"};
+        return false;
+    }
+    if (path.find('?') != std::string::npos) {
+        failure = {"cannot write \"" + path +
+                   "\": OpenImageIO takes what follows a ? in a name for arguments, and would not "
+                   "find it again"};
+        return false;
+    }
+    m_output = OIIO::ImageOutput::create(path);
+    if (!m_output) {
+        const std::string why(OIIO::Strutil::strip(OIIO::geterror()));
+        // Nothing is said of what a writer throws as it begins.
+        failure = why.empty()
+                      ? Failure{"cannot write \"" + path + "\": out of memory or of threads",
+                                exit_resources}
+                      : Failure{why};
+        return false;
+    }
+    return m_whole.open(path, failure);
+}
+
+bool ImageFile::open(const OIIO::ImageSpec& spec, Failure& failure) {
+    m_width = spec.width;
+    m_height = spec.height;
+    if (const int most = largest_side_of(m_output->format_name());
+        most > 0 && std::max(m_width, m_height) > most) {
+        failure = {format(
+            "cannot write \"{}\": {} x {} pixels are too many for the format {}; allowed are {} a "
+            "side",
+            m_path, m_width, m_height, m_output->format_name(), most)};
+        return false;
+    }
+    if (const char* allowed = other_channels(m_output->format_name(), spec.nchannels)) {
+        failure = {
+            format("cannot write \"{}\": the format {} has no {} channels ({}); allowed are {}",
+                   m_path, m_output->format_name(), spec.nchannels,
+                   OIIO::Strutil::join(spec.channelnames, ", "), allowed)};
+        return false;
+    }
+    // TIFF's rows make a broken file that way (OpenImageIO 2.4.7).
+    if (m_output->supports("ioproxy") && m_output->format_name() != std::string("tiff")) {
+        m_stream = std::make_unique<Stream>(m_whole.file());
+        m_output->set_ioproxy(m_stream.get());
+    }
+    if (m_output->open(temporary(), spec))
+        return true;
+    failure = failed();
+    return false;
+}
+
+bool ImageFile::begin(const std::string& path, OIIO::ImageSpec spec, Failure& failure) {
+    spec.tile_width = spec.tile_height = spec.tile_depth = 0;
+    return create(path, failure) && open(spec, failure);
+}
+
+std::string ImageFile::with_its_name(const std::string& said) const {
+    return OIIO::Strutil::replace(said, temporary(), m_path, true);
+}
+
+Failure ImageFile::failed() const {
+    std::string why(OIIO::Strutil::strip(m_output->geterror()));
+    why = with_its_name(why.substr(0, why.find('\n')));
+    const bool of_stream = m_whole.file() && std::ferror(m_whole.file());
+    ExitCode code = of_stream ? exit_resources : code_of_message(why);
+    if (code == exit_failed && m_whole.file()) // writers may not say why
+        code = code_of_errno(m_whole.write_error());
+    if (code == exit_failed) // as where there are no more descriptors
+        code = code_of_reading(temporary());
+    return {"cannot write \"" + m_path + "\"" + (why.empty() ? "" : ": " + why), code};
+}
+
+/// Look at the file as its readers will.
+bool ImageFile::check_written(Failure& failure) {
+    if (m_stream && (std::fflush(m_whole.file()) != 0 || std::ferror(m_whole.file())))
+        return true; // commit() tells what a write said
+    const auto refuse = [&](const std::string& why, ExitCode code) {
+        OIIO::geterror();
+        failure = {"cannot write \"" + m_path + "\": " + why, code};
+        return false;
+    };
+    const ExitCode code = m_stream ? exit_failed : exit_resources;
+    const auto in = OIIO::ImageInput::open(temporary());
+    if (!in)
+        return refuse("what was written cannot be read back", code_of_reading(temporary(), code));
+    if (in->spec().width != m_width || in->spec().height != m_height)
+        return refuse(format("the format {} made {} x {} pixels of {} x {}",
+                             m_output->format_name(), in->spec().width, in->spec().height, m_width,
+                             m_height),
+                      exit_failed);
+    m_compression = in->spec().get_string_attribute("compression");
+    m_compression.resize(std::min(m_compression.size(), m_compression.find(':')));
+    // Reading the pixels of small icons ends the program (OpenImageIO 2.4.7).
+    const bool enough = m_stream || m_output->format_name() == std::string("ico");
+    if (!enough && (has_holes(m_whole.file()) || !can_be_read(*in)))
+        return refuse("what was written cannot be read back", code);
+    return true;
+}
+
+bool ImageFile::commit(Failure& failure) {
+    if (!m_output->close()) {
+        failure = failed();
+        return false;
+    }
+    if (is_regular(m_whole.file()) && is_file_format(m_output->format_name()) &&
+        !check_written(failure))
+        return false;
+    m_output.reset();
+    m_stream.reset();
+    return m_whole.commit(failure);
+}
+
+ExitCode code_of_reading(const std::string& path, ExitCode otherwise) {
+    const int descriptor = open_to_read(path);
+    if (descriptor < 0)
+        return code_of_errno(errno);
+    std::vector<char> bytes(size_t(1) << 20);
+    ExitCode code = otherwise;
+    struct stat there {};
+    if (fstat(descriptor, &there) != 0)
+        code = code_of_errno(errno);
+    else if (S_ISREG(there.st_mode)) {
+        ssize_t n = 1;
+        while (n > 0)
+            n = ::read(descriptor, bytes.data(), bytes.size());
+        code = n < 0 ? code_of_errno(errno) : otherwise;
+    }
+    ::close(descriptor);
+    return code;
+}
+
+std::string why_not_opened(const std::string& path) {
+    const int descriptor = open_to_read(path);
+    if (descriptor < 0)
+        return errno == ENOENT ? "" : std::strerror(errno);
+    ::close(descriptor);
+    return {};
+}
+
+int rows_in_strip(const OIIO::ImageSpec& spec) {
+    return std::clamp(spec.get_int_attribute("tiff:RowsPerStrip", 1), 1, 1 << 20);
+}
+
+bool write_image(const OIIO::ImageBuf& image, const std::string& path,
+                 const std::function<void(float)>& progress, Failure& failure) {
+    ImageFile file;
+    return file.begin(path, image.spec(), failure) && write_image(image, file, progress, failure);
+}
+
+bool write_image(const OIIO::ImageBuf& image, ImageFile& file,
+                 const std::function<void(float)>& progress, Failure& failure) {
+    const auto callback = [](void* data, float share) {
+        (*static_cast<const std::function<void(float)>*>(data))(share);
+        return false; // do not stop
+    };
+    auto* const data = const_cast<std::function<void(float)>*>(&progress);
+    if (!image.write(&file.output(), callback, data)) {
+        failure = file.failed();
+        if (const std::string why(OIIO::Strutil::strip(image.geterror()));
+            !why.empty() && failure.why.find(':') == std::string::npos) {
+            failure.why += ": " + file.with_its_name(why.substr(0, why.find('\n')));
+            if (failure.code == exit_failed)
+                failure.code = code_of_message(why);
+        }
+        return false;
+    }
+    return file.commit(failure);
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writing images: whole, or not at all.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imageio.h>
+
+#include "plugin/tool/file/whole_file.h"
+
+namespace ddt::tool {
+
+/// An image file to be written, which appears under its name only when whole and checked. Writers
+/// of many formats do not look whether what they write arrives (PNG: a full disk), so their stream
+/// is ours where they let us; the others' files are read back. The size of every file is read back,
+/// which some writers do not look at either (GIF: 66000 becomes 464).
+class ImageFile {
+public:
+    /// Decide on the format by the name's extension and open a temporary file.
+    bool create(const std::string& path, Failure& failure);
+    /// The writer, for open() with a spec under the name temporary().
+    OIIO::ImageOutput& output() { return *m_output; }
+    const std::string& temporary() const { return m_whole.temporary(); }
+    bool open(const OIIO::ImageSpec& spec, Failure& failure);
+    /// create() and open() for scanlines, as ImageBuf::write() by name does.
+    bool begin(const std::string& path, OIIO::ImageSpec spec, Failure& failure);
+    /// Let what was written so far go to the disk meanwhile.
+    void begin_writeback() { m_whole.begin_writeback(); }
+    /// Close the writer, check, and give the file its name.
+    bool commit(Failure& failure);
+    /// The compression of the file that was committed, as its reader names it, without a level: the
+    /// writer may have chosen another than the spec's without a word (TIFF: jpeg). Empty where it
+    /// is not known.
+    const std::string& compression() const { return m_compression; }
+    /// A message about the temporary file, as one about the file that it becomes.
+    std::string with_its_name(const std::string& said) const;
+    /// What the writer said, as a failure.
+    Failure failed() const;
+
+private:
+    bool check_written(Failure& failure);
+
+    std::string m_path, m_compression;
+    int m_width = 0, m_height = 0; ///< what it was opened with
+    WholeFile m_whole;
+    // Before the writer that uses it: it goes after that.
+    std::unique_ptr<OIIO::Filesystem::IOFile> m_stream;
+    std::unique_ptr<OIIO::ImageOutput> m_output;
+};
+
+/// If a file cannot be opened, or its bytes cannot be read, readers call it broken or none of their
+/// format: the code for the reason then, else `otherwise`. Reads the bytes, so it is to be called
+/// after a failure only.
+ExitCode code_of_reading(const std::string& path, ExitCode otherwise = exit_failed);
+
+/// If a file is there and cannot be opened, readers say that it is none of theirs: what the system
+/// says then, such as "Permission denied". Empty for a file that can be opened, and for a name of
+/// no file, which readers may know what to make of.
+std::string why_not_opened(const std::string& path);
+
+/// Scanlines that a file of this spec keeps together, as far as it says so (TIFF); 1 to 2^20.
+int rows_in_strip(const OIIO::ImageSpec& spec);
+
+/// Write an image in local memory. `progress` is called with the share done.
+bool write_image(const OIIO::ImageBuf& image, const std::string& path,
+                 const std::function<void(float)>& progress, Failure& failure);
+/// The same into a file that was opened for the image's windows, and commit it.
+bool write_image(const OIIO::ImageBuf& image, ImageFile& file,
+                 const std::function<void(float)>& progress, Failure& failure);
+
+} // namespace ddt::tool

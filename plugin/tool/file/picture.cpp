@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/file/picture.h"
+
+#include <algorithm>
+
+#include "plugin/image/metadata.h"
+#include "plugin/image/source.h"
+#include "plugin/image/windows.h"
+#include "plugin/message/format.h"
+#include "plugin/tool/command/command.h"
+#include "plugin/tool/file/image_file.h"
+
+namespace ddt::tool {
+
+namespace {
+
+/// Whether there is nothing that can be looked at: numbers that name things, at most with alpha.
+bool only_ids(const Channels& channels) {
+    return channels.colour.count == 0 && channels.guide < 0 &&
+           std::count(channels.kinds.begin(), channels.kinds.end(), Channel::nearest) > 0;
+}
+
+/// How a pixel's values become a Colour.
+class Display {
+public:
+    explicit Display(const Reading& reading)
+        : m_layout(reading.channels.colour), m_linear(reading.guide.linear),
+          m_alpha(reading.channels.alpha) {
+        if (m_layout.count == 0) {
+            m_layout.count = 1;
+            m_layout.channel[0] = reading.channels.guide;
+        }
+    }
+    Colour operator()(const float* pixel) const {
+        const float alpha = m_alpha >= 0 ? pixel[m_alpha] : 1.0f;
+        const bool divide = m_layout.alpha >= 0 && alpha != 0.0f;
+        float shown[3];
+        for (int k = 0; k < 3; ++k) {
+            const int channel = m_layout.channel[m_layout.count == 3 ? k : 0];
+            float v = channel >= 0 ? pixel[channel] : 0.0f;
+            v = divide ? v / alpha : v;
+            shown[k] = m_linear ? srgb_curve(v) : v;
+        }
+        return {shown[0], shown[1], shown[2], alpha};
+    }
+
+private:
+    ColourLayout m_layout;
+    bool m_linear;
+    int m_alpha;
+};
+
+/// [begin, end) cut to the file's pixels along an axis and extended to whole tiles.
+void to_tiles(int first, int size, int tile, int& begin, int& end) {
+    begin = std::max(begin - first, 0) / tile * tile;
+    end = std::min((std::min(end - first, size) + tile - 1) / tile * tile, size);
+    begin += first;
+    end += first;
+}
+
+} // namespace
+
+std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path) {
+    return why_unreadable(image.has_error() ? image.geterror() : "", path);
+}
+
+std::string why_unreadable(const std::string& said, const std::string& path) {
+    if (const std::string why = why_not_opened(path); !why.empty())
+        return "cannot read \"" + path + "\": " + why;
+    const std::string why = said.empty() ? "cannot read \"" + path + "\"" : said;
+    return why.find(path) == std::string::npos ? "\"" + path + "\": " + why : why;
+}
+
+bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error) {
+    if (path.empty()) { // OpenImageIO makes an image of it that is not there
+        error = "\"\" is no name of a file";
+        return false;
+    }
+    image.reset(path);
+    const bool floats = image.init_spec(path, 0, 0) && is_associated_when_read(image.nativespec());
+    if (image.read(0, 0, true, floats ? OIIO::TypeFloat : OIIO::TypeUnknown))
+        return true;
+    error = why_unreadable(image, path);
+    return false;
+}
+
+OIIO::ImageSpec spec_of_file(const OIIO::ImageBuf& image) {
+    OIIO::ImageSpec spec = image.spec();
+    spec.set_format(image.nativespec().format);
+    spec.channelformats = image.nativespec().channelformats;
+    return spec;
+}
+
+Failure unreadable(const std::string& path, const std::string& error) {
+    const ExitCode code = code_of_message(error);
+    return {error, code == exit_failed ? code_of_reading(path) : code};
+}
+
+void note_others(const std::string& path, int images) {
+    if (images > 1)
+        note(format("\"{}\" has {} images; the first alone was taken", path, images));
+}
+
+bool read_picture(const OIIO::ImageBuf& image, const Options& options, Picture& picture,
+                  std::string& error) {
+    if (image.nchannels() < 1 || image.spec().deep) {
+        error = "\"" + std::string(image.name()) + "\" has no flat pixels";
+        return false;
+    }
+    Reading reading;
+    if (!plan_reading(image, options, image.roi(), reading, error))
+        return false;
+    if (only_ids(reading.channels)) {
+        error = "\"" + std::string(image.name()) +
+                "\" has nothing to look at: its channels are whole numbers that name things";
+        return false;
+    }
+    ImageSource source(image, reading);
+    const Rect window = rect_of(image.roi());
+    const size_t channels = reading.selected.size();
+    std::vector<float> values(window.area() * channels);
+    picture.width = window.width();
+    picture.height = window.height();
+    picture.has_alpha = reading.channels.alpha >= 0;
+    picture.guide.resize(window.area());
+    if (!source.read(window, values.data(), picture.guide.data())) {
+        error = source.error();
+        return false;
+    }
+    const Display display(reading);
+    picture.colours.resize(window.area());
+    for (size_t i = 0; i < picture.colours.size(); ++i)
+        picture.colours[i] = display(&values[i * channels]);
+    return true;
+}
+
+bool check_size_of(const OIIO::ImageSpec& spec, Failure& failure) {
+    if (check_size(OIIO::get_roi(spec), spec.nchannels, spec.format, failure.why))
+        return true;
+    failure.code = code_of_message(failure.why);
+    return false;
+}
+
+bool read_native(OIIO::ImageInput& input, const Rect& r, int chbegin, int chend, void* to) {
+    const OIIO::ImageSpec& spec = input.spec();
+    return spec.tile_width > 0 ? input.read_tiles(0, 0, r.x0, r.x1, r.y0, r.y1, spec.z, spec.z + 1,
+                                                  chbegin, chend, OIIO::TypeUnknown, to)
+                               : input.read_scanlines(0, 0, r.y0, r.y1, spec.z, chbegin, chend,
+                                                      OIIO::TypeUnknown, to);
+}
+
+bool read_native(OIIO::ImageInput& input, const Rect& r, void* to) {
+    return read_native(input, r, 0, input.spec().nchannels, to);
+}
+
+Rect readable(const OIIO::ImageSpec& file, const Rect& r) {
+    const bool tiled = file.tile_width > 0;
+    Rect all = r;
+    to_tiles(file.x, file.width, tiled ? file.tile_width : file.width, all.x0, all.x1);
+    to_tiles(file.y, file.height, tiled ? file.tile_height : 1, all.y0, all.y1);
+    return all;
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// An image file as the commands look at it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imageio.h>
+
+#include "ddt/resize.h"
+#include "plugin/tool/command/exit_code.h"
+
+namespace ddt::tool {
+
+/// One pixel as a display shows it: not associated with alpha, 0 to 1 from black to white (values
+/// of a scene may be beyond).
+struct Colour {
+    float red = 0, green = 0, blue = 0, alpha = 1;
+};
+
+/// The pixels of an image's data window, row by row.
+struct Picture {
+    int width = 0, height = 0;
+    bool has_alpha = false;
+    std::vector<Colour> colours; ///< grey as three equal; without colour, the guide's channel
+    std::vector<float> guide;
+};
+
+/// One line that says why the image of a file cannot be read; said: by OpenImageIO, or nothing.
+std::string why_unreadable(const std::string& said, const std::string& path);
+std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path);
+
+/// Read the first image of a file, its pixels included. False with one line in `error`.
+bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error);
+
+/// The image's spec with the file's types, where its pixels are held as others.
+OIIO::ImageSpec spec_of_file(const OIIO::ImageBuf& image);
+
+/// The failure for a file that open_image() could not open.
+Failure unreadable(const std::string& path, const std::string& error);
+
+/// Say on stderr that of the `images` in a file only the first was looked at, if there are more.
+void note_others(const std::string& path, int images);
+
+/// Read an image under options.light. False with one line in `error`, as for an image of IDs
+/// alone, which no display shows.
+bool read_picture(const OIIO::ImageBuf& image, const Options& options, Picture& picture,
+                  std::string& error);
+
+/// False with a failure unless an image of that size may be had (check_size() of
+/// plugin/image/windows.h).
+bool check_size_of(const OIIO::ImageSpec& spec, Failure& failure);
+
+/// Read channels [chbegin, chend) of pixels of the first image of a file as they are, without gaps:
+/// whole tiles where it has them, else whole rows. False with a line in input.geterror().
+bool read_native(OIIO::ImageInput& input, const Rect& r, int chbegin, int chend, void* to);
+/// All channels.
+bool read_native(OIIO::ImageInput& input, const Rect& r, void* to);
+
+/// [r.x0, r.x1) x [r.y0, r.y1) cut to the file's pixels and extended to what read_native() reads.
+Rect readable(const OIIO::ImageSpec& file, const Rect& r);
+
+} // namespace ddt::tool

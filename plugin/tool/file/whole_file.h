@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// A file that appears under its name only when it is whole.
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <sys/stat.h>
+
+#include "plugin/tool/command/exit_code.h"
+
+namespace ddt::tool {
+
+/// Write to file(), or to what temporary() names; then commit(). Until then what was there under
+/// the file's name stays there; without commit() it stays for good.
+///
+/// The temporary file lies in the same folder, its name hidden and with the same extension:
+/// .NAME.ddt-0.exr. A signal that can be caught removes it (see unfinished.h). After one that
+/// cannot (SIGKILL) it stays, and the next process of this user that writes the file removes it: a
+/// process at work holds a lock on its temporary file, and nobody holds one on what is left over.
+///
+/// A symbolic link stays one: the file that it leads to is replaced. A file that was there keeps
+/// its permissions, and its owner and group where that is allowed; one that may not be written is
+/// not replaced either. What is no file (/dev/null, a pipe) is written directly.
+class WholeFile {
+public:
+    WholeFile() = default;
+    ~WholeFile(); ///< removes the temporary file unless it was committed
+    WholeFile(const WholeFile&) = delete;
+    WholeFile& operator=(const WholeFile&) = delete;
+
+    /// False with a failure if the file could not be written. Once.
+    bool open(const std::string& path, Failure& failure);
+
+    const std::string& temporary() const { return m_temporary; }
+    /// Open for writing and reading.
+    std::FILE* file() const { return m_file; }
+
+    /// Let what was written so far go to the disk meanwhile, so that commit() waits for less.
+    void begin_writeback();
+
+    /// The error's number that a write gives now, or 0. It writes beyond the end, so only for a
+    /// file that is to be given up.
+    int write_error() const;
+
+    /// Put all of it on the disk, then under its name. False with a failure, and no file, if a
+    /// write to file() failed at any time, or one of these does.
+    bool commit(Failure& failure);
+
+private:
+    bool open_temporary();
+    bool take(int descriptor);
+    bool refuse(int number, Failure& failure) const;
+    bool take_after(const struct stat& there) const;
+    void unlist();
+    void discard();
+
+    std::string m_path, m_target, m_temporary;
+    std::FILE* m_file = nullptr;
+    std::vector<char> m_buffer; ///< the stream's
+    int m_listed = -1;
+    struct stat m_before {}; ///< of the file that it takes the place of
+    bool m_exists = false;   ///< there was one
+    bool m_direct = false;
+};
+
+} // namespace ddt::tool

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/mesh/mesh_points.h"
+
+#include <OpenImageIO/strutil.h>
+
+#include "plugin/tool/points/point_file.h"
+
+namespace ddt::tool {
+
+bool is_point_mesh(const std::string& path) {
+    return OIIO::Strutil::iends_with(path, ".ply");
+}
+
+bool optimise_file(const std::string& in, const std::string& out, const MeshOptions& options,
+                   Device device, MeshReport& report, const std::function<bool(float)>& progress,
+                   Failure& failure) {
+    if (!is_point_mesh(out)) {
+        failure = {"\"" + out + "\" is not allowed; of a mesh, allowed are names that end in .ply",
+                   exit_usage};
+        return false;
+    }
+    PointFile points;
+    if (!read_points(in, points, failure))
+        return false;
+    std::vector<const Column*> columns;
+    for (const std::string& name : usual_columns(points))
+        columns.push_back(points.find(name));
+    if (points.mesh.triangles.empty() || columns.empty()) {
+        failure.why = "\"" + in + "\" has no " + (columns.empty() ? "values" : "triangles");
+        return false;
+    }
+    const std::vector<float> guide = guide_of(points, columns);
+    if (!optimise(points.mesh, guide.data(), options, &report, &failure.why, progress, device)) {
+        failure.code = code_of_message(failure.why);
+        return false;
+    }
+    return write_points(out, points, failure);
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// What parts of one result have in common.
+#pragma once
+
+#include <string>
+
+#include <OpenImageIO/imageio.h>
+
+#include "plugin/tool/resize/resize_file.h"
+
+namespace ddt::tool {
+
+/// A hash of what makes the result: the source, the result's windows and pixel type, the filter's
+/// options less the device, and the version. The source counts by its header, its size in bytes
+/// and the bytes themselves, up to 64 MiB all of them. A larger one counts by 1024 pieces of 64
+/// KiB, evenly spread, since reading all of it would take longer than a part: sources that differ
+/// only between the pieces look like one. The time of its last change does not count: machines may
+/// have copies. Empty if the file cannot be read.
+std::string fingerprint(const std::string& source, const OIIO::ImageSpec& source_spec,
+                        const OIIO::ImageSpec& result, const ResizeSettings& settings);
+
+} // namespace ddt::tool

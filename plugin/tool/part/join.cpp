@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/part/join.h"
+
+#include <algorithm>
+#include <climits>
+#include <cstring>
+#include <memory>
+
+#include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
+
+#include "plugin/image/channels.h"
+#include "plugin/image/metadata.h"
+#include "plugin/image/windows.h"
+#include "plugin/message/format.h"
+#include "plugin/tool/command/command.h"
+#include "plugin/tool/file/fit_format.h"
+#include "plugin/tool/file/image_file.h"
+#include "plugin/tool/file/picture.h"
+#include "plugin/tool/part/part_header.h"
+
+namespace ddt::tool {
+
+namespace {
+
+/// A part's file, read from top to bottom, a row of tiles at a time.
+struct PartFile {
+    std::string path;
+    PartHeader header;
+    Rect window;
+    OIIO::ImageSpec spec;    ///< channels in the whole's order
+    std::vector<int> places; ///< of these in the file; empty where they are the same
+    std::unique_ptr<OIIO::ImageInput> input; ///< open only while its rows are wanted
+    std::vector<char> tiles;                 ///< the pixels of a row of tiles
+    int y0 = 0, y1 = 0;                      ///< of those rows
+};
+
+bool cannot_read(const PartFile& part, Failure& failure) {
+    std::string why = part.input ? part.input->geterror() : OIIO::geterror();
+    if (const std::string denied = why_not_opened(part.path); !denied.empty())
+        why = denied;
+    why = std::string(OIIO::Strutil::strip(why.substr(0, why.find('\n'))));
+    failure = unreadable(part.path,
+                         "cannot read \"" + part.path + "\"" + (why.empty() ? "" : ": " + why));
+    return false;
+}
+
+bool is_allowed(const Rect& r) {
+    return !r.empty() && r.within_limits();
+}
+
+/// Bring the channels of part.spec, which a file sorts by name, into the whole's order.
+bool order_channels(PartFile& part, Failure& failure) {
+    OIIO::ImageSpec& spec = part.spec;
+    const std::vector<std::string>& names = part.header.channels;
+    if (names.empty() || names == spec.channelnames)
+        return true;
+    const OIIO::ImageSpec file = spec;
+    if (!std::is_permutation(names.begin(), names.end(), file.channelnames.begin(),
+                             file.channelnames.end())) {
+        failure = {"\"" + part.path + "\" has other channels than it was written with"};
+        return false;
+    }
+    for (int i = 0; i < file.nchannels; ++i) {
+        const int place = file.channelindex(names[size_t(i)]);
+        part.places.push_back(place);
+        if (!file.channelformats.empty())
+            spec.channelformats[size_t(i)] = file.channelformat(place);
+        if (place == file.alpha_channel)
+            spec.alpha_channel = i;
+        if (place == file.z_channel)
+            spec.z_channel = i;
+    }
+    spec.channelnames = names;
+    return true;
+}
+
+bool read_header(PartFile& part, Failure& failure) {
+    part.input = OIIO::ImageInput::open(part.path);
+    if (!part.input)
+        return cannot_read(part, failure);
+    OIIO::ImageSpec& spec = part.spec;
+    spec = part.input->spec();
+    part.input.reset();
+    if (spec.depth > 1 || spec.tile_depth > 1 || spec.deep || !part.header.read_from(spec)) {
+        failure = {"\"" + part.path + "\" is no part; allowed are files of ddt resize --part"};
+        return false;
+    }
+    if (!order_channels(part, failure))
+        return false;
+    const auto end = [](int first, int size) {
+        return int(std::min(int64_t(first) + size, int64_t(INT_MAX)));
+    };
+    part.window = {spec.x, spec.y, end(spec.x, spec.width), end(spec.y, spec.height)};
+    if (is_allowed(part.window) && is_allowed(part.header.whole))
+        return true;
+    failure = {format("\"{}\" has a window whose coordinates are not within +-{}", part.path,
+                      largest_coordinate)};
+    return false;
+}
+
+/// Whether both are of one whole, and have pixels of one kind.
+bool belong_together(const PartFile& a, const PartFile& b) {
+    const Rect &w = a.header.whole, &v = b.header.whole;
+    return a.header.job == b.header.job && a.header.part.count == b.header.part.count &&
+           a.header.type == b.header.type && w.x0 == v.x0 && w.y0 == v.y0 && w.x1 == v.x1 &&
+           w.y1 == v.y1 && a.spec.nchannels == b.spec.nchannels && a.spec.format == b.spec.format &&
+           a.spec.channelformats == b.spec.channelformats &&
+           a.spec.channelnames == b.spec.channelnames;
+}
+
+bool overlap(const Rect& a, const Rect& b) {
+    return std::max(a.x0, b.x0) < std::min(a.x1, b.x1) &&
+           std::max(a.y0, b.y0) < std::min(a.y1, b.y1);
+}
+
+/// Whether the parts, in order of their numbers, are all there are, and once.
+bool check_numbers(const std::vector<PartFile>& parts, Failure& failure) {
+    const PartHeader& first = parts.front().header;
+    for (size_t i = 1; i < parts.size(); ++i) {
+        const PartHeader& other = parts[i].header;
+        if (!belong_together(parts[i], parts.front())) {
+            failure = {format("\"{}\" and \"{}\" are parts of different jobs: another source, size "
+                              "or option",
+                              parts[0].path, parts[i].path)};
+            return false;
+        }
+        if (other.part.index == parts[i - 1].header.part.index) {
+            failure = {format("part {} is there twice: \"{}\" and \"{}\"", other.part.index,
+                              parts[i - 1].path, parts[i].path)};
+            return false;
+        }
+    }
+    std::vector<std::string> missing;
+    auto part = parts.begin();
+    for (int i = 1; i <= first.part.count; ++i) {
+        if (part != parts.end() && part->header.part.index == i)
+            ++part;
+        else
+            missing.push_back(std::to_string(i));
+    }
+    if (missing.empty())
+        return true;
+    if (missing.size() > 8) {
+        missing.resize(8);
+        missing.push_back("...");
+    }
+    failure = {format("of {} parts there are missing: {}", first.part.count,
+                      OIIO::Strutil::join(missing, ", "))};
+    return false;
+}
+
+/// Whether their windows fill the whole, without overlaps.
+bool check_windows(const std::vector<PartFile>& parts, Failure& failure) {
+    const Rect& whole = parts.front().header.whole;
+    size_t area = 0;
+    for (size_t i = 0; i < parts.size(); ++i) {
+        area += parts[i].window.area();
+        for (size_t k = 0; k < i; ++k)
+            if (overlap(parts[i].window, parts[k].window)) {
+                failure = {format("\"{}\" and \"{}\" overlap", parts[k].path, parts[i].path)};
+                return false;
+            }
+        const Rect& w = parts[i].window;
+        if (w.x0 < whole.x0 || w.y0 < whole.y0 || w.x1 > whole.x1 || w.y1 > whole.y1) {
+            failure = {"\"" + parts[i].path + "\" leaves the whole's window"};
+            return false;
+        }
+    }
+    if (area == whole.area())
+        return true;
+    failure = {"the parts do not fill the whole's window"};
+    return false;
+}
+
+/// How pixels are held: all numbers of one type, or unknown: channels of types of their own.
+struct Held {
+    OIIO::TypeDesc type;
+    size_t pixel; ///< bytes
+};
+
+/// As the parts have them, where `output` can write that; else channels of types of their own
+/// become floats, as ddt resize holds them.
+Held find_held(const OIIO::ImageSpec& part, const OIIO::ImageOutput& output) {
+    if (part.channelformats.empty())
+        return {part.format, part.pixel_bytes()};
+    if (output.supports("channelformats"))
+        return {OIIO::TypeUnknown, part.pixel_bytes(true)};
+    return {OIIO::TypeFloat, size_t(part.nchannels) * sizeof(float)};
+}
+
+/// Bytes of a pixel as it was read that are one channel.
+struct Piece {
+    size_t offset = 0, size = 0;
+};
+
+/// In the whole's order; empty where it is the file's.
+std::vector<Piece> pieces_of(const PartFile& part, OIIO::TypeDesc type) {
+    const std::vector<int>& places = part.places;
+    std::vector<Piece> pieces(places.size());
+    for (size_t c = 0; c < places.size(); ++c)
+        pieces[c].size =
+            (type == OIIO::TypeUnknown ? part.spec.channelformat(int(c)) : type).size();
+    for (size_t c = 0; c < places.size(); ++c)
+        for (size_t k = 0; k < places.size(); ++k)
+            if (places[k] < places[c])
+                pieces[c].offset += pieces[k].size;
+    return pieces;
+}
+
+/// The channels of pixels as read into the whole's order.
+void move_channels(const std::vector<Piece>& pieces, size_t pixel, std::vector<char>& pixels) {
+    std::vector<char> one(pixel);
+    for (size_t at = 0; !pieces.empty() && at < pixels.size(); at += pixel) {
+        std::memcpy(one.data(), &pixels[at], pixel);
+        size_t to = at;
+        for (const Piece& piece : pieces) {
+            std::memcpy(&pixels[to], &one[piece.offset], piece.size);
+            to += piece.size;
+        }
+    }
+}
+
+/// Make the row of tiles with the pixels of row y the part's current one.
+bool load(PartFile& part, int y, const Held& held, Failure& failure) {
+    if (!part.input) {
+        part.input = OIIO::ImageInput::open(part.path);
+        if (!part.input)
+            return cannot_read(part, failure);
+    }
+    const OIIO::ImageSpec& spec = part.input->spec();
+    const int height = spec.tile_height;
+    part.y0 = part.window.y0 + (y - part.window.y0) / height * height;
+    part.y1 = std::min(part.y0 + height, part.window.y1);
+    part.tiles.resize(held.pixel * size_t(part.window.width()) * size_t(height));
+    if (!part.input->read_tiles(0, 0, part.window.x0, part.window.x1, part.y0, part.y1, 0, 1, 0,
+                                spec.nchannels, held.type, part.tiles.data()))
+        return cannot_read(part, failure);
+    move_channels(pieces_of(part, held.type), held.pixel, part.tiles);
+    return true;
+}
+
+/// Put the rows [y0, y1) of a part where they belong among those rows of the whole.
+bool copy_rows(PartFile& part, int y0, int y1, const Held& held, char* rows, Failure& failure) {
+    const Rect& whole = part.header.whole;
+    const size_t pixel = held.pixel;
+    const size_t row = pixel * size_t(whole.width()), mine = pixel * size_t(part.window.width());
+    for (int y = std::max(y0, part.window.y0); y < std::min(y1, part.window.y1); ++y) {
+        if ((y < part.y0 || y >= part.y1) && !load(part, y, held, failure))
+            return false;
+        std::memcpy(rows + row * size_t(y - y0) + pixel * size_t(part.window.x0 - whole.x0),
+                    &part.tiles[mine * size_t(y - part.y0)], mine);
+    }
+    if (part.window.y1 <= y1) {
+        part.input.reset();
+        part.tiles = {};
+    }
+    return true;
+}
+
+/// The whole's spec from a part's.
+OIIO::ImageSpec whole_spec(OIIO::ImageSpec spec, const PartHeader& header, bool tiles) {
+    spec.x = header.whole.x0;
+    spec.y = header.whole.y0;
+    spec.width = header.whole.width();
+    spec.height = header.whole.height();
+    if (const OIIO::TypeDesc type(header.type); type != spec.format)
+        spec.set_format(type);
+    spec.extra_attribs = header.metadata;
+    if (!tiles)
+        spec.tile_width = spec.tile_height = spec.tile_depth = 0;
+    return spec;
+}
+
+/// Whether the format has tiles, and its reader reads them.
+bool can_have_tiles(const OIIO::ImageOutput& output, const OIIO::ParamValueList& metadata) {
+    return output.supports("tiles") &&
+           (output.format_name() != std::string("tiff") ||
+            std::none_of(metadata.begin(), metadata.end(), spoils_tiff_tiles));
+}
+
+/// Whether numbers of `written` are what one run would have rounded less.
+bool has_room_for_more(OIIO::TypeDesc written, OIIO::TypeDesc parts) {
+    return written.is_floating_point() && !is_id_type(parts) &&
+           (!parts.is_floating_point() ||
+            (parts == OIIO::TypeHalf && written.size() > parts.size()));
+}
+
+/// Say that a file with room for more has what the type of parts, or of one of their channels,
+/// leaves of the pixels.
+void note_rounded(const std::string& path, const OIIO::ImageSpec& file, const PartFile& part) {
+    const OIIO::TypeDesc written = file.format;
+    OIIO::TypeDesc parts(part.header.type);
+    for (int c = 0; c < part.spec.nchannels && !part.spec.channelformats.empty(); ++c)
+        if (has_room_for_more(file.channelformat(c), part.spec.channelformat(c)))
+            parts = part.spec.channelformat(c);
+    if (has_room_for_more(written, parts) && file.channelformats.empty())
+        note(format("\"{}\" has {}, and the parts were rounded to {}; --type {} for each part "
+                    "keeps what one run keeps",
+                    path, written, parts, written));
+}
+
+/// Write the rows [y0, y1) of what the format holds of the whole, which has some of them in `rows`,
+/// from its row `from` on; where it has none they are black.
+bool write_kept(OIIO::ImageOutput& output, const Rect& whole, const Rect& kept, int y0, int y1,
+                const Held& held, const char* rows, int from) {
+    const size_t pixel = held.pixel;
+    const int x0 = std::max(whole.x0, kept.x0), x1 = std::min(whole.x1, kept.x1);
+    const size_t row = pixel * size_t(whole.width());
+    std::vector<char> line(pixel * size_t(kept.width()));
+    for (int y = y0; y < y1; ++y) {
+        if (rows && x0 < x1)
+            std::memcpy(&line[pixel * size_t(x0 - kept.x0)],
+                        rows + row * size_t(y - from) + pixel * size_t(x0 - whole.x0),
+                        pixel * size_t(x1 - x0));
+        if (!output.write_scanlines(y, y + 1, 0, held.type, line.data(), OIIO::stride_t(pixel)))
+            return false;
+    }
+    return true;
+}
+
+} // namespace
+
+bool join(const std::vector<std::string>& paths, const std::string& out,
+          const std::function<bool(float)>& progress, Failure& failure) {
+    std::vector<PartFile> parts(paths.size());
+    for (size_t i = 0; i < paths.size(); ++i) {
+        parts[i].path = paths[i];
+        if (!read_header(parts[i], failure))
+            return false;
+    }
+    const OIIO::ImageSpec spec = parts.back().spec;
+    std::stable_sort(parts.begin(), parts.end(), [](const PartFile& a, const PartFile& b) {
+        return a.header.part.index < b.header.part.index;
+    });
+    if (!check_numbers(parts, failure) || !check_windows(parts, failure))
+        return false;
+
+    const int height = spec.tile_height;
+    const Rect whole = parts.front().header.whole;
+    ImageFile file;
+    if (!file.create(out, failure))
+        return false;
+    const bool tiles = can_have_tiles(file.output(), parts.front().header.metadata);
+    OIIO::ImageSpec written = whole_spec(spec, parts.front().header, tiles);
+    if (!fit_format(file.output(), out, written, failure))
+        return false;
+    const std::string left_out = fit_channels(file.output(), written);
+    const Held held = find_held(spec, file.output());
+    const Rect kept = rect_of(written.roi());
+    const bool tiled = tiles && kept == whole;
+    if (!tiled)
+        written.tile_width = written.tile_height = written.tile_depth = 0;
+    if (!file.open(written, failure))
+        return false;
+    note_left_out(out, left_out);
+    note_rounded(out, file.output().spec(), parts.front());
+    const auto write_black = [&](int y0, int y1) {
+        if (write_kept(file.output(), whole, kept, y0, y1, held, nullptr, 0))
+            return true;
+        failure = file.failed();
+        return false;
+    };
+    if (!write_black(kept.y0, std::min(kept.y1, whole.y0)))
+        return false;
+    std::vector<char> rows(held.pixel * size_t(whole.width()) * size_t(height));
+    for (int y0 = whole.y0; y0 < whole.y1; y0 += height) {
+        const int y1 = std::min(y0 + height, whole.y1);
+        progress(float(y0 - whole.y0) / float(whole.height()));
+        for (PartFile& part : parts)
+            if (part.window.y0 < y1 && part.window.y1 > y0 &&
+                !copy_rows(part, y0, y1, held, rows.data(), failure))
+                return false;
+        const bool done =
+            tiled ? file.output().write_tiles(whole.x0, whole.x1, y0, y1, 0, 1, held.type,
+                                              rows.data(), OIIO::stride_t(held.pixel))
+                  : write_kept(file.output(), whole, kept, std::max(y0, kept.y0),
+                               std::min(y1, kept.y1), held, rows.data(), y0);
+        if (!done) {
+            failure = file.failed();
+            return false;
+        }
+    }
+    if (!write_black(std::max(kept.y0, whole.y1), kept.y1) || !file.commit(failure))
+        return false;
+    progress(1);
+    return true;
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// A part of a result, made and written by itself.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "plugin/tool/part/part.h"
+#include "plugin/tool/resize/resize_file.h"
+
+namespace ddt::tool {
+
+/// Resize the share of the file `in` that makes a part, and write that to `out`, tile row by tile
+/// row of the source. Takes memory for one of these rows, and 256 MiB. If the source is in tiles,
+/// or in rows that can be had singly, no more of it is read than the part needs. Both axes must
+/// grow or stay.
+bool resize_part(const std::string& in, const std::string& out, const ResizeSettings& settings,
+                 Part part, const std::function<bool(float)>& progress, Failure& failure);
+
+/// Whether `out` is what resize_part() would write: the same part of the same result, of a source
+/// that has not changed (see fingerprint()).
+bool is_part_there(const std::string& in, const std::string& out, const ResizeSettings& settings,
+                   Part part);
+
+} // namespace ddt::tool

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/points/point_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/strutil.h>
+
+#include "plugin/message/format.h"
+
+namespace ddt::tool {
+
+namespace {
+
+/// Appends numbers in little endian order, whatever the machine's is.
+class Bytes {
+public:
+    template <class Word>
+    void word(Word v) {
+        for (size_t k = 0; k < sizeof v; ++k)
+            m_bytes += char(uint64_t(v) >> (8 * k) & 0xff);
+    }
+    void number(double v) {
+        uint64_t bits;
+        std::memcpy(&bits, &v, sizeof bits);
+        word(bits);
+    }
+    void number(float v) {
+        uint32_t bits;
+        std::memcpy(&bits, &v, sizeof bits);
+        word(bits);
+    }
+    const std::string& text() const { return m_bytes; }
+
+private:
+    std::string m_bytes;
+};
+
+/// The nearest whole number that the type holds.
+template <class Whole>
+Whole nearest(double v) {
+    using Limits = std::numeric_limits<Whole>;
+    return v > double(Limits::min()) ? Whole(std::min(std::floor(v + 0.5), double(Limits::max())))
+           : v < 0                   ? Limits::min()
+                                     : Whole(0);
+}
+
+void put(const Column& column, size_t point, Bytes& to) {
+    const double v = column.values[point] * column.scale;
+    const std::string& type = column.type;
+    if (type == "char")
+        to.word(nearest<int8_t>(v));
+    else if (type == "uchar")
+        to.word(nearest<uint8_t>(v));
+    else if (type == "short")
+        to.word(nearest<int16_t>(v));
+    else if (type == "ushort")
+        to.word(nearest<uint16_t>(v));
+    else if (type == "int")
+        to.word(nearest<int32_t>(v));
+    else if (type == "uint")
+        to.word(nearest<uint32_t>(v));
+    else if (type == "double")
+        to.number(v);
+    else
+        to.number(float(v));
+}
+
+/// A name as PLY has them: one word.
+std::string written_name(const Column& column) {
+    std::string name = column.name.empty() ? "unnamed" : column.name;
+    for (char& c : name)
+        if ((unsigned char)(c) <= ' ')
+            c = '_';
+    return name;
+}
+
+/// The bytes of a file. False with errno if they cannot be read.
+bool read_bytes(const std::string& path, std::string& bytes) {
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    try {
+        bytes.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+    } catch (const std::ios_base::failure&) { // a folder: whatever the stream was asked for
+        return false;
+    }
+    return file.good() || file.eof();
+}
+
+} // namespace
+
+std::optional<double> number_in(const std::string& word) {
+    char* end = nullptr;
+    const double number = word.empty() ? 0 : OIIO::Strutil::strtod(word.c_str(), &end);
+    if (word.empty() || end != word.c_str() + word.size())
+        return {};
+    return number;
+}
+
+const Column* PointFile::find(const std::string& name) const {
+    for (const Column& column : columns)
+        if (column.name == name)
+            return &column;
+    return nullptr;
+}
+
+bool read_points(const std::string& path, PointFile& points, Failure& failure) {
+    std::string text;
+    if (!read_bytes(path, text)) {
+        const int number = errno ? errno : EIO;
+        failure = {"\"" + path + "\": " + std::strerror(number), code_of_errno(number)};
+        return false;
+    }
+    const std::string extension = OIIO::Strutil::lower(OIIO::Filesystem::extension(path));
+    std::string error;
+    if (extension == ".ply" ? read_ply(text, points, error) : read_table(text, points, error))
+        return true;
+    failure = {"\"" + path + "\": " + error, exit_failed};
+    return false;
+}
+
+bool write_points(const std::string& path, const PointFile& points, Failure& failure) {
+    WholeFile file;
+    return file.open(path, failure) && write_points(file, points, failure) && file.commit(failure);
+}
+
+bool write_points(WholeFile& file, const PointFile& points, Failure& failure) {
+    const size_t count = points.mesh.x.size();
+    std::string header = format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n"
+                                "property double x\nproperty double y\n",
+                                count);
+    for (const Column& column : points.columns)
+        header += format("property {} {}\n", column.type, written_name(column));
+    header += format("element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+                     points.mesh.triangles.size());
+    Bytes bytes;
+    for (size_t i = 0; i < count; ++i) {
+        bytes.number(points.mesh.x[i]);
+        bytes.number(points.mesh.y[i]);
+        for (const Column& column : points.columns)
+            put(column, i, bytes);
+    }
+    for (const auto& t : points.mesh.triangles) {
+        bytes.word(uint8_t(3));
+        for (const int32_t v : t)
+            bytes.word(uint32_t(v));
+    }
+    std::fwrite(header.data(), 1, header.size(), file.file());
+    std::fwrite(bytes.text().data(), 1, bytes.text().size(), file.file());
+    if (std::fflush(file.file()) == 0 && !std::ferror(file.file()))
+        return true;
+    return file.commit(failure); // which fails and says why
+}
+
+std::vector<std::string> usual_columns(const PointFile& points) {
+    if (points.find("red") && points.find("green") && points.find("blue")) {
+        std::vector<std::string> names{"red", "green", "blue"};
+        if (points.find("alpha"))
+            names.emplace_back("alpha");
+        return names;
+    }
+    if (points.find("z"))
+        return {"z"};
+    std::vector<std::string> names;
+    for (const Column& column : points.columns)
+        names.push_back(column.name);
+    return names;
+}
+
+std::vector<float> guide_of(const PointFile& points, const std::vector<const Column*>& columns) {
+    std::vector<const Column*> parts;
+    for (const Column* column : columns)
+        if (column->name != "alpha" && parts.size() < 3)
+            parts.push_back(column);
+    if (parts.empty())
+        parts = columns;
+    const size_t count = points.mesh.x.size();
+    std::vector<double> mean(count, 0);
+    for (const Column* column : parts)
+        for (size_t i = 0; i < count; ++i)
+            mean[i] += double(float(column->values[i])); // whose sums and quotients are finite
+    double low = INFINITY, high = -INFINITY;
+    for (const double v : mean)
+        if (std::isfinite(v)) {
+            low = std::min(low, v);
+            high = std::max(high, v);
+        }
+    const double scale = high > low ? 1 / (high - low) : 0;
+    std::vector<float> guide(count, 0.0f);
+    for (size_t i = 0; i < count; ++i)
+        if (std::isfinite(mean[i]))
+            guide[i] = float((mean[i] - low) * scale);
+    return guide;
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files of points with values, and of meshes of them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ddt/points.h"
+#include "plugin/tool/command/exit_code.h"
+#include "plugin/tool/file/whole_file.h"
+
+namespace ddt::tool {
+
+/// Numbers of points beside their x and y. `scale` is what a whole unit is in the file: 255 and
+/// 65535 for colours that are bytes and words, else 1; values are divided by it.
+struct Column {
+    std::string name, type; ///< as PLY calls them: "red", "uchar"
+    double scale = 1;
+    std::vector<double> values; ///< which hold every type's numbers
+};
+
+struct PointFile {
+    PointMesh mesh; ///< with the file's triangles, if it has any
+    std::vector<Column> columns;
+
+    /// The column of that name, or null.
+    const Column* find(const std::string& name) const;
+};
+
+/// Read PLY (text or binary, in either order of bytes; polygons become fans of triangles) or, by
+/// any other name, text: a line that names the columns, x and y among them, then a line a point;
+/// between columns commas, semicolons, tabs or spaces; empty lines and lines that begin with # are
+/// passed over, but for a first line that names columns after a #. In a text, red, green and blue
+/// that are all whole numbers from 0 to 255, some above 1, are bytes, and so is alpha, by itself.
+/// False with a failure that names file and line, or point, counted from 1; also where a position
+/// is not finite.
+bool read_points(const std::string& path, PointFile& points, Failure& failure);
+
+/// The number that all of a word is, as C reads it ("1e3", "nan", "0x10"), or none.
+std::optional<double> number_in(const std::string& word);
+
+/// The two readers of it.
+bool read_ply(const std::string& text, PointFile& points, std::string& error);
+bool read_table(const std::string& text, PointFile& points, std::string& error);
+
+/// Write a binary PLY (little endian) with x and y as double, the columns in their types, and the
+/// triangles.
+bool write_points(const std::string& path, const PointFile& points, Failure& failure);
+/// The same into an open file, which is still to be committed. False with a failure if the system
+/// did not take all of it.
+bool write_points(WholeFile& file, const PointFile& points, Failure& failure);
+
+/// The columns a command works on when nothing names them: red, green and blue, and alpha if it is
+/// there; else z; else all.
+std::vector<std::string> usual_columns(const PointFile& points);
+
+/// The columns' mean over the first up to three that are not alpha, from 0 at the least to 1 at the
+/// largest: what edges are sought in. Points with a NaN in one of the columns have none.
+std::vector<float> guide_of(const PointFile& points, const std::vector<const Column*>& columns);
+
+} // namespace ddt::tool

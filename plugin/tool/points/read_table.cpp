@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points as text: comma-separated values, XYZ files with a header.
+#include <algorithm>
+#include <cmath>
+
+#include <OpenImageIO/strutil.h>
+
+#include "plugin/message/byte_order_mark.h"
+#include "plugin/message/format.h"
+#include "plugin/tool/points/point_file.h"
+
+namespace ddt::tool {
+
+namespace {
+
+/// What is between a line's cells: a comma, else a semicolon, else (empty) blanks.
+std::string separator_of(const std::string& line) {
+    for (const char* separator : {",", ";"})
+        if (line.find(separator) != std::string::npos)
+            return separator;
+    return "";
+}
+
+std::vector<std::string> split(const std::string& line, const std::string& separator) {
+    if (separator.empty())
+        return OIIO::Strutil::splits(line);
+    std::vector<std::string> cells;
+    for (const std::string& cell : OIIO::Strutil::splits(line, separator))
+        cells.emplace_back(OIIO::Strutil::strip(cell, " \t\"'"));
+    return cells;
+}
+
+/// The names of the columns, if x and y are among them, each once; else none.
+std::vector<std::string> names_in(const std::string& line, const std::string& separator) {
+    std::vector<std::string> names;
+    for (const std::string& cell : split(line, separator))
+        names.push_back(OIIO::Strutil::lower(cell));
+    for (const char* axis : {"x", "y"})
+        if (std::count(names.begin(), names.end(), axis) != 1)
+            return {};
+    return names;
+}
+
+/// Whether the columns hold 8-bit numbers: whole ones from 0 to 255 (and NaNs), some above 1.
+bool are_bytes(const std::vector<Column*>& columns) {
+    bool above_one = false;
+    for (const Column* column : columns)
+        for (const double v : column->values) {
+            if (!std::isnan(v) && !(v >= 0 && v <= 255 && v == std::floor(v)))
+                return false;
+            above_one |= v > 1;
+        }
+    return above_one;
+}
+
+void take_as_bytes(const std::vector<Column*>& columns) {
+    for (Column* column : columns) {
+        column->type = "uchar";
+        column->scale = 255;
+        for (auto& v : column->values)
+            v /= column->scale;
+    }
+}
+
+/// Text has no types: colours that can only be meant as 8 bits are such. Alpha is by itself, as
+/// it is often a share beside colours that are bytes.
+void find_bytes(PointFile& points) {
+    std::vector<Column*> colours, alphas;
+    for (Column& column : points.columns) {
+        if (column.name == "red" || column.name == "green" || column.name == "blue")
+            colours.push_back(&column);
+        if (column.name == "alpha")
+            alphas.push_back(&column);
+    }
+    for (const auto& columns : {colours, alphas})
+        if (are_bytes(columns))
+            take_as_bytes(columns);
+}
+
+} // namespace
+
+bool read_table(const std::string& text, PointFile& points, std::string& error) {
+    points = {};
+    std::vector<int> place; ///< of each column: -1 x, -2 y, else an index
+    std::string separator;
+    size_t number = 0;
+    for (size_t at = begin_of_text(text); at < text.size(); ++number) {
+        const size_t end = std::min(text.find('\n', at), text.size());
+        std::string line(OIIO::Strutil::strip(text.substr(at, end - at)));
+        at = end + 1;
+        const bool comment = !line.empty() && line[0] == '#';
+        if (comment)
+            line = place.empty() ? std::string(OIIO::Strutil::strip(line.substr(1))) : "";
+        if (line.empty())
+            continue;
+        if (place.empty()) {
+            separator = separator_of(line);
+            for (const std::string& name : names_in(line, separator)) {
+                if (name == "x" || name == "y") {
+                    place.push_back(name == "x" ? -1 : -2);
+                    continue;
+                }
+                place.push_back(int(points.columns.size()));
+                points.columns.push_back({name, "float", 1, {}});
+            }
+            if (place.empty() && !comment) {
+                error = format("line {}: the first line must name the columns, x and y among them",
+                               number + 1);
+                return false;
+            }
+            continue;
+        }
+        const std::vector<std::string> cells =
+            split(line, separator.empty() ? separator_of(line) : separator);
+        if (cells.size() != place.size()) {
+            error =
+                format("line {} has {} columns, not {}", number + 1, cells.size(), place.size());
+            return false;
+        }
+        for (size_t k = 0; k < cells.size(); ++k) {
+            const std::optional<double> number_there = number_in(cells[k]);
+            if (!number_there) {
+                error = format("line {}: \"{}\" is no number", number + 1, cells[k]);
+                return false;
+            }
+            const double v = *number_there;
+            if (place[k] < 0 && !std::isfinite(v)) {
+                error = format("line {}: a position that is not finite", number + 1);
+                return false;
+            }
+            if (place[k] == -1)
+                points.mesh.x.push_back(v);
+            else if (place[k] == -2)
+                points.mesh.y.push_back(v);
+            else
+                points.columns[size_t(place[k])].values.push_back(v);
+        }
+    }
+    if (points.mesh.x.empty())
+        error = "there are no points";
+    find_bytes(points);
+    return !points.mesh.x.empty();
+}
+
+} // namespace ddt::tool

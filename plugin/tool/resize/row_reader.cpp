@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/resize/row_reader.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "plugin/image/lazy_file.h"
+#include "plugin/image/metadata.h"
+#include "plugin/image/windows.h"
+#include "plugin/tool/file/image_file.h"
+#include "plugin/tool/file/picture.h"
+
+namespace ddt::tool {
+
+namespace {
+
+/// Rows that the reader is asked for at once: so many, or as many as make so many bytes. It
+/// decompresses them side by side.
+constexpr int least_rows = 64;
+constexpr size_t bytes_at_once = size_t(8) << 20;
+
+/// A multiple of those that the format keeps together.
+int rows_at_once(const OIIO::ImageSpec& spec) {
+    const int together = spec.tile_width > 0 ? spec.tile_height : rows_in_strip(spec);
+    const int wanted =
+        std::max(least_rows, int(bytes_at_once / std::max<size_t>(spec.scanline_bytes(), 1)));
+    return (wanted + together - 1) / together * together;
+}
+
+/// Whether there are rows of pixels that follow one another as they are in memory, of one type.
+bool comes_by_rows(const OIIO::ImageSpec& spec) {
+    return !spec.deep && spec.depth <= 1 && spec.channelformats.empty() && spec.width > 0 &&
+           spec.height > 0 && spec.nchannels > 0 && !is_associated_when_read(spec);
+}
+
+} // namespace
+
+bool RowReader::begin(const std::string& path, OIIO::ImageBuf& image, std::string& error) {
+    m_path = path;
+    image.reset(path);
+    const bool there = image.init_spec(path, 0, 0);
+    m_images = there ? image.nsubimages() : 0;
+    if (there && comes_by_rows(image.nativespec())) {
+        m_spec = image.nativespec();
+        m_input = OIIO::ImageInput::open(path);
+        if (m_input && !is_unchanged(m_spec, m_input->spec(), path, error))
+            return false;
+    }
+    if (!m_input) {
+        m_ready = std::numeric_limits<int>::max();
+        return open_image(path, image, error);
+    }
+    if (!take_memory(image, m_spec, error)) {
+        error = "\"" + path + "\": " + error;
+        return false;
+    }
+    m_pixels = static_cast<char*>(image.localpixels());
+    m_ready = m_spec.y;
+    m_thread = std::thread([this] { work(); });
+    return true;
+}
+
+RowReader::~RowReader() {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_stopped = true;
+    }
+    if (m_thread.joinable())
+        m_thread.join();
+}
+
+void RowReader::work() {
+    const int end = m_spec.y + m_spec.height, rows = rows_at_once(m_spec);
+    for (int y = m_spec.y; y < end; y = std::min(y + rows, end)) {
+        bool done = false;
+        std::string error = "out of memory";
+        try {
+            done = read(y, std::min(y + rows, end), error);
+        } catch (const std::exception&) { // it is that
+        }
+        const std::lock_guard lock(m_mutex);
+        if (done)
+            m_ready = std::min(y + rows, end);
+        else
+            m_error = error;
+        m_failed = !done;
+        m_changed.notify_all();
+        if (m_failed || m_stopped)
+            return;
+    }
+}
+
+bool RowReader::read(int begin, int end, std::string& error) {
+    char* const to = m_pixels + m_spec.scanline_bytes() * size_t(begin - m_spec.y);
+    if (read_native(*m_input, {m_spec.x, begin, m_spec.x + m_spec.width, end}, to))
+        return true;
+    // Which only the thread that read is told.
+    error = why_unreadable(m_input->geterror(), m_path);
+    return false;
+}
+
+bool RowReader::wait_for(int end, std::string& error) {
+    std::unique_lock lock(m_mutex);
+    m_changed.wait(lock, [&] { return end <= m_ready || m_failed; });
+    if (end <= m_ready)
+        return true;
+    error = m_error;
+    return false;
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/sequence/sequence.h"
+
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include <OpenImageIO/strutil.h>
+
+#include "plugin/tool/sequence/frames.h"
+
+namespace ddt::tool {
+
+namespace {
+
+bool refuse(const std::string& why, Failure& failure) {
+    failure = {why, exit_usage};
+    return false;
+}
+
+/// The names between commas, without blanks about them; none of an empty text. False if one is
+/// empty: of left,,right the files of no view would be looked for.
+bool parse_views(const std::string& text, std::vector<std::string>& names) {
+    if (text.empty())
+        return true;
+    for (const std::string& item : OIIO::Strutil::splits(text, ",")) {
+        names.emplace_back(OIIO::Strutil::strip(item));
+        if (names.back().empty())
+            return false;
+    }
+    return true;
+}
+
+/// Whether a name leaves open what is given, and nothing else.
+bool check_name(const std::string& text, const FrameName& name, bool frames, bool views,
+                Failure& failure) {
+    if (name.has_frame() != frames)
+        return refuse("\"" + text + "\" " +
+                          (frames ? "has no place for the frame; allowed are names such as "
+                                    "in.#.exr and in.%04d.exr"
+                                  : "needs frames; give --frames, or an input with them"),
+                      failure);
+    if (name.has_view() != views)
+        return refuse("\"" + text + "\" " +
+                          (views ? "has no place for the view; allowed are names with %V or %v"
+                                 : "needs views; give --views"),
+                      failure);
+    return true;
+}
+
+/// Whether no file would be written from two, "left" and "lower" have one first letter, and none is
+/// another's source.
+bool check_outputs(const std::vector<FrameTask>& tasks, Failure& failure) {
+    std::map<std::string, std::string> source;
+    std::set<std::string> sources;
+    const auto plain = [](const std::string& path) {
+        return std::filesystem::path(path).lexically_normal().string();
+    };
+    for (const FrameTask& task : tasks)
+        sources.insert(plain(task.in));
+    for (const FrameTask& task : tasks) {
+        const std::string out = plain(task.out);
+        if (out != plain(task.in) && sources.count(out) > 0)
+            return refuse("\"" + task.in + "\" would become \"" + task.out +
+                              "\", which is another's source",
+                          failure);
+        const auto [other, first] = source.try_emplace(task.out, task.in);
+        if (!first && other->second != task.in)
+            return refuse("\"" + other->second + "\" and \"" + task.in + "\" would both become \"" +
+                              task.out + "\"",
+                          failure);
+    }
+    return true;
+}
+
+} // namespace
+
+bool is_sequence(const std::string& in, const std::string& frames, const std::string& views) {
+    const FrameName name(in);
+    std::error_code ignored;
+    return !frames.empty() || !views.empty() ||
+           ((name.has_frame() || name.has_view()) && !std::filesystem::exists(in, ignored));
+}
+
+bool list_tasks(const std::string& in, const std::string& out, const std::string& frames,
+                const std::string& views, std::vector<FrameTask>& tasks, Failure& failure) {
+    const FrameName from(in), to(out);
+    const bool numbered = !frames.empty() || from.has_frame();
+    if (!check_name(in, from, numbered, !views.empty(), failure))
+        return false;
+    if (!check_name(out, to, numbered, !views.empty(), failure)) {
+        // It may have been meant as a name like any other, such as photo@2x.png.
+        if (frames.empty() && views.empty())
+            failure.why = "there is no file \"" + in + "\"; of its frames, " + failure.why;
+        return false;
+    }
+    std::vector<std::string> names;
+    if (!parse_views(views, names))
+        return refuse("--views \"" + views +
+                          "\" is not allowed; allowed are names after commas, none of them empty: "
+                          "left,right",
+                      failure);
+    std::vector<int> numbers{0};
+    if (!frames.empty() && !parse_frames(frames, numbers))
+        return refuse("--frames \"" + frames + "\" is not allowed; allowed are " + allowed_frames,
+                      failure);
+    if (frames.empty() && numbered)
+        numbers = from.frames_there(names);
+    if (numbers.empty()) {
+        failure = {"there is no file \"" + in + "\" of any frame"};
+        return false;
+    }
+    tasks.clear();
+    for (const int number : numbers)
+        for (const std::string& view : names.empty() ? std::vector<std::string>{""} : names)
+            tasks.push_back({from.name(number, view), to.name(number, view)});
+    return check_outputs(tasks, failure);
+}
+
+} // namespace ddt::tool

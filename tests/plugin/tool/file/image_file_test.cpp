@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/file/image_file.h"
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "plugin/tool/file/picture.h"
+#include "plugin/tool/part/join.h"
+#include "tests/temporary.h"
+
+namespace ddt::tool {
+namespace {
+
+TEST(ImageFile, NamesThatCannotBeReadAgainAreRefusedAtOnce) {
+    const std::string path = temporary("what?.exr");
+    ImageFile file;
+    Failure failure;
+    EXPECT_FALSE(file.create(path, failure));
+    EXPECT_NE(failure.why.find(path), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST(CodeOfReading, SaysWhetherToTryAgain) {
+    const std::string path = temporary("broken.exr");
+    std::ofstream(path) << "no picture";
+    EXPECT_EQ(code_of_reading(path), exit_failed);
+    EXPECT_EQ(code_of_reading(temporary("missing.exr")), exit_failed);
+    EXPECT_EQ(code_of_reading(temporary("")), exit_failed);
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
+    const rlimit none{0, before.rlim_max};
+    ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &none), 0);
+    const ExitCode code = code_of_reading(path);
+    ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &before), 0);
+    EXPECT_EQ(code, exit_resources);
+}
+
+/// Run `body` as a user who is not root, if need be; whether that could be done.
+template <class Body>
+bool without_rights(Body&& body) {
+    constexpr uid_t nobody = 65534;
+    const bool is_root = geteuid() == 0;
+    if (is_root && seteuid(nobody) != 0)
+        return false;
+    body();
+    return !is_root || seteuid(0) == 0;
+}
+
+TEST(Unreadable, FilesThatMayNotBeReadAreCalledSo) {
+    const std::string path = temporary("secret.exr");
+    ASSERT_TRUE(OIIO::ImageBuf(OIIO::ImageSpec(8, 8, 3, OIIO::TypeHalf)).write(path));
+    ASSERT_EQ(why_not_opened(path), "");
+    ASSERT_EQ(chmod(path.c_str(), 0), 0);
+    const std::string said = "cannot read \"" + path + "\": Permission denied";
+    std::string error;
+    Failure failure;
+    const bool tried = without_rights([&] {
+        OIIO::ImageBuf image;
+        EXPECT_FALSE(open_image(path, image, error));
+        const auto progress = [](float) { return true; };
+        EXPECT_FALSE(join({path}, temporary("of_secret.exr"), progress, failure));
+    });
+    if (!tried)
+        GTEST_SKIP() << "root cannot become another user here";
+    EXPECT_EQ(error, said);
+    EXPECT_EQ(failure.why, said);
+    EXPECT_EQ(failure.code, exit_failed);
+}
+
+TEST(Unreadable, WhatTheSystemSaysIsSaidOfFilesThatAreThere) {
+    const std::string loop = temporary("loop.exr");
+    std::filesystem::create_symlink(loop, loop);
+    EXPECT_EQ(why_not_opened(loop), std::strerror(ELOOP));
+    EXPECT_EQ(why_not_opened(temporary("missing.exr")), "");
+}
+
+} // namespace
+} // namespace ddt::tool

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/file/whole_file.h"
+
+#include <grp.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "plugin/tool/file/unfinished.h"
+#include "tests/temporary.h"
+
+namespace ddt::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+class WholeFiles : public testing::Test {
+protected:
+    WholeFiles() {
+        fs::remove_all(m_folder);
+        fs::create_directories(m_folder);
+    }
+    std::string path(const std::string& name) const { return m_folder + "/" + name; }
+
+    static std::string text_of(const std::string& path) {
+        std::ostringstream text;
+        text << std::ifstream(path).rdbuf();
+        return text.str();
+    }
+    static void put(const std::string& path, const char* text) { std::ofstream(path) << text; }
+
+    bool write(const std::string& path, const char* text) {
+        WholeFile file;
+        return file.open(path, m_failure) && std::fputs(text, file.file()) >= 0 &&
+               file.commit(m_failure);
+    }
+    size_t files() const {
+        size_t count = 0;
+        for ([[maybe_unused]] const auto& entry : fs::directory_iterator(m_folder))
+            ++count;
+        return count;
+    }
+
+    Failure m_failure;
+
+private:
+    const std::string m_folder = temporary("whole");
+};
+
+TEST_F(WholeFiles, AppearWhenCommitted) {
+    const std::string out = path("out.exr");
+    put(out, "before");
+    {
+        WholeFile file;
+        ASSERT_TRUE(file.open(out, m_failure)) << m_failure.why;
+        EXPECT_EQ(fs::path(file.temporary()).parent_path(), fs::path(out).parent_path());
+        EXPECT_EQ(fs::path(file.temporary()).extension(), ".exr");
+        std::fputs("after", file.file());
+        std::fflush(file.file());
+        EXPECT_EQ(text_of(out), "before");
+        ASSERT_TRUE(file.commit(m_failure)) << m_failure.why;
+    }
+    EXPECT_EQ(text_of(out), "after");
+    EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(WholeFiles, AreNothingWithoutCommit) {
+    {
+        WholeFile file;
+        ASSERT_TRUE(file.open(path("out.exr"), m_failure));
+        std::fputs("half", file.file());
+    }
+    EXPECT_EQ(files(), 0u);
+}
+
+TEST_F(WholeFiles, WhatAKilledProcessLeftIsRemoved) {
+    const pid_t child = fork();
+    if (child == 0) {
+        WholeFile file;
+        if (file.open(path("out.exr"), m_failure))
+            std::fputs("a longer text, left over", file.file());
+        std::fflush(file.file());
+        raise(SIGKILL);
+    }
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_EQ(WTERMSIG(status), SIGKILL);
+    EXPECT_EQ(files(), 1u);
+    EXPECT_FALSE(fs::exists(path("out.exr")));
+    ASSERT_TRUE(write(path("out.exr"), "whole")) << m_failure.why;
+    EXPECT_EQ(text_of(path("out.exr")), "whole");
+    EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(WholeFiles, WhatSomebodyElseLeftIsNot) {
+    const std::string first = path(".out.ddt-0.exr"), out = path("out.exr");
+    const auto expect_untouched = [&](const char* what) {
+        EXPECT_TRUE(write(out, "whole")) << what << ": " << m_failure.why;
+        EXPECT_EQ(text_of(out), "whole") << what;
+        EXPECT_TRUE(fs::exists(first)) << what;
+        fs::remove(out);
+        fs::remove(first);
+    };
+    put(path("precious"), "precious");
+    fs::create_hard_link(path("precious"), first);
+    expect_untouched("a file with another name");
+    fs::create_symlink("precious", first);
+    expect_untouched("a link");
+    EXPECT_EQ(text_of(path("precious")), "precious");
+    ASSERT_EQ(mkfifo(first.c_str(), 0666), 0);
+    expect_untouched("a pipe");
+    if (geteuid() == 0) {
+        put(first, "");
+        ASSERT_EQ(chown(first.c_str(), 1234, 1234), 0);
+        expect_untouched("another's");
+    }
+}
+
+TEST_F(WholeFiles, AreNoMoreReadableMeanwhileThanWhatTheyReplace) {
+    const std::string out = path("out.exr");
+    const auto rights = [](const std::string& of) { return fs::status(of).permissions(); };
+    put(out, "before");
+    fs::permissions(out, fs::perms(0600));
+    WholeFile file;
+    ASSERT_TRUE(file.open(out, m_failure)) << m_failure.why;
+    EXPECT_EQ(rights(file.temporary()), fs::perms(0600));
+    // It has the rights of what was there, even if that has gone.
+    fs::permissions(out, fs::perms(0644));
+    WholeFile other;
+    ASSERT_TRUE(other.open(out, m_failure)) << m_failure.why;
+    fs::remove(out);
+    ASSERT_TRUE(other.commit(m_failure)) << m_failure.why;
+    EXPECT_EQ(rights(out), fs::perms(0644));
+}
+
+TEST_F(WholeFiles, TwoAtOnceDoNotMix) {
+    WholeFile a, b;
+    ASSERT_TRUE(a.open(path("out.exr"), m_failure) && b.open(path("out.exr"), m_failure));
+    EXPECT_NE(a.temporary(), b.temporary());
+    std::fputs("first", a.file());
+    std::fputs("second", b.file());
+    ASSERT_TRUE(b.commit(m_failure) && a.commit(m_failure));
+    EXPECT_EQ(text_of(path("out.exr")), "first");
+    EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(WholeFiles, ASignalRemovesThem) {
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGRTMIN, SIGRTMAX}) {
+        const pid_t child = fork();
+        if (child == 0) {
+            std::signal(signal, SIG_DFL); // a shell's background jobs ignore SIGINT
+            remove_unfinished_on_signals();
+            WholeFile file;
+            if (file.open(path("out.exr"), m_failure))
+                raise(signal);
+            _exit(0);
+        }
+        int status = 0;
+        ASSERT_EQ(waitpid(child, &status, 0), child);
+        ASSERT_TRUE(WIFSIGNALED(status));
+        EXPECT_EQ(WTERMSIG(status), signal);
+        EXPECT_EQ(files(), 0u);
+    }
+}
+
+TEST_F(WholeFiles, KeepLinksAndPermissions) {
+    put(path("real.exr"), "before");
+    fs::permissions(path("real.exr"), fs::perms(0640));
+    fs::create_symlink("real.exr", path("link.exr"));
+    fs::create_symlink("later.exr", path("dangling.exr"));
+    ASSERT_TRUE(write(path("link.exr"), "after")) << m_failure.why;
+    EXPECT_TRUE(fs::is_symlink(path("link.exr")));
+    EXPECT_EQ(text_of(path("real.exr")), "after");
+    EXPECT_EQ(fs::status(path("real.exr")).permissions(), fs::perms(0640));
+    ASSERT_TRUE(write(path("dangling.exr"), "after")) << m_failure.why;
+    EXPECT_EQ(text_of(path("later.exr")), "after");
+
+    const mode_t mask = umask(027);
+    EXPECT_TRUE(write(path("new.exr"), "new"));
+    umask(mask);
+    EXPECT_EQ(fs::status(path("new.exr")).permissions(), fs::perms(0640));
+}
+
+TEST_F(WholeFiles, KeepAGroupThatMayBeGivenAndNoRightsOfOneThatMayNot) {
+    if (geteuid() != 0)
+        GTEST_SKIP() << "only root can make another's files";
+    constexpr uid_t other = 1234, me = 4321;
+    constexpr gid_t shared = 7777, mine = 8888;
+    fs::permissions(path("."), fs::perms::all);
+    fs::permissions(temporary(""), fs::perms(0711));
+    for (const bool member : {true, false}) {
+        put(path("out.exr"), "before");
+        ASSERT_EQ(chown(path("out.exr").c_str(), other, shared), 0);
+        ASSERT_EQ(chmod(path("out.exr").c_str(), 04676), 0);
+        const pid_t child = fork();
+        if (child == 0) {
+            const gid_t group = shared;
+            const bool am_i =
+                setgroups(member ? 1 : 0, &group) == 0 && setgid(mine) == 0 && setuid(me) == 0;
+            _exit(am_i && write(path("out.exr"), "after") ? 0 : 1);
+        }
+        int status = 1;
+        ASSERT_EQ(waitpid(child, &status, 0), child);
+        ASSERT_EQ(status, 0);
+        struct stat there {};
+        ASSERT_EQ(stat(path("out.exr").c_str(), &there), 0);
+        EXPECT_EQ(there.st_uid, me);
+        EXPECT_EQ(there.st_gid, member ? shared : mine);
+        EXPECT_EQ(there.st_mode & 07777, member ? 0676u : 0666u);
+        fs::remove(path("out.exr"));
+    }
+}
+
+TEST_F(WholeFiles, AFullDiskIsAFailureThatMayPass) {
+    put(path("out.exr"), "before");
+    const rlimit small{4096, RLIM_INFINITY};
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, SIG_IGN);
+    bool opened = false, committed = true;
+    {
+        WholeFile file;
+        opened = file.open(path("out.exr"), m_failure);
+        setrlimit(RLIMIT_FSIZE, &small);
+        // The writer does not look: what comes after fits again.
+        for (int i = 0; i < 10000; ++i)
+            std::fputs("text", file.file());
+        std::fseek(file.file(), 0, SEEK_SET);
+        std::fputs("head", file.file());
+        committed = file.commit(m_failure);
+        setrlimit(RLIMIT_FSIZE, &before);
+    }
+    EXPECT_TRUE(opened);
+    EXPECT_FALSE(committed);
+    EXPECT_EQ(m_failure.code, exit_resources);
+    EXPECT_NE(m_failure.why.find("out.exr"), std::string::npos) << m_failure.why;
+    EXPECT_EQ(text_of(path("out.exr")), "before");
+    EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(WholeFiles, WhatIsNotAllowedIsNamed) {
+    EXPECT_FALSE(write(path("no/folder.exr"), "text"));
+    EXPECT_EQ(m_failure.code, exit_failed);
+    EXPECT_NE(m_failure.why.find("no/folder.exr"), std::string::npos) << m_failure.why;
+    EXPECT_FALSE(write(path(""), "text"));
+    EXPECT_NE(m_failure.why.find("directory"), std::string::npos) << m_failure.why;
+    EXPECT_FALSE(write(path(std::string(300, 'x') + ".exr"), "text"));
+    ASSERT_TRUE(write(path(std::string(251, 'x') + ".exr"), "text")) << m_failure.why;
+}
+
+TEST_F(WholeFiles, WhatIsNoFileIsWrittenDirectly) {
+    EXPECT_TRUE(write("/dev/null", "text")) << m_failure.why;
+    EXPECT_FALSE(write("/dev/full", "text"));
+    EXPECT_EQ(m_failure.code, exit_resources);
+    struct stat there {};
+    ASSERT_EQ(stat("/dev/null", &there), 0);
+    EXPECT_TRUE(S_ISCHR(there.st_mode));
+}
+
+TEST_F(WholeFiles, ALinkToAPipeIsThePipe) {
+    int ends[2] = {};
+    ASSERT_EQ(pipe(ends), 0);
+    fs::create_symlink("/proc/self/fd/" + std::to_string(ends[1]), path("link.png"));
+    EXPECT_TRUE(write(path("link.png"), "text")) << m_failure.why;
+    char text[5] = {};
+    EXPECT_EQ(read(ends[0], text, 4), 4);
+    EXPECT_STREQ(text, "text");
+    EXPECT_EQ(files(), 1u);
+    close(ends[0]);
+    close(ends[1]);
+}
+
+} // namespace
+} // namespace ddt::tool

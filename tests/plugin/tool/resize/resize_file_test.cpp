@@ -1,0 +1,650 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/resize/resize_file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include <OpenImageIO/imagebufalgo.h>
+#include <gtest/gtest.h>
+
+#include "plugin/tool/commands.h"
+#include "plugin/tool/file/fit_format.h"
+#include "plugin/tool/part/join.h"
+#include "plugin/tool/part/resize_part.h"
+#include "tests/environment.h"
+#include "tests/temporary.h"
+
+namespace ddt::tool {
+namespace {
+
+using OIIO::ImageBuf;
+using OIIO::ImageSpec;
+
+bool resized(const std::string& in, const std::string& size, const std::string& out,
+             Failure& failure, const std::string& type = "") {
+    ResizeSettings settings;
+    settings.size = size;
+    settings.type = type;
+    return resize_file(
+        in, out, settings, [](float) { return true; }, failure);
+}
+
+/// RGB of halfs, depth of floats and an ID of 32 bits: 5 on the left, `right` on the right, where
+/// one pixel has no depth.
+std::string file_of_several_types(uint32_t right = 70000) {
+    ImageSpec spec(16, 8, 5, OIIO::TypeFloat);
+    spec.channelnames = {"R", "G", "B", "Z", "obj"};
+    spec.channelformats = {OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeFloat,
+                           OIIO::TypeUInt32};
+    struct Pixel {
+        uint16_t colour[3];
+        float depth;
+        uint32_t id;
+    };
+    std::string bytes;
+    for (int i = 0; i < 16 * 8; ++i) {
+        const auto append = [&](auto v) {
+            bytes.append(reinterpret_cast<const char*>(&v), sizeof v);
+        };
+        for (int c = 0; c < 3; ++c)
+            append(uint16_t(0x3800)); // a half
+        append(i == 40 ? std::numeric_limits<float>::quiet_NaN() : float(i));
+        append(i % 16 < 8 ? 5 : right);
+    }
+    const std::string path = temporary("several_types.exr");
+    const auto out = OIIO::ImageOutput::create(path);
+    EXPECT_TRUE(out->open(path, spec));
+    EXPECT_TRUE(out->write_image(OIIO::TypeUnknown, bytes.data()));
+    EXPECT_TRUE(out->close());
+    return path;
+}
+
+/// The smallest and largest ID of such a file, which has no others.
+std::pair<uint32_t, uint32_t> ids_of(const std::string& path) {
+    const auto in = OIIO::ImageInput::open(path);
+    const ImageSpec& spec = in->spec();
+    std::vector<uint32_t> ids(spec.image_pixels());
+    EXPECT_TRUE(in->read_image(0, 0, 4, 5, OIIO::TypeUInt32, ids.data()));
+    const auto [least, most] = std::minmax_element(ids.begin(), ids.end());
+    for (const uint32_t id : ids)
+        EXPECT_TRUE(id == *least || id == *most) << id;
+    return {*least, *most};
+}
+
+TEST(ResizeFile, ChannelsKeepTheirTypes) {
+    const std::string in = file_of_several_types();
+    const auto formats = OIIO::ImageInput::open(in)->spec().channelformats;
+    const std::string out = temporary("several_types_out.exr");
+    Failure failure;
+    ASSERT_TRUE(resized(in, "200%", out, failure)) << failure.why;
+    EXPECT_EQ(OIIO::ImageInput::open(out)->spec().channelformats, formats);
+    EXPECT_EQ(ids_of(out), std::make_pair(uint32_t(5), uint32_t(70000)));
+    // By way of a part, too.
+    ResizeSettings settings;
+    settings.size = "200%";
+    const std::string part = temporary("several_types_part.exr");
+    const std::string joined = temporary("several_types_joined.exr");
+    const auto progress = [](float) { return true; };
+    ASSERT_TRUE(resize_part(in, part, settings, {1, 1}, progress, failure)) << failure.why;
+    ASSERT_TRUE(join({part}, joined, progress, failure)) << failure.why;
+    EXPECT_EQ(OIIO::ImageInput::open(joined)->spec().channelformats, formats);
+    EXPECT_EQ(ids_of(joined), std::make_pair(uint32_t(5), uint32_t(70000)));
+    // A type that is asked for is that of all.
+    ASSERT_TRUE(resized(in, "200%", out, failure, "float")) << failure.why;
+    EXPECT_TRUE(OIIO::ImageInput::open(out)->spec().channelformats.empty());
+    EXPECT_EQ(OIIO::ImageInput::open(out)->spec().format, OIIO::TypeFloat);
+    // Nor has each format several: they become floats there.
+    const std::string whole = temporary("several_types.tif");
+    ASSERT_TRUE(resized(in, "200%", whole, failure)) << failure.why;
+    ASSERT_TRUE(join({part}, temporary("joined.tif"), progress, failure)) << failure.why;
+    const ImageBuf of_one(whole), of_parts(temporary("joined.tif"));
+    ASSERT_EQ(of_parts.spec().format, OIIO::TypeFloat);
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 32; ++x)
+            for (int c = 0; c < 5; ++c) {
+                const float expected = of_one.getchannel(x, y, 0, c);
+                if (!std::isnan(expected)) {
+                    EXPECT_EQ(of_parts.getchannel(x, y, 0, c), expected) << x << " " << y;
+                }
+            }
+}
+
+TEST(ResizeFile, ObjectNumbersAmongOtherTypesAreExact) {
+    // As a float that number would be another, and as bits no number at all.
+    for (const uint32_t large : {4000000001u, 0xff812345u}) {
+        const std::string in = file_of_several_types(large);
+        const std::string out = temporary("exact.exr");
+        const auto both = std::make_pair(uint32_t(5), large);
+        Failure failure;
+        for (const char* size : {"200%", "100%", "50%", "300%x50%"}) {
+            ASSERT_TRUE(resized(in, size, out, failure)) << failure.why;
+            EXPECT_EQ(ids_of(out), both) << size;
+        }
+        ASSERT_EQ(make_fill_command()->run({in, out}), exit_done);
+        EXPECT_EQ(ids_of(out), both);
+        ResizeSettings settings;
+        for (const auto& [size, holes] : {std::pair("200%", Holes::keep),
+                                          {"100%", Holes::keep},
+                                          {"200%", Holes::fill},
+                                          {"100%", Holes::fill}}) {
+            settings.size = size;
+            settings.options.holes = holes;
+            ASSERT_TRUE(resize_file(
+                in, out, settings, [](float) { return true; }, failure))
+                << failure.why;
+            EXPECT_EQ(ids_of(out), both) << size;
+            const std::string part = temporary("exact_part.exr");
+            const auto progress = [](float) { return true; };
+            ASSERT_TRUE(resize_part(in, part, settings, {1, 1}, progress, failure)) << failure.why;
+            EXPECT_EQ(ids_of(part), both);
+            ASSERT_TRUE(join({part}, out, progress, failure)) << failure.why;
+            EXPECT_EQ(ids_of(out), both);
+        }
+    }
+}
+
+TEST(ResizeFile, ObjectNumbersFollowTheColoursMeshHoweverLarge) {
+    // What was copied for a small number, which floats hold, was copied for a large one.
+    std::vector<uint32_t> of[2];
+    for (const bool large : {false, true}) {
+        const std::string in = temporary("large_or_small.exr"), out = temporary("either.exr");
+        ImageSpec spec(300, 280, 2, OIIO::TypeFloat);
+        spec.channelnames = {"Y", "object"};
+        spec.channelformats = {OIIO::TypeHalf, OIIO::TypeUInt32};
+        std::string bytes;
+        for (int y = 0; y < spec.height; ++y)
+            for (int x = 0; x < spec.width; ++x) {
+                const uint16_t grey = 3 * x < 2 * y ? 0x3800 : 0x3c00;
+                const uint32_t id = (large ? 4000000001u : 1u) + uint32_t(x + y * spec.width);
+                bytes.append(reinterpret_cast<const char*>(&grey), sizeof grey);
+                bytes.append(reinterpret_cast<const char*>(&id), sizeof id);
+            }
+        const auto file = OIIO::ImageOutput::create(in);
+        ASSERT_TRUE(file->open(in, spec) && file->write_image(OIIO::TypeUnknown, bytes.data()) &&
+                    file->close());
+        Failure failure;
+        ASSERT_TRUE(resized(in, "200%", out, failure)) << failure.why;
+        const auto result = OIIO::ImageInput::open(out);
+        of[large].resize(result->spec().image_pixels());
+        ASSERT_TRUE(result->read_image(0, 0, 1, 2, OIIO::TypeUInt32, of[large].data()));
+    }
+    size_t wrong = 0, off_the_grid = 0;
+    for (size_t i = 0; i < of[0].size(); ++i) {
+        wrong += of[1][i] - of[0][i] != 4000000000u;
+        off_the_grid += of[0][i] != 1 + i % 600 / 2 + i / 600 / 2 * 300;
+    }
+    EXPECT_EQ(wrong, 0u);
+    EXPECT_GT(off_the_grid, 0u); // or the mesh does not show
+}
+
+TEST(ResizeFile, ObjectNumbersThatDoNotSurviveAreNamed) {
+    const std::string in = file_of_several_types();
+    Failure failure;
+    const auto said = [&](const std::string& out, const std::string& type) {
+        testing::internal::CaptureStderr();
+        EXPECT_TRUE(resized(in, "200%", out, failure, type)) << failure.why;
+        return testing::internal::GetCapturedStderr();
+    };
+    const std::string exr = temporary("as_half.exr"), tif = temporary("as_float.tif");
+    EXPECT_EQ(said(exr, ""), "");
+    EXPECT_EQ(said(exr, "half"), "ddt: \"" + exr +
+                                     "\" is written as half, which object numbers do not "
+                                     "survive: obj\n");
+    EXPECT_EQ(said(tif, ""), "ddt: \"" + tif +
+                                 "\" is written as float, which object numbers do not survive: "
+                                 "obj\n");
+}
+
+TEST(ResizeFile, OfSeveralImagesTheFirstIsTakenWhichIsSaid) {
+    const std::string in = temporary("three.tif"), out = temporary("three_out.tif");
+    const std::vector<ImageSpec> specs(3, ImageSpec(8, 6, 1, OIIO::TypeUInt8));
+    const std::vector<uint8_t> pixels(8 * 6, 100);
+    const auto file = OIIO::ImageOutput::create(in);
+    for (int i = 0; i < 3; ++i)
+        ASSERT_TRUE(
+            file->open(in, specs[size_t(i)],
+                       i > 0 ? OIIO::ImageOutput::AppendSubimage : OIIO::ImageOutput::Create) &&
+            file->write_image(OIIO::TypeUInt8, pixels.data()));
+    ASSERT_TRUE(file->close());
+    Failure failure;
+    const std::string said = "ddt: \"" + in + "\" has 3 images; the first alone was taken\n";
+    testing::internal::CaptureStderr();
+    EXPECT_TRUE(resized(in, "200%", out, failure)) << failure.why;
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), said);
+    EXPECT_EQ(ImageBuf(out).nsubimages(), 1);
+    ResizeSettings settings;
+    settings.size = "200%";
+    testing::internal::CaptureStderr();
+    EXPECT_TRUE(resize_part(
+        in, temporary("three_part.exr"), settings, {1, 1}, [](float) { return true; }, failure));
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), said);
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(make_fill_command()->run({in, out}), exit_done);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), said);
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(make_mesh_command()->run({in, temporary("three.ply")}), exit_done);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), said);
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(make_compare_command()->run({in, in}), exit_done);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), said + said);
+    testing::internal::GetCapturedStdout();
+}
+
+/// An RLA file that says it has a display window of no width.
+std::string file_without_display(const std::string& name) {
+    const std::string path = temporary(name);
+    ImageBuf image(ImageSpec(8, 8, 3, OIIO::TypeUInt8));
+    OIIO::ImageBufAlgo::zero(image);
+    EXPECT_TRUE(image.write(path));
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(2); // WindowRight, of 16 bits, the first byte the higher one
+    file.write("\xff\xff", 2);
+    return path;
+}
+
+TEST(ResizeFile, AnEmptyDisplayWindowIsRefusedInEveryWay) {
+    const std::string in = file_without_display("no_display.rla");
+    Failure failure;
+    EXPECT_FALSE(resized(in, "32x32", temporary("no_display.exr"), failure));
+    const std::string refusal = "\"" + in + "\": the source's display window has size 0";
+    EXPECT_EQ(failure.why.substr(0, refusal.size()), refusal);
+    ResizeSettings settings;
+    settings.size = "32x32";
+    EXPECT_FALSE(resize_part(
+        in, temporary("no_display.exr"), settings, {1, 1}, [](float) { return true; }, failure));
+    EXPECT_EQ(failure.why.substr(0, refusal.size()), refusal);
+    EXPECT_EQ(memory_to_resize(in, temporary("no_display.exr"), settings), 0);
+}
+
+TEST(FillFile, ChannelsKeepTheirTypes) {
+    const std::string in = file_of_several_types(), out = temporary("several_types_filled.exr");
+    const auto formats = OIIO::ImageInput::open(in)->spec().channelformats;
+    ASSERT_EQ(make_fill_command()->run({in, out}), exit_done);
+    EXPECT_EQ(OIIO::ImageInput::open(out)->spec().channelformats, formats);
+    EXPECT_EQ(ids_of(out), std::make_pair(uint32_t(5), uint32_t(70000)));
+}
+
+TEST(FillFile, WithoutAlphaNothingIsMissingByIt) {
+    const std::string in = file_of_several_types(), out = temporary("no_alpha_filled.exr");
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(parse_and_run(*make_fill_command(), {in, out, "--missing", "alpha"}), exit_failed);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "ddt: \"" + in + "\" has no alpha\n");
+    EXPECT_FALSE(std::ifstream(out).good());
+}
+
+TEST(FillFile, FormatsWithoutWindowsGetTheDisplayWindow) {
+    ImageSpec spec(10, 6, 1, OIIO::TypeFloat);
+    spec.x = -2;
+    spec.y = 3;
+    spec.full_width = 16;
+    spec.full_height = 12;
+    ImageBuf image(spec);
+    OIIO::ImageBufAlgo::fill(image, {1.0f});
+    const std::string in = temporary("windows.exr"), out = temporary("windows.png");
+    ASSERT_TRUE(image.write(in));
+    ASSERT_EQ(make_fill_command()->run({in, out}), exit_done);
+    ImageBuf filled(out);
+    EXPECT_EQ(filled.spec().width, 16);
+    EXPECT_EQ(filled.spec().height, 12);
+    for (int y = 0; y < 12; ++y)
+        for (int x = 0; x < 16; ++x)
+            EXPECT_EQ(filled.getchannel(x, y, 0, 0), x < 8 && y >= 3 && y < 9 ? 1.0f : 0.0f)
+                << x << " " << y;
+}
+
+TEST(ResizeFile, WhatHasNoFlatPixelsIsRefusedForGood) {
+    ImageSpec spec(8, 8, 2, OIIO::TypeHalf);
+    spec.deep = true;
+    spec.channelnames = {"A", "Z"};
+    ImageBuf deep(spec);
+    const std::string in = temporary("deep.exr"), out = temporary("of_deep.exr");
+    ASSERT_TRUE(deep.write(in));
+    Failure failure;
+    EXPECT_FALSE(resized(in, "200%", out, failure));
+    EXPECT_EQ(failure.code, exit_failed);
+    EXPECT_EQ(failure.why, "\"" + in + "\": the source is a deep image; allowed are flat ones");
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(make_fill_command()->run({in, out}), exit_failed);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "ddt: " + failure.why + "\n");
+
+    const std::string empty = temporary("empty.fits");
+    std::string header; // of an image without axes
+    for (std::string card : {"SIMPLE  =                    T", "BITPIX  =                    8",
+                             "NAXIS   =                    0", "END"}) {
+        card.resize(80, ' ');
+        header += card;
+    }
+    header.resize(2880, ' ');
+    std::ofstream(empty) << header;
+    failure = {};
+    EXPECT_FALSE(resized(empty, "200%", out, failure));
+    EXPECT_EQ(failure.code, exit_failed) << failure.why;
+    EXPECT_NE(failure.why.find(empty), std::string::npos) << failure.why;
+
+    failure = {};
+    EXPECT_FALSE(resized("", "200%", out, failure));
+    EXPECT_EQ(failure.code, exit_failed);
+    EXPECT_EQ(failure.why, "\"\" is no name of a file");
+}
+
+TEST(ResizeFile, NothingIsBegunForAFilterThatDoesNotWork) {
+    ImageBuf image(ImageSpec(8, 8, 3, OIIO::TypeUInt8));
+    OIIO::ImageBufAlgo::zero(image);
+    const std::string in = temporary("black.png"), out = temporary("not_begun.png");
+    ASSERT_TRUE(image.write(in));
+    ResizeSettings settings;
+    settings.size = "200%";
+    settings.options.light = "nosuchspace";
+    Failure failure;
+    testing::internal::CaptureStderr();
+    EXPECT_FALSE(resize_file(
+        in, out, settings, [](float) { return true; }, failure));
+    // Libpng says it there when a file is closed that got no pixels.
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_NE(failure.why.find("nosuchspace"), std::string::npos) << failure.why;
+    EXPECT_NE(failure.why.find(in), std::string::npos) << failure.why;
+}
+
+TEST(PlanResult, TheNumbersOfWhatIsTooLargeAreRight) {
+    ImageSpec from(3000, 3, 1, OIIO::TypeHalf), to;
+    from.full_width = from.full_height = 1;
+    ResizeSettings settings;
+    settings.size = "1000000x1000000";
+    Failure failure;
+    EXPECT_FALSE(plan_result(from, settings, to, failure));
+    EXPECT_EQ(failure.code, exit_failed);
+    EXPECT_NE(failure.why.find("3000000000 x 3000000 pixels"), std::string::npos) << failure.why;
+    from.x = -1000;
+    settings.size = "1000x1000";
+    ASSERT_TRUE(plan_result(from, settings, to, failure)) << failure.why;
+    EXPECT_EQ(to.x, -1000000);
+    EXPECT_EQ(to.width, 3000000);
+    from.x = -1000000;
+    EXPECT_FALSE(plan_result(from, settings, to, failure));
+}
+
+TEST(PlanResult, ATypeThatIsAskedForHasAllItsBits) {
+    ImageSpec from(8, 8, 1, OIIO::TypeUInt16), to;
+    from.attribute("oiio:BitsPerSample", 10);
+    ResizeSettings settings;
+    settings.size = "200%";
+    Failure failure;
+    ASSERT_TRUE(plan_result(from, settings, to, failure));
+    EXPECT_EQ(to.get_int_attribute("oiio:BitsPerSample"), 10);
+    settings.type = "uint16";
+    ASSERT_TRUE(plan_result(from, settings, to, failure));
+    EXPECT_EQ(to.get_int_attribute("oiio:BitsPerSample"), 0);
+}
+
+TEST(PlanResult, DataWindowsScaleWithoutRounding) {
+    ResizeSettings settings;
+    Failure failure;
+    for (int height = 1; height < 2000; height += 7)
+        for (const int percent : {101, 110, 120, 137, 150, 333, 400}) {
+            ImageSpec from(16, height, 1, OIIO::TypeHalf), to;
+            settings.size = std::to_string(percent) + "%";
+            ASSERT_TRUE(plan_result(from, settings, to, failure)) << failure.why;
+            ASSERT_EQ(to.height, to.full_height) << height << ' ' << percent;
+            from.y = -height;
+            from.height = 3 * height;
+            ASSERT_TRUE(plan_result(from, settings, to, failure)) << failure.why;
+            ASSERT_EQ(to.y, -to.full_height) << height << ' ' << percent;
+            ASSERT_EQ(to.height, 3 * to.full_height) << height << ' ' << percent;
+        }
+}
+
+TEST(PlanResult, DataWindowsBeginRoundedDownAndHaveSizesRoundedUp) {
+    ImageSpec from(301, 19, 1, OIIO::TypeHalf), to;
+    from.x = -7;
+    from.y = 5;
+    from.full_x = -3;
+    from.full_width = 290;
+    from.full_height = 30;
+    ResizeSettings settings;
+    settings.size = "130%";
+    Failure failure;
+    ASSERT_TRUE(plan_result(from, settings, to, failure)) << failure.why;
+    EXPECT_EQ(to.roi_full(), OIIO::ROI(-3, 374, 0, 39, 0, 1, 0, 1));
+    // 5.2 left of the display window's edge, 391.3 wide; 6.5 below it, 24.7 high.
+    EXPECT_EQ(to.roi(), OIIO::ROI(-9, 383, 6, 31, 0, 1, 0, 1));
+}
+
+TEST(PlanResult, WhatIsSaidOfTheSourcesPixelsGoesAndTheLevelOfCompressionStays) {
+    ImageSpec from(8, 8, 1, OIIO::TypeHalf), to;
+    from.attribute("oiio:AverageColor", "0.5");
+    from.attribute("textureformat", "Plain Texture");
+    from.attribute("compression", "dwab");
+    from.attribute("openexr:dwaCompressionLevel", 120.0f);
+    ResizeSettings settings;
+    settings.size = "200%";
+    Failure failure;
+    ASSERT_TRUE(plan_result(from, settings, to, failure));
+    EXPECT_EQ(to.find_attribute("oiio:AverageColor"), nullptr);
+    EXPECT_EQ(to.find_attribute("textureformat"), nullptr);
+    EXPECT_EQ(to.get_string_attribute("compression"), "dwab:120");
+    from.attribute("compression", "dwaa");
+    ASSERT_TRUE(plan_result(from, settings, to, failure));
+    EXPECT_EQ(to.get_string_attribute("compression"), "dwaa:120");
+    from.attribute("compression", "zip"); // which has none of that
+    ASSERT_TRUE(plan_result(from, settings, to, failure));
+    EXPECT_EQ(to.get_string_attribute("compression"), "zip");
+    settings.compression = "dwab:45";
+    ASSERT_TRUE(plan_result(from, settings, to, failure));
+    EXPECT_EQ(to.get_string_attribute("compression"), "dwab:45");
+}
+
+TEST(ResizeFile, WhatAFormatHasNoRoomForIsLeftOutAndNamed) {
+    ImageSpec spec(8, 6, 6, OIIO::TypeHalf);
+    spec.channelnames = {"R", "G", "B", "A", "Z", "mask"};
+    spec.alpha_channel = 3;
+    spec.z_channel = 4;
+    ImageBuf image(spec);
+    OIIO::ImageBufAlgo::fill(image, {0.1f, 0.2f, 0.3f, 1.0f, 9.0f, 1.0f});
+    const std::string in = temporary("six.exr");
+    ASSERT_TRUE(image.write(in));
+    Failure failure;
+    ResizeSettings settings;
+    settings.size = "200%";
+    const std::string part = temporary("six_part.exr");
+    const auto progress = [](float) { return true; };
+    ASSERT_TRUE(resize_part(in, part, settings, {1, 1}, progress, failure)) << failure.why;
+    for (const auto& [name, channels, left_out] :
+         {std::tuple("six.png", 4, "Z, mask"), std::tuple("six.ppm", 3, "A, Z, mask")}) {
+        const std::string out = temporary(name);
+        testing::internal::CaptureStderr();
+        ASSERT_TRUE(resized(in, "200%", out, failure)) << failure.why;
+        EXPECT_EQ(testing::internal::GetCapturedStderr(),
+                  "ddt: \"" + out + "\" has no room for " + left_out + "\n");
+        EXPECT_EQ(ImageBuf(out).nchannels(), channels);
+        EXPECT_EQ(ImageBuf(out).spec().width, 16);
+        const std::string joined = temporary(std::string("joined_") + name);
+        testing::internal::CaptureStderr();
+        ASSERT_TRUE(join({part}, joined, progress, failure)) << failure.why;
+        EXPECT_NE(testing::internal::GetCapturedStderr().find(left_out), std::string::npos);
+        EXPECT_EQ(ImageBuf(joined).nchannels(), channels);
+        const auto difference =
+            OIIO::ImageBufAlgo::compare(ImageBuf(joined), ImageBuf(out), 0.005f, 0.005f);
+        EXPECT_EQ(difference.nfail, 0u); // parts are rounded to halfs
+        const std::string filled = temporary(std::string("filled_") + name);
+        testing::internal::CaptureStderr();
+        EXPECT_EQ(make_fill_command()->run({in, filled}), exit_done);
+        EXPECT_NE(testing::internal::GetCapturedStderr().find(left_out), std::string::npos);
+        EXPECT_EQ(ImageBuf(filled).nchannels(), channels);
+        EXPECT_EQ(ImageBuf(filled).spec().width, 8);
+    }
+}
+
+TEST(ResizeFile, NoThirdChannelIsMadeUpForJpeg) {
+    ImageSpec spec(8, 6, 2, OIIO::TypeHalf);
+    spec.channelnames = {"u", "v"};
+    ImageBuf image(spec);
+    OIIO::ImageBufAlgo::fill(image, {0.1f, 0.2f});
+    const std::string in = temporary("uv.exr"), out = temporary("uv.jpg");
+    ASSERT_TRUE(image.write(in));
+    Failure failure;
+    EXPECT_FALSE(resized(in, "200%", out, failure));
+    EXPECT_EQ(failure.why, "cannot write \"" + out +
+                               "\": the format jpeg has no 2 channels (u, v); allowed are 1 and 3");
+    EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+/// What is said on stderr of a resized image of so many channels of a type.
+std::string said_of(int channels, OIIO::TypeDesc of, const std::string& name,
+                    const std::string& type, const std::string& compression = "") {
+    ImageBuf image(ImageSpec(16, 16, channels, of));
+    OIIO::ImageBufAlgo::zero(image);
+    const std::string in = temporary("asked.tif"), out = temporary(name);
+    EXPECT_TRUE(image.write(in)) << image.geterror();
+    ResizeSettings settings;
+    settings.size = "200%";
+    settings.type = type;
+    settings.compression = compression;
+    Failure failure;
+    testing::internal::CaptureStderr();
+    EXPECT_TRUE(resize_file(
+        in, out, settings, [](float) { return true; }, failure))
+        << failure.why;
+    const std::string said = testing::internal::GetCapturedStderr();
+    const std::string begin = "ddt: \"" + out + "\" cannot have the ";
+    return said.compare(0, begin.size(), begin) == 0 ? said.substr(begin.size()) : said;
+}
+
+TEST(ResizeFile, ATypeThatTheFormatHasNotIsNamed) {
+    EXPECT_EQ(said_of(3, OIIO::TypeUInt8, "a.exr", "uint8"), "type uint8; half is written\n");
+    EXPECT_EQ(said_of(3, OIIO::TypeUInt8, "a.png", "half"), "type half; uint8 is written\n");
+    EXPECT_EQ(said_of(3, OIIO::TypeUInt8, "a.jpg", "float"), "type float; uint8 is written\n");
+    EXPECT_EQ(said_of(3, OIIO::TypeUInt8, "a.tif", "half"), "type half; float is written\n");
+    EXPECT_EQ(said_of(3, OIIO::TypeUInt8, "a.png", "uint16"), "");
+    EXPECT_EQ(said_of(3, OIIO::TypeUInt8, "a.exr", "float"), "");
+    EXPECT_EQ(said_of(3, OIIO::TypeFloat, "a.png", ""), ""); // nobody asked
+}
+
+TEST(ResizeFile, ACompressionThatTheFileHasNotIsNamed) {
+    const auto uint8 = OIIO::TypeUInt8, uint16 = OIIO::TypeUInt16;
+    EXPECT_EQ(said_of(3, uint16, "a.tif", "", "jpeg:85"), "compression jpeg; zip is written\n");
+    EXPECT_EQ(said_of(4, uint8, "a.tif", "", "jpeg"), "compression jpeg; zip is written\n");
+    EXPECT_EQ(said_of(1, uint16, "a.exr", "half", "dwaa:45"), "compression dwaa; zip is written\n");
+    // Those that files have are not spoken of.
+    EXPECT_EQ(said_of(3, uint8, "a.tif", "", "jpeg:85"), "");
+    for (const char* compression : {"none", "lzw", "zip:6", "packbits"})
+        EXPECT_EQ(said_of(3, uint16, "a.tif", "", compression), "") << compression;
+    for (const char* compression :
+         {"none", "rle", "zip:4", "zips", "piz", "pxr24", "b44", "b44a", "dwaa:45", "dwab"})
+        EXPECT_EQ(said_of(3, uint16, "a.exr", "half", compression), "") << compression;
+    for (const char* compression : {"filtered", "huffman", "rle", "fixed"})
+        EXPECT_EQ(said_of(3, uint8, "a.png", "", compression), "") << compression;
+    for (const char* compression : {"none", "rle"}) {
+        EXPECT_EQ(said_of(3, uint8, "a.tga", "", compression), "") << compression;
+        EXPECT_EQ(said_of(3, uint8, "a.iff", "", compression), "") << compression;
+    }
+    EXPECT_EQ(said_of(3, uint8, "a.jpg", "", "jpeg:80"), "");
+    EXPECT_EQ(said_of(3, uint8, "a.webp", "", "lossless"), "");
+}
+
+TEST(FitFormat, LeavesOutWhatLiesBeforeZero) {
+    ImageSpec window(20, 15, 3, OIIO::TypeUInt8);
+    window.x = -7;
+    window.y = -5;
+    window.full_x = -2;
+    window.full_y = -3;
+    window.full_width = 12;
+    window.full_height = 9;
+    const auto fitted = [&](const char* file, Failure& failure) {
+        ImageSpec spec = window;
+        const auto output = OIIO::ImageOutput::create(file);
+        const bool fits = fit_format(*output, file, spec, failure);
+        return fits ? spec.roi() : OIIO::ROI();
+    };
+    Failure failure;
+    EXPECT_EQ(fitted("a.exr", failure), OIIO::ROI(-7, 13, -5, 10, 0, 1, 0, 3));
+    // Without windows: of the display window.
+    EXPECT_EQ(fitted("a.png", failure), OIIO::ROI(0, 10, 0, 6, 0, 1, 0, 3));
+    EXPECT_EQ(failure.why, "");
+    for (const auto& [x, y] : {std::pair(-12, 0), {0, -9}}) {
+        window.full_x = x;
+        window.full_y = y;
+        EXPECT_FALSE(fitted("a.png", failure).defined());
+        EXPECT_NE(failure.why.find("\"a.png\": no pixel has coordinates of 0 and more"),
+                  std::string::npos)
+            << failure.why;
+        EXPECT_EQ(failure.code, exit_failed);
+        EXPECT_TRUE(fitted("a.exr", failure).defined());
+    }
+}
+
+TEST(FitChannels, TakesWhatOiiotoolTakes) {
+    const auto left_out = [](const char* file, const std::vector<std::string>& names, int alpha) {
+        ImageSpec spec(8, 6, int(names.size()), OIIO::TypeHalf);
+        spec.channelnames = names;
+        spec.alpha_channel = alpha;
+        const auto output = OIIO::ImageOutput::create(file);
+        const std::string told = fit_channels(*output, spec);
+        EXPECT_EQ(spec.channelnames.size(), size_t(spec.nchannels));
+        EXPECT_TRUE(std::equal(spec.channelnames.begin(), spec.channelnames.end(), names.begin()));
+        return told;
+    };
+    EXPECT_EQ(left_out("a.png", {"u", "v", "w", "A", "Z", "mask"}, 3), "Z, mask");
+    EXPECT_EQ(left_out("a.png", {"u", "v", "w", "x", "y"}, -1), "x, y");
+    EXPECT_EQ(left_out("a.png", {"u", "v", "w", "x"}, -1), "");
+    EXPECT_EQ(left_out("a.png", {"R", "G", "B", "Z"}, -1), "Z");
+    EXPECT_EQ(left_out("a.png", {"Y", "A"}, 1), "");
+    EXPECT_EQ(left_out("a.jpg", {"u", "v", "w", "x"}, -1), "x");
+    EXPECT_EQ(left_out("a.jpg", {"Y", "A"}, 1), "A");
+    EXPECT_EQ(left_out("a.bmp", {"Y", "A"}, 1), "A");
+    EXPECT_EQ(left_out("a.bmp", {"R", "G", "B", "A"}, 3), "");
+    EXPECT_EQ(left_out("a.tif", {"u", "v", "w", "x", "y"}, -1), "");
+    EXPECT_EQ(left_out("a.exr", {"Y", "A"}, 1), "");
+}
+
+TEST(ResizeFile, GifKeepsItsAlpha) {
+    // OpenImageIO's writer has no alpha: red on the left, nothing on the right, 2 x 2 pixels.
+    constexpr char file[] = "GIF89a\2\0\2\0\x80\0\0\xff\0\0\0\0\0!\xf9\4\1\0\0\1\0"
+                            ",\0\0\0\0\2\0\2\0\0\2\3\x44\x10\5\0;";
+    const std::string in = temporary("transparent.gif");
+    std::ofstream(in, std::ios::binary).write(file, sizeof file - 1);
+    for (const char* name : {"transparent.png", "transparent.tif", "transparent.exr"}) {
+        const std::string out = temporary(name);
+        Failure failure;
+        testing::internal::CaptureStderr();
+        ASSERT_TRUE(resized(in, "400%", out, failure)) << failure.why;
+        EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << name;
+        const ImageBuf large(out);
+        EXPECT_EQ(large.nchannels(), 4) << name;
+        EXPECT_EQ(large.spec().alpha_channel, 3) << name;
+        EXPECT_EQ(large.getchannel(0, 4, 0, 3), 1.0f) << name;
+        EXPECT_EQ(large.getchannel(7, 4, 0, 3), 0.0f) << name;
+        EXPECT_EQ(large.getchannel(7, 4, 0, 0), 0.0f) << name;
+    }
+}
+
+TEST(ResizeFile, AnUnusableLightIsFoundBeforeTheFileIsMade) {
+    const std::string in = temporary("lit.png"), out = temporary("unlit.png");
+    ImageBuf image(ImageSpec(4, 4, 3, OIIO::TypeUInt8));
+    ASSERT_TRUE(OIIO::ImageBufAlgo::zero(image) && image.write(in));
+    const Environment config("OCIO", "/nonexistent.ocio");
+    Failure failure;
+    testing::internal::CaptureStderr(); // libpng's, of a file that gets no pixels
+    const bool done = resized(in, "200%", out, failure);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_FALSE(done);
+    EXPECT_NE(failure.why.find("/nonexistent.ocio"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+// Its writer ends the program.
+TEST(ResizeFile, TwoChannelsAreRefusedForDpx) {
+    ImageBuf image(ImageSpec(8, 8, 2, OIIO::TypeHalf));
+    OIIO::ImageBufAlgo::zero(image);
+    const std::string in = temporary("two.exr"), out = temporary("two.dpx");
+    ASSERT_TRUE(image.write(in));
+    Failure failure;
+    EXPECT_FALSE(resized(in, "200%", out, failure));
+    EXPECT_EQ(failure.code, exit_failed);
+    EXPECT_NE(failure.why.find("allowed are 1, 3 and 4"), std::string::npos) << failure.why;
+}
+
+} // namespace
+} // namespace ddt::tool

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/sequence/frames.h"
+
+#include <atomic>
+#include <chrono>
+#include <climits>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <future>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "plugin/tool/sequence/run_frames.h"
+#include "plugin/tool/sequence/sequence.h"
+#include "tests/temporary.h"
+
+namespace ddt::tool {
+namespace {
+
+using Numbers = std::vector<int>;
+
+TEST(Frames, OfSeveralPlacesTheLikeliestCounts) {
+    for (const auto& [name, third] : {std::pair("sky@2x.%04d.png", "sky@2x.0003.png"),
+                                      {"sky.%04d@2x.png", "sky.0003@2x.png"},
+                                      {"take#3_t.####.png", "take#3_t.0003.png"},
+                                      {"a@2x.###.exr", "a@2x.003.exr"},
+                                      {"d#/a.@@.exr", "d#/a.03.exr"},
+                                      {"%d.a.%02d.exr", "%d.a.03.exr"}})
+        EXPECT_EQ(FrameName(name).name(3, ""), third);
+}
+
+TEST(Frames, Lists) {
+    const auto frames = [](const char* text) {
+        Numbers numbers;
+        return parse_frames(text, numbers) ? numbers : Numbers{-999};
+    };
+    EXPECT_EQ(frames("7"), (Numbers{7}));
+    EXPECT_EQ(frames("1-4"), (Numbers{1, 2, 3, 4}));
+    EXPECT_EQ(frames("1-10x4"), (Numbers{1, 5, 9}));
+    EXPECT_EQ(frames("3-1"), (Numbers{3, 2, 1}));
+    EXPECT_EQ(frames("10-1x4"), (Numbers{10, 6, 2}));
+    EXPECT_EQ(frames("-3--1,5,-1-1"), (Numbers{-3, -2, -1, 5, 0, 1}));
+    // From the least int to the greatest: 4294967295 apart.
+    for (const auto& [text, first, last] :
+         {std::tuple("-2147483648-2147483647x5000", INT_MIN, INT_MIN + int64_t(858993) * 5000),
+          {"2147483647--2147483648x5000", INT_MAX, INT_MAX - int64_t(858993) * 5000},
+          {"-2147483648-2147483647x2147483647", INT_MIN, INT_MAX - 1}}) {
+        const Numbers numbers = frames(text);
+        EXPECT_EQ(numbers.front(), first) << text;
+        EXPECT_EQ(numbers.back(), last) << text;
+    }
+    for (const char* wrong : {"", "x", "1-", "1-5x0", "1-5x", "1--", "1,,2", "1-5y2", "1 - 5",
+                              "1-2000000", "1-600000,1-600000", "99999999999"})
+        EXPECT_EQ(frames(wrong), (Numbers{-999})) << wrong;
+}
+
+TEST(Frames, Names) {
+    EXPECT_EQ(FrameName("a.#.exr").name(7), "a.0007.exr");
+    EXPECT_EQ(FrameName("a.##.exr").name(7), "a.07.exr");
+    EXPECT_EQ(FrameName("a.######.exr").name(7), "a.000007.exr");
+    EXPECT_EQ(FrameName("a.@@@.exr").name(12345), "a.12345.exr");
+    EXPECT_EQ(FrameName("a.%05d.exr").name(-7), "a.-0007.exr");
+    EXPECT_EQ(FrameName("a%d.exr").name(7), "a7.exr");
+    EXPECT_EQ(FrameName("dir#/%V/a.%v.#.exr").name(7, "left"), "dir#/left/a.l.0007.exr");
+    EXPECT_EQ(FrameName("a.%V_%V.exr").name(0, "right"), "a.right_right.exr");
+    // Sixteen digits hold any number, and none is cut off.
+    const FrameName long_one(std::string(60, '#'));
+    EXPECT_EQ(long_one.name(7), "0000000000000007");
+    EXPECT_EQ(long_one.name(-2147483647), "-000002147483647");
+    EXPECT_FALSE(FrameName("dir#/a.exr").has_frame());
+    EXPECT_FALSE(FrameName("100%.exr").has_frame());
+}
+
+TEST(Frames, ThoseThatAreThere) {
+    const std::string folder = temporary("frames");
+    std::filesystem::create_directories(folder);
+    for (const char* name : {"a.0001.exr", "a.0012.exr", "a.-003.exr", "a.12345.exr", "a.7.exr",
+                             "a.00x1.exr", "b.0002.exr", "a.left.0004.exr", "a.0005.exr.txt"})
+        std::ofstream(folder + "/" + name) << "";
+    EXPECT_EQ(FrameName(folder + "/a.#.exr").frames_there({}), (Numbers{-3, 1, 12, 12345}));
+    EXPECT_EQ(FrameName(folder + "//a.#.exr").frames_there({}), (Numbers{-3, 1, 12, 12345}));
+    EXPECT_EQ(FrameName(folder + "/a.%V.#.exr").frames_there({"left", "right"}), (Numbers{4}));
+    EXPECT_EQ(FrameName("/no/such/folder/a.#.exr").frames_there({}), Numbers{});
+    // Digits of the name itself.
+    std::ofstream(folder + "/shot_00122k.exr") << "";
+    EXPECT_EQ(FrameName(folder + "/shot_####2k.exr").frames_there({}), (Numbers{12}));
+}
+
+TEST(Frames, TextsOfAnyLengthAreLookedAt) {
+    Numbers frames;
+    EXPECT_FALSE(parse_frames(std::string(100000, '1'), frames));
+    EXPECT_FALSE(parse_frames("1-" + std::string(100000, '1'), frames));
+    EXPECT_FALSE(FrameName(std::string(100000, '#')).has_frame());
+}
+
+TEST(Frames, TasksOfACommandLine) {
+    std::vector<FrameTask> tasks;
+    Failure failure;
+    ASSERT_TRUE(list_tasks("i.%V.#.exr", "o.%v.%03d.png", "1-2", "left,right", tasks, failure));
+    ASSERT_EQ(tasks.size(), 4u);
+    EXPECT_EQ(tasks[2].in, "i.left.0002.exr");
+    EXPECT_EQ(tasks[3].out, "o.r.002.png");
+    ASSERT_TRUE(list_tasks("i.%V.#.exr", "o.%V.#.exr", "1", " left, right ", tasks, failure));
+    ASSERT_EQ(tasks.size(), 2u);
+    EXPECT_EQ(tasks[0].in, "i.left.0001.exr");
+    EXPECT_EQ(tasks[1].out, "o.right.0001.exr");
+    struct Case {
+        const char *in, *out, *frames, *views, *said;
+        ExitCode code;
+    };
+    for (const Case& c : {Case{"i.exr", "o.#.exr", "1-2", "", "no place for the frame", exit_usage},
+                          Case{"i.#.exr", "o.exr", "1-2", "", "no place for the frame", exit_usage},
+                          Case{"i@2x.png", "o.png", "", "", "no file \"i@2x.png\"", exit_usage},
+                          Case{"i.#.exr", "o.#.exr", "1-", "", "1-100x2", exit_usage},
+                          Case{"i.%V.exr", "o.%V.exr", "", "", "--views", exit_usage},
+                          Case{"i.#.exr", "o.#.exr", "1", "left", "%V", exit_usage},
+                          Case{"i.%V.exr", "o.%v.exr", "", "left,lower", "both become", exit_usage},
+                          Case{"i.%V.exr", "o.%V.exr", "", "left,,right", "none", exit_usage},
+                          Case{"i.%V.exr", "o.%V.exr", "", "left,", "left,right", exit_usage},
+                          Case{"i.%V.exr", "o.%V.exr", "", " , ", "not allowed", exit_usage},
+                          Case{"a%d.exr", "a1%d.exr", "1-12", "", "another's source", exit_usage},
+                          Case{"x/%V.exr", "./x/%v.exr", "", "left,l", "source", exit_usage},
+                          Case{"/none/i.#.exr", "o.#.exr", "", "", "no file", exit_failed}}) {
+        EXPECT_FALSE(list_tasks(c.in, c.out, c.frames, c.views, tasks, failure));
+        EXPECT_NE(failure.why.find(c.said), std::string::npos) << failure.why;
+        EXPECT_EQ(failure.code, c.code);
+    }
+}
+
+TEST(Frames, OnlyWhatIsDoneIsSaidToBeDone) {
+    const std::vector<FrameTask> tasks = {{"first", ""}, {"second", ""}};
+    FrameRun frames;
+    frames.run = [](const FrameTask& task, const std::function<bool(float)>& progress,
+                    Failure& failure) {
+        progress(1);
+        failure.why = "second fails";
+        return task.in == "first";
+    };
+    const auto said = [&](bool keep_going, int failed) {
+        frames.keep_going = keep_going;
+        testing::internal::CaptureStderr();
+        Progress progress("frames", ProgressMode::lines);
+        EXPECT_EQ(run_frames(tasks, frames, progress).failed, failed);
+        return testing::internal::GetCapturedStderr();
+    };
+    const std::string stopped = said(false, 1), went_on = said(true, 1);
+    EXPECT_NE(stopped.find("ddt progress 95% frames"), std::string::npos) << stopped;
+    EXPECT_EQ(stopped.find("100%"), std::string::npos) << stopped;
+    EXPECT_NE(went_on.find("ddt progress 100% frames"), std::string::npos) << went_on;
+}
+
+TEST(Frames, OnesThatAreThereAreLeftOutIfTheyAreWhatWouldBeMade) {
+    const std::string there = temporary("frame that is there");
+    std::ofstream(there) << "made";
+    const std::vector<FrameTask> tasks = {
+        {"made so", there}, {"made otherwise", there}, {"not", ""}};
+    FrameRun frames;
+    frames.skip_existing = true;
+    std::vector<std::string> run;
+    frames.run = [&](const FrameTask& task, const std::function<bool(float)>&, Failure&) {
+        run.push_back(task.in);
+        return true;
+    };
+    Progress progress("frames", ProgressMode::none);
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(run_frames(tasks, frames, progress).skipped, 2);
+    EXPECT_EQ(run, Names{"not"});
+    run.clear();
+    frames.is_made = [](const FrameTask& task) { return task.in == "made so"; };
+    EXPECT_EQ(run_frames(tasks, frames, progress).skipped, 1);
+    EXPECT_EQ(run, (Names{"made otherwise", "not"}));
+    run.clear();
+    frames.is_made = [](const FrameTask&) -> bool { throw std::runtime_error("no threads"); };
+    EXPECT_EQ(run_frames(tasks, frames, progress).skipped, 0);
+    // What keeps a place, or is no file, is no frame.
+    frames.is_made = nullptr;
+    std::ofstream(there, std::ios::trunc).flush();
+    const std::string folder = temporary("folder of a frame's name");
+    std::filesystem::create_directory(folder);
+    EXPECT_EQ(run_frames({{"a", there}, {"b", folder}}, frames, progress).skipped, 0);
+}
+
+TEST(Frames, WhatIsThrownWhileMemoryIsCountedIsNoEnd) {
+    std::vector<FrameTask> tasks(8);
+    FrameRun frames;
+    frames.jobs = 3;
+    frames.keep_going = true;
+    frames.memory_of = [](const FrameTask&) -> int64_t { throw std::runtime_error("no threads"); };
+    frames.run = [](const FrameTask&, const std::function<bool(float)>&, Failure&) { return true; };
+    Progress progress("frames", ProgressMode::none);
+    EXPECT_EQ(run_frames(tasks, frames, progress).written, 8);
+}
+
+TEST(Frames, OneThatIsWaitedForKeepsNoOther) {
+    const std::vector<FrameTask> tasks = {{"first", ""}, {"slow", ""}, {"third", ""}, {"last", ""}};
+    FrameRun frames;
+    frames.jobs = 2;
+    std::promise<void> others_done;
+    std::atomic<int> done{0};
+    std::atomic<bool> in_time{false};
+    frames.memory_of = [&](const FrameTask& task) -> int64_t {
+        // As the opening of a file on a file system that hangs.
+        if (task.in == "slow")
+            in_time = others_done.get_future().wait_for(std::chrono::seconds(60)) ==
+                      std::future_status::ready;
+        return 0;
+    };
+    frames.run = [&](const FrameTask& task, const std::function<bool(float)>& progress, Failure&) {
+        progress(0.5f);
+        if (task.in != "slow" && ++done == 3)
+            others_done.set_value();
+        return true;
+    };
+    Progress progress("frames", ProgressMode::none);
+    EXPECT_EQ(run_frames(tasks, frames, progress).written, 4);
+    EXPECT_TRUE(in_time);
+}
+
+/// Run frames that take so much memory each; returns how many were worked on at once, at most.
+int most_at_once(int64_t memory) {
+    FrameRun frames;
+    frames.jobs = 4;
+    std::atomic<int> now{0}, most{0};
+    frames.memory_of = [&](const FrameTask&) { return memory; };
+    frames.run = [&](const FrameTask&, const std::function<bool(float)>&, Failure&) {
+        const int here = ++now;
+        for (int before = most; here > before && !most.compare_exchange_weak(before, here);) {
+        }
+        for (int i = 0; i < 200; ++i) // others may come, if they are let
+            std::this_thread::yield();
+        --now;
+        return true;
+    };
+    Progress progress("frames", ProgressMode::none);
+    EXPECT_EQ(run_frames(std::vector<FrameTask>(30), frames, progress).written, 30);
+    return most;
+}
+
+TEST(Frames, NoMoreAtATimeThanHaveMemory) {
+    EXPECT_LE(most_at_once(memory_allowed() / 2), 2);
+    EXPECT_EQ(most_at_once(memory_allowed() / 2 + 1), 1);
+    EXPECT_EQ(most_at_once(memory_allowed() * 2), 1); // each alone
+}
+
+TEST(Frames, TheCodeIsThatOfWantIfOneFailedForIt) {
+    const std::vector<FrameTask> tasks = {{"first", ""}, {"second", ""}, {"third", ""}};
+    for (const bool first : {false, true}) {
+        FrameRun frames;
+        frames.keep_going = true;
+        frames.run = [&](const FrameTask& task, const std::function<bool(float)>&,
+                         Failure& failure) {
+            failure = {task.in, (task.in == "first") == first ? exit_resources : exit_failed};
+            return task.in == "third";
+        };
+        testing::internal::CaptureStderr();
+        Progress progress("frames", ProgressMode::none);
+        const FrameCounts counts = run_frames(tasks, frames, progress);
+        EXPECT_EQ(testing::internal::GetCapturedStderr(), "ddt: first\nddt: second\n");
+        EXPECT_EQ(counts.failed, 2);
+        EXPECT_EQ(counts.code, exit_resources) << first;
+    }
+}
+
+TEST(Frames, MemoryIsThatOfTheControlGroups) {
+    const std::filesystem::path folder = temporary("cgroup");
+    const auto put = [&](const char* file, const char* text) {
+        std::filesystem::create_directories((folder / file).parent_path());
+        std::ofstream(folder / file) << text;
+    };
+    put("memory.max", "max\n");
+    put("job/memory.max", "5000\n");
+    put("job/step/memory.max", "7000\n");
+    put("memory/slurm/memory.limit_in_bytes", "3000\n");
+    const auto limit = [&](const char* text) {
+        std::istringstream groups(text);
+        return least_limit(groups, folder.string());
+    };
+    EXPECT_EQ(limit("0::/job/step\n"), 5000);
+    EXPECT_EQ(limit("0::/job\n"), 5000);
+    EXPECT_EQ(limit("0::/other\n"), std::numeric_limits<int64_t>::max());
+    EXPECT_EQ(limit("12:cpu:/slurm\n4:memory:/slurm/step\n0::/other\n"), 3000);
+    EXPECT_EQ(limit(""), std::numeric_limits<int64_t>::max());
+    put("memory.max", "2000\n"); // a container's own
+    EXPECT_EQ(limit("0::/\n"), 2000);
+    EXPECT_EQ(limit("0::/job\n"), 2000);
+}
+
+} // namespace
+} // namespace ddt::tool
