@@ -20,7 +20,7 @@ vec4 rsqrt(int steps, vec4 x) {
 }
 
 // a < b ? yes : no and a <= b ? yes : no, a lane: as selections, which leave NaN and the sign of
-// zero alone. Twins: core/base/lanes-inl.h
+// zero alone. Twins: core/base/vectors/lanes-inl.h
 //
 // What is selected by a comparison of floats is `precise` here and elsewhere: compilers (Mesa's NIR)
 // make a minimum or a maximum of a selection that need not be exact, and those drop NaN. A function

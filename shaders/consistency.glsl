@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// C++ twin: core/surface/consistency-inl.h, which says what the numbers mean.
+// C++ twin: core/surface/consistency/consistency-inl.h, which says what the numbers mean.
 
 struct QuadrantCell {
     vec4 v, x, y, d;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One consistency round, one invocation a vertex. C++ twin: core/surface/consistency.cpp, which goes
+// One consistency round, one invocation a vertex. C++ twin: core/surface/consistency/consistency.cpp, which goes
 // through the cells and adds to their corners; the sum here takes the cells in the same order.
 #include "net.glsl"
 #include "served.glsl"

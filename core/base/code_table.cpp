@@ -5,12 +5,12 @@
 #define HWY_TARGET_INCLUDE "core/base/code_table.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/base/vectors.h"
+#include "core/base/vectors/vectors.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ddt {
 namespace HWY_NAMESPACE {
-#include "core/base/vectors-inl.h"
+#include "core/base/vectors/vectors-inl.h"
 
 /// GLSL twin: code_of in shaders/codes.glsl.
 template <class D>

@@ -2,7 +2,7 @@
 #include "core/gl/host_tile.h"
 
 #include "core/base/arith.h"
-#include "core/base/zero_small.h"
+#include "core/base/memory/zero_small.h"
 #include "core/guide/guide.h"
 #include "core/tiles/tile_io.h"
 #include "core/triangulate/triangulate.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/gl/device_mesh.h"
-#include "core/surface/corrections.h"
+#include "core/surface/consistency/corrections.h"
 #include "core/surface/net.h"
 #include "core/triangulate/schemes.h"
 #include "ddt/names.h"

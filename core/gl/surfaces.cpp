@@ -8,7 +8,7 @@
 #include "core/base/float_bits.h"
 #include "core/gl/context/failure.h"
 #include "core/gl/job_programs.h"
-#include "core/surface/corrections.h"
+#include "core/surface/consistency/corrections.h"
 #include "core/surface/fitted/weights.h"
 #include "core/surface/net.h"
 

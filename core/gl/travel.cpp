@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "core/base/float_bits.h"
-#include "core/base/zero_small.h"
+#include "core/base/memory/zero_small.h"
 #include "core/tiles/tile_io.h"
 
 namespace ddt::gl {

@@ -4,22 +4,22 @@
 #include <algorithm>
 
 #include "core/base/arith.h"
-#include "core/base/row_lanes.h"
+#include "core/base/vectors/row_lanes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/lattice/crossed_cell.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/base/vectors.h"
+#include "core/base/vectors/vectors.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ddt {
 namespace HWY_NAMESPACE {
-#include "core/base/vectors-inl.h"
+#include "core/base/vectors/vectors-inl.h"
 
 using D = hn::CappedTag<float, most_lanes>;
 
-#include "core/base/lanes-inl.h"
+#include "core/base/vectors/lanes-inl.h"
 #include "core/lattice/crossed_cell-inl.h"
 
 using Floats = Lanes<D>;

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/row_lanes.h"
+#include "core/base/vectors/row_lanes.h"
 #include "core/lattice/locate.h"
 
 namespace ddt {

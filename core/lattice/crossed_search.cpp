@@ -4,28 +4,28 @@
 #include <cstring>
 
 #include "core/base/arith.h"
-#include "core/base/compress_lanes.h"
-#include "core/base/row_lanes.h"
+#include "core/base/vectors/compress_lanes.h"
+#include "core/base/vectors/row_lanes.h"
 #include "core/guide/contour.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/lattice/crossed_search.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/base/vectors.h"
+#include "core/base/vectors/vectors.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ddt {
 namespace HWY_NAMESPACE {
-#include "core/base/vectors-inl.h"
+#include "core/base/vectors/vectors-inl.h"
 
 using D = hn::CappedTag<float, most_lanes>;
 using DI = hn::RebindToSigned<D>;
 using VF = hn::Vec<D>;
 using MI = hn::Mask<DI>;
 
-#include "core/base/compress-inl.h"
-#include "core/base/lanes-inl.h"
+#include "core/base/vectors/compress-inl.h"
+#include "core/base/vectors/lanes-inl.h"
 #include "core/lattice/site_lanes-inl.h"
 
 // Corners are vectors from their cells' first corners, in pixels.

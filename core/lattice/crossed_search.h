@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/base/row_lanes.h"
+#include "core/base/vectors/row_lanes.h"
 #include "core/lattice/crossed_cell.h"
 
 namespace ddt {

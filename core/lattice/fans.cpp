@@ -4,24 +4,24 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/base/row_lanes.h"
+#include "core/base/vectors/row_lanes.h"
 #include "core/guide/contour.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/lattice/fans.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/base/vectors.h"
+#include "core/base/vectors/vectors.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ddt {
 namespace HWY_NAMESPACE {
-#include "core/base/vectors-inl.h"
+#include "core/base/vectors/vectors-inl.h"
 
 using D = hn::CappedTag<float, most_lanes>;
 using DI = hn::RebindToSigned<D>;
 
-#include "core/base/lanes-inl.h"
+#include "core/base/vectors/lanes-inl.h"
 #include "core/lattice/site_lanes-inl.h"
 
 /// Walks to the left round vertices, one a lane. A lane that came round goes on.

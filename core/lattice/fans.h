@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/arith.h"
-#include "core/base/row_lanes.h"
+#include "core/base/vectors/row_lanes.h"
 #include "core/lattice/lattice.h"
 
 namespace ddt {

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "core/base/compress_lanes.h"
-#include "core/base/row_lanes.h"
+#include "core/base/vectors/compress_lanes.h"
+#include "core/base/vectors/row_lanes.h"
 #include "core/guide/contour.h"
 #include "core/lattice/crossed_columns.h"
 #include "core/lattice/lattice.h"
@@ -14,7 +14,7 @@
 #define HWY_TARGET_INCLUDE "core/lattice/first_edges.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/base/vectors.h"
+#include "core/base/vectors/vectors.h"
 
 #ifndef DDT_FIRST_EDGES_ONCE
 #define DDT_FIRST_EDGES_ONCE
@@ -28,13 +28,13 @@ constexpr std::array<std::array<int, 2>, 8> neighbours{
 HWY_BEFORE_NAMESPACE();
 namespace ddt {
 namespace HWY_NAMESPACE {
-#include "core/base/vectors-inl.h"
+#include "core/base/vectors/vectors-inl.h"
 
 using D = hn::CappedTag<float, most_lanes>;
 using DI = hn::RebindToSigned<D>;
 
-#include "core/base/compress-inl.h"
-#include "core/base/lanes-inl.h"
+#include "core/base/vectors/compress-inl.h"
+#include "core/base/vectors/lanes-inl.h"
 #include "core/lattice/site_lanes-inl.h"
 
 /// Twin of first_short_edge() for n vertices that are not on the rim; of each two bytes, and as

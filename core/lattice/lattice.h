@@ -38,7 +38,7 @@
 
 #include "core/base/arith.h"
 #include "core/base/float_bits.h"
-#include "core/base/large_pages.h"
+#include "core/base/memory/large_pages.h"
 #include "ddt/mapping.h"
 
 namespace ddt {

@@ -2,7 +2,7 @@
 // Included inside a SIMD target's namespace: a lattice's sites and vectors, one a lane.
 // Needs: contour.h, lattice.h, lanes-inl.h, tags D of float and DI of int32_t.
 
-#include "core/base/places-inl.h"
+#include "core/base/vectors/places-inl.h"
 
 using VI = hn::Vec<DI>;
 using Floats = Lanes<D>;

@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "core/base/arith.h"
-#include "core/base/row_lanes.h"
+#include "core/base/vectors/row_lanes.h"
 #include "core/sample/crossed.h"
 #include "core/sample/phases.h"
 
@@ -15,19 +15,19 @@
 #define HWY_TARGET_INCLUDE "core/sample/evaluate.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/base/vectors.h"
+#include "core/base/vectors/vectors.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ddt {
 namespace HWY_NAMESPACE {
-#include "core/base/vectors-inl.h"
+#include "core/base/vectors/vectors-inl.h"
 
-#include "core/base/lanes-inl.h"
+#include "core/base/vectors/lanes-inl.h"
 #include "core/lattice/crossed_cell-inl.h"
 #include "core/surface/patch-inl.h"
 
-#include "core/base/blocks-inl.h"
-#include "core/base/row_lanes-inl.h"
+#include "core/base/vectors/blocks-inl.h"
+#include "core/base/vectors/row_lanes-inl.h"
 
 #include "core/surface/crossing-inl.h"
 #include "core/surface/for_surface-inl.h"

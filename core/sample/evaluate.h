@@ -16,10 +16,10 @@
 
 #include <vector>
 
-#include "core/base/row_lanes.h"
+#include "core/base/vectors/row_lanes.h"
 #include "core/lattice/crossed_cell.h"
 #include "core/lattice/locate.h"
-#include "core/surface/crossed_rows.h"
+#include "core/surface/consistency/crossed_rows.h"
 #include "core/surface/net.h"
 
 namespace ddt {

@@ -6,24 +6,24 @@
 #include <type_traits>
 
 #include "core/base/arith.h"
-#include "core/base/row_lanes.h"
+#include "core/base/vectors/row_lanes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/sample/phases.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/base/vectors.h"
+#include "core/base/vectors/vectors.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ddt {
 namespace HWY_NAMESPACE {
-#include "core/base/vectors-inl.h"
+#include "core/base/vectors/vectors-inl.h"
 
-#include "core/base/lanes-inl.h"
+#include "core/base/vectors/lanes-inl.h"
 #include "core/surface/for_surface-inl.h"
 #include "core/surface/patch-inl.h"
 
-#include "core/base/row_lanes-inl.h"
+#include "core/base/vectors/row_lanes-inl.h"
 
 /// Of the quarters of a cell, between both diagonals, number 2 * i + j lies in triangle i of cells
 /// divided down and in triangle j of those divided up.

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "core/base/arith.h"
-#include "core/base/row_lanes.h"
+#include "core/base/vectors/row_lanes.h"
 #include "core/guide/contour.h"
 #include "core/surface/edge_kinds.h"
 #include "core/surface/edge_scratch.h"
@@ -13,19 +13,19 @@
 #define HWY_TARGET_INCLUDE "core/surface/edges.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/base/vectors.h"
+#include "core/base/vectors/vectors.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ddt {
 namespace HWY_NAMESPACE {
-#include "core/base/vectors-inl.h"
+#include "core/base/vectors/vectors-inl.h"
 
-#include "core/base/lanes-inl.h"
 #include "core/base/rsqrt-inl.h"
+#include "core/base/vectors/lanes-inl.h"
 #include "core/surface/gradient-inl.h"
 
-#include "core/base/blocks-inl.h"
-#include "core/base/row_lanes-inl.h"
+#include "core/base/vectors/blocks-inl.h"
+#include "core/base/vectors/row_lanes-inl.h"
 
 using DI = hn::RebindToSigned<D>;
 

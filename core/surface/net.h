@@ -48,8 +48,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/base/arena.h"
-#include "core/base/row_lanes.h"
+#include "core/base/memory/arena.h"
+#include "core/base/vectors/row_lanes.h"
 #include "core/lattice/lattice.h"
 #include "ddt/core.h"
 
@@ -76,7 +76,8 @@ struct SiteRows {
 
 /// The same at each site. Even columns have the vertices and, in the rows between, the vertical
 /// edges of cells, odd columns their horizontal edges and their centres: of each, a row is one run
-/// of floats, which is worked on by vectors wherever pixels begin (core/base/row_lanes-inl.h).
+/// of floats, which is worked on by vectors wherever pixels begin
+/// (core/base/vectors/row_lanes-inl.h).
 struct SiteNumbers {
     SiteRows even, odd;
     const float* at(int site) const { return (site & 1 ? odd : even).at(site); }

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <limits>
 
-#include "core/base/zero_small.h"
+#include "core/base/memory/zero_small.h"
 
 namespace ddt {
 

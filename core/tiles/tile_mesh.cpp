@@ -3,7 +3,7 @@
 
 #include "core/base/arith.h"
 #include "core/lattice/neighbours.h"
-#include "core/surface/corrections.h"
+#include "core/surface/consistency/corrections.h"
 
 namespace ddt {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/base/arith.h"
-#include "core/surface/corrections.h"
+#include "core/surface/consistency/corrections.h"
 #include "core/surface/kept_rows.h"
 #include "core/tiles/tile_io.h"
 

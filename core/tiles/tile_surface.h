@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/sample/evaluate.h"
-#include "core/surface/corrected_rows.h"
+#include "core/surface/consistency/corrected_rows.h"
 #include "core/surface/edge_maker.h"
 #include "core/surface/fitted/fitted_maker.h"
 #include "core/surface/net.h"

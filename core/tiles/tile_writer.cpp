@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/base/arith.h"
-#include "core/base/stream_copy.h"
+#include "core/base/memory/stream_copy.h"
 #include "core/tiles/tile_io.h"
 
 namespace ddt {

@@ -2,7 +2,7 @@
 // A job's tiles, worked on by the CPU's threads.
 #pragma once
 
-#include "core/base/memory_node.h"
+#include "core/base/memory/memory_node.h"
 #include "core/tiles/grid.h"
 #include "core/tiles/run.h"
 #include "ddt/core.h"

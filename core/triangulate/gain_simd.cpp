@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SIMD twin of scalar::gain(): several edges at once, compiled for each instruction set.
-#include "core/base/compress_lanes.h"
+#include "core/base/vectors/compress_lanes.h"
 #include "core/triangulate/gain.h"
 
 #include <algorithm>
@@ -9,19 +9,19 @@
 #define HWY_TARGET_INCLUDE "core/triangulate/gain_simd.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/base/vectors.h"
+#include "core/base/vectors/vectors.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ddt {
 namespace HWY_NAMESPACE {
-#include "core/base/vectors-inl.h"
+#include "core/base/vectors/vectors-inl.h"
 
 using D = hn::ScalableTag<float>;
 using DI = hn::RebindToSigned<D>;
 
-#include "core/base/compress-inl.h"
-#include "core/base/lanes-inl.h"
 #include "core/base/rsqrt-inl.h"
+#include "core/base/vectors/compress-inl.h"
+#include "core/base/vectors/lanes-inl.h"
 #include "core/cost/cost-inl.h"
 
 #include "core/lattice/site_lanes-inl.h"

@@ -3,7 +3,7 @@
 // flips touch. A lattice's by the widest vectors this machine has, an edge a lane.
 #pragma once
 
-#include "core/base/row_lanes.h"
+#include "core/base/vectors/row_lanes.h"
 #include "core/lattice/lattice.h"
 
 namespace ddt {

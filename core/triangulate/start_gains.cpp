@@ -14,28 +14,28 @@
 #include <cstring>
 #include <vector>
 
-#include "core/base/compress_lanes.h"
-#include "core/base/row_lanes.h"
+#include "core/base/vectors/compress_lanes.h"
+#include "core/base/vectors/row_lanes.h"
 #include "core/triangulate/evaluate.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/triangulate/start_gains.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/base/vectors.h"
+#include "core/base/vectors/vectors.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ddt {
 namespace HWY_NAMESPACE {
-#include "core/base/vectors-inl.h"
+#include "core/base/vectors/vectors-inl.h"
 
 using D = hn::CappedTag<float, most_lanes>;
 using DI = hn::RebindToSigned<D>;
 using D64 = hn::Repartition<uint64_t, D>;
 
-#include "core/base/compress-inl.h"
-#include "core/base/lanes-inl.h"
 #include "core/base/rsqrt-inl.h"
+#include "core/base/vectors/compress-inl.h"
+#include "core/base/vectors/lanes-inl.h"
 #include "core/cost/cost-inl.h"
 #include "core/triangulate/gain-inl.h"
 

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "core/base/arena.h"
+#include "core/base/memory/arena.h"
 #include "core/cost/criterion.h"
 #include "core/lattice/lattice.h"
 #include "ddt/core.h"

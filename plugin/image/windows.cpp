@@ -9,7 +9,7 @@
 #include <OpenImageIO/strutil.h>
 #include <OpenImageIO/sysutil.h>
 
-#include "core/base/large_pages.h"
+#include "core/base/memory/large_pages.h"
 #include "plugin/message/format.h"
 
 namespace ddt {

@@ -5,7 +5,7 @@
 
 #include "core/guide/guide.h"
 #include "core/lattice/locate.h"
-#include "core/surface/consistency_rounds.h"
+#include "core/surface/consistency/consistency_rounds.h"
 #include "core/surface/edge_maker.h"
 #include "core/surface/fitted/scalar.h"
 #include "core/triangulate/gain.h"

@@ -6,10 +6,10 @@
 #include <memory>
 #include <string>
 
+#include "core/gl/check/self_check.h"
 #include "core/gl/context/context.h"
 #include "core/gl/context/thread.h"
 #include "core/gl/programs.h"
-#include "core/gl/self_check.h"
 #include "ddt/core.h"
 
 namespace ddt::gl {

@@ -12,19 +12,19 @@
 #define HWY_TARGET_INCLUDE "core/surface/fitted/bends.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/base/vectors.h"
+#include "core/base/vectors/vectors.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ddt {
 namespace HWY_NAMESPACE {
-#include "core/base/vectors-inl.h"
+#include "core/base/vectors/vectors-inl.h"
 
-#include "core/base/lanes-inl.h"
 #include "core/base/rsqrt-inl.h"
-#include "core/surface/consistency-inl.h"
+#include "core/base/vectors/lanes-inl.h"
+#include "core/surface/consistency/consistency-inl.h"
 #include "core/surface/fitted/features-inl.h"
 
-#include "core/base/row_lanes-inl.h"
+#include "core/base/vectors/row_lanes-inl.h"
 
 #include "core/surface/fitted/irregular_bends-inl.h"
 #include "core/surface/fitted/regular_bends-inl.h"

@@ -33,7 +33,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/surface/consistency.h"
+#include "core/surface/consistency/consistency.h"
 #include "core/surface/fitted/weights.h"
 #include "core/surface/near_cells.h"
 #include "core/surface/net.h"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/lattice/row_reach.h"
+#include "core/surface/consistency/mean_rows.h"
 #include "core/surface/fitted/fitted.h"
-#include "core/surface/mean_rows.h"
 
 namespace ddt {
 

@@ -7,7 +7,7 @@
 
 #include "core/base/arith.h"
 #include "core/base/constants.h"
-#include "core/surface/consistency.h"
+#include "core/surface/consistency/consistency.h"
 #include "core/surface/fitted/weights.h"
 
 namespace ddt::scalar {
@@ -25,7 +25,7 @@ inline float upper(float a, float b) {
     return a < b ? b : a;
 }
 
-#include "core/surface/consistency-inl.h"
+#include "core/surface/consistency/consistency-inl.h"
 #include "core/surface/fitted/features-inl.h"
 
 } // namespace ddt::scalar

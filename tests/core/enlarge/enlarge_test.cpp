@@ -8,7 +8,7 @@
 
 #include "core/base/arith.h"
 #include "core/sample/evaluate.h"
-#include "core/surface/consistency_rounds.h"
+#include "core/surface/consistency/consistency_rounds.h"
 #include "core/tiles/tile_worker.h"
 #include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"

@@ -9,7 +9,7 @@
 
 #include "core/base/half.h"
 #include "core/gl/buffer.h"
-#include "core/gl/travel_check.h"
+#include "core/gl/check/travel_check.h"
 #include "core/tiles/grid.h"
 #include "ddt/log.h"
 #include "tests/core/gl/devices.h"

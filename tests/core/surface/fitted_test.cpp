@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "core/surface/consistency_rounds.h"
+#include "core/surface/consistency/consistency_rounds.h"
 #include "core/surface/fitted/scalar.h"
 #include "core/triangulate/triangulate.h"
 #include "ddt/option_table.h"

@@ -2,7 +2,7 @@
 #include "tests/core/gl/stages/cpu_stages.h"
 
 #include "core/base/arith.h"
-#include "core/surface/consistency_rounds.h"
+#include "core/surface/consistency/consistency_rounds.h"
 #include "core/surface/edge_maker.h"
 #include "core/tiles/tile_io.h"
 #include "core/triangulate/triangulate.h"

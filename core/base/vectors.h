@@ -1,6 +1,0 @@
-// SPDX-License-Identifier: Apache-2.0
-// Included after <hwy/foreach_target.h>: what core/base/vectors-inl.h chooses from. Without a
-// guard, since Highway's header has something to do for every target.
-#include <hwy/highway.h>
-
-#include "core/base/plain_vectors.h"

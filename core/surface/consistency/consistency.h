@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Correcting the vertices so that the surface's mean over each source pixel is the pixel's value.
+//
+// A camera's or renderer's pixel is a mean over an area; a surface through the pixel values has
+// other means. One round moves each vertex by the difference: z <- z + (source - mean). Vertices on
+// the lattice's rim, whose pixels the mesh covers only in part, stay. What comes out is limited to
+// the range of the 3x3 source pixels, widened (SurfaceOptions::limit).
+#pragma once
+
+#include <vector>
+
+#include "core/surface/consistency/crossed_rows.h"
+#include "core/surface/net.h"
+#include "ddt/core.h"
+
+namespace ddt {
+
+/// Positions along an axis at which quadrants' means are taken (consistency-inl.h).
+constexpr int quadrant_side = 4;
+
+/// The positions of means in a crossed cell.
+const CellPositions& mean_positions();
+
+/// What add_means() works in, kept from one row to the next.
+struct MeanScratch {
+    std::vector<float> means; ///< of a row of cells' quadrants, one after the other
+    std::vector<float> down;  ///< 1 where a cell's diagonal is down, else 0
+};
+
+/// Add what the cells of row y have, as far as the vertices of `part` need it, to the sums of
+/// quadrants' means of the vertices above them, and begin those of the vertices below with it,
+/// Net::count() floats each. The edges that cross the row must have been bent (for Surface::patch)
+/// and softened (where the net has soft edges), the divisions been found. `crossed` has begun with
+/// mean_positions().
+void add_means(const Lattice& lattice, Surface surface, const Net& net, const Rect& part, int y,
+               CrossedRows& crossed, MeanScratch& scratch, float* upper, float* lower);
+
+/// What find_limits() of consistency-inl.h is told: SurfaceOptions::limit in a net's lanes, 0 in
+/// strict ones (Net::strict), and its `lowest`, by SurfaceOptions::clipped.
+struct LaneLimits {
+    LaneLimits() = default;
+    LaneLimits(const float* strict, float share, bool clipped);
+    float limit[group_size] = {};
+    float cut[group_size] = {}; ///< 1 in lanes that will be cut off to 0 .. 1, else 0
+    float lowest = 0;
+};
+
+/// A picture's rows of pixels above, at and below one, from column 0 on.
+struct NearRows {
+    const float *above, *here, *below;
+};
+
+/// Put where the vertices of a net in columns x0 .. x1 - 1 of row y go, none of which is on the
+/// rim, into `moved`, which is not the net's own. sum, moved: rows from column 0 on.
+void move_row(const Lattice& lattice, const Net& net, int x0, int x1, int y, const NearRows& source,
+              const float* sum, const LaneLimits& limits, float* moved);
+
+} // namespace ddt

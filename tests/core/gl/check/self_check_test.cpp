@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every program is checked before it is used, and a check that fails is heeded. Software renderers
+// are checked here as hardware is elsewhere.
+#include "core/gl/check/self_check.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "core/gl/context/failure.h"
+#include "core/gl/context/faults.h"
+#include "core/gl/context/gpu.h"
+#include "core/gl/job_programs.h"
+#include "core/surface/consistency/corrections.h"
+#include "ddt/names.h"
+#include "tests/core/gl/devices.h"
+#include "tests/core/gl/pictures.h"
+#include "tests/environment.h"
+
+namespace ddt::test {
+namespace {
+
+struct Change {
+    const char *constant, *value;
+};
+
+/// A constant of the program, and another value that is not right.
+Change change_of(const std::string& program) {
+    const auto has = [&](const char* part) { return program.find(part) != program.npos; };
+    if (has("contours.comp"))
+        return {"contour_square_bias", "6.5"};
+    if (has("anneal_select.comp"))
+        return {"natural_log_2", "0.5"};
+    if (has("anneal_"))
+        return {"GAINS_GROUP_X", "16"};
+    // Gains are found anew for the check: flips must differ.
+    if (has("finish.comp")) // the few late ones
+        return {"rsqrt_magic", "1000000000"};
+    if (has("accept_reject.comp"))
+        return {"rsqrt_magic", "1590000000"};
+    if (has("COST_")) // by 1 part in 3000 at the first guess
+        return {"rsqrt_magic", "1597460000"};
+    if (has("select.comp"))
+        return {"LIST_GROUP", "32"};
+    if (has("fitted_bends.comp"))
+        return {"GAINS_GROUP_X", "16"};
+    if (has("flip.comp"))
+        return {"longest_edge", "1"};
+    if (has("unpack"))
+        return {"SURFACE_GROUP_X", "8"};
+    if (has("gradients.comp"))
+        return {"gradient_epsilon", "0.000401"};
+    if (has("correct.comp"))
+        return {"across_beside", "0.2501"};
+    if (has("SOFT"))
+        return {"soft_share", "0.501"};
+    if (has("QUADRATIC") && !has("STORED_BENDS"))
+        return {"bend_strength", "1.751"};
+    return {"SAMPLE_GROUP_X", "8"};
+}
+
+/// One job for each set of programs that a job can want.
+std::vector<Order> orders() {
+    std::vector<Order> all;
+    Order order;
+    order.out_width = 60;
+    order.out_height = 50;
+    order.job.surface.soft = 0.2f;
+    for (const std::string& name : cost_names())
+        for (const Scheme scheme : {Scheme::one_round, Scheme::maxgain, Scheme::annealing,
+                                    Scheme::pixel, Scheme::lawson}) {
+            order.job.mesh.scheme = scheme;
+            order.job.mesh.max_iterations = scheme == Scheme::annealing ? 4 : 64;
+            find_cost(name, order.job.mesh.cost);
+            all.push_back(order);
+        }
+    order.job.mesh = plain_mesh();
+    order.job.mesh.max_iterations = 0;
+    all.push_back(order);
+    order.job.mesh.contour = 0.4f;
+    for (const Scheme scheme : {Scheme::one_round, Scheme::annealing, Scheme::pixel}) {
+        order.job.mesh.scheme = scheme;
+        order.job.mesh.max_iterations = scheme == Scheme::annealing ? 4 : 64;
+        all.push_back(order);
+    }
+    order.job.mesh = plain_mesh();
+    for (const Surface kind : {Surface::linear, Surface::patch})
+        for (const float soft : {0.0f, 0.2f})
+            for (const int consistency : {0, 1})
+                for (const int meshes : {1, 3}) {
+                    order.job.surface.kind = kind;
+                    order.job.surface.soft = soft;
+                    order.job.surface.consistency = consistency;
+                    order.job.surface.fitted = false;
+                    order.job.mesh.meshes = meshes;
+                    all.push_back(order);
+                    order.job.surface.fitted = true;
+                    if (is_fitted(order.job.surface))
+                        all.push_back(order);
+                }
+    return all;
+}
+
+class SelfCheck : public OnDevice {
+protected:
+    void SetUp() override {
+        OnDevice::SetUp();
+        m_verbose.emplace("DDT_VERBOSE", "1");
+    }
+    void TearDown() override {
+        gl::change_constant("", "", "");
+        gl::arm(gl::Fault::allocation, 0);
+        gl::arm(gl::Fault::shader, 0);
+        gl::forget_devices();
+    }
+
+    /// Do the job; true if on the device. `lines`: what was said of checks that failed.
+    bool on_device(const Picture& picture, const Order& order, std::vector<std::string>& lines) {
+        const Result cpu = enlarge_on(Device::cpu, picture, order);
+        testing::internal::CaptureStderr();
+        const Result result = enlarge_on(GetParam(), picture, order);
+        std::istringstream said(testing::internal::GetCapturedStderr());
+        for (std::string line; std::getline(said, line);)
+            if (line.find("does not compute as the CPU does") != line.npos)
+                lines.push_back(line);
+        EXPECT_EQ(result.outcome, Outcome::done) << result.error;
+        EXPECT_EQ(result.bits, cpu.bits);
+        return result.statistics.device == GetParam();
+    }
+
+private:
+    std::optional<Environment> m_verbose; ///< once the device is known
+};
+
+std::set<std::string> programs_of(gl::Gpu& gpu) {
+    const auto names = gpu.programs->names();
+    return {names.begin(), names.end()};
+}
+
+/// What is begun before it is used.
+std::set<std::string> expected_of(const Job& job) {
+    std::set<std::string> all;
+    for (const gl::JobProgram& program : gl::job_programs(job, gl::Travel()))
+        EXPECT_TRUE(all.insert(gl::program_name(program.file, program.macros)).second);
+    return all;
+}
+
+TEST_P(SelfCheck, EveryProgramIsCheckedBeforeItIsUsedAndAWrongOneIsNot) {
+    std::set<std::string> proved;
+    for (const int channels : {3, 4}) {
+        const Picture picture = make_picture(Content::photo, 24, 20, channels, 4);
+        for (Order order : orders()) {
+            order.job.channels = channels;
+            std::vector<std::string> lines;
+            gl::Gpu& right = fresh_device();
+            right.thread.post([&] { EXPECT_EQ(right.checks.differs(right, order.job), ""); }).get();
+            const std::set<std::string> checked = programs_of(right);
+            EXPECT_TRUE(on_device(picture, order, lines));
+            const std::set<std::string> used = programs_of(right);
+            EXPECT_EQ(used, checked) << "a program was used that the check did not";
+            EXPECT_EQ(used, expected_of(order.job));
+            EXPECT_TRUE(lines.empty());
+            for (const std::string& program : used) {
+                if (!proved.insert(program).second)
+                    continue;
+                const Change change = change_of(program);
+                gl::change_constant(program, change.constant, change.value);
+                fresh_device();
+                EXPECT_FALSE(on_device(picture, order, lines)) << program << " is wrong and used";
+                EXPECT_EQ(lines.size(), 1u) << program;
+                // What is known is not checked again; another job's programs may be right.
+                EXPECT_FALSE(on_device(picture, order, lines)) << program;
+                lines.clear();
+                gl::change_constant("", "", "");
+            }
+        }
+    }
+    // 7 programs a cost, 6 with contours, what finds those, select, flip, the 2 others of
+    // annealing, 2 that unpack, gradients, 3 of edges, 4 that correct, 2 that bend, 16 that sample.
+    EXPECT_GE(proved.size(), 7 * cost_names().size() + 6 + 1 + 2 + 2 + 2 + 1 + 3 + 4 + 2 + 16);
+}
+
+int g_linked, g_linked_when_asked;
+PFNGLLINKPROGRAMPROC g_link_program;
+PFNGLGETSHADERIVPROC g_get_shader;
+
+void APIENTRY link_program(GLuint program) {
+    ++g_linked;
+    g_link_program(program);
+}
+
+void APIENTRY get_shader(GLuint shader, GLenum what, GLint* answer) {
+    g_linked_when_asked = std::min(g_linked_when_asked, g_linked);
+    g_get_shader(shader, what, answer);
+}
+
+// Drivers compile one beside the other only as long as nobody waits for one.
+TEST_P(SelfCheck, AllProgramsAreBegunBeforeOneIsWaitedFor) {
+    gl::Gpu& device = fresh_device();
+    device.thread
+        .post([&] {
+            gl::Functions& gl = device.context->gl;
+            g_link_program = std::exchange(gl.LinkProgram, link_program);
+            g_get_shader = std::exchange(gl.GetShaderiv, get_shader);
+        })
+        .get();
+    g_linked = 0;
+    g_linked_when_asked = 1000;
+    Order order;
+    order.out_width = 60;
+    order.out_height = 50;
+    order.job.surface = SurfaceOptions();
+    order.job.surface.fitted = true;
+    order.job.surface.clipped = true;
+    order.job.surface.consistency = 2;
+    std::vector<std::string> lines;
+    EXPECT_TRUE(on_device(make_picture(Content::photo, 24, 20, 3, 4), order, lines));
+    EXPECT_EQ(g_linked_when_asked, g_linked);
+    EXPECT_GE(g_linked, 11);
+}
+
+// What one of the paper's schemes proves of its program another may have no use for.
+TEST_P(SelfCheck, SchemesThatTakeOtherBranchesAreCheckedEach) {
+    gl::Gpu& device = fresh_device();
+    Job job = plain_job();
+    const auto check = [&] {
+        device.thread.post([&] { EXPECT_EQ(device.checks.differs(device, job), ""); }).get();
+        return device.programs->uses().at("accept_reject.comp");
+    };
+    int before = 0;
+    for (const Scheme scheme : {Scheme::basic, Scheme::exproi, Scheme::maxgain,
+                                Scheme::exproi_maxgain, Scheme::exproi_n_maxgain}) {
+        job.mesh.scheme = scheme;
+        const int first = check();
+        EXPECT_GT(first, before) << scheme_name(job.mesh);
+        EXPECT_EQ(check(), first) << scheme_name(job.mesh);
+        before = first;
+    }
+    job.mesh.wide_iterations = 5; // the same branches
+    EXPECT_EQ(check(), before);
+}
+
+TEST_P(SelfCheck, AFailureIsRememberedUnlessTheNextJobMayHaveMoreMemory) {
+    gl::Gpu& device = fresh_device();
+    const auto check = [&] {
+        return device.thread.post([&] { return device.checks.differs(device, plain_job()); });
+    };
+    gl::arm(gl::Fault::allocation, 1);
+    EXPECT_THROW(check().get(), gl::OutOfMemory);
+    gl::arm(gl::Fault::allocation, 0);
+    gl::arm(gl::Fault::shader, 1);
+    EXPECT_NE(check().get().find("glCompileShader"), std::string::npos);
+    EXPECT_NE(check().get().find("glCompileShader"), std::string::npos);
+    EXPECT_EQ(gl::chances(gl::Fault::shader), 1) << "compiled again";
+    gl::arm(gl::Fault::shader, 0);
+}
+
+TEST_P(SelfCheck, SoftwareIsNotCheckedUnlessAskedTo) {
+    gl::Gpu& device = fresh_device();
+    if (!device.context->software)
+        GTEST_SKIP() << device.context->renderer << " is hardware";
+    device.checks.tested_too = false;
+    device.thread.post([&] { EXPECT_EQ(device.checks.differs(device, Job()), ""); }).get();
+    EXPECT_EQ(programs_of(device), std::set<std::string>());
+    EXPECT_EQ(device.checks.milliseconds(), 0.0);
+}
+
+// On one device: what is checked is the same code on all, and compiles for most of the time.
+INSTANTIATE_TEST_SUITE_P(Devices, SelfCheck, testing::Values(Device::egl), device_name);
+
+} // namespace
+} // namespace ddt::test
