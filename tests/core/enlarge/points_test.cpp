@@ -172,6 +172,11 @@ TEST_F(Delaunay, FlipsKeepTheHullAndLowerTheCost) {
         EXPECT_LT(report.cost, report.cost_start);
         EXPECT_GT(report.statistics.flips, 0);
         EXPECT_EQ(report.statistics.pixels, 500);
+        MeshReport again;
+        options.scheme = Scheme::pixel;
+        ASSERT_TRUE(optimise(flipped, guide.data(), options, &again, &error)) << error;
+        EXPECT_NEAR(again.cost_start / report.cost, 1, 1e-6); // floats, from other ends
+        EXPECT_EQ(again.cost, again.cost_start);
     }
 }
 

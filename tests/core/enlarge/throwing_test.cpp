@@ -103,6 +103,32 @@ TEST(Throwing, EnlargeNeverDoes) {
             }
 }
 
+/// Throws when it is first read.
+class OnceThrowingSource final : public Source {
+public:
+    explicit OnceThrowingSource(Source& source) : m_source(source) {}
+    bool read(const Rect& r, float* values, float* guide) override {
+        if (reads++ == 0)
+            throw_it(Thrown::error);
+        return m_source.read(r, values, guide);
+    }
+    std::atomic<int> reads{0};
+
+private:
+    Source& m_source;
+};
+
+TEST(Throwing, EndsTheWorkOfOtherThreadsToo) {
+    const Rect window{0, 0, 40 * 256, 300}, out{0, 0, 40 * 256, 600};
+    TestSource source(window, 1, 3, Kind::noise);
+    OnceThrowingSource once(source);
+    TestSink sink(out, 1);
+    Job job = job_of(source, 1, 2);
+    job.device = Device::cpu;
+    EXPECT_EQ(enlarge(once, sink, mapping_of(window, out, out), job, nullptr), Outcome::bad_job);
+    EXPECT_LT(once.reads, 2 * 40);
+}
+
 TEST(Throwing, BuildMeshNeverDoes) {
     const auto guide = make_guide(Kind::shapes, 60, 40, 3);
     for (const Thrown what : {Thrown::error, Thrown::memory, Thrown::number}) {
