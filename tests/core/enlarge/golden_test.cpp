@@ -19,6 +19,8 @@ struct Case {
     int consistency;
     uint64_t expected;
     float contour = 0;
+    bool clipped = false, fitted = false;
+    int meshes = 1;
 };
 
 TEST(Golden, EnlargedPicturesHaveTheseBits) {
@@ -40,6 +42,14 @@ TEST(Golden, EnlargedPicturesHaveTheseBits) {
          0x350ae4332bba1e52u, 0.8f},
         {Kind::noise, Cost::dlp, Scheme::lawson, Surface::patch, 1, 0.3f, 2, 0xa1e408e19ea00f63u,
          0.4f},
+        {Kind::shapes, Cost::abn, Scheme::one_round, Surface::patch, 3, 0.3f, 2,
+         0xc641e06249f9c5c3u, 0.4f, true},
+        {Kind::shapes, Cost::abn, Scheme::one_round, Surface::patch, 3, 0.3f, 2,
+         0xfcf72650fc3563bfu, 0.4f, true, true},
+        {Kind::noise, Cost::abn, Scheme::one_round, Surface::patch, 1, 0.3f, 2, 0x2cdb49f74d365ba6u,
+         0.4f, false, true},
+        {Kind::shapes, Cost::abn, Scheme::one_round, Surface::patch, 3, 0.4f, 0,
+         0x93f4c638ab2f34f9u, 0.8f, false, false, 3},
     };
     for (const Case& c : cases) {
         // More than a tile wide; an odd factor, another one down.
@@ -53,10 +63,13 @@ TEST(Golden, EnlargedPicturesHaveTheseBits) {
         SurfaceOptions surface = c.surface;
         surface.soft = c.soft;
         surface.consistency = c.consistency;
+        surface.clipped = c.clipped;
+        surface.fitted = c.fitted;
         MeshOptions mesh = plain_mesh();
         mesh.cost = c.cost;
         mesh.scheme = c.scheme;
         mesh.contour = c.contour;
+        mesh.meshes = c.meshes;
         for (const int threads : {1, 3}) {
             ASSERT_EQ(enlarge(values.data(), w, h, c.channels, guide.data(), out.data(), out_w,
                               out_h, surface, mesh, threads),
