@@ -6,9 +6,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <climits>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -26,6 +28,32 @@ TEST(ImageFile, NamesThatCannotBeReadAgainAreRefusedAtOnce) {
     EXPECT_FALSE(file.create(path, failure));
     EXPECT_NE(failure.why.find(path), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST(ImageFile, HasOnlyAsManyChannelsAsItsFormat) {
+    const auto begins = [](const std::string& name, int channels) {
+        ImageFile file;
+        Failure failure;
+        return file.begin(temporary(name), OIIO::ImageSpec(8, 8, channels, OIIO::TypeUInt8),
+                          failure);
+    };
+    for (const int channels : {1, 3, 4}) {
+        EXPECT_TRUE(begins("channels.dpx", channels)) << channels;
+        EXPECT_TRUE(begins("channels.jpg", channels)) << channels;
+    }
+    EXPECT_FALSE(begins("channels.dpx", 2));
+    EXPECT_FALSE(begins("channels.dpx", 5));
+    EXPECT_FALSE(begins("channels.jpg", 2));
+}
+
+TEST(RowsInStrip, AreOneAtLeastAndNotWhateverAFileSays) {
+    OIIO::ImageSpec spec(8, 8, 3, OIIO::TypeUInt8);
+    EXPECT_EQ(rows_in_strip(spec), 1);
+    for (const auto& [said, rows] :
+         {std::pair{32, 32}, {0, 1}, {-5, 1}, {1 << 20, 1 << 20}, {INT_MAX, 1 << 20}}) {
+        spec.attribute("tiff:RowsPerStrip", said);
+        EXPECT_EQ(rows_in_strip(spec), rows);
+    }
 }
 
 TEST(CodeOfReading, SaysWhetherToTryAgain) {

@@ -259,6 +259,40 @@ TEST(ResizeFile, AnEmptyDisplayWindowIsRefusedInEveryWay) {
     EXPECT_EQ(memory_to_resize(in, temporary("no_display.exr"), settings), 0);
 }
 
+// What --jobs goes by.
+TEST(MemoryToResize, CountsBothImagesInTheTypesTheyAreHeldIn) {
+    const std::string in = temporary("memory.exr");
+    ImageBuf image(ImageSpec(64, 32, 3, OIIO::TypeHalf));
+    OIIO::ImageBufAlgo::zero(image);
+    ASSERT_TRUE(image.write(in));
+    constexpr int64_t numbers = 64 * 32 * 3, large = 4 * numbers;
+    ResizeSettings settings;
+    settings.size = "200%";
+    const auto of = [&](const std::string& out, const std::string& type) {
+        settings.type = type;
+        return memory_to_resize(in, temporary(out), settings);
+    };
+    const int64_t halfs = of("memory2.exr", "");
+    // Of another type or format the result is held as floats until it is written.
+    EXPECT_EQ(of("memory2.exr", "half"), halfs + large * 2);
+    EXPECT_EQ(of("memory2.tif", ""), halfs + large * 2);
+    settings.options.mesh.meshes = 2;
+    EXPECT_GT(of("memory2.exr", ""), halfs);
+    settings.options.mesh.meshes = 1;
+    settings.threads = 41;
+    EXPECT_GT(of("memory2.exr", ""), halfs);
+    settings.threads = 1;
+    EXPECT_GE(halfs, 2 * (numbers + large));
+    settings.size = "400%";
+    EXPECT_EQ(of("memory2.exr", ""), halfs + 2 * (16 - 4) * numbers);
+    // 32-bit integers among other types are read and kept beside them.
+    const std::string several = file_of_several_types();
+    settings.size = "200%";
+    EXPECT_EQ(memory_to_resize(several, temporary("memory2.exr"), settings),
+              halfs - 2 * (numbers + large) + 16 * 8 * (5 * 4 + 4 * 5 * 4 + 4));
+    EXPECT_EQ(memory_to_resize(temporary("none.exr"), temporary("memory2.exr"), settings), 0);
+}
+
 TEST(FillFile, ChannelsKeepTheirTypes) {
     const std::string in = file_of_several_types(), out = temporary("several_types_filled.exr");
     const auto formats = OIIO::ImageInput::open(in)->spec().channelformats;
