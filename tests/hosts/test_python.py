@@ -334,4 +334,5 @@ def test_stubs_name_what_is_there():
     with open(os.path.join(folder, "_ddt.pyi"), encoding="utf-8") as stubs:
         text = stubs.read()
     for name in ("Cancelled", "enlarge", "mesh"):
-        assert name in text and getattr(oiio_ddt, name).__doc__ is not None or name == "Cancelled"
+        assert name in text and hasattr(oiio_ddt, name)
+    assert oiio_ddt.enlarge.__doc__ and oiio_ddt.mesh.__doc__

@@ -418,12 +418,13 @@ TEST_F(OnPoints, ScatterReplacesBothFilesOrNone) {
 }
 
 TEST(MeshOfPoints, EdgesFollowTheValues) {
-    // A quad whose diagonal crosses the step: the other one does not.
+    // A ridge of ones from 1 to 3, which the diagonal of the quad 0 1 2 3 lies on and its other one
+    // crosses: that is the one that the file begins with.
     PointFile points;
     points.mesh = {{0, 4, 9, 5, -4, 13, 4, 5},
                    {0, 0, 4, 4, 2, 2, -5, 9},
-                   {{0, 1, 3}, {1, 2, 3}, {0, 3, 4}, {1, 5, 2}, {0, 6, 1}, {3, 2, 7}}};
-    points.columns = {{"z", "float", 1, {0, 1, 1, 0, 0, 1, 0, 1}}};
+                   {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {1, 5, 2}, {0, 6, 1}, {3, 2, 7}}};
+    points.columns = {{"z", "float", 1, {0, 1, 0, 1, 0, 0, 0, 0}}};
     const std::string in = temporary("step.ply"), out = temporary("flipped.ply");
     Failure failure;
     ASSERT_TRUE(write_points(in, points, failure));
@@ -434,6 +435,14 @@ TEST(MeshOfPoints, EdgesFollowTheValues) {
     EXPECT_EQ(flipped.mesh.x, points.mesh.x);
     EXPECT_EQ(flipped.columns[0].values, points.columns[0].values);
     EXPECT_EQ(flipped.mesh.triangles.size(), points.mesh.triangles.size());
+    const auto has_edge = [](const PointFile& file, int a, int b) {
+        return std::any_of(file.mesh.triangles.begin(), file.mesh.triangles.end(), [&](auto& t) {
+            return std::count(t.begin(), t.end(), a) && std::count(t.begin(), t.end(), b);
+        });
+    };
+    EXPECT_TRUE(has_edge(points, 0, 2));
+    EXPECT_FALSE(has_edge(flipped, 0, 2));
+    EXPECT_TRUE(has_edge(flipped, 1, 3));
     EXPECT_EQ(run(make_mesh_command(), {in, temporary("a.svg")}).code, exit_usage);
     EXPECT_EQ(run(make_mesh_command(), {in, out, "--scheme", "x"}).code, exit_usage);
     EXPECT_EQ(run(make_mesh_command(), {write_file("bad.ply", "ply\n"), out}).code, exit_failed);
