@@ -61,13 +61,17 @@ class Stream(support.Case):
 
     def test_a_header_alone_takes_no_memory(self):
         """A gigabyte and a half by its header, of which hardly a page is touched."""
-        import resource
-        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
-        done = self.stream(b"P5\n40000 40000\n255\nabc")
-        self.assertEqual(done.returncode, 1)
-        self.assertIn(b"it ends after 3 of 1600000000 bytes", done.stderr)
-        self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss,
-                        max(before, 400 << 10))
+        with open(self.path("header"), "wb") as header:
+            header.write(b"P5\n40000 40000\n255\nabc")
+        with open(self.path("header"), "rb") as header:
+            child = subprocess.Popen([DDT, "stream"], stdin=header, stdout=subprocess.DEVNULL,
+                                     stderr=subprocess.PIPE, env=support.environment(False))
+        with child.stderr as said:
+            self.assertIn(b"it ends after 3 of 1600000000 bytes", said.read())
+        _, status, usage = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(child.returncode, 1)
+        self.assertLess(usage.ru_maxrss, 400 << 10)
         done = self.stream(b"PF\n16777216 16777216\n-1.0\n")
         self.assertEqual(done.returncode, 3)
         self.assertIn(b"this machine's memory", done.stderr)

@@ -3,9 +3,9 @@
 # Installs into a scratch folder; compares the list of files with files.txt; builds a project
 # against the result that compiles every installed header alone and the examples of README.md.
 #
-#   install_test.sh SOURCE_DIR BUILD_DIR
+#   install_test.sh SOURCE_DIR BUILD_DIR GENERATOR
 set -euo pipefail
-source_dir=$1 build_dir=$2
+source_dir=$1 build_dir=$2 generator=$3
 here=$source_dir/tests/install
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -28,7 +28,7 @@ awk -v folder="$scratch/consumer" '
 (cd "$scratch/prefix/include" && find . -name '*.h' -printf '%P\n') | while read -r header; do
     echo "#include <$header>" >"$scratch/consumer/header_${header//[^a-z]/_}.cpp"
 done
-cmake -G Ninja -S "$scratch/consumer" -B "$scratch/consumer/build" -DCMAKE_PREFIX_PATH="$scratch/prefix" \
+cmake -G "$generator" -S "$scratch/consumer" -B "$scratch/consumer/build" -DCMAKE_PREFIX_PATH="$scratch/prefix" \
     >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
 cmake --build "$scratch/consumer/build" -j 2 >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
 "$scratch/consumer/build/consumer" "$source_dir/testimages/scene.png" "$scratch/large.png"
@@ -37,7 +37,7 @@ iinfo "$scratch/large.png" | grep '768 x  576'
 # Found by way of a link, as /lib is one to /usr/lib, it is where the link leads.
 mkdir "$scratch/root"
 ln -s "$scratch/prefix/lib" "$scratch/root/lib"
-cmake -G Ninja -S "$scratch/consumer" -B "$scratch/consumer/linked" -DCMAKE_PREFIX_PATH="$scratch/root" \
+cmake -G "$generator" -S "$scratch/consumer" -B "$scratch/consumer/linked" -DCMAKE_PREFIX_PATH="$scratch/root" \
     >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
 grep -q "oiio-ddt_DIR:PATH=$scratch/root" "$scratch/consumer/linked/CMakeCache.txt"
 
@@ -51,7 +51,7 @@ find_package(oiio-ddt QUIET)
 find_package(oiio-ddt QUIET)
 message(STATUS "found: ${oiio-ddt_FOUND}")
 END
-cmake -G Ninja -S "$scratch/quiet" -B "$scratch/quiet/build" -DCMAKE_PREFIX_PATH="$scratch/prefix" \
+cmake -G "$generator" -S "$scratch/quiet" -B "$scratch/quiet/build" -DCMAKE_PREFIX_PATH="$scratch/prefix" \
     >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
 grep -q 'found: 1' "$scratch/log" || { cat "$scratch/log"; exit 1; }
 ! sed '1,/from here on/d' "$scratch/log" |
@@ -62,7 +62,7 @@ grep -q 'found: 1' "$scratch/log" || { cat "$scratch/log"; exit 1; }
 mkdir "$scratch/other"
 echo 'set(OpenImageIO_VERSION 9.9.9)' >"$scratch/other/OpenImageIOConfig.cmake"
 echo 'set(PACKAGE_VERSION 9.9.9)' >"$scratch/other/OpenImageIOConfigVersion.cmake"
-if cmake -G Ninja -S "$scratch/consumer" -B "$scratch/consumer/other" -DCMAKE_PREFIX_PATH="$scratch/prefix" \
+if cmake -G "$generator" -S "$scratch/consumer" -B "$scratch/consumer/other" -DCMAKE_PREFIX_PATH="$scratch/prefix" \
     -DOpenImageIO_DIR="$scratch/other" >"$scratch/log" 2>&1; then
     echo "FAILED: it is found with any OpenImageIO"
     exit 1
