@@ -7,6 +7,8 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -30,6 +32,13 @@ inline std::string temporary(const std::string& name) {
     };
     static const Folder folder;
     return folder.path + "/" + name;
+}
+
+/// The whole of a file, or nothing.
+inline std::string text_of(const std::string& path) {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
 }
 
 } // namespace ddt

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdio>
-
 #include <OpenImageIO/imagebufalgo.h>
 #include <gtest/gtest.h>
 
@@ -8,24 +6,11 @@
 #include "plugin/tool/commands.h"
 #include "plugin/tool/file/picture.h"
 #include "plugin/tool/man.h"
+#include "tests/plugin/tool/run_command.h"
 #include "tests/temporary.h"
 
 namespace ddt::tool {
 namespace {
-
-struct Ran {
-    ExitCode code;
-    std::string out, err;
-};
-
-Ran run(std::unique_ptr<Command> command, const std::vector<std::string>& args) {
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    const ExitCode code = parse_and_run(*command, args);
-    std::fflush(stdout);
-    Ran ran{code, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
-    return ran;
-}
 
 const std::string scene = TESTIMAGES "/scene.png";
 

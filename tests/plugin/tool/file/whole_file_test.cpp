@@ -10,7 +10,6 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -30,11 +29,6 @@ protected:
     }
     std::string path(const std::string& name) const { return m_folder + "/" + name; }
 
-    static std::string text_of(const std::string& path) {
-        std::ostringstream text;
-        text << std::ifstream(path).rdbuf();
-        return text.str();
-    }
     static void put(const std::string& path, const char* text) { std::ofstream(path) << text; }
 
     bool write(const std::string& path, const char* text) {

@@ -32,13 +32,6 @@ double area(const Vertex& a, const Vertex& b, const Vertex& c) {
     return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
 }
 
-std::string text_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
 Contents read_obj(const std::string& path) {
     Contents contents;
     std::istringstream lines(text_of(path));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The commands on points: scatter, fill, mesh of a mesh; and the files they read.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -12,21 +13,11 @@
 #include "plugin/tool/commands.h"
 #include "plugin/tool/file/picture.h"
 #include "plugin/tool/points/point_file.h"
+#include "tests/plugin/tool/run_command.h"
 #include "tests/temporary.h"
 
 namespace ddt::tool {
 namespace {
-
-struct Ran {
-    ExitCode code;
-    std::string err;
-};
-
-Ran run(std::unique_ptr<Command> command, const std::vector<std::string>& args) {
-    testing::internal::CaptureStderr();
-    const ExitCode code = parse_and_run(*command, args);
-    return {code, testing::internal::GetCapturedStderr()};
-}
 
 std::string write_file(const std::string& name, const std::string& text) {
     const std::string path = temporary(name);
@@ -399,10 +390,6 @@ TEST(ScatterOfAMesh, BringsThePictureBack) {
 
 TEST_F(OnPoints, ScatterReplacesBothFilesOrNone) {
     const std::string in = write_file("plane.csv", plane), full = temporary("full.ply");
-    const auto text_of = [](const std::string& path) {
-        std::ifstream file(path);
-        return std::string(std::istreambuf_iterator<char>(file), {});
-    };
     std::filesystem::create_symlink("/dev/full", full);
     const std::string out = write_file("both.png", "before");
     for (const std::string& mesh : {std::string("/no/such/folder/a.ply"), full}) {

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/resize/resize_file.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 
 #include <OpenImageIO/imagebufalgo.h>
 #include <gtest/gtest.h>
 
 #include "plugin/tool/commands.h"
-#include "plugin/tool/file/fit_format.h"
 #include "plugin/tool/part/join.h"
 #include "plugin/tool/part/resize_part.h"
 #include "tests/environment.h"
+#include "tests/plugin/tool/several_types.h"
 #include "tests/temporary.h"
 
 namespace ddt::tool {
@@ -29,48 +27,6 @@ bool resized(const std::string& in, const std::string& size, const std::string& 
     settings.type = type;
     return resize_file(
         in, out, settings, [](float) { return true; }, failure);
-}
-
-/// RGB of halfs, depth of floats and an ID of 32 bits: 5 on the left, `right` on the right, where
-/// one pixel has no depth.
-std::string file_of_several_types(uint32_t right = 70000) {
-    ImageSpec spec(16, 8, 5, OIIO::TypeFloat);
-    spec.channelnames = {"R", "G", "B", "Z", "obj"};
-    spec.channelformats = {OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeFloat,
-                           OIIO::TypeUInt32};
-    struct Pixel {
-        uint16_t colour[3];
-        float depth;
-        uint32_t id;
-    };
-    std::string bytes;
-    for (int i = 0; i < 16 * 8; ++i) {
-        const auto append = [&](auto v) {
-            bytes.append(reinterpret_cast<const char*>(&v), sizeof v);
-        };
-        for (int c = 0; c < 3; ++c)
-            append(uint16_t(0x3800)); // a half
-        append(i == 40 ? std::numeric_limits<float>::quiet_NaN() : float(i));
-        append(i % 16 < 8 ? 5 : right);
-    }
-    const std::string path = temporary("several_types.exr");
-    const auto out = OIIO::ImageOutput::create(path);
-    EXPECT_TRUE(out->open(path, spec));
-    EXPECT_TRUE(out->write_image(OIIO::TypeUnknown, bytes.data()));
-    EXPECT_TRUE(out->close());
-    return path;
-}
-
-/// The smallest and largest ID of such a file, which has no others.
-std::pair<uint32_t, uint32_t> ids_of(const std::string& path) {
-    const auto in = OIIO::ImageInput::open(path);
-    const ImageSpec& spec = in->spec();
-    std::vector<uint32_t> ids(spec.image_pixels());
-    EXPECT_TRUE(in->read_image(0, 0, 4, 5, OIIO::TypeUInt32, ids.data()));
-    const auto [least, most] = std::minmax_element(ids.begin(), ids.end());
-    for (const uint32_t id : ids)
-        EXPECT_TRUE(id == *least || id == *most) << id;
-    return {*least, *most};
 }
 
 TEST(ResizeFile, ChannelsKeepTheirTypes) {
@@ -293,42 +249,6 @@ TEST(MemoryToResize, CountsBothImagesInTheTypesTheyAreHeldIn) {
     EXPECT_EQ(memory_to_resize(temporary("none.exr"), temporary("memory2.exr"), settings), 0);
 }
 
-TEST(FillFile, ChannelsKeepTheirTypes) {
-    const std::string in = file_of_several_types(), out = temporary("several_types_filled.exr");
-    const auto formats = OIIO::ImageInput::open(in)->spec().channelformats;
-    ASSERT_EQ(make_fill_command()->run({in, out}), exit_done);
-    EXPECT_EQ(OIIO::ImageInput::open(out)->spec().channelformats, formats);
-    EXPECT_EQ(ids_of(out), std::make_pair(uint32_t(5), uint32_t(70000)));
-}
-
-TEST(FillFile, WithoutAlphaNothingIsMissingByIt) {
-    const std::string in = file_of_several_types(), out = temporary("no_alpha_filled.exr");
-    testing::internal::CaptureStderr();
-    EXPECT_EQ(parse_and_run(*make_fill_command(), {in, out, "--missing", "alpha"}), exit_failed);
-    EXPECT_EQ(testing::internal::GetCapturedStderr(), "ddt: \"" + in + "\" has no alpha\n");
-    EXPECT_FALSE(std::ifstream(out).good());
-}
-
-TEST(FillFile, FormatsWithoutWindowsGetTheDisplayWindow) {
-    ImageSpec spec(10, 6, 1, OIIO::TypeFloat);
-    spec.x = -2;
-    spec.y = 3;
-    spec.full_width = 16;
-    spec.full_height = 12;
-    ImageBuf image(spec);
-    OIIO::ImageBufAlgo::fill(image, {1.0f});
-    const std::string in = temporary("windows.exr"), out = temporary("windows.png");
-    ASSERT_TRUE(image.write(in));
-    ASSERT_EQ(make_fill_command()->run({in, out}), exit_done);
-    ImageBuf filled(out);
-    EXPECT_EQ(filled.spec().width, 16);
-    EXPECT_EQ(filled.spec().height, 12);
-    for (int y = 0; y < 12; ++y)
-        for (int x = 0; x < 16; ++x)
-            EXPECT_EQ(filled.getchannel(x, y, 0, 0), x < 8 && y >= 3 && y < 9 ? 1.0f : 0.0f)
-                << x << " " << y;
-}
-
 TEST(ResizeFile, WhatHasNoFlatPixelsIsRefusedForGood) {
     ImageSpec spec(8, 8, 2, OIIO::TypeHalf);
     spec.deep = true;
@@ -380,94 +300,6 @@ TEST(ResizeFile, NothingIsBegunForAFilterThatDoesNotWork) {
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     EXPECT_NE(failure.why.find("nosuchspace"), std::string::npos) << failure.why;
     EXPECT_NE(failure.why.find(in), std::string::npos) << failure.why;
-}
-
-TEST(PlanResult, TheNumbersOfWhatIsTooLargeAreRight) {
-    ImageSpec from(3000, 3, 1, OIIO::TypeHalf), to;
-    from.full_width = from.full_height = 1;
-    ResizeSettings settings;
-    settings.size = "1000000x1000000";
-    Failure failure;
-    EXPECT_FALSE(plan_result(from, settings, to, failure));
-    EXPECT_EQ(failure.code, exit_failed);
-    EXPECT_NE(failure.why.find("3000000000 x 3000000 pixels"), std::string::npos) << failure.why;
-    from.x = -1000;
-    settings.size = "1000x1000";
-    ASSERT_TRUE(plan_result(from, settings, to, failure)) << failure.why;
-    EXPECT_EQ(to.x, -1000000);
-    EXPECT_EQ(to.width, 3000000);
-    from.x = -1000000;
-    EXPECT_FALSE(plan_result(from, settings, to, failure));
-}
-
-TEST(PlanResult, ATypeThatIsAskedForHasAllItsBits) {
-    ImageSpec from(8, 8, 1, OIIO::TypeUInt16), to;
-    from.attribute("oiio:BitsPerSample", 10);
-    ResizeSettings settings;
-    settings.size = "200%";
-    Failure failure;
-    ASSERT_TRUE(plan_result(from, settings, to, failure));
-    EXPECT_EQ(to.get_int_attribute("oiio:BitsPerSample"), 10);
-    settings.type = "uint16";
-    ASSERT_TRUE(plan_result(from, settings, to, failure));
-    EXPECT_EQ(to.get_int_attribute("oiio:BitsPerSample"), 0);
-}
-
-TEST(PlanResult, DataWindowsScaleWithoutRounding) {
-    ResizeSettings settings;
-    Failure failure;
-    for (int height = 1; height < 2000; height += 7)
-        for (const int percent : {101, 110, 120, 137, 150, 333, 400}) {
-            ImageSpec from(16, height, 1, OIIO::TypeHalf), to;
-            settings.size = std::to_string(percent) + "%";
-            ASSERT_TRUE(plan_result(from, settings, to, failure)) << failure.why;
-            ASSERT_EQ(to.height, to.full_height) << height << ' ' << percent;
-            from.y = -height;
-            from.height = 3 * height;
-            ASSERT_TRUE(plan_result(from, settings, to, failure)) << failure.why;
-            ASSERT_EQ(to.y, -to.full_height) << height << ' ' << percent;
-            ASSERT_EQ(to.height, 3 * to.full_height) << height << ' ' << percent;
-        }
-}
-
-TEST(PlanResult, DataWindowsBeginRoundedDownAndHaveSizesRoundedUp) {
-    ImageSpec from(301, 19, 1, OIIO::TypeHalf), to;
-    from.x = -7;
-    from.y = 5;
-    from.full_x = -3;
-    from.full_width = 290;
-    from.full_height = 30;
-    ResizeSettings settings;
-    settings.size = "130%";
-    Failure failure;
-    ASSERT_TRUE(plan_result(from, settings, to, failure)) << failure.why;
-    EXPECT_EQ(to.roi_full(), OIIO::ROI(-3, 374, 0, 39, 0, 1, 0, 1));
-    // 5.2 left of the display window's edge, 391.3 wide; 6.5 below it, 24.7 high.
-    EXPECT_EQ(to.roi(), OIIO::ROI(-9, 383, 6, 31, 0, 1, 0, 1));
-}
-
-TEST(PlanResult, WhatIsSaidOfTheSourcesPixelsGoesAndTheLevelOfCompressionStays) {
-    ImageSpec from(8, 8, 1, OIIO::TypeHalf), to;
-    from.attribute("oiio:AverageColor", "0.5");
-    from.attribute("textureformat", "Plain Texture");
-    from.attribute("compression", "dwab");
-    from.attribute("openexr:dwaCompressionLevel", 120.0f);
-    ResizeSettings settings;
-    settings.size = "200%";
-    Failure failure;
-    ASSERT_TRUE(plan_result(from, settings, to, failure));
-    EXPECT_EQ(to.find_attribute("oiio:AverageColor"), nullptr);
-    EXPECT_EQ(to.find_attribute("textureformat"), nullptr);
-    EXPECT_EQ(to.get_string_attribute("compression"), "dwab:120");
-    from.attribute("compression", "dwaa");
-    ASSERT_TRUE(plan_result(from, settings, to, failure));
-    EXPECT_EQ(to.get_string_attribute("compression"), "dwaa:120");
-    from.attribute("compression", "zip"); // which has none of that
-    ASSERT_TRUE(plan_result(from, settings, to, failure));
-    EXPECT_EQ(to.get_string_attribute("compression"), "zip");
-    settings.compression = "dwab:45";
-    ASSERT_TRUE(plan_result(from, settings, to, failure));
-    EXPECT_EQ(to.get_string_attribute("compression"), "dwab:45");
 }
 
 TEST(ResizeFile, WhatAFormatHasNoRoomForIsLeftOutAndNamed) {
@@ -576,61 +408,6 @@ TEST(ResizeFile, ACompressionThatTheFileHasNotIsNamed) {
     }
     EXPECT_EQ(said_of(3, uint8, "a.jpg", "", "jpeg:80"), "");
     EXPECT_EQ(said_of(3, uint8, "a.webp", "", "lossless"), "");
-}
-
-TEST(FitFormat, LeavesOutWhatLiesBeforeZero) {
-    ImageSpec window(20, 15, 3, OIIO::TypeUInt8);
-    window.x = -7;
-    window.y = -5;
-    window.full_x = -2;
-    window.full_y = -3;
-    window.full_width = 12;
-    window.full_height = 9;
-    const auto fitted = [&](const char* file, Failure& failure) {
-        ImageSpec spec = window;
-        const auto output = OIIO::ImageOutput::create(file);
-        const bool fits = fit_format(*output, file, spec, failure);
-        return fits ? spec.roi() : OIIO::ROI();
-    };
-    Failure failure;
-    EXPECT_EQ(fitted("a.exr", failure), OIIO::ROI(-7, 13, -5, 10, 0, 1, 0, 3));
-    // Without windows: of the display window.
-    EXPECT_EQ(fitted("a.png", failure), OIIO::ROI(0, 10, 0, 6, 0, 1, 0, 3));
-    EXPECT_EQ(failure.why, "");
-    for (const auto& [x, y] : {std::pair(-12, 0), {0, -9}}) {
-        window.full_x = x;
-        window.full_y = y;
-        EXPECT_FALSE(fitted("a.png", failure).defined());
-        EXPECT_NE(failure.why.find("\"a.png\": no pixel has coordinates of 0 and more"),
-                  std::string::npos)
-            << failure.why;
-        EXPECT_EQ(failure.code, exit_failed);
-        EXPECT_TRUE(fitted("a.exr", failure).defined());
-    }
-}
-
-TEST(FitChannels, TakesWhatOiiotoolTakes) {
-    const auto left_out = [](const char* file, const std::vector<std::string>& names, int alpha) {
-        ImageSpec spec(8, 6, int(names.size()), OIIO::TypeHalf);
-        spec.channelnames = names;
-        spec.alpha_channel = alpha;
-        const auto output = OIIO::ImageOutput::create(file);
-        const std::string told = fit_channels(*output, spec);
-        EXPECT_EQ(spec.channelnames.size(), size_t(spec.nchannels));
-        EXPECT_TRUE(std::equal(spec.channelnames.begin(), spec.channelnames.end(), names.begin()));
-        return told;
-    };
-    EXPECT_EQ(left_out("a.png", {"u", "v", "w", "A", "Z", "mask"}, 3), "Z, mask");
-    EXPECT_EQ(left_out("a.png", {"u", "v", "w", "x", "y"}, -1), "x, y");
-    EXPECT_EQ(left_out("a.png", {"u", "v", "w", "x"}, -1), "");
-    EXPECT_EQ(left_out("a.png", {"R", "G", "B", "Z"}, -1), "Z");
-    EXPECT_EQ(left_out("a.png", {"Y", "A"}, 1), "");
-    EXPECT_EQ(left_out("a.jpg", {"u", "v", "w", "x"}, -1), "x");
-    EXPECT_EQ(left_out("a.jpg", {"Y", "A"}, 1), "A");
-    EXPECT_EQ(left_out("a.bmp", {"Y", "A"}, 1), "A");
-    EXPECT_EQ(left_out("a.bmp", {"R", "G", "B", "A"}, 3), "");
-    EXPECT_EQ(left_out("a.tif", {"u", "v", "w", "x", "y"}, -1), "");
-    EXPECT_EQ(left_out("a.exr", {"Y", "A"}, 1), "");
 }
 
 TEST(ResizeFile, GifKeepsItsAlpha) {

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/file/fit_format.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <OpenImageIO/imageio.h>
+
+namespace ddt::tool {
+namespace {
+
+using OIIO::ImageSpec;
+
+TEST(FitFormat, LeavesOutWhatLiesBeforeZero) {
+    ImageSpec window(20, 15, 3, OIIO::TypeUInt8);
+    window.x = -7;
+    window.y = -5;
+    window.full_x = -2;
+    window.full_y = -3;
+    window.full_width = 12;
+    window.full_height = 9;
+    const auto fitted = [&](const char* file, Failure& failure) {
+        ImageSpec spec = window;
+        const auto output = OIIO::ImageOutput::create(file);
+        const bool fits = fit_format(*output, file, spec, failure);
+        return fits ? spec.roi() : OIIO::ROI();
+    };
+    Failure failure;
+    EXPECT_EQ(fitted("a.exr", failure), OIIO::ROI(-7, 13, -5, 10, 0, 1, 0, 3));
+    // Without windows: of the display window.
+    EXPECT_EQ(fitted("a.png", failure), OIIO::ROI(0, 10, 0, 6, 0, 1, 0, 3));
+    EXPECT_EQ(failure.why, "");
+    for (const auto& [x, y] : {std::pair(-12, 0), {0, -9}}) {
+        window.full_x = x;
+        window.full_y = y;
+        EXPECT_FALSE(fitted("a.png", failure).defined());
+        EXPECT_NE(failure.why.find("\"a.png\": no pixel has coordinates of 0 and more"),
+                  std::string::npos)
+            << failure.why;
+        EXPECT_EQ(failure.code, exit_failed);
+        EXPECT_TRUE(fitted("a.exr", failure).defined());
+    }
+}
+
+TEST(FitChannels, TakesWhatOiiotoolTakes) {
+    const auto left_out = [](const char* file, const std::vector<std::string>& names, int alpha) {
+        ImageSpec spec(8, 6, int(names.size()), OIIO::TypeHalf);
+        spec.channelnames = names;
+        spec.alpha_channel = alpha;
+        const auto output = OIIO::ImageOutput::create(file);
+        const std::string told = fit_channels(*output, spec);
+        EXPECT_EQ(spec.channelnames.size(), size_t(spec.nchannels));
+        EXPECT_TRUE(std::equal(spec.channelnames.begin(), spec.channelnames.end(), names.begin()));
+        return told;
+    };
+    EXPECT_EQ(left_out("a.png", {"u", "v", "w", "A", "Z", "mask"}, 3), "Z, mask");
+    EXPECT_EQ(left_out("a.png", {"u", "v", "w", "x", "y"}, -1), "x, y");
+    EXPECT_EQ(left_out("a.png", {"u", "v", "w", "x"}, -1), "");
+    EXPECT_EQ(left_out("a.png", {"R", "G", "B", "Z"}, -1), "Z");
+    EXPECT_EQ(left_out("a.png", {"Y", "A"}, 1), "");
+    EXPECT_EQ(left_out("a.jpg", {"u", "v", "w", "x"}, -1), "x");
+    EXPECT_EQ(left_out("a.jpg", {"Y", "A"}, 1), "A");
+    EXPECT_EQ(left_out("a.bmp", {"Y", "A"}, 1), "A");
+    EXPECT_EQ(left_out("a.bmp", {"R", "G", "B", "A"}, 3), "");
+    EXPECT_EQ(left_out("a.tif", {"u", "v", "w", "x", "y"}, -1), "");
+    EXPECT_EQ(left_out("a.exr", {"Y", "A"}, 1), "");
+}
+
+} // namespace
+} // namespace ddt::tool
