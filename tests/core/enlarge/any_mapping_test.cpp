@@ -127,12 +127,27 @@ TEST(AnyMapping, OutsideTheWindowNothingIsReadThatIsNotThere) {
     const Rect out{0, 0, 150, 60};
     for (const int beyond : {1, 1000, 1 << 28})
         for (const bool grid : {false, true}) {
+            const Scattered mapping(out, beyond, grid);
             TestSink sink(out, 1);
-            ASSERT_EQ(enlarge(source, sink, Scattered(out, beyond, grid), job_of_plane()),
-                      Outcome::done);
+            ASSERT_EQ(enlarge(source, sink, mapping, job_of_plane()), Outcome::done);
             EXPECT_EQ(sink.strays, 0);
-            for (const float v : sink.values())
-                ASSERT_TRUE(v == -99.0f || (v >= 0 && v <= plane(width - 1, height - 1))) << v;
+            int64_t within = 0, beside = 0;
+            for (int y = 0; y < out.y1; ++y)
+                for (int x = 0; x < out.x1; ++x) {
+                    const Position p = mapping.at(x, y);
+                    const double px = double(p.x) / position_one, py = double(p.y) / position_one;
+                    const float v = *sink.at(x, y);
+                    if (px >= 0 && px <= width - 1 && py >= 0 && py <= height - 1) {
+                        ++within;
+                        ASSERT_NEAR(v, plane(px, py), 1e-5f);
+                        continue;
+                    }
+                    ASSERT_TRUE(v == -99.0f || (v >= 0 && v <= plane(width - 1, height - 1))) << v;
+                    beside += v != -99.0f;
+                }
+            EXPECT_EQ(sink.written(1), within + beside);
+            EXPECT_GT(within + beside, 2000) << "what is not written shows nothing";
+            EXPECT_EQ(sink.written(0), int64_t(out.area()) - within - beside);
         }
 }
 

@@ -102,6 +102,23 @@ std::vector<Steps> square(int side) {
     return points;
 }
 
+// What check() goes by.
+TEST(Sweep, AHullThatIsNotCoveredIsNoticed) {
+    const auto points = points_in(60, 1000, 1000, 1);
+    std::vector<std::array<int32_t, 3>> all;
+    ASSERT_TRUE(swept_delaunay(points, all));
+    ASSERT_TRUE(covers_hull(points, all));
+    for (size_t i = 0; i < all.size(); ++i) { // on the rim and within
+        auto triangles = all;
+        triangles.erase(triangles.begin() + std::ptrdiff_t(i));
+        EXPECT_FALSE(covers_hull(points, triangles)) << i;
+        triangles = all;
+        triangles.push_back(all[i]);
+        EXPECT_FALSE(covers_hull(points, triangles)) << i;
+    }
+    EXPECT_FALSE(covers_hull(points, {}));
+}
+
 TEST(Sweep, OfPointsOnACircleTheFlatterDiagonalIsMade) {
     const auto points = square(2);
     for (const auto& [guide, first, second] :
