@@ -9,6 +9,15 @@
 namespace ddt::test {
 namespace {
 
+/// Something that no image is triangulated to.
+Mesh left_over() {
+    return {7, 5, {{9, 8, 7}}};
+}
+bool is_left_over(const Mesh& mesh) {
+    const Mesh was = left_over();
+    return mesh.width == was.width && mesh.height == was.height && mesh.triangles == was.triangles;
+}
+
 TEST(Mesh, HasTwoTrianglesACellAllOfAreaOneHalf) {
     for (const Pixel size : {Pixel{2, 2}, Pixel{2, 7}, Pixel{9, 2}, Pixel{31, 23}}) {
         const auto guide = make_guide(Kind::shapes, size.x, size.y, 3);
@@ -49,6 +58,40 @@ TEST(Mesh, HasTheTrianglesOfTheLattice) {
     EXPECT_EQ(faces, faces_of(lattice));
 }
 
+TEST(Mesh, ListsItsTrianglesRowByRow) {
+    const int w = 31, h = 23;
+    for (const Kind kind : all_kinds) {
+        const auto guide = make_guide(kind, w, h, 5);
+        Mesh mesh;
+        ASSERT_TRUE(build_mesh(guide.data(), w, h, {}, mesh));
+        std::vector<Pixel> firsts; // midpoints, doubled
+        for (const auto& t : mesh.triangles) {
+            const auto at = [&](size_t k) { return Pixel{t[k % 3] % w, t[k % 3] / w}; };
+            firsts.push_back(std::min({at(0) + at(1), at(1) + at(2), at(2) + at(3)}));
+        }
+        EXPECT_TRUE(std::is_sorted(firsts.begin(), firsts.end()));
+    }
+}
+
+TEST(Mesh, IsOneHoweverManyAreAskedFor) {
+    const int w = 31, h = 23;
+    const auto guide = make_guide(Kind::noise, w, h, 6);
+    MeshOptions o;
+    Mesh one;
+    MeshReport of_one;
+    ASSERT_TRUE(build_mesh(guide.data(), w, h, o, one, &of_one));
+    for (o.meshes = 2; o.meshes <= most_meshes; ++o.meshes) {
+        Mesh mesh;
+        MeshReport report;
+        ASSERT_TRUE(build_mesh(guide.data(), w, h, o, mesh, &report));
+        EXPECT_EQ(mesh.triangles, one.triangles) << o.meshes;
+        EXPECT_EQ(report.cost_start, of_one.cost_start) << o.meshes;
+        EXPECT_EQ(report.cost, of_one.cost) << o.meshes;
+        EXPECT_EQ(report.statistics.flips, of_one.statistics.flips) << o.meshes;
+        EXPECT_EQ(report.statistics.pixels, of_one.statistics.pixels) << o.meshes;
+    }
+}
+
 TEST(Mesh, EverySchemeTellsHowFarItIsAndCanBeCancelled) {
     const int w = 40, h = 30;
     const auto guide = make_guide(Kind::noise, w, h, 3);
@@ -57,7 +100,7 @@ TEST(Mesh, EverySchemeTellsHowFarItIsAndCanBeCancelled) {
         MeshOptions o = plain_mesh();
         ASSERT_TRUE(find_scheme(name, o));
         int calls = 0;
-        Mesh mesh;
+        Mesh mesh = left_over();
         std::string error;
         const auto count = [&](float share) {
             EXPECT_GE(share, 0.0f);
@@ -67,12 +110,13 @@ TEST(Mesh, EverySchemeTellsHowFarItIsAndCanBeCancelled) {
         EXPECT_FALSE(build_mesh(guide.data(), w, h, o, mesh, nullptr, &error, count));
         EXPECT_EQ(error, "ddt: cancelled");
         EXPECT_EQ(calls, 2);
+        EXPECT_TRUE(is_left_over(mesh));
     }
 }
 
 TEST(Mesh, SaysWhyThereIsNone) {
     const std::vector<float> guide(8, 0.0f);
-    Mesh mesh;
+    Mesh mesh = left_over();
     std::string error;
     EXPECT_FALSE(build_mesh(guide.data(), 8, 1, {}, mesh, nullptr, &error));
     EXPECT_EQ(error, "ddt: a mesh needs at least 2 x 2 pixels");
@@ -84,6 +128,7 @@ TEST(Mesh, SaysWhyThereIsNone) {
     EXPECT_EQ(error,
               "ddt: option \"iterations=251\" is not allowed; allowed for iterations are whole "
               "numbers from 0 to 250");
+    EXPECT_TRUE(is_left_over(mesh));
     EXPECT_TRUE(build_mesh(guide.data(), 4, 2, {}, mesh, nullptr, &error));
     EXPECT_EQ(error, "");
 }

@@ -9,10 +9,12 @@
 #include "core/base/arith.h"
 #include "core/sample/evaluate.h"
 #include "core/surface/consistency/consistency_rounds.h"
+#include "core/tiles/tile_io.h"
 #include "core/tiles/tile_worker.h"
 #include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"
 #include "tests/core/job_helpers.h"
+#include "tests/environment.h"
 #include "tests/many_threads.h"
 
 namespace ddt::test {
@@ -449,6 +451,11 @@ TEST(Enlarge, StatisticsAreSumsOverTheTiles) {
     EXPECT_GT(one.flips, 1000);
     EXPECT_GT(one.evaluations, 2 * pixels);
     EXPECT_GT(one.iterations, 2);
+    EXPECT_EQ(one.device, Device::cpu);
+    // Every stage does thousands of steps, a clock tells nanoseconds.
+    const StageTimes& t = one.times;
+    for (const int64_t spent : {t.read, t.triangulate, t.surface, t.sample, t.write})
+        EXPECT_GT(spent, 0);
     EXPECT_LE(one.iterations, 64);
     job.statistics = &two;
     job.threads = 4;
@@ -473,6 +480,24 @@ TEST(Enlarge, StatisticsOfWorkThatDidNotBeginAreOfNone) {
     EXPECT_EQ(enlarge(source, sink, mapping_of(source.window(), out, out), job),
               Outcome::cancelled);
     EXPECT_EQ(statistics.pixels, 0);
+}
+
+TEST(Enlarge, ADeviceThatCannotBeHadEndsTheWorkBeforeAnythingIsRead) {
+    const Environment device("DDT_DEVICE", "no such");
+    TestSource source({0, 0, 60, 50}, 1, 15);
+    const Rect out{0, 0, 120, 100};
+    TestSink sink(out, 1);
+    for (const Holes holes : {Holes::keep, Holes::fill}) {
+        Job job = job_of(source, 1);
+        job.device = Device::automatic;
+        job.holes = holes;
+        std::string error;
+        EXPECT_EQ(enlarge(source, sink, mapping_of(source.window(), out, out), job, &error),
+                  Outcome::device_unavailable);
+        EXPECT_NE(error.find("no such"), std::string::npos) << error;
+    }
+    EXPECT_TRUE(source.reads.empty());
+    EXPECT_EQ(sink.writes, 0);
 }
 
 TEST(Enlarge, ProgressRisesToOneAndIsNeverCalledTwiceAtOnce) {
@@ -635,6 +660,50 @@ TEST(Enlarge, ResultsLieWithinTheCoordinatesToo) {
     EXPECT_EQ(outcome({-far - 1, 0, 16, 16}, {-far - 1, 0, 1 - far, 1}), Outcome::bad_job);
     EXPECT_EQ(sink.writes, 0);
     EXPECT_EQ(outcome({0, 0, 16, far}, {0, far - 2, 16, far}), Outcome::done);
+}
+
+/// Its guide is so many times as large.
+class ScaledGuide final : public TestSource {
+public:
+    explicit ScaledGuide(float scale)
+        : TestSource({0, 0, 40, 30}, 3, 21, Kind::few), m_scale(scale) {}
+    bool read(const Rect& r, float* values, float* guide) override {
+        TestSource::read(r, values, guide);
+        for (size_t i = 0; i < r.area(); ++i)
+            guide[i] *= m_scale;
+        return true;
+    }
+
+private:
+    const float m_scale;
+};
+
+TEST(Enlarge, GuidesNearerToZeroThanTheLeastAreZero) {
+    const Rect out{0, 0, 80, 60};
+    const auto bits_with = [&](float scale) {
+        ScaledGuide source(scale); // 0, half and whole of it
+        return run(source, job_of(source, 3), mapping_of(source.window(), out, out), out);
+    };
+    const std::vector<float> flat = bits_with(0);
+    EXPECT_EQ(differing(bits_with(least_guide * 0.75f), flat), 0u);
+    EXPECT_EQ(differing(bits_with(-least_guide * 0.75f), flat), 0u);
+    EXPECT_GT(differing(bits_with(least_guide), flat), 0u);
+    EXPECT_GT(differing(bits_with(-least_guide), flat), 0u);
+}
+
+TEST(Enlarge, ValuesNearerToZeroThanTheLeastAreZeroButIdentifiers) {
+    TestSource source({0, 0, 20, 10}, 3, 22);
+    for (size_t i = 0; i < source.values().size(); ++i)
+        source.values()[i] = (i / 3 % 2 ? 0.75f : -1.0f) * least_value;
+    Job job = job_of(source, 3);
+    job.kinds = {Channel::blend, Channel::nearest, Channel::alpha};
+    const auto values =
+        run(source, job, mapping_of(source.window(), source.window(), source.window()),
+            source.window());
+    for (size_t i = 0; i < values.size(); ++i) {
+        const bool is_small = i / 3 % 2 != 0 && i % 3 != 1;
+        EXPECT_EQ(values[i], is_small ? 0.0f : source.values()[i]) << i;
+    }
 }
 
 TEST(Enlarge, PixelsOfAnyKindAreWorkedOn) {

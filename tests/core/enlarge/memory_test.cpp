@@ -156,6 +156,30 @@ TEST(Memory, LongRowsTakeNoMoreThanShortOnes) {
     EXPECT_LE(peak_of(job_of("ddt-sharp", {0, 0, 40, 3}, 5, 1), tall, tall), 8 * mib);
 }
 
+TEST(Memory, NothingIsTakenOrReadOfAnImageTooLargeToBeFilled) {
+    class Unread final : public Source {
+        bool read(const Rect&, float*, float*) override {
+            ADD_FAILURE() << "read";
+            return false;
+        }
+    } source;
+    warm_up(1);
+    Job job = plain_job();
+    job.window = {-5, 7, (1 << 16) - 5, (1 << 15) + 7}; // 2^31
+    job.threads = 1;
+    Noise sink(1);
+    std::string error;
+    const ResizeMapping mapping = mapping_of(job.window, job.window, job.window);
+    for (const Holes holes : {Holes::fill, Holes::fill_alpha}) {
+        job.holes = holes;
+        const int64_t before = heap_now;
+        heap_peak = before;
+        EXPECT_EQ(enlarge(source, sink, mapping, job, &error), Outcome::bad_job);
+        EXPECT_LE(heap_peak - before, mib);
+        EXPECT_NE(error.find("2147483647 pixels"), std::string::npos) << error;
+    }
+}
+
 TEST(Memory, ManyChannelsTakeWhatIsPromised) {
     warm_up(1);
     const Rect window{0, 0, 321, 321}, to{0, 0, 642, 642};

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/tin/step_grid.h"
+#include "ddt/names.h"
 #include "tests/core/helpers.h"
 #include "tests/core/plain.h"
 
@@ -205,14 +206,82 @@ TEST(Optimise, DoesNotDependOnTheOrderOfTriangles) {
     EXPECT_EQ(mesh.triangles, other.triangles);
 }
 
+/// Delaunay triangles of a 13 x 11 lattice, with some that run the other way round, and a guide.
+PointMesh partly_clockwise(std::vector<float>& guide) {
+    constexpr int width = 13, height = 11;
+    PointMesh mesh;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            mesh.x.push_back(x);
+            mesh.y.push_back(y);
+            const int v = y * width + x;
+            if (x + 1 == width || y + 1 == height)
+                continue;
+            mesh.triangles.push_back({v, v + 1, v + width});
+            mesh.triangles.push_back({v + 1, v + width + 1, v + width});
+            if (v % 3)
+                std::swap(mesh.triangles.back()[0], mesh.triangles.back()[1]);
+        }
+    guide = make_guide(Kind::noise, width, height, 8);
+    return mesh;
+}
+
+TEST(Optimise, TrianglesComeOutRunningFromXTowardsY) {
+    std::vector<float> guide;
+    const PointMesh given = partly_clockwise(guide);
+    for (const std::string& scheme : scheme_names()) {
+        SCOPED_TRACE(scheme);
+        MeshOptions options;
+        ASSERT_TRUE(find_scheme(scheme, options));
+        options.max_iterations = 6; // annealing does as many as it may
+        PointMesh mesh = given;
+        ASSERT_TRUE(optimise(mesh, guide.data(), options, nullptr, nullptr, {}, Device::cpu));
+        ASSERT_EQ(mesh.triangles.size(), given.triangles.size());
+        double area = 0;
+        for (const auto& t : mesh.triangles) {
+            const auto at = [&](size_t k) {
+                return Pixel{int(mesh.x[size_t(t[k])]), int(mesh.y[size_t(t[k])])};
+            };
+            const int64_t doubled = det(at(1) - at(0), at(2) - at(0));
+            EXPECT_GT(doubled, 0);
+            area += 0.5 * double(doubled);
+        }
+        EXPECT_EQ(area, 12 * 10);
+    }
+}
+
+TEST(Optimise, SomeOptionsMeanNothing) {
+    std::vector<float> guide;
+    const PointMesh given = partly_clockwise(guide);
+    MeshReport wanted;
+    PointMesh plain = given;
+    ASSERT_TRUE(optimise(plain, guide.data(), plain_mesh(), &wanted, nullptr, {}, Device::cpu));
+    ASSERT_GT(wanted.statistics.flips, 0);
+    const auto same = [&](const char* what, auto&& change) {
+        MeshOptions options = plain_mesh();
+        change(options);
+        PointMesh mesh = given;
+        MeshReport report;
+        ASSERT_TRUE(optimise(mesh, guide.data(), options, &report, nullptr, {}, Device::cpu));
+        EXPECT_EQ(mesh.triangles, plain.triangles) << what;
+        EXPECT_EQ(report.cost_start, wanted.cost_start) << what;
+        EXPECT_EQ(report.cost, wanted.cost) << what;
+    };
+    same("blur", [](MeshOptions& o) { o.blur = largest_blur; });
+    same("contour", [](MeshOptions& o) { o.contour = 5; });
+    same("meshes", [](MeshOptions& o) { o.meshes = most_meshes; });
+    same("start", [](MeshOptions& o) { o.start = Start::diagonal; });
+}
+
 TEST(Optimise, RefusesWhatIsNoTriangulation) {
     const PointMesh points{{0, 4, 0, 4, 2}, {0, 0, 4, 4, 0}, {}};
     const float guide[5] = {};
-    const auto failure = [&](std::vector<std::array<int32_t, 3>> triangles) {
+    const auto failure = [&](const std::vector<std::array<int32_t, 3>>& triangles) {
         PointMesh mesh = points;
-        mesh.triangles = std::move(triangles);
+        mesh.triangles = triangles;
         std::string error;
         EXPECT_FALSE(optimise(mesh, guide, {}, nullptr, &error));
+        EXPECT_EQ(mesh.triangles, triangles);
         return error;
     };
     EXPECT_EQ(failure({}), "ddt: there are no triangles");
@@ -237,8 +306,14 @@ TEST_F(Delaunay, CanBeCancelledWhileFlipping) {
     for (size_t i = 0; i < mesh.x.size(); ++i)
         guide.push_back(float(i % 7) / 7);
     std::string error;
-    EXPECT_FALSE(optimise(mesh, guide.data(), {}, nullptr, &error, [](float) { return false; }));
-    EXPECT_EQ(error, "ddt: cancelled");
+    const auto triangles = mesh.triangles;
+    for (const int last : {1, 3}) {
+        int calls = 0;
+        EXPECT_FALSE(optimise(mesh, guide.data(), {}, nullptr, &error,
+                              [&](float) { return ++calls < last; }));
+        EXPECT_EQ(error, "ddt: cancelled");
+        EXPECT_EQ(mesh.triangles, triangles);
+    }
 }
 
 TEST(Draw, APlaneStaysAPlaneAndEveryPixelHasOneTriangle) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cfenv>
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -239,11 +241,73 @@ TEST(Options, FieldsOutOfRangeAreRefusedWithTheLineOfTheKey) {
     refused("light");
 }
 
+/// The texts of all options.
+std::vector<std::string> all_values(const ddt::FilterOptions& options) {
+    std::vector<std::string> values;
+    for (const ddt::Option& option : ddt::option_table())
+        values.push_back(option.get(options));
+    return values;
+}
+
+TEST(Options, WhatIsNotAllowedIsNotSet) {
+    for (const ddt::Option& option : ddt::option_table()) {
+        std::vector<std::string> refused = {"", "no,such", ","};
+        if (option.kind != ddt::OptionKind::text)
+            for (const char* value : {"no such", "-1", " 1", "1x", "exproi0-maxgain", "nan"})
+                refused.emplace_back(value);
+        if (option.kind == ddt::OptionKind::toggle || option.kind == ddt::OptionKind::whole)
+            refused.push_back(std::to_string(int64_t(option.high) + 1));
+        if (option.kind == ddt::OptionKind::real)
+            refused.push_back(ddt::number_text(float(option.high) * 1.5f));
+        for (const std::string& value : refused) {
+            SCOPED_TRACE(std::string(option.key) + "=" + value);
+            ddt::FilterOptions options; // not the defaults: setting these would be seen too
+            for (const ddt::Option& other : ddt::option_table())
+                ASSERT_TRUE(other.set(options, other_value(other)));
+            const std::vector<std::string> before = all_values(options);
+            EXPECT_FALSE(option.set(options, value));
+            EXPECT_EQ(all_values(options), before);
+            std::string error;
+            EXPECT_FALSE(ddt::set_option(std::string(option.key) + "=" + value, options, error));
+            EXPECT_EQ(error.rfind("ddt: option \"" + std::string(option.key) + "=", 0), 0u)
+                << error;
+            EXPECT_NE(error.find(option.allowed()), std::string::npos) << error;
+            EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+            EXPECT_EQ(all_values(options), before);
+        }
+    }
+    for (const char* item : {"colour=red", "cost", "", "=abn"}) {
+        ddt::FilterOptions options;
+        std::string error;
+        EXPECT_FALSE(ddt::set_option(item, options, error)) << item;
+        EXPECT_EQ(error.rfind("ddt: ", 0), 0u) << error;
+        EXPECT_EQ(all_values(options), all_values({})) << item;
+    }
+}
+
+TEST(Options, KeysAndFiltersThatThereAreNot) {
+    for (const char* key : {"", "colour", "cos", "costs", "Cost", "cost="})
+        EXPECT_EQ(ddt::find_option(key), nullptr) << key;
+    for (const ddt::Option& option : ddt::option_table())
+        EXPECT_EQ(ddt::find_option(option.key), &option);
+    std::vector<std::string> helps = {""};
+    for (const std::string& filter : ddt::filter_names()) {
+        const std::string help = ddt::filter_help(filter);
+        EXPECT_EQ(std::count(helps.begin(), helps.end(), help), 0) << filter;
+        helps.push_back(help);
+    }
+    for (const char* name : {"", "lanczos3", "ddtx", "ddt,cost=abn"})
+        EXPECT_EQ(ddt::filter_help(name), "") << name;
+}
+
 TEST(Options, NumbersAreTextsThatGiveThemBack) {
     EXPECT_EQ(ddt::number_text(0.07f), "0.07");
     EXPECT_EQ(ddt::number_text(1e6f), "1000000");
     EXPECT_EQ(ddt::number_text(0), "0");
     EXPECT_EQ(ddt::number_text(1.5e-5f), "1.5e-05");
+    EXPECT_EQ(ddt::number_text(1e-40f), "subnormal");
+    EXPECT_EQ(ddt::number_text(-1e-40f), "subnormal");
+    EXPECT_EQ(ddt::number_text(std::numeric_limits<float>::min()), "1.1754944e-38");
 }
 
 TEST(Options, SpacesWithinNames) {
