@@ -10,6 +10,7 @@
 #include <cstring>
 #include <initializer_list>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -201,6 +202,47 @@ inline std::vector<Face> faces_of(const Lattice& lattice) {
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     return faces;
+}
+
+/// Sites of a triangle's edges.
+inline std::set<int> sides_of(const Lattice& lattice, const Face& face) {
+    std::set<int> sides;
+    for (size_t k = 0; k < 3; ++k) {
+        const Pixel sum = face[k] + face[(k + 1) % 3];
+        sides.insert(lattice.site(sum.x, sum.y));
+    }
+    return sides;
+}
+
+/// The triangles at most `steps` away from the two at the edge m, a step over a side each; by
+/// breadth first.
+inline std::vector<Face> slow_surroundings(const Lattice& lattice, const std::vector<Face>& faces,
+                                           int m, int steps) {
+    std::set<int> edges{m};
+    std::vector<Face> near;
+    for (int i = 0; i <= steps; ++i) {
+        near.clear();
+        std::set<int> more;
+        for (const Face& f : faces) {
+            std::set<int> sides = sides_of(lattice, f);
+            if (std::none_of(sides.begin(), sides.end(), [&](int s) { return edges.count(s); }))
+                continue;
+            near.push_back(f);
+            more.merge(sides);
+        }
+        edges.merge(more);
+    }
+    return near;
+}
+
+/// Sites of the edges of such triangles, without m.
+inline std::set<int> slow_region(const Lattice& lattice, const std::vector<Face>& faces, int m,
+                                 int steps) {
+    std::set<int> edges;
+    for (const Face& f : slow_surroundings(lattice, faces, m, steps))
+        edges.merge(sides_of(lattice, f));
+    edges.erase(m);
+    return edges;
 }
 
 /// The whole of a mesh's edges as numbers, to compare meshes record by record. The direction an

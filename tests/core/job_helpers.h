@@ -135,6 +135,18 @@ inline Job job_of(const TestSource& source, int channels, int threads = 1) {
     return job;
 }
 
+/// The result of a job that is to succeed: every pixel of `out` once, and no other.
+inline std::vector<float> run(TestSource& source, const Job& job, const Mapping& mapping,
+                              Rect out) {
+    TestSink sink(out, job.channels);
+    std::string error;
+    EXPECT_EQ(enlarge(source, sink, mapping, job, &error), Outcome::done) << error;
+    EXPECT_EQ(error, "");
+    EXPECT_EQ(sink.strays, 0);
+    EXPECT_EQ(sink.written(1), int64_t(out.area()));
+    return sink.values();
+}
+
 /// Have a job do what a filter's specification says.
 inline void set_filter(const char* filter, Job& job) {
     FilterOptions options;

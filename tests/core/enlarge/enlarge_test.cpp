@@ -22,16 +22,6 @@ namespace {
 
 constexpr Surface surfaces[] = {Surface::linear, Surface::patch};
 
-std::vector<float> run(TestSource& source, const Job& job, const Mapping& mapping, Rect out) {
-    TestSink sink(out, job.channels);
-    std::string error;
-    EXPECT_EQ(enlarge(source, sink, mapping, job, &error), Outcome::done) << error;
-    EXPECT_EQ(error, "");
-    EXPECT_EQ(sink.strays, 0);
-    EXPECT_EQ(sink.written(1), int64_t(out.area()));
-    return sink.values();
-}
-
 std::vector<float> crop(const std::vector<float>& values, Rect whole, Rect part, int channels) {
     std::vector<float> r;
     for (int y = part.y0; y < part.y1; ++y)

@@ -190,27 +190,12 @@ TEST(Memory, ManyChannelsTakeWhatIsPromised) {
     EXPECT_LE(peak_of(job_of("ddt-sharp,clipped=1", window, 64, 1), to, out), promised);
 }
 
-/// Positions that come in any order, as far as can be told.
-class Turned final : public Mapping {
-public:
-    explicit Turned(const ResizeMapping& other) : m_other(other) {}
-    Rect reach(double x0, double y0, double x1, double y1) const override {
-        return m_other.reach(x0, y0, x1, y1);
-    }
-    void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override {
-        m_other.row(y, x0, x1, positions, inside);
-    }
-
-private:
-    const ResizeMapping& m_other;
-};
-
 TEST(Memory, AWorkerTakesWhatIsSaidOfIt) {
     warm_up(1);
     const Rect window{0, 0, 600, 580}, to{0, 0, 1200, 1160};
     // The tile in the middle, with halos all round.
     const ResizeMapping resized = mapping_of(window, to, {520, 520, 1020, 560});
-    const Turned turned(resized);
+    const Opaque turned(resized);
     for (const char* filter : {"ddt", "ddt-linear", "ddt-sharp", "ddt-sharp,clipped=1"})
         for (const int channels : {3, 9}) {
             const Job job = job_of(filter, window, channels, 1);
@@ -259,7 +244,7 @@ TEST(Memory, AllThreadsThatAreAskedForWork) {
     const Rect to{0, 0, 32768, 16384};
     const Rect window{0, 0, 16384, 8192};
     const ResizeMapping resized = mapping_of(window, to, to);
-    const Turned turned(resized);
+    const Opaque turned(resized);
     const auto all_work = [&](int threads, int channels, const Mapping& mapping) {
         for (const char* filter : {"ddt", "ddt-linear", "ddt-sharp", "ddt-sharp,clipped=1"}) {
             const Job job = job_of(filter, window, channels, threads);

@@ -9,15 +9,6 @@
 namespace ddt::test {
 namespace {
 
-std::vector<float> run(TestSource& source, const Job& job, const Mapping& mapping, Rect out) {
-    TestSink sink(out, job.channels);
-    std::string error;
-    EXPECT_EQ(enlarge(source, sink, mapping, job, &error), Outcome::done) << error;
-    EXPECT_EQ(sink.strays, 0);
-    EXPECT_EQ(sink.written(1), int64_t(out.area()));
-    return sink.values();
-}
-
 Job sharp_job(const TestSource& source, int channels, int meshes) {
     Job job = job_of(source, channels);
     job.surface.consistency = 1;

@@ -1,27 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
 #include <gtest/gtest.h>
 
+#include "core/base/float_bits.h"
 #include "core/guide/guide.h"
 #include "tests/core/helpers.h"
 
 namespace {
 
-float float_of(uint32_t bits) {
-    float v;
-    std::memcpy(&v, &bits, sizeof v);
-    return v;
-}
-
-uint32_t bits_of(float v) {
-    uint32_t bits;
-    std::memcpy(&bits, &v, sizeof bits);
-    return bits;
-}
+using ddt::bits_of;
+using ddt::float_of;
 
 double exact(double light) {
     return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;

@@ -137,49 +137,22 @@ TEST(Lattice, FlippingTwiceRestores) {
     });
 }
 
-/// The edges, by address, of the triangles that share a side with the two at m; and how many
-/// triangles there are beyond the two.
-std::set<int> slow_region(const Lattice& lattice, const std::vector<Face>& faces, int m,
-                          int& beyond) {
-    const auto sides = [&](const Face& f) {
-        std::set<int> s;
-        for (size_t k = 0; k < 3; ++k) {
-            const Pixel sum = f[k] + f[(k + 1) % 3];
-            s.insert(lattice.site(sum.x, sum.y));
-        }
-        return s;
-    };
-    std::set<int> quad, region;
-    for (const Face& f : faces)
-        if (sides(f).count(m))
-            quad.merge(sides(f));
-    beyond = 0;
-    for (const Face& f : faces) {
-        const auto s = sides(f);
-        const bool shares = std::any_of(s.begin(), s.end(), [&](int x) { return quad.count(x); });
-        if (!shares)
-            continue;
-        region.insert(s.begin(), s.end());
-        beyond += !s.count(m);
-    }
-    region.erase(m);
-    return region;
-}
-
 TEST(Lattice, RegionIsTheTrianglesAroundAndSymmetric) {
     each_start([](Lattice& lattice, Random& random) {
         flip_at_random(lattice, 150, random);
         const auto faces = faces_of(lattice);
         const auto sites = flippable_edges(lattice);
         for (const int m : sites) {
-            int calls = 0, beyond = 0;
+            int calls = 0;
             std::set<int> region;
             lattice.each_of_region(m, [&](int other) {
                 ++calls;
                 region.insert(other);
             });
-            ASSERT_EQ(region, slow_region(lattice, faces, m, beyond));
-            ASSERT_EQ(calls, 4 + 2 * beyond);
+            ASSERT_EQ(region, slow_region(lattice, faces, m, 1));
+            // Each triangle beyond the two has its other two sides told.
+            const size_t beyond = slow_surroundings(lattice, faces, m, 1).size() - 2;
+            ASSERT_EQ(size_t(calls), 4 + 2 * beyond);
             for (const int other : region)
                 if (lattice.edge(other).flippable()) {
                     bool back = false;

@@ -49,8 +49,8 @@ std::vector<MeshOptions> all_options() {
     for (const std::string& scheme : scheme_names())
         for (const std::string& cost : cost_names()) {
             MeshOptions o;
-            find_scheme(scheme == "exproiN-maxgain" ? "exproi2-maxgain" : scheme, o);
-            find_cost(cost, o.cost);
+            EXPECT_TRUE(find_scheme(scheme, o)) << scheme;
+            EXPECT_TRUE(find_cost(cost, o.cost)) << cost;
             o.min_gain = -1;
             all.push_back(o);
         }

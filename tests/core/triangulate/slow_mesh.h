@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A slow, obvious triangulation and the two flipping schemes on it: a map of edges; apexes found by
+// A slow, obvious triangulation and two flipping schemes on it: a map of edges; apexes found by
 // looking for common neighbours; every gain computed again in every iteration.
 //
 // Only the arithmetic of one gain is the library's own (scalar::flip_gain), since its last bits

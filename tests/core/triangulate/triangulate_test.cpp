@@ -20,7 +20,8 @@ MeshOptions options_of(Scheme scheme, Cost cost, float gain = -1.0f, int iterati
     return o;
 }
 
-/// Call f(guide, width, height, options) for all kinds of guide and both schemes and costs.
+/// Call f(guide, width, height, options) for all kinds of guide and the schemes and costs that
+/// slow_mesh.h has.
 template <class F>
 void each_case(F&& f) {
     uint64_t seed = 21;
