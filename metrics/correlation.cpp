@@ -19,14 +19,17 @@ double mean(const Plane& p) {
 double correlation(const Plane& a, const Plane& b) {
     const double ma = mean(a), mb = mean(b);
     double aa = 0, bb = 0, ab = 0;
+    const double n = double(a.values.size());
     for (size_t i = 0; i < a.values.size(); ++i) {
         const double u = a.values[i] - ma, v = b.values[i] - mb;
         aa += u * u;
         bb += v * v;
         ab += u * v;
     }
-    if (aa == 0 || bb == 0)
-        return aa == bb ? 1 : 0;
+    // Of a flat image nothing is left but what was rounded off.
+    const bool flat_a = aa <= 1e-18 * n * ma * ma, flat_b = bb <= 1e-18 * n * mb * mb;
+    if (flat_a || flat_b)
+        return flat_a && flat_b ? 1 : 0;
     return ab / std::sqrt(aa * bb);
 }
 

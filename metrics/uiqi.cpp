@@ -30,8 +30,9 @@ Plane window_sums(int width, int height, int across, int down, Value value) {
 
 /// The index of one window of n pixels from its sums.
 double index(double n, double a, double b, double aa, double bb, double ab) {
-    // Everything times n^2, which leaves integers exact.
-    const double variances = n * aa - a * a + n * bb - b * b;
+    // Everything times n^2. Of flat windows nothing is left but what was rounded off.
+    const double all = n * aa - a * a + n * bb - b * b;
+    const double variances = all > 1e-12 * n * (aa + bb) ? all : 0;
     const double squares = a * a + b * b;
     const double covariance = n * ab - a * b;
     if (squares == 0)

@@ -20,6 +20,7 @@
 
 #include <OpenImageIO/argparse.h>
 
+#include "arguments.h"
 #include "reference.h"
 #include "rows.h"
 
@@ -111,6 +112,16 @@ struct Settings {
     bench::Light light = bench::Light::linear;
 };
 
+/// Whether something is left of all frames of a pan within their borders.
+bool is_wide_enough(const metrics::Image& original, const Settings& settings, std::string& error) {
+    const int least = settings.frames - 1 + 3 * settings.scale;
+    if (original.width() >= least && original.height() >= 3 * settings.scale)
+        return true;
+    error = "so many frames need " + std::to_string(least) + " x " +
+            std::to_string(3 * settings.scale) + " pixels";
+    return false;
+}
+
 /// Enlarge a frame under noise; false, with a line on stderr, if that fails.
 bool enlarge(const bench::Row& row, const metrics::Image& frame, const Settings& settings,
              metrics::Image& out) {
@@ -177,39 +188,39 @@ bool measure(const bench::Row& row, const std::vector<metrics::Image>& originals
 
 int main(int argc, char** argv) {
     Settings settings;
-    std::string light_name = "linear", only;
+    std::string light_name = "linear", scale = "4", frames = "8", only;
     std::vector<std::string> folders, more;
     OIIO::ArgParse args;
     args.intro("flicker: how steady the filters are under noise\n")
         .usage("flicker FOLDER [options]");
     args.arg("folder").hidden().action(
         [&](OIIO::cspan<const char*> a) { folders.push_back(a[0]); });
-    args.arg("--scale %d:N", &settings.scale).help("factor, 2 to 16 (default: 4)");
+    args.arg("--scale %s:N", &scale).help("factor, 2 to 16 (default: 4)");
     args.arg("--light %s:LIGHT", &light_name).help("linear (default) or encoded");
-    args.arg("--frames %d:N", &settings.frames).help("2 to 1000 (default: 8)");
+    args.arg("--frames %s:N", &frames).help("2 to 1000 (default: 8)");
     args.arg("--only %s:NAME", &only).help("only the rows whose name contains NAME");
     args.arg("--also %s:SPEC")
         .help("one more row, such as ddt,soft=0.5 (repeatable)")
         .action([&](OIIO::cspan<const char*> a) { more.push_back(a[1]); });
     if (args.parse_args(argc, const_cast<const char**>(argv)) < 0 || folders.size() != 1) {
-        std::fprintf(stderr, "%s\n", args.geterror().c_str());
         args.print_help();
         return 2;
     }
     bool known_light =
         bench::find_light(light_name, settings.light) && settings.light != bench::Light::scene;
-    if (settings.scale < 2 || settings.scale > 16 || settings.frames < 2 ||
-        settings.frames > 1000 || !known_light) {
-        std::fprintf(stderr,
-                     "flicker: --scale takes 2 to 16, --frames 2 to 1000, --light linear or "
-                     "encoded\n");
+    if (!bench::parse_argument("--scale", scale, 2, 16, settings.scale) ||
+        !bench::parse_argument("--frames", frames, 2, 1000, settings.frames))
+        return 2;
+    if (!known_light) {
+        std::fprintf(stderr, "flicker: --light takes linear or encoded\n");
         return 2;
     }
     std::vector<metrics::Image> images;
     for (const std::string& file : bench::image_files(folders[0])) {
         metrics::Image original;
         std::string error;
-        if (bench::read_original(file, settings.scale, settings.light, original, error))
+        if (bench::read_original(file, settings.scale, settings.light, original, error) &&
+            is_wide_enough(original, settings, error))
             images.push_back(std::move(original));
         else
             std::fprintf(stderr, "%s is left out: %s\n", file.c_str(), error.c_str());
@@ -219,13 +230,17 @@ int main(int argc, char** argv) {
         return 1;
     }
 
+    const std::vector<bench::Row> rows = bench::rows_with(only, settings.light, more);
+    if (rows.empty()) {
+        std::fprintf(stderr, "flicker: no row has \"%s\" in its name\n", only.c_str());
+        return 2;
+    }
     std::printf(
         "%zu images, %dx, %s light, %d frames\n\n%-24s %6s %6s  %6s %6s\n%-24s %6s %6s  %6s %6s\n",
         images.size(), settings.scale, light_name.c_str(), settings.frames, "", "still", "still",
         "pan", "pan", "", "rms", "99.9%", "rms", "99.9%");
     bool all_well = true;
-    for (const bench::Row& row : bench::all_rows(settings.light, more))
-        if (row.name.find(only) != std::string::npos)
-            all_well &= measure(row, images, settings);
+    for (const bench::Row& row : rows)
+        all_well &= measure(row, images, settings);
     return all_well ? 0 : 1;
 }

@@ -2,6 +2,7 @@
 #include "growth.h"
 
 #include <cmath>
+#include <cstdio>
 
 namespace bench {
 
@@ -16,6 +17,14 @@ double growth_exponent(const std::vector<std::pair<double, double>>& points) {
         xy += u * v;
     }
     return (n * xy - x * y) / (n * xx - x * x);
+}
+
+std::string exponent_text(const std::vector<std::pair<double, double>>& points) {
+    if (points.size() < 2)
+        return "-";
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3f", growth_exponent(points));
+    return text;
 }
 
 } // namespace bench

@@ -9,7 +9,7 @@
 // from the cut's border.
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
+#include <set>
 
 #include "core/base/arith.h"
 #include "core/guide/guide.h"
@@ -85,6 +85,7 @@ int main(int argc, char** argv) {
     std::vector<std::string> filters(argv + 2, argv + argc);
     if (filters.empty())
         filters = {"ddt", "ddt-sharp", "ddt-linear", "ddt,contour=0"};
+    std::set<std::string> told;
     for (const std::string& filter : filters) {
         FilterOptions options;
         std::string error;
@@ -97,7 +98,8 @@ int main(int argc, char** argv) {
             for (const std::string& file : files) {
                 metrics::Image image;
                 if (!bench::read_original(file, 1, light, image, error)) {
-                    std::fprintf(stderr, "%s is left out: %s\n", file.c_str(), error.c_str());
+                    if (told.insert(file).second)
+                        std::fprintf(stderr, "%s is left out: %s\n", file.c_str(), error.c_str());
                     continue;
                 }
                 const Guide guide{image.width(), image.height(),
@@ -110,6 +112,11 @@ int main(int argc, char** argv) {
                         make_mesh(guide.cut(r), cut_size, cut_size, options.mesh, part);
                         compare(whole, part, r, count);
                     }
+            }
+            if (count.compared == 0) {
+                std::fprintf(stderr, "halo: no image in %s has %d x %d pixels\n", argv[1], cut_size,
+                             cut_size);
+                return 1;
             }
             std::printf("%-16s %-8s %10zu edges, %7zu differ, the farthest %2d pixels from a cut\n",
                         filter.c_str(), light == bench::Light::linear ? "linear" : "encoded",

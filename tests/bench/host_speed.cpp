@@ -6,13 +6,13 @@
 //     host_speed FLOATS WIDTH HEIGHT SCALE ROUNDS       FLOATS: a file of RGB, native float32
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <vector>
 
 #include "ddt/core.h"
-#include "tests/plugin/openfx/mini_host.h"
+#include "tests/bench/arguments.h"
+#include "tests/plugin/openfx/kinds.h"
 
 namespace {
 
@@ -34,17 +34,25 @@ mini::Picture picture(const ddt::Rect& box) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 6)
+    int width = 0, height = 0, scale = 0, rounds = 0;
+    if (argc != 6 || !bench::parse_argument("WIDTH", argv[2], 2, 8192, width) ||
+        !bench::parse_argument("HEIGHT", argv[3], 2, 8192, height) ||
+        !bench::parse_argument("SCALE", argv[4], 1, 16, scale) ||
+        !bench::parse_argument("ROUNDS", argv[5], 1, 1000, rounds)) {
+        std::fprintf(stderr, "host_speed FLOATS WIDTH HEIGHT SCALE ROUNDS\n");
         return 2;
-    const int width = std::atoi(argv[2]), height = std::atoi(argv[3]), scale = std::atoi(argv[4]);
+    }
     std::vector<float> small(size_t(3 * width) * size_t(height));
     std::ifstream file(argv[1], std::ios::binary);
     const auto bytes = std::streamsize(small.size() * sizeof(float));
-    if (!file.read(reinterpret_cast<char*>(small.data()), bytes))
+    if (!file.read(reinterpret_cast<char*>(small.data()), bytes)) {
+        std::fprintf(stderr, "host_speed: \"%s\" does not have %lld bytes\n", argv[1],
+                     static_cast<long long>(bytes));
         return 1;
+    }
     std::vector<float> large(small.size() * size_t(scale * scale));
 
-    mini::Host host({}, DDT_OFX_BUNDLE);
+    mini::Host host(mini::natron, DDT_OFX_BUNDLE); // whose pixels are floats, and may be RGB
     host.plugin().set_host(host.abi());
     host.act("OfxActionLoad");
     mini::Effect effect(host);
@@ -56,12 +64,17 @@ int main(int argc, char** argv) {
     effect.output = picture({0, 0, scale * width, scale * height});
 
     double core = 1e30, openfx = 1e30;
-    for (int round = 0; round < std::atoi(argv[5]); ++round) {
+    for (int round = 0; round < rounds; ++round) {
         core = std::min(core, milliseconds([&] {
                             ddt::enlarge(small.data(), width, height, 3, nullptr, large.data(),
                                          scale * width, scale * height);
                         }));
-        openfx = std::min(openfx, milliseconds([&] { effect.render(effect.output.box); }));
+        int status = -1;
+        openfx = std::min(openfx, milliseconds([&] { status = effect.render(effect.output.box); }));
+        if (status != ddt::ofx::ok) {
+            std::fprintf(stderr, "host_speed: the effect fails: %d\n", status);
+            return 1;
+        }
     }
     std::printf("core %.1f\nOpenFX %.1f\n", core, openfx);
     return 0;

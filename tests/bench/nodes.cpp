@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <vector>
 
@@ -20,6 +19,7 @@
 
 #include "core/tiles/grid.h"
 #include "ddt/core.h"
+#include "tests/bench/arguments.h"
 #include "tests/core/random.h"
 
 namespace {
@@ -34,15 +34,17 @@ std::vector<float> noise(int size) {
     return pixels;
 }
 
-/// Pages of [begin, end) on each node; below 0: on none.
+/// Pages that begin in [begin, end) on each node; below 0: on none. Nothing if the system does not
+/// tell.
 std::map<int, size_t> count_pages(char* begin, char* end) {
     const auto size = size_t(sysconf(_SC_PAGESIZE));
     std::vector<void*> pages;
-    for (char* page = begin - uintptr_t(begin) % size; page < end; page += size)
+    for (char* page = begin + (size - uintptr_t(begin) % size) % size; page < end; page += size)
         pages.push_back(page);
     std::vector<int> nodes(pages.size(), -1);
-    syscall(SYS_move_pages, 0, pages.size(), pages.data(), nullptr, nodes.data(), 0);
     std::map<int, size_t> counts;
+    if (syscall(SYS_move_pages, 0, pages.size(), pages.data(), nullptr, nodes.data(), 0) < 0)
+        return counts;
     for (const int node : nodes)
         ++counts[std::max(node, -1)];
     return counts;
@@ -51,11 +53,10 @@ std::map<int, size_t> count_pages(char* begin, char* end) {
 } // namespace
 
 int main(int argc, char** argv) {
-    const auto argument = [&](int i, int otherwise) {
-        return argc > i ? std::atoi(argv[i]) : otherwise;
-    };
-    const int size = argument(1, 1536), scale = argument(2, 2), threads = argument(3, 0);
-    if (size < 1 || size > 16384 || scale < 1 || scale > 16 || threads < 0) {
+    int size = 1536, scale = 2, threads = 0;
+    if (argc > 4 || (argc > 1 && !bench::parse_argument("SIZE", argv[1], 1, 16384, size)) ||
+        (argc > 2 && !bench::parse_argument("SCALE", argv[2], 1, 16, scale)) ||
+        (argc > 3 && !bench::parse_argument("THREADS", argv[3], 0, 1024, threads))) {
         std::fprintf(stderr, "nodes [SIZE [SCALE [THREADS]]]\n");
         return 2;
     }
@@ -78,9 +79,13 @@ int main(int argc, char** argv) {
     const size_t tile = row * ddt::tile_size * size_t(scale);
     auto* const result = static_cast<char*>(memory);
     for (size_t at = 0, number = 0; at < bytes; at += tile, ++number) {
+        const auto counts = count_pages(result + at, result + std::min(bytes, at + tile));
+        if (counts.empty()) {
+            std::perror("nodes: move_pages");
+            return 1;
+        }
         std::printf("tiles of row %zu:", number);
-        for (const auto& [node, pages] :
-             count_pages(result + at, result + std::min(bytes, at + tile)))
+        for (const auto& [node, pages] : counts)
             if (node < 0)
                 std::printf("  no node %zu", pages);
             else

@@ -18,6 +18,7 @@
 
 #include <OpenImageIO/argparse.h>
 
+#include "arguments.h"
 #include "metrics/gmsd.h"
 #include "metrics/overshoot.h"
 #include "metrics/psnr.h"
@@ -45,6 +46,8 @@ struct Case {
 
 bool measure(const bench::Row& row, const Case& c, int scale, bench::Light light, Figures& sum) {
     using Clock = std::chrono::steady_clock;
+    if (sum.images == 0)
+        row.enlarge(c.input, scale); // what is had once, and caches that others have filled
     auto start = Clock::now();
     OIIO::ImageBuf enlarged = row.enlarge(c.input, scale);
     std::chrono::duration<double, std::nano> time = Clock::now() - start;
@@ -99,13 +102,13 @@ void print(const std::string& name, const Figures& f, double stairs) {
 
 int main(int argc, char** argv) {
     int scale = 2;
-    std::string light_name = "linear", reduce_name = "box", only;
+    std::string scale_text = "2", light_name = "linear", reduce_name = "box", only;
     std::vector<std::string> folders, more;
     OIIO::ArgParse args;
     args.intro("quality: reduce, enlarge, compare\n").usage("quality FOLDER [options]");
     args.arg("folder").hidden().action(
         [&](OIIO::cspan<const char*> a) { folders.push_back(a[0]); });
-    args.arg("--scale %d:N", &scale).help("factor, 2 to 16 (default: 2)");
+    args.arg("--scale %s:N", &scale_text).help("factor, 2 to 16 (default: 2)");
     args.arg("--light %s:LIGHT", &light_name).help("linear (default), encoded or scene");
     args.arg("--reduce %s:HOW", &reduce_name).help("box (default) or cubic");
     args.arg("--only %s:NAME", &only).help("only the rows whose name contains NAME");
@@ -113,16 +116,17 @@ int main(int argc, char** argv) {
         .help("one more row, such as ddt,cost=scf or \"ddt to integers\" (repeatable)")
         .action([&](OIIO::cspan<const char*> a) { more.push_back(a[1]); });
     if (args.parse_args(argc, const_cast<const char**>(argv)) < 0 || folders.size() != 1) {
-        std::fprintf(stderr, "%s\n", args.geterror().c_str());
         args.print_help();
         return 2;
     }
     bench::Light light = bench::Light::linear;
     bool known_light = bench::find_light(light_name, light);
     bool known_reduce = reduce_name == "box" || reduce_name == "cubic";
-    if (scale < 2 || scale > 16 || !known_light || !known_reduce) {
-        std::fprintf(stderr, "quality: --scale takes 2 to 16, --light linear, encoded or scene, "
-                             "--reduce box or cubic\n");
+    if (!bench::parse_argument("--scale", scale_text, 2, 16, scale))
+        return 2;
+    if (!known_light || !known_reduce) {
+        std::fprintf(stderr, "quality: --light takes linear, encoded or scene, --reduce box or "
+                             "cubic\n");
         return 2;
     }
     auto reduce = reduce_name == "box" ? bench::Reduce::box : bench::Reduce::cubic;
@@ -145,13 +149,16 @@ int main(int argc, char** argv) {
         return 1;
     }
 
+    const std::vector<bench::Row> rows = bench::rows_with(only, light, more);
+    if (rows.empty()) {
+        std::fprintf(stderr, "quality: no row has \"%s\" in its name\n", only.c_str());
+        return 2;
+    }
     std::printf("%zu images, %dx, %s light, reduced by %s\n\n", cases.size(), scale,
                 light_name.c_str(), reduce_name.c_str());
     print_head();
     bool all_well = true;
-    for (const bench::Row& row : bench::all_rows(light, more)) {
-        if (row.name.find(only) == std::string::npos)
-            continue;
+    for (const bench::Row& row : rows) {
         Figures sum;
         // A row that fails ends at once: its mean would not compare with the others.
         bool measured = std::all_of(cases.begin(), cases.end(), [&](const Case& c) {

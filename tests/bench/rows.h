@@ -39,4 +39,8 @@ Row ddt_row(const std::string& specification, Light light);
 /// All of the above that can show the light (ImageMagick clips), then a row for each specification.
 std::vector<Row> all_rows(Light light, const std::vector<std::string>& more = {});
 
+/// Those of them whose names have `part` in them.
+std::vector<Row> rows_with(const std::string& part, Light light,
+                           const std::vector<std::string>& more = {});
+
 } // namespace bench

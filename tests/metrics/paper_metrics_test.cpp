@@ -56,6 +56,9 @@ TEST(Correlation, IgnoresBrightnessAndContrast) {
 TEST(Correlation, OfFlatPlanes) {
     EXPECT_EQ(correlation(row({5, 5}), row({9, 9})), 1);
     EXPECT_EQ(correlation(row({5, 5}), row({8, 9})), 0);
+    // Of numbers that are no integers the deviations are what was rounded off.
+    EXPECT_EQ(correlation(Plane(9, 9, 102.6), Plane(9, 9, 0.1)), 1);
+    EXPECT_EQ(correlation(Plane(9, 9, 102.6), checkers(9, 0, 1)), 0);
 }
 
 TEST(CrossCorrelation, TellsBrightness) {
@@ -83,6 +86,8 @@ TEST(Uiqi, FlatAndBlackWindows) {
     EXPECT_DOUBLE_EQ(uiqi(Plane(9, 9, 10), Plane(9, 9, 20)), 0.8);
     EXPECT_DOUBLE_EQ(uiqi(Plane(9, 9, 0), Plane(9, 9, 0)), 1);
     EXPECT_DOUBLE_EQ(uiqi(Plane(9, 9, 10), checkers(9, 0, 0)), 0);
+    EXPECT_DOUBLE_EQ(uiqi(Plane(9, 9, 51.3), Plane(9, 9, 102.6)), 0.8);
+    EXPECT_DOUBLE_EQ(uiqi(Plane(9, 9, 0.1), Plane(9, 9, 0.2)), 0.8);
 }
 
 TEST(Uiqi, IsTheMeanOverWindows) {

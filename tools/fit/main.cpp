@@ -11,6 +11,7 @@
 // What is done goes to stderr.
 #include <cstdio>
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include <OpenImageIO/argparse.h>
@@ -18,6 +19,7 @@
 
 #include "metrics/psnr.h"
 #include "metrics/ssim.h"
+#include "tests/bench/arguments.h"
 #include "tests/bench/reference.h"
 #include "tools/fit/normal_equations.h"
 
@@ -36,8 +38,9 @@ struct Figures {
     int pictures = 0;
 };
 
+/// left_out: those that cannot be used are added. False if none is left.
 bool add(const Set& set, unsigned every, const ddt::FittedWeights* so_far,
-         fit::NormalEquations& sum) {
+         fit::NormalEquations& sum, std::set<std::string>& left_out) {
     const std::vector<std::string> files = bench::image_files(set.folder);
     std::vector<fit::NormalEquations> parts(files.size());
     std::vector<std::string> errors(files.size());
@@ -46,13 +49,18 @@ bool add(const Set& set, unsigned every, const ddt::FittedWeights* so_far,
         if (fit::make_scene(files[i], set.scale, set.light, scene, errors[i]))
             parts[i].add(scene, set.weight, every, uint32_t(i + 1), so_far);
     });
+    size_t used = 0;
     for (size_t i = 0; i < files.size(); ++i) {
-        if (!errors[i].empty())
+        if (!errors[i].empty()) {
             std::fprintf(stderr, "%s is left out: %s\n", files[i].c_str(), errors[i].c_str());
+            left_out.insert(files[i]);
+            continue;
+        }
         sum.add(parts[i]);
+        ++used;
     }
-    std::fprintf(stderr, "%s, %dx: %zu pictures\n", set.name, set.scale, files.size());
-    return !files.empty();
+    std::fprintf(stderr, "%s, %dx: %zu pictures\n", set.name, set.scale, used);
+    return used > 0;
 }
 
 void report(const Set& set, const ddt::FittedWeights& weights) {
@@ -92,8 +100,9 @@ void print(const float (&nodes)[m][n], const char* after) {
 }
 
 /// The file weights.inc.
-void print(const ddt::FittedWeights& w, const std::vector<std::string>& folders, int every,
-           double ridge, double drawings, int passes) {
+void print(const ddt::FittedWeights& w, const std::vector<std::string>& folders,
+           const std::set<std::string>& left_out, int every, double ridge, double drawings,
+           int passes) {
     std::printf("// SPDX-License-Identifier: Apache-2.0\n"
                 "// FittedWeights (weights.h), as this printed them (tools/fit):\n"
                 "//     fit_weights PHOTOGRAPHS DRAWINGS --every %d --ridge %g --drawings %g "
@@ -103,7 +112,8 @@ void print(const ddt::FittedWeights& w, const std::vector<std::string>& folders,
     for (size_t f = 0; f < 2; ++f) {
         std::printf("// %s:\n", kinds[f]);
         for (const std::string& file : bench::image_files(folders[f]))
-            std::printf("//     %s\n", std::filesystem::path(file).filename().c_str());
+            if (!left_out.count(file))
+                std::printf("//     %s\n", std::filesystem::path(file).filename().c_str());
     }
     std::printf("{\n// Vertices, a row a node of the index.\n");
     print(w.vertex, "},");
@@ -131,21 +141,25 @@ void print(const ddt::FittedWeights& w, const std::vector<std::string>& folders,
 } // namespace
 
 int main(int argc, char** argv) {
-    int every = 24, passes = 4;
-    float ridge = 1e-5f, drawings = 0.3f;
+    int every = 0, passes = 0;
+    double ridge = 0, drawings = 0;
+    std::string every_text = "24", passes_text = "4", ridge_text = "1e-5", drawings_text = "0.3";
     bool reported = false;
     std::vector<std::string> folders;
     OIIO::ArgParse args;
     args.usage("fit_weights PHOTOGRAPHS DRAWINGS [options]");
     args.arg("folder").hidden().action(
         [&](OIIO::cspan<const char*> a) { folders.push_back(a[0]); });
-    args.arg("--every %d:N", &every).help("use one in N pixels (default: 24)");
-    args.arg("--ridge %f:R", &ridge).help("add this share to the diagonal (default: 1e-5)");
-    args.arg("--drawings %f:W", &drawings).help("what a drawing weighs (default: 0.3)");
-    args.arg("--passes %d:N", &passes).help("solve so often (default: 4)");
+    args.arg("--every %s:N", &every_text).help("use one in N pixels (default: 24)");
+    args.arg("--ridge %s:R", &ridge_text).help("add this share to the diagonal (default: 1e-5)");
+    args.arg("--drawings %s:W", &drawings_text).help("what a drawing weighs (default: 0.3)");
+    args.arg("--passes %s:N", &passes_text).help("solve so often (default: 4)");
     args.arg("--report", &reported).help("then measure every picture");
     if (args.parse_args(argc, const_cast<const char**>(argv)) < 0 || folders.size() != 2 ||
-        every < 1 || passes < 1) {
+        !bench::parse_argument("--every", every_text, 1, 1000000, every) ||
+        !bench::parse_argument("--passes", passes_text, 1, 1000, passes) ||
+        !bench::parse_argument("--ridge", ridge_text, 0.0, 1.0, ridge) ||
+        !bench::parse_argument("--drawings", drawings_text, 0.0, 1e6, drawings)) {
         args.print_help();
         return 2;
     }
@@ -156,19 +170,20 @@ int main(int argc, char** argv) {
             sets.push_back({is_linear ? "photographs, linear" : "photographs, encoded", folders[0],
                             scale, light, 1});
             sets.push_back({is_linear ? "drawings, linear" : "drawings, encoded", folders[1], scale,
-                            light, double(drawings)});
+                            light, drawings});
         }
     ddt::FittedWeights w;
+    std::set<std::string> left_out;
     for (int pass = 0; pass < passes; ++pass) {
         fit::NormalEquations equations;
         for (const Set& set : sets)
-            if (!add(set, unsigned(every), pass > 0 ? &w : nullptr, equations))
+            if (!add(set, unsigned(every), pass > 0 ? &w : nullptr, equations, left_out))
                 return 1;
         if (pass == 0)
-            equations.solve_plain(double(ridge), w);
-        equations.solve_bound(double(ridge), w);
+            equations.solve_plain(ridge, w);
+        equations.solve_bound(ridge, w);
     }
-    print(w, folders, every, double(ridge), double(drawings), passes);
+    print(w, folders, left_out, every, ridge, drawings, passes);
     for (const Set& set : sets)
         if (reported)
             report(set, w);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "paper/fig13.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -93,7 +94,7 @@ bool fig13(const std::string& folder, double megapixels, const std::string& csv_
     }
     std::vector<std::string> cells{"exponent"};
     for (const auto& p : points)
-        cells.push_back(number(bench::growth_exponent(p), 3));
+        cells.push_back(bench::exponent_text(p));
     table.add(cells);
     return table.show(csv_folder);
 }

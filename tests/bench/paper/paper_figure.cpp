@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 
 #include <OpenImageIO/argparse.h>
@@ -58,8 +59,10 @@ Image enlarged(const Image& small, int by, const ddt::MeshOptions& mesh, OIIO::R
     if (roi.defined())
         OIIO::set_roi(spec, roi);
     OIIO::ImageBuf large(spec);
-    if (!ddt::resize(large, source, options, large.roi()))
-        std::fprintf(stderr, "%s\n", large.geterror().c_str());
+    if (!ddt::resize(large, source, options, large.roi())) {
+        std::fprintf(stderr, "paper_figure: %s\n", large.geterror().c_str());
+        std::exit(1);
+    }
     // The corner of the part at the origin, where to_display() starts.
     large.set_origin(0, 0);
     large.set_full(0, spec.width, 0, spec.height, 0, 1);
@@ -144,7 +147,8 @@ bool make(const std::string& path, const std::string& folder, Square square) {
     square.size = std::min({square.size, original.width(), original.height()});
     square.x = std::clamp(square.x, 0, original.width() - square.size);
     square.y = std::clamp(square.y, 0, original.height() - square.size);
-    std::filesystem::create_directories(folder);
+    std::error_code ignored; // write() tells
+    std::filesystem::create_directories(folder, ignored);
     const Image reduced = paper::reduce(original, factor, paper::Reduce::bilinear);
     bool fine = write(folder + "/original.png", magnified(original, square));
     const OIIO::ROI close_up(square.x * zoom, (square.x + square.size) * zoom, square.y * zoom,

@@ -13,6 +13,7 @@
 #include <OpenImageIO/sysutil.h>
 #include <hwy/highway.h>
 
+#include "../arguments.h"
 #include "ddt/resize.h"
 #include "tables.h"
 #include "tests/use_simd.h"
@@ -54,20 +55,20 @@ bool has(const std::vector<std::string>& names, const char* name) {
 int main(int argc, char** argv) {
     using OIIO::Strutil::splits;
     speed::Plan plan;
-    float megapixels = 1, largest = 64;
     bool quick = false, no_programs = false;
     const int all = int(OIIO::Sysutil::hardware_concurrency());
-    std::string path, scales = "1.5,2,4,8", threads = all > 1 ? "1,0" : "1", format = "float,8bit",
-                      filters = OIIO::Strutil::join(ddt::filter_names(), "+"),
-                      tables = "small,ratios,stages,threads,cores,growth", memory = "warm,fresh",
-                      simd;
+    std::vector<std::string> paths;
+    std::string scales = "1.5,2,4,8", megapixels = "1", largest = "64", rounds = "3",
+                threads = all > 1 ? "1,0" : "1", format = "float,8bit",
+                filters = OIIO::Strutil::join(ddt::filter_names(), "+"),
+                tables = "small,ratios,stages,threads,cores,growth", memory = "warm,fresh", simd;
     OIIO::ArgParse args;
     args.intro("speed: ddt against other ways to enlarge\n").usage("speed [IMAGE] [options]");
-    args.arg("image").hidden().action([&](OIIO::cspan<const char*> a) { path = a[0]; });
+    args.arg("image").hidden().action([&](OIIO::cspan<const char*> a) { paths.push_back(a[0]); });
     args.arg("--quick", &quick).help("0.25 megapixels, one round, no other programs, 2x and 4x");
-    args.arg("--megapixels %f:N", &megapixels).help("size of the source (default: 1)");
-    args.arg("--largest %f:N", &largest).help("largest source for growth (default: 64)");
-    args.arg("--rounds %d:N", &plan.rounds).help("runs of each (default: 3)");
+    args.arg("--megapixels %s:N", &megapixels).help("size of the source (default: 1)");
+    args.arg("--largest %s:N", &largest).help("largest source for growth (default: 64)");
+    args.arg("--rounds %s:N", &rounds).help("runs of each (default: 3)");
     args.arg("--scales %s:LIST", &scales).help("factors (default: 1.5,2,4,8)");
     args.arg("--threads %s:LIST", &threads).help("numbers of threads, 0 for all (default: 1,0)");
     args.arg("--formats %s:LIST", &format).help("float, 8bit (default: both)");
@@ -80,16 +81,14 @@ int main(int argc, char** argv) {
     args.arg("--simd %s:NAME", &simd)
         .help("instruction set that ddt uses, AVX2 say (default: the best there is)");
     args.arg("--no-programs", &no_programs).help("without ImageMagick and libvips");
-    if (args.parse_args(argc, const_cast<const char**>(argv)) < 0 || plan.rounds < 1 ||
-        !(megapixels > 0)) {
-        std::fprintf(stderr, "%s\n", args.geterror().c_str());
+    if (args.parse_args(argc, const_cast<const char**>(argv)) < 0 || paths.size() > 1) {
         args.print_help();
         return 2;
     }
     if (quick) {
-        megapixels = 0.25f;
-        largest = 4;
-        plan.rounds = 1;
+        megapixels = "0.25";
+        largest = "4";
+        rounds = "1";
         scales = "2,4";
         no_programs = true;
     }
@@ -97,23 +96,32 @@ int main(int argc, char** argv) {
                memories = splits(memory, ",");
     if (!check_names(wanted, {"small", "ratios", "stages", "threads", "cores", "growth"}) ||
         !check_names(formats, {"float", "8bit"}) || !check_names(memories, {"warm", "fresh"}) ||
-        !use_simd(simd))
+        !use_simd(simd) || wanted.empty() || formats.empty() || memories.empty() ||
+        !bench::parse_argument("--megapixels", megapixels, 0.001, 1000.0, plan.megapixels) ||
+        !bench::parse_argument("--largest", largest, 0.25, 1000.0, plan.largest) ||
+        !bench::parse_argument("--rounds", rounds, 1, 1000, plan.rounds) ||
+        !bench::parse_arguments("--scales", scales, 1.0, 64.0, plan.scales) ||
+        !bench::parse_arguments("--threads", threads, 0, 1024, plan.threads)) {
+        args.print_help();
         return 2;
+    }
     for (const std::string& name : memories)
         plan.memory.push_back(name == "warm" ? speed::Memory::warm : speed::Memory::fresh);
-    plan.megapixels = megapixels;
-    plan.largest = largest;
     plan.programs = !no_programs;
     plan.filters = splits(filters, "+");
-    for (const std::string& scale : splits(scales, ","))
-        plan.scales.push_back(OIIO::Strutil::stof(scale));
-    for (const std::string& n : splits(threads, ","))
-        plan.threads.push_back(OIIO::Strutil::stoi(n) > 0 ? OIIO::Strutil::stoi(n) : all);
+    ddt::Options options;
+    for (const std::string& filter : plan.filters)
+        if (std::string error; !ddt::parse_filter(filter, options, error)) {
+            std::fprintf(stderr, "speed: %s\n", error.c_str());
+            return 2;
+        }
+    for (int& n : plan.threads)
+        n = n > 0 ? n : all;
     for (const std::string& name : formats)
         plan.formats.push_back(name == "float" ? speed::Format::linear_float
                                                : speed::Format::srgb_8bit);
 
-    const speed::Pictures pictures(path);
+    const speed::Pictures pictures(paths.empty() ? "" : paths[0]);
     bool good = true;
     if (has(wanted, "small")) // first: it tells of the process's first call
         good = good && print_small(pictures, plan);

@@ -42,7 +42,8 @@ std::string size_after(const Task& task) {
 }
 
 Way imagemagick(const std::string& program, const std::string& name, const Command& operation) {
-    return {name, [=](const Task& task) {
+    return {name,
+            [=](const Task& task) {
                 const bench::ScratchFolder folder;
                 const std::string in = folder.file("in.ppm");
                 if (!write(task.image, in))
@@ -53,13 +54,15 @@ Way imagemagick(const std::string& program, const std::string& name, const Comma
                 with.insert(with.end(), operation.begin(), operation.end());
                 with.insert(with.end(), {size_after(task), "null:"});
                 return difference(with, without);
-            }};
+            },
+            true};
 }
 
 /// vips works while it writes, so writing a raw image counts too; it is little. It takes kernels
 /// for shrinking alone: whichever is named, from "cubic" on, it enlarges by bicubic interpolation.
 Way vips() {
-    return {"vips bicubic", [](const Task& task) {
+    return {"vips bicubic",
+            [](const Task& task) {
                 const bench::ScratchFolder folder;
                 const std::string in = folder.file("in.ppm"), out = folder.file("out.v");
                 if (!write(task.image, in))
@@ -70,7 +73,8 @@ Way vips() {
                 with.insert(with.end(), {"resize", in, out, std::to_string(task.scale)});
                 without.insert(without.end(), {"copy", in, out});
                 return difference(with, without);
-            }};
+            },
+            true};
 }
 
 } // namespace

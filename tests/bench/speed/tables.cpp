@@ -27,6 +27,8 @@ bool print_stages_of(const std::string& filter, const OIIO::ImageBuf& image, dou
         into = warm_image(task);
         task.into = &into;
     }
+    if (way.run(task) < 0) // the first finds caches that others have filled
+        return false;
     Times stage[5];
     for (int round = 0; round < rounds; ++round) {
         if (way.run(task) < 0)
@@ -131,7 +133,7 @@ bool print_growth(const Pictures& pictures, const Plan& plan) {
         std::printf("%-14s", ways[i].name.c_str());
         for (const auto& [pixels, time] : points[i])
             std::printf(" %7.2f", time * 1e9 / (pixels * scale * scale));
-        std::printf("   %.3f\n", bench::growth_exponent(points[i]));
+        std::printf("   %s\n", bench::exponent_text(points[i]).c_str());
     }
     return true;
 }

@@ -22,7 +22,9 @@ double ratio(const Times& a, const Times& b);
 double seconds_of(const Way& way, const Task& task, int calls);
 
 /// Times of every way, alternately, `calls` calls one after the other counting as one; false if one
-/// failed.
+/// failed. Each begins with a call that does not count, but for programs: the first after another
+/// way's finds its code and memory gone from the caches, after a program's it takes up to twice as
+/// long.
 bool measure(const std::vector<Way>& ways, const Task& task, int rounds, std::vector<Times>& times,
              int calls = 1);
 

@@ -38,6 +38,7 @@ using Run = std::function<double(const Task& task)>;
 struct Way {
     std::string name;
     Run run;
+    bool is_program = false; ///< a process of its own each time
 };
 
 /// A filter of this project, by its specification; `statistics`, when not null, is filled in by

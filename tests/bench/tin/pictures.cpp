@@ -20,7 +20,11 @@ struct Picture {
 
 /// The middle crop x crop pixels of a file.
 bool load(const std::string& file, int crop, Picture& picture) {
-    const OIIO::ImageBuf image(file);
+    OIIO::ImageBuf image(file);
+    if (!image.read(0, 0, true)) {
+        std::fprintf(stderr, "\"%s\": %s\n", file.c_str(), image.geterror().c_str());
+        return false;
+    }
     OIIO::ROI roi = image.roi();
     const int w = std::min(crop, roi.width()), h = std::min(crop, roi.height());
     roi.xbegin += (roi.width() - w) / 2;

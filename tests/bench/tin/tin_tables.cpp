@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prints the tables of docs/tin.md.
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 
 #include "ddt/names.h"
 #include "tables.h"
+#include "tests/bench/arguments.h"
 
 namespace {
 
@@ -20,6 +20,7 @@ int usage() {
 int main(int argc, char** argv) {
     std::string scheme = "look-ahead", table;
     int sets = 20, crop = 256;
+    bool fine = true;
     std::vector<std::string> rest;
     for (int i = 1; i < argc; ++i) {
         const std::string arg = argv[i];
@@ -27,16 +28,16 @@ int main(int argc, char** argv) {
         if (arg == "--scheme" && has_value)
             scheme = argv[++i];
         else if (arg == "--sets" && has_value)
-            sets = std::atoi(argv[++i]);
+            fine = ::bench::parse_argument(argv[i], argv[i + 1], 1, 100000, sets) && fine, ++i;
         else if (arg == "--crop" && has_value)
-            crop = std::atoi(argv[++i]);
+            fine = ::bench::parse_argument(argv[i], argv[i + 1], 32, 8192, crop) && fine, ++i;
         else if (table.empty())
             table = arg;
         else
             rest.push_back(arg);
     }
     ddt::MeshOptions known;
-    if (!ddt::find_scheme(scheme, known) || sets < 1 || crop < 32)
+    if (!fine || !ddt::find_scheme(scheme, known))
         return usage();
     const std::vector<ddt::bench::Way> ways = ddt::bench::ways_of(scheme);
     bool done = false;
@@ -49,7 +50,8 @@ int main(int argc, char** argv) {
     else if (table == "time" && !rest.empty()) {
         std::vector<int> counts;
         for (const std::string& n : rest)
-            counts.push_back(std::atoi(n.c_str()));
+            if (!::bench::parse_argument("POINTS", n, 3, 100000000, counts.emplace_back()))
+                return usage();
         done = ddt::bench::print_time(scheme, counts);
     } else
         return usage();
