@@ -7,12 +7,11 @@
 #include <cstdlib>
 #include <new>
 
-#include <tbb/global_control.h>
-
 #include "core/tiles/tile_worker.h"
 #include "tests/core/gathering.h"
 #include "tests/core/helpers.h"
 #include "tests/core/job_helpers.h"
+#include "tests/many_threads.h"
 
 namespace {
 
@@ -240,7 +239,7 @@ private:
 };
 
 TEST(Memory, AllThreadsThatAreAskedForWork) {
-    const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 128);
+    const ManyThreads many(128);
     const Rect to{0, 0, 32768, 16384};
     const Rect window{0, 0, 16384, 8192};
     const ResizeMapping resized = mapping_of(window, to, to);
@@ -271,7 +270,7 @@ TEST(Memory, AllThreadsThatAreAskedForWork) {
 
 TEST(Memory, StaysForTheNextJobAndNoMoreThanIsSaid) {
     constexpr int threads = 8;
-    const tbb::global_control many(tbb::global_control::max_allowed_parallelism, threads);
+    const ManyThreads many(threads);
     warm_up(threads);
     const Rect window{0, 0, 321, 321}, to{0, 0, 642, 642};
     const auto kept_by = [&](const Job& job, const Rect& size, const Rect& out) {
@@ -300,7 +299,7 @@ TEST(Memory, StaysForTheNextJobAndNoMoreThanIsSaid) {
 
 TEST(Memory, SomeThreadsTakeWhatIsPromisedForAll) {
     constexpr int threads = 16;
-    const tbb::global_control many(tbb::global_control::max_allowed_parallelism, threads);
+    const ManyThreads many(threads);
     warm_up(threads);
     const Rect window{0, 0, 1024, 1024}, to{0, 0, 1025, 1025};
     for (const char* filter : {"ddt", "ddt-sharp"})

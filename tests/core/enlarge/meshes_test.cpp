@@ -5,6 +5,7 @@
 #include "core/sample/evaluate.h"
 #include "core/triangulate/triangulate.h"
 #include "tests/core/job_helpers.h"
+#include "tests/many_threads.h"
 
 namespace ddt::test {
 namespace {
@@ -86,6 +87,7 @@ TEST(Meshes, TheResultIsTheMeanOfTheirs) {
 }
 
 TEST(Meshes, ThreadsPartsAndPositionsOneByOneChangeNothing) {
+    const ManyThreads allowed;
     TestSource source({-20, 5, 400, 310}, 3, 1);
     const Rect out{0, 0, 633, 450};
     const auto mapping = mapping_of(source.window(), out, out);

@@ -3,6 +3,7 @@
 #include "ddt/core.h"
 #include "tests/core/job_helpers.h"
 #include "tests/core/surface/slow_surface.h"
+#include "tests/many_threads.h"
 
 namespace ddt::test {
 namespace {
@@ -170,6 +171,7 @@ TEST(Sharp, AlphaStaysWithinItsRange) {
 }
 
 TEST(Sharp, EveryInstructionSetAndThreadCountGivesTheSameBits) {
+    const ManyThreads allowed;
     TestSource source({-20, 5, 320, 290}, 6, 1);
     const Rect out{0, 0, 500, 400};
     const auto mapping = mapping_of(source.window(), out, out);

@@ -5,6 +5,7 @@
 #include "ddt/mesh.h"
 #include "ddt/points.h"
 #include "tests/core/job_helpers.h"
+#include "tests/many_threads.h"
 
 namespace ddt::test {
 namespace {
@@ -75,6 +76,7 @@ void expect_line(const std::string& error) {
 }
 
 TEST(Throwing, EnlargeNeverDoes) {
+    const ManyThreads allowed;
     const Rect window{0, 0, 600, 40}, out{0, 0, 700, 80};
     TestSource source(window, 1, 3);
     const ResizeMapping mapping = mapping_of(window, out, out);
@@ -119,6 +121,7 @@ private:
 };
 
 TEST(Throwing, EndsTheWorkOfOtherThreadsToo) {
+    const ManyThreads allowed;
     const Rect window{0, 0, 40 * 256, 300}, out{0, 0, 40 * 256, 600};
     TestSource source(window, 1, 3, Kind::noise);
     OnceThrowingSource once(source);

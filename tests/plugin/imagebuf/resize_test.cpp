@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include "tests/many_threads.h"
 #include "tests/plugin/images.h"
 #include "tests/temporary.h"
 
@@ -154,6 +155,7 @@ TEST(Resize, RangeOfChannelsIsThatOfTheWhole) {
 }
 
 TEST(Resize, SameBitsForAnyNumberOfThreads) {
+    const ddt::test::ManyThreads allowed;
     auto src = make(700, 300, 4, OIIO::TypeUInt16);
     images::noise(src);
     src.specmod().attribute("oiio:ColorSpace", "sRGB");

@@ -5,6 +5,7 @@
 
 #include <OpenImageIO/Imath.h>
 
+#include "tests/many_threads.h"
 #include "tests/plugin/images.h"
 
 namespace {
@@ -118,6 +119,7 @@ TEST(Warp, LargeImagesUseManyTiles) {
 }
 
 TEST(Warp, PartIsACropAndThreadsDoNotMatter) {
+    const ddt::test::ManyThreads allowed;
     auto src = make(600, 300, 3, OIIO::TypeUInt8);
     images::noise(src);
     src.specmod().attribute("oiio:ColorSpace", "sRGB");
