@@ -41,6 +41,21 @@ struct Passing {
     const Name name;
 };
 
+/// Whether the context says that it is lost.
+bool was_reset(const Functions& gl) {
+    return gl.GetGraphicsResetStatus && gl.GetGraphicsResetStatus() != GL_NO_ERROR;
+}
+
+/// Throw what an error that GL has recorded means.
+[[noreturn]] void fail(const std::string& where, GLenum error) {
+    const std::string message = where + ": " + error_name(error);
+    if (error == GL_CONTEXT_LOST)
+        throw ContextLost(message);
+    if (error == GL_OUT_OF_MEMORY)
+        throw OutOfMemory(message);
+    throw Failure(message);
+}
+
 } // namespace
 
 Buffer::Buffer(const Functions& gl, size_t bytes)
@@ -62,7 +77,9 @@ Buffer::Buffer(const Functions& gl, size_t bytes)
         return;
     }
     gl.DeleteBuffers(1, &m_name);
-    throw OutOfMemory("a buffer of " + std::to_string(m_bytes) + " bytes: " + error_name(error));
+    // A device that is gone may say that it has no memory; fewer tiles would not help.
+    fail("a buffer of " + std::to_string(m_bytes) + " bytes",
+         was_reset(gl) ? GLenum(GL_CONTEXT_LOST) : error);
 }
 
 Buffer::~Buffer() {
@@ -122,18 +139,10 @@ void copy(const Functions& gl, GLuint from, size_t from_offset, GLuint to, size_
 }
 
 void check(const Functions& gl, const char* where) {
-    if (strikes(Fault::lost) ||
-        (gl.GetGraphicsResetStatus && gl.GetGraphicsResetStatus() != GL_NO_ERROR))
+    if (strikes(Fault::lost) || was_reset(gl))
         throw ContextLost(std::string(where) + ": the context was lost");
-    const GLenum error = gl.GetError();
-    if (error == GL_NO_ERROR)
-        return;
-    const std::string message = std::string(where) + ": " + error_name(error);
-    if (error == GL_CONTEXT_LOST)
-        throw ContextLost(message);
-    if (error == GL_OUT_OF_MEMORY)
-        throw OutOfMemory(message);
-    throw Failure(message);
+    if (const GLenum error = gl.GetError(); error != GL_NO_ERROR)
+        fail(where, error);
 }
 
 Fence::Fence(const Functions& gl)
@@ -150,10 +159,13 @@ void Fence::wait(const char* where) {
     constexpr GLuint64 half_a_minute = 30'000'000'000u;
     const GLenum state =
         m_sync ? m_gl.ClientWaitSync(m_sync, GL_SYNC_FLUSH_COMMANDS_BIT, half_a_minute)
-               : GL_NO_ERROR;
+               : GLenum(GL_WAIT_FAILED);
     check(m_gl, where);
     if (state == GL_TIMEOUT_EXPIRED)
         throw ContextLost(std::string(where) + ": the device does not answer");
+    // What was to be copied may still be on its way, also where GL records no error.
+    if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED)
+        throw Failure(std::string(where) + ": the device cannot be waited for");
 }
 
 void finish(const Functions& gl, const char* where) {

@@ -14,7 +14,7 @@ namespace ddt::gl {
 /// after that goes over the bus. To be made, used and destroyed on the context's thread.
 class Buffer {
 public:
-    /// Throws OutOfMemory if it cannot be had. A size of 0 is rounded up.
+    /// Throws what check() does, OutOfMemory where there is none. A size of 0 is rounded up.
     Buffer(const Functions& gl, size_t bytes);
     ~Buffer();
     Buffer(const Buffer&) = delete;
@@ -71,7 +71,7 @@ public:
     Fence& operator=(const Fence&) = delete;
 
     /// Wait until the device is there, then check(). One that does not get there within half a
-    /// minute counts as lost.
+    /// minute counts as lost. Throws Failure where it cannot be waited for.
     void wait(const char* where);
 
 private:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "core/gl/context/failure.h"
 #include "core/gl/context/faults.h"
@@ -94,6 +95,84 @@ TEST_P(Buffers, SayWhenTheyCannotBeRead) {
         EXPECT_THROW(buffer.read(8, 400, found.data()), gl::Failure) << "past its end";
         EXPECT_EQ(gl.GetError(), GLenum(GL_NO_ERROR)) << "told of twice";
     });
+}
+
+GLenum g_error;
+bool g_failed;
+GLenum APIENTRY one_error() {
+    g_failed |= g_error != GL_NO_ERROR;
+    return std::exchange(g_error, GLenum(GL_NO_ERROR));
+}
+// Once it has failed.
+GLenum APIENTRY reset_after_error() {
+    return g_failed ? GLenum(GL_UNKNOWN_CONTEXT_RESET) : GLenum(GL_NO_ERROR);
+}
+
+// Fewer tiles help where there is no memory, and nothing where the device is gone.
+TEST_P(Buffers, ThatCannotBeHadSayWhy) {
+    on_both_kinds([](const gl::Functions& right) {
+        gl::Functions gl = right;
+        const auto get_error = gl.GetError;
+        const auto make = [&](GLenum error) {
+            // Not before it is made.
+            static PFNGLGENBUFFERSPROC gen_buffers;
+            static GLenum next_error;
+            gen_buffers = right.GenBuffers;
+            next_error = error;
+            g_failed = false;
+            gl.GenBuffers = [](GLsizei n, GLuint* names) {
+                gen_buffers(n, names);
+                g_error = next_error;
+            };
+            gl.GetError = one_error;
+            const gl::Buffer buffer(gl, 400);
+        };
+        EXPECT_NO_THROW(make(GL_NO_ERROR));
+        EXPECT_THROW(make(GL_OUT_OF_MEMORY), gl::OutOfMemory);
+        EXPECT_THROW(make(GL_CONTEXT_LOST), gl::ContextLost);
+        try {
+            make(GL_INVALID_VALUE);
+            ADD_FAILURE() << "an error that is none";
+        } catch (const gl::Failure& e) {
+            EXPECT_EQ(dynamic_cast<const gl::OutOfMemory*>(&e), nullptr) << e.what();
+            EXPECT_NE(std::string(e.what()).find("400 bytes"), std::string::npos) << e.what();
+        }
+        gl.GetGraphicsResetStatus = reset_after_error;
+        EXPECT_NO_THROW(make(GL_NO_ERROR));
+        EXPECT_THROW(make(GL_OUT_OF_MEMORY), gl::ContextLost) << "and the context says so";
+        EXPECT_EQ(get_error(), GLenum(GL_NO_ERROR));
+    });
+}
+
+GLenum g_state;
+GLenum APIENTRY wait_sync(GLsync, GLbitfield, GLuint64) {
+    return g_state;
+}
+GLsync APIENTRY no_fence(GLenum, GLbitfield) {
+    return nullptr;
+}
+
+// Else what is on its way would be read before it is there.
+TEST_P(Buffers, AreNotReadBeforeAFenceThatCannotBeWaitedFor) {
+    gl::Gpu& gpu = fresh_device();
+    gpu.thread
+        .post([&] {
+            gl::Functions gl = gpu.context->gl;
+            EXPECT_NO_THROW(gl::finish(gl, "a test"));
+            gl.ClientWaitSync = wait_sync;
+            for (const GLenum passed : {GL_ALREADY_SIGNALED, GL_CONDITION_SATISFIED}) {
+                g_state = passed;
+                EXPECT_NO_THROW(gl::finish(gl, "a test"));
+            }
+            g_state = GL_TIMEOUT_EXPIRED;
+            EXPECT_THROW(gl::finish(gl, "a test"), gl::ContextLost);
+            g_state = GL_WAIT_FAILED; // and no error is recorded
+            EXPECT_THROW(gl::finish(gl, "a test"), gl::Failure);
+            g_state = GL_CONDITION_SATISFIED;
+            gl.FenceSync = no_fence;
+            EXPECT_THROW(gl::finish(gl, "a test"), gl::Failure);
+        })
+        .get();
 }
 
 // Memory that a driver hands out again may hold what the same program wrote there before.
