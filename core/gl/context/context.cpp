@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/context/context.h"
 
+#include <climits>
+#include <cstring>
+#include <type_traits>
+
 namespace ddt::gl {
 
 namespace {
@@ -8,6 +12,35 @@ namespace {
 std::string text(const Functions& gl, GLenum what) {
     const GLubyte* s = gl.GetString(what);
     return s ? reinterpret_cast<const char*>(s) : "unknown";
+}
+
+bool has_extension(const Functions& gl, const char* name) {
+    GLint count = 0;
+    gl.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        const GLubyte* s = gl.GetStringi(GL_EXTENSIONS, GLuint(i));
+        if (s && std::strcmp(reinterpret_cast<const char*>(s), name) == 0)
+            return true;
+    }
+    return false;
+}
+
+/// Load what OpenGL 4.`minor` has beyond 4.3 or an extension adds. Lookups find names of what a
+/// driver does not have; called all the same, those record errors, of which others would be told.
+void load_later_functions(const void* library, Lookup lookup, int minor, Functions& gl) {
+    const auto find = [&](auto& function, const char* name) {
+        if (!function)
+            function = reinterpret_cast<std::decay_t<decltype(function)>>(lookup(library, name));
+    };
+    if (minor >= 4)
+        find(gl.BufferStorage, "glBufferStorage");
+    const bool khr = has_extension(gl, "GL_KHR_robustness");
+    if (minor >= 5 || khr)
+        find(gl.GetGraphicsResetStatus, "glGetGraphicsResetStatus");
+    if (khr)
+        find(gl.GetGraphicsResetStatus, "glGetGraphicsResetStatusKHR");
+    if (has_extension(gl, "GL_ARB_robustness"))
+        find(gl.GetGraphicsResetStatus, "glGetGraphicsResetStatusARB");
 }
 
 } // namespace
@@ -54,8 +87,8 @@ bool describe_current(const void* library, Lookup lookup, Context& context, std:
               " is a software renderer by way of Vulkan, which gives wrong results";
         return false;
     }
-    // Lookups find names of what a driver does not have.
-    if ((major == 4 && minor < 4) || is_zink(context.renderer))
+    load_later_functions(library, lookup, major > 4 ? INT_MAX : minor, gl);
+    if (is_zink(context.renderer))
         gl.BufferStorage = nullptr;
     context.software = is_software(context.renderer);
     context.tested = is_tested(context.renderer);

@@ -10,11 +10,6 @@ std::string load_functions(const void* library, Lookup lookup, Functions& gl) {
         return "gl" #NAME;
     DDT_GL_FUNCTIONS(DDT_LOAD)
 #undef DDT_LOAD
-    for (const char* name : {"glGetGraphicsResetStatus", "glGetGraphicsResetStatusKHR"})
-        if (!gl.GetGraphicsResetStatus)
-            gl.GetGraphicsResetStatus =
-                reinterpret_cast<PFNGLGETGRAPHICSRESETSTATUSPROC>(lookup(library, name));
-    gl.BufferStorage = reinterpret_cast<PFNGLBUFFERSTORAGEPROC>(lookup(library, "glBufferStorage"));
     return {};
 }
 

@@ -11,6 +11,7 @@ namespace ddt::gl {
 // X(function) for every function of OpenGL 4.3 core that is called, without its gl prefix.
 #define DDT_GL_FUNCTIONS(X)                                                                        \
     X(GETSTRING, GetString)                                                                        \
+    X(GETSTRINGI, GetStringi)                                                                      \
     X(GETINTEGERV, GetIntegerv)                                                                    \
     X(GETINTEGER64V, GetInteger64v)                                                                \
     X(GETERROR, GetError)                                                                          \
@@ -61,7 +62,8 @@ struct Functions {
 #define DDT_DECLARE(TYPE, NAME) PFNGL##TYPE##PROC NAME = nullptr;
     DDT_GL_FUNCTIONS(DDT_DECLARE)
 #undef DDT_DECLARE
-    /// OpenGL 4.5 or KHR_robustness; null where there is neither.
+    // These are describe_current()'s affair.
+    /// OpenGL 4.5, KHR_robustness or ARB_robustness; null where there is none of them.
     PFNGLGETGRAPHICSRESETSTATUSPROC GetGraphicsResetStatus = nullptr;
     /// OpenGL 4.4; null before.
     PFNGLBUFFERSTORAGEPROC BufferStorage = nullptr;
@@ -70,7 +72,8 @@ struct Functions {
 /// Finds a GL function by its full name; null if there is none.
 using Lookup = void* (*)(const void* library, const char* name);
 
-/// Load all functions. Returns the name of the first that is missing, empty if none is.
+/// Load all functions of OpenGL 4.3. Returns the name of the first that is missing, empty if none
+/// is.
 std::string load_functions(const void* library, Lookup lookup, Functions& gl);
 
 /// The name of a GL error: "GL_OUT_OF_MEMORY".
