@@ -42,7 +42,8 @@ bool down(int x, int y) {
     int xy = contour_xy(contour_words[(first_site + 2 * (y * stride + x)) / 2]);
     flatter = xy == 0 ? flatter : xy < 0;
 #endif
-    return !flat_start || flatter;
+    bool is_down = !flat_start || flatter;
+    return is_down;
 }
 
 // Make the sites of the pixel (x, y), which is at s in near_site.

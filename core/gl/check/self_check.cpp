@@ -276,16 +276,19 @@ std::string scheme_key_of(const MeshOptions& mesh) {
                                               : "one_round";
 }
 
-/// Two jobs of one key use the same programs, and the same branches of those that choose edges.
+/// Two jobs of one key use the same programs, and the same branches of those that make or choose
+/// edges or correct vertices.
 std::string key_of(const Job& job) {
     const MeshOptions& mesh = job.mesh;
     std::string key = scheme_key_of(mesh) + ' ' + cost_name(mesh.cost);
+    key += mesh.start != Start::flat && DeviceMesh::knows(mesh) ? " diagonal" : "";
     key += mesh.max_iterations == 0 ? " still" : "";
     key += mesh.contour > 0 ? " contour" : "";
     key += job.surface.kind == Surface::linear ? " linear" : " patch";
     key += job.surface.soft > 0 ? " soft" : "";
     key += job.surface.consistency > 0 ? " consistency" : "";
     key += is_fitted(job.surface) ? " fitted" : "";
+    key += job.surface.consistency > 0 && job.surface.clipped ? " clipped" : "";
     key += mesh.meshes > 1 ? " meshes" : "";
     return key + (job.channels % group_size == 0 ? " whole groups" : "");
 }
@@ -301,6 +304,7 @@ Job check_job(const Job& job) {
     check.kinds[3] = Channel::alpha;
     check.mesh.scheme = job.mesh.scheme;
     check.mesh.cost = job.mesh.cost;
+    check.mesh.start = job.mesh.start;
     check.mesh.contour = job.mesh.contour > 0 ? 0.4f : 0.0f;
     if (job.mesh.scheme == Scheme::annealing)
         check.mesh.max_iterations = 6;
@@ -313,7 +317,7 @@ Job check_job(const Job& job) {
     check.surface.consistency = std::min(job.surface.consistency, 2);
     check.surface.soft = job.surface.soft > 0 ? 0.3f : 0.0f;
     check.surface.fitted = job.surface.fitted;
-    check.surface.clipped = job.surface.fitted; // they do more where values are cut off
+    check.surface.clipped = job.surface.clipped;
     return check;
 }
 

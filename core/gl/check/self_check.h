@@ -13,8 +13,9 @@ namespace ddt::gl {
 
 struct Gpu;
 
-/// The job that is checked in place of `job`: one that uses the same programs, each of their
-/// branches, on a small picture.
+/// The job that is checked in place of `job`: one that uses the same programs, those of their
+/// branches that it takes, on a small picture. `clipped` and `start` are the job's own: where
+/// others differ in them alone, each is checked.
 Job check_job(const Job& job);
 
 /// Do it on the device and on the CPU; compare meshes, gains and results bit for bit, each before

@@ -241,6 +241,58 @@ TEST_P(SelfCheck, SchemesThatTakeOtherBranchesAreCheckedEach) {
     EXPECT_EQ(check(), before);
 }
 
+// Of what is not cut off a check proves nothing for what is, nor the other way round.
+TEST_P(SelfCheck, VerticesThatAreClippedAreCheckedApart) {
+    const Picture picture = make_picture(Content::photo, 24, 20, 3, 4);
+    Order order;
+    order.out_width = 60;
+    order.out_height = 50;
+    order.job.channels = 3;
+    for (const bool fitted : {false, true})
+        for (const bool wrong_is_clipped : {false, true}) {
+            SurfaceOptions& surface = order.job.surface;
+            surface = SurfaceOptions();
+            surface.consistency = 1;
+            surface.fitted = fitted;
+            const std::string what = std::string(fitted ? "fitted" : "plain") +
+                                     (wrong_is_clipped ? ", clipped" : ", not clipped");
+            gl::change_constant(
+                gl::program_name("correct.comp", gl::correct_macros(surface)), "bound",
+                wrong_is_clipped ? "if_less(dim, zero, zero, dim)" : "vec4(lowest)");
+            fresh_device();
+            std::vector<std::string> lines;
+            // The right one first: were it to count for the other, that would be used.
+            for (const bool wrong : {false, true, false}) {
+                surface.clipped = wrong == wrong_is_clipped;
+                EXPECT_EQ(on_device(picture, order, lines), !wrong) << what;
+            }
+            EXPECT_EQ(lines.size(), 1u) << what;
+        }
+}
+
+// The same of how cells are divided at first.
+TEST_P(SelfCheck, DiagonalStartsAreCheckedApart) {
+    const Picture picture = make_picture(Content::photo, 24, 20, 3, 4);
+    Order order;
+    order.out_width = 60;
+    order.out_height = 50;
+    order.job.channels = 3;
+    for (const Scheme scheme : {Scheme::one_round, Scheme::pixel})
+        for (const Start wrong_start : {Start::flat, Start::diagonal}) {
+            order.job.mesh.scheme = scheme;
+            gl::change_constant("start.comp COST_abn", "is_down",
+                                wrong_start == Start::flat ? "true" : "flatter");
+            fresh_device();
+            std::vector<std::string> lines;
+            for (const bool wrong : {false, true, false}) {
+                order.job.mesh.start =
+                    wrong == (wrong_start == Start::diagonal) ? Start::diagonal : Start::flat;
+                EXPECT_EQ(on_device(picture, order, lines), !wrong) << scheme_name(order.job.mesh);
+            }
+            EXPECT_EQ(lines.size(), 1u) << scheme_name(order.job.mesh);
+        }
+}
+
 TEST_P(SelfCheck, AFailureIsRememberedUnlessTheNextJobMayHaveMoreMemory) {
     gl::Gpu& device = fresh_device();
     const auto check = [&] {
