@@ -46,7 +46,7 @@ void widen(vec4 limit, float lowest, inout vec4 low, inout vec4 high) {
     precise vec4 margin = limit * (high - low);
     precise vec4 wide = low - margin;
     precise vec4 dim = low - limit * low;
-    const vec4 bound = if_less(vec4(lowest), zero, vec4(lowest), if_less(dim, zero, zero, dim));
+    vec4 bound = if_less(vec4(lowest), zero, vec4(lowest), if_less(dim, zero, zero, dim));
     precise vec4 raised = high + margin;
     vec4 sunk = if_less(low, zero, wide, if_less(wide, bound, bound, wide));
     high = if_less_equal(raised, vec4(largest_float), raised, high);

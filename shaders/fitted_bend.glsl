@@ -29,7 +29,8 @@ vec4 fitted_bend(Edge e, ivec2 m, float g, vec4 index, ivec2 size) {
     precise vec4 o2 = (zc + zd) * 0.5 - middle;
     // The means through the midpoint, and one, two and three times as far as either apex, the last
     // two put last in the row (see Side in lattice.glsl; an array would be in memory).
-    vec4 o0, o1, o3, o4, o5, o6, o7, o8;
+    // The first turns hand on what none has made.
+    vec4 o0 = zero, o1 = zero, o3 = zero, o4 = zero, o5 = zero, o6 = zero, o7 = zero, o8 = zero;
     int far = 0;
     do {
         o0 = o3;
