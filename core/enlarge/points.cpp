@@ -8,6 +8,7 @@
 #include "core/base/guarded.h"
 #include "core/base/verbose.h"
 #include "core/gl/offload.h"
+#include "core/tiles/tile_io.h"
 #include "core/tin/delaunay.h"
 #include "core/tin/step_grid.h"
 #include "core/tin/tin_mesh.h"
@@ -136,8 +137,10 @@ bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, M
         return false;
     Tin tin;
     tin.vertices = vertices_of(grid, mesh.x, mesh.y);
-    for (size_t i = 0; i < tin.vertices.size(); ++i)
+    for (size_t i = 0; i < tin.vertices.size(); ++i) {
         tin.vertices[i].guide = guide[i];
+        clean_guide(&tin.vertices[i].guide, 1);
+    }
     if (!connect(tin, mesh.triangles, error))
         return false;
     bool going = true;

@@ -2,7 +2,6 @@
 #include "core/gl/host_tile.h"
 
 #include "core/base/arith.h"
-#include "core/base/memory/zero_small.h"
 #include "core/guide/guide.h"
 #include "core/tiles/tile_io.h"
 #include "core/triangulate/triangulate.h"
@@ -50,7 +49,7 @@ bool read_numbers(Source& source, const Tile& tile, const Job& job, const Number
         guide.resize(tile.pixels.area());
         if (!source.read_codes(tile.pixels, to, guide.data()))
             return false;
-        zero_small(guide.data(), guide.size(), least_guide);
+        clean_guide(guide.data(), guide.size());
         return true;
     }
     guide.resize(size_t(lattice_width(tile)) * size_t(lattice_height(tile)));

@@ -120,12 +120,16 @@ int lattice_height(const Tile& tile) {
     return std::max(tile.pixels.height(), 2);
 }
 
+void clean_guide(float* guide, size_t n) {
+    zero_unusual(guide, n, least_guide);
+}
+
 bool read_tile(Source& source, const Tile& tile, const Job& job, float* values, float* guide,
                int& width, int& height) {
     const Rect& r = tile.pixels;
     if (!source.read(r, values, guide))
         return false;
-    zero_small(guide, r.area(), least_guide);
+    clean_guide(guide, r.area());
     zero_small_blended(values, r.area(), job);
     width = r.width();
     height = r.height();

@@ -2,6 +2,7 @@
 // What goes into a tile and out of it, for all devices alike.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/lattice/locate.h"
@@ -37,9 +38,15 @@ bool follows(const Point& a, const Point& b);
 /// take for zero, unless terms of that size cancel.
 constexpr float least_value = 0x1p-80f, least_guide = 0x1p-24f;
 
-/// Read the tile's pixels, small numbers zeroed as said above (but not in nearest channels). A
-/// picture one pixel wide or high is widened to two by repeating it: a lattice has at least 2 x 2;
-/// `width` and `height` receive its size. `values` and `guide` have room for as many pixels.
+/// Make what every guide must be of n of its numbers, a lattice's or points': those nearer to zero
+/// than least_guide become zero, and so do those that are not finite. Shaders branch by what is
+/// computed from them, and need not compare NaN as the CPU does.
+void clean_guide(float* guide, size_t n);
+
+/// Read the tile's pixels, its guide cleaned, small numbers zeroed as said above (but not in
+/// nearest channels). A picture one pixel wide or high is widened to two by repeating it: a lattice
+/// has at least 2 x 2; `width` and `height` receive its size. `values` and `guide` have room for as
+/// many pixels.
 bool read_tile(Source& source, const Tile& tile, const Job& job, float* values, float* guide,
                int& width, int& height);
 /// The same into vectors that become as long as that.

@@ -12,11 +12,18 @@ HWY_BEFORE_NAMESPACE();
 namespace ddt {
 namespace HWY_NAMESPACE {
 
-/// A loop that compilers make vectors of.
+// Loops that compilers make vectors of.
+
 HWY_ATTR void zero_small(float* values, size_t n, float least) {
     const uint32_t limit = bits_of(least);
     for (size_t i = 0; i < n; ++i)
         values[i] = (bits_of(values[i]) & 0x7fffffffu) < limit ? 0.0f : values[i];
+}
+
+HWY_ATTR void zero_unusual(float* values, size_t n, float least) {
+    const uint32_t limit = bits_of(least), usual = 0x7f800000u - limit;
+    for (size_t i = 0; i < n; ++i)
+        values[i] = (bits_of(values[i]) & 0x7fffffffu) - limit < usual ? values[i] : 0.0f;
 }
 
 } // namespace HWY_NAMESPACE
@@ -27,9 +34,14 @@ HWY_AFTER_NAMESPACE();
 namespace ddt {
 
 HWY_EXPORT(zero_small);
+HWY_EXPORT(zero_unusual);
 
 void zero_small(float* values, size_t n, float least) {
     HWY_DYNAMIC_DISPATCH(zero_small)(values, n, least);
+}
+
+void zero_unusual(float* values, size_t n, float least) {
+    HWY_DYNAMIC_DISPATCH(zero_unusual)(values, n, least);
 }
 
 } // namespace ddt

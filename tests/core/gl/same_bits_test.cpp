@@ -80,6 +80,21 @@ TEST_P(SameBits, EverySurface) {
         }
 }
 
+// A guide that a caller gives may hold anything.
+TEST_P(SameBits, GuidesThatAreNotFinite) {
+    for (const Scheme scheme : {Scheme::one_round, Scheme::maxgain, Scheme::pixel}) {
+        Picture p = make_picture(Content::nonfinite, 61, 43, 3, 7);
+        for (size_t i = 0; i < p.guide.size(); ++i)
+            p.guide[i] = std::isfinite(p.values[3 * i]) ? p.guide[i] : p.values[3 * i];
+        Order order;
+        order.job.mesh.scheme = scheme;
+        order.job.surface.soft = 0.2f;
+        order.out_width = 150;
+        order.out_height = 101;
+        expect_same(GetParam(), p, order, scheme_name(order.job.mesh));
+    }
+}
+
 // Where vertices may get negative: that they do, and the same on both.
 TEST_P(SameBits, ClippedVertices) {
     for (const bool whole_groups : {false, true}) {
