@@ -116,7 +116,9 @@ void DeviceMesh::one_round() {
     }
     std::swap(m_from, m_to);
     bind_lists();
-    // Four are at most some 60 000 turns.
+    // Four are at most some 60 000 turns: a tile of 321 x 321 pixels has 603 edges for each of the
+    // group, in finish.comp every one takes 5 turns to be evaluated and 17 to find a blocker, and
+    // every fifth 13 to be flipped.
     const int a_dispatch = m_parts > 0 ? m_parts : m_gpu.context->software ? 4 : 64;
     for (int i = dispatched + 1; i <= m_iterations + 1; i += a_dispatch) { // one more: the gains
         use("finish.comp", i, m_iterations, m_criterion);

@@ -21,13 +21,16 @@ struct SamplePlan {
     int slot = 0;
     /// Slots from that one on which hold as many meshes of the tile: their surfaces are averaged.
     int meshes = 1;
-    /// Separable: columns x rows positions, the x at x[column], the y at y[row]; else `count`
-    /// positions, x and y by turns in `points`.
+    /// Separable: columns x rows positions, of which the x of the columns and the y of the rows are
+    /// there; else `count` positions, x and y by turns.
     bool separable = true;
     int columns = 0, rows = 0;
     int first_x = 0, first_y = 0; ///< separable: where in the positions the x and the y begin
     int count = 0;                ///< positions in all
-    int first_result = 0;         ///< where in the results they begin
+    /// Where in the results they begin. Jobs sample each plan into memory of its own: this is 0,
+    /// and so is first_x, but where tests/bench/gpu/measure.cpp samples several plans into the
+    /// same.
+    int first_result = 0;
 };
 
 /// Where positions are read from and results go: what is under way needs one of its own. To be

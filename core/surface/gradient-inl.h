@@ -7,7 +7,7 @@
 // tame: all values are tame (core/surface/tame.h), so the tests for inf and NaN are left out: the
 // same bits in fewer steps.
 
-/// Mean gradient at a vertex over the triangles round it (see net.h). MemoryNeeded relative to the
+/// Mean gradient at a vertex over the triangles round it (see net.h). Taken relative to the
 /// first triangle's gradient, so that a plane comes back exactly.
 template <class T, bool tame>
 struct GradientMean {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // EGL without a window system. The display may be one the host uses too, so it is never terminated.
 #include <charconv>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <vector>
