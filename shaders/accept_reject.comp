@@ -23,7 +23,7 @@ layout(location = 9) uniform ivec2 progress; // where in `stamp` a tile's is kep
 
 // What the scheme knows of an edge. A dirty edge's iteration is of no interest.
 layout(std430, binding = 2) ACCESS buffer Stamps { uint stamp[]; }; // a site
-const uint idle = 0, is_dirty = 1, untreated = 2, accepted = 3, rejected = 4;
+const uint idle = 0, dirty = MARK_DIRTY, untreated = 2, accepted = 3, rejected = 4;
 
 shared uint evaluated, n_dirty, n_candidates, n_selected, n_waiting;
 
@@ -40,10 +40,10 @@ void region_in(bool wide, int m, out int region[wide_region_size]) {
         wide_region_of(m, e, region);
         return;
     }
-    int near[12];
+    int near[region_size];
     region_of(m, e, near);
     for (int k = 0; k < wide_region_size; ++k)
-        region[k] = k < 12 ? near[k] : -1;
+        region[k] = k < region_size ? near[k] : -1;
 }
 
 int find_untreated_blocker(bool wide, int m) {
@@ -73,7 +73,7 @@ void gather(int tile, int list) {
 }
 
 void touch(int list, int m) {
-    if (m >= 0 && atomicExchange(stamp[m], is_dirty) != is_dirty)
+    if (m >= 0 && atomicExchange(stamp[m], dirty) != dirty)
         from[list + int(atomicAdd(n_dirty, 1))] = m;
 }
 
@@ -111,7 +111,8 @@ void keep_progress(int at) {
     stamp[at + 8] = n_selected;
 }
 
-// Turns of loops that so many entries take at most, those about a region among them.
+// Turns of loops that so many entries take at most, of which each takes 61 or fewer: its own, 4
+// about the sides of a quad, and twice wide_region_size over a region.
 uint turns_for(uint entries) {
     return (entries / gl_WorkGroupSize.x + 1) * 100;
 }
@@ -124,8 +125,9 @@ uint turns_ahead(int tile) {
     return edges + 2 * turns_for(n_dirty) + 2 * turns_for(n_candidates + n_dirty);
 }
 
-// Candidates: those that stay, and the dirty that gain. Kept in the blocked lists, in turn.
-void begin_iteration(int tile, int list) {
+// Evaluate the dirty edges; keep the candidates that are not, add those that become some, in the
+// blocked lists, in turn. All are untreated then.
+void evaluate(int tile, int list) {
     const uint size = gl_WorkGroupSize.x, own = gl_LocalInvocationIndex;
     uint before = n_candidates, touched = n_dirty;
     synchronize();
@@ -144,7 +146,7 @@ void begin_iteration(int tile, int list) {
             atomicAdd(evaluated, 1);
     for (uint i = own; i < before; i += size) {
         int m = blocked_at(iteration - 1, list + int(i)).x;
-        if (stamp[m] != is_dirty)
+        if (stamp[m] != dirty)
             put_blocked(iteration, list + int(atomicAdd(n_candidates, 1)), ivec2(m, -1));
     }
     synchronize();
@@ -161,15 +163,9 @@ void begin_iteration(int tile, int list) {
     waiting = n_candidates;
 }
 
-void treat_a_round(int list) {
-    const uint size = gl_WorkGroupSize.x, own = gl_LocalInvocationIndex;
-    bool wide = iteration <= wide_iterations;
-    ++rounds;
-    synchronize();
-    if (own == 0)
-        n_waiting = 0;
-    synchronize();
-    for (uint i = own; i < n_candidates; i += size) {
+// Add every candidate that nothing blocks to the selected, and count those that wait.
+void accept(bool wide, int list) {
+    for (uint i = gl_LocalInvocationIndex; i < n_candidates; i += gl_WorkGroupSize.x) {
         ivec2 c = blocked_at(iteration, list + int(i));
         if (stamp[c.x] != untreated)
             continue;
@@ -182,16 +178,30 @@ void treat_a_round(int list) {
         else
             atomicAdd(n_waiting, 1);
     }
+}
+
+void reject_round(bool wide, int winner) {
+    stamp[winner] = accepted;
+    int region[wide_region_size];
+    region_in(wide, winner, region);
+    for (int k = 0; k < wide_region_size; ++k)
+        if (region[k] >= 0 && stamp[region[k]] == untreated)
+            stamp[region[k]] = rejected;
+}
+
+// One round of AcceptReject::select().
+void select(int list) {
+    const uint size = gl_WorkGroupSize.x, own = gl_LocalInvocationIndex;
+    bool wide = iteration <= wide_iterations;
+    ++rounds;
     synchronize();
-    for (uint i = first + own; i < n_selected; i += size) {
-        int winner = to[list + int(i)];
-        stamp[winner] = accepted;
-        int region[wide_region_size];
-        region_in(wide, winner, region);
-        for (int k = 0; k < wide_region_size; ++k)
-            if (region[k] >= 0 && stamp[region[k]] == untreated)
-                stamp[region[k]] = rejected;
-    }
+    if (own == 0)
+        n_waiting = 0;
+    synchronize();
+    accept(wide, list);
+    synchronize();
+    for (uint i = first + own; i < n_selected; i += size)
+        reject_round(wide, to[list + int(i)]);
     first = n_selected;
     // The first in order is accepted, if the device computes right.
     if (n_waiting >= waiting)
@@ -199,8 +209,8 @@ void treat_a_round(int list) {
     waiting = n_waiting;
 }
 
-// Flip what was accepted; what that touches is dirty.
-void end_iteration(int tile, int list) {
+// Flip the selected and collect what must be evaluated again: their 2-regions.
+void flip(int tile, int list) {
     const uint size = gl_WorkGroupSize.x, own = gl_LocalInvocationIndex;
     synchronize();
     if (own == 0) {
@@ -215,10 +225,10 @@ void end_iteration(int tile, int list) {
         int m = to[list + int(i)];
         add_reach(tile, m, edge_at(m));
         flip(m, edge_at(m));
-        int region[12];
+        int region[region_size];
         region_of(m, edge_at(m), region);
         touch(list, m);
-        for (int k = 0; k < 12; ++k)
+        for (int k = 0; k < region_size; ++k)
             touch(list, region[k]);
     }
     ++iteration;
@@ -242,14 +252,14 @@ void main() {
             if (iteration > last_iteration) {
                 phase = ended;
             } else {
-                begin_iteration(tile, list);
+                evaluate(tile, list);
                 phase = in_rounds;
             }
         } else if (waiting > 0) {
-            treat_a_round(list);
+            select(list);
         } else {
             phase = n_candidates == 0 ? ended : begins;
-            end_iteration(tile, list);
+            flip(tile, list);
         }
         synchronize();
     }

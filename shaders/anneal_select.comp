@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which edges of a part are outside each other's 2-region and flip. C++ twin: Annealing::select() and
-// iterate() in core/triangulate/annealing.h.
+// Which edges of a part are outside each other's 2-region and flip. C++ twin: Annealing::select()
+// and iterate() in core/triangulate/annealing.h.
 #include "lists.glsl"
 #include "annealing.glsl"
 #include "gain.glsl"
@@ -14,9 +14,9 @@ layout(std430, binding = 6) writeonly buffer Decided { uint decided[]; };  // a 
 shared uint evaluated;
 
 bool is_selected(int m, Edge e) {
-    int region[12];
+    int region[region_size];
     region_of(m, e, region);
-    for (int k = 0; k < 12; ++k) {
+    for (int k = 0; k < region_size; ++k) {
         int other = region[k];
         if (other >= 0 && is_of_part(drawn[other]) &&
             comes_first(other, drawn[other], m, drawn[m]) && flippable(edge_at(other)))
@@ -35,7 +35,7 @@ void main() {
         Edge e = edge_at(m);
         if (is_of_part(drawn[m]) && flippable(e) && is_selected(m, e)) {
             atomicAdd(evaluated, 1);
-            flips = is_taken(full_gain(m, m, e), drawn[m]) ? 1 : 0;
+            flips = is_taken(gain_at(m, m, e), drawn[m]) ? 1 : 0;
         }
         decided[m] = flips;
     }

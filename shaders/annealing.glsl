@@ -24,10 +24,10 @@ uvec2 mixed(uvec2 x) {
 }
 
 float exponential(uint bits) {
-    precise float uniform_ = float(int(bits >> 8) + 1) * (1.0 / 16777216.0);
+    precise float uniform_ = float(int(bits >> 8) + 1) * draw_unit;
     uint word = floatBitsToUint(uniform_);
     float exponent = float(int(word >> 23) - 127);
-    precise float f = float(int(word & 0x7fffffu)) * (1.0 / 8388608.0);
+    precise float f = float(int(word & 0x7fffffu)) * fraction_unit;
     precise float e = natural_log_2 * ((0.0 - exponent) - (f + ((log_bow * f) * (1.0 - f))));
     return e;
 }
@@ -39,7 +39,8 @@ uint draw(uvec2 place) {
 bool is_of_part(uint drawn) {
     return drawn % uint(annealing_parts) == part;
 }
-// Of two edges of a part: whether the other one, where it can be flipped, is selected rather than m.
+// Of two edges of a part: whether the other one, where it can be flipped, is selected rather than
+// m.
 bool comes_first(int other, uint other_drawn, int m, uint m_drawn) {
     return other_drawn > m_drawn || (other_drawn == m_drawn && other < m);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arithmetic with the same bits as core/base/arith.h: float +, -, * in one written order, every result
-// `precise`, so that nothing is contracted to a fused multiply-add; no division, no square root.
+// Arithmetic with the same bits as core/base/arith.h: float +, -, * in one written order, every
+// result `precise`, so that nothing is contracted to a fused multiply-add; no division, no square
+// root.
 
 // C++ twin: core/base/rsqrt-inl.h
 float rsqrt(int steps, float x) {
@@ -22,9 +23,9 @@ vec4 rsqrt(int steps, vec4 x) {
 // a < b ? yes : no and a <= b ? yes : no, a lane: as selections, which leave NaN and the sign of
 // zero alone. Twins: core/base/vectors/lanes-inl.h
 //
-// What is selected by a comparison of floats is `precise` here and elsewhere: compilers (Mesa's NIR)
-// make a minimum or a maximum of a selection that need not be exact, and those drop NaN. A function
-// returns a variable for it, since what it returns itself cannot be declared so.
+// What is selected by a comparison of floats is `precise` here and elsewhere: compilers (Mesa's
+// NIR) make a minimum or a maximum of a selection that need not be exact, and those drop NaN. A
+// function returns a variable for it, since what it returns itself cannot be declared so.
 vec4 if_less(vec4 a, vec4 b, vec4 yes, vec4 no) {
     precise vec4 r = mix(no, yes, lessThan(a, b));
     return r;
@@ -34,6 +35,14 @@ vec4 if_less_equal(vec4 a, vec4 b, vec4 yes, vec4 no) {
     return r;
 }
 // b where it is less, or more, than a, else a; a lane.
+float lower(float a, float b) {
+    precise float r = b < a ? b : a;
+    return r;
+}
+float upper(float a, float b) {
+    precise float r = a < b ? b : a;
+    return r;
+}
 vec4 lower(vec4 a, vec4 b) {
     return if_less(b, a, b, a);
 }

@@ -9,7 +9,8 @@ struct QuadrantCell {
 
 // The mean where the diagonal goes from V to D.
 vec4 through(QuadrantCell c) {
-    precise vec4 mean = ((c.x - c.v) + (c.y - c.v)) * through_beside + (c.d - c.v) * through_opposite;
+    precise vec4 mean =
+        ((c.x - c.v) + (c.y - c.v)) * through_beside + (c.d - c.v) * through_opposite;
 #ifdef QUADRATIC
     mean = mean + ((c.diagonal * through_bend_diagonal + (c.vx + c.vy) * through_bend_near) +
                    (c.xd + c.yd) * through_bend_far);

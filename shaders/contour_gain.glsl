@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The cells' contour words, and what they gain by a flip. C++ twin: core/triangulate/gain-inl.h. A
-// cell's has half the number of the site of its upper left pixel: a tile's part is slot_sites / 2
-// words long, in rows of `stride` of which one half is used. After lattice.glsl.
+// cell's word has half the number of the site of its upper left pixel: a tile's part is half of
+// slot_sites words long, in rows of `stride` of which one half is used. After lattice.glsl.
 
 #ifndef CONTOUR_ACCESS
 #define CONTOUR_ACCESS readonly

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One consistency round, one invocation a vertex. C++ twin: core/surface/consistency/consistency.cpp, which goes
-// through the cells and adds to their corners; the sum here takes the cells in the same order.
+// One consistency round, one invocation a vertex. C++ twin:
+// core/surface/consistency/consistency.cpp, which goes through the cells and adds to their corners;
+// the sum here takes the cells in the same order.
 #include "net.glsl"
 #include "served.glsl"
 #include "locate.glsl"
@@ -72,8 +73,8 @@ vec4 mean_by_position(int tile, ivec2 cell, ivec2 v) {
     return quarter;
 }
 
-// Quadrants of the group's vertices in cells that other edges cross. They take many times as long as
-// others and are few: the group shares them, or most of it would wait for some at every vertex.
+// Quadrants of the group's vertices in cells that other edges cross. They take many times as long
+// as others and are few: the group shares them, or most of it would wait for some at every vertex.
 const int group_vertices = SURFACE_GROUP_X * SURFACE_GROUP_Y;
 shared uint crossed_count;
 shared uint crossed[4 * group_vertices];      // 4 times the vertex' invocation, and its quadrant
@@ -110,19 +111,24 @@ vec4 mean_of(ivec2 v, int quadrant) {
     return v_to_d ? through(c) : across(c);
 }
 
-// The sum of the quadrants' means of a vertex that is not on the rim, and the range of its pixels.
-void measure(ivec2 p, out vec4 sum_, out vec4 low, out vec4 high) {
+// The sum of the quadrants' means of a vertex that is not on the rim. C++ twin: add_means().
+vec4 add_means(ivec2 p) {
     precise vec4 sum = vec4(0.0);
     for (int i = 0; i < 4; ++i)
         sum = sum + mean_of(p, i);
-    sum_ = sum;
+    return sum;
+}
+
+// What the vertex at p, not on the rim, may become: the range of its 3x3 pixels, widened.
+void find_limits(ivec2 p, vec4 margin, out vec4 low, out vec4 high) {
     low = source_at(p);
     high = low;
     for (int i = 0; i < 9; ++i) {
         vec4 n = source_at(p + ivec2(i % 3 - 1, i / 3 - 1));
-        low = if_less(n, low, n, low);
-        high = if_less(high, n, n, high);
+        low = lower(low, n);
+        high = upper(high, n);
     }
+    widen(margin, lowest, low, high);
 }
 
 void main() {
@@ -147,15 +153,18 @@ void main() {
         return;
     vec4 z = value_at(p);
     if (within) {
-        precise vec4 sum;
+        precise vec4 sum = add_means(p);
         vec4 low, high;
-        measure(p, sum, low, high);
 #ifdef FITTED
-        precise vec4 move = vec4(0.0) - sum * 0.25;
-        z = fitted_vertex(surroundings(), bends[first_site + offset(2 * p)], move, limit, lowest,
-                          low, high);
+        // LaneLimits::cut
+        vec4 cut = lowest < 0.0 ? if_less(vec4(0.0), strict, vec4(0.0), vec4(1.0)) : vec4(0.0);
+        precise vec4 step_ = vec4(0.0) - sum * 0.25;
+        VertexFeatures v = find_features(step_, cut);
+        v.index = bends[first_site + offset(2 * p)];
+        find_limits(p, fitted_limit(limit, v.bound), low, high);
+        z = fitted_vertex(z, low, high, v);
 #else
-        widen(limit, lowest, low, high);
+        find_limits(p, limit, low, high);
         z = corrected(z, source_at(p), sum, low, high);
 #endif
     }

@@ -78,7 +78,7 @@ float between(Face a, Face b, float ex, float ey AREAS) {
 #ifdef ANY_AREAS
     precise float cost = vertical * ((area_a * b.r) + (area_b * a.r));
 #else
-    precise float cost = vertical * (a.r + b.r);
+    precise float cost = vertical * (b.r + a.r);
 #endif
     return cost;
 }

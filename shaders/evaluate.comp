@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gains of the edges a flip touched; those that gain enough are candidates. DENSE: gains of all
-// edges, and no candidates. DENSE CANDIDATES: with them, as the first iteration of a mesh that others
-// have flipped.
+// edges, and no candidates. DENSE CANDIDATES: with them, as the first iteration of a mesh that
+// others have flipped.
 #include "lists.glsl"
 #include "evaluate.glsl"
 
@@ -24,7 +24,8 @@ int own_tile() {
 }
 int own_edge(int tile) {
     int i = int(gl_GlobalInvocationID.x);
-    return i < int(counts[counts_of(first_iteration, tile)].dirty) ? from[tile * list_size + i] : -1;
+    int n = int(counts[counts_of(first_iteration, tile)].dirty);
+    return i < n ? from[tile * list_size + i] : -1;
 }
 #endif
 

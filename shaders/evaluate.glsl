@@ -6,6 +6,6 @@
 bool evaluate(int m) {
     Edge e = edge_at(m);
     bool can = flippable(e);
-    gain[m] = can ? full_gain(m, m, e) : no_gain;
+    gain[m] = can ? gain_at(m, m, e) : no_gain;
     return can;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Iterations that remain, one group a tile. Late iterations treat a few edges each: here they
-// cost a barrier of one group where dispatches would each wait for the whole device. Some of them, or
-// all: llvmpipe leaves loops after 65535 turns of all of them together, and drivers of hardware take a
-// dispatch of seconds for one that hangs. The next dispatch goes on.
+// cost a barrier of one group where dispatches would each wait for the whole device. Some of them,
+// or all: llvmpipe leaves loops after 65535 turns of all of them together, and drivers of hardware
+// take a dispatch of seconds for one that hangs. The next dispatch goes on.
 #define ACCESS coherent
 #include "lists.glsl"
 #include "waiting.glsl"

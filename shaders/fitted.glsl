@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What fitted vertices and bends share. C++ twins: core/surface/fitted/features-inl.h, and weights.h,
-// which says what the numbers mean. After net.glsl.
+// What fitted vertices and bends share. C++ twins: core/surface/fitted/features-inl.h, and
+// weights.h, which says what the numbers mean. After net.glsl.
 
 layout(std140, binding = 1) uniform Fitted {
     vec4 fitted_node;
@@ -9,7 +9,7 @@ layout(std140, binding = 1) uniform Fitted {
     vec4 vertex_weights[8]; // two a node
     vec4 bound_weights[8];
     vec4 shared_weights[4];
-    vec4 null_weights[36]; // four nodes, three kinds, three lengths
+    vec4 null_weights[36]; // at 12 * length + 4 * kind + node
 };
 
 // The pixel at p; past the rim the picture goes on as its odd mirror image.

@@ -2,8 +2,8 @@
 // The bend of a fitted edge. C++ twin: core/surface/fitted/features-inl.h, whose sums are in
 // the same order. After fitted.glsl.
 
-// The mean of the pixels `along` times the edge's vector v away from m, both ways, and `far` times
-// either apex (l, r) off it, in doubled coordinates.
+// The mean of the pixels `along` halves of the edge, whose vector is v, away from m, both ways, and
+// `far` times either apex (l, r) off it, in doubled coordinates.
 vec4 mean_of_taps(ivec2 m, ivec2 v, ivec2 l, ivec2 r, int along, int far, ivec2 size) {
     ivec2 first = m + far * l, second = along == 0 ? m + far * r : first;
     precise vec4 sum =
@@ -18,9 +18,15 @@ vec4 mean_of_taps(ivec2 m, ivec2 v, ivec2 l, ivec2 r, int along, int far, ivec2 
     return quarter;
 }
 
-// The bend of the edge e with midpoint m (in doubled coordinates) and gain g. index: the mean of
-// its ends'.
-vec4 fitted_bend(Edge e, ivec2 m, float g, vec4 index, ivec2 size) {
+// What an edge is bent by.
+struct EdgeFeatures {
+    vec4 null0, null1, null2, null3;
+    vec4 o0, o1, plain, ahead; // EdgeFeatures::shared
+    vec4 rise, range;
+};
+
+// EdgeFeatures::find() of the edge e with midpoint m (in doubled coordinates).
+EdgeFeatures find_features(Edge e, ivec2 m, ivec2 size) {
     const vec4 zero = vec4(0.0);
     ivec2 l = is_zero(e.left) ? -e.right : e.left, r = is_zero(e.right) ? -e.left : e.right;
     vec4 za = value_at((m - e.v) / 2), zb = value_at((m + e.v) / 2);
@@ -28,8 +34,8 @@ vec4 fitted_bend(Edge e, ivec2 m, float g, vec4 index, ivec2 size) {
     precise vec4 middle = (za + zb) * 0.5;
     precise vec4 o2 = (zc + zd) * 0.5 - middle;
     // The means through the midpoint, and one, two and three times as far as either apex, the last
-    // two put last in the row (see Side in lattice.glsl; an array would be in memory).
-    // The first turns hand on what none has made.
+    // two put last in the row (see Side in lattice.glsl; an array would be in memory). The first
+    // turns hand on what none has made.
     vec4 o0 = zero, o1 = zero, o3 = zero, o4 = zero, o5 = zero, o6 = zero, o7 = zero, o8 = zero;
     int far = 0;
     do {
@@ -58,30 +64,44 @@ vec4 fitted_bend(Edge e, ivec2 m, float g, vec4 index, ivec2 size) {
     precise vec4 range =
         upper(upper(za, zb), upper(zc, zd)) - lower(lower(za, zb), lower(zc, zd));
     vec4 plain = bend((m - e.v) / 2, (m + e.v) / 2);
+    return EdgeFeatures(null0, null1, null2, null3, o0, o1, plain, ahead, rise, range);
+}
 
-    int square = e.v.x * e.v.x + e.v.y * e.v.y;
-    int first = 12 * (square > 2 ? 2 : square - 1);
-    precise float near = 0.0;
-    if (flippable(e)) {
-        precise float loss = g < 0.0 ? g : 0.0;
-        near = 1.0 + loss * gain_scale;
-        near = near > 0.0 ? near : 0.0;
-    }
+// The class of an edge with this vector in pixels.
+int fitted_length(ivec2 v) {
+    int square = v.x * v.x + v.y * v.y;
+    return square > 2 ? 2 : square - 1;
+}
+
+// How nearly a flip of an edge with this gain would pay. C++ twin:
+// core/surface/fitted/irregular_bends-inl.h.
+float nearness(float gain) {
+    precise float t = 1.0 + lower(0.0, gain) * gain_scale;
+    return upper(0.0, t);
+}
+
+// The bend of the edge e with these features and this gain. index: the mean of its ends'.
+vec4 fitted_bend(Edge e, EdgeFeatures edge, float gain, vec4 index) {
+    const vec4 zero = vec4(0.0);
+    int first = 12 * fitted_length(e.v);
+    bool can = flippable(e);
+    float near = nearness(gain);
     precise vec4 f = zero;
     for (int k = 0; k < 4; ++k) {
         precise vec4 w = null_weights[first + k];
-        if (flippable(e))
+        if (can)
             w = null_weights[first + 4 + k] + near * null_weights[first + 8 + k];
         vec4 s = shared_weights[k];
-        precise vec4 sum = ((w.x * null0 + w.y * null1) + (w.z * null2 + w.w * null3)) +
-                           ((s.x * o0 + s.y * o1) + (s.z * plain + s.w * ahead));
+        precise vec4 sum =
+            ((w.x * edge.null0 + w.y * edge.null1) + (w.z * edge.null2 + w.w * edge.null3)) +
+            ((s.x * edge.o0 + s.y * edge.o1) + (s.z * edge.plain + s.w * edge.ahead));
         if (k == 0)
             f = sum;
         else
             f = f + share_of(index, k) * sum;
     }
-    precise vec4 wide = bend_limit * range;
-    vec4 limit = if_less(zero, strict, rise, wide);
+    precise vec4 wide = bend_limit * edge.range;
+    vec4 limit = if_less(zero, strict, edge.rise, wide);
     precise vec4 least = zero - limit;
-    return finite_or(clamped(finite_or(f, plain), least, limit), plain);
+    return finite_or(clamped(finite_or(f, edge.plain), least, limit), edge.plain);
 }

@@ -23,5 +23,5 @@ void main() {
     Edge e = edge_at(s);
     precise vec4 both = bends[s - offset(e.v)] + bends[s + offset(e.v)];
     precise vec4 index = both * 0.5;
-    bends[s] = fitted_bend(e, m, gain[s], index, extent[tile].xy);
+    bends[s] = fitted_bend(e, find_features(e, m, extent[tile].xy), gain[s], index);
 }

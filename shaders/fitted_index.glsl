@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a vertex' pixels are like. C++ twin: core/surface/fitted/features-inl.h, whose sums are in
-// the same order. After fitted.glsl.
+// What a vertex' pixels are like. C++ twin: the second half of VertexFeatures::find() in
+// core/surface/fitted/features-inl.h, whose sums are in the same order. After fitted.glsl.
 
 // The pixels of a group and two about them. (An array of its own for each invocation would be in
 // memory on GPUs: registers have no indices.)
@@ -23,22 +23,22 @@ vec4 near(int i) {
 
 // Their range, and 1 / (25 times that).
 struct Surroundings {
-    vec4 least, most, reciprocal;
+    vec4 low, high, reciprocal;
 };
 
 Surroundings surroundings() {
     Surroundings s;
-    s.least = near(12);
-    s.most = s.least;
+    s.low = near(12);
+    s.high = s.low;
     for (int i = 0; i < 25; ++i) {
-        s.least = lower(s.least, near(i));
-        s.most = upper(s.most, near(i));
+        s.low = lower(s.low, near(i));
+        s.high = upper(s.high, near(i));
     }
-    precise vec4 spread = (s.most - s.least) * 25.0 + index_epsilon;
+    precise vec4 spread = (s.high - s.low) * 25.0 + index_epsilon;
     precise vec4 r = rsqrt(3, spread);
     precise vec4 reciprocal = r * r;
-    // Of ranges of 1e36 and more that is a denormal float, if not zero as in the C++ twin: some devices
-    // have them. It is one where r is nearer to zero than 2^-63.
+    // Of ranges of 1e36 and more that is a denormal float, if not zero as in the C++ twin: some
+    // devices have them. It is one where r is nearer to zero than 2^-63.
     s.reciprocal = if_less(abs(r), vec4(uintBitsToFloat(0x20000000u)), vec4(0.0), reciprocal);
     return s;
 }
@@ -49,8 +49,7 @@ vec4 index_of(Surroundings s) {
     for (int y = 0; y < 25; y += 5) {
         precise vec4 row = vec4(0.0);
         for (int i = y; i < y + 5; ++i) {
-            precise vec4 above = near(i) - s.least;
-            precise vec4 below = s.most - near(i);
+            precise vec4 above = near(i) - s.low, below = s.high - near(i);
             row = row + lower(above, below);
         }
         sum = sum + row;

@@ -5,7 +5,7 @@
 
 layout(local_size_x = LIST_GROUP) in; // an entry of the list; y: a tile
 
-const int own_most = LIST_GROUP * 13;
+const int own_most = LIST_GROUP * most_in_region;
 #include "append.glsl"
 
 void add_dirty(int m, int where) {

@@ -12,8 +12,8 @@ Face face_of(float ex, float ey, float ox, float oy, float de, float d_o) {
     return face(gx, gy);
 }
 
-// The gain of flipping the flippable edge e at m. What lies beyond the sides is gathered where it is
-// used, a side after the other.
+// The gain of flipping the flippable edge e at m by costs. What lies beyond the sides is gathered
+// where it is used, a side after the other.
 float flip_gain(int m, Edge e) {
     Side s = first_side(e);
     float vx = float(e.v.x), vy = float(e.v.y), wx = float(s.vector.x), wy = float(s.vector.y);
@@ -59,7 +59,7 @@ float flip_gain(int m, Edge e) {
 
 // The same with the contours' share, if they count; m is the edge's number in the array that SITE
 // looks at, `site_` among all.
-float full_gain(int m, int site_, Edge e) {
+float gain_at(int m, int site_, Edge e) {
     precise float gain = flip_gain(m, e);
 #ifdef CONTOURS
     ivec2 w = (e.v + e.left) / 2;

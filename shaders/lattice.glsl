@@ -70,27 +70,34 @@ bool is_zero(ivec2 v) {
     return v == ivec2(0);
 }
 
+// Whether an edge with these apexes can be flipped.
+bool is_diagonal(ivec2 left, ivec2 right) {
+    return !is_zero(left) && left == -right && abs(left.x) <= longest_edge &&
+           abs(left.y) <= longest_edge;
+}
 bool flippable(Edge e) {
-    return !is_zero(e.left) && e.left == -e.right && abs(e.left.x) <= longest_edge &&
-           abs(e.left.y) <= longest_edge;
+    return is_diagonal(e.left, e.right);
+}
+
+// v and left of an edge's record as one number.
+uint first_word(ivec2 v, ivec2 left) {
+    return pack(v, left);
 }
 
 // How the cell of the tile whose slot begins at first_site is divided.
 int division(int first_site, ivec2 cell) {
     Edge centre = edge_at(first_site + offset(2 * cell + 1));
-    ivec2 v = centre.v.y < 0 ? -centre.v : centre.v, apex = centre.left;
-    if (apex != -centre.right)
-        return division_crossed;
-    if (v == ivec2(1, 1) && (apex == ivec2(-1, 1) || apex == ivec2(1, -1)))
-        return division_down;
-    if (v == ivec2(-1, 1) && (apex == ivec2(-1, -1) || apex == ivec2(1, 1)))
-        return division_up;
-    return division_crossed;
+    uint first = first_word(centre.v, centre.left);
+    bool down = flippable(centre) && (first == first_word(ivec2(1, 1), ivec2(-1, 1)) ||
+                                      first == first_word(ivec2(-1, -1), ivec2(1, -1)));
+    bool up = flippable(centre) && (first == first_word(ivec2(-1, 1), ivec2(-1, -1)) ||
+                                    first == first_word(ivec2(1, -1), ivec2(1, 1)));
+    return down ? division_down : up ? division_up : division_crossed;
 }
 
 // A side of the quad round a flippable edge, in the order ac, cb, bd, da. C++ twin, with a figure:
-// core/lattice/quad-inl.h. Each is made of the one before and not looked up in arrays, and loops end
-// when they are once round: compilers would unroll them, and take a multiple of the time for
+// core/lattice/quad-inl.h. Each is made of the one before and not looked up in arrays, and loops
+// end when they are once round: compilers would unroll them, and take a multiple of the time for
 // programs that are no faster.
 struct Side {
     ivec2 vector, next;      // as vectors in pixels: this side, the next one
@@ -126,8 +133,8 @@ ivec2 from_last_end(ivec2 apex, ivec2 edge) {
     return (apex - edge) >> 1;
 }
 
-// The two other edges of the triangle beyond the side, whose site is `middle` and whose record is e;
-// -1 on the rim. With the sides themselves they are the 2-region.
+// The two other edges of the triangle beyond the side, whose site is `middle` and whose record is
+// e; -1 on the rim. With the sides themselves they are the 2-region.
 ivec2 edges_beyond(int middle, Edge e, Side s) {
     ivec2 apex = apex_beyond(e, s.inner);
     return is_zero(apex) ? ivec2(-1)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which triangle a position lies in. C++ twin: core/lattice/locate.cpp. After net.glsl.
 
-
 struct Triangle {
     ivec2 vertex[3]; // pixels of the tile, the one with the smallest address first
     ivec3 weight;    // of the position, in 2^-16
@@ -15,31 +14,22 @@ bool tie_inside(ivec2 d) {
     return d.y < 0 || (d.y == 0 && d.x > 0);
 }
 
-// Whether a comes before b in the order of addresses.
-bool before(ivec2 a, ivec2 b) {
-    return a.y < b.y || (a.y == b.y && a.x < b.x);
+// A triangle's vertices in Triangle's order, relative to the first corner of a cell.
+struct Corners {
+    ivec2 p0, p1, p2;
+};
+
+// In the order of sites.
+int address(ivec2 corner) {
+    return corner.y * (1 << 16) + corner.x;
 }
 
-// The triangle s, t, c (det > 0), corners relative to the cell, for the position f in it.
-Triangle describe(ivec2 cell, ivec2 f, ivec2 s, ivec2 t, ivec2 c) {
-    ivec2 p0 = s, p1 = t, p2 = c;
-    if (before(t, s) && !before(c, t)) {
-        p0 = t;
-        p1 = c;
-        p2 = s;
-    } else if (before(c, s) && before(c, t)) {
-        p0 = c;
-        p1 = s;
-        p2 = t;
-    }
-    Triangle r;
-    r.vertex[0] = cell + p0;
-    r.vertex[1] = cell + p1;
-    r.vertex[2] = cell + p2;
-    r.weight.x = det(p2 - p1, f - p1 * position_one);
-    r.weight.y = det(p0 - p2, f - p2 * position_one);
-    r.weight.z = position_one - r.weight.x - r.weight.y;
-    return r;
+// The triangle s, t, c (det > 0).
+Corners ordered(ivec2 s, ivec2 t, ivec2 c) {
+    int first = address(t) < address(s) ? 1 : 0;
+    first = address(c) < address(first == 1 ? t : s) ? 2 : first;
+    return Corners(first == 0 ? s : first == 1 ? t : c, first == 0 ? t : first == 1 ? c : s,
+                   first == 0 ? c : first == 1 ? s : t);
 }
 
 // Whether f, shifted by the tie rule, lies to the left of the line through q along d.
@@ -48,9 +38,8 @@ bool left_of(ivec2 d, ivec2 q, ivec2 f) {
     return side > 0 || (side == 0 && tie_inside(d));
 }
 
-Triangle locate(int tile, ivec2 p) {
-    ivec2 cell = min(p >> position_bits, extent[tile].xy - 2);
-    ivec2 f = p - cell * position_one;
+// The triangle that a position belongs to, by its place f in the cell.
+Corners locate(int tile, ivec2 cell, ivec2 f) {
     int origin = tile * slot_sites + 2 * cell.y * stride + 2 * cell.x;
 
     Edge diagonal = edge_at(origin + stride + 1);
@@ -70,20 +59,34 @@ Triangle locate(int tile, ivec2 p) {
             turn = c2.y != 0 ? c2.y : -c2.x;
         ivec2 from = turn > 0 ? t : c, to = turn > 0 ? c : s, own = turn > 0 ? s : t;
         if (left_of(to - from, from, f))
-            return describe(cell, f, s, t, c);
+            return ordered(s, t, c);
         ivec2 middle = from + to;
         Edge side = edge_at(origin + offset(middle));
         apex = apex_beyond(side, 2 * own - middle);
         if (is_zero(apex))
-            return describe(cell, f, s, t, c);
+            return ordered(s, t, c);
         s = to;
         t = from;
     }
 }
 
+// The triangle that p belongs to.
+Triangle locate(int tile, ivec2 p) {
+    ivec2 cell = min(p >> position_bits, extent[tile].xy - 2);
+    ivec2 f = p - cell * position_one;
+    Corners c = locate(tile, cell, f);
+    Triangle r;
+    r.vertex[0] = cell + c.p0;
+    r.vertex[1] = cell + c.p1;
+    r.vertex[2] = cell + c.p2;
+    r.weight.x = det(c.p2 - c.p1, f - c.p1 * position_one);
+    r.weight.y = det(c.p0 - c.p2, f - c.p2 * position_one);
+    r.weight.z = position_one - r.weight.x - r.weight.y;
+    return r;
+}
+
 // Barycentric weights.
 vec3 weights(Triangle t) {
-    const float unit = 1.0 / float(position_one);
-    precise vec3 b = vec3(t.weight) * unit;
+    precise vec3 b = vec3(t.weight) * position_unit;
     return b;
 }

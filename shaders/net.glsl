@@ -56,6 +56,8 @@ vec4 softness(ivec2 i, ivec2 j) {
 #else
     Edge e = edge_at(s);
     float w = flippable(e) ? soft_weight(gain[s], reciprocal_tau) : 0.0;
+    // Of a weight of 0 edge_softness() makes a zero, of either sign, which no result shows: where
+    // values are not finite, too. So they need not be read.
     if (w == 0.0)
         return vec4(0.0);
     return edge_softness(w, value_at(i), value_at(j), value_at((m + e.left) / 2),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far edges go about what a tile serves, gathered a group: of those with an end beyond its left,
-// upper, right or lower side. A triangle read within these sides goes no further, nor does one beside
-// it, and so on. After lists.glsl.
+// How far edges go about what a tile serves, gathered a group: of those with an end beyond its
+// left, upper, right or lower side. A triangle read within these sides goes no further, nor does
+// one beside it, and so on. After lists.glsl.
 
 shared uint own_reach[4];
 

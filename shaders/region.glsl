@@ -2,9 +2,11 @@
 // Regions of an edge as arrays. C++ twin: core/lattice/region.h, where any_beyond is recursive.
 // After lattice.glsl.
 
+const int region_size = most_in_region - 1, wide_region_size = most_in_wide_region;
+
 // The 2-region of the flippable edge e at m without m itself; -1 where there is none. C++ twin:
 // Lattice::any_of_region().
-void region_of(int m, Edge e, out int region[12]) {
+void region_of(int m, Edge e, out int region[region_size]) {
     Side s = first_side(e);
     for (int k = 0; k < 4; ++k) {
         int middle = m + offset(middle_of(s));
@@ -31,10 +33,8 @@ bool next_sides(Beyond b, out Beyond minus, out Beyond plus) {
     return !is_zero(apex);
 }
 
-const int wide_region_size = 28;
-
-// The region of degree 3 of the flippable edge e at m; -1 where there is none, some twice. C++ twin:
-// any_of_wide_region().
+// The region of degree 3 of the flippable edge e at m; -1 where there is none, some twice. C++
+// twin: any_of_wide_region().
 void wide_region_of(int m, Edge e, out int region[wide_region_size]) {
     Side s = first_side(e);
     for (int k = 0; k < 4; ++k) {

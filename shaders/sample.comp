@@ -13,7 +13,8 @@ layout(std430, binding = 5) buffer Result { uvec4 pixels[]; };
 #elif defined(MEAN)
 layout(std430, binding = 5) buffer Result { uint pixels[]; };
 #elif defined(WHOLE_GROUPS)
-layout(std430, binding = 5) writeonly buffer Result { uvec4 pixels[]; }; // channels / 4 a pixel
+// channels / group_size a pixel
+layout(std430, binding = 5) writeonly buffer Result { uvec4 pixels[]; };
 #else
 layout(std430, binding = 5) writeonly buffer Result { uint pixels[]; }; // `channels` a pixel
 #endif
@@ -44,7 +45,7 @@ void main() {
     uvec4 bits = result_bits(at(patch_, b.x, b.y, b.z));
 #ifdef MEAN
 #ifdef WHOLE_GROUPS
-    uvec4 mean = pixels[index * (channels.x / 4) + channels.y / 4];
+    uvec4 mean = pixels[index * (channels.x / group_size) + channels.y / group_size];
 #else
     uvec4 mean = uvec4(0u);
     for (int c = 0; c < channels.z; ++c)
@@ -62,7 +63,7 @@ void main() {
     }
 #endif
 #ifdef WHOLE_GROUPS
-    pixels[index * (channels.x / 4) + channels.y / 4] = bits;
+    pixels[index * (channels.x / group_size) + channels.y / group_size] = bits;
 #else
     for (int c = 0; c < channels.z; ++c)
         pixels[index * channels.x + channels.y + c] = bits[c];

@@ -109,7 +109,7 @@ void main() {
             float g = no_gain;
             Edge e = edge_at(near);
             if (flippable(e)) {
-                g = full_gain(near, m, e);
+                g = gain_at(near, m, e);
                 atomicAdd(evaluated, 1);
                 if (g > min_gain)
                     collect(m);

@@ -59,11 +59,8 @@ vec4 edge_bend(vec4 gix, vec4 giy, vec4 gjx, vec4 gjy, vec4 zi, vec4 zj, ivec2 v
 
 // Weight of the flipped state of a flippable edge with this gain.
 float soft_weight(float gain, float reciprocal_tau) {
-    precise float loss = gain < 0.0 ? gain : 0.0;
-    precise float w = 1.0 + loss * reciprocal_tau;
-    precise float weight = soft_share * w;
-    precise float r = w > 0.0 ? weight : 0.0;
-    return r;
+    precise float w = soft_share * (1.0 + lower(0.0, gain) * reciprocal_tau);
+    return upper(0.0, w);
 }
 
 // q of an edge from i to j with apexes c and d, weight w.
@@ -122,8 +119,8 @@ vec4 at(Patch p, float b0, float b1, float b2) {
     return smaller(p.high, larger(p.low, f));
 }
 
-// The mean of some surfaces at a position from that of all but the last, and the last, whose share is
-// 1 / their number.
+// The mean of some surfaces at a position from that of all but the last, and the last, whose share
+// is 1 / their number.
 vec4 joined(vec4 mean, vec4 last, float share) {
     precise float others = 1.0 - share;
     precise vec4 f = mean * others + last * share;

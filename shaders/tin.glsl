@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A triangulation of any vertices. C++ twins: core/tin/tin.h, tin_mesh.h and face.h, which explain it.
+// A triangulation of any vertices. C++ twins: core/tin/tin.h, tin_mesh.h and face.h, which explain
+// it.
 //
 // Every kernel has an invocation an edge (tin_faces.comp: a triangle).
 #define ANY_AREAS
 #include "cost.glsl"
 
-layout(local_size_x = 256) in;
+layout(local_size_x = TIN_GROUP) in;
 
 layout(std430, binding = 0) readonly buffer Vertices { int vertices[]; }; // x, y, the guide's bits
 layout(std430, binding = 1) buffer Triangles { int triangles[]; }; // three vertices, three edges
@@ -27,7 +28,7 @@ layout(location = 4) uniform bool wide;
 
 // What is known of an edge. A winner is an edge accepted in this round, which others may still take
 // for untreated.
-const uint idle = 0, dirty = 1, untreated = 2, winner = 3, accepted = 4, rejected = 5;
+const uint idle = 0, dirty = MARK_DIRTY, untreated = 2, winner = 3, accepted = 4, rejected = 5;
 
 int own_index() {
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
@@ -53,8 +54,8 @@ bool is_positive(ivec2 w) {
     return w.x > 0 || (w.x == 0 && w.y != 0);
 }
 
-// Whole numbers as floats. Of 32 bits: rounded once, by halves, which are exact. Of 64: each half is
-// rounded, then their sum.
+// Whole numbers as floats. Of 32 bits: rounded once, by halves, which are exact. Of 64: each half
+// is rounded, then their sum.
 float to_float(int x) {
     precise float v = float(x >> 16) * 65536.0 + float(x & 0xffff);
     return v;
@@ -172,9 +173,9 @@ float flip_gain(int m) {
     return g;
 }
 
-// The region of an edge, narrow (12 edges at most) or wide; the rest is -1. The edge itself may be
-// in the wide one.
-const int region_size = 28;
+// The region of an edge, narrow (most_in_region - 1 at most) or wide; the rest is -1. The edge
+// itself may be in the wide one.
+const int region_size = most_in_wide_region;
 void region_of(int m, bool is_wide, out int region[region_size]) {
     for (int k = 0; k < region_size; ++k)
         region[k] = -1;

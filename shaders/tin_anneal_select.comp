@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which edges of a part are outside each other's 2-region and flip; tin_flip.comp does it. C++ twin:
-// Annealing::select() and iterate() in core/triangulate/annealing.h.
+// Which edges of a part are outside each other's 2-region and flip; tin_flip.comp does it. C++
+// twin: Annealing::select() and iterate() in core/triangulate/annealing.h.
 #define DRAWN readonly
 #include "tin.glsl"
 #include "annealing.glsl"

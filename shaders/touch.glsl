@@ -3,12 +3,15 @@
 // add_dirty(m, where). After lists.glsl.
 #include "flip.glsl"
 
-// Stamps say in which iteration an edge is to be looked at again: 4 i and up. It shares a word with a
-// part of the record, which is therefore written by atomicMax: what wins brings its own part along.
+// Stamps say in which iteration an edge is to be looked at again: 4 i and up. It shares a word with
+// a part of the record, which is therefore written by atomicMax: what wins brings its own part
+// along. Others read and write the words meanwhile as usual, which relies on 32-bit accesses that
+// do not tear: a word is what it was or what it becomes.
 //
-// An edge's record is changed by one flip of a dispatch at most. That flip knows what becomes of the
-// edge and says so with a higher stamp, which wins whoever comes first; others that touch the edge
-// may still see what it was. 4 i + 1: who came first could flip it and has put it among the dirty.
+// An edge's record is changed by one flip of a dispatch at most. That flip knows what becomes of
+// the edge and says so with a higher stamp, which wins whoever comes first; others that touch the
+// edge may still see what it was. 4 i + 1: who came first could flip it and has put it among the
+// dirty.
 uint stamp(int m, Edge e, uint value) {
     return atomicMax(site[m].y, value << 16 | (pack(e).y & 0xffffu)) >> 16;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A tile's numbers, as they travelled, become the values of its vertices, one invocation a pixel:
-// floats, or by CODES_8 or CODES_16 codes of so many bits and a table of what they stand for. C++
-// twin: read_numbers in core/gl/host_tile.cpp.
+// floats, or by CODES_8 or CODES_16 codes of so many bits and a table of what they stand for.
+// read_numbers() in core/gl/host_tile.cpp puts them down so.
 #include "lattice.glsl"
 
 layout(local_size_x = SURFACE_GROUP_X, local_size_y = SURFACE_GROUP_Y) in; // z: a slot

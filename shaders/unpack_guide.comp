@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tile's guide as it travelled becomes floats, one invocation a pixel. C++ twin: encode_guide() in
-// core/gl/travel.cpp.
+// A tile's guide as it travelled becomes floats, one invocation a pixel: undoes what encode_guide()
+// in core/gl/travel.cpp does.
 #include "lattice.glsl"
 
 layout(local_size_x = SURFACE_GROUP_X, local_size_y = SURFACE_GROUP_Y) in; // z: a tile
@@ -18,7 +18,7 @@ void main() {
     uint bits;
     if (encoded[first] != 0u) {
         uint steps = encoded[first + 1 + i / 2] >> 16 * (i % 2) & 0xffffu;
-        precise float v = float(steps) * (1.0 / 4096.0);
+        precise float v = float(steps) * guide_unit;
         bits = floatBitsToUint(v);
     } else {
         bits = encoded[first + 1 + i];

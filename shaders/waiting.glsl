@@ -23,6 +23,13 @@ int wake(ivec2 b, int iteration) {
     return stamp_at(b.y) / 4 == uint(iteration) ? 1 : 0;
 }
 
+// Whether the candidate at `other`, in the 2-region of the one at m, goes before it. own: the gain
+// at m, which is looked up once for all. C++ twin: core/triangulate/regions.h.
+bool goes_before(int other, int m, float own) {
+    float g = gain[other];
+    return g > own || (g == own && other < m);
+}
+
 // A better candidate in the 2-region of the candidate at m, or -1 if m is the best. C++ twin:
 // find_blockers() of any mesh in core/triangulate/regions.h.
 int find_blocker(int m) {
@@ -34,8 +41,7 @@ int find_blocker(int m) {
         int middle = m + offset(middle_of(s));
         ivec3 others = ivec3(middle, edges_beyond(middle, edge_at(middle), s));
         for (int i = 0; i < 3; ++i) {
-            float g = others.x < 0 ? no_gain : gain[others.x];
-            if (g > own || (g == own && others.x < m && others.x >= 0))
+            if (others.x >= 0 && goes_before(others.x, m, own))
                 blocker = others.x;
             others = others.yzx;
         }

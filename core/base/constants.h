@@ -23,13 +23,19 @@ namespace ddt {
     INT(division_down, 0)                                                                          \
     INT(division_up, 1)                                                                            \
     INT(division_crossed, 2)                                                                       \
-    /* A position's bits behind the point; a pixel in its units. */                                \
+    /* A position's bits behind the point; a pixel in its units, and these in pixels. */           \
     INT(position_bits, 16)                                                                         \
     INT(position_one, 1 << 16)                                                                     \
+    FLOAT(position_unit, 0x1p-16f)                                                                 \
+    /* Edges in a 2-region, the edge itself among them, and in one of degree 3, at most. */        \
+    INT(most_in_region, 13)                                                                        \
+    INT(most_in_wide_region, 28)                                                                   \
                                                                                                    \
     /* Of a guide, in units a pixel: the slope that counts as 45 degrees, and its square. */       \
     FLOAT(cost_slope, 0.2f)                                                                        \
     FLOAT(cost_slope_square, 0.04f)                                                                \
+    /* The step of the usual guide. */                                                             \
+    FLOAT(guide_unit, 0x1p-12f)                                                                    \
     /* The gain of an edge that cannot be flipped. */                                              \
     FLOAT(no_gain, -1e30f)                                                                         \
                                                                                                    \
@@ -55,7 +61,12 @@ namespace ddt {
     INT(annealing_parts, 8)                                                                        \
     FLOAT(natural_log_2, 0.69314718f)                                                              \
     FLOAT(log_bow, 0.34f)                                                                          \
+    /* What numbers that are drawn are multiples of, and the fraction of a float in 1 .. 2. */     \
+    FLOAT(draw_unit, 0x1p-24f)                                                                     \
+    FLOAT(fraction_unit, 0x1p-23f)                                                                 \
                                                                                                    \
+    /* Channels that are worked on together, at most: the lanes of a vec4. */                      \
+    INT(group_size, 4)                                                                             \
     /* Square of the gradient below which triangles weigh nearly alike (gradient-inl.h). */        \
     FLOAT(gradient_epsilon, 0.02f * 0.02f)                                                         \
     /* How much more than by the gradients an edge is bent (gradient-inl.h). */                    \

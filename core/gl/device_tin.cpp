@@ -17,8 +17,7 @@ namespace gl {
 
 namespace {
 
-constexpr size_t group = 256, most_groups = 65535; ///< in a dispatch's x
-constexpr uint32_t dirty = 1;                      ///< shaders/tin.glsl
+constexpr size_t group = tin_group, most_groups = 65535; ///< in a dispatch's x
 
 // The shaders read these as they are.
 static_assert(sizeof(Tin::Vertex) == 12 && sizeof(Tin::Triangle) == 24 && sizeof(Tin::Edge) == 8 &&
@@ -50,7 +49,7 @@ DeviceTin::DeviceTin(Gpu& gpu, const Tin& tin)
 }
 
 void DeviceTin::mark_all_dirty() {
-    const std::vector<uint32_t> marks(m_edges, dirty);
+    const std::vector<uint32_t> marks(m_edges, uint32_t(mark_dirty));
     m_mark_buffer.write(0, bytes_of(marks), marks.data());
 }
 

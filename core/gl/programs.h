@@ -23,8 +23,11 @@ namespace ddt::gl {
     /* What the first is in the end, and where a round accepted none, which cannot be. */          \
     LAYOUT(PROGRESS_ENDED, progress_ended, 2)                                                      \
     LAYOUT(PROGRESS_STUCK, progress_stuck, 3)                                                      \
+    /* An edge's mark, that it is to be evaluated (accept_reject.comp, tin.glsl). */               \
+    LAYOUT(MARK_DIRTY, mark_dirty, 1)                                                              \
     /* Groups of invocations: over entries of a list; a tile's late iterations; over pixels of */  \
-    /* the starting mesh, sites whose gains are found, pixels of the surface, samples. */          \
+    /* the starting mesh, sites whose gains are found, pixels of the surface, samples; over */     \
+    /* edges or triangles of a mesh of points. */                                                  \
     LAYOUT(LIST_GROUP, list_group, 64)                                                             \
     LAYOUT(FINISH_GROUP, finish_group, 512)                                                        \
     LAYOUT(START_GROUP_X, start_group_x, 32)                                                       \
@@ -34,7 +37,8 @@ namespace ddt::gl {
     LAYOUT(SURFACE_GROUP_X, surface_group_x, 16)                                                   \
     LAYOUT(SURFACE_GROUP_Y, surface_group_y, 8)                                                    \
     LAYOUT(SAMPLE_GROUP_X, sample_group_x, 16)                                                     \
-    LAYOUT(SAMPLE_GROUP_Y, sample_group_y, 8)
+    LAYOUT(SAMPLE_GROUP_Y, sample_group_y, 8)                                                      \
+    LAYOUT(TIN_GROUP, tin_group, 256)
 
 #define DDT_LAYOUT(NAME, name, value) constexpr int name = value;
 DDT_LAYOUTS(DDT_LAYOUT)

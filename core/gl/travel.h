@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/constants.h"
 #include "ddt/core.h"
 
 namespace ddt::gl {
@@ -19,7 +20,7 @@ constexpr size_t whole_words(size_t bytes) {
 /// A guide on its way to the device: a word that tells whether 16-bit steps of guide_unit follow,
 /// which do for the usual guide between 0 and 16, or floats; then these, rows without gaps. Decoded
 /// by shaders/unpack_guide.comp.
-constexpr float guide_unit = 0x1p-12f;
+///
 /// Room for so many, and what encode_guide() makes of the guide: the bytes of `to` that it takes.
 constexpr size_t guide_room(size_t pixels) {
     return sizeof(uint32_t) + pixels * sizeof(float);

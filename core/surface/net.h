@@ -55,8 +55,7 @@
 
 namespace ddt {
 
-/// Channels that are worked on together, at most.
-constexpr int group_size = most_in_pixel;
+static_assert(group_size == most_in_pixel, "a vector of a pixel has a lane for each");
 
 /// Floats beyond the last of a row that may be read or written.
 constexpr size_t edge_padding = most_lanes;

@@ -25,11 +25,11 @@ inline uint64_t mixed(uint64_t x) {
 /// uniform in (0, 1]. Only + - * of floats, log(1 + f) as a parabola (within 0.01), so that all
 /// machines agree.
 inline float exponential(uint32_t bits) {
-    const float uniform = float((bits >> 8) + 1) * (1.0f / 16777216.0f);
+    const float uniform = float((bits >> 8) + 1) * draw_unit;
     uint32_t word;
     std::memcpy(&word, &uniform, sizeof word);
     const auto exponent = int(word >> 23) - 127;
-    const float f = float(word & 0x7fffffu) * (1.0f / 8388608.0f);
+    const float f = float(word & 0x7fffffu) * fraction_unit;
     return natural_log_2 * ((0.0f - float(exponent)) - (f + ((log_bow * f) * (1.0f - f))));
 }
 
@@ -42,6 +42,23 @@ inline uint64_t annealing_salt(uint64_t seed, int iteration) {
 inline float annealing_temperature(Cost cost, int iteration, int iterations) {
     const float left = float(iterations - iteration) / float(iterations);
     return (traits(cost).temperature * left) * left;
+}
+
+/// Whether the edge that this number was drawn for is of the part that is tried.
+inline bool is_of_part(uint32_t drawn, uint32_t part) {
+    return drawn % uint32_t(annealing_parts) == part;
+}
+
+/// Of two edges of a part: whether the other one, where it can be flipped, is selected rather than
+/// m.
+inline bool comes_first(int other, uint32_t other_drawn, int m, uint32_t m_drawn) {
+    return other_drawn > m_drawn || (other_drawn == m_drawn && other < m);
+}
+
+/// Metropolis' u < exp(gain / t), with u = exp(-e); `seed` is mixed.
+inline bool is_taken(float gain, float temperature, uint64_t seed, uint32_t drawn) {
+    const float least = 0.0f - temperature * exponential(uint32_t(mixed(seed ^ drawn)));
+    return gain > least;
 }
 
 template <class Mesh>
@@ -72,8 +89,7 @@ public:
             find_gains(m_mesh, m_criterion, m_w.selected.data(), m_w.selected.size());
             m_statistics.evaluations += int64_t(m_w.selected.size());
             for (const int m : m_w.selected)
-                // Metropolis' u < exp(gain / t), with u = exp(-e).
-                if (m_mesh.gain(m) > 0.0f - temperature * exponential(more_bits(m))) {
+                if (is_taken(m_mesh.gain(m), temperature, m_seed, m_drawn[size_t(m)])) {
                     m_mesh.flip(m);
                     ++m_statistics.flips;
                 }
@@ -105,16 +121,13 @@ private:
             const uint32_t own = m_drawn[size_t(m)];
             const bool beaten = m_mesh.any_of_region(m, [&](int other) {
                 const uint32_t drawn = m_drawn[size_t(other)];
-                return drawn % parts == part && m_mesh.flippable(other) &&
-                       (drawn > own || (drawn == own && other < m));
+                return is_of_part(drawn, part) && comes_first(other, drawn, m, own) &&
+                       m_mesh.flippable(other);
             });
             if (!beaten)
                 m_w.selected.push_back(m);
         }
     }
-
-    /// More random bits of an edge that has been drawn.
-    uint32_t more_bits(int m) const { return uint32_t(mixed(m_seed ^ m_drawn[size_t(m)])); }
 
     Mesh& m_mesh;
     const Criterion m_criterion;

@@ -8,8 +8,6 @@
 
 namespace ddt {
 
-/// Edges in a 2-region, the edge itself among them, at most.
-constexpr size_t most_in_region = 13;
 /// Edges whose regions are looked at together.
 constexpr size_t regions_at_once = 64;
 
