@@ -5,6 +5,7 @@
 #include "core/base/guarded.h"
 #include "core/guide/guide.h"
 #include "core/lattice/list_triangles.h"
+#include "core/tiles/tile_io.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/triangulate.h"
 #include "ddt/option_table.h"
@@ -40,13 +41,11 @@ bool build(const float* guide, int width, int height, const MeshOptions& options
     bool going = true;
     if (progress)
         workspace.progress = [&](float share) { return going = progress(share); };
-    std::vector<float> blurred;
-    if (options.blur > 0) {
-        blurred.assign(guide, guide + size_t(width) * size_t(height));
-        blur_guide(blurred.data(), width, height, options.blur);
-        guide = blurred.data();
-    }
-    start(lattice, width, height, guide, options);
+    std::vector<float> own(guide, guide + size_t(width) * size_t(height));
+    clean_guide(own.data(), own.size());
+    if (options.blur > 0)
+        blur_guide(own.data(), width, height, options.blur);
+    start(lattice, width, height, own.data(), options);
     const double cost_start = report ? total_cost(lattice, options.cost) : 0;
     triangulate(lattice, options, workspace, statistics);
     if (!going)

@@ -30,11 +30,11 @@ struct MeshReport {
 /// Triangulate a whole image at once, to one mesh whatever MeshOptions::meshes is. (enlarge() does
 /// it tile by tile: the same mesh but for edges, less than one in a million, that depend on
 /// something more than a halo away.) Takes about 80 bytes a pixel meanwhile. `guide`: width x
-/// height floats, row by row, about 0 to 1. `progress` is called from time to time with a rough
-/// share done, 0 to 1; it returns false to cancel; it may be empty. False, with one line in
-/// `error`, if the image has less than 2 x 2 pixels or more than 2^28, an option is not allowed,
-/// memory runs out, or it was cancelled; `mesh` is then as it was, unless memory ran out. Never
-/// throws.
+/// height floats, row by row, about 0 to 1; what is below 2^-24 or not finite counts as 0.
+/// `progress` is called from time to time with a rough share done, 0 to 1; it returns false to
+/// cancel; it may be empty. False, with one line in `error`, if the image has less than 2 x 2
+/// pixels or more than 2^28, an option is not allowed, memory runs out, or it was cancelled; `mesh`
+/// is then as it was, unless memory ran out. Never throws.
 bool build_mesh(const float* guide, int width, int height, const MeshOptions& options, Mesh& mesh,
                 MeshReport* report = nullptr, std::string* error = nullptr,
                 const std::function<bool(float)>& progress = {});

@@ -73,6 +73,25 @@ TEST(Mesh, ListsItsTrianglesRowByRow) {
     }
 }
 
+// As in every picture that is enlarged (ddt/job.h).
+TEST(Mesh, TakesWhatIsNoUsualGuideForZero) {
+    const int w = 23, h = 17;
+    auto guide = make_guide(Kind::noise, w, h, 3), clean = guide;
+    const float unusual[] = {std::nanf(""), HUGE_VALF, -HUGE_VALF, 0x1p-25f};
+    for (size_t i = 0; i < 4; ++i) {
+        guide[60 + 70 * i] = unusual[i];
+        clean[60 + 70 * i] = 0;
+    }
+    for (const float blur : {0.0f, 0.07f}) {
+        MeshOptions options = plain_mesh();
+        options.blur = blur;
+        Mesh mesh, wanted;
+        ASSERT_TRUE(build_mesh(guide.data(), w, h, options, mesh));
+        ASSERT_TRUE(build_mesh(clean.data(), w, h, options, wanted));
+        EXPECT_EQ(mesh.triangles, wanted.triangles);
+    }
+}
+
 TEST(Mesh, IsOneHoweverManyAreAskedFor) {
     const int w = 31, h = 23;
     const auto guide = make_guide(Kind::noise, w, h, 6);
