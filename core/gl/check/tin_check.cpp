@@ -54,7 +54,7 @@ Tin make_tin() {
 }
 
 /// What is compared.
-struct Outcomes {
+struct TinOutcomes {
     Words triangles, faces, gains, counts;
 };
 
@@ -81,12 +81,12 @@ Words words_of(const std::vector<TinFace>& faces) {
     return words_of(std::move(numbers));
 }
 
-Outcomes on_cpu(Tin tin, const MeshOptions& options) {
+TinOutcomes on_cpu(Tin tin, const MeshOptions& options) {
     const DenormalsAreZero as_on_gpus;
     Statistics statistics;
     Workspace workspace;
     triangulate(tin, options, workspace, statistics);
-    Outcomes o;
+    TinOutcomes o;
     o.triangles = words_of(tin.triangles);
     o.counts = words_of(statistics);
     TinMesh mesh(tin, options.cost);
@@ -106,12 +106,12 @@ Outcomes on_cpu(Tin tin, const MeshOptions& options) {
     return o;
 }
 
-Outcomes on_gpu(Gpu& gpu, Tin tin, const MeshOptions& options) {
+TinOutcomes on_gpu(Gpu& gpu, Tin tin, const MeshOptions& options) {
     Statistics statistics;
     DeviceTin device(gpu, tin);
     device.triangulate(options, Workspace(), statistics);
     device.read(tin);
-    Outcomes o;
+    TinOutcomes o;
     o.triangles = words_of(tin.triangles);
     o.counts = words_of(statistics);
     std::vector<TinFace> faces(tin.triangles.size());
@@ -140,8 +140,8 @@ std::string tin_differs_from_cpu(Gpu& gpu, const MeshOptions& options) {
         check.min_gain = -1.0f;
         check.max_iterations = enough;
         check.contour = 0;
-        const Outcomes cpu = on_cpu(tin, check);
-        Outcomes device;
+        const TinOutcomes cpu = on_cpu(tin, check);
+        TinOutcomes device;
         std::string what;
         try {
             device = on_gpu(gpu, tin, check);
