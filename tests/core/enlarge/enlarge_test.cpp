@@ -20,7 +20,7 @@
 namespace ddt::test {
 namespace {
 
-constexpr Surface surfaces[] = {Surface::linear, Surface::patch};
+constexpr Surface both_surfaces[] = {Surface::linear, Surface::patch};
 
 std::vector<float> crop(const std::vector<float>& values, Rect whole, Rect part, int channels) {
     std::vector<float> r;
@@ -39,7 +39,7 @@ TEST(Enlarge, AnyNumberOfThreadsGivesTheSameBits) {
     TestSource source({-20, 5, 560, 320}, 3, 1);
     const Rect out{0, 0, 900, 600};
     const auto mapping = mapping_of(source.window(), out, out);
-    for (const Surface surface : surfaces) {
+    for (const Surface surface : both_surfaces) {
         Job job = job_of(source, 3);
         job.surface = surface;
         job.surface.soft = 0.3f;
@@ -284,7 +284,7 @@ TEST(Enlarge, AMappingMayLeavePixelsOut) {
 TEST(Enlarge, SameSizeGivesThePixels) {
     for (const int channels : {1, 2, 3, 4, 5, 6, 7, 8, 9, 64}) {
         TestSource source({10, -10, 40, 13}, channels, 9);
-        for (const Surface surface : surfaces) {
+        for (const Surface surface : both_surfaces) {
             Job job = job_of(source, channels);
             job.surface = surface;
             const Rect w = source.window();
@@ -354,7 +354,7 @@ TEST(Enlarge, NearestChannelsAreCopies) {
 }
 
 TEST(Enlarge, OnePixelWideOrHighPictures) {
-    for (const Surface surface : surfaces)
+    for (const Surface surface : both_surfaces)
         for (const Pixel size :
              {Pixel{1, 1}, Pixel{1, 9}, Pixel{9, 1}, Pixel{1, 300}, Pixel{300, 1}})
             for (const int channels : {1, 3, 5}) {
@@ -701,7 +701,7 @@ TEST(Enlarge, PixelsOfAnyKindAreWorkedOn) {
     const float odd[] = {inf, -inf, std::nanf(""), 1e38f, -1e38f, 3.4e38f, 1e-40f, 0.0f, 1.0f};
     Random random(20);
     const auto values = fill(30 * 30 * 3, [&] { return odd[random.below(9)]; });
-    for (const Surface surface : surfaces) {
+    for (const Surface surface : both_surfaces) {
         std::vector<float> out(90 * 90 * 3);
         EXPECT_EQ(enlarge(values.data(), 30, 30, 3, nullptr, out.data(), 90, 90, surface),
                   Outcome::done);

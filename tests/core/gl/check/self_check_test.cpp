@@ -133,11 +133,6 @@ private:
     std::optional<Environment> m_verbose; ///< once the device is known
 };
 
-std::set<std::string> programs_of(gl::Gpu& gpu) {
-    const auto names = gpu.programs->names();
-    return {names.begin(), names.end()};
-}
-
 /// What is begun before it is used.
 std::set<std::string> expected_of(const Job& job) {
     std::set<std::string> all;

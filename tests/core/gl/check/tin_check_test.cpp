@@ -15,19 +15,19 @@
 namespace ddt::test {
 namespace {
 
-struct Change {
+struct TinChange {
     const char *constant, *value;
 };
 
 /// A constant of the program, and another value that is not right. (Of tin.glsl's marks the last
 /// ones of their line.)
-Change change_of(const std::string& program) {
+TinChange tin_change_of(const std::string& program) {
     const auto has = [&](const char* part) { return program.find(part) != program.npos; };
     if (has("tin_faces.comp"))
         return {"reciprocal_magic", "2120000000"};
     if (has("tin_evaluate.comp"))
-        return has("abn") || has("scf") ? Change{"rsqrt_magic", "1597460000"}
-                                        : Change{"reciprocal_magic", "2120000000"};
+        return has("abn") || has("scf") ? TinChange{"rsqrt_magic", "1597460000"}
+                                        : TinChange{"reciprocal_magic", "2120000000"};
     if (has("tin_anneal_draw.comp"))
         return {"drawn[m]", "0u"};
     if (has("tin_anneal_select.comp"))
@@ -69,11 +69,6 @@ private:
     std::optional<Environment> m_verbose; ///< once the device is known
 };
 
-std::set<std::string> programs_of(gl::Gpu& gpu) {
-    const auto names = gpu.programs->names();
-    return {names.begin(), names.end()};
-}
-
 TEST_P(TinCheck, EveryProgramIsCheckedBeforeItIsUsedAndAWrongOneIsNot) {
     std::set<std::string> proved; // of those that do not look at the cost: by file
     for (const Scheme scheme : {Scheme::maxgain, Scheme::annealing})
@@ -97,7 +92,7 @@ TEST_P(TinCheck, EveryProgramIsCheckedBeforeItIsUsedAndAWrongOneIsNot) {
                                      program.find("tin_anneal_select") == 0;
                 if (!proved.insert(by_cost ? program : program.substr(0, program.find(' '))).second)
                     continue;
-                const Change change = change_of(program);
+                const TinChange change = tin_change_of(program);
                 gl::change_constant(program, change.constant, change.value);
                 fresh_device();
                 EXPECT_FALSE(on_device(options, lines)) << program << " is wrong and used";
