@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Linked into programs whose results would be others in the environment of whoever runs them: a
-// facility's colour configuration, a choice of GPU. DDT_DEVICE is left: tests of all programs are
-// the CPU's (ddt_program_test in CMakeLists.txt), those of GPUs name theirs.
+// facility's colour configuration, a choice of GPU. DDT_DEVICE is left: of most programs tests are
+// the CPU's (ddt_program_test in CMakeLists.txt); ./check has it unset for those of GPUs.
 #include <cstdlib>
 #include <initializer_list>
 
