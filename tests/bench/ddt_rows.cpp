@@ -9,7 +9,9 @@ namespace {
 
 const std::string to_integers = " to integers";
 
-Row row_of(const std::string& name, Light light) {
+} // namespace
+
+Row ddt_row(const std::string& name, Light light) {
     std::string specification = name;
     OIIO::TypeDesc type = OIIO::TypeFloat;
     if (name.size() > to_integers.size() &&
@@ -37,18 +39,12 @@ Row row_of(const std::string& name, Light light) {
             }};
 }
 
-} // namespace
-
-Row ddt_row(const std::string& specification, Light light) {
-    return row_of(specification, light);
-}
-
 std::vector<Row> ddt_rows(Light light) {
     std::vector<Row> rows;
     for (const std::string& name : ddt::filter_names())
         rows.push_back(ddt_row(name, light));
     if (light != Light::scene) // which integers cannot hold
-        rows.push_back(row_of("ddt-sharp" + to_integers, light));
+        rows.push_back(ddt_row("ddt-sharp" + to_integers, light));
     return rows;
 }
 

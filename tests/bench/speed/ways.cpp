@@ -45,14 +45,12 @@ OIIO::ImageBuf warm_image(const Task& task) {
     return image;
 }
 
-Way ddt_way(const std::string& filter, ddt::Statistics* statistics,
-            const std::function<bool(float)>& progress) {
+Way ddt_way(const std::string& filter, ddt::Statistics* statistics) {
     return {filter, [=](const Task& task) {
                 return seconds(filter, task, [&](OIIO::ImageBuf& result) {
                     ddt::Options options;
                     std::string error;
                     options.statistics = statistics;
-                    options.progress = progress;
                     if (ddt::parse_filter(filter, options, error))
                         return ddt::resize(result, task.image, options, enlarged(task),
                                            task.threads);

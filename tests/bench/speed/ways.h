@@ -42,9 +42,8 @@ struct Way {
 };
 
 /// A filter of this project, by its specification; `statistics`, when not null, is filled in by
-/// each run, `progress` called during it (ddt/resize.h).
-Way ddt_way(const std::string& filter, ddt::Statistics* statistics = nullptr,
-            const std::function<bool(float)>& progress = {});
+/// each run (ddt/resize.h).
+Way ddt_way(const std::string& filter, ddt::Statistics* statistics = nullptr);
 
 /// OpenImageIO's filters, those that people use to enlarge.
 std::vector<Way> oiio_ways();
