@@ -14,6 +14,7 @@
 #include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"
 #include "tests/core/job_helpers.h"
+#include "tests/core/turned.h"
 #include "tests/environment.h"
 #include "tests/many_threads.h"
 
@@ -229,34 +230,13 @@ TEST(Enlarge, PositionsOneByOneGiveTheBitsOfRows) {
     }
 }
 
-/// A picture turned by about 27 degrees; pixels that show nothing of it are left out.
-class Turned final : public Mapping {
-public:
-    Turned(Rect window, Rect out) : m_window(window), m_out(out) {}
-    Rect reach(double, double, double, double) const override { return m_out; }
-    void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override {
-        for (int x = x0; x < x1; ++x, ++positions, ++inside) {
-            *positions = {int64_t(x) * 32768 - int64_t(y) * 16384 + 30 * 65536 + 77,
-                          int64_t(x) * 16384 + int64_t(y) * 32768 - 20 * 65536 + 5};
-            *inside = shows(*positions);
-        }
-    }
-    bool shows(Position p) const {
-        return p.x >= m_window.x0 * 65536 && p.x <= (m_window.x1 - 1) * 65536 &&
-               p.y >= m_window.y0 * 65536 && p.y <= (m_window.y1 - 1) * 65536;
-    }
-
-private:
-    Rect m_window, m_out;
-};
-
 TEST(Enlarge, AMappingMayLeavePixelsOut) {
     TestSource source({0, 0, 300, 280}, 1, 8);
     // The pixels' own coordinates as values: a plane, which comes back exactly.
     for (size_t i = 0; i < source.values().size(); ++i)
         source.values()[i] = float(i % 300);
-    const Rect out{0, 0, 500, 520};
-    const Turned mapping(source.window(), out);
+    const Turned mapping(source.window(), 27, 1.8, false);
+    const Rect out = mapping.out();
     for (const int threads : {1, 2}) {
         TestSink sink(out, 1);
         const Job job = job_of(source, 1, threads);

@@ -1,39 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sizes, channels, tiles and mappings on the GPU against the CPU, bit for bit.
-#include <cmath>
-
 #include "core/tiles/grid.h"
 #include "ddt/names.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
 #include "tests/core/mirrored.h"
+#include "tests/core/turned.h"
 
 namespace ddt::test {
 namespace {
 
 class Shapes : public OnDevice {};
-
-/// Turns and enlarges about the picture's middle; what falls outside is not shown.
-class Turn final : public Mapping {
-public:
-    Turn(const Picture& p, double angle, double scale)
-        : m_cx(p.width / 2.0), m_cy(p.height / 2.0), m_cos(std::cos(angle) / scale),
-          m_sin(std::sin(angle) / scale), m_scale(scale), m_width(p.width), m_height(p.height) {}
-    int size() const { return int(m_scale * 1.5 * std::max(m_width, m_height)); }
-    Rect reach(double, double, double, double) const override { return {0, 0, size(), size()}; }
-    void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override {
-        for (int x = x0; x < x1; ++x, ++positions, ++inside) {
-            const double u = x - size() / 2.0, v = y - size() / 2.0;
-            const double px = m_cx + u * m_cos - v * m_sin, py = m_cy + u * m_sin + v * m_cos;
-            *inside = px >= 0 && py >= 0 && px <= m_width - 1 && py <= m_height - 1;
-            *positions = {std::llround(px * 65536), std::llround(py * 65536)};
-        }
-    }
-
-private:
-    double m_cx, m_cy, m_cos, m_sin, m_scale;
-    int m_width, m_height;
-};
 
 Order order_for(int width, int height) {
     Order order;
@@ -140,13 +117,13 @@ TEST_P(Shapes, PartsOfTheOutputAndWindowsThatDoNotBeginAtZero) {
 }
 
 TEST_P(Shapes, TurnedPictures) {
-    for (const double angle : {0.3, 2.0}) {
+    for (const int degrees : {17, 115}) {
         const Picture p = make_picture(Content::photo, 300, 60, 4, 9);
-        const Turn turn(p, angle, 1.7);
-        Order order = order_for(turn.size(), turn.size());
-        order.mapping = &turn;
-        order.job.mesh.meshes = angle < 1 ? 1 : 2;
-        expect_same(GetParam(), p, order, "turned by " + std::to_string(angle));
+        const Turned turned({0, 0, p.width, p.height}, degrees, 1.7);
+        Order order = order_for(turned.out().x1, turned.out().y1);
+        order.mapping = &turned;
+        order.job.mesh.meshes = degrees < 90 ? 1 : 2;
+        expect_same(GetParam(), p, order, "turned by " + std::to_string(degrees));
     }
 }
 
@@ -202,11 +179,12 @@ TEST_P(Shapes, RandomJobs) {
             order.job.kinds.push_back(Channel(below(3)));
         order.out_width = p.width + below(200);
         order.out_height = p.height + below(200);
-        const double angle = 0.1 * below(60);
-        const Turn turn(p, angle, 1.0 + 0.1 * below(20));
+        const double degrees = 6 * below(60);
+        const Turned turned({0, 0, p.width, p.height}, degrees, 1.0 + 0.1 * below(20));
         if (below(4) == 0) {
-            order.mapping = &turn;
-            order.out_width = order.out_height = turn.size();
+            order.mapping = &turned;
+            order.out_width = turned.out().x1;
+            order.out_height = turned.out().y1;
         }
         expect_same(GetParam(), p, order,
                     "job " + std::to_string(i) + ", " + scheme_name(mesh) + " " +

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Processes forked while threads are in their first conversion: farm wrappers and Python's
 // multiprocessing do that. A program of its own, whose children start with nothing known.
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <atomic>
 #include <string>
 #include <thread>
@@ -12,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "plugin/colour/space_light.h"
+#include "tests/child_process.h"
 
 namespace {
 
@@ -28,15 +26,7 @@ std::string space(int i) {
 
 /// The exit status of a child that looks for a light, or -1 if it hangs.
 int look_in_child(int i) {
-    const pid_t child = fork();
-    if (child == 0) {
-        alarm(20); // SIGALRM ends it
-        _exit(finds(space(i)) ? 0 : 1);
-    }
-    int status = 0;
-    if (child < 0 || waitpid(child, &status, 0) != child || !WIFEXITED(status))
-        return -1;
-    return WEXITSTATUS(status);
+    return ddt::test::in_child([&] { return finds(space(i)) ? 0 : 1; }, 20).code;
 }
 
 TEST(Fork, AChildIsNotHeldUpByItsParentsThreads) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What fails, fails with one line, and leaves nothing half done.
-#include <sys/resource.h>
-
 #include <fstream>
 
 #include "tests/environment.h"
 #include "tests/plugin/images.h"
+#include "tests/resource_limit.h"
 #include "tests/temporary.h"
 
 namespace {
@@ -256,27 +255,12 @@ TEST(Errors, AreOneLineWhateverIsEchoed) {
     expect_failure(make(4, 4, 3), "no space", window(0, 8, 0, 8), options);
 }
 
-/// A limit of the process's memory, for as long as it lives.
-class Limit {
-public:
-    explicit Limit(rlim_t bytes) {
-        getrlimit(RLIMIT_AS, &m_before);
-        rlimit limit = m_before;
-        limit.rlim_cur = bytes;
-        setrlimit(RLIMIT_AS, &limit);
-    }
-    ~Limit() { setrlimit(RLIMIT_AS, &m_before); }
-
-private:
-    rlimit m_before{};
-};
-
 /// Not under sanitizers, whose own memory is more than any limit.
 TEST(Errors, MemoryThatRunsOutIsCalledSo) {
     const ImageBuf src = make(64, 64, 4);
     ImageBuf warm, dst;
     ASSERT_TRUE(ddt::resize(warm, src, {}, window(0, 128, 0, 128))); // threads take address space
-    const Limit limit(rlim_t(4) << 30);
+    const ddt::test::ResourceLimit limit(RLIMIT_AS, rlim_t(4) << 30);
     EXPECT_FALSE(ddt::resize(dst, src, {}, window(0, 32768, 0, 16384))); // 8 GiB
     EXPECT_FALSE(dst.initialized());
     expect_error(dst, "out of memory");

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a whole process takes at its peak: input, output and at most 256 MiB more.
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
+#include "tests/child_process.h"
 #include "tests/many_threads.h"
 #include "tests/plugin/images.h"
 
@@ -11,45 +8,31 @@ namespace {
 
 constexpr int64_t allowed = int64_t(256) << 20;
 
-/// Peak resident bytes of a child process that runs `work`, which returns false on failure; -1
-/// then.
-template <class Work>
-int64_t peak_of(Work&& work) {
-    const pid_t child = fork();
-    if (child == 0)
-        _exit(work() ? 0 : 1);
-    int status = 1;
-    rusage usage{};
-    if (child < 0 || wait4(child, &status, 0, &usage) != child || status != 0)
-        return -1;
-    return int64_t(usage.ru_maxrss) * 1024;
-}
-
 /// Enlarge a picture by factors, on more threads than there is memory for.
-int64_t peak_of_enlarging(const char* filter, int side, int channels, double x, double y) {
-    return peak_of([=] {
-        const ddt::test::ManyThreads many(16);
-        auto src = images::make(side, side, channels, OIIO::TypeUInt8);
-        auto* pixels = static_cast<unsigned char*>(src.localpixels());
-        for (int row = 0; row < side; ++row)
-            for (int i = 0; i < side * channels; ++i)
-                *pixels++ = (unsigned char)((i * i / 64 + row * row / 48) / 16 % 200);
-        src.specmod().attribute("oiio:ColorSpace", "sRGB");
-        ddt::Options options;
-        std::string error;
-        if (!ddt::parse_filter(filter, options, error))
-            return false;
-        OIIO::ImageBuf dst;
-        const OIIO::ROI size(0, int(side * x), 0, int(side * y), 0, 1, 0, channels);
-        return ddt::resize(dst, src, options, size, 16);
-    });
+bool enlarge(const char* filter, int side, int channels, double x, double y) {
+    const ddt::test::ManyThreads many(16);
+    auto src = images::make(side, side, channels, OIIO::TypeUInt8);
+    auto* pixels = static_cast<unsigned char*>(src.localpixels());
+    for (int row = 0; row < side; ++row)
+        for (int i = 0; i < side * channels; ++i)
+            *pixels++ = (unsigned char)((i * i / 64 + row * row / 48) / 16 % 200);
+    src.specmod().attribute("oiio:ColorSpace", "sRGB");
+    ddt::Options options;
+    std::string error;
+    if (!ddt::parse_filter(filter, options, error))
+        return false;
+    OIIO::ImageBuf dst;
+    const OIIO::ROI size(0, int(side * x), 0, int(side * y), 0, 1, 0, channels);
+    return ddt::resize(dst, src, options, size, 16);
 }
 
 void expect_bounded(const char* filter, int side, int channels, double x, double y) {
     const int64_t in = int64_t(side) * side * channels, out = int64_t(double(in) * x * y);
-    const int64_t peak = peak_of_enlarging(filter, side, channels, x, y);
-    ASSERT_GE(peak, in + out);
-    const int64_t beside = peak - in - out;
+    const auto ended =
+        ddt::test::in_child([=] { return enlarge(filter, side, channels, x, y) ? 0 : 1; }, 600);
+    ASSERT_EQ(ended.code, 0);
+    const int64_t beside = ended.peak_resident - in - out;
+    ASSERT_GE(beside, 0);
     EXPECT_LE(beside, allowed);
     std::printf("%s: %d MiB beside input and output\n", filter, int(beside >> 20));
 }

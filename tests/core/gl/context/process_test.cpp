@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The GL thread among other threads, other contexts, children, and at the end of a process.
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -10,6 +7,7 @@
 
 #include "core/gl/context/context.h"
 #include "core/gl/context/faults.h"
+#include "tests/child_process.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
 #include "tests/environment.h"
@@ -27,18 +25,6 @@ protected:
         o.out_width = 200;
         o.out_height = 160;
         return o;
-    }
-    /// What a child process ends with; -1 if by a signal or not within a minute.
-    template <class F>
-    static int in_child(F&& f) {
-        const pid_t child = fork();
-        if (child == 0) {
-            alarm(60);
-            f();
-        }
-        int status = 0;
-        waitpid(child, &status, 0);
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
 };
 
@@ -82,14 +68,12 @@ TEST_P(Process, AForkedChildUsesTheCpu) {
     order.job.threads = 1;
     const Result cpu = enlarge_on(Device::cpu, picture, order);
     ASSERT_EQ(enlarge_on(GetParam(), picture, order).statistics.device, GetParam());
-    EXPECT_EQ(in_child([&] {
-                  const Result r = enlarge_on(GetParam(), picture, order);
-                  _exit(r.outcome == Outcome::done && r.statistics.device == Device::cpu &&
-                                r.bits == cpu.bits
-                            ? 7
-                            : 1);
-              }),
-              7);
+    const Ended ended = in_child([&] {
+        const Result r = enlarge_on(GetParam(), picture, order);
+        const bool same = r.outcome == Outcome::done && r.bits == cpu.bits;
+        return same && r.statistics.device == Device::cpu ? 7 : 1;
+    });
+    EXPECT_EQ(ended.code, 7);
     EXPECT_EQ(enlarge_on(GetParam(), picture, order).statistics.device, GetParam());
 }
 

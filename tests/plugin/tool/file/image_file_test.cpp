@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/file/image_file.h"
 
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -16,6 +15,7 @@
 
 #include "plugin/tool/file/picture.h"
 #include "plugin/tool/part/join.h"
+#include "tests/resource_limit.h"
 #include "tests/temporary.h"
 
 namespace ddt::tool {
@@ -62,12 +62,10 @@ TEST(CodeOfReading, SaysWhetherToTryAgain) {
     EXPECT_EQ(code_of_reading(path), exit_failed);
     EXPECT_EQ(code_of_reading(temporary("missing.exr")), exit_failed);
     EXPECT_EQ(code_of_reading(temporary("")), exit_failed);
-    rlimit before{};
-    ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
-    const rlimit none{0, before.rlim_max};
-    ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &none), 0);
-    const ExitCode code = code_of_reading(path);
-    ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &before), 0);
+    const auto code = [&] {
+        const test::ResourceLimit none(RLIMIT_NOFILE, 0);
+        return code_of_reading(path);
+    }();
     EXPECT_EQ(code, exit_resources);
 }
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/file/unfinished.h"
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/child_process.h"
 #include "tests/temporary.h"
 
 namespace ddt::tool {
@@ -21,18 +19,14 @@ namespace fs = std::filesystem;
 /// The signal that ends a child process which does this.
 template <class F>
 int ended_by(F&& f) {
-    const pid_t child = fork();
-    if (child == 0) {
-        alarm(30);
+    const auto work = [&] {
         std::signal(SIGINT, SIG_DFL); // a shell's background jobs ignore it
         std::signal(SIGHUP, SIG_DFL); // and what nohup runs
         remove_unfinished_on_signals();
         f();
-        _exit(0);
-    }
-    int status = 0;
-    waitpid(child, &status, 0);
-    return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+        return 0;
+    };
+    return test::in_child(work).signal;
 }
 
 TEST(Unfinished, ASignalBetweenTheMakingOfAFileAndItsListingWaits) {

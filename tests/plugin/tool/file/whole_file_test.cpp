@@ -2,9 +2,7 @@
 #include "plugin/tool/file/whole_file.h"
 
 #include <grp.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -14,6 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "plugin/tool/file/unfinished.h"
+#include "tests/child_process.h"
+#include "tests/resource_limit.h"
 #include "tests/temporary.h"
 
 namespace ddt::tool {
@@ -76,17 +76,14 @@ TEST_F(WholeFiles, AreNothingWithoutCommit) {
 }
 
 TEST_F(WholeFiles, WhatAKilledProcessLeftIsRemoved) {
-    const pid_t child = fork();
-    if (child == 0) {
+    const auto work = [&] {
         WholeFile file;
         if (file.open(path("out.exr"), m_failure))
             std::fputs("a longer text, left over", file.file());
         std::fflush(file.file());
-        raise(SIGKILL);
-    }
-    int status = 0;
-    ASSERT_EQ(waitpid(child, &status, 0), child);
-    EXPECT_EQ(WTERMSIG(status), SIGKILL);
+        return raise(SIGKILL);
+    };
+    ASSERT_EQ(test::in_child(work).signal, SIGKILL);
     EXPECT_EQ(files(), 1u);
     EXPECT_FALSE(fs::exists(path("out.exr")));
     ASSERT_TRUE(write(path("out.exr"), "whole")) << m_failure.why;
@@ -148,19 +145,13 @@ TEST_F(WholeFiles, TwoAtOnceDoNotMix) {
 
 TEST_F(WholeFiles, ASignalRemovesThem) {
     for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGRTMIN, SIGRTMAX}) {
-        const pid_t child = fork();
-        if (child == 0) {
+        const auto work = [&] {
             std::signal(signal, SIG_DFL); // a shell's background jobs ignore SIGINT
             remove_unfinished_on_signals();
             WholeFile file;
-            if (file.open(path("out.exr"), m_failure))
-                raise(signal);
-            _exit(0);
-        }
-        int status = 0;
-        ASSERT_EQ(waitpid(child, &status, 0), child);
-        ASSERT_TRUE(WIFSIGNALED(status));
-        EXPECT_EQ(WTERMSIG(status), signal);
+            return file.open(path("out.exr"), m_failure) ? raise(signal) : 0;
+        };
+        EXPECT_EQ(test::in_child(work).signal, signal);
         EXPECT_EQ(files(), 0u);
     }
 }
@@ -194,16 +185,13 @@ TEST_F(WholeFiles, KeepAGroupThatMayBeGivenAndNoRightsOfOneThatMayNot) {
         put(path("out.exr"), "before");
         ASSERT_EQ(chown(path("out.exr").c_str(), other, shared), 0);
         ASSERT_EQ(chmod(path("out.exr").c_str(), 04676), 0);
-        const pid_t child = fork();
-        if (child == 0) {
+        const auto work = [&] {
             const gid_t group = shared;
             const bool am_i =
                 setgroups(member ? 1 : 0, &group) == 0 && setgid(mine) == 0 && setuid(me) == 0;
-            _exit(am_i && write(path("out.exr"), "after") ? 0 : 1);
-        }
-        int status = 1;
-        ASSERT_EQ(waitpid(child, &status, 0), child);
-        ASSERT_EQ(status, 0);
+            return am_i && write(path("out.exr"), "after") ? 0 : 1;
+        };
+        ASSERT_EQ(test::in_child(work).code, 0);
         struct stat there {};
         ASSERT_EQ(stat(path("out.exr").c_str(), &there), 0);
         EXPECT_EQ(there.st_uid, me);
@@ -215,22 +203,18 @@ TEST_F(WholeFiles, KeepAGroupThatMayBeGivenAndNoRightsOfOneThatMayNot) {
 
 TEST_F(WholeFiles, AFullDiskIsAFailureThatMayPass) {
     put(path("out.exr"), "before");
-    const rlimit small{4096, RLIM_INFINITY};
-    rlimit before{};
-    getrlimit(RLIMIT_FSIZE, &before);
     std::signal(SIGXFSZ, SIG_IGN);
     bool opened = false, committed = true;
     {
         WholeFile file;
         opened = file.open(path("out.exr"), m_failure);
-        setrlimit(RLIMIT_FSIZE, &small);
+        const test::ResourceLimit small(RLIMIT_FSIZE, 4096);
         // The writer does not look: what comes after fits again.
         for (int i = 0; i < 10000; ++i)
             std::fputs("text", file.file());
         std::fseek(file.file(), 0, SEEK_SET);
         std::fputs("head", file.file());
         committed = file.commit(m_failure);
-        setrlimit(RLIMIT_FSIZE, &before);
     }
     EXPECT_TRUE(opened);
     EXPECT_FALSE(committed);

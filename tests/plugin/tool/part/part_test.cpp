@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/part/part.h"
 
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -19,6 +18,7 @@
 #include "plugin/tool/part/part_header.h"
 #include "plugin/tool/part/resize_part.h"
 #include "tests/environment.h"
+#include "tests/resource_limit.h"
 #include "tests/temporary.h"
 
 namespace ddt::tool {
@@ -287,21 +287,12 @@ TEST(Parts, OfAWideWholeHaveLowTiles) {
     }
 }
 
-/// How many files a process has open at most, until this is destroyed.
-class OpenFiles {
-public:
-    explicit OpenFiles(int more) {
-        const int next = dup(STDERR_FILENO);
-        close(next);
-        getrlimit(RLIMIT_NOFILE, &m_before);
-        const rlimit few{rlim_t(next + more), m_before.rlim_max};
-        setrlimit(RLIMIT_NOFILE, &few);
-    }
-    ~OpenFiles() { setrlimit(RLIMIT_NOFILE, &m_before); }
-
-private:
-    rlimit m_before{};
-};
+/// How many files a process has open when it has opened so many more.
+rlim_t open_files_and(int more) {
+    const int next = dup(STDERR_FILENO);
+    close(next);
+    return rlim_t(next + more);
+}
 
 TEST(Join, HasNoMoreFilesOpenThanARowOfPartsNeeds) {
     constexpr int count = 40;
@@ -311,7 +302,7 @@ TEST(Join, HasNoMoreFilesOpenThanARowOfPartsNeeds) {
         parts.push_back(write_half(i, 3, "0 0 32 640", "half", count, "", &window));
     }
     Failure failure;
-    const OpenFiles few(12);
+    const test::ResourceLimit few(RLIMIT_NOFILE, open_files_and(12));
     EXPECT_TRUE(join(
         parts, temporary("of_many.exr"), [](float) { return true; }, failure))
         << failure.why;
