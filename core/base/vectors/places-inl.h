@@ -3,14 +3,9 @@
 // of a vector.
 // Needs: vectors-inl.h, a tag DI of int32_t.
 
-/// Whether a load each is quicker than a gather. With AVX2: on a Zen 3 eight words took 5.8 ns by a
-/// gather and 4.9 by loads, and where processors are kept from telling what others gathered,
-/// gathers take several times as long. With AVX-512 they are as quick.
-#if HWY_ARCH_X86 && HWY_TARGET == HWY_AVX2
-constexpr bool loads_beat_gathers = true;
-#else
-constexpr bool loads_beat_gathers = false;
-#endif
+/// Whether a load each is quicker than a gather: docs/speed.md, "Gathers or loads". Where processors
+/// are kept from telling what others gathered, gathers take several times as long.
+constexpr bool loads_beat_gathers = HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2;
 
 template <class Tag>
 HWY_INLINE hn::Vec<Tag> load_words(const char* from, Tag, hn::Vec<Tag> places) {
