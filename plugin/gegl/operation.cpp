@@ -198,22 +198,28 @@ GeglRectangle get_bounding_box(GeglOperation* operation) {
     return find_place(operation, place) ? rectangle_of(place.full) : source_box(operation);
 }
 
+/// The specification's holes.
+ddt::Holes holes_of(GeglOperation* operation) {
+    Enlargement work;
+    std::string error;
+    set_filter(specification(self_of(operation)), "linear", work, error);
+    return work.holes;
+}
+
 GeglRectangle get_required_for_output(GeglOperation* operation, const gchar*,
                                       const GeglRectangle* part) {
     Placing place;
-    if (!find_place(operation, place))
-        return *part;
-    Enlargement work; // for what it says of holes
-    std::string error;
-    set_filter(specification(self_of(operation)), "linear", work, error);
-    return rectangle_of(needed(place, rect_of(*part), work.holes));
+    return find_place(operation, place)
+               ? rectangle_of(needed(place, rect_of(*part), holes_of(operation)))
+               : *part;
 }
 
-/// All at once: in pieces, halos would be worked on again and again. GEGL keeps the result for the
-/// pieces that it asks for next.
+/// GEGL keeps the result for what it asks for next.
 GeglRectangle get_cached_region(GeglOperation* operation, const GeglRectangle* part) {
     Placing place;
-    return find_place(operation, place) ? rectangle_of(place.full) : *part;
+    return find_place(operation, place)
+               ? rectangle_of(made_at_once(place, rect_of(*part), holes_of(operation)))
+               : *part;
 }
 
 GeglRectangle get_invalidated_by_change(GeglOperation* operation, const gchar*,
@@ -322,14 +328,20 @@ const char* property_name(const char* key) {
     return g_intern_string(name.c_str());
 }
 
+/// A number of which a host shows enough decimals: GIMP leaves it with two.
+GParamSpec* with_digits(GParamSpec* spec) {
+    gegl_param_spec_double_set_digits(GEGL_PARAM_SPEC_DOUBLE(spec), 4);
+    return spec;
+}
+
 /// Texts of parameters() live as long as the process.
 GParamSpec* spec_of(const Parameter& p) {
     const char *key = property_name(p.option->key), *label = p.label.c_str(),
                *help = p.help.c_str();
     switch (p.kind) {
     case ddt::OptionKind::real:
-        return gegl_param_spec_double(key, label, help, p.low, p.high, p.initial, p.low,
-                                      p.shown_high, 1.0, flags);
+        return with_digits(gegl_param_spec_double(key, label, help, p.low, p.high, p.initial, p.low,
+                                                  p.shown_high, 1.0, flags));
     case ddt::OptionKind::whole:
         return gegl_param_spec_int(key, label, help, int(p.low), int(p.high), int(p.initial),
                                    int(p.low), int(p.shown_high), 1.0, flags);
@@ -349,11 +361,11 @@ void init_class(gpointer klass, gpointer) {
     object->finalize = finalize;
     g_object_class_install_property(
         object, prop_scale,
-        gegl_param_spec_double("scale", "Scale", "By how much both sides grow", 1.0, largest_scale,
-                               2.0, 1.0, 8.0, 2.0, flags));
+        with_digits(gegl_param_spec_double("scale", "Scale", "By how much both sides grow", 1.0,
+                                           largest_scale, 2.0, 1.0, 8.0, 2.0, flags)));
     g_object_class_install_property(
         object, prop_filter,
-        gegl_param_spec_enum("filter", "Filter", "The surface over the mesh",
+        gegl_param_spec_enum("filter", "Filter", g_intern_string(help_of_filters().c_str()),
                              enum_of("filter", ddt::filter_names()), 0, flags));
     g_object_class_install_property(
         object, prop_light,
@@ -372,7 +384,7 @@ void init_class(gpointer klass, gpointer) {
     operation->threaded = FALSE; // the core has threads of its own
     GEGL_OPERATION_FILTER_CLASS(klass)->process = process;
     gegl_operation_class_set_keys(
-        operation, "name", "gegl:ddt", "title", "Enlarge (ddt)",
+        operation, "name", "gegl:ddt", "title", "Enlarge",
         // Not "transform", which GIMP's tool for GEGL operations leaves out.
         "categories", "enhance", "description",
         "Enlarge by data-dependent triangulation: edges stay smooth at any factor", nullptr);

@@ -83,6 +83,13 @@ Parameter toggle(const Option& option, const std::string& initial) {
 
 } // namespace
 
+std::string help_of_filters() {
+    std::string help;
+    for (const std::string& filter : filter_names())
+        help += (help.empty() ? "" : " ") + filter + ": " + plain(filter_help(filter));
+    return help;
+}
+
 std::vector<Parameter> make_parameters() {
     std::vector<Parameter> all;
     const std::string filter = filter_names().front();

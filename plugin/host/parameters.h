@@ -32,6 +32,9 @@ struct Parameter {
     bool is_main() const; ///< not one for experts
 };
 
+/// What the filters are, for the help of a list of them.
+std::string help_of_filters();
+
 /// In the order of the table.
 std::vector<Parameter> make_parameters();
 

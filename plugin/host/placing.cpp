@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
+#include "core/tiles/cuts.h"
 #include "core/tiles/tile_io.h"
 #include "plugin/host/buffer.h"
 
@@ -53,9 +55,16 @@ Placing stretched(const Rect& window, const Rect& full, int x, int y, double x_f
 
 } // namespace
 
+ResizeMapping::Axis Placing::x_axis(const Rect& box) const {
+    return {from.x0, from.width(), to.x0, to.width(), window.x0, window.x1, box.x0, box.x1};
+}
+
+ResizeMapping::Axis Placing::y_axis(const Rect& box) const {
+    return {from.y0, from.height(), to.y0, to.height(), window.y0, window.y1, box.y0, box.y1};
+}
+
 ResizeMapping Placing::mapping(const Rect& box) const {
-    return {{from.x0, from.width(), to.x0, to.width(), window.x0, window.x1, box.x0, box.x1},
-            {from.y0, from.height(), to.y0, to.height(), window.y0, window.y1, box.y0, box.y1}};
+    return {x_axis(box), y_axis(box)};
 }
 
 Placing onto(const Rect& window, const Rect& full) {
@@ -107,6 +116,26 @@ Rect needed(const Placing& place, const Rect& box, Holes holes) {
     const Grid tiles = shown_tiles(window, place.mapping(part));
     const Rect first = tiles.tile(0).pixels, last = tiles.tile(tiles.count() - 1).pixels;
     return {first.x0, first.y0, last.x1, last.y1};
+}
+
+Rect made_at_once(const Placing& place, const Rect& box, Holes holes) {
+    constexpr int little = 1024, most = 2048; // pixels along an axis
+    const Rect part = common(place.full, box);
+    if (part.empty() || place.copies())
+        return part;
+    if (holes != Holes::keep || place.full.area() <= most_at_once)
+        return place.full;
+    Rect r = part;
+    const auto grow = [](const ResizeMapping::Axis& axis, int& begin, int& end) {
+        if (end - begin >= little)
+            return;
+        const std::vector<int> cuts = cuts_between_tiles(axis, little, most);
+        begin = cuts[piece_of(cuts, begin)];
+        end = cuts[piece_of(cuts, end - 1) + 1];
+    };
+    grow(place.x_axis(place.full), r.x0, r.x1);
+    grow(place.y_axis(place.full), r.y0, r.y1);
+    return r;
 }
 
 } // namespace ddt::host

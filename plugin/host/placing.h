@@ -18,6 +18,8 @@ struct Placing {
     }
     /// Positions of the pixels of a part of `full`.
     ResizeMapping mapping(const Rect& box) const;
+    ResizeMapping::Axis x_axis(const Rect& box) const;
+    ResizeMapping::Axis y_axis(const Rect& box) const;
 };
 
 /// All of `window` becomes all of `full`.
@@ -43,5 +45,13 @@ int end_of(double v);
 /// The pixels of the window that the part `box` of the result depends on: whole tiles and their
 /// halos; to fill holes the whole of it. Empty if box misses `full`.
 Rect needed(const Placing& place, const Rect& box, Holes holes = Holes::keep);
+
+/// What of the result is best made at once for a host that asks for the part `box`, keeps what it
+/// gets, and is likely to ask for what lies beside it: everything, so that no tile is worked on
+/// twice, if that is at most most_at_once pixels; of more, which the host may not want or not have
+/// memory for, along an axis where it asks for little what lies with it on the same tiles. Filled
+/// holes are those of everything.
+Rect made_at_once(const Placing& place, const Rect& box, Holes holes = Holes::keep);
+constexpr size_t most_at_once = size_t(1) << 26;
 
 } // namespace ddt::host

@@ -110,7 +110,7 @@ void define_parameters(ParamSet set_, bool zoom) {
                          "What stays in its place: from below, 0, to above, 1"),
                   0.5, 0.0, 1.0, 1.0);
     }
-    define_choice(set_, "filter", "Filter", "The surface over the mesh", filter_names(), 0);
+    define_choice(set_, "filter", "Filter", host::help_of_filters(), filter_names(), 0);
     define_choice(set_, "light", "Light",
                   "What the numbers are: linear light, as compositing hosts hand over; encoded: "
                   "blended as they are; or an encoding, blended in linear light",

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/tiles/grid.h"
+#include "core/tiles/cuts.h"
 #include "plugin/image/windows.h"
 
 namespace ddt {
@@ -14,31 +14,6 @@ namespace {
 constexpr size_t most_at_once = size_t(32) << 20; // bytes
 constexpr size_t largest_piece = size_t(8) << 20; // bytes
 constexpr int shortest = 64, longest = 1024;      // sides of pieces in pixels, about
-
-/// Where along an axis pieces begin, and where the last one ends: at the first pixel that lies on
-/// the next tile of the source's mesh, so that no tile is worked on for two pieces, unless that
-/// makes them longer than `most` and a quarter, as the first one of a tile that fills `most` is a
-/// little. Where they begin changes no pixel.
-std::vector<int> cut(const ResizeMapping::Axis& a, int most) {
-    const double scale = double(a.to_size) / a.from_size;
-    const double step = tile_size * std::max(1.0, std::ceil(shortest / (tile_size * scale)));
-    std::vector<int> cuts{a.out0};
-    for (int64_t k = 1; cuts.back() < a.out1; ++k) {
-        const int64_t border = a.window0 + int64_t(step) * k;
-        // The hull of the pixels' centres goes on to the edge.
-        const int begin = cuts.back();
-        const int stop = border >= a.window1 - 1 ? a.out1 : a.first_at_or_after(int(border));
-        const int parts = stop > begin ? std::max(1, (stop - begin + most * 3 / 4) / most) : 0;
-        for (int i = 1; i <= parts; ++i)
-            cuts.push_back(begin + int(int64_t(stop - begin) * i / parts));
-    }
-    return cuts;
-}
-
-/// The index of the part that `v` lies in.
-size_t part_of(const std::vector<int>& cuts, int v) {
-    return size_t(std::upper_bound(cuts.begin(), cuts.end(), v) - cuts.begin()) - 1;
-}
 
 } // namespace
 
@@ -57,8 +32,8 @@ Pieces::Pieces(const OIIO::ImageBuf& source, const OIIO::ImageSpec& spec, const 
                               y = y_axis(source.spec(), spec, spec.roi());
     // Holes are those of the whole image: one piece, so that they are filled once.
     const bool whole = options.holes != Holes::keep;
-    m_x = whole ? std::vector<int>{x.out0, x.out1} : cut(x, width);
-    m_y = whole ? std::vector<int>{y.out0, y.out1} : cut(y, height);
+    m_x = whole ? std::vector<int>{x.out0, x.out1} : cuts_between_tiles(x, shortest, width);
+    m_y = whole ? std::vector<int>{y.out0, y.out1} : cuts_between_tiles(y, shortest, height);
 }
 
 Rect Pieces::rect(size_t row, size_t column) const {
@@ -69,7 +44,7 @@ bool Pieces::read(const Rect& r, int threads, void* out, size_t stride, std::str
     error = m_failure;
     if (!error.empty())
         return false;
-    for (size_t row = part_of(m_y, r.y0); row + 1 < m_y.size() && m_y[row] < r.y1; ++row)
+    for (size_t row = piece_of(m_y, r.y0); row + 1 < m_y.size() && m_y[row] < r.y1; ++row)
         if (!read_row(row, r, threads, static_cast<char*>(out), stride, error)) {
             m_failure = error;
             return false;
@@ -79,9 +54,9 @@ bool Pieces::read(const Rect& r, int threads, void* out, size_t stride, std::str
 
 bool Pieces::read_row(size_t row, const Rect& r, int threads, char* out, size_t stride,
                       std::string& error) {
-    const size_t end = part_of(m_x, r.x1 - 1) + 1;
+    const size_t end = piece_of(m_x, r.x1 - 1) + 1;
     const size_t height = size_t(m_y[row + 1] - m_y[row]);
-    for (size_t column = part_of(m_x, r.x0); column < end;) {
+    for (size_t column = piece_of(m_x, r.x0); column < end;) {
         if (const auto kept = m_kept.find({row, column}); kept != m_kept.end()) {
             kept->second.used = ++m_clock;
             copy(rect(row, column), kept->second.pixels.data(), r, out, stride);

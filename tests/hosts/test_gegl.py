@@ -161,6 +161,17 @@ class Gegl(support.Case):
         self.assertGreater(int(done.stdout), 1)
         self.assertEqual(done.stderr.count("ddt: "), 1, done.stderr)
 
+    def test_of_a_large_result_no_more_is_made_than_is_near_what_is_asked_for(self):
+        # 77 gigabytes, of which a corner is wanted; and what lies on both sides of a border.
+        for name, scale, cut in ("float.exr", 1024, (0, 0, 96, 64)), ("large.exr", 24, (1900, 5800, 400, 500)):
+            x, y, width, height = cut
+            said = self.gegl(name, "out.exr", f"scale={scale}", "crop", f"x={x}", f"y={y}",
+                             f"width={width}", f"height={height}")
+            self.assertEqual(said, "", name)
+            self.succeed("oiiotool", f"{name}.ddt?scale={scale}", "--cut",
+                         f"{width}x{height}+{x}+{y}", "-d", "float", "-o", "wanted.exr")
+            self.same_floats("out.exr", "wanted.exr")
+
     def test_palettes_keep_their_alpha(self):
         done = self.attempt("python3", "-c", PALETTE, **gegl_environment())
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -211,7 +222,8 @@ class Gimp(support.Case):
                                env={**os.environ, **gegl_environment()}).stdout
         said = dict(line.split(None, 1) for line in about.decode(errors="replace").splitlines()
                     if len(line.split(None, 1)) == 2)
-        self.assertEqual(said["title"], "Enlarge (ddt)")
+        # GIMP adds the name: "Enlarge (ddt)".
+        self.assertEqual(said["title"], "Enlarge")
         self.assertTrue(NOT_IN_GIMP.isdisjoint(said["categories"].split(":")), said["categories"])
 
     @unittest.skipUnless(PROGRAM, "skipped: GIMP's console is not there")

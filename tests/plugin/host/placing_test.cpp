@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "plugin/host/buffer.h"
+
 namespace ddt::host {
 namespace {
 
@@ -92,6 +94,43 @@ TEST(Placing, FillingHolesNeedsTheWholeWindow) {
     EXPECT_EQ(needed(place, corner, Holes::fill), window);
     EXPECT_EQ(needed(place, corner, Holes::fill_alpha), window);
     EXPECT_TRUE(needed(place, {2000, 0, 2010, 10}, Holes::fill).empty());
+}
+
+TEST(MadeAtOnce, IsEverythingOfAResultOfUsualSize) {
+    const Placing place = by_factors({0, 0, 4000, 3000}, 2, 2);
+    ASSERT_LE(place.full.area(), most_at_once);
+    EXPECT_EQ(made_at_once(place, {100, 100, 164, 164}), place.full);
+    EXPECT_TRUE(made_at_once(place, {-90, 100, -10, 164}).empty());
+}
+
+TEST(MadeAtOnce, IsLittleOfALargeOne) {
+    const Placing place = by_factors({0, 0, 96, 64}, 1024, 1024);
+    const Rect asked{40000, 50000, 40064, 50064}, r = made_at_once(place, asked);
+    EXPECT_EQ(common(r, asked), asked);
+    EXPECT_LE(r.width(), 2560);
+    EXPECT_LE(r.height(), 2560);
+    // Who asks for what lies beside it finds it made.
+    EXPECT_EQ(made_at_once(place, {r.x0, r.y0, r.x0 + 64, r.y0 + 64}), r);
+    EXPECT_EQ(made_at_once(place, {r.x1 - 64, r.y1 - 64, r.x1, r.y1}), r);
+    EXPECT_EQ(made_at_once(place, r), r);
+}
+
+TEST(MadeAtOnce, IsWhatIsAskedForWhereThatIsMuch) {
+    const Placing place = by_factors({0, 0, 9000, 6000}, 2, 2);
+    ASSERT_GT(place.full.area(), most_at_once);
+    const Rect band{0, 700, 18000, 764}, r = made_at_once(place, band);
+    EXPECT_EQ(r.x0, 0);
+    EXPECT_EQ(r.x1, 18000);
+    EXPECT_LT(r.y0, 700);
+    EXPECT_GT(r.y1, 764);
+    const Rect square{1300, 700, 2600, 2300};
+    EXPECT_EQ(made_at_once(place, square), square);
+    EXPECT_EQ(made_at_once(place, square, Holes::fill), place.full);
+}
+
+TEST(MadeAtOnce, IsNoMoreThanIsAskedForOfACopy) {
+    const Placing place = by_factors({0, 0, 9000, 6000}, 1, 1);
+    EXPECT_EQ(made_at_once(place, {5, 6, 70, 80}), (Rect{5, 6, 70, 80}));
 }
 
 } // namespace
