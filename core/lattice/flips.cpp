@@ -46,14 +46,11 @@ using DI = hn::RebindToSigned<D>;
 
 /// Store the records of n edges, a lane each.
 HWY_INLINE void store_records(Ints m, VI first, VI second, size_t n, Site* sites) {
-    HWY_ALIGN int32_t at[most_lanes], words[2][most_lanes];
+    HWY_ALIGN int32_t at[most_lanes], records[2 * most_lanes];
     hn::Store(m.i, DI(), at);
-    hn::Store(first, DI(), words[0]);
-    hn::Store(second, DI(), words[1]);
-    for (size_t k = 0; k < n; ++k) {
-        const int32_t record[2] = {words[0][k], words[1][k]};
-        std::memcpy(&sites[at[k]], record, sizeof record);
-    }
+    hn::StoreInterleaved2(first, second, DI(), records);
+    for (size_t k = 0; k < n; ++k)
+        std::memcpy(static_cast<void*>(sites + at[k]), records + 2 * k, sizeof(Site));
 }
 
 /// The second word of an edge that can be flipped.

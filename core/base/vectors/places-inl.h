@@ -5,7 +5,11 @@
 
 /// Whether a load each is quicker than a gather: docs/speed.md, "Gathers or loads". Where processors
 /// are kept from telling what others gathered, gathers take several times as long.
-constexpr bool loads_beat_gathers = HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2;
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
+constexpr bool loads_beat_gathers = true;
+#else
+constexpr bool loads_beat_gathers = false;
+#endif
 
 template <class Tag>
 HWY_INLINE hn::Vec<Tag> load_words(const char* from, Tag, hn::Vec<Tag> places) {
