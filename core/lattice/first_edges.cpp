@@ -88,9 +88,9 @@ HWY_EXPORT(long_edges);
 
 namespace {
 
-/// The order of addresses.
-bool precedes(Vec a, Vec b) {
-    return a.y < b.y || (a.y == b.y && a.x < b.x);
+/// In the order of the addresses of edges from one vertex.
+int rank(Vec to) {
+    return 256 * to.y + to.x;
 }
 
 /// The first of the edges from pixel (x, y) to its neighbours; zero: none.
@@ -168,10 +168,11 @@ void Lattice::find_short_first_edges(const Rect& part) {
 
 /// Look at longer edges, whose midpoints are in the cells that they cross, or between two of them.
 void Lattice::find_long_first_edges(const Rect& part) {
+    // Branch-free: the branch would be mispredicted.
     const auto add = [&](int end, Vec to) {
         Vec& first = vertex(end).first;
-        if (first.zero() || precedes(to, first))
-            first = to;
+        const bool comes_first = (rank(to) < rank(first)) | first.zero();
+        first = comes_first ? to : first;
     };
     // How far, in cells, midpoints are from the part at most; beyond the cells round the part it is
     // not known which are crossed.
