@@ -227,6 +227,33 @@ TEST_F(Registered, AFitOfNoSizeLeavesNothing) {
     EXPECT_EQ(error.find("ddt: the output of 268435456 x 268435456"), 0u) << error;
 }
 
+TEST_F(Registered, APictureThatFillsAFrameBeyondAnySizeLeavesNothing) {
+    // The frame could be: it is one pixel wide.
+    ImageBuf fitted;
+    const ROI slit(0, 1, 0, 1 << 24, 0, 1, 0, 1);
+    EXPECT_FALSE(ImageBufAlgo::fit(fitted, picture(), "ddt", 0.0f, "height", false, slit));
+    EXPECT_FALSE(fitted.initialized());
+    const std::string error = fitted.geterror();
+    EXPECT_EQ(error.find("ddt: the output of 21570"), 0u) << error;
+}
+
+TEST_F(Registered, AFitWhoseResizeFailsFails) {
+    // The limit has room for both images, and not for the floats that holes are filled in.
+    const ImageBuf source(ImageSpec(300, 300, 3, TypeUInt8));
+    const ROI square(0, 450, 0, 450, 0, 1, 0, 3);
+    int before = 0;
+    OIIO::getattribute("limits:imagesize_MB", before);
+    OIIO::attribute("limits:imagesize_MB", 1);
+    ImageBuf fitted;
+    const bool done =
+        ImageBufAlgo::fit(fitted, source, "ddt,holes=fill", 0.0f, "letterbox", false, square);
+    OIIO::attribute("limits:imagesize_MB", before);
+    EXPECT_FALSE(done);
+    EXPECT_FALSE(fitted.initialized());
+    const std::string error = fitted.geterror();
+    EXPECT_NE(error.find("limits:imagesize_MB"), std::string::npos) << error;
+}
+
 TEST_F(Registered, AnExactFitThatShrinksIsOpenImageIOs) {
     // Its edges are not darkened by what is beyond them.
     const ImageBuf fitted = ImageBufAlgo::fit(picture(), "ddt", 0.0f, "letterbox", true, small);
@@ -251,11 +278,15 @@ TEST_F(Registered, StWarpRefusesOurFilters) {
     ImageBuf st(ImageSpec(4, 4, 2, TypeFloat));
     ImageBufAlgo::fill(st, {0.5f, 0.5f});
     const Handle filter(Filter2D::create("ddt", 2.0f, 2.0f));
-    for (const ImageBuf& result :
-         {ImageBufAlgo::st_warp(picture(), st, "ddt"),
-          ImageBufAlgo::st_warp(picture(), st, static_cast<const Filter2D*>(filter.get()))}) {
-        EXPECT_TRUE(result.has_error());
-        EXPECT_NE(result.geterror().find("st_warp"), std::string::npos);
+    const Filter2D* pointer = filter.get();
+    ImageBuf named = ImageBufAlgo::st_warp(picture(), st, "ddt");
+    ImageBuf pointed = ImageBufAlgo::st_warp(picture(), st, pointer);
+    ImageBuf into_by_name, into_by_pointer;
+    EXPECT_FALSE(ImageBufAlgo::st_warp(into_by_name, picture(), st, "ddt"));
+    EXPECT_FALSE(ImageBufAlgo::st_warp(into_by_pointer, picture(), st, pointer));
+    for (const ImageBuf* result : {&named, &pointed, &into_by_name, &into_by_pointer}) {
+        EXPECT_TRUE(result->has_error());
+        EXPECT_NE(result->geterror().find("st_warp"), std::string::npos);
     }
     EXPECT_FALSE(ImageBufAlgo::st_warp(picture(), st, "triangle").has_error());
 }
