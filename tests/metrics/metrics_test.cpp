@@ -19,6 +19,22 @@ Image flat(int width, int height, double r, double g, double b) {
     return {{Plane(width, height, r), Plane(width, height, g), Plane(width, height, b)}};
 }
 
+Plane transposed(const Plane& plane) {
+    Plane other(plane.height, plane.width);
+    for (int y = 0; y < plane.height; ++y)
+        for (int x = 0; x < plane.width; ++x)
+            other.at(y, x) = plane.at(x, y);
+    return other;
+}
+
+Plane repeated(const Plane& plane, int scale) {
+    Plane large(plane.width * scale, plane.height * scale);
+    for (int y = 0; y < large.height; ++y)
+        for (int x = 0; x < large.width; ++x)
+            large.at(x, y) = plane.at(x / scale, y / scale);
+    return large;
+}
+
 Plane stripes(int size, double even, double odd) {
     Plane plane(size, size);
     for (int y = 0; y < size; ++y)
@@ -113,7 +129,9 @@ TEST(Gmsd, AStepThatOnlyOneHas) {
         for (int x = 12; x < 24; ++x)
             step.at(x, y) = 255;
     double similarity = 170 / (255.0 * 255.0 + 170);
-    EXPECT_NEAR(gmsd(Plane(24, 24, 0), step), std::sqrt(0.2 * 0.8) * (1 - similarity), 1e-12);
+    const double expected = std::sqrt(0.2 * 0.8) * (1 - similarity);
+    EXPECT_NEAR(gmsd(Plane(24, 24, 0), step), expected, 1e-12);
+    EXPECT_NEAR(gmsd(Plane(24, 24, 0), transposed(step)), expected, 1e-12);
 }
 
 TEST(Overshoot, CountsOnlyWhatLeavesTheRangeNearby) {
@@ -145,15 +163,40 @@ TEST(Staircase, AStraightRampHasNone) {
 
 TEST(Staircase, RepeatedPixels) {
     constexpr int scale = 8;
-    auto repeat = [](const Plane& small) {
-        Plane large(small.width * scale, small.height * scale);
-        for (int y = 0; y < large.height; ++y)
-            for (int x = 0; x < large.width; ++x)
-                large.at(x, y) = small.at(x / scale, y / scale);
-        return large;
-    };
+    auto repeat = [](const Plane& small) { return repeated(small, scale); };
     EXPECT_NEAR(metrics::staircase_at(repeat, scale, 0), 0, 1e-9);
     // At 45 degrees the outline is a true staircase with steps of one pixel: its distance from the
     // line is spread evenly over 1 / sqrt 2, so its deviation is that over sqrt 12.
     EXPECT_NEAR(metrics::staircase_at(repeat, scale, std::atan(1)), std::sqrt(0.5 / 12), 0.02);
+}
+
+TEST(Staircase, PixelsOfTheEdgeAreMixedByTheShareThatEachSideCovers) {
+    const double tilt = std::atan(1) / 2; // neither along the pixels nor at 45 degrees
+    for (const double angle : {0.0, tilt, 3 * tilt, 5 * tilt}) {
+        auto look = [&](const Plane& small) {
+            // Points close together tell on which side of the line through them they lie.
+            const double across = 24.137, down = 23.789;
+            for (int y = 12; y < 36; ++y)
+                for (int x = 12; x < 36; ++x) {
+                    double sum = 0;
+                    for (int i = 0; i < 64 * 64; ++i) {
+                        const double u = x + (i % 64 + 0.5) / 64 - across,
+                                     v = y + (double(i / 64) + 0.5) / 64 - down;
+                        sum += v * std::cos(angle) < u * std::sin(angle) ? 64 : 192;
+                    }
+                    EXPECT_NEAR(small.at(x, y), sum / (64 * 64), 2)
+                        << angle << ' ' << x << ' ' << y;
+                }
+            return repeated(small, 2);
+        };
+        metrics::staircase_at(look, 2, angle);
+    }
+}
+
+TEST(Staircase, IsTheMeanOverAHalfTurn) {
+    auto repeat = [](const Plane& small) { return repeated(small, 4); };
+    double sum = 0;
+    for (int i = 0; i < 60; ++i)
+        sum += metrics::staircase_at(repeat, 4, i * std::atan(1) / 15);
+    EXPECT_NEAR(metrics::staircase(repeat, 4), sum / 60, 1e-6);
 }
