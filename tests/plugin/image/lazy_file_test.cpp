@@ -49,5 +49,18 @@ TEST(LazyFile, ShowsTheFileThatIsThereNow) {
     }
 }
 
+TEST(LazyFile, AColourUnderASmallAlphaKeepsItsBits) {
+    const std::string path = temporary("straight.tif");
+    auto image = images::make(40, 30, 4, OIIO::TypeUInt8);
+    image.specmod().attribute("oiio:UnassociatedAlpha", 1);
+    images::fill(image, [](int, int, int c) { return float(c < 3 ? 200 : 3) / 255; });
+    ASSERT_TRUE(image.write(path)) << image.geterror();
+    const LazyFile file(path, 0, LazyFile::Pieces());
+    EXPECT_NEAR(images::value(file.image(), 20, 15), 200.0f / 255 * 3 / 255, 1e-6f);
+    // Other files are not held in four times the memory.
+    const LazyFile plain(write("plain.tif", 0.5f), 0, LazyFile::Pieces());
+    EXPECT_EQ(plain.image().spec().format, OIIO::TypeUInt8);
+}
+
 } // namespace
 } // namespace ddt

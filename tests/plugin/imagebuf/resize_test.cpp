@@ -66,6 +66,21 @@ TEST(Resize, SourceAndDestinationOfDifferentTypes) {
             ASSERT_NEAR(value(fine, x, y, 1), value(coarse, x, y, 1), 0.5 / 255 + 1e-5);
 }
 
+// Hosts hold a file's integers as floats.
+TEST(Resize, IntegersOfNoKnownSpaceAreThoseOfTheFileWhateverHoldsThem) {
+    auto painted = make(24, 24, 3, OIIO::TypeUInt8);
+    images::noise(painted);
+    const std::string path = ddt::temporary("integers.sgi");
+    ASSERT_TRUE(painted.write(path)) << painted.geterror();
+    ImageBuf integers(path), floats(path);
+    ASSERT_TRUE(integers.read(0, 0, true, OIIO::TypeUInt8)) << integers.geterror();
+    ASSERT_TRUE(floats.read(0, 0, true, OIIO::TypeFloat)) << floats.geterror();
+    auto expected = make(72, 72, 3), result = make(72, 72, 3);
+    ASSERT_TRUE(ddt::resize(expected, integers)) << expected.geterror();
+    ASSERT_TRUE(ddt::resize(result, floats)) << result.geterror();
+    EXPECT_EQ(bytes(result), bytes(expected));
+}
+
 // Positions on vertices: 3 times, the middle pixel of each nine is the source's.
 TEST(Resize, VerticesComeBackThroughLinearLight) {
     for (const auto type : {TypeDesc::UINT8, TypeDesc::UINT16})
