@@ -244,10 +244,13 @@ gboolean process(GeglOperation* operation, GeglBuffer* input, GeglBuffer* output
     work.from.box = work.place.window;
     const Wanted wanted = wanted_by(operation);
     work.layout = Layout::usual(wanted.channels, wanted.associated);
-    // GEGL's progress is for the thread that it calls us on.
+    // GEGL's progress is for the thread that it calls us on. Of pieces the host counts how many are
+    // done; and at 0 and 1 GIMP begins and ends a progress in place of its own, which could be
+    // cancelled.
     const auto caller = std::this_thread::get_id();
+    const bool everything = rect_of(*part) == work.place.full;
     work.progress = [&](float share) {
-        if (std::this_thread::get_id() == caller)
+        if (everything && share > 0 && share < 1 && std::this_thread::get_id() == caller)
             gegl_operation_progress(operation, double(share), const_cast<gchar*>("ddt"));
         return true;
     };

@@ -56,6 +56,20 @@ for y in range(0, min(box.height, 128), 64):
 print(pieces)
 """
 
+# Enlarges a file so many times, a corner of it or all, and prints what progress was told.
+PROGRESS = GRAPH + """
+load = node(b"gegl:load", b"path", c_char_p(sys.argv[1].encode()))
+ddt = node(b"gegl:ddt", b"scale", c_double(float(sys.argv[2])))
+gegl.gegl_node_link_many(load, ddt, None)
+told = []
+note = ctypes.CFUNCTYPE(None, c_void_p, c_double, c_char_p, c_void_p)(
+    lambda node, share, text, data: told.append(share))
+ctypes.CDLL("libgobject-2.0.so.0").g_signal_connect_data(ddt, c_char_p(b"progress"), note, None,
+                                                         None, 0)
+blit(ddt, Rectangle(0, 0, 64, 64))
+print(*told)
+"""
+
 # Prints alpha of the ends of a row of 8 x 8 pixels of a palette, the left half of which is
 # transparent, enlarged twofold.
 PALETTE = GRAPH + """
@@ -171,6 +185,17 @@ class Gegl(support.Case):
             self.succeed("oiiotool", f"{name}.ddt?scale={scale}", "--cut",
                          f"{width}x{height}+{x}+{y}", "-d", "float", "-o", "wanted.exr")
             self.same_floats("out.exr", "wanted.exr")
+
+    def test_progress_neither_begins_nor_ends_at_a_piece(self):
+        # GIMP would begin or end a progress of the operation's own, and forget the one that users
+        # can cancel.
+        for scale, pieces in (8, False), (24, True):
+            done = self.attempt("python3", "-c", PROGRESS, self.path("large.exr"), str(scale),
+                                **gegl_environment())
+            self.assertEqual(done.returncode, 0, done.stderr)
+            told = [float(share) for share in done.stdout.split()]
+            self.assertEqual(told == [], pieces, scale)
+            self.assertTrue(all(0 < share < 1 for share in told), told)
 
     def test_palettes_keep_their_alpha(self):
         done = self.attempt("python3", "-c", PALETTE, **gegl_environment())
