@@ -3,8 +3,8 @@
 // of a vector.
 // Needs: vectors-inl.h, a tag DI of int32_t.
 
-/// Whether a load each is quicker than a gather: docs/speed.md, "Gathers or loads". Where processors
-/// are kept from telling what others gathered, gathers take several times as long.
+/// Whether a load each is quicker than a gather: docs/speed.md, "Gathers or loads". Where
+/// processors are kept from telling what others gathered, gathers take several times as long.
 #if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
 constexpr bool loads_beat_gathers = true;
 #else
