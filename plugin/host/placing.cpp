@@ -53,18 +53,20 @@ Placing stretched(const Rect& window, const Rect& full, int x, int y, double x_f
     return {window, full, {x, y, x + along.from, y + down.from}, {x, y, x + along.to, y + down.to}};
 }
 
+/// Positions of the pixels of a part of the result.
+ResizeMapping::Axis x_axis(const Placing& p, const Rect& box) {
+    return {p.from.x0,   p.from.width(), p.to.x0, p.to.width(),
+            p.window.x0, p.window.x1,    box.x0,  box.x1};
+}
+ResizeMapping::Axis y_axis(const Placing& p, const Rect& box) {
+    return {p.from.y0,   p.from.height(), p.to.y0, p.to.height(),
+            p.window.y0, p.window.y1,     box.y0,  box.y1};
+}
+
 } // namespace
 
-ResizeMapping::Axis Placing::x_axis(const Rect& box) const {
-    return {from.x0, from.width(), to.x0, to.width(), window.x0, window.x1, box.x0, box.x1};
-}
-
-ResizeMapping::Axis Placing::y_axis(const Rect& box) const {
-    return {from.y0, from.height(), to.y0, to.height(), window.y0, window.y1, box.y0, box.y1};
-}
-
 ResizeMapping Placing::mapping(const Rect& box) const {
-    return {x_axis(box), y_axis(box)};
+    return {x_axis(*this, box), y_axis(*this, box)};
 }
 
 Placing onto(const Rect& window, const Rect& full) {
@@ -133,8 +135,8 @@ Rect made_at_once(const Placing& place, const Rect& box, Holes holes) {
         begin = cuts[piece_of(cuts, begin)];
         end = cuts[piece_of(cuts, end - 1) + 1];
     };
-    grow(place.x_axis(place.full), r.x0, r.x1);
-    grow(place.y_axis(place.full), r.y0, r.y1);
+    grow(x_axis(place, place.full), r.x0, r.x1);
+    grow(y_axis(place, place.full), r.y0, r.y1);
     return r;
 }
 

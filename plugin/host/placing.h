@@ -18,8 +18,6 @@ struct Placing {
     }
     /// Positions of the pixels of a part of `full`.
     ResizeMapping mapping(const Rect& box) const;
-    ResizeMapping::Axis x_axis(const Rect& box) const;
-    ResizeMapping::Axis y_axis(const Rect& box) const;
 };
 
 /// All of `window` becomes all of `full`.

@@ -42,11 +42,13 @@ constexpr Scheme all_schemes[] = {
 #undef DDT_SCHEME
 };
 
+inline constexpr Surface both_surfaces[] = {Surface::linear, Surface::patch};
+
 /// Both surfaces with so many rounds of correction each, with and without soft edges; where one
 /// round is among them, fitted vertices and bends too.
 inline std::vector<SurfaceOptions> surfaces_with(std::initializer_list<int> rounds) {
     std::vector<SurfaceOptions> all;
-    for (const Surface kind : {Surface::linear, Surface::patch})
+    for (const Surface kind : both_surfaces)
         for (const int consistency : rounds)
             for (const float soft : {0.0f, 0.3f}) {
                 SurfaceOptions s(kind);

@@ -177,7 +177,8 @@ class Gegl(support.Case):
 
     def test_of_a_large_result_no_more_is_made_than_is_near_what_is_asked_for(self):
         # 77 gigabytes, of which a corner is wanted; and what lies on both sides of a border.
-        for name, scale, cut in ("float.exr", 1024, (0, 0, 96, 64)), ("large.exr", 24, (1900, 5800, 400, 500)):
+        for name, scale, cut in (("float.exr", 1024, (0, 0, 96, 64)),
+                                 ("large.exr", 24, (1900, 5800, 400, 500))):
             x, y, width, height = cut
             said = self.gegl(name, "out.exr", f"scale={scale}", "crop", f"x={x}", f"y={y}",
                              f"width={width}", f"height={height}")

@@ -12,7 +12,7 @@ namespace {
 TEST(Buffers, SameAsTheJobTheyStandFor) {
     TestSource source({0, 0, 280, 50}, 3, 1);
     const Rect out{0, 0, 420, 110};
-    for (const Surface surface : {Surface::linear, Surface::patch})
+    for (const Surface surface : both_surfaces)
         for (const Scheme scheme : {Scheme::one_round, Scheme::lawson, Scheme::pixel}) {
             Job job = job_of(source, 3);
             job.surface = surface;

@@ -17,8 +17,6 @@
 namespace ddt::test {
 namespace {
 
-constexpr Surface both_surfaces[] = {Surface::linear, Surface::patch};
-
 std::vector<float> crop(const std::vector<float>& values, Rect whole, Rect part, int channels) {
     std::vector<float> r;
     for (int y = part.y0; y < part.y1; ++y)

@@ -10,11 +10,44 @@
 namespace ddt::test {
 namespace {
 
+/// A triangle whose closed area holds p: by the tie rule, on the hull's rim the first there is.
+const Face& closed_face(const Scene& scene, Point p) {
+    const int i = find_face(scene.faces, p);
+    if (i >= 0)
+        return scene.faces[size_t(i)];
+    for (const Face& f : scene.faces) {
+        bool holds = true;
+        for (size_t k = 0; k < 3; ++k) {
+            const Pixel a = f[k], d = f[(k + 1) % 3] - a;
+            holds = holds && int64_t(d.x) * (p.y - a.y * position_one) >=
+                                 int64_t(d.y) * (p.x - a.x * position_one);
+        }
+        if (holds)
+            return f;
+    }
+    ADD_FAILURE() << "no triangle holds " << p.x << ' ' << p.y;
+    return scene.faces[0];
+}
+
+/// The triangle that p is evaluated in. On the rim there may be several; which, locate() says.
+Face face_at(const Scene& scene, Point p) {
+    const int i = find_face(scene.faces, p);
+    return i >= 0 ? scene.faces[size_t(i)]
+                  : face_of_triangle(scene.lattice, locate(scene.lattice, p));
+}
+
+void weights_in(const Face& f, Point p, int32_t w[3]) {
+    for (size_t k = 0; k < 3; ++k) {
+        const Pixel a = f[(k + 1) % 3], d = f[(k + 2) % 3] - a;
+        w[k] = d.x * (p.y - a.y * position_one) - d.y * (p.x - a.x * position_one);
+    }
+}
+
 TEST(Evaluate, EveryInstructionSetGivesTheBitsOfTheFormulas) {
     on_each_target([] {
         each_scene([](const Scene& scene, Random& random) {
             const Lattice& l = scene.lattice;
-            for (const Surface surface : surfaces)
+            for (const Surface surface : both_surfaces)
                 for (const Values kind : all_values) {
                     const auto values = make_values(kind, scene.pixels(), random);
                     SurfaceReader reader(scene, surface, values);
@@ -42,7 +75,7 @@ TEST(Evaluate, SoftEdgesHaveTheBitsOfTheFormulas) {
         int different = 0;
         each_scene([&](const Scene& scene, Random& random) {
             const Lattice& l = scene.lattice;
-            for (const Surface surface : surfaces)
+            for (const Surface surface : both_surfaces)
                 for (const Values kind : all_values)
                     for (const bool strict : {false, true}) {
                         const float tau = 1.0f;
@@ -78,7 +111,7 @@ TEST(Evaluate, SoftEdgesAtNoGainShowBothDiagonalsAlike) {
 
 TEST(Evaluate, AtAPixelThePixelComesBackWithSoftEdgesToo) {
     each_scene([](const Scene& scene, Random& random) {
-        for (const Surface surface : surfaces) {
+        for (const Surface surface : both_surfaces) {
             auto values = make_values(Values::nonfinite, scene.pixels(), random);
             for (size_t i = 0; i < values.size(); i += 2)
                 values[i] = -values[i];
@@ -95,7 +128,7 @@ TEST(Evaluate, AtAPixelThePixelComesBackWithSoftEdgesToo) {
 
 TEST(Evaluate, StaysBetweenTheTrianglesThreeValues) {
     each_scene([](const Scene& scene, Random& random) {
-        for (const Surface surface : surfaces)
+        for (const Surface surface : both_surfaces)
             for (const Values kind : {Values::unit, Values::hdr, Values::wild}) {
                 auto values = make_values(kind, scene.pixels(), random);
                 if (kind == Values::wild)
@@ -123,7 +156,7 @@ TEST(Evaluate, StaysBetweenTheTrianglesThreeValues) {
 }
 
 TEST(Evaluate, ThePatchIsNotThePlane) {
-    // So that the tests of both surfaces do test two.
+    // So that the tests of both both_surfaces do test two.
     Random random(8);
     Scene scene(12, 12, 100, random);
     const auto values = make_values(Values::unit, scene.pixels(), random);
@@ -136,7 +169,7 @@ TEST(Evaluate, ThePatchIsNotThePlane) {
 
 TEST(Evaluate, APlaneIsReproducedExactly) {
     each_scene([](const Scene& scene, Random& random) {
-        for (const Surface surface : surfaces) {
+        for (const Surface surface : both_surfaces) {
             // Few enough bits that weight times value and all sums fit a float.
             const int w = scene.lattice.width(), h = scene.lattice.height();
             const int gx = random.between(-1, 1), gy = random.between(-3, 3), c = 5;
@@ -155,7 +188,7 @@ TEST(Evaluate, APlaneIsReproducedExactly) {
 
 TEST(Evaluate, AConstantIsReproducedExactly) {
     each_scene([](const Scene& scene, Random& random) {
-        for (const Surface surface : surfaces)
+        for (const Surface surface : both_surfaces)
             for (const float x : {0.1f, 1.0f / 3.0f, -7.77e5f, 1e38f, 1e-30f, 0.0f}) {
                 SurfaceReader reader(scene, surface, std::vector<float>(scene.pixels(), x));
                 for (const Point p : make_points(scene.lattice, 100, random))
@@ -166,7 +199,7 @@ TEST(Evaluate, AConstantIsReproducedExactly) {
 
 TEST(Evaluate, AtAPixelThePixelComesBack) {
     each_scene([](const Scene& scene, Random& random) {
-        for (const Surface surface : surfaces)
+        for (const Surface surface : both_surfaces)
             for (const Values kind : all_values) {
                 const auto values = make_values(kind, scene.pixels(), random);
                 SurfaceReader reader(scene, surface, values);
@@ -189,7 +222,7 @@ TEST(Evaluate, NonFiniteValuesStayInTheTrianglesThatTouchThem) {
         const int width = scene.lattice.width();
         const float inf = std::numeric_limits<float>::infinity();
         const auto clean = make_values(Values::unit, scene.pixels(), random);
-        for (const Surface surface : surfaces)
+        for (const Surface surface : both_surfaces)
             for (const float x : {std::nanf(""), inf, -inf}) {
                 const Pixel bad{random.below(width), random.below(scene.lattice.height())};
                 auto values = clean;
@@ -222,7 +255,7 @@ TEST(Evaluate, InfinitiesOfBothSignsMakeNaN) {
     Random random(9);
     Scene scene(2, 2, 0, random);
     const float inf = std::numeric_limits<float>::infinity();
-    for (const Surface surface : surfaces) {
+    for (const Surface surface : both_surfaces) {
         SurfaceReader reader(scene, surface, {inf, -inf, -inf, inf});
         EXPECT_EQ(bits_of(reader.at({20000, 30000})), 0x7fc00000u);
         EXPECT_EQ(reader.at({0, 0}), inf);
@@ -241,7 +274,7 @@ TEST(Evaluate, NearestChannelsAreCopiedBitForBit) {
         for (size_t i = 0; i < values.size(); ++i)
             if (!(nearest >> (i % channels) & 1))
                 values[i] = random_value(random);
-        for (const Surface surface : surfaces) {
+        for (const Surface surface : both_surfaces) {
             SurfaceReader reader(scene, surface, values, channels, nearest);
             SurfaceReader blend(scene, surface, values, channels, 0);
             for (const Point p : make_points(scene.lattice, 200, random)) {
@@ -267,7 +300,7 @@ TEST(Evaluate, ChannelsDoNotKnowOfOneAnother) {
     std::vector<Point> points;
     for (int i = 0; i < 50; ++i)
         points.push_back({i * 12345, 300000 + i * 777});
-    for (const Surface surface : surfaces)
+    for (const Surface surface : both_surfaces)
         for (const int channels : {1, 2, 3, 4, 5, 6, 7, 8, 9, 64}) {
             const auto values = make_values(Values::hdr, scene.pixels() * size_t(channels), random);
             const auto all = SurfaceReader(scene, surface, values, channels)

@@ -9,7 +9,7 @@ TEST(LocateRow, ARowIsItsPositionsOneByOne) {
     each_scene([](const Scene& scene, Random& random) {
         const int right = (scene.lattice.width() - 1) * position_one;
         const int bottom = (scene.lattice.height() - 1) * position_one;
-        for (const Surface surface : surfaces) {
+        for (const Surface surface : both_surfaces) {
             const auto values = make_values(Values::hdr, scene.pixels(), random);
             SurfaceReader reader(scene, surface, values);
             for (int k = 0; k < 60; ++k) {

@@ -34,7 +34,7 @@ TEST(Blocks, HaveTheBitsOfRows) {
                 p.push_back(last);
                 return p;
             };
-            for (const Surface surface : surfaces)
+            for (const Surface surface : both_surfaces)
                 for (const int channels : {1, 2, 3, 4, 7})
                     for (const float tau : {0.0f, 0.5f}) {
                         const auto values =
@@ -65,8 +65,8 @@ TEST(Blocks, OfPositionsThatLieAlikeInCellsHaveTheBitsOfRows) {
                                      << channels << ", " << tau);
                         const auto kind = all_values[size_t(channels) % std::size(all_values)];
                         const auto values = make_values(kind, scene.pixels() * channels, random);
-                        SurfaceReader reader(scene, surfaces[random.below(2)], values, channels, 0,
-                                             tau, random.below(2) == 1);
+                        SurfaceReader reader(scene, both_surfaces[random.below(2)], values,
+                                             channels, 0, tau, random.below(2) == 1);
                         // From anywhere in a cell to anywhere in another; on ties too.
                         const int32_t step = position_one / phases;
                         const int32_t shift = random.below(2) * random.below(step);

@@ -10,8 +10,6 @@
 
 namespace ddt::test {
 
-inline constexpr Surface surfaces[] = {Surface::linear, Surface::patch};
-
 /// A surface over a scene: nets of all its channels.
 class SurfaceReader {
 public:
@@ -117,38 +115,5 @@ private:
     Search m_search;
     LocatedRow m_row;
 };
-
-/// A triangle whose closed area holds p: by the tie rule, on the hull's rim the first there is.
-inline const Face& closed_face(const Scene& scene, Point p) {
-    const int i = find_face(scene.faces, p);
-    if (i >= 0)
-        return scene.faces[size_t(i)];
-    for (const Face& f : scene.faces) {
-        bool holds = true;
-        for (size_t k = 0; k < 3; ++k) {
-            const Pixel a = f[k], d = f[(k + 1) % 3] - a;
-            holds = holds && int64_t(d.x) * (p.y - a.y * position_one) >=
-                                 int64_t(d.y) * (p.x - a.x * position_one);
-        }
-        if (holds)
-            return f;
-    }
-    ADD_FAILURE() << "no triangle holds " << p.x << ' ' << p.y;
-    return scene.faces[0];
-}
-
-/// The triangle that p is evaluated in. On the rim there may be several; which, locate() says.
-inline Face face_at(const Scene& scene, Point p) {
-    const int i = find_face(scene.faces, p);
-    return i >= 0 ? scene.faces[size_t(i)]
-                  : face_of_triangle(scene.lattice, locate(scene.lattice, p));
-}
-
-inline void weights_in(const Face& f, Point p, int32_t w[3]) {
-    for (size_t k = 0; k < 3; ++k) {
-        const Pixel a = f[(k + 1) % 3], d = f[(k + 2) % 3] - a;
-        w[k] = d.x * (p.y - a.y * position_one) - d.y * (p.x - a.x * position_one);
-    }
-}
 
 } // namespace ddt::test

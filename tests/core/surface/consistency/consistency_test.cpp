@@ -89,7 +89,7 @@ std::vector<float> bright(const Scene& scene, Random& random) {
 
 TEST(Consistency, ARoundIsWhatItsDefinitionSays) {
     each_scene([](const Scene& scene, Random& random) {
-        for (const Surface surface : {Surface::linear, Surface::patch})
+        for (const Surface surface : both_surfaces)
             for (const float tau : {0.0f, 0.5f})
                 for (const float limit : {0.25f, 0.0f, 10.0f}) {
                     const Shape shape{surface, tau, limit, false};
@@ -108,7 +108,7 @@ TEST(Consistency, ARoundIsWhatItsDefinitionSays) {
 TEST(Consistency, EveryInstructionSetGivesTheSameBits) {
     Random random(2);
     Scene scene(17, 13, 300, random);
-    for (const Surface surface : {Surface::linear, Surface::patch})
+    for (const Surface surface : both_surfaces)
         for (const float tau : {0.0f, 0.5f})
             for (const Values kind : all_values) {
                 const auto source = make_values(kind, scene.pixels(), random);
@@ -124,7 +124,7 @@ TEST(Consistency, EveryInstructionSetGivesTheSameBits) {
 TEST(Consistency, EveryChannelIsWorkedOnAsIfAlone) {
     Random random(3);
     Scene scene(19, 12, 400, random);
-    for (const Surface surface : {Surface::linear, Surface::patch})
+    for (const Surface surface : both_surfaces)
         for (const float tau : {0.0f, 0.5f})
             for (int count = 2; count <= group_size; ++count) {
                 const Shape shape{surface, tau, 0.25f, false};
@@ -170,7 +170,7 @@ TEST(Consistency, APlaneIsLeftAlone) {
         for (int y = 0; y < scene.lattice.height(); ++y)
             for (int x = 0; x < scene.lattice.width(); ++x)
                 plane.push_back((gx * float(x) + gy * float(y) + 3.0f) / 8.0f);
-        for (const Surface surface : {Surface::linear, Surface::patch})
+        for (const Surface surface : both_surfaces)
             for (const float tau : {0.0f, 0.5f})
                 ASSERT_EQ(
                     differing(corrected(scene, plane, {surface, tau, 0.25f, false}, 2), plane), 0u);
