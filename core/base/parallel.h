@@ -11,8 +11,8 @@
 
 namespace ddt {
 
-/// How many threads to use where nobody says: those the process may run on, or fewer where
-/// oneTBB's own limit says so.
+/// How many threads to use where nobody says: the processors that the process may run on, or fewer
+/// where a container's quota (control_groups.h) or oneTBB's own limit says so.
 int usual_threads();
 
 /// The number to use where `wanted` are asked for: never more than oneTBB's limit, which it would

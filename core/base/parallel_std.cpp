@@ -12,15 +12,25 @@
 #include <sched.h>
 #endif
 
+#include "core/base/control_groups.h"
+
 namespace ddt {
 
-int usual_threads() {
+namespace {
+
+int processors() {
 #ifdef __linux__
     cpu_set_t set;
     if (sched_getaffinity(0, sizeof set, &set) == 0)
-        return std::max(1, CPU_COUNT(&set));
+        return CPU_COUNT(&set);
 #endif
-    return std::max(1, int(std::thread::hardware_concurrency()));
+    return int(std::thread::hardware_concurrency());
+}
+
+} // namespace
+
+int usual_threads() {
+    return std::max(1, std::min(processors(), processors_of_groups()));
 }
 
 int allowed_threads(int wanted) {

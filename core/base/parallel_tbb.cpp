@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "core/base/control_groups.h"
 #include "core/base/ordered.h"
 
 namespace ddt {
@@ -30,7 +31,8 @@ struct InSlot {
 } // namespace
 
 int usual_threads() {
-    return allowed_threads(tbb::this_task_arena::max_concurrency());
+    return allowed_threads(
+        std::min(tbb::this_task_arena::max_concurrency(), processors_of_groups()));
 }
 
 int allowed_threads(int wanted) {

@@ -42,9 +42,12 @@ Writing plan_writing(const Reading& reading, const OIIO::ImageBuf& src, const OI
 } // namespace
 
 int thread_count(int nthreads) {
-    if (nthreads <= 0)
-        OIIO::getattribute("threads", nthreads);
-    return std::max(nthreads, 0);
+    if (nthreads > 0)
+        return nthreads;
+    OIIO::getattribute("threads", nthreads);
+    // As it comes it counts processors that a container's quota leaves no time on.
+    const bool all = nthreads == int(OIIO::Sysutil::hardware_concurrency());
+    return all ? 0 : std::max(nthreads, 0);
 }
 
 bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& mapping,

@@ -4,8 +4,8 @@
 #include <OpenColorIO/OpenColorIO.h>
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/strutil.h>
-#include <OpenImageIO/sysutil.h>
 
+#include "core/base/parallel.h"
 #include "ddt/devices.h"
 #include "ddt/names.h"
 #include "plugin/message/format.h"
@@ -37,7 +37,8 @@ public:
             line("plugin", text);
         const char* config = std::getenv("OCIO");
         line("OCIO config", config && *config ? config : "none in $OCIO; the one built in");
-        line("cpu", format("{} threads", OIIO::Sysutil::hardware_concurrency()));
+        const int threads = usual_threads();
+        line("cpu", format("{} thread{}", threads, threads == 1 ? "" : "s"));
         for (const Device device : {Device::egl, Device::osmesa})
             line(device_name(device), describe_device(device));
         line("auto", automatic_device());

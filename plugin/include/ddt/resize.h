@@ -65,7 +65,8 @@ struct Options : FilterOptions {
 /// default filter, on the numbers as they are. If one grows and the other shrinks, the first is
 /// enlarged by the mesh and the second shrunk so. IDs are copied from the nearest pixel.
 ///
-/// nthreads 0: OpenImageIO's attribute "threads".
+/// nthreads 0: OpenImageIO's attribute "threads"; where that is the number of processors, no more
+/// than a container's quota is worth.
 bool resize(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options = {},
             OIIO::ROI roi = {}, int nthreads = 0);
 

@@ -5,18 +5,17 @@
 #include <system_error>
 
 #include <OpenImageIO/imageio.h>
+#include <OpenImageIO/sysutil.h>
 
 #include "core/base/parallel.h"
+#include "plugin/imagebuf/resample.h"
 #include "plugin/tool/command/command.h"
 
 namespace ddt::tool {
 
 int share_threads(int wanted) {
     allow_threads(wanted);
-    int threads = wanted;
-    if (wanted <= 0)
-        OIIO::getattribute("threads", threads);
-    threads = threads_for(threads);
+    const int asked = thread_count(wanted), threads = threads_for(asked);
     // OpenImageIO's pool has one thread less than it is told, and its TIFF writer compresses side
     // by side only where the pool has two.
     try {
@@ -25,7 +24,8 @@ int share_threads(int wanted) {
         // There are no more. A pool that is half made ends the program by a signal, at its end.
         std::_Exit(fail(thrown()));
     }
-    if (wanted > 0)
+    const bool quota = asked == 0 && threads < int(OIIO::Sysutil::hardware_concurrency());
+    if (wanted > 0 || quota)
         OIIO::attribute("exr_threads", threads == 1 ? -1 : threads); // -1: none of its own
     return threads;
 }

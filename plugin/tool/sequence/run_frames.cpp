@@ -5,13 +5,13 @@
 #include <condition_variable>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <mutex>
 #include <thread>
 
 #include <OpenImageIO/sysutil.h>
 
+#include "core/base/control_groups.h"
 #include "plugin/tool/command/command.h"
 
 namespace ddt::tool {
@@ -135,31 +135,6 @@ private:
 
 } // namespace
 
-int64_t least_limit(std::istream& groups, const std::string& folder) {
-    int64_t least = std::numeric_limits<int64_t>::max();
-    const auto look = [&](const std::string& file) {
-        int64_t limit = 0; // or "max"
-        if (std::ifstream(file) >> limit && limit > 0)
-            least = std::min(least, limit);
-    };
-    // "0::/user.slice/..." of the second version, "4:memory:/slurm/..." of the first.
-    for (std::string line; std::getline(groups, line);) {
-        const bool second = line.compare(0, 3, "0::") == 0;
-        const size_t name = line.find(":memory:");
-        if (!second && name == std::string::npos)
-            continue;
-        const std::string root = second ? folder : folder + "/memory";
-        std::filesystem::path group = line.substr(second ? 3 : name + 8);
-        // Those about it count as well. In a container the first is the root, and has none.
-        for (;; group = group.parent_path()) {
-            look(root + group.string() + (second ? "/memory.max" : "/memory.limit_in_bytes"));
-            if (!group.has_relative_path())
-                break;
-        }
-    }
-    return least;
-}
-
 FrameCounts run_frames(const std::vector<FrameTask>& tasks, const FrameRun& run,
                        Progress& progress) {
     Queue queue(tasks, run, progress);
@@ -179,8 +154,7 @@ int64_t memory_allowed() {
     auto bytes = int64_t(OIIO::Sysutil::physical_memory());
     if (bytes == 0) // not known: no /proc
         bytes = std::numeric_limits<int64_t>::max();
-    std::ifstream groups("/proc/self/cgroup");
-    return std::min(bytes, least_limit(groups, "/sys/fs/cgroup")) / 4 * 3;
+    return std::min(bytes, memory_of_groups()) / 4 * 3;
 }
 
 } // namespace ddt::tool

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <istream>
 #include <string>
 #include <vector>
 
@@ -44,9 +43,5 @@ FrameCounts run_frames(const std::vector<FrameTask>& tasks, const FrameRun& run,
 /// Three quarters of what this process may have: of the machine's memory, or of its control
 /// groups' if that is less.
 int64_t memory_allowed();
-
-/// The least limit of memory, in bytes, of the control groups that /proc/self/cgroup names, and of
-/// those about them, below `folder`, where they are mounted; the largest number if there is none.
-int64_t least_limit(std::istream& groups, const std::string& folder);
 
 } // namespace ddt::tool

@@ -8,8 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <future>
-#include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <thread>
 #include <tuple>
@@ -265,30 +263,6 @@ TEST(Frames, TheCodeIsThatOfWantIfOneFailedForIt) {
         EXPECT_EQ(counts.failed, 2);
         EXPECT_EQ(counts.code, exit_resources) << first;
     }
-}
-
-TEST(Frames, MemoryIsThatOfTheControlGroups) {
-    const std::filesystem::path folder = temporary("cgroup");
-    const auto put = [&](const char* file, const char* text) {
-        std::filesystem::create_directories((folder / file).parent_path());
-        std::ofstream(folder / file) << text;
-    };
-    put("memory.max", "max\n");
-    put("job/memory.max", "5000\n");
-    put("job/step/memory.max", "7000\n");
-    put("memory/slurm/memory.limit_in_bytes", "3000\n");
-    const auto limit = [&](const char* text) {
-        std::istringstream groups(text);
-        return least_limit(groups, folder.string());
-    };
-    EXPECT_EQ(limit("0::/job/step\n"), 5000);
-    EXPECT_EQ(limit("0::/job\n"), 5000);
-    EXPECT_EQ(limit("0::/other\n"), std::numeric_limits<int64_t>::max());
-    EXPECT_EQ(limit("12:cpu:/slurm\n4:memory:/slurm/step\n0::/other\n"), 3000);
-    EXPECT_EQ(limit(""), std::numeric_limits<int64_t>::max());
-    put("memory.max", "2000\n"); // a container's own
-    EXPECT_EQ(limit("0::/\n"), 2000);
-    EXPECT_EQ(limit("0::/job\n"), 2000);
 }
 
 } // namespace
