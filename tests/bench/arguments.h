@@ -40,4 +40,12 @@ bool parse_arguments(const char* what, const std::string& list, Number low, Numb
     return true;
 }
 
+/// Set width and height to what "WxH" says, each from `low` to `high`; false, with no line, if it
+/// says something else.
+inline bool parse_size(const std::string& text, int low, int high, int& width, int& height) {
+    const size_t x = std::min(text.find('x'), text.size());
+    return ddt::parse_number(text.substr(0, x), low, high, width) &&
+           ddt::parse_number(text.substr(std::min(x + 1, text.size())), low, high, height);
+}
+
 } // namespace bench

@@ -21,9 +21,11 @@
 #include <thread>
 
 #include "core/base/arith.h"
+#include "core/base/parse_number.h"
 #include "core/tiles/tile_worker.h"
 #include "ddt/names.h"
 #include "ddt/option_table.h"
+#include "tests/bench/arguments.h"
 #include "tests/bench/gpu/jobs.h"
 #include "tests/bench/gpu/measure.h"
 
@@ -49,14 +51,13 @@ bool parse(int argc, char** argv, Options& o) {
         ++i;
         if (name == "--device" && (!std::strcmp(value, "egl") || !std::strcmp(value, "osmesa")))
             o.device = value[0] == 'e' ? Device::egl : Device::osmesa;
-        else if (name == "--cases" && std::atoi(value) > 0)
-            o.cases = std::atoi(value);
-        else if (name == "--runs" && std::atoi(value) > 0)
-            o.runs = std::atoi(value);
-        else if (name == "--cpu" && std::atoi(value) > 0)
-            o.cpu = std::atoi(value);
-        else if (name == "--size" && std::sscanf(value, "%dx%d", &o.width, &o.height) == 2 &&
-                 o.width > 1 && o.height > 1)
+        else if (name == "--cases" && parse_number(value, 1, 3, o.cases))
+            continue;
+        else if (name == "--runs" && parse_number(value, 1, 1000000, o.runs))
+            continue;
+        else if (name == "--cpu" && parse_number(value, 1, INT_MAX, o.cpu))
+            continue;
+        else if (name == "--size" && ::bench::parse_size(value, 2, 1 << 20, o.width, o.height))
             o.cases = 1;
         else if (name == "--filter" && *value)
             o.filter = value;

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where a device's bits part from the CPU's, stage by stage (HACKING.md, "When bits differ on a new
 // driver").
+#include <climits>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <string>
 
+#include "core/base/parse_number.h"
 #include "core/gl/context/faults.h"
 #include "core/tiles/grid.h"
 #include "ddt/names.h"
 #include "ddt/option_table.h"
+#include "tests/bench/arguments.h"
 #include "tests/core/gl/pictures.h"
 #include "tests/core/gl/stages/compare_stages.h"
 
@@ -61,10 +63,9 @@ bool parse(int argc, char** argv, Arguments& a) {
         else if (name == "--picture")
             known = find_content(value, a.content);
         else if (name == "--size")
-            known = std::sscanf(value, "%dx%d", &a.width, &a.height) == 2 && a.width > 1 &&
-                    a.height > 1 && a.width <= tile_size && a.height <= tile_size;
+            known = bench::parse_size(value, 2, tile_size, a.width, a.height);
         else if (name == "--seed")
-            a.seed = unsigned(std::atoi(value));
+            known = parse_number(value, 0u, UINT_MAX, a.seed);
         else if (name == "--change" && i + 3 < argc) {
             gl::change_constant(value, argv[i + 2], argv[i + 3]);
             i += 2;

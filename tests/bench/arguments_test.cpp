@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/bench/arguments.h"
+
+#include <gtest/gtest.h>
+
+namespace bench {
+namespace {
+
+TEST(Arguments, ASizeIsTwoWholeNumbersAndNothingElse) {
+    int width = 0, height = 0;
+    EXPECT_TRUE(parse_size("48x32", 2, 100, width, height));
+    EXPECT_EQ(width, 48);
+    EXPECT_EQ(height, 32);
+    for (const char* text :
+         {"", "48", "x32", "48x", "48x32x", "48x32junk", "4.5x32", "48 x32", "1x32", "48x101"})
+        EXPECT_FALSE(parse_size(text, 2, 100, width, height)) << text;
+}
+
+} // namespace
+} // namespace bench
