@@ -98,7 +98,7 @@ class Gegl(support.Case):
         "large.exr": "--pattern fill:topleft=1,0,0:bottomright=0,3,2 700x300 3 "
                      "--line:color=1,1,1 3,2,690,288 -d float",
         "deep.png": "photo.png -d uint16",
-        "grey.png": "photo.png --ch 0 --chnames Y",
+        "grey.png": "photo.png --ch 0 --chnames Y -d uint8",
         "straight.png": "--pattern fill:topleft=0.9,0.1,0.2,0:topright=0.1,0.7,0.3,1:"
                         "bottomleft=0.2,0.3,0.8,0.5:bottomright=1,1,0,1 48x40 4 "
                         "--box:color=1,0,0,0:fill=1 10,6,20,30 "
