@@ -20,8 +20,9 @@ if(DDT_WERROR)
   add_compile_options(-Werror)
 endif()
 # Several files compiled as one, in which a file's own names are those of the files after it, too.
+set(DDT_UNITY_WARNINGS -Wno-shadow)
 if(CMAKE_UNITY_BUILD)
-  add_compile_options(-Wno-shadow)
+  add_compile_options(${DDT_UNITY_WARNINGS})
 endif()
 
 # Highway's functions on vectors of a wider instruction set than the rest is compiled for must be inlined,
