@@ -56,7 +56,9 @@ public:
                  return true;
              },
              "", ""},
-            whole_flag("--threads", "N", "threads to use (default: all cores)", 0, 4096, m_threads),
+            whole_flag("--threads", "N",
+                       "threads to use (default: all cores, in a container its quota)", 0, 4096,
+                       m_threads),
         };
     }
 
