@@ -14,6 +14,8 @@ TEST(Arguments, ASizeIsTwoWholeNumbersAndNothingElse) {
     for (const char* text :
          {"", "48", "x32", "48x", "48x32x", "48x32junk", "4.5x32", "48 x32", "1x32", "48x101"})
         EXPECT_FALSE(parse_size(text, 2, 100, width, height)) << text;
+    EXPECT_EQ(width, 48);
+    EXPECT_EQ(height, 32);
 }
 
 } // namespace
