@@ -156,7 +156,7 @@ TEST(Evaluate, StaysBetweenTheTrianglesThreeValues) {
 }
 
 TEST(Evaluate, ThePatchIsNotThePlane) {
-    // So that the tests of both both_surfaces do test two.
+    // So that the tests of both surfaces do test two.
     Random random(8);
     Scene scene(12, 12, 100, random);
     const auto values = make_values(Values::unit, scene.pixels(), random);
