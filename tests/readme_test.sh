@@ -26,6 +26,7 @@ cp "$source_dir/testimages/scene.png" photo.png
 for i in 1 2 3; do cp "$source_dir/testimages/light.exr" in.000$i.exr; done
 # Large enough for parts.
 oiiotool in.0001.exr --resize 320x240 -o render.exr
+oiiotool in.0001.exr in.0002.exr --siappend -o layers.exr
 
 # Where OpenImageIO's own calls cannot be redirected, as README.md and `ddt info` say.
 if OIIO_LIBRARY_PATH=$PWD/build/plugins build/bin/ddt info | grep -q 'maketx cannot use'; then
@@ -51,4 +52,6 @@ sizes=$(iinfo large.png uhd.exr square.png)
 for size in '1000 x  800' '3840 x 2880' '1000 x 1000'; do
     grep -q "$size" <<<"$sizes" || { echo "FAILED: no image of $size in: $sizes"; exit 1; }
 done
+iinfo layers.2.exr | grep -q '128 x   96.*2 subimages' || {
+    echo "FAILED: two images of 128 x 96 in: $(iinfo layers.2.exr)"; exit 1; }
 [ "$ran" -ge 4 ] || { echo "FAILED: only $ran blocks found"; exit 1; }

@@ -8,10 +8,10 @@
 
 namespace ddt {
 
-/// Take away what is true of the source's pixels only.
+/// Take away what is true of the source's pixels only, and of how its file keeps them.
 inline void forget_pixels(OIIO::ImageSpec& spec) {
-    for (const char* name :
-         {"oiio:SHA-1", "oiio:ConstantColor", "oiio:AverageColor", "textureformat"})
+    for (const char* name : {"oiio:SHA-1", "oiio:ConstantColor", "oiio:AverageColor",
+                             "textureformat", "openexr:chunkCount"})
         spec.erase_attribute(name);
 }
 

@@ -10,7 +10,7 @@
 #include "plugin/tool/file/image_file.h"
 #include "plugin/tool/file/picture.h"
 #include "plugin/tool/ids/mixed_ids.h"
-#include "plugin/tool/resize/resize_file.h"
+#include "plugin/tool/resize/plan_result.h"
 #include "plugin/tool/resize/row_writer.h"
 
 namespace ddt::tool {
@@ -80,7 +80,7 @@ public:
         Failure failure;
         if (!open_image(values[0], image, failure.why))
             return fail(unreadable(values[0], failure.why));
-        if (!check_image(image, values[0], m_options, failure))
+        if (!check_image(image, name_of(values[0]), m_options, failure))
             return fail(failure);
         const Missing missing = m_missing == "alpha" ? Missing::alpha : Missing::nan;
         if (missing == Missing::alpha && channels_of(image.spec(), image.nativespec()).alpha < 0)
@@ -89,7 +89,7 @@ public:
         OIIO::ImageSpec spec;
         if (!plan_file(image, values[1], file, spec, failure))
             return fail(failure);
-        MixedIds ids(values[0], image, spec);
+        MixedIds ids(values[0], 0, image, spec);
         if (ids && !ids.put_into(image, failure.why))
             return fail(failure.why, code_of_message(failure.why));
         Progress progress("filling");

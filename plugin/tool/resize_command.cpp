@@ -39,7 +39,9 @@ public:
             "Sequences: IN and OUT with # (four digits), ### (three) or %04d in place of the "
             "frame's number, and %V or %v in that of the view or its first letter. Without "
             "--frames these are the frames of which there is a file.",
-            "Of a file with several images the first is resized.",
+            "Of a file with several images the first is resized; with --all-images each is, to "
+            "SIZE "
+            "of its own, where OUT's format has room for several (EXR's parts, TIFF's pages).",
             "OUT appears under its name when it is whole; until then what was there stays there."};
         operands = {{"IN", "any image OpenImageIO reads"},
                     {"SIZE", "size of the result"},
@@ -61,6 +63,8 @@ public:
             whole_flag("--jobs", "N",
                        "frames at a time (default: 1), fewer where memory would not do", 1, 64,
                        m_run.jobs),
+            switch_flag("--all-images", "resize all images of a file, not its first alone",
+                        m_settings.all_images),
             switch_flag("--skip-existing",
                         "leave out what is there already (of parts: of the same result)",
                         m_run.skip_existing),
@@ -76,6 +80,8 @@ public:
     ExitCode run(const std::vector<std::string>& values) override {
         if (!m_filter_error.empty())
             return fail(m_filter_error, exit_usage);
+        if (m_settings.all_images && m_part.count > 0)
+            return fail("--part is of a file's first image; leave out --all-images", exit_usage);
         m_settings.size = values[1];
         std::vector<FrameTask> tasks{{values[0], values[2]}};
         Failure failure;

@@ -46,6 +46,20 @@ class Sequences(Farm):
         for frame in range(3):
             self.assert_same(f"ours.{frame:04d}.exr", f"theirs.{frame:04d}.exr")
 
+    def test_oiiotool_does_the_same_images(self):
+        """Of a file; those of every frame of a sequence, too."""
+        for frame in (0, 1):
+            self.succeed("oiiotool", f"in.{frame:04d}.exr", "--attrib", "oiio:subimagename", "all",
+                         f"in.{frame:04d}.exr", "--crop", "20x15+9+4", "--siappend",
+                         "-o", f"two.{frame:04d}.exr")
+        self.ddt("resize", "two.#.exr", "200%", "ours.#.exr", "--all-images",
+                 says="2 frames: 2 written")
+        self.succeed("oiiotool", "-a", "--frames", "0-1", "two.#.exr", "--resize:filter=ddt",
+                     "200%", "-o", "theirs.#.exr")
+        for frame in (0, 1):
+            self.assert_same(f"ours.{frame:04d}.exr", f"theirs.{frame:04d}.exr")
+        self.assertEqual(len(self.hashes("ours.0000.exr")), 2)
+
     def test_views(self):
         for view in ("left", "right"):
             os.rename(self.path("in.0001.exr" if view == "left" else "in.0002.exr"),

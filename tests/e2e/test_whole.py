@@ -224,6 +224,17 @@ class Whole(Case):
             self.skipTest("no disk can be mounted here: " + done.stderr)
         self.assertEqual(done.stdout, "3\n3\n", done.stderr)
 
+    def test_a_full_disk_among_several_images(self):
+        """Their writers open the file by its name, so that we do not see what a write says."""
+        os.mkdir(self.path("tiny"))
+        self.succeed("oiiotool", "photo.png", "photo.png", "--siappend", "-o", "two.tif")
+        done = self.attempt("unshare", "-rm", "sh", "-c", "mount -t tmpfs -o size=60k tmpfs tiny || exit 77; "
+                            f"for f in exr tif gif; do '{DDT}' resize two.tif 1000% tiny/out.$f "
+                            "--all-images; echo $? $(ls -A tiny); done")
+        if done.returncode:
+            self.skipTest("no disk can be mounted here: " + done.stderr)
+        self.assertEqual(done.stdout, "3\n3\n3\n", done.stderr)
+
     def test_what_is_no_file(self):
         os.symlink("/dev/null", self.path("nothing.sgi"))
         self.assertEqual(self.run_to_end("resize", "photo.png", "150%", "nothing.sgi"), (0, ""))

@@ -27,8 +27,8 @@ public:
     const char* proxytype() const override { return "whole file"; }
 };
 
-/// Read every pixel; false if that fails.
-bool can_be_read(OIIO::ImageInput& in) {
+/// Read every pixel of an image; false if that fails.
+bool can_be_read(OIIO::ImageInput& in, int image) {
     const OIIO::ImageSpec& spec = in.spec();
     const int rows = spec.tile_height > 0 ? spec.tile_height : 16;
     // Room for whole tiles: OpenImageIO's reader writes beyond the image's edge (2.4.7, TIFF).
@@ -39,9 +39,9 @@ bool can_be_read(OIIO::ImageInput& in) {
     for (int y = spec.y; y < end; y += rows) {
         const int y1 = std::min(end, y + rows);
         const bool read = spec.tile_width > 0
-                              ? in.read_native_tiles(0, 0, spec.x, spec.x + spec.width, y, y1, 0, 1,
-                                                     pixels.data())
-                              : in.read_native_scanlines(0, 0, y, y1, 0, pixels.data());
+                              ? in.read_native_tiles(image, 0, spec.x, spec.x + spec.width, y, y1,
+                                                     0, 1, pixels.data())
+                              : in.read_native_scanlines(image, 0, y, y1, 0, pixels.data());
         if (!read)
             return false;
     }
@@ -60,6 +60,22 @@ const char* other_channels(const std::string& format, int channels) {
     if (format == "dpx" && channels != 1 && channels != 3 && channels != 4)
         return "1, 3 and 4";
     return format == "jpeg" && channels == 2 ? "1 and 3" : nullptr;
+}
+
+/// Whether a file has room for several images. FITS's does, but the writer loses the rows of all
+/// after the first (OpenImageIO 2.4.7).
+bool holds_several(const OIIO::ImageOutput& output) {
+    return output.supports("multiimage") && output.format_name() != std::string("fits");
+}
+
+/// TIFF's writer chooses by the size of the first image whether the file may be larger than 4 GiB.
+void hold_all_together(std::vector<OIIO::ImageSpec>& specs) {
+    OIIO::imagesize_t bytes = 0;
+    for (const OIIO::ImageSpec& spec : specs)
+        bytes += spec.image_bytes();
+    if (bytes > (OIIO::imagesize_t(4000) << 20))
+        for (OIIO::ImageSpec& spec : specs)
+            spec.attribute("tiff:bigtiff", 1);
 }
 
 /// Formats that leave no file to be read.
@@ -117,30 +133,57 @@ bool ImageFile::create(const std::string& path, Failure& failure) {
     return m_whole.open(path, failure);
 }
 
-bool ImageFile::open(const OIIO::ImageSpec& spec, Failure& failure) {
-    m_width = spec.width;
-    m_height = spec.height;
-    if (const int most = largest_side_of(m_output->format_name());
-        most > 0 && std::max(m_width, m_height) > most) {
+/// Look for what the format's writer does not.
+bool ImageFile::check_allowed(const OIIO::ImageSpec& spec, Failure& failure) const {
+    const std::string type = m_output->format_name();
+    if (const int most = largest_side_of(type);
+        most > 0 && std::max(spec.width, spec.height) > most) {
         failure = {format(
             "cannot write \"{}\": {} x {} pixels are too many for the format {}; allowed are {} a "
             "side",
-            m_path, m_width, m_height, m_output->format_name(), most)};
+            m_path, spec.width, spec.height, type, most)};
         return false;
     }
-    if (const char* allowed = other_channels(m_output->format_name(), spec.nchannels)) {
-        failure = {
-            format("cannot write \"{}\": the format {} has no {} channels ({}); allowed are {}",
-                   m_path, m_output->format_name(), spec.nchannels,
-                   OIIO::Strutil::join(spec.channelnames, ", "), allowed)};
+    if (const char* allowed = other_channels(type, spec.nchannels)) {
+        failure = {format(
+            "cannot write \"{}\": the format {} has no {} channels ({}); allowed are {}", m_path,
+            type, spec.nchannels, OIIO::Strutil::join(spec.channelnames, ", "), allowed)};
         return false;
     }
-    // TIFF's rows make a broken file that way (OpenImageIO 2.4.7).
-    if (m_output->supports("ioproxy") && m_output->format_name() != std::string("tiff")) {
+    return true;
+}
+
+bool ImageFile::open(std::vector<OIIO::ImageSpec> specs, Failure& failure) {
+    m_specs = std::move(specs);
+    m_current = 0;
+    const std::string type = m_output->format_name();
+    const bool several = m_specs.size() > 1;
+    if (several && !holds_several(*m_output)) {
+        failure = {format("cannot write \"{}\": the format {} holds one image, not {}", m_path,
+                          type, m_specs.size())};
+        return false;
+    }
+    for (const OIIO::ImageSpec& spec : m_specs)
+        if (!check_allowed(spec, failure))
+            return false;
+    // TIFF's rows make a broken file that way (OpenImageIO 2.4.7), and EXR's writer of several
+    // images opens the file by its name.
+    if (m_output->supports("ioproxy") && type != "tiff" && !several) {
         m_stream = std::make_unique<Stream>(m_whole.file());
         m_output->set_ioproxy(m_stream.get());
     }
-    if (m_output->open(temporary(), spec))
+    if (several)
+        hold_all_together(m_specs);
+    if (several ? m_output->open(temporary(), int(m_specs.size()), m_specs.data())
+                : m_output->open(temporary(), m_specs[0]))
+        return true;
+    failure = failed();
+    return false;
+}
+
+bool ImageFile::open_next(Failure& failure) {
+    ++m_current;
+    if (m_output->open(temporary(), m_specs[m_current], OIIO::ImageOutput::AppendSubimage))
         return true;
     failure = failed();
     return false;
@@ -180,17 +223,24 @@ bool ImageFile::check_written(Failure& failure) {
     const auto in = OIIO::ImageInput::open(temporary());
     if (!in)
         return refuse("what was written cannot be read back", code_of_reading(temporary(), code));
-    if (in->spec().width != m_width || in->spec().height != m_height)
-        return refuse(format("the format {} made {} x {} pixels of {} x {}",
-                             m_output->format_name(), in->spec().width, in->spec().height, m_width,
-                             m_height),
-                      exit_failed);
     m_compression = in->spec().get_string_attribute("compression");
     m_compression.resize(std::min(m_compression.size(), m_compression.find(':')));
     // Reading the pixels of small icons ends the program (OpenImageIO 2.4.7).
     const bool enough = m_stream || m_output->format_name() == std::string("ico");
-    if (!enough && (has_holes(m_whole.file()) || !can_be_read(*in)))
+    if (!enough && has_holes(m_whole.file()))
         return refuse("what was written cannot be read back", code);
+    for (size_t i = 0; i < m_specs.size(); ++i) {
+        if (i > 0 && !in->seek_subimage(int(i), 0))
+            return refuse("what was written cannot be read back", code);
+        const OIIO::ImageSpec &asked = m_specs[i], &made = in->spec();
+        if (made.width != asked.width || made.height != asked.height)
+            return refuse(format("the format {} made {} x {} pixels of {} x {}",
+                                 m_output->format_name(), made.width, made.height, asked.width,
+                                 asked.height),
+                          exit_failed);
+        if (!enough && !can_be_read(*in, int(i)))
+            return refuse("what was written cannot be read back", code);
+    }
     return true;
 }
 

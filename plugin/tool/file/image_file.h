@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebuf.h>
@@ -16,16 +17,24 @@ namespace ddt::tool {
 
 /// An image file to be written, which appears under its name only when whole and checked. Writers
 /// of many formats do not look whether what they write arrives (PNG: a full disk), so their stream
-/// is ours where they let us; the others' files are read back. The size of every file is read back,
-/// which some writers do not look at either (GIF: 66000 becomes 464).
+/// is ours where they let us; the others' files, and those of several images, are read back. The
+/// size of every image is read back, which some writers do not look at either (GIF: 66000 becomes
+/// 464).
 class ImageFile {
 public:
     /// Decide on the format by the name's extension and open a temporary file.
     bool create(const std::string& path, Failure& failure);
+    const std::string& path() const { return m_path; }
     /// The writer, for open() with a spec under the name temporary().
     OIIO::ImageOutput& output() { return *m_output; }
     const std::string& temporary() const { return m_whole.temporary(); }
-    bool open(const OIIO::ImageSpec& spec, Failure& failure);
+    bool open(const OIIO::ImageSpec& spec, Failure& failure) {
+        return open(std::vector{spec}, failure);
+    }
+    /// For images of these specs, at least one: the first is written to, until open_next().
+    bool open(std::vector<OIIO::ImageSpec> specs, Failure& failure);
+    /// The image before is whole: write to the next.
+    bool open_next(Failure& failure);
     /// create() and open() for scanlines, as ImageBuf::write() by name does.
     bool begin(const std::string& path, OIIO::ImageSpec spec, Failure& failure);
     /// Let what was written so far go to the disk meanwhile.
@@ -42,10 +51,12 @@ public:
     Failure failed() const;
 
 private:
+    bool check_allowed(const OIIO::ImageSpec& spec, Failure& failure) const;
     bool check_written(Failure& failure);
 
     std::string m_path, m_compression;
-    int m_width = 0, m_height = 0; ///< what it was opened with
+    std::vector<OIIO::ImageSpec> m_specs; ///< what it was opened with
+    size_t m_current = 0;                 ///< of them
     WholeFile m_whole;
     // Before the writer that uses it: it goes after that.
     std::unique_ptr<OIIO::Filesystem::IOFile> m_stream;

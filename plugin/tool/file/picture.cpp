@@ -71,17 +71,35 @@ std::string why_unreadable(const std::string& said, const std::string& path) {
     return why.find(path) == std::string::npos ? "\"" + path + "\": " + why : why;
 }
 
-bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error) {
+std::string name_of(const std::string& path, int number) {
+    const std::string name = "\"" + path + "\"";
+    return number > 0 ? format("{}, image {}", name, number + 1) : name;
+}
+
+bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error, int number) {
     if (path.empty()) { // OpenImageIO makes an image of it that is not there
         error = "\"\" is no name of a file";
         return false;
     }
-    image.reset(path);
-    const bool floats = image.init_spec(path, 0, 0) && is_associated_when_read(image.nativespec());
-    if (image.read(0, 0, true, floats ? OIIO::TypeFloat : OIIO::TypeUnknown))
+    image.reset(path, number, 0);
+    const bool floats =
+        image.init_spec(path, number, 0) && is_associated_when_read(image.nativespec());
+    if (image.read(number, 0, true, floats ? OIIO::TypeFloat : OIIO::TypeUnknown))
         return true;
     error = why_unreadable(image, path);
     return false;
+}
+
+std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path, int number,
+                                             std::string& error) {
+    auto input = OIIO::ImageInput::open(path);
+    if (!input)
+        error = why_unreadable(OIIO::geterror(), path);
+    else if (number > 0 && !input->seek_subimage(number, 0)) {
+        error = why_unreadable(input->geterror(), path);
+        input.reset();
+    }
+    return input;
 }
 
 OIIO::ImageSpec spec_of_file(const OIIO::ImageBuf& image) {
@@ -96,9 +114,10 @@ Failure unreadable(const std::string& path, const std::string& error) {
     return {error, code == exit_failed ? code_of_reading(path) : code};
 }
 
-void note_others(const std::string& path, int images) {
+void note_others(const std::string& path, int images, const std::string& how_to_have_all) {
     if (images > 1)
-        note(format("\"{}\" has {} images; the first alone was taken", path, images));
+        note(format("\"{}\" has {} images; the first alone was taken{}", path, images,
+                    how_to_have_all.empty() ? "" : " (all: " + how_to_have_all + ")"));
 }
 
 bool read_picture(const OIIO::ImageBuf& image, const Options& options, Picture& picture,
@@ -143,9 +162,10 @@ bool check_size_of(const OIIO::ImageSpec& spec, Failure& failure) {
 
 bool read_native(OIIO::ImageInput& input, const Rect& r, int chbegin, int chend, void* to) {
     const OIIO::ImageSpec& spec = input.spec();
-    return spec.tile_width > 0 ? input.read_tiles(0, 0, r.x0, r.x1, r.y0, r.y1, spec.z, spec.z + 1,
-                                                  chbegin, chend, OIIO::TypeUnknown, to)
-                               : input.read_scanlines(0, 0, r.y0, r.y1, spec.z, chbegin, chend,
+    const int number = input.current_subimage();
+    return spec.tile_width > 0 ? input.read_tiles(number, 0, r.x0, r.x1, r.y0, r.y1, spec.z,
+                                                  spec.z + 1, chbegin, chend, OIIO::TypeUnknown, to)
+                               : input.read_scanlines(number, 0, r.y0, r.y1, spec.z, chbegin, chend,
                                                       OIIO::TypeUnknown, to);
 }
 

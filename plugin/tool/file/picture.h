@@ -2,6 +2,7 @@
 // An image file as the commands look at it.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,12 @@ struct Picture {
 std::string why_unreadable(const std::string& said, const std::string& path);
 std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path);
 
-/// Read the first image of a file, its pixels included. False with one line in `error`.
-bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error);
+/// How messages name the image of this number from 0 in a file: "in.exr", or "in.exr", image 2.
+std::string name_of(const std::string& path, int number = 0);
+
+/// Read the image of this number from 0 in a file, its pixels included. False with one line in
+/// `error`.
+bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error, int number = 0);
 
 /// The image's spec with the file's types, where its pixels are held as others.
 OIIO::ImageSpec spec_of_file(const OIIO::ImageBuf& image);
@@ -40,8 +45,13 @@ OIIO::ImageSpec spec_of_file(const OIIO::ImageBuf& image);
 /// The failure for a file that open_image() could not open.
 Failure unreadable(const std::string& path, const std::string& error);
 
-/// Say on stderr that of the `images` in a file only the first was looked at, if there are more.
-void note_others(const std::string& path, int images);
+/// Open a file at the image of this number from 0. Null with one line in `error`.
+std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path, int number,
+                                             std::string& error);
+
+/// Say on stderr that of the `images` in a file only the first was looked at, if there are more,
+/// and how to have all, if that can be said.
+void note_others(const std::string& path, int images, const std::string& how_to_have_all = "");
 
 /// Read an image under options.light. False with one line in `error`, as for an image of IDs
 /// alone, which no display shows.
@@ -52,8 +62,8 @@ bool read_picture(const OIIO::ImageBuf& image, const Options& options, Picture& 
 /// plugin/image/windows.h).
 bool check_size_of(const OIIO::ImageSpec& spec, Failure& failure);
 
-/// Read channels [chbegin, chend) of pixels of the first image of a file as they are, without gaps:
-/// whole tiles where it has them, else whole rows. False with a line in input.geterror().
+/// Read channels [chbegin, chend) of pixels of the image that the input is at as they are, without
+/// gaps: whole tiles where it has them, else whole rows. False with a line in input.geterror().
 bool read_native(OIIO::ImageInput& input, const Rect& r, int chbegin, int chend, void* to);
 /// All channels.
 bool read_native(OIIO::ImageInput& input, const Rect& r, void* to);

@@ -16,8 +16,9 @@ constexpr int rows_at_once = 64;
 
 } // namespace
 
-IdFile::IdFile(const std::string& path, const OIIO::ImageBuf& image, std::vector<int> channels)
-    : m_path(path), m_channels(std::move(channels)) {
+IdFile::IdFile(const std::string& path, int number, const OIIO::ImageBuf& image,
+               std::vector<int> channels)
+    : m_path(path), m_number(number), m_channels(std::move(channels)) {
     const OIIO::ImageSpec& all = image.spec();
     m_spec = all;
     m_spec.set_format(image.nativespec().channelformat(m_channels[0]));
@@ -32,9 +33,7 @@ IdFile::IdFile(const std::string& path, const OIIO::ImageBuf& image, std::vector
 
 bool IdFile::open(std::string& error) {
     if (!m_input)
-        m_input = OIIO::ImageInput::open(m_path);
-    if (!m_input)
-        error = why_unreadable(OIIO::geterror(), m_path);
+        m_input = open_input(m_path, m_number, error);
     return m_input != nullptr;
 }
 

@@ -18,9 +18,10 @@ namespace ddt::tool {
 class IdFile {
 public:
     IdFile() = default;
-    /// `image`: of the file `path`. channels: those to be read, in ascending order, of 32-bit
-    /// integers all.
-    IdFile(const std::string& path, const OIIO::ImageBuf& image, std::vector<int> channels);
+    /// `image`: that of the number from 0 in the file `path`. channels: those to be read, in
+    /// ascending order, of 32-bit integers all.
+    IdFile(const std::string& path, int number, const OIIO::ImageBuf& image,
+           std::vector<int> channels);
 
     /// `ids` becomes an image of those channels: of the pixels of `wanted` that the file has, and
     /// the others of the file's tiles and rows that they lie in. False with one line in `error`.
@@ -31,6 +32,7 @@ private:
     bool read_some(const Rect& r, char* to, std::string& error);
 
     std::string m_path;
+    int m_number = 0;
     OIIO::ImageSpec m_spec; ///< of what is read, its data window apart
     std::vector<int> m_channels;
     std::unique_ptr<OIIO::ImageInput> m_input; ///< once something was read

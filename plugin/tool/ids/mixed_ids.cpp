@@ -40,11 +40,11 @@ int count_mixed_ids(const OIIO::ImageSpec& file, const OIIO::ImageSpec& written)
     return int(find_mixed_ids(file, written).size());
 }
 
-MixedIds::MixedIds(const std::string& path, const OIIO::ImageBuf& image,
+MixedIds::MixedIds(const std::string& path, int number, const OIIO::ImageBuf& image,
                    const OIIO::ImageSpec& written)
     : m_channels(find_mixed_ids(image.nativespec(), written)), m_all(size_t(image.nchannels())) {
     if (!m_channels.empty())
-        m_file = IdFile(path, image, m_channels);
+        m_file = IdFile(path, number, image, m_channels);
 }
 
 bool MixedIds::put_into(OIIO::ImageBuf& image, std::string& error) {

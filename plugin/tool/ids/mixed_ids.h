@@ -19,9 +19,10 @@ namespace ddt::tool {
 class MixedIds final : public Arrival {
 public:
     MixedIds() = default;
-    /// For those channels of the file `path`, whose image this is, that are 32-bit integers in it
-    /// and in the file that is written; `written`: its spec.
-    MixedIds(const std::string& path, const OIIO::ImageBuf& image, const OIIO::ImageSpec& written);
+    /// For those channels of the image of this number from 0 in the file `path` that are 32-bit
+    /// integers in it and in the file that is written; `written`: its spec.
+    MixedIds(const std::string& path, int number, const OIIO::ImageBuf& image,
+             const OIIO::ImageSpec& written);
 
     /// Whether there are any. If not, nothing below is called.
     explicit operator bool() const { return !m_channels.empty(); }

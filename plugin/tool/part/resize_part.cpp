@@ -166,7 +166,7 @@ public:
             return;
         std::vector<int> all(size_t(from.nchannels));
         std::iota(all.begin(), all.end(), 0);
-        m_id_file = IdFile(path, image, all);
+        m_id_file = IdFile(path, 0, image, all);
     }
 
     /// Have all of it in memory, with the bits of its object numbers.
@@ -241,7 +241,7 @@ struct PartJob {
             failure.code = code_of_message(failure.why);
             return false;
         }
-        if (!check_image(image(), path, settings.options, failure))
+        if (!check_image(image(), name_of(path), settings.options, failure))
             return false;
         from = spec_of_file(image());
         if (!plan_result(from, settings, whole, failure))
@@ -303,7 +303,7 @@ bool resize_part(const std::string& in, const std::string& out, const ResizeSett
     ImageFile file;
     if (!open_part(out, spec, file, failure))
         return false;
-    MixedIds mixed(in, image, file.output().spec());
+    MixedIds mixed(in, 0, image, file.output().spec());
     PartSource source(in, image, from);
     if (mixed && settings.options.holes != Holes::keep && !source.open_whole(mixed, failure))
         return false;

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "plugin/tool/part/part.h"
-#include "plugin/tool/resize/resize_file.h"
+#include "plugin/tool/resize/plan_result.h"
 
 namespace ddt::tool {
 

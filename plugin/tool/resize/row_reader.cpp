@@ -35,20 +35,21 @@ bool comes_by_rows(const OIIO::ImageSpec& spec) {
 
 } // namespace
 
-bool RowReader::begin(const std::string& path, OIIO::ImageBuf& image, std::string& error) {
+bool RowReader::begin(const std::string& path, OIIO::ImageBuf& image, std::string& error,
+                      int number) {
     m_path = path;
-    image.reset(path);
-    const bool there = image.init_spec(path, 0, 0);
+    image.reset(path, number, 0);
+    const bool there = image.init_spec(path, number, 0);
     m_images = there ? image.nsubimages() : 0;
     if (there && comes_by_rows(image.nativespec())) {
         m_spec = image.nativespec();
-        m_input = OIIO::ImageInput::open(path);
+        m_input = open_input(path, number, error);
         if (m_input && !is_unchanged(m_spec, m_input->spec(), path, error))
             return false;
     }
     if (!m_input) {
         m_ready = std::numeric_limits<int>::max();
-        return open_image(path, image, error);
+        return open_image(path, image, error, number);
     }
     if (!take_memory(image, m_spec, error)) {
         error = "\"" + path + "\": " + error;

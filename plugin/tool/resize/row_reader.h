@@ -15,7 +15,7 @@
 
 namespace ddt::tool {
 
-/// Reads the first image of a file on a thread of its own, from the top downwards.
+/// Reads an image of a file on a thread of its own, from the top downwards.
 class RowReader final : public Arrival {
 public:
     RowReader() = default;
@@ -25,9 +25,9 @@ public:
     RowReader& operator=(const RowReader&) = delete;
 
     /// Begin to read into `image`, which must outlive this: its spec and its memory are there
-    /// afterwards, as open_image() of picture.h makes them. Begins also with what is no flat
-    /// image with pixels: check_source() is to refuse that. False with one line in `error`.
-    bool begin(const std::string& path, OIIO::ImageBuf& image, std::string& error);
+    /// afterwards, as open_image() of picture.h makes them. Begins also with what is no flat image
+    /// with pixels: check_source() is to refuse that. False with one line in `error`.
+    bool begin(const std::string& path, OIIO::ImageBuf& image, std::string& error, int number = 0);
 
     /// How many the file has, once it was begun.
     int images() const { return m_images; }

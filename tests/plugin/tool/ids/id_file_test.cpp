@@ -40,7 +40,7 @@ TEST(IdFile, ReadsTilesOfAnyHeight) {
     for (const int tile : {0, 16, 48, 128}) {
         const std::string path = write_ids(tile);
         for (const std::vector<int>& channels : {std::vector<int>{0, 1}, {1}}) {
-            IdFile file(path, OIIO::ImageBuf(path), channels);
+            IdFile file(path, 0, OIIO::ImageBuf(path), channels);
             OIIO::ImageBuf ids;
             std::string error;
             ASSERT_TRUE(file.read({0, 0, width, height}, ids, error)) << error;

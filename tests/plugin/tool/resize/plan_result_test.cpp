@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "plugin/tool/resize/resize_file.h"
+#include "plugin/tool/resize/plan_result.h"
 
 namespace ddt::tool {
 namespace {
