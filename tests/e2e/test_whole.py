@@ -214,25 +214,28 @@ class Whole(Case):
             self.assertIn("allowed are ", text)
             self.assertEqual(len(text.splitlines()), 1, text)
 
-    def test_a_full_disk_leaves_no_holes(self):
-        """Writers that go from row to row do not notice, and what is missing reads as zeros."""
+    def run_on_a_tiny_disk(self, kilobytes, command, formats):
+        """Run a command for each of the formats; exit codes, and what is there afterwards."""
         os.mkdir(self.path("tiny"))
-        done = self.attempt("unshare", "-rm", "sh", "-c", "mount -t tmpfs -o size=200k tmpfs tiny || exit 77; "
-                            f"for f in sgi fits; do '{DDT}' resize photo.png 1000% tiny/out.$f "
-                            "--type uint8; echo $? $(ls -A tiny); done")
+        done = self.attempt("unshare", "-rm", "sh", "-c",
+                            f"mount -t tmpfs -o size={kilobytes}k tmpfs tiny || exit 77; "
+                            f"for f in {formats}; do {command} tiny/out.$f; "
+                            "echo $? $(ls -A tiny); done")
         if done.returncode:
             self.skipTest("no disk can be mounted here: " + done.stderr)
+        return done
+
+    def test_a_full_disk_leaves_no_holes(self):
+        """Writers that go from row to row do not notice, and what is missing reads as zeros."""
+        done = self.run_on_a_tiny_disk(200, f"'{DDT}' resize --type uint8 photo.png 1000%",
+                                       "sgi fits")
         self.assertEqual(done.stdout, "3\n3\n", done.stderr)
 
     def test_a_full_disk_among_several_images(self):
         """Their writers open the file by its name, so that we do not see what a write says."""
-        os.mkdir(self.path("tiny"))
         self.succeed("oiiotool", "photo.png", "photo.png", "--siappend", "-o", "two.tif")
-        done = self.attempt("unshare", "-rm", "sh", "-c", "mount -t tmpfs -o size=60k tmpfs tiny || exit 77; "
-                            f"for f in exr tif gif; do '{DDT}' resize two.tif 1000% tiny/out.$f "
-                            "--all-images; echo $? $(ls -A tiny); done")
-        if done.returncode:
-            self.skipTest("no disk can be mounted here: " + done.stderr)
+        done = self.run_on_a_tiny_disk(60, f"'{DDT}' resize --all-images two.tif 1000%",
+                                       "exr tif gif")
         self.assertEqual(done.stdout, "3\n3\n3\n", done.stderr)
 
     def test_what_is_no_file(self):
