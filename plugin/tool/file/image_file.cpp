@@ -27,14 +27,22 @@ public:
     const char* proxytype() const override { return "whole file"; }
 };
 
+/// Rows that are read back at once: the readers of EXR and TIFF decompress them side by side.
+int rows_to_read(const OIIO::ImageSpec& spec) {
+    constexpr size_t bytes = size_t(8) << 20;
+    return std::max(16, int(bytes / std::max<size_t>(spec.scanline_bytes(true), 1)));
+}
+
 /// Read every pixel of an image; false if that fails.
 bool can_be_read(OIIO::ImageInput& in, int image) {
     const OIIO::ImageSpec& spec = in.spec();
-    const int rows = spec.tile_height > 0 ? spec.tile_height : 16;
+    const int rows = spec.tile_height > 0 ? spec.tile_height : rows_to_read(spec);
     // Room for whole tiles: OpenImageIO's reader writes beyond the image's edge (2.4.7, TIFF).
     const size_t width =
         spec.tile_width > 0 ? size_t(spec.width) + size_t(spec.tile_width) : size_t(spec.width);
-    std::vector<char> pixels(spec.pixel_bytes(true) * width * size_t(rows));
+    const int all = std::min(rows, spec.height);
+    std::vector<char> pixels(spec.pixel_bytes(true) * width *
+                             size_t(std::max(all, spec.tile_height)));
     const int end = spec.y + spec.height;
     for (int y = spec.y; y < end; y += rows) {
         const int y1 = std::min(end, y + rows);
