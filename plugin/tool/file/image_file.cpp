@@ -77,7 +77,7 @@ bool holds_several(const OIIO::ImageOutput& output) {
 }
 
 /// TIFF's writer chooses by the size of the first image whether the file may be larger than 4 GiB.
-void hold_all_together(std::vector<OIIO::ImageSpec>& specs) {
+void allow_large_tiff(std::vector<OIIO::ImageSpec>& specs) {
     OIIO::imagesize_t bytes = 0;
     for (const OIIO::ImageSpec& spec : specs)
         bytes += spec.image_bytes();
@@ -180,8 +180,8 @@ bool ImageFile::open(std::vector<OIIO::ImageSpec> specs, Failure& failure) {
         m_stream = std::make_unique<Stream>(m_whole.file());
         m_output->set_ioproxy(m_stream.get());
     }
-    if (several)
-        hold_all_together(m_specs);
+    if (several && type == "tiff")
+        allow_large_tiff(m_specs);
     if (several ? m_output->open(temporary(), int(m_specs.size()), m_specs.data())
                 : m_output->open(temporary(), m_specs[0]))
         return true;
