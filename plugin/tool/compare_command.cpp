@@ -101,7 +101,7 @@ public:
             if (!read_picture(image, {}, pictures[k], error))
                 return fail(error, code_of_message(error));
             specs[k] = image.spec();
-            note_others(values[k], image.nsubimages());
+            note_others(values[k]);
         }
         if (pictures[0].width != pictures[1].width || pictures[0].height != pictures[1].height)
             return fail("the images are of different size: " + size_of(pictures[0]) + " and " +

@@ -101,7 +101,7 @@ public:
         }
         if (!write_filled(filled, spec, ids, file, failure))
             return fail(failure);
-        note_others(values[0], image.nsubimages());
+        note_others(values[0]);
         return exit_done;
     }
 

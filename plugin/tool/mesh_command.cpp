@@ -102,7 +102,7 @@ public:
         Failure failure;
         if (!write_mesh(values[1], mesh, picture, m_style, std::ref(progress), failure))
             return fail(failure);
-        note_others(values[0], image.nsubimages());
+        note_others(values[0]);
         return exit_done;
     }
 

@@ -54,9 +54,11 @@ class Reader(Case):
         """The cache converts them, which OpenImageIO shares with threads that wait for us."""
         self.succeed("oiiotool", "--pattern", "noise", "1000x900", "6", "--chnames", "R,G,B,A,Z,W",
                      "-d", "half", "-d", "Z=float", "--scanline", "-o", "mix.exr")
-        self.succeed("oiiotool", "mix.exr", "--resize:filter=ddt", "200%", "-o", "wanted.exr")
+        self.succeed("oiiotool", "mix.exr", "--resize:filter=ddt", "200%", "-d", "float",
+                     "-o", "wanted.exr")
         for device in ("cpu", "auto"):
-            self.succeed("oiiotool", "mix.exr.ddt?scale=2", "-o", "out.exr", DDT_DEVICE=device)
+            self.succeed("oiiotool", "mix.exr.ddt?scale=2", "-d", "float", "-o", "out.exr",
+                         DDT_DEVICE=device)
             self.assert_same("out.exr", "wanted.exr")
 
     def test_image_cache_with_small_tiles(self):

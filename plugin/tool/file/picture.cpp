@@ -114,8 +114,21 @@ Failure unreadable(const std::string& path, const std::string& error) {
     return {error, code == exit_failed ? code_of_reading(path) : code};
 }
 
-void note_others(const std::string& path, int images, const std::string& how_to_have_all) {
-    if (images > 1)
+int count_images(const std::string& path) {
+    const auto input = OIIO::ImageInput::open(path);
+    if (!input) {
+        OIIO::geterror();
+        return 0;
+    }
+    int images = std::max(1, input->spec().get_int_attribute("oiio:subimages", 1));
+    while (input->seek_subimage(images, 0))
+        ++images;
+    input->geterror();
+    return images;
+}
+
+void note_others(const std::string& path, const std::string& how_to_have_all) {
+    if (const int images = count_images(path); images > 1)
         note(format("\"{}\" has {} images; the first alone was taken{}", path, images,
                     how_to_have_all.empty() ? "" : " (all: " + how_to_have_all + ")"));
 }

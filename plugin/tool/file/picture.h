@@ -49,9 +49,13 @@ Failure unreadable(const std::string& path, const std::string& error);
 std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path, int number,
                                              std::string& error);
 
-/// Say on stderr that of the `images` in a file only the first was looked at, if there are more,
-/// and how to have all, if that can be said.
-void note_others(const std::string& path, int images, const std::string& how_to_have_all = "");
+/// How many images a file has; 0 if it cannot be opened. OpenImageIO 3's ImageBuf does not know it
+/// of every format.
+int count_images(const std::string& path);
+
+/// Say on stderr that of the images in a file only the first was looked at, if there are more, and
+/// how to have all, if that can be said.
+void note_others(const std::string& path, const std::string& how_to_have_all = "");
 
 /// Read an image under options.light. False with one line in `error`, as for an image of IDs
 /// alone, which no display shows.

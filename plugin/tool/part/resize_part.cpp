@@ -331,7 +331,7 @@ bool resize_part(const std::string& in, const std::string& out, const ResizeSett
     if (!file.commit(failure))
         return false;
     note_lost_ids(image.nativespec(), whole, out);
-    note_others(in, image.nsubimages());
+    note_others(in);
     return true;
 }
 

@@ -102,9 +102,9 @@ bool resize_file(const std::string& in, const std::string& out, const ResizeSett
     auto source = std::make_unique<ArrivingImage>(in, 0);
     if (!source->begin(failure))
         return false;
-    const int images = source->reader.images();
     // Before the file is open: writers complain by themselves when they get no pixels (PNG).
-    std::vector<OIIO::ImageSpec> specs(settings.all_images ? size_t(std::max(1, images)) : 1);
+    std::vector<OIIO::ImageSpec> specs(settings.all_images ? size_t(std::max(1, count_images(in)))
+                                                           : 1);
     if (!plan_images(in, source->image, settings, specs, failure))
         return false;
     std::vector<OIIO::ImageSpec> fitting = specs;
@@ -130,8 +130,8 @@ bool resize_file(const std::string& in, const std::string& out, const ResizeSett
     note_instead(out, "type", settings.type, type);
     note_instead(out, "compression", settings.compression.substr(0, settings.compression.find(':')),
                  file.compression());
-    if (specs.size() == 1)
-        note_others(in, images, "--all-images");
+    if (!settings.all_images)
+        note_others(in, "--all-images");
     return true;
 }
 

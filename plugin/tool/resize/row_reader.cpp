@@ -39,9 +39,7 @@ bool RowReader::begin(const std::string& path, OIIO::ImageBuf& image, std::strin
                       int number) {
     m_path = path;
     image.reset(path, number, 0);
-    const bool there = image.init_spec(path, number, 0);
-    m_images = there ? image.nsubimages() : 0;
-    if (there && comes_by_rows(image.nativespec())) {
+    if (image.init_spec(path, number, 0) && comes_by_rows(image.nativespec())) {
         m_spec = image.nativespec();
         m_input = open_input(path, number, error);
         if (m_input && !is_unchanged(m_spec, m_input->spec(), path, error))

@@ -29,9 +29,6 @@ public:
     /// with pixels: check_source() is to refuse that. False with one line in `error`.
     bool begin(const std::string& path, OIIO::ImageBuf& image, std::string& error, int number = 0);
 
-    /// How many the file has, once it was begun.
-    int images() const { return m_images; }
-
     bool wait_for(int end, std::string& error) override;
 
 private:
@@ -39,7 +36,6 @@ private:
     bool read(int begin, int end, std::string& error);
 
     std::string m_path;
-    int m_images = 0;
     std::unique_ptr<OIIO::ImageInput> m_input;
     OIIO::ImageSpec m_spec; ///< the image's own is another thread's
     char* m_pixels = nullptr;

@@ -170,6 +170,9 @@ TEST_F(CacheTest, ATruncatedFileIsAnErrorWhateverIsMadeOfItEachTime) {
 }
 
 TEST_F(CacheTest, ATruncatedFileIsAnErrorToAllWhoReadItAtOnce) {
+    if (OIIO::openimageio_version() >= 30100)
+        GTEST_SKIP() << "OpenImageIO's cache asserts there that no other thread has found the file "
+                        "broken meanwhile, which Debian's ends the program for";
     constexpr int few = 4 * tile, callers = 4;
     truncate(few);
     m_cache = empty_cache();
