@@ -36,12 +36,20 @@ class MakeTx(Case):
                      "other.tx")
         self.assert_different("out.tx", "other.tx")
 
+    def levels(self, name):
+        """How many a file has, which ImageBuf does not know of every format."""
+        file = oiio.ImageInput.open(self.path(name))
+        level = 1
+        while file.seek_subimage(0, level):
+            level += 1
+        return level
+
     def test_every_level_has_an_image(self):
         self.succeed("maketx", "--filter", "ddt", "photo.tif", "-o", "ours.tx")
         self.succeed("maketx", "--filter", "lanczos3", "photo.tif", "-o", "stock.tx")
         # Shrinking is OpenImageIO's own, by its default filter.
-        self.assertEqual(self.load("ours.tx").nmiplevels, self.load("stock.tx").nmiplevels)
-        self.assertGreater(self.load("ours.tx").nmiplevels, 4)
+        self.assertEqual(self.levels("ours.tx"), self.levels("stock.tx"))
+        self.assertGreater(self.levels("ours.tx"), 4)
         for level in range(1, 4):
             spot = oiio.ImageBuf(self.path("ours.tx"), 0, level)
             same = oiio.ImageBuf(self.path("stock.tx"), 0, level)

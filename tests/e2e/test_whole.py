@@ -74,10 +74,16 @@ class Whole(Case):
             self.assertEqual(process.returncode, -number)
             self.assertEqual([n for n in os.listdir(self.folder) if "out" in n], [])
 
+    def is_turned_over(self, extension):
+        self.succeed("oiiotool", "photo.png", "-o", f"copy.{extension}")
+        return self.hashes(f"copy.{extension}") != self.hashes("photo.png")
+
     def test_every_format(self):
         """What is written by way of a stream of our own is what OpenImageIO writes by name."""
         for extension in ("png", "jpg", "tif", "exr", "bmp", "sgi", "dpx", "hdr", "tga", "ppm", "iff",
                           "webp", "gif", "rla", "fits", "zfile", "ico"):
+            if extension == "ppm" and self.is_turned_over(extension):
+                continue  # by oiiotool of 3.1
             ours, theirs = f"ours.{extension}", f"theirs.{extension}"
             with self.subTest(format=extension):
                 size = "200%"
