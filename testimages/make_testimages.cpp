@@ -42,11 +42,17 @@ bool write(OIIO::ImageBuf image, const std::string& path) {
     return false;
 }
 
+/// Of EXR 3.1 names none.
+bool same_space(const std::string& a, const std::string& b) {
+    return a.empty() || b.empty() || a == b;
+}
+
 bool same_layout(const OIIO::ImageSpec& a, const OIIO::ImageSpec& b) {
     return a.channelnames == b.channelnames && a.format == b.format &&
            a.channelformats == b.channelformats && a.roi() == b.roi() &&
            a.roi_full() == b.roi_full() &&
-           a.get_string_attribute("oiio:ColorSpace") == b.get_string_attribute("oiio:ColorSpace");
+           same_space(a.get_string_attribute("oiio:ColorSpace"),
+                      b.get_string_attribute("oiio:ColorSpace"));
 }
 
 bool check(const OIIO::ImageBuf& image, const std::string& path) {
