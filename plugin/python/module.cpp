@@ -58,6 +58,16 @@ Buffer buffer_of(const py::array& array, void* data, Sample sample, int x0, int 
         pause();
 }
 
+/// Whether the interpreter ends, or has ended. A thread that Python does not know, as workers are,
+/// would crash then where it asks for the lock from 3.14 on: it is given a state of what is gone.
+bool is_ending() {
+#if PY_VERSION_HEX >= 0x030d0000
+    return !Py_IsInitialized() || Py_IsFinalizing();
+#else
+    return !Py_IsInitialized() || _Py_IsFinalizing();
+#endif
+}
+
 /// Without the interpreter's lock.
 class Unlocked {
 public:
@@ -84,6 +94,8 @@ public:
     /// False: there is an exception, or the caller's function said so. Called on any thread;
     /// signals are seen when it is Python's main thread, which works with the others.
     bool operator()(float share) {
+        if (is_ending())
+            wait_for_the_end();
         std::optional<py::gil_scoped_acquire> lock;
         try {
             lock.emplace();

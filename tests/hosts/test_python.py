@@ -202,16 +202,18 @@ def test_a_mesh_has_the_same_errors():
         oiio_ddt.mesh(picture(), alpha="asociated")
 
 
-def test_a_daemon_thread_at_the_end_of_the_process():
-    program = ("import threading, time, numpy, oiio_ddt\n"
+def test_daemon_threads_at_the_end_of_the_process():
+    program = ("import sys, threading, time, numpy, oiio_ddt\n"
                "image = numpy.random.default_rng(1).random((200, 200, 3), numpy.float32)\n"
                "def work():\n"
                "    while True:\n"
-               "        oiio_ddt.enlarge(image, 3, threads=2, progress=lambda share: True)\n"
-               "threading.Thread(target=work, daemon=True).start()\n"
-               "time.sleep(0.3)\n")
-    for _ in range(3):
-        done = subprocess.run([sys.executable, "-c", program], capture_output=True, check=False)
+               "        oiio_ddt.enlarge(image, 3, threads=4, progress=lambda share: True)\n"
+               "for _ in range(3):\n"
+               "    threading.Thread(target=work, daemon=True).start()\n"
+               "time.sleep(0.2 + float(sys.argv[1]))\n")
+    for i in range(5):
+        done = subprocess.run([sys.executable, "-c", program, f"0.0{i}"], capture_output=True,
+                              check=False)
         assert (done.returncode, done.stderr) == (0, b"")
 
 
