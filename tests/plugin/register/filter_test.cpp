@@ -92,7 +92,10 @@ TEST_F(Registered, SaysWhatWasRedirected) {
     ASSERT_NE(redirects, nullptr) << dlerror();
     const std::string text = redirects();
     EXPECT_NE(text.find("filter functions redirected in "), std::string::npos) << text;
-    EXPECT_EQ(text.find("missed"), std::string::npos) << text;
+    // As Ubuntu's is linked.
+    if (text.find("-Bsymbolic-functions") == std::string::npos) {
+        EXPECT_EQ(text.find("missed"), std::string::npos) << text;
+    }
 }
 
 TEST_F(Registered, ListsItsFiltersAfterThoseOfStock) {
