@@ -80,7 +80,7 @@ public:
         Failure failure;
         if (!open_image(values[0], image, failure.why))
             return fail(unreadable(values[0], failure.why));
-        if (!check_image(image, name_of(values[0]), m_options, failure))
+        if (!check_image(image, image_name(values[0]), m_options, failure))
             return fail(failure);
         const Missing missing = m_missing == "alpha" ? Missing::alpha : Missing::nan;
         if (missing == Missing::alpha && channels_of(image.spec(), image.nativespec()).alpha < 0)

@@ -71,7 +71,7 @@ std::string why_unreadable(const std::string& said, const std::string& path) {
     return why.find(path) == std::string::npos ? "\"" + path + "\": " + why : why;
 }
 
-std::string name_of(const std::string& path, int number) {
+std::string image_name(const std::string& path, int number) {
     const std::string name = "\"" + path + "\"";
     return number > 0 ? format("{}, image {}", name, number + 1) : name;
 }

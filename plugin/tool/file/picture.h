@@ -33,7 +33,7 @@ std::string why_unreadable(const std::string& said, const std::string& path);
 std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path);
 
 /// How messages name the image of this number from 0 in a file: "in.exr", or "in.exr", image 2.
-std::string name_of(const std::string& path, int number = 0);
+std::string image_name(const std::string& path, int number = 0);
 
 /// Read the image of this number from 0 in a file, its pixels included. False with one line in
 /// `error`.

@@ -241,7 +241,7 @@ struct PartJob {
             failure.code = code_of_message(failure.why);
             return false;
         }
-        if (!check_image(image(), name_of(path), settings.options, failure))
+        if (!check_image(image(), image_name(path), settings.options, failure))
             return false;
         from = spec_of_file(image());
         if (!plan_result(from, settings, whole, failure))

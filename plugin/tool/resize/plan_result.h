@@ -20,8 +20,8 @@ struct ResizeSettings {
     bool all_images = false; ///< of a file, one after another; not its first alone
 };
 
-/// False with a failure, which begins with the name (name_of() of file/picture.h), unless the image
-/// is one that can be worked on with these options.
+/// False with a failure, which begins with the name (image_name() of file/picture.h), unless the
+/// image is one that can be worked on with these options.
 bool check_image(const OIIO::ImageBuf& image, const std::string& name, const Options& options,
                  Failure& failure);
 

@@ -44,11 +44,11 @@ bool plan_image(const OIIO::ImageBuf& image, const std::string& name,
 /// What the images of a file become, of which the first is there.
 bool plan_images(const std::string& in, const OIIO::ImageBuf& first, const ResizeSettings& settings,
                  std::vector<OIIO::ImageSpec>& specs, Failure& failure) {
-    if (!plan_image(first, name_of(in), settings, specs[0], failure))
+    if (!plan_image(first, image_name(in), settings, specs[0], failure))
         return false;
     for (int number = 1; number < int(specs.size()); ++number) {
         const LazyFile other(in, number, {});
-        if (!plan_image(other.image(), name_of(in, number), settings, specs[size_t(number)],
+        if (!plan_image(other.image(), image_name(in, number), settings, specs[size_t(number)],
                         failure))
             return false;
     }
