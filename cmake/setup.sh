@@ -19,13 +19,14 @@ die() {
 }
 
 # Names in the lists given (demo, check, all: files of cmake/packages) that dpkg does not report as
-# installed for this processor, one a line.
+# installed for this processor, one a line. Those with a "?" only where apt knows them.
 missing_packages() {
-    local name native
+    local name mark native
     native=$(dpkg --print-architecture)
-    (cd "$ddt_packages" && sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "${@/%/.txt}") | while read -r name; do
+    (cd "$ddt_packages" && sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "${@/%/.txt}") | while read -r name mark; do
         dpkg-query -W -f '${db:Status-Status} ${Architecture}\n' "$name" 2>/dev/null |
             grep -qxE "installed (all|$native)" ||
+            { [ "$mark" = "?" ] && ! apt-cache show "$name" >/dev/null 2>&1; } ||
             printf '%s\n' "$name"
     done
 }
@@ -52,9 +53,11 @@ install_packages() {
     [ "$(id -u)" = 0 ] || command -v sudo >/dev/null ||
         die "these packages are missing, and installing them needs root or sudo:" "$missing" \
             "As root: apt-get install --no-install-recommends $missing"
-    say "Installing: $missing"
     as_root apt-get update -qq >&2 ||
         say "apt-get update failed; going on with the package lists that are there"
+    # Now it knows which there are.
+    missing=$(missing_packages "$@" | tr '\n' ' ')
+    say "Installing: $missing"
     # shellcheck disable=SC2086 # names are separated by spaces on purpose
     as_root apt-get install -y -qq --no-install-recommends $missing >&2 ||
         die "apt-get could not install these packages (its own messages are above):" "$missing"

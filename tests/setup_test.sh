@@ -18,6 +18,7 @@ dpkg() { echo native; }
 dpkg-query() {
     sed -n -e "s/^${!#}\$/installed native/p" -e "s/^${!#}:/installed /p" "$scratch/installed" | grep .
 }
+apt-cache() { grep -qx "$2" "$scratch/known"; }
 apt-get() { echo "apt-get $*" >>"$scratch/log"; [ "$1" != install ] || install_fake; }
 install_fake() { cp "$scratch/available" "$scratch/installed"; }
 as_root() { "$@"; }
@@ -34,6 +35,7 @@ expect() {
     local name=$1 status=$2 text=$3 script=$4 got=0
     printf '# a comment\nalpha\n\nbeta # why\n' >"$scratch/packages/demo.txt"
     printf 'gamma\n' >"$scratch/packages/all.txt"
+    printf 'delta ? # not everywhere\n' >"$scratch/packages/check.txt"
     : >"$scratch/log"
     here=$here scratch=$scratch bash -euc "$prelude$script" >"$scratch/out" 2>&1 || got=$?
     if [ "$got" != "$status" ] || ! grep -qF -- "$text" "$scratch/out"; then
@@ -62,6 +64,18 @@ expect "a list that is not asked for is not installed" 0 "went on" \
     'install_packages demo; ! grep -q gamma "$scratch/log"; grep -q beta "$scratch/log"; echo went on'
 expect "every list that is asked for is installed" 1 "Installing: gamma" \
     'install_packages demo all'
+
+printf 'alpha\nbeta\n' >"$scratch/installed"
+: >"$scratch/known"
+expect "what the system may lack, and lacks, is not missing" 0 "went on" \
+    'install_packages demo check; [ ! -s "$scratch/log" ]; echo went on'
+echo delta >"$scratch/known"
+expect "what the system may lack, and has, is installed" 1 "Installing: delta" \
+    'install_packages demo check'
+: >"$scratch/known"
+echo alpha >"$scratch/installed"
+expect "what apt knows only after its update is installed too" 1 "Installing: beta delta" \
+    'apt-get() { echo delta >"$scratch/known"; }; install_packages demo check'
 
 echo alpha >"$scratch/installed"
 expect "a package that does not arrive is named" 1 "still missing after apt-get install:" \
