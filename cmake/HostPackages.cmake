@@ -24,7 +24,9 @@ if(TARGET ddt_python)
 endif()
 if(TARGET ddt_imagemagick)
   # Where the library looks for filters; its package makes the folder.
-  file(GLOB folders ${MagickCore_LIBDIR}/ImageMagick-${MagickCore_VERSION}*/modules-Q*/filters)
+  get_target_property(quantum ddt_imagemagick DDT_QUANTUM)
+  file(GLOB folders
+    ${MagickCore_LIBDIR}/ImageMagick-${MagickCore_VERSION}*/modules-${quantum}/filters)
   set(DDT_FILTERS_FROM_LIB)
   if(folders)
     file(RELATIVE_PATH DDT_FILTERS_FROM_LIB "${MagickCore_LIBDIR}" "${folders}")

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// The filter module `ddt` of ImageMagick 6:
+// The filter module `ddt` of ImageMagick 6 and 7:
 //
 //     convert in.png -process "ddt 4 ddt-sharp,cost=scf" out.png
+//     magick in.png -process "ddt 4 ddt-sharp,cost=scf" out.png
 //
 // The first argument is a factor from 1 on, the second, which may be left out, a filter with its
 // options. sRGB and Gray images go through linear light, RGB and LinearGray ones are it.
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include <magick/MagickCore.h>
-
 #include "core/base/guarded.h"
 #include "core/base/parse_number.h"
 #include "plugin/host/request.h"
+#include "plugin/imagemagick/api.h"
+#include "plugin/imagemagick/numbers.h"
 
 namespace {
 
 using namespace ddt::host;
+using namespace ddt::magick;
 using ddt::Rect;
 
 /// What the user asked for.
@@ -69,27 +70,6 @@ struct Progress {
     }
 };
 
-template <class Number>
-Buffer buffer_of(std::vector<Number>& pixels, const Rect& box, int channels) {
-    const ptrdiff_t size = sizeof(Number), pixel = size * channels;
-    pixels.resize(box.area() * size_t(channels));
-    return {pixels.data(), pixel * box.width(),
-            pixel,         size,
-            box,           size == 1 ? Sample::uint8 : Sample::uint16};
-}
-
-/// Numbers as they were before ImageMagick made 16 bits of 8, or empty if they have been changed
-/// since. As floats a number of 8 bits and the same one of 16 may differ in the last place.
-std::vector<uint8_t> of_8_bits(const std::vector<uint16_t>& pixels) {
-    constexpr uint16_t step = 65535 / 255;
-    if (!std::all_of(pixels.begin(), pixels.end(), [](uint16_t v) { return v % step == 0; }))
-        return {};
-    std::vector<uint8_t> bytes(pixels.size());
-    std::transform(pixels.begin(), pixels.end(), bytes.begin(),
-                   [](uint16_t v) { return uint8_t(v / step); });
-    return bytes;
-}
-
 /// The enlarged image, or null with an exception.
 Image* enlarged(Image& image, const Request& request, ExceptionInfo* exception) {
     Enlargement work;
@@ -106,8 +86,7 @@ Image* enlarged(Image& image, const Request& request, ExceptionInfo* exception) 
         complain(exception, OptionError, error);
         return nullptr;
     }
-    const bool alpha = image.matte != MagickFalse;
-    work.layout = Layout::usual((is_grey(image) ? 1 : 3) + (alpha ? 1 : 0), false);
+    work.layout = Layout::usual((is_grey(image) ? 1 : 3) + (has_alpha(image) ? 1 : 0), false);
     const Rect window{0, 0, int(image.columns), int(image.rows)},
         full = scaled(window, request.scale, request.scale);
     work.place = onto(window, full);
@@ -116,22 +95,17 @@ Image* enlarged(Image& image, const Request& request, ExceptionInfo* exception) 
     Owned result(
         CloneImage(&image, size_t(full.width()), size_t(full.height()), MagickTrue, exception),
         DestroyImage);
-    if (!result || SetImageStorageClass(result.get(), DirectClass) == MagickFalse)
+    if (!result || !keep_pixels(*result, exception))
         return nullptr;
-    std::vector<uint16_t> from, to;
-    work.from = buffer_of(from, window, work.layout.channels);
-    work.to = buffer_of(to, full, work.layout.channels);
     const char* const maps[] = {"R", "RA", "RGB", "RGBA"};
     const char* const back[] = {"I", "IA", "RGB", "RGBA"};
     const int map = work.layout.channels - 1;
-    if (ExportImagePixels(&image, 0, 0, image.columns, image.rows, maps[map], ShortPixel,
-                          from.data(), exception) == MagickFalse)
+    Numbers from;
+    if (!from.take(image, window, maps[map], work.layout.channels, exception))
         return nullptr;
-    std::vector<uint8_t> bytes;
-    if (image.depth <= 8)
-        bytes = of_8_bits(from);
-    if (!bytes.empty())
-        work.from = buffer_of(bytes, window, work.layout.channels);
+    std::vector<Number> to;
+    work.from = from.buffer();
+    work.to = buffer_of(to, full, work.layout.channels);
     work.progress = Progress{&image};
     const ddt::Outcome outcome = enlarge(work, error);
     if (outcome != ddt::Outcome::done) {
@@ -139,11 +113,8 @@ Image* enlarged(Image& image, const Request& request, ExceptionInfo* exception) 
                  outcome == ddt::Outcome::out_of_memory ? ResourceLimitError : OptionError, error);
         return nullptr;
     }
-    if (ImportImagePixels(result.get(), 0, 0, result->columns, result->rows, back[map], ShortPixel,
-                          to.data()) == MagickFalse) {
-        InheritException(exception, &result->exception);
+    if (!import_pixels(*result, back[map], number_type, to.data(), exception))
         return nullptr;
-    }
     // Which grey that comes in makes those of Gray.
     result->colorspace = image.colorspace;
     result->gamma = image.gamma;

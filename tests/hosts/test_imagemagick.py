@@ -9,11 +9,14 @@ import support
 
 CONVERT = os.environ["DDT_CONVERT"]  # Debian's, whose library the module was built for
 FOLDER = os.path.join(support.BUILD, "hosts", "imagemagick")
+# ImageMagick's memory has floats.
+HDRI = os.environ["DDT_MAGICK_QUANTUM"].endswith("HDRI")
+FLOATS = ("-define", "quantum:format=floating-point", "-depth", "32")
 
 
 class ImageMagick(support.Case):
     # A photograph, a drawing with alpha, a lamp in linear light; ImageMagick has 16 bits in
-    # memory.
+    # memory, and with HDRI floats.
     IMAGES = {
         **support.Case.IMAGES,
         "deep.png": "photo.png -d uint16",
@@ -23,6 +26,7 @@ class ImageMagick(support.Case):
                         "--box:color=1,0,0,0:fill=1 10,6,20,30 "
                         "--attrib:type=int oiio:UnassociatedAlpha 1 -d uint16",
         "lamp.png": "scene.exr --clamp:min=0:max=1 -d uint16",
+        "bright.tif": "scene.exr -d float",
     }
 
     def convert(self, *arguments):
@@ -49,7 +53,8 @@ class ImageMagick(support.Case):
             self.succeed("oiiotool", name, "--resize:filter=ddt,light=linear", "200%", "-d",
                          "uint16", "-o", "wanted.tif")
             self.assert_same("out.tif", "wanted.tif")
-        self.succeed(CONVERT, "deep.png", "-colorspace", "RGB", "linear.tif")
+        self.succeed(CONVERT, "deep.png", "-colorspace", "RGB", *(FLOATS if HDRI else ()),
+                     "linear.tif")
         self.enlarge("deep.png", "out.tif", "2", "-colorspace", "RGB")
         self.succeed("oiiotool", "linear.tif", "--resize:filter=ddt,light=linear", "200%", "-d",
                      "uint16", "-o", "wanted.tif")
@@ -79,6 +84,18 @@ class ImageMagick(support.Case):
         self.succeed("oiiotool", "--iconfig", "oiio:UnassociatedAlpha", "1", "out.tif",
                      "--eraseattrib", "oiio:UnassociatedAlpha", "-o", "numbers.tif")
         self.assert_same("numbers.tif", "wanted.tif")
+
+    @unittest.skipUnless(HDRI, "this ImageMagick's memory has integers")
+    def test_highlights_stay(self):
+        done = self.convert("bright.tif", "-set", "colorspace", "RGB", "-process", "ddt 2",
+                            *FLOATS, "out.tif")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.succeed("oiiotool", "bright.tif", "--resize:filter=ddt,light=linear", "200%", "-d",
+                     "float", "-o", "wanted.tif")
+        self.assertGreater(max(high for _, high in self.extrema("wanted.tif")), 10)
+        # On the way ImageMagick multiplies floats by 65535 and divides them by it.
+        self.succeed("oiiotool", "out.tif", "wanted.tif", "--absdiff", "-o", "difference.tif")
+        self.assertLess(max(high for _, high in self.extrema("difference.tif")), 1e-4)
 
     def test_all_images_of_a_list(self):
         self.enlarge("deep.png", "out.tif", "2", "grey.png")
