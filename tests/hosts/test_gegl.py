@@ -242,7 +242,7 @@ class Gimp(support.Case):
     IMAGES = {"small.png": "--create 40x32 3 -d uint8"}
 
     # GIMP 2.10 runs operations of others by its GEGL tool alone, which a script cannot use: what can
-    # be seen here is that the tool would offer the operation, and that GIMP takes the module in.
+    # be seen of it is that the tool would offer the operation, and that GIMP takes the module in.
     def test_its_tool_would_offer_it(self):
         about = subprocess.run(["gegl", "--info", "gegl:ddt"], capture_output=True, check=True,
                                env={**os.environ, **gegl_environment()}).stdout
@@ -252,11 +252,32 @@ class Gimp(support.Case):
         self.assertEqual(said["title"], "Enlarge")
         self.assertTrue(NOT_IN_GIMP.isdisjoint(said["categories"].split(":")), said["categories"])
 
+    def is_gimp_2(self):
+        return " 2." in self.succeed(self.PROGRAM, "--version", HOME=self.folder)
+
+    @unittest.skipUnless(PROGRAM, "skipped: GIMP's console is not there")
+    def test_scripts_enlarge_a_layer(self):
+        if self.is_gimp_2():
+            self.skipTest("scripts of GIMP 2 cannot call operations of others")
+        self.succeed("oiiotool", "--pattern", "checker:width=7:height=5", "40x32", "3", "-d",
+                     "uint8", "-o", "checks.png")
+        script = """(let* ((image (car (gimp-file-load RUN-NONINTERACTIVE "checks.png")))
+            (layer (vector-ref (car (gimp-image-get-layers image)) 0)))
+            (gimp-drawable-merge-new-filter layer "gegl:ddt" 0 LAYER-MODE-REPLACE 1.0 "scale" 2.0)
+            (gimp-image-resize-to-layers image)
+            (gimp-file-save RUN-NONINTERACTIVE image "out.png"))"""
+        self.attempt(self.PROGRAM, "-idf", "--batch-interpreter", "plug-in-script-fu-eval", "-b",
+                     script, "--quit", HOME=self.folder, **gegl_environment())
+        self.succeed("oiiotool", "checks.png", "--resize:filter=ddt", "200%", "-o", "wanted.png")
+        self.assert_same("out.png", "wanted.png")
+
     @unittest.skipUnless(PROGRAM, "skipped: GIMP's console is not there")
     def test_it_takes_the_module_in(self):
-        script = ('(let* ((image (car (gimp-file-load RUN-NONINTERACTIVE "small.png" "small.png"))))'
-                  '(gimp-message (string-append "width " '
-                  '(number->string (car (gimp-image-width image))))) (gimp-quit 0))')
+        file, width = (('"small.png" "small.png"', "gimp-image-width") if self.is_gimp_2() else
+                       ('"small.png"', "gimp-image-get-width"))
+        script = (f"(let* ((image (car (gimp-file-load RUN-NONINTERACTIVE {file}))))"
+                  f'(gimp-message (string-append "width " '
+                  f"(number->string (car ({width} image))))) (gimp-quit 0))")
         done = self.attempt(self.PROGRAM, "-idf", "--batch-interpreter", "plug-in-script-fu-eval",
                             "-b", script, HOME=self.folder, LD_DEBUG="files",
                             LD_DEBUG_OUTPUT=self.path("loaded"), **gegl_environment())
