@@ -255,6 +255,10 @@ class Gimp(support.Case):
     def is_gimp_2(self):
         return " 2." in self.succeed(self.PROGRAM, "--version", HOME=self.folder)
 
+    def run_script(self, script, *more, **environment):
+        return self.attempt(self.PROGRAM, "-idf", "--batch-interpreter", "plug-in-script-fu-eval",
+                            "-b", script, *more, HOME=self.folder, **environment, **gegl_environment())
+
     @unittest.skipUnless(PROGRAM, "skipped: GIMP's console is not there")
     def test_scripts_enlarge_a_layer(self):
         if self.is_gimp_2():
@@ -266,8 +270,7 @@ class Gimp(support.Case):
             (gimp-drawable-merge-new-filter layer "gegl:ddt" 0 LAYER-MODE-REPLACE 1.0 "scale" 2.0)
             (gimp-image-resize-to-layers image)
             (gimp-file-save RUN-NONINTERACTIVE image "out.png"))"""
-        self.attempt(self.PROGRAM, "-idf", "--batch-interpreter", "plug-in-script-fu-eval", "-b",
-                     script, "--quit", HOME=self.folder, **gegl_environment())
+        self.run_script(script, "--quit")
         self.succeed("oiiotool", "checks.png", "--resize:filter=ddt", "200%", "-o", "wanted.png")
         self.assert_same("out.png", "wanted.png")
 
@@ -278,9 +281,7 @@ class Gimp(support.Case):
         script = (f"(let* ((image (car (gimp-file-load RUN-NONINTERACTIVE {file}))))"
                   f'(gimp-message (string-append "width " '
                   f"(number->string (car ({width} image))))) (gimp-quit 0))")
-        done = self.attempt(self.PROGRAM, "-idf", "--batch-interpreter", "plug-in-script-fu-eval",
-                            "-b", script, HOME=self.folder, LD_DEBUG="files",
-                            LD_DEBUG_OUTPUT=self.path("loaded"), **gegl_environment())
+        done = self.run_script(script, LD_DEBUG="files", LD_DEBUG_OUTPUT=self.path("loaded"))
         said = done.stdout + done.stderr
         self.assertIn("width 40", said)
         self.assertNotIn("ddt.so", said)

@@ -10,7 +10,7 @@ import support
 CONVERT = os.environ["DDT_CONVERT"]  # Debian's, whose library the module was built for
 FOLDER = os.path.join(support.BUILD, "hosts", "imagemagick")
 # ImageMagick's memory has floats.
-HDRI = os.environ["DDT_MAGICK_QUANTUM"].endswith("HDRI")
+HDRI = os.environ["DDT_MAGICK"].endswith("HDRI")
 FLOATS = ("-define", "quantum:format=floating-point", "-depth", "32")
 
 

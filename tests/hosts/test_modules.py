@@ -17,7 +17,7 @@ MODULES = {
     "gegl/ddt.so": ({"gegl_module_query", "gegl_module_register"},
                     ("libgegl-0.4", "libbabl-0.1", "libglib-2.0", "libgobject-2.0",
                      "libgmodule-2.0", "libgio-2.0", "libjson-glib-1.0")),
-    "imagemagick/ddt.so": ({"ddtImage"}, ("libMagickCore-6", "libMagickCore-7")),
+    "imagemagick/ddt.so": ({"ddtImage"}, (f"libMagickCore-{os.environ['DDT_MAGICK']}.",)),
     "python/oiio_ddt/_ddt.*.so": ({"PyInit__ddt"}, ()),
 }
 
