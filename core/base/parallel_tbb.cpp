@@ -2,8 +2,10 @@
 #include "core/base/parallel.h"
 
 #include <algorithm>
+#include <new>
 #include <vector>
 
+#include <sys/mman.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -27,6 +29,18 @@ struct InSlot {
     InSlot(const InSlot&) = delete;
     InSlot& operator=(const InSlot&) = delete;
 };
+
+/// Throws where there is no memory for a thread. oneTBB 2022 and 2023, which find that out as they
+/// begin, never come back: what would be thrown asks for a control whose lock is held until then
+/// (threading_control::create_threading_control()). Nothing is written: it costs no pages.
+void have_memory_for_a_thread() {
+    constexpr size_t bytes = size_t(8) << 20; // of its stack; oneTBB's own are fewer
+    void* const begin =
+        mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (begin == MAP_FAILED)
+        throw std::bad_alloc();
+    munmap(begin, bytes);
+}
 
 } // namespace
 
@@ -57,6 +71,7 @@ void for_each_index(int threads, int count, const std::function<void(int, int)>&
             body(0, i);
         return;
     }
+    have_memory_for_a_thread();
     tbb::task_arena arena(threads);
     std::vector<char> slots(static_cast<size_t>(threads)); // tokens
     char begin = 0;
