@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/image/pixels.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -94,6 +95,42 @@ void write_codes(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, c
                    });
 }
 
+/// Width and height of the tiles in which OpenImageIO's cache keeps an image's file.
+struct CachedTiles {
+    int width, height;
+
+    explicit CachedTiles(const OIIO::ImageBuf& image) {
+        const OIIO::ImageSpec& file = image.nativespec();
+        width = file.tile_width, height = file.tile_height;
+        if (width > 0 && height > 0)
+            return;
+        int side = 0, by_rows = 0;
+        image.imagecache()->getattribute("autotile", side);
+        image.imagecache()->getattribute("autoscanline", by_rows);
+        width = side > 0 && by_rows == 0 ? side : file.width;
+        height = side > 0 ? side : file.height;
+    }
+
+    /// Call f(part) for each part of `roi` that one tile has, where the file begins at (x, y),
+    /// until one returns false. Whether none did.
+    template <class F>
+    bool each(const OIIO::ROI& roi, int x, int y, F&& f) const {
+        const auto end = [](int at, int first, int size) {
+            return at + (size - (at - first) % size);
+        };
+        OIIO::ROI part = roi;
+        for (part.ybegin = roi.ybegin; part.ybegin < roi.yend; part.ybegin = part.yend) {
+            part.yend = std::min(end(part.ybegin, y, height), roi.yend);
+            for (part.xbegin = roi.xbegin; part.xbegin < roi.xend; part.xbegin = part.xend) {
+                part.xend = std::min(end(part.xbegin, x, width), roi.xend);
+                if (!f(part))
+                    return false;
+            }
+        }
+        return true;
+    }
+};
+
 /// Pixels of a file, through OpenImageIO's cache. Not by ImageBuf::get_pixels(), which does not
 /// fail when the cache does and leaves that as the image's error, where another may be pending.
 bool read_cached(const OIIO::ImageBuf& image, const OIIO::ROI& roi, OIIO::TypeDesc type, void* out,
@@ -102,12 +139,22 @@ bool read_cached(const OIIO::ImageBuf& image, const OIIO::ROI& roi, OIIO::TypeDe
     const auto cache = image.imagecache();
     const auto name = OIIO::ustring(image.name());
     // The cache counts as the file does, wherever the image has been moved since.
-    const int dx = image.spec().x - image.nativespec().x,
-              dy = image.spec().y - image.nativespec().y;
-    if (cache->get_pixels(name, image.subimage(), image.miplevel(), roi.xbegin - dx, roi.xend - dx,
-                          roi.ybegin - dy, roi.yend - dy, roi.zbegin, roi.zend, roi.chbegin,
-                          roi.chend, type, out, OIIO::AutoStride, OIIO::AutoStride,
-                          OIIO::AutoStride))
+    const OIIO::ImageSpec &spec = image.spec(), &file = image.nativespec();
+    const int dx = spec.x - file.x, dy = spec.y - file.y;
+    const auto pixel = OIIO::stride_t(type.size()) * roi.nchannels();
+    const OIIO::stride_t row = pixel * roi.width();
+    // Tile by tile: the cache asks as a call begins whether another thread has found the file
+    // broken, and, where OpenImageIO is 2.5 or later and asserts, the program ends if it has by the
+    // time that a tile is looked for.
+    const auto read = [&](const OIIO::ROI& part) {
+        char* const to = static_cast<char*>(out) + (part.ybegin - roi.ybegin) * row +
+                         (part.xbegin - roi.xbegin) * pixel;
+        return cache->get_pixels(name, image.subimage(), image.miplevel(), part.xbegin - dx,
+                                 part.xend - dx, part.ybegin - dy, part.yend - dy, part.zbegin,
+                                 part.zend, part.chbegin, part.chend, type, to, pixel, row,
+                                 OIIO::AutoStride);
+    };
+    if (CachedTiles(image).each(roi, spec.x, spec.y, read))
         return true;
     error = cache->geterror();
     if (error.empty())

@@ -169,8 +169,12 @@ class Whole(Case):
             code, text = self.run_within(mebibytes, "resize", "tiled.exr", "200%", "part.exr",
                                          "--part", "1/1", "--threads", "4")
             codes.add(code)
-            self.assertIn(code, (0, 3), text)
-            self.assertEqual(len(text.splitlines()), int(code != 0), text)
+            # OpenEXR 3.4 says itself what its compressor had no memory for, and then that the file
+            # cannot be written.
+            lines = text.splitlines()
+            own = [line for line in lines if "(EXR_ERR_OUT_OF_MEMORY)" not in line]
+            self.assertIn(code, (0, 3) if own == lines else (0, 1, 3), text)
+            self.assertEqual(len(own), int(code != 0), text)
             self.assertEqual([n for n in os.listdir(self.folder) if ".ddt-" in n], [])
             self.assertEqual(os.path.exists(self.path("part.exr")), code == 0)
             if code == 0:
