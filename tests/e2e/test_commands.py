@@ -4,7 +4,7 @@
 import os
 import unittest
 
-from support import BUILD, PLUGINS, Case
+from support import BUILD, PLUGINS, Case, is_symbolic
 
 # Command with FILTER in place of the filter, its argument, and the size of a 40x32 image's result.
 COMMANDS = {
@@ -138,6 +138,11 @@ class Commands(Case):
         done = self.attempt("oiiotool", "photo.png",
                             "--resize:filter=ddt:from=10x8+4+4:to=100x80+0+0", "100x80", "-o",
                             "out.png")
+        if is_symbolic() and (int(version[0]), int(version[1])) == (2, 5):
+            # It looks for the filter itself then.
+            self.assertEqual(done.returncode, 1)
+            self.assertIn('Filter "ddt" not recognized', done.stderr)
+            return
         self.assertEqual(done.returncode, 0, done.stderr)
         # 2.5 warps there, which is said.
         warps = ("ddt: a filter of ddt is evaluated pixel by pixel, as a tent: nothing is "
