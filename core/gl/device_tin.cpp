@@ -64,12 +64,12 @@ void DeviceTin::triangulate(const MeshOptions& options, const Workspace& workspa
         Workspace silent;
         flip_by({}, options.max_iterations, silent, statistics);
         anneal(options, workspace, statistics);
-        mark_all_dirty();
+        there([this] { mark_all_dirty(); });
         flip_by({}, options.max_iterations, silent, statistics);
     } else {
         flip_by(find_rules(options), options.max_iterations, workspace, statistics);
     }
-    finish(m_gl, "tin");
+    there([this] { finish(m_gl, "tin"); });
 }
 
 void DeviceTin::flip_by(const std::optional<Rules>& rules, int iterations,
@@ -100,12 +100,14 @@ void DeviceTin::flip_by(const std::optional<Rules>& rules, int iterations,
 
 void DeviceTin::anneal(const MeshOptions& options, const Workspace& workspace,
                        Statistics& statistics) {
-    Tin now = m_tin;
-    read(now);
-    const std::vector<uint64_t> places = places_of(now, workspace.origin_x, workspace.origin_y);
-    m_place_buffer = std::make_unique<Buffer>(m_gl, bytes_of(places));
-    m_place_buffer->write(0, bytes_of(places), places.data());
-    m_drawn_buffer = std::make_unique<Buffer>(m_gl, m_edges * sizeof(uint32_t));
+    there([&] {
+        Tin now = m_tin;
+        read(now);
+        const std::vector<uint64_t> places = places_of(now, workspace.origin_x, workspace.origin_y);
+        m_place_buffer = std::make_unique<Buffer>(m_gl, bytes_of(places));
+        m_place_buffer->write(0, bytes_of(places), places.data());
+        m_drawn_buffer = std::make_unique<Buffer>(m_gl, m_edges * sizeof(uint32_t));
+    });
     Chance chance{0, mixed(options.seed), 0, 0};
     const int iterations = options.max_iterations;
     for (int i = 0; i < iterations; ++i) {
@@ -124,6 +126,11 @@ void DeviceTin::anneal(const MeshOptions& options, const Workspace& workspace,
 
 DeviceTin::Counts DeviceTin::pass(const char* shader, size_t invocations, bool wide,
                                   const Chance* chance) {
+    return there([&] { return pass_there(shader, invocations, wide, chance); });
+}
+
+DeviceTin::Counts DeviceTin::pass_there(const char* shader, size_t invocations, bool wide,
+                                        const Chance* chance) {
     m_gpu.programs->use(shader, m_cost);
     const Buffer* const buffers[] = {&m_vertex_buffer, &m_triangle_buffer, &m_edge_buffer,
                                      &m_face_buffer,   &m_gain_buffer,     &m_mark_buffer,
@@ -171,20 +178,23 @@ std::string flip_on_gpu(gl::Gpu& gpu, Tin& tin, const MeshOptions& options,
                         const Workspace& workspace, Statistics& statistics) {
     try {
         Statistics own = statistics;
-        std::string difference;
-        gpu.thread
-            .post([&] {
-                difference = gpu.checks.differs(gpu, options);
-                if (!difference.empty())
-                    return;
-                gl::DeviceTin device(gpu, tin);
-                device.triangulate(options, workspace, own);
-                device.read(tin);
-            })
-            .get();
-        if (difference.empty())
-            statistics = own;
-        return difference;
+        const auto drop = [&](gl::DeviceTin* device) {
+            gpu.thread.call([device] { delete device; });
+        };
+        std::unique_ptr<gl::DeviceTin, decltype(drop)> device(nullptr, drop);
+        const auto begin = [&] {
+            std::string difference = gpu.checks.differs(gpu, options);
+            if (difference.empty())
+                device.reset(new gl::DeviceTin(gpu, tin));
+            return difference;
+        };
+        std::string difference = gpu.thread.post(begin).get();
+        if (!difference.empty())
+            return difference;
+        device->triangulate(options, workspace, own);
+        gpu.thread.post([&] { device->read(tin); }).get();
+        statistics = own;
+        return {};
     } catch (const gl::ContextLost& e) {
         gpu.broken = true;
         return e.what();

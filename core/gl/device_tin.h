@@ -21,13 +21,15 @@ struct DoesNotEnd : Failure {
 };
 
 /// A Tin's arrays on the device, and what the schemes know of its edges. To be used on the
-/// context's thread; throws Failure.
+/// context's thread, but triangulate() on any; throws Failure.
 class DeviceTin {
 public:
     /// Keeps a reference to `tin`, whose vertices are those of all meshes to come.
     DeviceTin(Gpu& gpu, const Tin& tin);
 
     /// Flip edges by a scheme that DeviceMesh::knows(). Adds to `statistics` as its C++ twin does.
+    /// Its passes alone are on the context's thread: whoever is told of the progress may have the
+    /// device do other things.
     void triangulate(const MeshOptions& options, const Workspace& workspace,
                      Statistics& statistics);
     /// Bring triangles and edges back.
@@ -42,8 +44,14 @@ private:
         uint32_t evaluated = 0, candidates = 0, waiting = 0, flipped = 0;
     };
 
+    /// Run f on the context's thread.
+    template <class F>
+    auto there(F f) {
+        return m_gpu.thread.post(std::move(f)).get();
+    }
     Counts pass(const char* shader, size_t invocations, bool wide = false,
                 const Chance* chance = nullptr);
+    Counts pass_there(const char* shader, size_t invocations, bool wide, const Chance* chance);
     /// Without rules as one_round does.
     void flip_by(const std::optional<Rules>& rules, int iterations, const Workspace& workspace,
                  Statistics& statistics);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/context/thread.h"
 
-#include <thread>
-
 #include "core/base/arith.h"
 
 namespace ddt::gl {
 
 Thread::Thread() {
-    std::thread([this] { run(); }).detach();
+    std::thread thread([this] { run(); });
+    m_id = thread.get_id();
+    thread.detach();
 }
 
 void Thread::push(Task& task) noexcept {

@@ -6,12 +6,13 @@
 #include <future>
 #include <memory>
 #include <mutex>
+#include <thread>
 #include <utility>
 
 namespace ddt::gl {
 
-/// Runs functions one after the other on a thread of its own. Thread-safe. Meant to be leaked: the
-/// thread sleeps until the process ends.
+/// Runs functions one after the other on a thread of its own; what one of them asks for runs at
+/// once. Thread-safe. Meant to be leaked: the thread sleeps until the process ends.
 class Thread {
 public:
     Thread();
@@ -23,7 +24,10 @@ public:
     auto post(F f) -> std::future<decltype(f())> {
         auto task = std::make_unique<Posted<F>>(std::move(f));
         auto result = task->work.get_future();
-        push(*task.release()); // deletes itself
+        if (here())
+            task->work();
+        else
+            push(*task.release()); // deletes itself
         return result;
     }
 
@@ -31,6 +35,8 @@ public:
     /// destructors, which may run because there is none.
     template <class F>
     void call(F f) noexcept {
+        if (here())
+            return f();
         Called<F> task(std::move(f));
         push(task);
         task.wait();
@@ -74,9 +80,11 @@ private:
         std::condition_variable changed;
     };
 
+    bool here() const { return std::this_thread::get_id() == m_id; }
     void push(Task& task) noexcept;
     void run();
 
+    std::thread::id m_id;
     std::mutex m_mutex;
     std::condition_variable m_wake;
     Task* m_first = nullptr;

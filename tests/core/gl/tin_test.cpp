@@ -44,6 +44,35 @@ TEST_P(TinOnDevice, SameTrianglesAndCountsAsTheCpu) {
         }
 }
 
+/// A preview drawn meanwhile is on the device that the edges are flipped on.
+TEST_P(TinOnDevice, WhoIsToldOfProgressMayUseTheDevice) {
+    for (const Scheme scheme : {Scheme::one_round, Scheme::annealing}) {
+        MeshOptions options;
+        options.scheme = scheme;
+        options.max_iterations = 3;
+        std::vector<float> guide;
+        PointMesh alone = shaken_grid(23, 19, 1, guide), told = alone, inner = alone;
+        std::string error;
+        ASSERT_TRUE(optimise(alone, guide.data(), options, nullptr, &error, {}, GetParam()))
+            << error;
+        int calls = 0;
+        const auto progress = [&](float) {
+            ++calls;
+            PointMesh mesh = inner;
+            MeshReport report;
+            EXPECT_TRUE(optimise(mesh, guide.data(), options, &report, &error, {}, GetParam()))
+                << error;
+            EXPECT_EQ(report.statistics.device, GetParam());
+            EXPECT_EQ(mesh.triangles, alone.triangles);
+            return true;
+        };
+        ASSERT_TRUE(optimise(told, guide.data(), options, nullptr, &error, progress, GetParam()))
+            << error;
+        EXPECT_GT(calls, 1);
+        EXPECT_EQ(told.triangles, alone.triangles);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Devices, TinOnDevice, testing::Values(Device::egl, Device::osmesa),
                          ddt::test::device_name);
 
