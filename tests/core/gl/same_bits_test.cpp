@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The GPU's results against the CPU's, bit for bit.
+#include <atomic>
 #include <cmath>
 #include <cstring>
+#include <functional>
+#include <utility>
 
 #include "core/gl/device_mesh.h"
 #include "ddt/names.h"
@@ -182,6 +185,64 @@ TEST_P(SameBits, SeveralMeshes) {
                             std::string(name_of(Content(content))) + " " +
                                 std::to_string(order.job.mesh.meshes) + " meshes");
             }
+}
+
+/// Who gives pixels, takes them or is told of progress may have the same device do other things.
+TEST_P(SameBits, OfJobsWithinJobs) {
+    const Picture p = make_picture(Content::photo, 600, 300, 1, 7);
+    const Picture inner = make_picture(Content::noise, 40, 30, 3, 9);
+    Order order, small;
+    order.out_width = small.out_width = 700;
+    order.out_height = small.out_height = 310;
+    const Result alone = enlarge_on(Device::cpu, inner, small);
+    std::atomic<int> jobs{0};
+    const auto enlarge_another = [&] {
+        const Result within = enlarge_on(GetParam(), inner, small);
+        EXPECT_EQ(within.statistics.device, GetParam()) << within.error;
+        EXPECT_EQ(within.bits, alone.bits);
+        ++jobs;
+    };
+    class Using final : public Source, public Sink {
+    public:
+        Using(Source& source, Sink& sink, std::function<void()> use)
+            : m_source(source), m_sink(sink), m_use(std::move(use)) {}
+        bool read(const Rect& r, float* values, float* guide) override {
+            m_use();
+            return m_source.read(r, values, guide);
+        }
+        bool write(const Rect& r, float* values) override {
+            if (r.y0 % 64 == 0)
+                m_use();
+            return m_sink.write(r, values);
+        }
+
+    private:
+        Source& m_source;
+        Sink& m_sink;
+        std::function<void()> m_use;
+    };
+    const Result expected = enlarge_on(Device::cpu, p, order);
+    const ResizeMapping mapping(ResizeMapping::Axis::whole(p.width, order.out_width),
+                                ResizeMapping::Axis::whole(p.height, order.out_height));
+    PictureSource source(p);
+    BitsSink sink(order.out_width, order.out_height, 1);
+    Using user(source, sink, enlarge_another);
+    Job job = order.job;
+    job.window = {0, 0, p.width, p.height};
+    job.channels = 1;
+    job.device = GetParam();
+    job.threads = 3;
+    Statistics statistics;
+    job.statistics = &statistics;
+    job.progress = [&](float) {
+        enlarge_another();
+        return true;
+    };
+    std::string error;
+    ASSERT_EQ(enlarge(user, user, mapping, job, &error), Outcome::done) << error;
+    EXPECT_EQ(statistics.device, GetParam());
+    EXPECT_GT(jobs, 10);
+    EXPECT_EQ(sink.bits, expected.bits);
 }
 
 INSTANTIATE_TEST_SUITE_P(Devices, SameBits, testing::Values(Device::egl, Device::osmesa),
