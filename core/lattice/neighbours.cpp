@@ -7,8 +7,7 @@
 namespace ddt {
 
 Rect clipped_to(const Lattice& lattice, const Rect& part) {
-    return {std::max(part.x0, 0), std::max(part.y0, 0), std::min(part.x1, lattice.width()),
-            std::min(part.y1, lattice.height())};
+    return intersection(part, lattice.all());
 }
 
 Rect grown(const Lattice& lattice, const Rect& part, int by) {

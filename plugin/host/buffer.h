@@ -49,11 +49,6 @@ inline Rect flipped(const Rect& r) {
     return {r.x0, -r.y1, r.x1, -r.y0};
 }
 
-/// What both have; empty(), of whatever size, if they have nothing.
-inline Rect common(const Rect& a, const Rect& b) {
-    return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
-}
-
 /// Take `channels` floats of each of `count` pixels from the buffer, from (x, y) on, as OpenImageIO
 /// converts numbers; of Sample::id32 the bits.
 void load(const Buffer& buffer, int x, int y, size_t count, int channels, float* values);

@@ -106,7 +106,7 @@ Rect scaled(const Rect& window, double x_factor, double y_factor) {
 
 Rect needed(const Placing& place, const Rect& box, Holes holes) {
     const Rect& window = place.window;
-    const Rect part = common(place.full, box);
+    const Rect part = intersection(place.full, box);
     if (window.empty() || part.empty())
         return {};
     if (place.copies()) {
@@ -122,7 +122,7 @@ Rect needed(const Placing& place, const Rect& box, Holes holes) {
 
 Rect made_at_once(const Placing& place, const Rect& box, Holes holes) {
     constexpr int little = 1024, most = 2048; // pixels along an axis
-    const Rect part = common(place.full, box);
+    const Rect part = intersection(place.full, box);
     if (part.empty() || place.copies())
         return part;
     if (holes != Holes::keep || place.full.area() <= most_at_once)

@@ -128,8 +128,8 @@ int render_part(Effect effect, const SourceClip& source, const Image& from, cons
         return failed;
     const Windows w = source.windows();
     work.place = w.place;
-    part = host::common(part, work.to.box);
-    const Rect inside = host::common(part, w.place.full);
+    part = intersection(part, work.to.box);
+    const Rect inside = intersection(part, w.place.full);
     if (inside.width() != part.width() || inside.height() != part.height())
         clear(work.to, part, work.layout.channels);
     if (inside.empty())
@@ -154,7 +154,7 @@ int render_black(const Image& to, const Rect& part) {
     host::Buffer buffer;
     if (!to.buffer(buffer) || to.channels() == 0)
         return failed;
-    clear(buffer, host::common(part, buffer.box), to.channels());
+    clear(buffer, intersection(part, buffer.box), to.channels());
     return ok;
 }
 

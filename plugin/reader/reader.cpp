@@ -213,12 +213,11 @@ bool Reader::read(const Rect& r, int width, void* data, std::string& error) {
         m_pieces = std::make_unique<Pieces>(m_image->image(), m_spec, m_request.options);
     }
     const Rect window = rect_of(m_spec.roi());
-    const Rect wanted{std::max(r.x0, window.x0), std::max(r.y0, window.y0),
-                      std::min(r.x1, window.x1), std::min(r.y1, window.y1)};
+    const Rect wanted = intersection(r, window);
     const size_t pixel = m_spec.pixel_bytes(), stride = pixel * size_t(width);
-    if (wanted.x0 != r.x0 || wanted.y0 != r.y0 || wanted.x1 != r.x1 || wanted.y1 != r.y1)
+    if (!(wanted == r))
         std::memset(data, 0, stride * size_t(r.height()));
-    if (wanted.x0 >= wanted.x1 || wanted.y0 >= wanted.y1)
+    if (wanted.empty())
         return true;
     auto* first = static_cast<char*>(data) + stride * size_t(wanted.y0 - r.y0) +
                   pixel * size_t(wanted.x0 - r.x0);

@@ -15,9 +15,9 @@ public:
         summary = "Join the parts that resize --part wrote";
         paragraphs = {
             "The same pixels and metadata as those of one run without parts, where OUT's format "
-            "has the parts' pixel type (else they are rounded once more) and loses nothing. Parts "
-            "that are missing, there twice or of another job are refused. Of a source larger than "
-            "64 MiB this is judged by 64 MiB of its bytes, evenly spread."};
+            "has the parts' pixel type; else they are rounded once more. Parts that are missing, "
+            "there twice or of another job are refused. Of a source larger than 64 MiB this is "
+            "judged by 64 MiB of its bytes, evenly spread."};
         operands = {{"PART...", "all parts, in any order"},
                     {"OUT", "any image OpenImageIO writes; large ones want EXR or TIFF"}};
         flags = {progress_flag(m_progress)};

@@ -2,6 +2,7 @@
 // Which source position each output pixel shows.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -29,6 +30,11 @@ struct Rect {
         return x0 == o.x0 && y0 == o.y0 && x1 == o.x1 && y1 == o.y1;
     }
 };
+
+/// What both have; empty(), of whatever size, if they have nothing.
+inline Rect intersection(const Rect& a, const Rect& b) {
+    return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+}
 
 /// One position in the source: pixel centres at integers, in units of 2^-16 pixel.
 struct Position {

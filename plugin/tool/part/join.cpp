@@ -5,12 +5,12 @@
 #include <climits>
 #include <cstring>
 #include <memory>
+#include <numeric>
 
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/strutil.h>
 
 #include "plugin/image/channels.h"
-#include "plugin/image/metadata.h"
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/command.h"
@@ -101,17 +101,11 @@ bool read_header(PartFile& part, Failure& failure) {
 
 /// Whether both are of one whole, and have pixels of one kind.
 bool belong_together(const PartFile& a, const PartFile& b) {
-    const Rect &w = a.header.whole, &v = b.header.whole;
     return a.header.job == b.header.job && a.header.part.count == b.header.part.count &&
-           a.header.type == b.header.type && w.x0 == v.x0 && w.y0 == v.y0 && w.x1 == v.x1 &&
-           w.y1 == v.y1 && a.spec.nchannels == b.spec.nchannels && a.spec.format == b.spec.format &&
+           a.header.type == b.header.type && a.header.whole == b.header.whole &&
+           a.spec.nchannels == b.spec.nchannels && a.spec.format == b.spec.format &&
            a.spec.channelformats == b.spec.channelformats &&
            a.spec.channelnames == b.spec.channelnames;
-}
-
-bool overlap(const Rect& a, const Rect& b) {
-    return std::max(a.x0, b.x0) < std::min(a.x1, b.x1) &&
-           std::max(a.y0, b.y0) < std::min(a.y1, b.y1);
 }
 
 /// Whether the parts, in order of their numbers, are all there are, and once.
@@ -157,7 +151,7 @@ bool check_windows(const std::vector<PartFile>& parts, Failure& failure) {
     for (size_t i = 0; i < parts.size(); ++i) {
         area += parts[i].window.area();
         for (size_t k = 0; k < i; ++k)
-            if (overlap(parts[i].window, parts[k].window)) {
+            if (!intersection(parts[i].window, parts[k].window).empty()) {
                 failure = {format("\"{}\" and \"{}\" overlap", parts[k].path, parts[i].path)};
                 return false;
             }
@@ -240,18 +234,24 @@ bool load(PartFile& part, int y, const Held& held, Failure& failure) {
     return true;
 }
 
-/// Put the rows [y0, y1) of a part where they belong among those rows of the whole.
-bool copy_rows(PartFile& part, int y0, int y1, const Held& held, char* rows, Failure& failure) {
-    const Rect& whole = part.header.whole;
-    const size_t pixel = held.pixel;
-    const size_t row = pixel * size_t(whole.width()), mine = pixel * size_t(part.window.width());
-    for (int y = std::max(y0, part.window.y0); y < std::min(y1, part.window.y1); ++y) {
+/// Of the pixel (x, y) in the rows of `window`, which are held one after the other.
+size_t place_in(const Rect& window, int x, int y) {
+    return size_t(y - window.y0) * size_t(window.width()) + size_t(x - window.x0);
+}
+
+/// Put what a part has of the pixels of `band` where they belong in `rows`, which holds the band.
+bool copy_rows(PartFile& part, const Rect& band, const Held& held, char* rows, Failure& failure) {
+    const Rect& own = part.window;
+    const Rect here = intersection(band, own);
+    const size_t pixel = held.pixel, across = pixel * size_t(here.width());
+    for (int y = here.y0; y < here.y1 && across > 0; ++y) {
         if ((y < part.y0 || y >= part.y1) && !load(part, y, held, failure))
             return false;
-        std::memcpy(rows + row * size_t(y - y0) + pixel * size_t(part.window.x0 - whole.x0),
-                    &part.tiles[mine * size_t(y - part.y0)], mine);
+        std::memcpy(rows + pixel * place_in(band, here.x0, y),
+                    &part.tiles[pixel * place_in({own.x0, part.y0, own.x1, part.y1}, here.x0, y)],
+                    across);
     }
-    if (part.window.y1 <= y1) {
+    if (own.y1 <= band.y1) {
         part.input.reset();
         part.tiles = {};
     }
@@ -259,7 +259,7 @@ bool copy_rows(PartFile& part, int y0, int y1, const Held& held, char* rows, Fai
 }
 
 /// The whole's spec from a part's.
-OIIO::ImageSpec whole_spec(OIIO::ImageSpec spec, const PartHeader& header, bool tiles) {
+OIIO::ImageSpec whole_spec(OIIO::ImageSpec spec, const PartHeader& header) {
     spec.x = header.whole.x0;
     spec.y = header.whole.y0;
     spec.width = header.whole.width();
@@ -267,16 +267,8 @@ OIIO::ImageSpec whole_spec(OIIO::ImageSpec spec, const PartHeader& header, bool 
     if (const OIIO::TypeDesc type(header.type); type != spec.format)
         spec.set_format(type);
     spec.extra_attribs = header.metadata;
-    if (!tiles)
-        spec.tile_width = spec.tile_height = spec.tile_depth = 0;
+    spec.tile_width = spec.tile_height = spec.tile_depth = 0;
     return spec;
-}
-
-/// Whether the format has tiles, and its reader reads them.
-bool can_have_tiles(const OIIO::ImageOutput& output, const OIIO::ParamValueList& metadata) {
-    return output.supports("tiles") &&
-           (output.format_name() != std::string("tiff") ||
-            std::none_of(metadata.begin(), metadata.end(), spoils_tiff_tiles));
 }
 
 /// Whether numbers of `written` are what one run would have rounded less.
@@ -300,23 +292,13 @@ void note_rounded(const std::string& path, const OIIO::ImageSpec& file, const Pa
                     path, written, parts, written));
 }
 
-/// Write the rows [y0, y1) of what the format holds of the whole, which has some of them in `rows`,
-/// from its row `from` on; where it has none they are black.
-bool write_kept(OIIO::ImageOutput& output, const Rect& whole, const Rect& kept, int y0, int y1,
-                const Held& held, const char* rows, int from) {
-    const size_t pixel = held.pixel;
-    const int x0 = std::max(whole.x0, kept.x0), x1 = std::min(whole.x1, kept.x1);
-    const size_t row = pixel * size_t(whole.width());
-    std::vector<char> line(pixel * size_t(kept.width()));
-    for (int y = y0; y < y1; ++y) {
-        if (rows && x0 < x1)
-            std::memcpy(&line[pixel * size_t(x0 - kept.x0)],
-                        rows + row * size_t(y - from) + pixel * size_t(x0 - whole.x0),
-                        pixel * size_t(x1 - x0));
-        if (!output.write_scanlines(y, y + 1, 0, held.type, line.data(), OIIO::stride_t(pixel)))
-            return false;
-    }
-    return true;
+/// Rows to write at once: of low ones many, so that writers compress them side by side; and so
+/// many, if that is not too much, as the format keeps together.
+int rows_at_once(const OIIO::ImageSpec& written, size_t row, int part_rows) {
+    constexpr size_t usual = size_t(16) << 20, most = size_t(64) << 20;
+    const int kept_together = std::lcm(part_rows, rows_in_strip(written));
+    const int step = size_t(kept_together) > most / row ? part_rows : kept_together;
+    return int(std::max(usual / (row * size_t(step)), size_t(1))) * step;
 }
 
 } // namespace
@@ -341,47 +323,40 @@ bool join(const std::vector<std::string>& paths, const std::string& out,
     ImageFile file;
     if (!file.create(out, failure))
         return false;
-    const bool tiles = can_have_tiles(file.output(), parts.front().header.metadata);
-    OIIO::ImageSpec written = whole_spec(spec, parts.front().header, tiles);
+    OIIO::ImageSpec written = whole_spec(spec, parts.front().header);
     if (!fit_format(file.output(), out, written, failure))
         return false;
     const std::string left_out = fit_channels(file.output(), written);
     const Held held = find_held(spec, file.output());
-    const Rect kept = rect_of(written.roi());
-    const bool tiled = tiles && kept == whole;
-    if (!tiled)
-        written.tile_width = written.tile_height = written.tile_depth = 0;
     if (!file.open(written, failure))
         return false;
     note_left_out(out, left_out);
     note_rounded(out, file.output().spec(), parts.front());
-    const auto write_black = [&](int y0, int y1) {
-        if (write_kept(file.output(), whole, kept, y0, y1, held, nullptr, 0))
-            return true;
-        failure = file.failed();
-        return false;
-    };
-    if (!write_black(kept.y0, std::min(kept.y1, whole.y0)))
-        return false;
-    std::vector<char> rows(held.pixel * size_t(whole.width()) * size_t(height));
-    for (int y0 = whole.y0; y0 < whole.y1; y0 += height) {
-        const int y1 = std::min(y0 + height, whole.y1);
-        progress(float(y0 - whole.y0) / float(whole.height()));
+    const Rect kept = rect_of(written.roi());
+    const size_t row = held.pixel * size_t(kept.width());
+    const auto stride = OIIO::stride_t(held.pixel);
+    // Of a format that has tiles whatever it is asked for (IFF) all at once.
+    const bool tiled = file.output().spec().tile_width > 0;
+    const int step =
+        tiled ? kept.height() : std::min(kept.height(), rows_at_once(written, row, height));
+    std::vector<char> rows(row * size_t(step)); // black where the whole has no pixels
+    for (int y0 = kept.y0; y0 < kept.y1; y0 += step) {
+        const Rect band{kept.x0, y0, kept.x1, std::min(y0 + step, kept.y1)};
+        progress(float(y0 - kept.y0) / float(kept.height()));
+        if (whole.y1 < band.y1)
+            std::fill(rows.begin(), rows.end(), char(0));
         for (PartFile& part : parts)
-            if (part.window.y0 < y1 && part.window.y1 > y0 &&
-                !copy_rows(part, y0, y1, held, rows.data(), failure))
+            if (!copy_rows(part, band, held, rows.data(), failure))
                 return false;
-        const bool done =
-            tiled ? file.output().write_tiles(whole.x0, whole.x1, y0, y1, 0, 1, held.type,
-                                              rows.data(), OIIO::stride_t(held.pixel))
-                  : write_kept(file.output(), whole, kept, std::max(y0, kept.y0),
-                               std::min(y1, kept.y1), held, rows.data(), y0);
-        if (!done) {
+        if (tiled ? !file.output().write_image(held.type, rows.data(), stride)
+                  : !file.output().write_scanlines(band.y0, band.y1, 0, held.type, rows.data(),
+                                                   stride)) {
             failure = file.failed();
             return false;
         }
+        file.begin_writeback();
     }
-    if (!write_black(std::max(kept.y0, whole.y1), kept.y1) || !file.commit(failure))
+    if (!file.commit(failure))
         return false;
     progress(1);
     return true;

@@ -106,7 +106,7 @@ TEST(MadeAtOnce, IsEverythingOfAResultOfUsualSize) {
 TEST(MadeAtOnce, IsLittleOfALargeOne) {
     const Placing place = by_factors({0, 0, 96, 64}, 1024, 1024);
     const Rect asked{40000, 50000, 40064, 50064}, r = made_at_once(place, asked);
-    EXPECT_EQ(common(r, asked), asked);
+    EXPECT_EQ(intersection(r, asked), asked);
     EXPECT_LE(r.width(), 2560);
     EXPECT_LE(r.height(), 2560);
     // Who asks for what lies beside it finds it made.
