@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The Debian packages, installed in a clean Debian, used there by a login shell, removed without a
+# The packages, installed in a clean Debian or Ubuntu, used there by a login shell, removed without a
 # trace. Of those for other hosts ImageMagick's and OpenFX' are used; GEGL's and Python's, whose hosts
 # would take long to install, are only installed and removed.
 #
 #   chroot_test.sh SOURCE_DIR BUILD_DIR
 #
-# Skipped (status 77) without mmdebstrap or root, and where the clean Debian or what the package
+# Skipped (status 77) without mmdebstrap or root, and where the clean system or what the package
 # depends on is not to be had within DDT_TEST_SECONDS (240 unless set).
 set -euo pipefail
 source_dir=$1 build_dir=$2
@@ -40,14 +40,16 @@ cpack --config "$build_dir/CPackConfig.cmake" -B "$work/cpack" >"$work/log" 2>&1
 deb=$(echo "$work"/cpack/oiio-ddt_*.deb)
 [ -f "$deb" ] || failed "no package: $(ls "$work/cpack")"
 
-# A clean Debian, from where this machine gets its packages.
-mirror=$(sed -nE 's/^(deb|URIs:)[^h]*(https?:[^ ]*debian) ?.*/\2/p' /etc/apt/sources.list \
-    /etc/apt/sources.list.d/* 2>/dev/null | head -n 1 || true)
+# A clean system as this one, from where this one gets its packages.
 . /etc/os-release
+components=main usual_mirror=http://deb.debian.org/debian
+[ "$ID" != ubuntu ] || components=main,universe usual_mirror=http://archive.ubuntu.com/ubuntu
+mirror=$(sed -nE "s,^(deb|URIs:)[^h]*(https?:[^ ]*/$ID)/?( .*)?$,\2,p" /etc/apt/sources.list \
+    /etc/apt/sources.list.d/* 2>/dev/null | head -n 1 || true)
 # The lists of packages are kept.
 within_time mmdebstrap --variant=apt --skip=cleanup/apt --dpkgopt=force-unsafe-io \
-    "$VERSION_CODENAME" "$chroot" "${mirror:-http://deb.debian.org/debian}" ||
-    skipped "no clean Debian to be had here"
+    --components=$components "$VERSION_CODENAME" "$chroot" "${mirror:-$usual_mirror}" ||
+    skipped "no clean system to be had here"
 cp /etc/resolv.conf /etc/hosts "$chroot/etc/" 2>/dev/null || true
 cp "$work"/cpack/*.deb "$source_dir/testimages/scene.png" "$chroot/root/"
 clean=(env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C DEBIAN_FRONTEND=noninteractive)
@@ -63,7 +65,7 @@ for host in openfx imagemagick gegl python3; do
     done
 done
 package_of() { echo "/root/$(basename "$work"/cpack/oiio-ddt-"$1"_*.deb)"; }
-apt install --simulate "$package" || { cat "$work/log"; failed "what the package depends on is not in Debian"; }
+apt install --simulate "$package" || { cat "$work/log"; failed "what the package depends on is not to be had"; }
 apt install --download-only "$package" || skipped "what the package depends on is not to be had"
 apt install "$package" || { tail -n 30 "$work/log"; failed "apt install"; }
 inside -lc 'cd /root && oiiotool scene.png --resize:filter=ddt 200% -o large.png && iinfo large.png &&
@@ -94,9 +96,14 @@ for host in "${others[@]}"; do
             [ -f "$effect" ] && ! ldd "$effect" | grep "not found"' || failed "the OpenFX effect"
         ;;
     imagemagick)
-        apt install --download-only "$other" imagemagick-6.q16 || skipped "ImageMagick is not to be had"
-        apt install "$other" imagemagick-6.q16 || { tail -n 30 "$work/log"; failed "apt install $other"; }
-        inside -lc 'cd /root && convert-im6.q16 scene.png -process "ddt 2" -depth 16 by-module.png &&
+        release=$(dpkg-deb -f "$work"/cpack/oiio-ddt-imagemagick_*.deb Depends |
+            sed -E 's/.*libmagickcore-([67]).*/\1/')
+        program=convert-im6.q16
+        [ "$release" = 6 ] || program=magick-im7.q16
+        magick=imagemagick-$release.q16
+        apt install --download-only "$other" "$magick" || skipped "ImageMagick is not to be had"
+        apt install "$other" "$magick" || { tail -n 30 "$work/log"; failed "apt install $other"; }
+        inside -lc 'cd /root && '$program' scene.png -process "ddt 2" -depth 16 by-module.png &&
             oiiotool scene.png --resize:filter=ddt 200% -d uint16 -o large16.png &&
             idiff -q by-module.png large16.png' || failed "ImageMagick's module"
         ;;
