@@ -143,6 +143,12 @@ class Parts(Farm):
         self.check_same("wide.exr", "130%", 2, "joined.png", "--type", "uint16")  # no windows
         self.check_same("wide.exr", "130%", 2, "joined.iff", "--type", "uint8")  # nor rows
 
+    def test_parts_outside_what_the_format_keeps(self):
+        """Two of four, each left of the display window."""
+        self.succeed("oiiotool", "--pattern", "noise:type=uniform:min=0:max=1", "1300x400", "3",
+                     "--origin", "-900+10", "--fullsize", "300x300+0+0", "-d", "half", "-o", "far.exr")
+        self.check_same("far.exr", "200%", 4, "joined.png", "--type", "uint8")
+
     def test_what_compression_loses(self):
         """It is lost in the same rows."""
         for compression in "dwaa:60", "dwab", "b44":

@@ -243,13 +243,13 @@ size_t place_in(const Rect& window, int x, int y) {
 bool copy_rows(PartFile& part, const Rect& band, const Held& held, char* rows, Failure& failure) {
     const Rect& own = part.window;
     const Rect here = intersection(band, own);
-    const size_t pixel = held.pixel, across = pixel * size_t(here.width());
-    for (int y = here.y0; y < here.y1 && across > 0; ++y) {
+    const size_t pixel = held.pixel;
+    for (int y = here.y0; y < here.y1 && !here.empty(); ++y) {
         if ((y < part.y0 || y >= part.y1) && !load(part, y, held, failure))
             return false;
+        const Rect there{own.x0, part.y0, own.x1, part.y1};
         std::memcpy(rows + pixel * place_in(band, here.x0, y),
-                    &part.tiles[pixel * place_in({own.x0, part.y0, own.x1, part.y1}, here.x0, y)],
-                    across);
+                    &part.tiles[pixel * place_in(there, here.x0, y)], pixel * size_t(here.width()));
     }
     if (own.y1 <= band.y1) {
         part.input.reset();
