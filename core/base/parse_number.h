@@ -42,4 +42,17 @@ bool parse_number(std::string_view text, Number low, Number high, Number& number
     return true;
 }
 
+/// Set width and height to what "WxH" says, each a whole number from `low` to `high`; false, and
+/// nothing is set, if the text says something else.
+inline bool parse_sides(std::string_view text, int low, int high, int& width, int& height) {
+    const size_t x = text.find('x');
+    int w = 0, h = 0;
+    if (x == std::string_view::npos || !parse_number(text.substr(0, x), low, high, w) ||
+        !parse_number(text.substr(x + 1), low, high, h))
+        return false;
+    width = w;
+    height = h;
+    return true;
+}
+
 } // namespace ddt

@@ -43,11 +43,9 @@ bool parse_window(const std::string& text, Window& window) {
 }
 
 /// "WxH"; one of them may be 0, for what is left open.
-bool parse_sides(const std::string& text, int& width, int& height) {
-    const size_t x = text.find('x');
+bool parse_size(const std::string& text, int& width, int& height) {
     int w = 0, h = 0;
-    if (x == std::string::npos || !parse_number(text.substr(0, x), 0, largest_side, w) ||
-        !parse_number(text.substr(x + 1), 0, largest_side, h) || (w == 0 && h == 0))
+    if (!parse_sides(text, 0, largest_side, w, h) || (w == 0 && h == 0))
         return false;
     width = w;
     height = h;
@@ -109,7 +107,7 @@ public:
                     {"OUT", "any image OpenImageIO writes"}};
         flags = {
             {"--size", "WxH", "size of the image; a 0 keeps the shape (default: 1024x0)",
-             [this](const std::string& text) { return parse_sides(text, m_width, m_height); },
+             [this](const std::string& text) { return parse_size(text, m_width, m_height); },
              "WxH, Wx0 and 0xH", ""},
             {"--window", "X0,Y0,X1,Y1", "the part of the plane to show (default: the points' box)",
              [this](const std::string& text) {

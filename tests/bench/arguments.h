@@ -40,17 +40,4 @@ bool parse_arguments(const char* what, const std::string& list, Number low, Numb
     return true;
 }
 
-/// Set width and height to what "WxH" says, each from `low` to `high`; false, with no line and
-/// nothing set, if it says something else.
-inline bool parse_size(const std::string& text, int low, int high, int& width, int& height) {
-    const size_t x = text.find('x');
-    int w = 0, h = 0;
-    if (x == std::string::npos || !ddt::parse_number(text.substr(0, x), low, high, w) ||
-        !ddt::parse_number(text.substr(x + 1), low, high, h))
-        return false;
-    width = w;
-    height = h;
-    return true;
-}
-
 } // namespace bench

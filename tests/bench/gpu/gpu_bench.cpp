@@ -24,7 +24,6 @@
 #include "core/tiles/tile_worker.h"
 #include "ddt/names.h"
 #include "ddt/option_table.h"
-#include "tests/bench/arguments.h"
 #include "tests/bench/gpu/jobs.h"
 #include "tests/bench/gpu/measure.h"
 
@@ -56,7 +55,7 @@ bool parse(int argc, char** argv, Options& o) {
             continue;
         else if (name == "--cpu" && parse_number(value, 1, INT_MAX, o.cpu))
             continue;
-        else if (name == "--size" && ::bench::parse_size(value, 2, 1 << 20, o.width, o.height))
+        else if (name == "--size" && parse_sides(value, 2, 1 << 20, o.width, o.height))
             o.cases = 1;
         else if (name == "--filter" && *value)
             o.filter = value;

@@ -12,7 +12,6 @@
 #include "core/tiles/grid.h"
 #include "ddt/names.h"
 #include "ddt/option_table.h"
-#include "tests/bench/arguments.h"
 #include "tests/core/gl/pictures.h"
 #include "tests/core/gl/stages/compare_stages.h"
 
@@ -63,7 +62,7 @@ bool parse(int argc, char** argv, Arguments& a) {
         else if (name == "--picture")
             known = find_content(value, a.content);
         else if (name == "--size")
-            known = bench::parse_size(value, 2, tile_size, a.width, a.height);
+            known = parse_sides(value, 2, tile_size, a.width, a.height);
         else if (name == "--seed")
             known = parse_number(value, 0u, UINT_MAX, a.seed);
         else if (name == "--change" && i + 3 < argc) {
