@@ -296,9 +296,10 @@ void note_rounded(const std::string& path, const OIIO::ImageSpec& file, const Pa
 /// many, if that is not too much, as the format keeps together.
 int rows_at_once(const OIIO::ImageSpec& written, size_t row, int part_rows) {
     constexpr size_t usual = size_t(16) << 20, most = size_t(64) << 20;
-    const int kept_together = std::lcm(part_rows, rows_in_strip(written));
-    const int step = size_t(kept_together) > most / row ? part_rows : kept_together;
-    return int(std::max(usual / (row * size_t(step)), size_t(1))) * step;
+    const auto together = size_t(std::lcm(int64_t(part_rows), int64_t(rows_in_strip(written))));
+    const size_t step = together > most / row ? size_t(part_rows) : together;
+    const size_t rows = std::max(usual / row / step, size_t(1)) * step;
+    return int(std::min(rows, size_t(written.height)));
 }
 
 } // namespace
@@ -318,7 +319,6 @@ bool join(const std::vector<std::string>& paths, const std::string& out,
     if (!check_numbers(parts, failure) || !check_windows(parts, failure))
         return false;
 
-    const int height = spec.tile_height;
     const Rect whole = parts.front().header.whole;
     ImageFile file;
     if (!file.create(out, failure))
@@ -337,8 +337,7 @@ bool join(const std::vector<std::string>& paths, const std::string& out,
     const auto stride = OIIO::stride_t(held.pixel);
     // Of a format that has tiles whatever it is asked for (IFF) all at once.
     const bool tiled = file.output().spec().tile_width > 0;
-    const int step =
-        tiled ? kept.height() : std::min(kept.height(), rows_at_once(written, row, height));
+    const int step = tiled ? kept.height() : rows_at_once(written, row, spec.tile_height);
     std::vector<char> rows(row * size_t(step)); // black where the whole has no pixels
     for (int y0 = kept.y0; y0 < kept.y1; y0 += step) {
         const Rect band{kept.x0, y0, kept.x1, std::min(y0 + step, kept.y1)};
