@@ -22,9 +22,9 @@ bool plan_file(const OIIO::ImageBuf& image, const std::string& path, ImageFile& 
                OIIO::ImageSpec& spec, Failure& failure) {
     spec = spec_of_file(image);
     forget_pixels(spec);
-    spec.tile_width = spec.tile_height = spec.tile_depth = 0;
     if (!file.create(path, failure) || !fit_format(file.output(), path, spec, failure))
         return false;
+    fit_tiles(file.output(), spec);
     note_left_out(path, fit_channels(file.output(), spec));
     return true;
 }

@@ -31,7 +31,8 @@ public:
         paragraphs = {
             "The same pixels as oiiotool IN --resize:filter=ddt SIZE -o OUT with the plugin; of "
             "ddt-sharp and 8 or 16 bits that OUT keeps those of oiiotool --native. Channels keep "
-            "their types where OUT's format has them. A --type or --compression that OUT cannot "
+            "their types, and images their tiles, where OUT's format has them. A --type or "
+            "--compression that OUT cannot "
             "have, such as half in PNG and jpeg in a TIFF of other pixels than RGB of 8 bits, is "
             "said on standard error, with what is written in its place.",
             "Sizes are oiiotool's: 640x480; 0x480 keeps the shape; 640x480+10-20 moves the origin; "

@@ -7,6 +7,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "plugin/image/channels.h"
+#include "plugin/image/metadata.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/command.h"
 
@@ -43,6 +44,17 @@ bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::
     spec.width = roi.width();
     spec.height = roi.height();
     return true;
+}
+
+void fit_tiles(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec) {
+    const std::string type = output.format_name();
+    const OIIO::ParamValueList& metadata = spec.extra_attribs;
+    const bool allowed =
+        type == "openexr" ||
+        (type == "tiff" && spec.tile_width % 16 == 0 && spec.tile_height % 16 == 0 &&
+         std::none_of(metadata.begin(), metadata.end(), spoils_tiff_tiles));
+    if (!allowed || spec.tile_width < 1 || spec.tile_height < 1 || spec.tile_depth > 1)
+        spec.tile_width = spec.tile_height = spec.tile_depth = 0;
 }
 
 std::string fit_channels(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec) {

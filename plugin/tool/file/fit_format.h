@@ -17,6 +17,10 @@ namespace ddt::tool {
 bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::ImageSpec& spec,
                 Failure& failure);
 
+/// Let the spec have the tiles that it has, if it may have them in that format, as oiiotool does;
+/// else none. (IFF has its own, whatever it is asked for.)
+void fit_tiles(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec);
+
 /// Let the spec's alpha be the image's (alpha_of()), and leave out what comes after colour and
 /// alpha, or alpha too, where the format holds no more, as oiiotool does (and alpha beside grey in
 /// BMP and JPEG 2000); returns their names, if there are any. The format's writer, or

@@ -106,6 +106,9 @@ OIIO::ImageSpec spec_of_file(const OIIO::ImageBuf& image) {
     OIIO::ImageSpec spec = image.spec();
     spec.set_format(image.nativespec().format);
     spec.channelformats = image.nativespec().channelformats;
+    spec.tile_width = image.nativespec().tile_width;
+    spec.tile_height = image.nativespec().tile_height;
+    spec.tile_depth = image.nativespec().tile_depth;
     return spec;
 }
 

@@ -267,7 +267,8 @@ OIIO::ImageSpec whole_spec(OIIO::ImageSpec spec, const PartHeader& header) {
     if (const OIIO::TypeDesc type(header.type); type != spec.format)
         spec.set_format(type);
     spec.extra_attribs = header.metadata;
-    spec.tile_width = spec.tile_height = spec.tile_depth = 0;
+    spec.tile_width = header.tile_width;
+    spec.tile_height = header.tile_height;
     return spec;
 }
 
@@ -292,14 +293,19 @@ void note_rounded(const std::string& path, const OIIO::ImageSpec& file, const Pa
                     path, written, parts, written));
 }
 
-/// Rows to write at once: of low ones many, so that writers compress them side by side; and so
-/// many, if that is not too much, as the format keeps together.
-int rows_at_once(const OIIO::ImageSpec& written, size_t row, int part_rows) {
-    constexpr size_t usual = size_t(16) << 20, most = size_t(64) << 20;
-    const auto together = size_t(std::lcm(int64_t(part_rows), int64_t(rows_in_strip(written))));
-    const size_t step = together > most / row ? size_t(part_rows) : together;
-    const size_t rows = std::max(usual / row / step, size_t(1)) * step;
-    return int(std::min(rows, size_t(written.height)));
+/// Bytes of pixels to hold at once, and at most where it takes so many to have tiles.
+constexpr size_t usual_bytes = size_t(16) << 20, most_bytes = size_t(64) << 20;
+
+/// Rows to write at once: of low ones many, so that writers compress them side by side; of tiles
+/// whole ones; and so many, if that is not too much, as the format keeps together.
+int rows_at_once(const OIIO::ImageSpec& file, size_t row, int part_rows) {
+    const bool tiled = file.tile_width > 0;
+    const int least = tiled ? file.tile_height : part_rows,
+              better = tiled ? part_rows : rows_in_strip(file);
+    const auto together = size_t(std::lcm(int64_t(least), int64_t(better)));
+    const size_t step = together > most_bytes / row ? size_t(least) : together;
+    const size_t rows = std::max(usual_bytes / row / step, size_t(1)) * step;
+    return int(std::min(rows, size_t(file.height)));
 }
 
 } // namespace
@@ -326,18 +332,20 @@ bool join(const std::vector<std::string>& paths, const std::string& out,
     OIIO::ImageSpec written = whole_spec(spec, parts.front().header);
     if (!fit_format(file.output(), out, written, failure))
         return false;
+    fit_tiles(file.output(), written);
     const std::string left_out = fit_channels(file.output(), written);
     const Held held = find_held(spec, file.output());
+    const size_t row = held.pixel * size_t(written.width);
+    if (size_t(written.tile_height) > most_bytes / row)
+        written.tile_width = written.tile_height = 0;
     if (!file.open(written, failure))
         return false;
     note_left_out(out, left_out);
     note_rounded(out, file.output().spec(), parts.front());
     const Rect kept = rect_of(written.roi());
-    const size_t row = held.pixel * size_t(kept.width());
     const auto stride = OIIO::stride_t(held.pixel);
-    // Of a format that has tiles whatever it is asked for (IFF) all at once.
-    const bool tiled = file.output().spec().tile_width > 0;
-    const int step = tiled ? kept.height() : rows_at_once(written, row, spec.tile_height);
+    const OIIO::ImageSpec& opened = file.output().spec(); // IFF has tiles whatever was asked for
+    const int step = rows_at_once(opened, row, spec.tile_height);
     std::vector<char> rows(row * size_t(step)); // black where the whole has no pixels
     for (int y0 = kept.y0; y0 < kept.y1; y0 += step) {
         const Rect band{kept.x0, y0, kept.x1, std::min(y0 + step, kept.y1)};
@@ -347,9 +355,12 @@ bool join(const std::vector<std::string>& paths, const std::string& out,
         for (PartFile& part : parts)
             if (!copy_rows(part, band, held, rows.data(), failure))
                 return false;
-        if (tiled ? !file.output().write_image(held.type, rows.data(), stride)
-                  : !file.output().write_scanlines(band.y0, band.y1, 0, held.type, rows.data(),
-                                                   stride)) {
+        const bool done = opened.tile_width > 0
+                              ? file.output().write_tiles(kept.x0, kept.x1, band.y0, band.y1, 0, 1,
+                                                          held.type, rows.data(), stride)
+                              : file.output().write_scanlines(band.y0, band.y1, 0, held.type,
+                                                              rows.data(), stride);
+        if (!done) {
             failure = file.failed();
             return false;
         }

@@ -21,6 +21,7 @@ constexpr const char* job_key = "ddt_part:job";
 constexpr const char* part_key = "ddt_part:part";
 constexpr const char* whole_key = "ddt_part:whole";
 constexpr const char* type_key = "ddt_part:type";
+constexpr const char* tiles_key = "ddt_part:tiles";       // not there: none
 constexpr const char* channels_key = "ddt_part:channels"; // a line each
 constexpr const char* metadata_key = "ddt_part:metadata";
 
@@ -67,6 +68,8 @@ PartHeader header_of(const std::string& job, const Part& part, const OIIO::Image
     header.part = part;
     header.whole = rect_of(OIIO::get_roi(whole));
     header.type = whole.format.c_str();
+    header.tile_width = whole.tile_width;
+    header.tile_height = whole.tile_height;
     header.channels = whole.channelnames;
     header.metadata = whole.extra_attribs;
     return header;
@@ -77,6 +80,8 @@ void PartHeader::write_to(OIIO::ImageSpec& spec) const {
     spec.attribute(part_key, format("{}/{}", part.index, part.count));
     spec.attribute(whole_key, format("{} {} {} {}", whole.x0, whole.y0, whole.x1, whole.y1));
     spec.attribute(type_key, type);
+    if (tile_width > 0)
+        spec.attribute(tiles_key, format("{}x{}", tile_width, tile_height));
     spec.attribute(channels_key, OIIO::Strutil::join(channels, "\n"));
     spec.attribute(metadata_key, text_of(metadata));
 }
@@ -86,6 +91,8 @@ bool PartHeader::read_from(const OIIO::ImageSpec& spec) {
     type = spec.get_string_attribute(type_key);
     const std::string names = spec.get_string_attribute(channels_key);
     channels = names.empty() ? std::vector<std::string>() : OIIO::Strutil::splits(names, "\n");
+    tile_width = tile_height = 0;
+    parse_sides(spec.get_string_attribute(tiles_key), 1, largest_side, tile_width, tile_height);
     return !job.empty() && spec.tile_width >= 1 &&
            parse_part(spec.get_string_attribute(part_key), part) &&
            parse_window(spec.get_string_attribute(whole_key), whole) && !whole.empty() &&

@@ -23,6 +23,8 @@ struct PartHeader {
     Part part;
     Rect whole;       ///< the data window of the whole
     std::string type; ///< the whole's pixel type, where the file's holds more
+    /// Of the whole's tiles, in pixels, where its format may have them; 0: it has none.
+    int tile_width = 0, tile_height = 0;
     /// The channels' names in the whole's order: a file's are sorted. Empty: as the file has them.
     std::vector<std::string> channels;
     /// The whole's, as one run writes them. Those of the part's own file would not do: OpenEXR

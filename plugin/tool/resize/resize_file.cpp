@@ -62,9 +62,9 @@ bool open_file(const std::string& path, std::vector<OIIO::ImageSpec>& specs, Ima
     if (!file.create(path, failure))
         return false;
     for (OIIO::ImageSpec& spec : specs) {
-        spec.tile_width = spec.tile_height = spec.tile_depth = 0;
         if (!fit_format(file.output(), path, spec, failure))
             return false;
+        fit_tiles(file.output(), spec);
         left_out.push_back(fit_channels(file.output(), spec));
         if (!check_size_of(spec, failure))
             return false;

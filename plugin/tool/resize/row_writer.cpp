@@ -11,9 +11,11 @@ namespace {
 /// writers compress in one go must not be cut. (TIFF has 32, or what the image's own file had.)
 constexpr int rows_together = 64;
 
-/// Of formats that want tiles whatever they are asked for (IFF): all rows.
-int step_of(const OIIO::ImageSpec& spec, bool tiles) {
-    return tiles ? spec.height : rows_together * rows_in_strip(spec);
+/// Rows of tiles, if the file has them, else scanlines.
+int step_of(const OIIO::ImageSpec& image, const OIIO::ImageSpec& file) {
+    if (file.tile_width == 0)
+        return rows_together * rows_in_strip(image);
+    return (rows_together + file.tile_height - 1) / file.tile_height * file.tile_height;
 }
 
 } // namespace
@@ -21,9 +23,10 @@ int step_of(const OIIO::ImageSpec& spec, bool tiles) {
 RowWriter::RowWriter(const OIIO::ImageBuf& image, ImageFile& file, MixedIds& ids)
     : m_pixels(static_cast<const char*>(image.localpixels())), m_format(image.spec().format),
       m_row(image.spec().scanline_bytes()), m_width(size_t(image.spec().width)), m_file(file),
-      m_ids(ids), m_begin(image.ybegin()), m_end(image.yend()),
-      m_tiles(file.output().spec().tile_width > 0), m_step(step_of(image.spec(), m_tiles)),
-      m_ready(m_begin), m_done(m_begin), m_thread([this] { work(); }) {}
+      m_ids(ids), m_begin(image.ybegin()), m_end(image.yend()), m_x0(image.xbegin()),
+      m_x1(image.xend()), m_tiles(file.output().spec().tile_width > 0),
+      m_step(step_of(image.spec(), file.output().spec())), m_ready(m_begin), m_done(m_begin),
+      m_thread([this] { work(); }) {}
 
 RowWriter::~RowWriter() {
     {
@@ -82,15 +85,15 @@ void RowWriter::work() {
 }
 
 bool RowWriter::write(int begin, int end) {
-    if (m_tiles)
-        return m_file.output().write_image(m_format, m_pixels);
     const char* const rows = m_pixels + m_row * size_t(begin - m_begin);
-    const bool written =
-        m_ids ? m_file.output().write_scanlines(begin, end, 0, OIIO::TypeUnknown,
-                                                m_ids.pack(reinterpret_cast<const float*>(rows),
-                                                           m_width * size_t(end - begin),
-                                                           m_file.output().spec()))
-              : m_file.output().write_scanlines(begin, end, 0, m_format, rows);
+    OIIO::ImageOutput& output = m_file.output();
+    const OIIO::TypeDesc type = m_ids ? OIIO::TypeUnknown : m_format;
+    const void* const data =
+        m_ids ? static_cast<const void*>(m_ids.pack(reinterpret_cast<const float*>(rows),
+                                                    m_width * size_t(end - begin), output.spec()))
+              : rows;
+    const bool written = m_tiles ? output.write_tiles(m_x0, m_x1, begin, end, 0, 1, type, data)
+                                 : output.write_scanlines(begin, end, 0, type, data);
     if (!written)
         return false;
     m_file.begin_writeback();

@@ -14,7 +14,8 @@
 
 namespace ddt::tool {
 
-/// Writes scanlines on a thread of its own, in order. To be used by one other thread.
+/// Writes scanlines, or rows of tiles, on a thread of its own, in order. To be used by one other
+/// thread.
 class RowWriter {
 public:
     /// Rows of `image`, whose pixels are in local memory and stay there, into `file`, which was
@@ -45,8 +46,9 @@ private:
     ImageFile& m_file;
     MixedIds& m_ids; ///< of which pack() alone is this thread's
     const int m_begin, m_end;
-    const bool m_tiles;
-    const int m_step; ///< rows are written in multiples of it, but for the last
+    const int m_x0, m_x1;
+    const bool m_tiles; ///< the file has
+    const int m_step;   ///< rows are written in multiples of it, but for the last
     std::mutex m_mutex;
     std::condition_variable m_changed;
     int m_ready, m_done; ///< rows before

@@ -10,9 +10,9 @@ unset OCIO DDT_DEVICE
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# What iinfo says of a file's size and windows: a line at least.
+# What iinfo says of a file's size, windows and tiles: a line at least.
 windows() {
-    iinfo -v "$1" | sed -nE -e 's/^\/.* : +([0-9]+ x)/\1/p' -e '/^ +(full\/display|pixel data)/p' | grep .
+    iinfo -v "$1" | sed -nE -e 's/^\/.* : +([0-9]+ x)/\1/p' -e '/^ +(full\/display|pixel data|tile size)/p' | grep .
 }
 same_windows() {
     local a b
@@ -52,6 +52,15 @@ for size in 200% 70%; do
     compare_as "$testimages/window.exr" $size png tif
     compare_as "$scratch/left.exr" $size png dpx
 done
+
+# The source's tiles, or rows where the format has none or no such: TIFF's are multiples of 16.
+oiiotool "$testimages/scene.png" -d half --tile 32 48 -o "$scratch/tiled.exr"
+compare_as "$scratch/tiled.exr" 200% exr tif png iff
+oiiotool "$testimages/scene.png" --planarconfig separate --tile 80 16 -o "$scratch/tiled.tif"
+compare_as "$scratch/tiled.tif" 270% tif exr
+oiiotool "$testimages/window.exr" --tile 50 30 -o "$scratch/odd.exr"
+compare_as "$scratch/odd.exr" 200% exr
+"$bin/ddt" resize "$scratch/odd.exr" 200% "$scratch/odd.tif"
 
 # What the writer makes other numbers of is rounded once.
 oiiotool "$testimages/scene.png" -d half -o "$scratch/half.exr"
