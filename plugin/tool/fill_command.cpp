@@ -42,8 +42,6 @@ bool write_filled(const OIIO::ImageBuf& filled, const OIIO::ImageSpec& spec, Mix
     const auto progress = [](float) {};
     if (!file.open(spec, failure))
         return false;
-    if (!ids)
-        return write_image(image, file, progress, failure);
     RowWriter writer(image, file, ids);
     writer.ready(image.yend());
     return writer.finish(progress, failure) && file.commit(failure);

@@ -117,6 +117,25 @@ class Whole(Case):
                 self.assertIn(name, text)
                 self.assertEqual([n for n in os.listdir(self.folder) if ".ddt-" in n], [])
 
+    def test_no_room_for_tiles(self):
+        """After one that could not be written OpenEXR waits for ever for the next."""
+        def small():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (100000, 100000))
+
+        self.succeed("oiiotool", "--pattern", "noise:type=uniform:min=0:max=1", "640x480", "3",
+                     "--tile", "32", "32", "-d", "half", "-o", "tiled.exr")
+        self.assertEqual(self.run_to_end("resize", "tiled.exr", "150%", "part.exr", "--part", "1/1"),
+                         (0, ""))
+        self.assertEqual(self.run_to_end("join", "part.exr", "whole.exr"), (0, ""))
+        for command in (("resize", "tiled.exr", "150%", "out.exr"), ("fill", "tiled.exr", "out.exr"),
+                        ("resize", "tiled.exr", "150%", "out.exr", "--part", "1/1"),
+                        ("join", "part.exr", "out.exr"), ("resize", "tiled.exr", "150%", "out.tif")):
+            with self.subTest(command=command):
+                code, text = self.run_to_end(*command, preexec_fn=small)
+                self.assertEqual(code, 3, text)
+                self.assertEqual(len(text.splitlines()), 1, text)
+                self.assertEqual([n for n in os.listdir(self.folder) if ".ddt-" in n], [])
+
     def test_strips(self):
         """What is large is written while it is made: the same pixels, and whole or not at all."""
         self.succeed("oiiotool", "--pattern", "noise", "300x2600", "3", "-d", "uint8", "-o", "long.png")

@@ -79,7 +79,8 @@ int rows_in_strip(const OIIO::ImageSpec& spec);
 /// Write an image in local memory. `progress` is called with the share done.
 bool write_image(const OIIO::ImageBuf& image, const std::string& path,
                  const std::function<void(float)>& progress, Failure& failure);
-/// The same into a file that was opened for the image's windows, and commit it.
+/// The same into a file without tiles that was opened for the image's windows, and commit it.
+/// (OpenImageIO goes on after a tile that could not be written, and OpenEXR then waits for ever.)
 bool write_image(const OIIO::ImageBuf& image, ImageFile& file,
                  const std::function<void(float)>& progress, Failure& failure);
 

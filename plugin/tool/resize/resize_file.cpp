@@ -73,7 +73,8 @@ bool open_file(const std::string& path, std::vector<OIIO::ImageSpec>& specs, Ima
         if (!check_size_of(spec, failure))
             return false;
     }
-    // OpenImageIO's writer of EXR takes the first part's kind for that of all, and ends the program.
+    // OpenImageIO's writer of EXR takes the first part's kind for that of all, and ends the
+    // program.
     if (std::any_of(specs.begin(), specs.end(), has_no_tiles))
         for (OIIO::ImageSpec& spec : specs)
             spec.tile_width = spec.tile_height = spec.tile_depth = 0;
