@@ -53,7 +53,10 @@ void fit_tiles(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec) {
         type == "openexr" ||
         (type == "tiff" && spec.tile_width % 16 == 0 && spec.tile_height % 16 == 0 &&
          std::none_of(metadata.begin(), metadata.end(), spoils_tiff_tiles));
-    if (!allowed || spec.tile_width < 1 || spec.tile_height < 1 || spec.tile_depth > 1)
+    // Writers hold whole tiles, several at once.
+    constexpr OIIO::imagesize_t largest = 64 << 20;
+    if (!allowed || spec.tile_width < 1 || spec.tile_height < 1 || spec.tile_depth > 1 ||
+        spec.tile_bytes(true) > largest)
         spec.tile_width = spec.tile_height = spec.tile_depth = 0;
 }
 

@@ -17,8 +17,8 @@ namespace ddt::tool {
 bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::ImageSpec& spec,
                 Failure& failure);
 
-/// Let the spec have the tiles that it has, if it may have them in that format, as oiiotool does;
-/// else none. (IFF has its own, whatever it is asked for.)
+/// Let the spec have the tiles that it has, if it may have them in that format, as oiiotool does,
+/// and they take 64 MiB each or less; else none. (IFF has its own, whatever it is asked for.)
 void fit_tiles(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec);
 
 /// Let the spec's alpha be the image's (alpha_of()), and leave out what comes after colour and

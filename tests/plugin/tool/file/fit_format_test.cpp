@@ -45,6 +45,29 @@ TEST(FitFormat, LeavesOutWhatLiesBeforeZero) {
     }
 }
 
+TEST(FitTiles, LeavesThemWhereTheFormatMayHaveThem) {
+    const auto fitted = [](const char* name, int width, int height, const char* compression) {
+        ImageSpec spec(100, 80, 3, OIIO::TypeUInt8);
+        spec.tile_width = width;
+        spec.tile_height = height;
+        spec.attribute("compression", compression);
+        fit_tiles(*OIIO::ImageOutput::create(name), spec);
+        return std::pair(spec.tile_width, spec.tile_height);
+    };
+    const auto none = std::pair(0, 0);
+    EXPECT_EQ(fitted("a.exr", 50, 30, "zip"), std::pair(50, 30));
+    EXPECT_EQ(fitted("a.tif", 48, 16, "zip"), std::pair(48, 16));
+    EXPECT_EQ(fitted("a.tif", 50, 32, "zip"), none);
+    EXPECT_EQ(fitted("a.tif", 48, 16, "jpeg:90"), none);
+    EXPECT_EQ(fitted("a.exr", 0, 0, "zip"), none);
+    EXPECT_EQ(fitted("a.iff", 64, 64, "rle"), none);
+    EXPECT_EQ(fitted("a.png", 64, 64, "zip"), none);
+    // Of 64 MiB, and of a row of pixels more.
+    EXPECT_EQ(fitted("a.exr", 4096, 5461, "zip"), std::pair(4096, 5461));
+    EXPECT_EQ(fitted("a.exr", 4096, 5462, "zip"), none);
+    EXPECT_EQ(fitted("a.exr", 1 << 24, 1 << 24, "zip"), none);
+}
+
 TEST(FitChannels, TakesWhatOiiotoolTakes) {
     const auto left_out = [](const char* file, const std::vector<std::string>& names, int alpha) {
         ImageSpec spec(8, 6, int(names.size()), OIIO::TypeHalf);
