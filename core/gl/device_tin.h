@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "core/gl/buffer.h"
 #include "core/gl/chance.h"
