@@ -24,7 +24,6 @@ bool plan_file(const OIIO::ImageBuf& image, const std::string& path, ImageFile& 
     forget_pixels(spec);
     if (!file.create(path, failure) || !fit_format(file.output(), path, spec, failure))
         return false;
-    fit_tiles(file.output(), spec);
     note_left_out(path, fit_channels(file.output(), spec));
     return true;
 }

@@ -21,12 +21,27 @@ bool takes_grey_with_alpha(const OIIO::ImageOutput& output) {
     return output.supports("alpha") && format != "bmp" && format != "jpeg2000";
 }
 
+bool may_have_tiles(const OIIO::ImageOutput& output, const OIIO::ImageSpec& spec) {
+    // Writers hold whole tiles, several at once.
+    constexpr OIIO::imagesize_t largest = 64 << 20;
+    if (spec.tile_width < 1 || spec.tile_height < 1 || spec.tile_depth > 1 ||
+        spec.tile_bytes(true) > largest)
+        return false;
+    const std::string type = output.format_name();
+    const OIIO::ParamValueList& metadata = spec.extra_attribs;
+    return type == "openexr" ||
+           (type == "tiff" && spec.tile_width % 16 == 0 && spec.tile_height % 16 == 0 &&
+            std::none_of(metadata.begin(), metadata.end(), spoils_tiff_tiles));
+}
+
 } // namespace
 
 bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::ImageSpec& spec,
                 Failure& failure) {
     if (!output.supports("channelformats"))
         spec.channelformats.clear();
+    if (!may_have_tiles(output, spec))
+        forget_tiles(spec);
     OIIO::ROI roi = spec.roi();
     if (!output.supports("displaywindow"))
         roi = spec.roi_full();
@@ -44,20 +59,6 @@ bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::
     spec.width = roi.width();
     spec.height = roi.height();
     return true;
-}
-
-void fit_tiles(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec) {
-    const std::string type = output.format_name();
-    const OIIO::ParamValueList& metadata = spec.extra_attribs;
-    const bool allowed =
-        type == "openexr" ||
-        (type == "tiff" && spec.tile_width % 16 == 0 && spec.tile_height % 16 == 0 &&
-         std::none_of(metadata.begin(), metadata.end(), spoils_tiff_tiles));
-    // Writers hold whole tiles, several at once.
-    constexpr OIIO::imagesize_t largest = 64 << 20;
-    if (!allowed || spec.tile_width < 1 || spec.tile_height < 1 || spec.tile_depth > 1 ||
-        spec.tile_bytes(true) > largest)
-        spec.tile_width = spec.tile_height = spec.tile_depth = 0;
 }
 
 std::string fit_channels(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec) {

@@ -12,14 +12,16 @@ namespace ddt::tool {
 
 /// Make the spec of an image what `output` can write of it into the file `path`, as oiiotool does:
 /// where the format has no windows, the pixels of the display window; where it has no negative
-/// coordinates, those of no other; types of single channels only where it has them. False with a
-/// failure if no pixel is left.
+/// coordinates, those of no other; types of single channels only where it has them; and the tiles
+/// that it has, if it may have them in that format and they take 64 MiB each or less, else none.
+/// (IFF has its own, whatever it is asked for.) False with a failure if no pixel is left.
 bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::ImageSpec& spec,
                 Failure& failure);
 
-/// Let the spec have the tiles that it has, if it may have them in that format, as oiiotool does,
-/// and they take 64 MiB each or less; else none. (IFF has its own, whatever it is asked for.)
-void fit_tiles(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec);
+/// Ask for rows.
+inline void forget_tiles(OIIO::ImageSpec& spec) {
+    spec.tile_width = spec.tile_height = spec.tile_depth = 0;
+}
 
 /// Let the spec's alpha be the image's (alpha_of()), and leave out what comes after colour and
 /// alpha, or alpha too, where the format holds no more, as oiiotool does (and alpha beside grey in

@@ -14,6 +14,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "plugin/message/format.h"
+#include "plugin/tool/file/fit_format.h"
 
 namespace ddt::tool {
 
@@ -182,6 +183,11 @@ bool ImageFile::open(std::vector<OIIO::ImageSpec> specs, Failure& failure) {
     }
     if (several && type == "tiff")
         allow_large_tiff(m_specs);
+    // OpenImageIO's writer of EXR takes the first image's kind for that of all, and ends the
+    // program.
+    const auto has_no_tiles = [](const OIIO::ImageSpec& spec) { return spec.tile_width == 0; };
+    if (several && std::any_of(m_specs.begin(), m_specs.end(), has_no_tiles))
+        std::for_each(m_specs.begin(), m_specs.end(), forget_tiles);
     if (several ? m_output->open(temporary(), int(m_specs.size()), m_specs.data())
                 : m_output->open(temporary(), m_specs[0]))
         return true;
@@ -197,8 +203,20 @@ bool ImageFile::open_next(Failure& failure) {
     return false;
 }
 
+bool ImageFile::write_rows(int begin, int end, OIIO::TypeDesc type, const void* pixels,
+                           OIIO::stride_t stride) {
+    const OIIO::ROI roi = m_specs[m_current].roi();
+    const bool written =
+        m_output->spec().tile_width > 0
+            ? m_output->write_tiles(roi.xbegin, roi.xend, begin, end, 0, 1, type, pixels, stride)
+            : m_output->write_scanlines(begin, end, 0, type, pixels, stride);
+    if (written)
+        m_whole.begin_writeback();
+    return written;
+}
+
 bool ImageFile::begin(const std::string& path, OIIO::ImageSpec spec, Failure& failure) {
-    spec.tile_width = spec.tile_height = spec.tile_depth = 0;
+    forget_tiles(spec);
     return create(path, failure) && open(spec, failure);
 }
 

@@ -37,8 +37,11 @@ public:
     bool open_next(Failure& failure);
     /// create() and open() for scanlines, as ImageBuf::write() by name does.
     bool begin(const std::string& path, OIIO::ImageSpec spec, Failure& failure);
-    /// Let what was written so far go to the disk meanwhile.
-    void begin_writeback() { m_whole.begin_writeback(); }
+    /// Write the rows [begin, end) of the image that is open, as scanlines or, of a file that has
+    /// them, whole tiles, with `stride` bytes from a pixel to the next; and let them go to the disk
+    /// meanwhile. After a failure write no more: OpenEXR waits for ever for the tile that follows.
+    bool write_rows(int begin, int end, OIIO::TypeDesc type, const void* pixels,
+                    OIIO::stride_t stride = OIIO::AutoStride);
     /// Close the writer, check, and give the file its name.
     bool commit(Failure& failure);
     /// The compression of the file that was committed, as its reader names it, without a level: the

@@ -332,20 +332,17 @@ bool join(const std::vector<std::string>& paths, const std::string& out,
     OIIO::ImageSpec written = whole_spec(spec, parts.front().header);
     if (!fit_format(file.output(), out, written, failure))
         return false;
-    fit_tiles(file.output(), written);
     const std::string left_out = fit_channels(file.output(), written);
     const Held held = find_held(spec, file.output());
     const size_t row = held.pixel * size_t(written.width);
     if (size_t(written.tile_height) > most_bytes / row)
-        written.tile_width = written.tile_height = 0;
+        forget_tiles(written);
     if (!file.open(written, failure))
         return false;
     note_left_out(out, left_out);
     note_rounded(out, file.output().spec(), parts.front());
     const Rect kept = rect_of(written.roi());
-    const auto stride = OIIO::stride_t(held.pixel);
-    const OIIO::ImageSpec& opened = file.output().spec(); // IFF has tiles whatever was asked for
-    const int step = rows_at_once(opened, row, spec.tile_height);
+    const int step = rows_at_once(file.output().spec(), row, spec.tile_height);
     std::vector<char> rows(row * size_t(step)); // black where the whole has no pixels
     for (int y0 = kept.y0; y0 < kept.y1; y0 += step) {
         const Rect band{kept.x0, y0, kept.x1, std::min(y0 + step, kept.y1)};
@@ -355,16 +352,11 @@ bool join(const std::vector<std::string>& paths, const std::string& out,
         for (PartFile& part : parts)
             if (!copy_rows(part, band, held, rows.data(), failure))
                 return false;
-        const bool done = opened.tile_width > 0
-                              ? file.output().write_tiles(kept.x0, kept.x1, band.y0, band.y1, 0, 1,
-                                                          held.type, rows.data(), stride)
-                              : file.output().write_scanlines(band.y0, band.y1, 0, held.type,
-                                                              rows.data(), stride);
-        if (!done) {
+        if (!file.write_rows(band.y0, band.y1, held.type, rows.data(),
+                             OIIO::stride_t(held.pixel))) {
             failure = file.failed();
             return false;
         }
-        file.begin_writeback();
     }
     if (!file.commit(failure))
         return false;

@@ -55,10 +55,6 @@ bool plan_images(const std::string& in, const OIIO::ImageBuf& first, const Resiz
     return true;
 }
 
-bool has_no_tiles(const OIIO::ImageSpec& spec) {
-    return spec.tile_width == 0;
-}
-
 /// Open the file for what of the results its format has room for: `specs` become that.
 bool open_file(const std::string& path, std::vector<OIIO::ImageSpec>& specs, ImageFile& file,
                Failure& failure) {
@@ -68,16 +64,10 @@ bool open_file(const std::string& path, std::vector<OIIO::ImageSpec>& specs, Ima
     for (OIIO::ImageSpec& spec : specs) {
         if (!fit_format(file.output(), path, spec, failure))
             return false;
-        fit_tiles(file.output(), spec);
         left_out.push_back(fit_channels(file.output(), spec));
         if (!check_size_of(spec, failure))
             return false;
     }
-    // OpenImageIO's writer of EXR takes the first part's kind for that of all, and ends the
-    // program.
-    if (std::any_of(specs.begin(), specs.end(), has_no_tiles))
-        for (OIIO::ImageSpec& spec : specs)
-            spec.tile_width = spec.tile_height = spec.tile_depth = 0;
     if (!file.open(specs, failure))
         return false;
     left_out.erase(std::unique(left_out.begin(), left_out.end()), left_out.end());

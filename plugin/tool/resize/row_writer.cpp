@@ -23,8 +23,7 @@ int step_of(const OIIO::ImageSpec& image, const OIIO::ImageSpec& file) {
 RowWriter::RowWriter(const OIIO::ImageBuf& image, ImageFile& file, MixedIds& ids)
     : m_pixels(static_cast<const char*>(image.localpixels())), m_format(image.spec().format),
       m_row(image.spec().scanline_bytes()), m_width(size_t(image.spec().width)), m_file(file),
-      m_ids(ids), m_begin(image.ybegin()), m_end(image.yend()), m_x0(image.xbegin()),
-      m_x1(image.xend()), m_tiles(file.output().spec().tile_width > 0),
+      m_ids(ids), m_begin(image.ybegin()), m_end(image.yend()),
       m_step(step_of(image.spec(), file.output().spec())), m_ready(m_begin), m_done(m_begin),
       m_thread([this] { work(); }) {}
 
@@ -86,18 +85,11 @@ void RowWriter::work() {
 
 bool RowWriter::write(int begin, int end) {
     const char* const rows = m_pixels + m_row * size_t(begin - m_begin);
-    OIIO::ImageOutput& output = m_file.output();
-    const OIIO::TypeDesc type = m_ids ? OIIO::TypeUnknown : m_format;
-    const void* const data =
-        m_ids ? static_cast<const void*>(m_ids.pack(reinterpret_cast<const float*>(rows),
-                                                    m_width * size_t(end - begin), output.spec()))
-              : rows;
-    const bool written = m_tiles ? output.write_tiles(m_x0, m_x1, begin, end, 0, 1, type, data)
-                                 : output.write_scanlines(begin, end, 0, type, data);
-    if (!written)
-        return false;
-    m_file.begin_writeback();
-    return true;
+    return m_ids ? m_file.write_rows(begin, end, OIIO::TypeUnknown,
+                                     m_ids.pack(reinterpret_cast<const float*>(rows),
+                                                m_width * size_t(end - begin),
+                                                m_file.output().spec()))
+                 : m_file.write_rows(begin, end, m_format, rows);
 }
 
 bool RowWriter::finish(const std::function<void(float)>& progress, Failure& failure) {

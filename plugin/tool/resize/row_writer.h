@@ -46,9 +46,7 @@ private:
     ImageFile& m_file;
     MixedIds& m_ids; ///< of which pack() alone is this thread's
     const int m_begin, m_end;
-    const int m_x0, m_x1;
-    const bool m_tiles; ///< the file has
-    const int m_step;   ///< rows are written in multiples of it, but for the last
+    const int m_step; ///< rows are written in multiples of it, but for the last
     std::mutex m_mutex;
     std::condition_variable m_changed;
     int m_ready, m_done; ///< rows before

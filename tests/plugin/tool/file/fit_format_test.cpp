@@ -45,13 +45,14 @@ TEST(FitFormat, LeavesOutWhatLiesBeforeZero) {
     }
 }
 
-TEST(FitTiles, LeavesThemWhereTheFormatMayHaveThem) {
+TEST(FitFormat, LeavesTilesWhereTheFormatMayHaveThem) {
     const auto fitted = [](const char* name, int width, int height, const char* compression) {
         ImageSpec spec(100, 80, 3, OIIO::TypeUInt8);
         spec.tile_width = width;
         spec.tile_height = height;
         spec.attribute("compression", compression);
-        fit_tiles(*OIIO::ImageOutput::create(name), spec);
+        Failure failure;
+        EXPECT_TRUE(fit_format(*OIIO::ImageOutput::create(name), name, spec, failure));
         return std::pair(spec.tile_width, spec.tile_height);
     };
     const auto none = std::pair(0, 0);
