@@ -5,6 +5,8 @@ import os
 import subprocess
 import unittest
 
+import OpenImageIO as oiio
+
 from support import BUILD, Case, environment
 
 DDT = os.path.join(BUILD, "bin", "ddt")
@@ -59,6 +61,20 @@ class Sequences(Farm):
         for frame in (0, 1):
             self.assert_same(f"ours.{frame:04d}.exr", f"theirs.{frame:04d}.exr")
         self.assertEqual(len(self.hashes("ours.0000.exr")), 2)
+
+    def test_images_with_tiles_and_without(self):
+        """OpenImageIO's writer of EXR has tiles in all images of a file, or in none."""
+        image = self.load("in.0000.exr")
+        file = oiio.ImageOutput.create(self.path("mixed.tif"))
+        for tile, mode in ((16, "Create"), (0, "AppendSubimage")):
+            spec = oiio.ImageSpec(image.spec())
+            spec.tile_width = spec.tile_height = tile
+            self.assertTrue(file.open(self.path("mixed.tif"), spec, mode), file.geterror())
+            self.assertTrue(file.write_image(image.get_pixels(oiio.FLOAT)), file.geterror())
+        file.close()
+        self.ddt("resize", "mixed.tif", "200%", "ours.exr", "--all-images")
+        self.assertEqual([self.load("ours.exr", i).nativespec().tile_width for i in (0, 1)], [0, 0])
+        self.assertEqual(len(set(self.hashes("ours.exr"))), 1)
 
     def test_views(self):
         for view in ("left", "right"):
