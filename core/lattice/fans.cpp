@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/base/vectors/gathers.h"
 #include "core/base/vectors/row_lanes.h"
 #include "core/guide/contour.h"
 

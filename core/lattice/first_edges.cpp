@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/vectors/compress_lanes.h"
+#include "core/base/vectors/gathers.h"
 #include "core/base/vectors/row_lanes.h"
 #include "core/guide/contour.h"
 #include "core/lattice/crossed_columns.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a SIMD target's namespace: a lattice's sites and vectors, one a lane.
-// Needs: contour.h, lattice.h, lanes-inl.h, tags D of float and DI of int32_t.
+// Needs: contour.h, gathers.h, lattice.h, lanes-inl.h, tags D of float and DI of int32_t.
 
 #include "core/base/vectors/places-inl.h"
 
@@ -129,8 +129,7 @@ struct SiteLanes {
     using V = VecLanes;
 
     explicit HWY_INLINE SiteLanes(const Lattice& lattice)
-        : m_sites(reinterpret_cast<const char*>(lattice.sites())),
-          m_weights{hn::Set(DI(), lattice.stride() << 16 | 1)} {}
+        : m_sites(lattice.sites()), m_weights{hn::Set(DI(), lattice.stride() << 16 | 1)} {}
 
     HWY_INLINE FlippableLanes flippable_edge(Ints m) const {
         return FlippableLanes::of(first_word(m));
@@ -149,11 +148,11 @@ struct SiteLanes {
                           offsetof(Edge, word) == 4,
                       "the words' bytes");
         // Whole records, since a gather takes as long as it has lanes.
-        return RecordLanes::of(records_at(m_sites, m.i));
+        return RecordLanes::of(m_sites.records(m.i));
     }
     /// Of n sites, whole vectors, for RecordLanes::of(load_copied()).
     HWY_INLINE void copy_records(const int* sites, size_t n, uint64_t* to) const {
-        HWY_NAMESPACE::copy_records(m_sites, sites, n, to);
+        m_sites.copy_records(sites, n, to);
     }
     HWY_INLINE Ints offset(VecLanes v) const {
 #if HWY_ARCH_X86 && !DDT_PLAIN_VECTORS
@@ -202,12 +201,12 @@ private:
     /// The four bytes from `byte` on of each site.
     HWY_INLINE VI word(Ints m, int byte) const {
         static_assert(sizeof(Site) == 8, "the shift");
-        return words_at(m_sites + byte, m.i);
+        return m_sites.words(byte, m.i);
     }
     static HWY_INLINE hn::Mask<D> absent(VecLanes apex) {
         return hn::RebindMask(D(), apex.zero());
     }
 
-    const char* m_sites;
+    Places m_sites;
     VecLanes m_weights; ///< of a vector's coordinates in its offset
 };

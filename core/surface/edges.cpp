@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "core/base/arith.h"
+#include "core/base/vectors/gathers.h"
 #include "core/base/vectors/row_lanes.h"
 #include "core/guide/contour.h"
 #include "core/surface/edge_kinds.h"

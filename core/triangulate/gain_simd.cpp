@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SIMD twin of scalar::gain(): several edges at once, compiled for each instruction set.
 #include "core/base/vectors/compress_lanes.h"
+#include "core/base/vectors/gathers.h"
 #include "core/triangulate/gain.h"
 
 #include <algorithm>

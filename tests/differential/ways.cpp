@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "core/base/half.h"
+#include "core/base/vectors/gathers.h"
 #include "ddt/names.h"
 #include "tests/use_simd.h"
 
@@ -92,6 +93,8 @@ std::vector<Way> other_ways(const std::vector<Device>& devices) {
     for (const int64_t target : targets())
         if (target != reference_way().target)
             ways.push_back({hwy::TargetName(target), target});
+    ways.push_back({gathers_are_quick() ? "loads" : "gathers"});
+    ways.back().other_reads = true;
     ways.push_back({"2 threads", 0, 2});
     ways.push_back({"7 threads, in place", 0, 7, Device::cpu, false, true});
     ways.push_back({"a part", 0, 2, Device::cpu, true});
@@ -106,6 +109,8 @@ std::vector<Way> other_ways(const std::vector<Device>& devices) {
 
 Done run(const RandomJob& job, const Way& way) {
     test::use_simd(way.target);
+    const bool quick = gathers_are_quick();
+    set_gathers_are_quick(quick != way.other_reads);
     const Rect& out = way.part ? job.part : job.out;
     const std::unique_ptr<Mapping> mapping = mapping_of_part(job, out);
     PictureSource source(job);
@@ -115,6 +120,7 @@ Done run(const RandomJob& job, const Way& way) {
     j.device = way.device;
     Done done;
     done.outcome = enlarge(source, sink, *mapping, j, &done.error);
+    set_gathers_are_quick(quick);
     done.values = std::move(sink.values);
     return done;
 }

@@ -16,9 +16,10 @@ struct Way {
     int64_t target = 0; ///< Highway's; 0: the best
     int threads = 1;
     Device device = Device::cpu;
-    bool part = false;   ///< RandomJob::part instead of the whole
-    bool places = false; ///< results go straight into the sink's memory
-    bool halfs = false;  ///< the sink takes 16-bit floats
+    bool part = false;        ///< RandomJob::part instead of the whole
+    bool places = false;      ///< results go straight into the sink's memory
+    bool halfs = false;       ///< the sink takes 16-bit floats
+    bool other_reads = false; ///< loads in place of gathers, or gathers in place of loads
 };
 
 /// What came of it. Pixels that the mapping shows nothing at keep `mark`.
@@ -32,8 +33,8 @@ struct Done {
 /// One thread of the narrowest instruction set that this machine has.
 Way reference_way();
 
-/// Every other: the wider instruction sets, several threads, parts, memory, and each of the
-/// devices, whole and in part.
+/// Every other: the wider instruction sets, reads of the other kind, several threads, parts,
+/// memory, and each of the devices, whole and in part.
 std::vector<Way> other_ways(const std::vector<Device>& devices);
 
 Done run(const RandomJob& job, const Way& way);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a SIMD target's namespace: words and records of 8 bytes at places that are lanes
 // of a vector.
-// Needs: vectors-inl.h, a tag DI of int32_t.
+// Needs: gathers.h, vectors-inl.h, a tag DI of int32_t.
 
-/// Whether a load each is quicker than a gather: docs/speed.md, "Gathers or loads". Where
-/// processors are kept from telling what others gathered, gathers take several times as long.
+/// Whether the instruction set has gathers: where it has none, Highway's stand-in is as quick as
+/// loads.
 #if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
-constexpr bool loads_beat_gathers = true;
+constexpr bool has_gathers = true;
 #else
-constexpr bool loads_beat_gathers = false;
+constexpr bool has_gathers = false;
 #endif
 
 template <class Tag>
@@ -26,17 +26,6 @@ HWY_INLINE hn::Vec<Tag> load_words(const char* from, Tag, hn::Vec<Tag> places) {
         return hn::Combine(Tag(), load_words(from, half, hn::UpperHalf(half, places)), lower);
     }
 }
-/// The int32_t at from + 8 * place, a lane each.
-HWY_INLINE hn::Vec<DI> words_at(const char* from, hn::Vec<DI> places) {
-    if constexpr (loads_beat_gathers)
-        return load_words(from, DI(), places);
-    else
-        // By an index: 32 bits have no room for the offset in bytes of more than 2^26 pixels'
-        // sites.
-        return hn::GatherIndex(DI(), reinterpret_cast<const int32_t*>(from),
-                               hn::ShiftLeft<1>(places));
-}
-
 /// Records of two words, a lane each: those of even lanes side by side, and those of odd lanes,
 /// from where words come to their lanes without leaving their 64 bits.
 struct TwoWords {
@@ -78,38 +67,70 @@ HWY_INLINE void load_records(const char* from, Tag, hn::Vec<Tag> places, hn::Vec
     }
 }
 
-/// The records at from + 8 * place, place >= 0.
-HWY_INLINE TwoWords records_at(const char* from, hn::Vec<DI> places) {
-    const TwoWords::D64 d64;
-    const auto two = hn::BitCast(d64, places);
-    TwoWords records;
-    if constexpr (loads_beat_gathers) {
-        load_records(from, d64, two, records.even, records.odd);
-    } else {
-        const auto* const all = reinterpret_cast<const uint64_t*>(from);
-        const auto gather = [&](auto index) HWY_ATTR {
-            return hn::GatherIndex(d64, all,
-                                   hn::BitCast(hn::RebindToSigned<TwoWords::D64>(), index));
-        };
-        records.even = gather(hn::And(two, hn::Set(d64, 0xffffffffu)));
-        records.odd = gather(hn::ShiftRight<32>(two));
-    }
-    return records;
-}
-
-/// Copy the records at from + 8 * each of n places, whole vectors of lanes, as load_copied() reads
-/// them. A load each: a gather of records takes half as long again on a Zen 5.
-HWY_INLINE void copy_records(const char* from, const int* places, size_t n, uint64_t* to) {
-    const size_t lanes = hn::Lanes(DI());
-    const hn::CappedTag<uint64_t, 2> two;
-    for (size_t i = 0; i < n; i += lanes)
-        for (size_t k = 0; k < lanes; k += 4) {
-            const int* const four = places + i + k;
-            hn::StoreU(load_two(from, four[0], four[2]), two, to + i + k / 2);
-            hn::StoreU(load_two(from, four[1], four[3]), two, to + i + (lanes + k) / 2);
-        }
-}
 HWY_INLINE TwoWords load_copied(const uint64_t* records) {
     const TwoWords::D64 d64;
     return {hn::LoadU(d64, records), hn::LoadU(d64, records + hn::Lanes(d64))};
 }
+
+/// What stands from `from` on, 8 bytes a place. By gathers or a load each, whichever the processor
+/// does sooner.
+class Places {
+public:
+    explicit HWY_INLINE Places(const void* from)
+        : m_from(static_cast<const char*>(from)), m_gather(!has_gathers || gathers_are_quick()) {}
+
+    /// The int32_t `byte` after each place, a lane each.
+    HWY_INLINE hn::Vec<DI> words(int byte, hn::Vec<DI> places) const {
+        const char* const from = m_from + byte;
+        if (!m_gather)
+            return load_words(from, DI(), places);
+        // By an index: 32 bits have no room for the offset in bytes of more than 2^26 pixels'
+        // sites.
+        return hn::GatherIndex(DI(), reinterpret_cast<const int32_t*>(from),
+                               hn::ShiftLeft<1>(places));
+    }
+
+    /// The records at the places, which are not negative.
+    HWY_INLINE TwoWords records(hn::Vec<DI> places) const {
+        const TwoWords::D64 d64;
+        const auto two = hn::BitCast(d64, places);
+        TwoWords records;
+        if (!m_gather) {
+            load_records(m_from, d64, two, records.even, records.odd);
+        } else {
+            const auto* const all = reinterpret_cast<const uint64_t*>(m_from);
+            const auto gather = [&](auto index) HWY_ATTR {
+                return hn::GatherIndex(d64, all,
+                                       hn::BitCast(hn::RebindToSigned<TwoWords::D64>(), index));
+            };
+            records.even = gather(hn::And(two, hn::Set(d64, 0xffffffffu)));
+            records.odd = gather(hn::ShiftRight<32>(two));
+        }
+        return records;
+    }
+
+    /// Copy the records at each of n places, whole vectors of lanes, as load_copied() reads them.
+    HWY_INLINE void copy_records(const int* places, size_t n, uint64_t* to) const {
+        const size_t lanes = hn::Lanes(DI());
+        if (has_gathers && m_gather) {
+            const TwoWords::D64 d64;
+            for (size_t i = 0; i < n; i += lanes) {
+                const TwoWords found = records(hn::LoadU(DI(), places + i));
+                hn::StoreU(found.even, d64, to + i);
+                hn::StoreU(found.odd, d64, to + i + lanes / 2);
+            }
+            return;
+        }
+        const hn::CappedTag<uint64_t, 2> two;
+        for (size_t i = 0; i < n; i += lanes)
+            for (size_t k = 0; k < lanes; k += 4) {
+                const int* const four = places + i + k;
+                hn::StoreU(load_two(m_from, four[0], four[2]), two, to + i + k / 2);
+                hn::StoreU(load_two(m_from, four[1], four[3]), two, to + i + (lanes + k) / 2);
+            }
+    }
+
+private:
+    const char* m_from;
+    bool m_gather;
+};
