@@ -37,7 +37,7 @@ ivec2 apex(int s, ivec2 r, bool left) {
 ivec2 first_edge(int s, ivec2 any_edge) {
     ivec2 first = any_edge, r = any_edge;
     bool left = true;
-    for (;;) {
+    for (int steps = 0; steps < longest_walk; ++steps) {
         ivec2 a = apex(s, r, left);
         if (is_zero(a)) {
             if (!left)
@@ -75,7 +75,7 @@ void main() {
     ivec2 r = first;
     vec4 dz = dz_first;
     bool left = true; // first round to the left, at the rim then from the first edge to the right
-    for (;;) {
+    for (int steps = 0; steps < longest_walk; ++steps) {
         ivec2 a = apex(s, r, left);
         if (is_zero(a)) {
             if (!left)

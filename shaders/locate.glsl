@@ -50,24 +50,25 @@ Corners locate(int tile, ivec2 cell, ivec2 f) {
         t = swap;
         apex = diagonal.right;
     }
-    ivec2 r = f - position_one / 2;
-    for (;;) {
-        ivec2 c = (s + t + apex) / 2;
+    ivec2 r = f - position_one / 2, c;
+    for (int steps = 0; steps < longest_walk; ++steps) {
+        c = (s + t + apex) / 2;
         ivec2 c2 = 2 * c - 1;
         int turn = r.x * c2.y - r.y * c2.x;
         if (turn == 0)
             turn = c2.y != 0 ? c2.y : -c2.x;
         ivec2 from = turn > 0 ? t : c, to = turn > 0 ? c : s, own = turn > 0 ? s : t;
         if (left_of(to - from, from, f))
-            return ordered(s, t, c);
+            break;
         ivec2 middle = from + to;
         Edge side = edge_at(origin + offset(middle));
         apex = apex_beyond(side, 2 * own - middle);
         if (is_zero(apex))
-            return ordered(s, t, c);
+            break;
         s = to;
         t = from;
     }
+    return ordered(s, t, c);
 }
 
 // The triangle that p belongs to.

@@ -19,6 +19,10 @@ namespace ddt {
     /* No edge is longer than this in either coordinate, in pixels: a flip to a longer one is */   \
     /* not made. It keeps every vector in a signed byte. (Longest ever seen: 36.) */               \
     INT(longest_edge, 63)                                                                          \
+    /* So no more triangles, 2 * 128^2, have all their vertices that near to a cell: no walk */    \
+    /* round a vertex or across a cell takes more steps. Devices walk no further, should memory */ \
+    /* fail them: a walk without an end stops a whole screen. */                                   \
+    INT(longest_walk, 1 << 15)                                                                     \
     /* How a cell is divided: Division of lattice/lattice.h. */                                    \
     INT(division_down, 0)                                                                          \
     INT(division_up, 1)                                                                            \

@@ -77,10 +77,14 @@ TEST_P(Stages, NameWhereAFaultIs) {
          "starting mesh, found alone: gains"},
         {"flip.comp", "longest_edge", "1", "after iteration 1: gains"},
         {"gradients.comp", "gradient_epsilon", "0.000401", "surface: gradients"},
+        // How far walks may go; a software renderer ends every loop, so that one without an end
+        // cannot be seen here.
+        {"gradients.comp", "longest_walk", "3", "surface: gradients"},
         {"edges.comp QUADRATIC SOFT", "bend_strength", "1.76", "surface: bends"},
         {"correct.comp QUADRATIC SOFT STORED_EDGES", "across_beside", "0.2501",
          "surface after 1 corrections: vertices"},
         {"sample.comp QUADRATIC SOFT WHOLE_GROUPS", "bend_strength", "1.76", "result: samples"},
+        {"sample.comp QUADRATIC SOFT WHOLE_GROUPS", "longest_walk", "1", "result: samples"},
     };
     for (const auto& fault : faults) {
         gl::change_constant(fault.program, fault.constant, fault.value);
