@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <locale>
 
 namespace ddt {
 
@@ -39,9 +40,10 @@ void each_group(std::istream& groups, const std::string& controller, const std::
     }
 }
 
-/// The number that a file begins with, if it is more than 0: elsewhere "max", or -1, stands for no
-/// limit.
+/// The number that a file goes on with, if it is more than 0: elsewhere "max", or -1, stands for no
+/// limit. Whatever locale the process has: in some a space is between the digits of one number.
 bool read_limit(std::istream& file, int64_t& limit) {
+    file.imbue(std::locale::classic());
     return file >> limit && limit > 0;
 }
 

@@ -10,9 +10,9 @@ namespace ddt {
 
 namespace {
 
-int64_t divide_rounding_down(__int128 n, __int128 d) {
+__int128 divide_rounding_down(__int128 n, __int128 d) {
     const __int128 q = n / d;
-    return int64_t(q * d > n ? q - 1 : q);
+    return q * d > n ? q - 1 : q;
 }
 
 /// from0 + (i + 1/2 - to0) * from_size / to_size - 1/2, rounded to 2^-16 (halves up), is numerator
@@ -25,9 +25,11 @@ int64_t divisor(const ResizeMapping::Axis& a) {
     return int64_t(2) * a.to_size;
 }
 
-int64_t moved(const ResizeMapping::Axis& a, int64_t scaled) {
-    const int64_t p = int64_t(a.from0) * position_one + scaled - position_one / 2;
-    return std::clamp(p, int64_t(a.window0) * position_one, int64_t(a.window1 - 1) * position_one);
+/// `scaled` is beyond 64 bits where what is far outside is shown much smaller.
+int64_t moved(const ResizeMapping::Axis& a, __int128 scaled) {
+    const __int128 p = int64_t(a.from0) * position_one + scaled - position_one / 2;
+    return int64_t(std::clamp<__int128>(p, int64_t(a.window0) * position_one,
+                                        int64_t(a.window1 - 1) * position_one));
 }
 
 /// The positions of one pixel after the other: a division for the first, sums for the others.
@@ -36,7 +38,7 @@ public:
     AxisWalk(const ResizeMapping::Axis& axis, int first)
         : m_axis(axis), m_divisor(divisor(axis)),
           m_scaled(divide_rounding_down(numerator(axis, first), m_divisor)),
-          m_rest(int64_t(numerator(axis, first) - __int128(m_scaled) * m_divisor)),
+          m_rest(int64_t(numerator(axis, first) - m_scaled * m_divisor)),
           m_step(int64_t(2) * axis.from_size * position_one / m_divisor),
           m_step_rest(int64_t(2) * axis.from_size * position_one % m_divisor) {}
 
@@ -52,7 +54,9 @@ public:
 
 private:
     const ResizeMapping::Axis& m_axis;
-    int64_t m_divisor, m_scaled, m_rest; ///< 0 <= rest < divisor
+    int64_t m_divisor;
+    __int128 m_scaled;
+    int64_t m_rest; ///< 0 <= rest < divisor
     int64_t m_step, m_step_rest;
 };
 

@@ -5,9 +5,10 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <map>
+#include <list>
 #include <mutex>
 #include <tuple>
+#include <utility>
 
 #include <OpenImageIO/strutil.h>
 
@@ -117,6 +118,33 @@ Light light_of(const Space& found) {
                         {float(luma[0]), float(luma[1]), float(luma[2])});
 }
 
+/// $OCIO, the space, and whether an image names it.
+using Key = std::tuple<std::string, std::string, bool>;
+
+/// The lights that were asked for last. No more than so many: any file may name a space, and one
+/// with curves of its own takes megabytes.
+class KnownLights {
+public:
+    /// Null if it is none of them.
+    std::shared_ptr<const Light> find(const Key& key) {
+        const auto it = std::find_if(m_all.begin(), m_all.end(),
+                                     [&](const auto& known) { return known.first == key; });
+        if (it == m_all.end())
+            return nullptr;
+        m_all.splice(m_all.begin(), m_all, it);
+        return it->second;
+    }
+    void add(const Key& key, std::shared_ptr<const Light> light) {
+        m_all.emplace_front(key, std::move(light));
+        if (m_all.size() > most)
+            m_all.pop_back();
+    }
+
+private:
+    static constexpr size_t most = 32;
+    std::list<std::pair<Key, std::shared_ptr<const Light>>> m_all; ///< the last asked for first
+};
+
 } // namespace
 
 std::shared_ptr<const Light> find_light(const std::string& option, const std::string& image_space,
@@ -126,13 +154,12 @@ std::shared_ptr<const Light> find_light(const std::string& option, const std::st
     if (name.empty())
         return std::make_shared<Light>();
 
-    using Key = std::tuple<std::string, std::string, bool>;
     const std::lock_guard<std::mutex> lock(colour_lock());
-    static auto* known = new std::map<Key, std::shared_ptr<const Light>>; // never destroyed
+    static auto* known = new KnownLights; // never destroyed
     const char* ocio = std::getenv("OCIO");
     const Key key{ocio ? ocio : "", name, by_image};
-    if (const auto it = known->find(key); it != known->end())
-        return it->second;
+    if (auto light = known->find(key))
+        return light;
     try {
         Space space;
         if (!find_space(name, by_image ? NamedBy::image : NamedBy::user, space, error))
@@ -145,7 +172,9 @@ std::shared_ptr<const Light> find_light(const std::string& option, const std::st
                     "blended in; allowed are auto and encoded";
             return nullptr;
         }
-        return (*known)[key] = std::make_shared<Light>(light_of(space));
+        auto light = std::make_shared<const Light>(light_of(space));
+        known->add(key, light);
+        return light;
     } catch (const OCIO::Exception& e) {
         error = format("colour space \"{}\": {}; mend the OCIO config, or use light=encoded", name,
                        one_line(e.what()));

@@ -16,7 +16,8 @@ namespace ddt {
 
 /// The light of an image whose metadata names the space `image_space` (may be empty), under the
 /// option light=`option`; under light=encoded as for auto, the caller then does not convert. Null
-/// with one line in `error` when there is none. Spaces are analysed once and kept. Thread-safe.
+/// with one line in `error` when there is none. What was found of the last 32 spaces is kept.
+/// Thread-safe.
 std::shared_ptr<const Light> find_light(const std::string& option, const std::string& image_space,
                                         std::string& error);
 

@@ -13,8 +13,8 @@ DDT = os.path.join(BUILD, "bin", "ddt")
 
 
 class Farm(Case):
-    def ddt(self, *arguments, code=0, says=""):
-        done = subprocess.run([DDT, *arguments], cwd=self.folder, env=environment(False),
+    def ddt(self, *arguments, code=0, says="", plugin=False):
+        done = subprocess.run([DDT, *arguments], cwd=self.folder, env=environment(plugin),
                               capture_output=True, text=True, timeout=240)
         text = done.stdout + done.stderr
         self.assertEqual(done.returncode, code, text)
@@ -239,7 +239,7 @@ class Parts(Farm):
         self.ddt("join", names[0], names[2], out, code=1, says="missing: 2")
         self.ddt("join", *names, names[1], out, code=1, says="part 2 is there twice")
         for other in (("deep.png", "200%", "--filter", "ddt-linear"), ("deep.png", "201%"),
-                      ("photo.tif", "200%")):
+                      ("deep.png", "200%", "--compression", "piz"), ("photo.tif", "200%")):
             count = "2/3" if other[0] == "deep.png" else "1/1"
             self.ddt("resize", *other[:2], "other.exr", "--part", count, *other[2:])
             self.ddt("join", names[0], "other.exr", names[2], out, code=1, says="different jobs")
@@ -257,6 +257,14 @@ class Parts(Farm):
                                 (("tiled.exr", "200%", "p.png", "--part", "1/2"), ".exr"),
                                 (("tiled.exr", "200%", "p.exr", "--part", "3/2"), "K <= N")):
             self.ddt("resize", *arguments, code=2, says=says)
+
+    def test_what_asks_for_another_image_cannot_be_a_part(self):
+        """Nobody would see that the other image has changed."""
+        with open(self.path("request.ddt"), "w") as file:
+            file.write("deep.png\nscale=2\n")
+        self.ddt("resize", "request.ddt", "100%", "p.exr", plugin=True)
+        self.ddt("resize", "request.ddt", "100%", "q.exr", "--part", "1/2", plugin=True, code=2,
+                 says="asks for another image")
 
     def test_reads_its_own_share_alone(self):
         """Tiles of the source that a part does not need may be broken."""

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <fcntl.h>
+#include <linux/magic.h>
 #include <sys/stat.h>
 #include <sys/vfs.h>
 #include <unistd.h>
@@ -97,17 +98,36 @@ bool is_regular(std::FILE* file) {
     return fstat(fileno(file), &there) == 0 && S_ISREG(there.st_mode);
 }
 
-/// Whether parts of a file were never written. A writer that goes from row to row of a full disk
-/// (SGI, RLA, FITS) leaves them, and they read as zeros.
+/// Whether there are parts of a file that take no room.
 bool has_holes(std::FILE* file) {
-    constexpr long zfs = 0x2fc12fc1; // makes holes of zeros that were written
     struct stat there {};
-    struct statfs system {};
-    if (fstat(fileno(file), &there) != 0 || fstatfs(fileno(file), &system) != 0 ||
-        long(system.f_type) == zfs)
-        return false;
     const off_t hole = lseek(fileno(file), 0, SEEK_HOLE);
-    return hole >= 0 && hole < there.st_size;
+    return hole >= 0 && fstat(fileno(file), &there) == 0 && hole < there.st_size;
+}
+
+/// Whether a file's system is known to make no holes of zeros that were written. ZFS does, over NFS
+/// or under another too.
+bool keeps_zeros(std::FILE* file) {
+    struct statfs system {};
+    if (fstatfs(fileno(file), &system) != 0)
+        return false;
+    switch (uint32_t(system.f_type)) {
+    case EXT4_SUPER_MAGIC:
+    case XFS_SUPER_MAGIC:
+    case BTRFS_SUPER_MAGIC:
+    case F2FS_SUPER_MAGIC:
+    case TMPFS_MAGIC:
+        return true;
+    default:
+        return false;
+    }
+}
+
+/// Whether parts of a file were never written. A writer that goes from row to row of a full disk
+/// (SGI, RLA, FITS) leaves them, and they read as zeros. Where holes may have been written, it is
+/// asked whether the disk is full.
+bool was_left_out(const WholeFile& whole) {
+    return has_holes(whole.file()) && (keeps_zeros(whole.file()) || whole.write_error() != 0);
 }
 
 /// A descriptor, or less than 0 with errno. Of a pipe at once: nobody may be at its other end.
@@ -253,7 +273,7 @@ bool ImageFile::check_written(Failure& failure) {
     m_compression.resize(std::min(m_compression.size(), m_compression.find(':')));
     // Reading the pixels of small icons ends the program (OpenImageIO 2.4.7).
     const bool enough = m_stream || m_output->format_name() == std::string("ico");
-    if (!enough && has_holes(m_whole.file()))
+    if (!enough && was_left_out(m_whole))
         return refuse("what was written cannot be read back", code);
     for (size_t i = 0; i < m_specs.size(); ++i) {
         if (i > 0 && !in->seek_subimage(int(i), 0))

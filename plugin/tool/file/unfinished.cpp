@@ -8,6 +8,8 @@
 #include <cstring>
 #include <ctime>
 #include <iterator>
+#include <mutex>
+#include <new>
 
 #include <unistd.h>
 
@@ -55,6 +57,11 @@ void for_each_signal(F f) {
     for (int signal = SIGRTMIN; signal <= SIGRTMAX; ++signal)
         f(signal);
 }
+
+/// Of EndsWithoutMemory.
+std::mutex ends_lock;
+int ends = 0;
+std::new_handler before_ends = nullptr;
 
 std::atomic<int> waited_for{0};
 std::atomic<bool> ending{false};
@@ -139,10 +146,17 @@ SignalsWait::~SignalsWait() {
     pthread_sigmask(SIG_SETMASK, &m_before, nullptr);
 }
 
-EndsWithoutMemory::EndsWithoutMemory() : m_before(std::set_new_handler(end_without_memory)) {}
+// The first sets the handler, and the last to go has the one from before back.
+EndsWithoutMemory::EndsWithoutMemory() {
+    const std::lock_guard<std::mutex> lock(ends_lock);
+    if (ends++ == 0)
+        before_ends = std::set_new_handler(end_without_memory);
+}
 
 EndsWithoutMemory::~EndsWithoutMemory() {
-    std::set_new_handler(m_before);
+    const std::lock_guard<std::mutex> lock(ends_lock);
+    if (--ends == 0)
+        std::set_new_handler(before_ends);
 }
 
 int list_unfinished(const std::string& path) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <csignal>
-#include <new>
 #include <string>
 
 namespace ddt::tool {
@@ -34,16 +33,13 @@ private:
 /// While one of these is there, the program ends when memory runs out: as by a signal, with
 /// exit_resources and one line. For what would never end otherwise: OpenImageIO 2.4's image cache
 /// keeps a tile that no memory was found for as one that is being read, and all who need it wait.
-/// One at a time.
+/// Thread-safe, as long as nobody else sets the handler that is called then.
 class EndsWithoutMemory {
 public:
     EndsWithoutMemory();
     ~EndsWithoutMemory();
     EndsWithoutMemory(const EndsWithoutMemory&) = delete;
     EndsWithoutMemory& operator=(const EndsWithoutMemory&) = delete;
-
-private:
-    std::new_handler m_before;
 };
 
 /// List a file; a number for unlist_unfinished(), or -1 if the list is full (64 at once).

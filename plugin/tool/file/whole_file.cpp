@@ -190,15 +190,18 @@ void WholeFile::begin_writeback() {
 int WholeFile::write_error() const {
     const char more[4096] = {};
     const off_t end = std::max<off_t>(lseek(fileno(m_file), 0, SEEK_END), 0);
+    int error = 0;
     // A disk that fills up takes some, and tells at the next.
     for (ssize_t done = 0; done < ssize_t(sizeof more);) {
         errno = 0;
         const ssize_t n = pwrite(fileno(m_file), more, sizeof more - size_t(done), end + done);
-        if (n <= 0)
-            return errno;
+        if (n <= 0) {
+            error = errno;
+            break;
+        }
         done += n;
     }
-    return 0;
+    return m_direct || ftruncate(fileno(m_file), end) == 0 ? error : errno;
 }
 
 /// As the file that it takes the place of: whose it is and who may do what. Another's owner is

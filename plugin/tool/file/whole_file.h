@@ -40,8 +40,8 @@ public:
     /// Let what was written so far go to the disk meanwhile, so that commit() waits for less.
     void begin_writeback();
 
-    /// The error's number that a write gives now, or 0. It writes beyond the end, so only for a
-    /// file that is to be given up.
+    /// The error's number that a write gives now, or 0. It writes beyond the end, and takes that
+    /// back; where there is no temporary file it cannot, so only for what is to be given up.
     int write_error() const;
 
     /// Put all of it on the disk, then under its name. False with a failure, and no file, if a

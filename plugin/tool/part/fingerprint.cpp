@@ -56,6 +56,7 @@ std::string fingerprint(const std::string& source, const OIIO::ImageSpec& source
             add(option.key + ("=" + option.get(settings.options)));
     windows(source_spec);
     windows(result);
+    add(result.get_string_attribute("compression"));
     for (const std::string& channel : source_spec.channelnames)
         add(channel);
     const std::string space = source_spec.get_string_attribute("oiio:ColorSpace");

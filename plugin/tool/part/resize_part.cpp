@@ -241,6 +241,12 @@ struct PartJob {
             failure.code = code_of_message(failure.why);
             return false;
         }
+        // Of whose image neither the bytes nor the time of its last change are looked at.
+        if (image().file_format_name() == "ddt") {
+            failure = {"\"" + path + "\" asks for another image, enlarged; --part needs that image",
+                       exit_usage};
+            return false;
+        }
         if (!check_image(image(), image_name(path), settings.options, failure))
             return false;
         from = spec_of_file(image());

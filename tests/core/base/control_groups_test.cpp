@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <locale>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -68,6 +69,23 @@ TEST(ControlGroups, AQuotaIsWorthProcessors) {
     EXPECT_EQ(mounted.processors("0::/pod/cut\n"), 4);
     EXPECT_EQ(mounted.processors("0::/\n"), any_processors);
     EXPECT_EQ(mounted.processors(""), any_processors);
+}
+
+/// As French has it, with whatever space is between the digits of thousands.
+struct Thousands : std::numpunct<char> {
+    char do_thousands_sep() const override { return ' '; }
+    std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(ControlGroups, TheHostsLocaleDoesNotMatter) {
+    const Mounted mounted("french");
+    mounted.put("pod/cpu.max", "400000 100000\n");
+    mounted.put("pod/memory.max", "5000 \n");
+    const std::locale before =
+        std::locale::global(std::locale(std::locale::classic(), new Thousands));
+    EXPECT_EQ(mounted.processors("0::/pod\n"), 4);
+    EXPECT_EQ(mounted.memory("0::/pod\n"), 5000);
+    std::locale::global(before);
 }
 
 TEST(ControlGroups, AQuotaOfTheFirstVersionIsInTwoFiles) {

@@ -61,6 +61,20 @@ TEST(Mapping, PositionIsExactForHugeWindows) {
     }
 }
 
+TEST(Mapping, WhatIsFarOutsideIsAtTheWindowsEnds) {
+    constexpr int far = 1 << 29;
+    const Axis a{0, far, 0, 1, 0, far, -far, far};
+    EXPECT_EQ(a.first_at_or_after(1 << 28), 1);
+    std::vector<Position> row(9);
+    std::vector<uint8_t> inside(9);
+    for (const int i : {-far, -(1 << 19), -1, 1, 1 << 18, 1 << 19, far - 9}) {
+        ASSERT_TRUE(is_position(a, i, a.position(i))) << i;
+        ResizeMapping(a, a).row(0, i, i + 9, row.data(), inside.data());
+        for (int k = 0; k < 9; ++k)
+            ASSERT_TRUE(is_position(a, i + k, row[size_t(k)].x)) << i + k;
+    }
+}
+
 TEST(Mapping, SameSizeIsTheIdentity) {
     Axis a;
     a.from0 = -7;

@@ -117,6 +117,20 @@ TEST_F(LightTest, TheHostsLocaleDoesNotMatter) {
     std::locale::global(before);
 }
 
+// Any file may name a space, of which there are as many as there are exponents.
+TEST_F(LightTest, OfManySpacesTheLastAreKept) {
+    const auto name = [](int i) { return "Gamma2.0" + std::to_string(10 + i); };
+    const std::weak_ptr<const ddt::Light> first = light(name(0));
+    for (int i = 1; i < 32; ++i)
+        light(name(i));
+    EXPECT_EQ(light(name(0)), first.lock()) << "found once more";
+    const std::weak_ptr<const ddt::Light> second = light(name(1));
+    for (int i = 2; i < 33; ++i)
+        light(name(i));
+    EXPECT_TRUE(first.expired());
+    EXPECT_FALSE(second.expired());
+}
+
 TEST_F(LightTest, LinearSpacesAreLeftAlone) {
     for (const char* space : {"Linear", "linear", "scene_linear", "lin_rec709", "ACEScg",
                               "ACES2065-1", "lin_srgb", "Gamma1"}) {

@@ -4,6 +4,8 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <new>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -88,6 +90,18 @@ TEST(Unfinished, ASecondSignalWaitsUntilTheFilesAreGone) {
         EXPECT_FALSE(fs::exists(path)) << signal;
         fs::remove(path);
     }
+}
+
+TEST(EndsWithoutMemory, AsLongAsThereIsOne) {
+    const std::new_handler before = std::get_new_handler();
+    auto first = std::make_unique<EndsWithoutMemory>();
+    const std::new_handler ends = std::get_new_handler();
+    EXPECT_NE(ends, before);
+    auto second = std::make_unique<EndsWithoutMemory>();
+    first.reset(); // those of two threads go in any order
+    EXPECT_EQ(std::get_new_handler(), ends);
+    second.reset();
+    EXPECT_EQ(std::get_new_handler(), before);
 }
 
 TEST(Unfinished, WhatIsNoLongerListedStays) {

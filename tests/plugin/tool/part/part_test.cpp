@@ -120,6 +120,9 @@ TEST(Parts, AreThereIfTheyAreOfTheSameResult) {
     settings.options.mesh.cost = Cost::scf;
     EXPECT_FALSE(is_there(part));
     settings.options = {};
+    settings.compression = "piz"; // of the joined file
+    EXPECT_FALSE(is_there(part));
+    settings.compression = "";
     settings.size = "300%";
     EXPECT_FALSE(is_there(part));
     settings.size = "200%";
