@@ -156,8 +156,9 @@ std::vector<Option> make_table() {
         text("light", colour, &FilterOptions::light,
              {{"auto",
                "Linear light. The image's `oiio:ColorSpace` names its space; OpenColorIO converts "
-               "by `$OCIO`'s config, or else a built-in one. If it names none, or one of data, "
-               "the numbers are used as they are. Many programs' TIFF and BMP name none: say "
+               "by `$OCIO`'s config, or else a built-in one. If it names none that is known, or "
+               "one of data, the numbers are used as they are. Many programs' TIFF and BMP name "
+               "none: say "
                "`light=sRGB`."},
               {"encoded", "The numbers as they are."}},
              "names of colour spaces",

@@ -42,14 +42,25 @@ std::vector<std::string> cryptomattes(const OIIO::ImageSpec& spec) {
     return names;
 }
 
-/// Also without metadata: "CryptoObject00.R" and its like.
+/// Also without metadata: "CryptoObject00.R" and its like, of a layer or not.
 bool looks_like_cryptomatte(OIIO::string_view name) {
-    if (!istarts_with(name, "crypto"))
-        return false;
-    size_t letters = 0;
-    while (letters < name.size() && (letter(name[letters]) || name[letters] == '_'))
-        ++letters;
-    return is_rank_of(name, name.substr(0, letters));
+    const auto begins = [](OIIO::string_view rest) {
+        size_t letters = 0;
+        while (letters < rest.size() && (letter(rest[letters]) || rest[letters] == '_'))
+            ++letters;
+        return istarts_with(rest, "crypto") && is_rank_of(rest, rest.substr(0, letters));
+    };
+    for (size_t dot = 0; dot != name.npos; dot = name.find('.', dot + 1))
+        if (begins(name.substr(dot > 0 ? dot + 1 : 0)))
+            return true;
+    return false;
+}
+
+/// Whether a channel of that name is a rank of a cryptomatte, of these names or any.
+bool is_cryptomatte(const std::string& name, const std::vector<std::string>& layers) {
+    return looks_like_cryptomatte(name) ||
+           std::any_of(layers.begin(), layers.end(),
+                       [&](const std::string& layer) { return is_rank_of(name, layer); });
 }
 
 int find_named(const OIIO::ImageSpec& spec, std::initializer_list<const char*> names) {
@@ -107,12 +118,12 @@ Channels channels_of(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& native)
     };
 
     const std::vector<std::string> layers = cryptomattes(spec);
+    // Of a file's parts each may be a layer, whose channels are R, G, B and A then.
+    const std::string part = std::string(spec.get_string_attribute("oiio:subimagename")) + ".";
     for (int c = 0; c < count; ++c) {
         const std::string name = spec.channel_name(c);
-        const bool id = stored_as_id(c) || is_id_name(name) || looks_like_cryptomatte(name) ||
-                        std::any_of(layers.begin(), layers.end(), [&](const std::string& layer) {
-                            return is_rank_of(name, layer);
-                        });
+        const bool id = stored_as_id(c) || is_id_name(name) || is_cryptomatte(name, layers) ||
+                        is_cryptomatte(part + name, layers);
         channels.kinds.push_back(id                    ? Channel::nearest
                                  : c == channels.alpha ? Channel::alpha
                                                        : Channel::blend);

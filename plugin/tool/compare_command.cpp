@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <utility>
+#include <vector>
 
 #include <OpenImageIO/imagebuf.h>
 
@@ -11,6 +15,7 @@
 #include "metrics/snr.h"
 #include "metrics/ssim.h"
 #include "metrics/uiqi.h"
+#include "plugin/image/channels.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/progress.h"
 #include "plugin/tool/commands.h"
@@ -33,6 +38,23 @@ metrics::Image image_of(const Picture& picture) {
             image.channels[k].values[i] = 255 * (double(parts[k]) * alpha + 1 - alpha);
     }
     return image;
+}
+
+/// Of each pixel whether colour or alpha is an infinity or no number, which no display shows.
+std::vector<uint8_t> find_not_finite(const OIIO::ImageBuf& image) {
+    const Channels channels = channels_of(image.spec(), image.nativespec());
+    std::vector<int> shown(channels.colour.channel,
+                           channels.colour.channel + channels.colour.count);
+    if (shown.empty() && channels.guide >= 0)
+        shown.push_back(channels.guide);
+    if (channels.alpha >= 0)
+        shown.push_back(channels.alpha);
+    std::vector<uint8_t> found;
+    found.reserve(image.spec().image_pixels());
+    for (OIIO::ImageBuf::ConstIterator<float> pixel(image); !pixel.done(); ++pixel)
+        found.push_back(std::any_of(shown.begin(), shown.end(),
+                                    [&](int c) { return !std::isfinite(pixel[c]); }));
+    return found;
 }
 
 /// Of the data window within the display window: pixels there are compared with one another.
@@ -81,10 +103,9 @@ public:
             "Values as displayed, 0 to 255; transparent pixels over white. PSNR is over red, green "
             "and blue, the others are of luma. Equal images have psnr and snr inf, mse and gmsd 0, "
             "the others 1. The first image is the reference. Data windows of one size are "
-            "compared, "
-            "which must lie at the same place of their display windows. Images of IDs (32-bit "
-            "integers) alone "
-            "are refused; beside colour IDs and depth are not looked at. OpenImageIO's idiff "
+            "compared, which must lie at the same place of their display windows. A pixel that is "
+            "not finite in one of them counts as black in both. Images of IDs (32-bit integers) "
+            "alone are refused; beside colour IDs and depth are not looked at. OpenImageIO's idiff "
             "tells whether numbers are equal."};
         operands = {{"A", "the reference"}, {"B", "an image of the same size and place"}};
         flags = {switch_flag("--csv", "print as comma-separated values", m_csv)};
@@ -92,6 +113,7 @@ public:
 
     ExitCode run(const std::vector<std::string>& values) override {
         Picture pictures[2];
+        std::vector<uint8_t> not_finite[2];
         OIIO::ImageSpec specs[2];
         std::string error;
         for (size_t k = 0; k < 2; ++k) {
@@ -101,6 +123,7 @@ public:
             if (!read_picture(image, {}, pictures[k], error))
                 return fail(error, code_of_message(error));
             specs[k] = image.spec();
+            not_finite[k] = find_not_finite(image);
             note_others(values[k]);
         }
         if (pictures[0].width != pictures[1].width || pictures[0].height != pictures[1].height)
@@ -109,7 +132,18 @@ public:
         if (place_of(specs[0]) != place_of(specs[1]))
             return fail("the images lie at different places, data window in display window: " +
                         windows_of(specs[0]) + " and " + windows_of(specs[1]));
-        print(image_of(pictures[0]), image_of(pictures[1]));
+        Image a = image_of(pictures[0]), b = image_of(pictures[1]);
+        size_t left_out = 0;
+        for (size_t i = 0; i < not_finite[0].size(); ++i)
+            if (not_finite[0][i] || not_finite[1][i]) {
+                ++left_out;
+                for (size_t k = 0; k < 3; ++k)
+                    a.channels[k].values[i] = b.channels[k].values[i] = 0;
+            }
+        if (left_out > 0)
+            note(format("{} of the pixels are not finite in one image, and taken for black in both",
+                        left_out));
+        print(a, b);
         return exit_done;
     }
 

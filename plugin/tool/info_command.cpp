@@ -5,6 +5,7 @@
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/strutil.h>
 
+#include "core/base/one_line.h"
 #include "core/base/parallel.h"
 #include "ddt/devices.h"
 #include "ddt/names.h"
@@ -36,7 +37,7 @@ public:
         for (const std::string& text : describe_plugin())
             line("plugin", text);
         const char* config = std::getenv("OCIO");
-        line("OCIO config", config && *config ? config : "none in $OCIO; the one built in");
+        line("OCIO config", describe_config(config));
         const int threads = usual_threads();
         line("cpu", format("{} thread{}", threads, threads == 1 ? "" : "s"));
         for (const Device device : {Device::egl, Device::osmesa})
@@ -47,6 +48,18 @@ public:
     }
 
 private:
+    /// Its name, and why it cannot be read, if it cannot.
+    static std::string describe_config(const char* path) {
+        if (!path || !*path)
+            return "none in $OCIO; the one built in";
+        try {
+            OCIO_NAMESPACE::Config::CreateFromFile(path);
+            return path;
+        } catch (const OCIO_NAMESPACE::Exception& e) {
+            return format("{} (cannot be read: {})", path, one_line(e.what()));
+        }
+    }
+
     /// The renderer, or why there is none.
     static std::string describe_device(Device device) {
         Job job;

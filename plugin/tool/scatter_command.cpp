@@ -94,7 +94,8 @@ public:
             "edges are flipped until they run along the values' own edges; values are interpolated "
             "linearly over the triangles. Outside them pixels are empty: 0, alpha 0.",
             "POINTS is a PLY file or text (CSV, XYZ) whose first line names the columns, x and y "
-            "among them. Points with a value that is no number (nan) are left out, and triangles "
+            "among them; there red, green, blue and alpha may be called R, G, B and A. Points with "
+            "a value that is no number (nan) are left out, and triangles "
             "that have such a corner. The image spans the points' box, the y axis upwards.",
             "Its channels are red, green, blue and alpha where the file has them, else z, else all "
             "columns. An alpha channel is added where there is none; channels that OUT's format "
@@ -160,13 +161,15 @@ private:
         for (const Column& column : points.columns)
             names.push_back(column.name);
         std::set<std::string> seen;
-        for (const std::string& channel : m_channels) {
-            if (!points.find(channel)) {
+        for (std::string& channel : m_channels) {
+            const Column* column = points.find_meant(channel);
+            if (!column) {
                 failure = {format("there is no column \"{}\"; there are {}", channel,
                                   OIIO::Strutil::join(names, ", ")),
                            exit_usage};
                 return false;
             }
+            channel = column->name;
             if (!seen.insert(channel).second) {
                 failure = named ? Failure{format("\"{}\" would be two channels; allowed are "
                                                  "--channels that name a column once",

@@ -140,8 +140,8 @@ struct FilterOptions {
     MeshOptions mesh;
     /// Light in which values are interpolated, for hosts that convert colours; the core itself
     /// does not read it. "auto": linear, from the colour space that the image names; as the numbers
-    /// are where it names none, or one of data. "encoded": as the numbers are. Otherwise the name
-    /// of the image's colour space.
+    /// are where it names none that is known, or one of data. "encoded": as the numbers are.
+    /// Otherwise the name of the image's colour space.
     std::string light = "auto";
     /// What the work is done on; the result is the same everywhere. A device named here that cannot
     /// be had is a failure that says why.

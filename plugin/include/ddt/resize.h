@@ -21,10 +21,10 @@
 //
 // Light. Colour (R, G, B or grey) is interpolated in linear light: OpenColorIO converts it from the
 // image's colour space and back, by the config in $OCIO or else a built-in one. Where the image
-// names no space (oiio:ColorSpace), or one of data, numbers stay as they are. Other channels are
-// not converted. Colour that is associated with alpha is divided by it only round that conversion,
-// and not where 0 and 1 are not 0 and 1 in linear light, as in logarithmic spaces; colour where
-// alpha is 0 survives.
+// names no space that is known (oiio:ColorSpace), or one of data, numbers stay as they are. Other
+// channels are not converted. Colour that is associated with alpha is divided by it only round that
+// conversion, and not where 0 and 1 are not 0 and 1 in linear light, as in logarithmic spaces;
+// colour where alpha is 0 survives.
 //
 // Regions. A roi limits which pixels and channels are written. One beside the pixels of a dst that
 // is initialised writes nothing, which is no failure; a range without any of the image's channels

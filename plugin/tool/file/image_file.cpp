@@ -78,6 +78,27 @@ bool holds_several(const OIIO::ImageOutput& output) {
     return output.supports("multiimage") && output.format_name() != std::string("fits");
 }
 
+/// Null, or what the images of one file must have in common and have not. GIF's writer takes the
+/// first one's size for that of all, and writes beyond its memory.
+const char* unlike(const std::string& format, const std::vector<OIIO::ImageSpec>& specs) {
+    const auto all = [&](const auto& is_as_the_first) {
+        return std::all_of(specs.begin(), specs.end(), [&](const OIIO::ImageSpec& spec) {
+            return is_as_the_first(spec, specs[0]);
+        });
+    };
+    using Spec = OIIO::ImageSpec;
+    if (format == "gif" && !all([](const Spec& a, const Spec& b) {
+            return a.width == b.width && a.height == b.height;
+        }))
+        return "size";
+    if (format == "openexr" && !all([](const Spec& a, const Spec& b) {
+            return a.full_x == b.full_x && a.full_y == b.full_y && a.full_width == b.full_width &&
+                   a.full_height == b.full_height;
+        }))
+        return "display window";
+    return nullptr;
+}
+
 /// TIFF's writer chooses by the size of the first image whether the file may be larger than 4 GiB.
 void allow_large_tiff(std::vector<OIIO::ImageSpec>& specs) {
     OIIO::imagesize_t bytes = 0;
@@ -190,6 +211,12 @@ bool ImageFile::open(std::vector<OIIO::ImageSpec> specs, Failure& failure) {
     if (several && !holds_several(*m_output)) {
         failure = {format("cannot write \"{}\": the format {} holds one image, not {}", m_path,
                           type, m_specs.size())};
+        return false;
+    }
+    if (const char* what = unlike(type, m_specs)) {
+        failure = {format("cannot write \"{}\": the images of a file of the format {} have one {}; "
+                          "allowed is a SIZE that gives them one, as 640x480",
+                          m_path, type, what)};
         return false;
     }
     for (const OIIO::ImageSpec& spec : m_specs)

@@ -110,6 +110,19 @@ const Column* PointFile::find(const std::string& name) const {
     return nullptr;
 }
 
+const Column* PointFile::find_meant(const std::string& name) const {
+    if (const Column* column = find(name))
+        return column;
+    for (const Column& column : columns)
+        if (OIIO::Strutil::iequals(column.name, name))
+            return &column;
+    for (const auto& [letter, colour] :
+         {std::pair("r", "red"), {"g", "green"}, {"b", "blue"}, {"a", "alpha"}})
+        if (OIIO::Strutil::iequals(name, letter))
+            return find(colour);
+    return nullptr;
+}
+
 bool read_points(const std::string& path, PointFile& points, Failure& failure) {
     std::string text;
     if (!read_bytes(path, text)) {

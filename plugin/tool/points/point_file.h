@@ -26,13 +26,17 @@ struct PointFile {
 
     /// The column of that name, or null.
     const Column* find(const std::string& name) const;
+    /// That one, or else the one of that name in other capitals, or of the colour that R, G, B or A
+    /// stands for.
+    const Column* find_meant(const std::string& name) const;
 };
 
 /// Read PLY (text or binary, in either order of bytes; polygons become fans of triangles) or, by
 /// any other name, text: a line that names the columns, x and y among them, then a line a point;
 /// between columns commas, semicolons, tabs or spaces; empty lines and lines that begin with # are
 /// passed over, but for a first line that names columns after a #. In a text, red, green and blue
-/// that are all whole numbers from 0 to 255, some above 1, are bytes, and so is alpha, by itself.
+/// that are all whole numbers from 0 to 255, some above 1, are bytes, and so is alpha, by itself;
+/// there they may be called R, G, B and A.
 /// False with a failure that names file and line, or point, counted from 1; also where a position
 /// is not finite.
 bool read_points(const std::string& path, PointFile& points, Failure& failure);

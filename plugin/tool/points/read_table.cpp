@@ -30,14 +30,36 @@ std::vector<std::string> split(const std::string& line, const std::string& separ
     return cells;
 }
 
-/// The names of the columns, if x and y are among them, each once; else none.
+/// Have r, g and b, where all three are there, called as usual, and with them a.
+void spell_out_colours(std::vector<std::string>& names) {
+    const auto place = [&](const char* name) {
+        return std::find_if(names.begin(), names.end(),
+                            [&](const std::string& n) { return OIIO::Strutil::iequals(n, name); });
+    };
+    constexpr const char* usual[][2] = {
+        {"r", "red"}, {"g", "green"}, {"b", "blue"}, {"a", "alpha"}};
+    for (int k = 0; k < 3; ++k)
+        if (place(usual[k][0]) == names.end() || place(usual[k][1]) != names.end())
+            return;
+    for (const auto& [letter, name] : usual)
+        if (place(letter) != names.end() && place(name) == names.end())
+            *place(letter) = name;
+}
+
+/// The names of the columns, if x and y are among them, each once; else none. Those that mean
+/// something are as PointFile has them, the others as they are written.
 std::vector<std::string> names_in(const std::string& line, const std::string& separator) {
     std::vector<std::string> names;
-    for (const std::string& cell : split(line, separator))
-        names.push_back(OIIO::Strutil::lower(cell));
+    for (const std::string& cell : split(line, separator)) {
+        const std::string lower = OIIO::Strutil::lower(cell);
+        const bool known = lower == "x" || lower == "y" || lower == "z" || lower == "red" ||
+                           lower == "green" || lower == "blue" || lower == "alpha";
+        names.push_back(known ? lower : cell);
+    }
     for (const char* axis : {"x", "y"})
         if (std::count(names.begin(), names.end(), axis) != 1)
             return {};
+    spell_out_colours(names);
     return names;
 }
 

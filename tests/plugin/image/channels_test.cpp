@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/image/channels.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 namespace {
@@ -113,6 +115,26 @@ TEST(Channels, Cryptomatte) {
         EXPECT_EQ(c.kinds[size_t(i)] == ddt::Channel::nearest,
                   std::find(ids.begin(), ids.end(), i) != ids.end())
             << spec.channelnames[size_t(i)];
+}
+
+TEST(Channels, CryptomatteOfALayerOrAPart) {
+    const auto nearest = [](ImageSpec spec, const char* part, const char* matte) {
+        if (*part)
+            spec.attribute("oiio:subimagename", part);
+        if (*matte)
+            spec.attribute("cryptomatte/1a2b3c/name", matte);
+        const auto kinds = ddt::channels_of(spec).kinds;
+        return std::count(kinds.begin(), kinds.end(), ddt::Channel::nearest);
+    };
+    const ImageSpec colour = named({"R", "G", "B", "A"});
+    EXPECT_EQ(nearest(colour, "crypto_object00", ""), 4);
+    EXPECT_EQ(nearest(colour, "matte01", "matte"), 4);
+    EXPECT_EQ(nearest(colour, "rgba", "matte"), 0);
+    EXPECT_EQ(nearest(colour, "matte", "matte"), 0);
+    EXPECT_EQ(nearest(colour, "", "matte"), 0);
+    const ImageSpec layers = named({"View.CryptoObject00.r", "View.Sub.CryptoMaterial02.A",
+                                    "View.Crypto.R", "ViewCryptoObject00.R", "View.Combined.R"});
+    EXPECT_EQ(nearest(layers, "", ""), 2);
 }
 
 } // namespace

@@ -161,6 +161,37 @@ TEST(Commands, CompareRefusesImagesAtDifferentPlaces) {
     EXPECT_EQ(run(make_compare_command(), {a, based}).code, exit_done);
 }
 
+TEST(Commands, CompareTakesPixelsThatAreNotFiniteForBlack) {
+    const auto image = [](const char* name, float value, float second, float depth) {
+        OIIO::ImageSpec spec(20, 20, 4, OIIO::TypeFloat);
+        spec.channelnames = {"R", "G", "B", "Z"};
+        OIIO::ImageBuf pixels(spec);
+        EXPECT_TRUE(OIIO::ImageBufAlgo::fill(pixels, {value, value, value, depth}));
+        pixels.setpixel(7, 5, {value, second, value, depth});
+        const std::string path = temporary(name);
+        EXPECT_TRUE(pixels.write(path)) << pixels.geterror();
+        return path;
+    };
+    constexpr float infinity = std::numeric_limits<float>::infinity(), nan = NAN;
+    const std::string plain = image("plain.exr", 0.25f, 0.25f, infinity),
+                      darker = image("darker.exr", 0.2f, infinity, 1);
+    for (const float odd : {infinity, -infinity, nan}) {
+        const std::string other = image("odd.exr", 0.25f, odd, 1);
+        for (const auto& pair : {std::vector{plain, other}, {other, plain}, {other, other}}) {
+            const Ran ran = run(make_compare_command(), pair);
+            EXPECT_EQ(ran.code, exit_done);
+            EXPECT_EQ(ran.err, "ddt: 1 of the pixels are not finite in one image, and taken for "
+                               "black in both\n");
+            EXPECT_EQ(ran.out.find("psnr                        inf"), 0u) << ran.out;
+        }
+    }
+    const Ran ran = run(make_compare_command(), {plain, darker, "--csv"});
+    const double psnr = std::stod(ran.out.substr(ran.out.find('\n')));
+    EXPECT_GT(psnr, 20);
+    EXPECT_LT(psnr, 40);
+    EXPECT_EQ(run(make_compare_command(), {plain, plain}).err, "");
+}
+
 TEST(Commands, CompareRefusesIdsAlone) {
     const auto image = [](const char* name, OIIO::TypeDesc type, uint32_t value) {
         const OIIO::ImageSpec spec(20, 20, 1, type);

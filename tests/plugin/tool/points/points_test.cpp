@@ -91,6 +91,42 @@ TEST(PointTable, WholeNumberColoursAreBytes) {
     }
 }
 
+TEST(PointTable, ColoursMayBeCalledByTheirLetters) {
+    const auto names = [](const std::string& line) {
+        PointFile points;
+        std::string error;
+        const auto columns = std::count(line.begin(), line.end(), ',');
+        std::string numbers = "255";
+        for (int i = 0; i < columns; ++i)
+            numbers += ",255";
+        EXPECT_TRUE(read_table(line + "\n" + numbers, points, error)) << error;
+        std::string all;
+        for (const Column& column : points.columns)
+            all += column.name + (column.scale == 255 ? "! " : " ");
+        return all;
+    };
+    EXPECT_EQ(names("X,Y,R,G,B"), "red! green! blue! ");
+    EXPECT_EQ(names("a,b,g,r,y,x"), "alpha! blue! green! red! ");
+    EXPECT_EQ(names("x,y,Red,GREEN,blue,Alpha"), "red! green! blue! alpha! ");
+    // Letters that stand for something else, and names that mean nothing.
+    EXPECT_EQ(names("x,y,R,Theta,a"), "R Theta a ");
+    EXPECT_EQ(names("x,y,r,g,b,red"), "r g b red! ");
+}
+
+TEST(PointFile, ColumnsAreFoundAsTheyAreMeant) {
+    PointFile points;
+    for (const char* name : {"red", "temp", "Temp", "alpha"})
+        points.columns.push_back({name, "float", 1, {}});
+    for (const auto& [meant, name] : {std::pair("Temp", "Temp"),
+                                      {"TEMP", "temp"},
+                                      {"R", "red"},
+                                      {"a", "alpha"},
+                                      {"Alpha", "alpha"}})
+        EXPECT_EQ(points.find_meant(meant)->name, name) << meant;
+    EXPECT_EQ(points.find_meant("G"), nullptr);
+    EXPECT_EQ(points.find("R"), nullptr);
+}
+
 const std::string ply_header = "element vertex 3\nproperty float x\nproperty float y\n"
                                "property uchar red\nelement face 1\n"
                                "property list uchar int vertex_indices\nend_header\n";
@@ -245,6 +281,25 @@ TEST_F(OnPoints, ScatterMakesAnImage) {
     Failure failure;
     ASSERT_TRUE(read_points(temporary("plane.ply"), mesh, failure)) << failure.why;
     EXPECT_EQ(mesh.mesh.triangles.size(), 4u);
+}
+
+TEST_F(OnPoints, ScatterTakesColoursByTheirLetters) {
+    const std::string numbers = "\n0,0,255,0,0,.5\n9,1,255,0,0,.5\n4,8,255,0,0,.5\n";
+    const std::string letters = write_file("letters.csv", "x,y,R,G,B,A" + numbers),
+                      out = temporary("letters.exr");
+    for (const char* channels : {"", "R,G,B,A", "red,green,blue,alpha"}) {
+        std::vector<std::string> arguments{letters, out, "--size", "8x8"};
+        if (*channels)
+            arguments.insert(arguments.end(), {"--channels", channels});
+        const Ran ran = run(make_scatter_command(), arguments);
+        ASSERT_EQ(ran.code, exit_done) << ran.err;
+        const OIIO::ImageBuf image = load(out);
+        EXPECT_EQ(image.spec().channelnames, (std::vector<std::string>{"R", "G", "B", "A"}));
+        EXPECT_EQ(image.getchannel(4, 4, 0, 0), 0.5f);
+        EXPECT_EQ(image.getchannel(4, 4, 0, 3), 0.5f);
+    }
+    const Ran twice = run(make_scatter_command(), {letters, out, "--channels", "R,red"});
+    EXPECT_NE(twice.err.find("\"red\" would be two channels"), std::string::npos) << twice.err;
 }
 
 TEST_F(OnPoints, ScatterLeavesTheOutsideEmptyAndPointsWithoutNumbersOut) {

@@ -133,6 +133,30 @@ TEST(AllImages, NeedAFormatThatHoldsSeveral) {
         << failure.why;
 }
 
+TEST(AllImages, AreAlikeWhereTheFormatHasThemSo) {
+    const OIIO::ROI small(0, 30, 0, 20, 0, 1, 0, 3), large(0, 40, 0, 30, 0, 1, 0, 3);
+    const auto alone = [](int number, const OIIO::ROI& window) {
+        ImageBuf image = page(number, window);
+        image.set_roi_full(window);
+        return image;
+    };
+    for (const bool growing : {true, false}) {
+        const std::string in =
+            write(growing ? "growing.tif" : "shrinking.tif",
+                  {alone(1, growing ? small : large), alone(2, growing ? large : small)});
+        for (const auto& [ending, what] :
+             {std::pair(".gif", "one size"), {".exr", "one display window"}}) {
+            const std::string out = in + ending;
+            Failure failure;
+            EXPECT_FALSE(all_resized(in, "200%", out, failure));
+            EXPECT_NE(failure.why.find(what), std::string::npos) << failure.why;
+            EXPECT_FALSE(std::filesystem::exists(out));
+            EXPECT_TRUE(all_resized(in, "64x48", out, failure)) << failure.why;
+            EXPECT_EQ(count_images(out), 2);
+        }
+    }
+}
+
 TEST(AllImages, AreNoneWhereOneCannotBeRead) {
     const OIIO::ROI whole(0, 40, 0, 30, 0, 1, 0, 3);
     const std::string in = write("cut.exr", {page(1, whole), page(2, whole)});
