@@ -118,12 +118,14 @@ Channels channels_of(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& native)
     };
 
     const std::vector<std::string> layers = cryptomattes(spec);
-    // Of a file's parts each may be a layer, whose channels are R, G, B and A then.
-    const std::string part = std::string(spec.get_string_attribute("oiio:subimagename")) + ".";
+    // Of a file's parts each may be a layer, whose channels are R, G, B and A then, or one of any
+    // name.
+    const std::string part(spec.get_string_attribute("oiio:subimagename"));
+    const bool part_of_ids = count == 1 && is_id_name(part);
     for (int c = 0; c < count; ++c) {
         const std::string name = spec.channel_name(c);
-        const bool id = stored_as_id(c) || is_id_name(name) || is_cryptomatte(name, layers) ||
-                        is_cryptomatte(part + name, layers);
+        const bool id = stored_as_id(c) || part_of_ids || is_id_name(name) ||
+                        is_cryptomatte(name, layers) || is_cryptomatte(part + "." + name, layers);
         channels.kinds.push_back(id                    ? Channel::nearest
                                  : c == channels.alpha ? Channel::alpha
                                                        : Channel::blend);

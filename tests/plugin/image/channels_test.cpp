@@ -117,7 +117,7 @@ TEST(Channels, Cryptomatte) {
             << spec.channelnames[size_t(i)];
 }
 
-TEST(Channels, CryptomatteOfALayerOrAPart) {
+TEST(Channels, IdsOfALayerOrAPart) {
     const auto nearest = [](ImageSpec spec, const char* part, const char* matte) {
         if (*part)
             spec.attribute("oiio:subimagename", part);
@@ -132,6 +132,9 @@ TEST(Channels, CryptomatteOfALayerOrAPart) {
     EXPECT_EQ(nearest(colour, "rgba", "matte"), 0);
     EXPECT_EQ(nearest(colour, "matte", "matte"), 0);
     EXPECT_EQ(nearest(colour, "", "matte"), 0);
+    EXPECT_EQ(nearest(named({"X"}), "objectId", ""), 1);
+    EXPECT_EQ(nearest(named({"X"}), "grid", ""), 0);
+    EXPECT_EQ(nearest(colour, "objectId", ""), 0);
     const ImageSpec layers = named({"View.CryptoObject00.r", "View.Sub.CryptoMaterial02.A",
                                     "View.Crypto.R", "ViewCryptoObject00.R", "View.Combined.R"});
     EXPECT_EQ(nearest(layers, "", ""), 2);
