@@ -14,6 +14,7 @@
 #include "core/enlarge/hole_groups.h"
 #include "core/enlarge/hole_mesh.h"
 #include "core/enlarge/membrane.h"
+#include "ddt/option_table.h"
 
 namespace ddt {
 
@@ -215,6 +216,8 @@ bool fill_holes(float* values, int width, int height, int channels, const Channe
             why = "ddt: channels must be blend, alpha or nearest";
             return false;
         }
+        if (!check_options(options, why))
+            return false;
         const HoledImage image{values, const_cast<float*>(guide), width, height, channels, kinds,
                                false};
         return fill_holes(image, missing, options, Device::automatic, progress, nullptr, why);

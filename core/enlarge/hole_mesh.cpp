@@ -31,6 +31,9 @@ HoleMesh::HoleMesh(const HoledImage& image, const uint8_t* missing, const HoleGr
                             std::min(group.box.y1 + margin, image.height)} {
     const std::vector<uint8_t> near = near_holes();
     const auto channels = size_t(image.channels);
+    // Or fewer: pixels of other holes may be near.
+    const auto count = size_t(std::count(near.begin(), near.end(), uint8_t(1)));
+    m_values.reserve((count - std::min(count, group.pixels.size())) * channels);
     for (int y = m_box.y0; y < m_box.y1; ++y)
         for (int x = m_box.x0; x < m_box.x1; ++x) {
             const size_t i = place(x, y);

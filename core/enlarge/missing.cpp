@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/arith.h"
@@ -53,23 +54,27 @@ bool fill_missing(const HoledImage& image, Holes holes, const MeshOptions& optio
     if (!find_missing(image, holes, missing))
         return true;
     const auto channels = size_t(image.channels);
-    // What a missing pixel has all the same, in the order of the pixels.
-    std::vector<float> had;
+    // What missing pixels have all the same, in the order of the pixels.
+    const auto has_some = [&](size_t i) {
+        const float* pixel = image.values + i * channels;
+        return !(holes == Holes::fill_alpha && is_empty(image, pixel)) &&
+               !std::all_of(pixel, pixel + channels, [](float v) { return std::isnan(v); });
+    };
+    std::vector<size_t> partial;
     for (size_t i = 0; i < missing.size(); ++i)
-        if (missing[i])
-            had.insert(had.end(), image.values + i * channels, image.values + (i + 1) * channels);
+        if (missing[i] && has_some(i))
+            partial.push_back(i);
+    std::vector<float> had;
+    had.reserve(partial.size() * channels);
+    for (const size_t i : partial)
+        had.insert(had.end(), image.values + i * channels, image.values + (i + 1) * channels);
     if (!fill_holes(image, missing.data(), for_holes(options), device, progress, report, error))
         return false;
     const float* old = had.data();
-    for (size_t i = 0; i < missing.size(); ++i) {
-        if (!missing[i])
-            continue;
-        if (!(holes == Holes::fill_alpha && is_empty(image, old)))
-            for (size_t c = 0; c < channels; ++c)
-                if (!std::isnan(old[c]))
-                    image.values[i * channels + c] = old[c];
-        old += channels;
-    }
+    for (const size_t i : partial)
+        for (size_t c = 0; c < channels; ++c, ++old)
+            if (!std::isnan(*old))
+                image.values[i * channels + c] = *old;
     return true;
 }
 

@@ -150,6 +150,16 @@ bool check_source_spec(const OIIO::ImageSpec& spec, std::string& error) {
     return check_windows("source's", spec, 1, error);
 }
 
+bool check_memory(const std::string& what, double bytes, std::string& error) {
+    const double megabytes = bytes / (1 << 20);
+    if (megabytes <= double(allowed_megabytes()))
+        return true;
+    error = format("{} would need {:.0f} MB; allowed are {} MB (the least of OpenImageIO's "
+                   "limits:imagesize_MB and this machine's memory)",
+                   what, megabytes, allowed_megabytes());
+    return false;
+}
+
 bool check_size(const OIIO::ROI& roi, int channels, OIIO::TypeDesc type, std::string& error) {
     const int64_t width = int64_t(roi.xend) - roi.xbegin, height = int64_t(roi.yend) - roi.ybegin;
     if (width < 1 || height < 1) {
@@ -163,16 +173,10 @@ bool check_size(const OIIO::ROI& roi, int channels, OIIO::TypeDesc type, std::st
         return false;
     }
     // Below 2^60 pixels, so the bytes may pass 2^63 only by way of channels: divide first.
-    const double megabytes =
-        double(width) * double(height) * double(channels) * double(type.size()) / (1 << 20);
-    if (megabytes > double(allowed_megabytes())) {
-        error = format("the output of {} x {} pixels, {} channels, {} would need {:.0f} MB; "
-                       "allowed are {} MB (the least of OpenImageIO's limits:imagesize_MB and "
-                       "this machine's memory)",
-                       width, height, channels, type.c_str(), megabytes, allowed_megabytes());
-        return false;
-    }
-    return true;
+    return check_memory(format("the output of {} x {} pixels, {} channels, {}", width, height,
+                               channels, type.c_str()),
+                        double(width) * double(height) * double(channels) * double(type.size()),
+                        error);
 }
 
 bool take_memory(OIIO::ImageBuf& image, const OIIO::ImageSpec& spec, std::string& error) {

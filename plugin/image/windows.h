@@ -20,6 +20,8 @@ bool check_source_spec(const OIIO::ImageSpec& spec, std::string& error);
 /// within +-largest_coordinate, and no more bytes than OpenImageIO's attribute
 /// "limits:imagesize_MB" or than the machine has memory.
 bool check_size(const OIIO::ROI& roi, int channels, OIIO::TypeDesc format, std::string& error);
+/// The same of so many bytes for something else: "comparing 640 x 480 pixels".
+bool check_memory(const std::string& what, double bytes, std::string& error);
 
 /// Make `image` one as `spec` says, its pixels not yet written. False with one line in `error` when
 /// there is no memory: OpenImageIO 3 then calls an image initialised that has no pixels.

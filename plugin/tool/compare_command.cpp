@@ -16,6 +16,7 @@
 #include "metrics/ssim.h"
 #include "metrics/uiqi.h"
 #include "plugin/image/channels.h"
+#include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/progress.h"
 #include "plugin/tool/commands.h"
@@ -24,6 +25,9 @@
 namespace ddt::tool {
 
 namespace {
+
+/// What both pictures and the planes of all metrics take, about.
+constexpr double bytes_a_pixel = 200;
 
 /// Display values 0 to 255, over white where there is alpha.
 metrics::Image image_of(const Picture& picture) {
@@ -120,7 +124,10 @@ public:
             OIIO::ImageBuf image;
             if (!open_image(values[k], image, error))
                 return fail(unreadable(values[k], error));
-            if (!read_picture(image, {}, pictures[k], error))
+            if (!check_memory(
+                    format("comparing {} x {} pixels", image.spec().width, image.spec().height),
+                    bytes_a_pixel * double(image.spec().image_pixels()), error) ||
+                !read_picture(image, {}, pictures[k], error))
                 return fail(error, code_of_message(error));
             specs[k] = image.spec();
             not_finite[k] = find_not_finite(image);

@@ -5,6 +5,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "core/options/values.h"
+#include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/filter_flag.h"
 #include "plugin/tool/command/progress.h"
@@ -93,7 +94,11 @@ public:
         std::string error;
         if (!open_image(values[0], image, error))
             return fail(unreadable(values[0], error));
-        if (!read_picture(image, m_options, picture, error) ||
+        constexpr double bytes_a_pixel = 100; // about
+        if (!check_memory(
+                format("triangulating {} x {} pixels", image.spec().width, image.spec().height),
+                bytes_a_pixel * double(image.spec().image_pixels()), error) ||
+            !read_picture(image, m_options, picture, error) ||
             !triangulate(picture, mesh, report, error))
             return fail(error, code_of_message(error));
         if (m_verbose)

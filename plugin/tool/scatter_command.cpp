@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include <OpenImageIO/strutil.h>
 
@@ -53,12 +52,12 @@ bool parse_size(const std::string& text, int& width, int& height) {
 }
 
 /// Leave out the points that lack a number in one of the columns, and triangles with such a corner.
-void drop_unknown(PointFile& points, const std::vector<std::string>& names) {
+void drop_unknown(PointFile& points, const std::vector<const Column*>& columns) {
     const size_t count = points.mesh.x.size();
     std::vector<uint8_t> keep(count, 1);
-    for (const std::string& name : names)
+    for (const Column* column : columns)
         for (size_t i = 0; i < count; ++i)
-            keep[i] &= uint8_t(!std::isnan(points.find(name)->values[i]));
+            keep[i] &= uint8_t(!std::isnan(column->values[i]));
     const auto squeeze = [&](auto& numbers) {
         size_t to = 0;
         for (size_t i = 0; i < count; ++i)
@@ -149,48 +148,53 @@ public:
     }
 
 private:
-    bool prepare(PointFile& points, Failure& failure) {
-        const bool named = !m_channels.empty();
-        if (!named)
-            m_channels = usual_columns(points);
-        if (m_channels.empty()) {
+    /// Those that become channels, each another one.
+    bool choose_columns(const PointFile& points, Failure& failure) {
+        m_columns = m_channels.empty() ? usual_columns(points) : std::vector<const Column*>();
+        if (m_channels.empty() && m_columns.empty()) {
             failure = {"the points have no values beside x and y", exit_failed};
             return false;
         }
-        std::vector<std::string> names;
-        for (const Column& column : points.columns)
-            names.push_back(column.name);
-        std::set<std::string> seen;
-        for (std::string& channel : m_channels) {
-            const Column* column = points.find_meant(channel);
-            if (!column) {
-                failure = {format("there is no column \"{}\"; there are {}", channel,
-                                  OIIO::Strutil::join(names, ", ")),
-                           exit_usage};
-                return false;
-            }
-            channel = column->name;
-            if (!seen.insert(channel).second) {
-                failure = named ? Failure{format("\"{}\" would be two channels; allowed are "
-                                                 "--channels that name a column once",
-                                                 channel),
-                                          exit_usage}
-                                : Failure{format("there are two columns \"{}\"", channel)};
-                return false;
-            }
+        for (const std::string& channel : m_channels) {
+            m_columns.push_back(points.find_meant(channel));
+            if (m_columns.back())
+                continue;
+            std::vector<std::string> names;
+            for (const Column& column : points.columns)
+                names.push_back(column.name);
+            failure = {format("there is no column \"{}\"; there are {}", channel,
+                              OIIO::Strutil::join(names, ", ")),
+                       exit_usage};
+            return false;
         }
+        // With the alpha that is added where there is none.
+        std::vector<std::string> names = channel_names(m_columns);
+        std::sort(names.begin(), names.end());
+        const auto twin = std::adjacent_find(names.begin(), names.end());
+        if (twin == names.end())
+            return true;
+        failure = {format("\"{}\" would be two channels; allowed are --channels that name each "
+                          "once",
+                          *twin),
+                   m_channels.empty() ? exit_failed : exit_usage};
+        return false;
+    }
+
+    bool prepare(PointFile& points, Failure& failure) {
+        if (!choose_columns(points, failure))
+            return false;
         const bool has_triangles = !points.mesh.triangles.empty();
-        drop_unknown(points, m_channels);
+        drop_unknown(points, m_columns);
         if (has_triangles && points.mesh.triangles.empty()) {
             failure.why = "no triangle has numbers at its three points";
             return false;
         }
-        return fit_floats(points, failure);
+        return fit_floats(failure);
     }
 
     /// Whether floats hold the values: none that is finite may become infinite.
-    bool fit_floats(const PointFile& points, Failure& failure) const {
-        for (const Column* column : columns(points))
+    bool fit_floats(Failure& failure) const {
+        for (const Column* column : m_columns)
             for (const double v : column->values)
                 if (std::isfinite(v) && std::fabs(v) > double(std::numeric_limits<float>::max())) {
                     failure.why = format("\"{}\" has a value beyond the range of a float, {}",
@@ -200,15 +204,8 @@ private:
         return true;
     }
 
-    std::vector<const Column*> columns(const PointFile& points) const {
-        std::vector<const Column*> chosen;
-        for (const std::string& channel : m_channels)
-            chosen.push_back(points.find(channel));
-        return chosen;
-    }
-
     bool triangulate(PointFile& points, Progress& progress, Failure& failure) const {
-        const std::vector<float> guide = guide_of(points, columns(points));
+        const std::vector<float> guide = guide_of(points, m_columns);
         if ((!points.mesh.triangles.empty() || delaunay(points.mesh, &failure.why)) &&
             optimise(points.mesh, guide.data(), m_options.mesh, nullptr, &failure.why,
                      std::ref(progress), m_options.device))
@@ -261,13 +258,14 @@ private:
     bool write(const PointFile& points, const std::string& path, Failure& failure) const {
         PixelGrid grid;
         return plan(points.mesh, grid, failure) &&
-               write_point_image(points, columns(points), grid, path, failure);
+               write_point_image(points, m_columns, grid, path, failure);
     }
 
     Options m_options;
     int m_width = 1024, m_height = 0; ///< 0: left open
     std::string m_filter_error, m_mesh_path, m_progress = "auto";
     std::vector<std::string> m_channels;
+    std::vector<const Column*> m_columns; ///< of the points that are worked on
     Window m_window;
     bool m_has_window = false, m_y_down = false;
 };

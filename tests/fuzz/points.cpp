@@ -25,10 +25,7 @@ void work_on(tool::PointFile& points) {
     std::string error;
     if (points.mesh.triangles.empty() && !delaunay(points.mesh, &error))
         return require_error_line(error);
-    std::vector<const tool::Column*> columns;
-    for (const std::string& name : tool::usual_columns(points))
-        columns.push_back(points.find(name));
-    const std::vector<float> guide = tool::guide_of(points, columns);
+    const std::vector<float> guide = tool::guide_of(points, tool::usual_columns(points));
     require(guide.size() == points.mesh.x.size(), "a guide a point");
     MeshOptions options;
     options.max_iterations = 8;

@@ -36,6 +36,7 @@ Flag filter_flag(const char* help, Options& options, std::string& error, std::st
             [&options, &error, given](const std::string& text) {
                 if (given)
                     *given = text;
+                error.clear(); // the last of several counts
                 parse_filter(text, options, error);
                 return true;
             },

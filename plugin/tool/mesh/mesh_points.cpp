@@ -22,9 +22,7 @@ bool optimise_file(const std::string& in, const std::string& out, const MeshOpti
     PointFile points;
     if (!read_points(in, points, failure))
         return false;
-    std::vector<const Column*> columns;
-    for (const std::string& name : usual_columns(points))
-        columns.push_back(points.find(name));
+    const std::vector<const Column*> columns = usual_columns(points);
     if (points.mesh.triangles.empty() || columns.empty()) {
         failure.why = "\"" + in + "\" has no " + (columns.empty() ? "values" : "triangles");
         return false;

@@ -171,19 +171,19 @@ bool write_points(WholeFile& file, const PointFile& points, Failure& failure) {
     return file.commit(failure); // which fails and says why
 }
 
-std::vector<std::string> usual_columns(const PointFile& points) {
-    if (points.find("red") && points.find("green") && points.find("blue")) {
-        std::vector<std::string> names{"red", "green", "blue"};
-        if (points.find("alpha"))
-            names.emplace_back("alpha");
-        return names;
-    }
-    if (points.find("z"))
-        return {"z"};
-    std::vector<std::string> names;
+std::vector<const Column*> usual_columns(const PointFile& points) {
+    std::vector<const Column*> columns;
+    for (const char* name : {"red", "green", "blue", "alpha"})
+        if (const Column* column = points.find(name))
+            columns.push_back(column);
+    if (points.find("red") && points.find("green") && points.find("blue"))
+        return columns;
+    if (const Column* z = points.find("z"))
+        return {z};
+    columns.clear();
     for (const Column& column : points.columns)
-        names.push_back(column.name);
-    return names;
+        columns.push_back(&column);
+    return columns;
 }
 
 std::vector<float> guide_of(const PointFile& points, const std::vector<const Column*>& columns) {

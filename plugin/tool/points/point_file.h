@@ -57,7 +57,7 @@ bool write_points(WholeFile& file, const PointFile& points, Failure& failure);
 
 /// The columns a command works on when nothing names them: red, green and blue, and alpha if it is
 /// there; else z; else all.
-std::vector<std::string> usual_columns(const PointFile& points);
+std::vector<const Column*> usual_columns(const PointFile& points);
 
 /// The columns' mean over the first up to three that are not alpha, from 0 at the least to 1 at the
 /// largest: what edges are sought in. Points with a NaN in one of the columns have none.

@@ -24,6 +24,10 @@ bool is_displayed(const Column& column) {
     return is_colour(column) && column.scale != 1;
 }
 
+bool is_alpha(const Column* column) {
+    return column->name == "alpha";
+}
+
 std::string channel_name(const Column& column) {
     static constexpr const char* names[][2] = {
         {"red", "R"}, {"green", "G"}, {"blue", "B"}, {"alpha", "A"}, {"z", "Z"}};
@@ -40,16 +44,10 @@ bool is_linear(const std::string& format) {
 
 OIIO::ImageSpec spec_of(const PixelGrid& grid, const std::vector<const Column*>& columns) {
     OIIO::ImageSpec spec(grid.width, grid.height, int(columns.size()), OIIO::TypeFloat);
-    spec.channelnames.clear();
-    for (size_t c = 0; c < columns.size(); ++c) {
-        spec.channelnames.push_back(channel_name(*columns[c]));
-        if (columns[c]->name == "alpha")
-            spec.alpha_channel = int(c);
-    }
-    if (spec.alpha_channel < 0) {
-        spec.channelnames.emplace_back("A");
-        spec.alpha_channel = spec.nchannels++;
-    }
+    spec.channelnames = channel_names(columns);
+    spec.nchannels = int(spec.channelnames.size());
+    const auto alpha = std::find_if(columns.begin(), columns.end(), is_alpha);
+    spec.alpha_channel = int(alpha - columns.begin());
     return spec;
 }
 
@@ -84,6 +82,15 @@ void keep_first(size_t kept, size_t channels, std::vector<float>& pixels) {
 }
 
 } // namespace
+
+std::vector<std::string> channel_names(const std::vector<const Column*>& columns) {
+    std::vector<std::string> names;
+    for (const Column* column : columns)
+        names.push_back(channel_name(*column));
+    if (std::none_of(columns.begin(), columns.end(), is_alpha))
+        names.emplace_back("A");
+    return names;
+}
 
 bool write_point_image(const PointFile& points, const std::vector<const Column*>& columns,
                        const PixelGrid& grid, const std::string& path, Failure& failure) {

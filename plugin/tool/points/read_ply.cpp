@@ -254,7 +254,7 @@ private:
             if (colour && p.number->number == Number::uint16)
                 column.scale = 65535;
             column.values.reserve(element.count);
-            m_points.columns.push_back(column);
+            m_points.columns.push_back(std::move(column));
         }
         size_t next = 0;
         for (size_t p = 0; p < element.properties.size(); ++p)

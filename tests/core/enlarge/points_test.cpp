@@ -522,6 +522,17 @@ TEST(FillHoles, SaysWhatIsWrong) {
     EXPECT_FALSE(
         fill_holes(image.data(), 8, 6, 1, &unknown, guide.data(), missing.data(), {}, &error));
     EXPECT_EQ(error, "ddt: channels must be blend, alpha or nearest");
+    // Whether a mesh would be made or not.
+    MeshOptions wrong;
+    wrong.max_iterations = -5;
+    for (const bool some : {false, true}) {
+        std::vector<uint8_t> one(8 * 6, 0);
+        one[20] = some;
+        error.clear();
+        EXPECT_FALSE(
+            fill_holes(image.data(), 8, 6, 1, nullptr, guide.data(), one.data(), wrong, &error));
+        EXPECT_NE(error.find("iterations"), std::string::npos) << error;
+    }
 }
 
 } // namespace

@@ -192,6 +192,29 @@ TEST(Commands, CompareTakesPixelsThatAreNotFiniteForBlack) {
     EXPECT_EQ(run(make_compare_command(), {plain, plain}).err, "");
 }
 
+TEST(Commands, OfAFlagThatIsGivenTwiceTheLastCounts) {
+    const std::string out = temporary("twice.ply");
+    EXPECT_EQ(run(make_mesh_command(), {scene, out, "--filter", "bogus", "--filter", "ddt"}).code,
+              exit_done);
+    EXPECT_EQ(run(make_mesh_command(), {scene, out, "--filter", "ddt", "--filter", "bogus"}).code,
+              exit_usage);
+}
+
+TEST(Commands, MemoryIsCheckedBeforeItIsTaken) {
+    int before = 0;
+    OIIO::getattribute("limits:imagesize_MB", before);
+    OIIO::attribute("limits:imagesize_MB", 1); // the picture has 192 x 144 pixels
+    const Ran compared = run(make_compare_command(), {scene, scene}),
+              triangulated = run(make_mesh_command(), {scene, temporary("large.ply")});
+    OIIO::attribute("limits:imagesize_MB", before);
+    EXPECT_EQ(compared.code, exit_resources);
+    EXPECT_NE(compared.err.find("comparing 192 x 144 pixels would need"), std::string::npos)
+        << compared.err;
+    EXPECT_EQ(triangulated.code, exit_resources);
+    EXPECT_NE(triangulated.err.find("triangulating 192 x 144 pixels"), std::string::npos)
+        << triangulated.err;
+}
+
 TEST(Commands, CompareRefusesIdsAlone) {
     const auto image = [](const char* name, OIIO::TypeDesc type, uint32_t value) {
         const OIIO::ImageSpec spec(20, 20, 1, type);

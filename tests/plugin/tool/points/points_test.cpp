@@ -299,7 +299,7 @@ TEST_F(OnPoints, ScatterTakesColoursByTheirLetters) {
         EXPECT_EQ(image.getchannel(4, 4, 0, 3), 0.5f);
     }
     const Ran twice = run(make_scatter_command(), {letters, out, "--channels", "R,red"});
-    EXPECT_NE(twice.err.find("\"red\" would be two channels"), std::string::npos) << twice.err;
+    EXPECT_NE(twice.err.find("\"R\" would be two channels"), std::string::npos) << twice.err;
 }
 
 TEST_F(OnPoints, ScatterLeavesTheOutsideEmptyAndPointsWithoutNumbersOut) {
@@ -366,10 +366,14 @@ TEST_F(OnPoints, ScatterSaysWhatIsWrong) {
     };
     for (const Case& c :
          {Case{{in, out, "--channels", "height"}, exit_usage, "there are z, weight"},
-          Case{{in, out, "--channels", "z,weight,z"}, exit_usage, "\"z\" would be two channels"},
+          Case{{in, out, "--channels", "z,weight,z"}, exit_usage, "\"Z\" would be two channels"},
+          Case{{in, out, "--channels", "z,Z"}, exit_usage, "\"Z\" would be two channels"},
+          Case{{write_file("a.csv", "x,y,A,v\n0,0,.2,1\n1,0,.2,2\n0,1,.2,3\n"), out},
+               exit_failed,
+               "\"A\" would be two channels"},
           Case{{write_file("twice.csv", "x,y,v,v\n0,0,1,1\n1,0,2,2\n0,1,3,3\n"), out},
                exit_failed,
-               "there are two columns \"v\""},
+               "\"v\" would be two channels"},
           Case{{write_file("huge.csv", "x,y,v\n0,0,1\n1,0,-1e39\n0,1,3\n"), out},
                exit_failed,
                "\"v\" has a value beyond the range of a float, -1e+39"},
