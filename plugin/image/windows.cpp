@@ -172,7 +172,7 @@ bool check_size(const OIIO::ROI& roi, int channels, OIIO::TypeDesc type, std::st
                        width, height, largest_coordinate);
         return false;
     }
-    // Below 2^60 pixels, so the bytes may pass 2^63 only by way of channels: divide first.
+    // As a double: the bytes may pass 2^63 by way of channels.
     return check_memory(format("the output of {} x {} pixels, {} channels, {}", width, height,
                                channels, type.c_str()),
                         double(width) * double(height) * double(channels) * double(type.size()),

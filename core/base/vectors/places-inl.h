@@ -26,6 +26,7 @@ HWY_INLINE hn::Vec<Tag> load_words(const char* from, Tag, hn::Vec<Tag> places) {
         return hn::Combine(Tag(), load_words(from, half, hn::UpperHalf(half, places)), lower);
     }
 }
+
 /// Records of two words, a lane each: those of even lanes side by side, and those of odd lanes,
 /// from where words come to their lanes without leaving their 64 bits.
 struct TwoWords {
