@@ -53,11 +53,20 @@ std::vector<uint8_t> find_not_finite(const OIIO::ImageBuf& image) {
         shown.push_back(channels.guide);
     if (channels.alpha >= 0)
         shown.push_back(channels.alpha);
+    const auto width = size_t(image.spec().width), count = size_t(image.nchannels());
     std::vector<uint8_t> found;
     found.reserve(image.spec().image_pixels());
-    for (OIIO::ImageBuf::ConstIterator<float> pixel(image); !pixel.done(); ++pixel)
-        found.push_back(std::any_of(shown.begin(), shown.end(),
-                                    [&](int c) { return !std::isfinite(pixel[c]); }));
+    std::vector<float> pixels(width * count);
+    OIIO::ROI row = image.roi();
+    for (int y = image.ybegin(); y < image.yend(); ++y) {
+        row.ybegin = y;
+        row.yend = y + 1;
+        image.get_pixels(row, OIIO::TypeFloat, pixels.data());
+        for (size_t x = 0; x < width; ++x)
+            found.push_back(std::any_of(shown.begin(), shown.end(), [&](int c) {
+                return !std::isfinite(pixels[x * count + size_t(c)]);
+            }));
+    }
     return found;
 }
 

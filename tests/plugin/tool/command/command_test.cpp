@@ -190,6 +190,14 @@ TEST(Commands, CompareTakesPixelsThatAreNotFiniteForBlack) {
     EXPECT_GT(psnr, 20);
     EXPECT_LT(psnr, 40);
     EXPECT_EQ(run(make_compare_command(), {plain, plain}).err, "");
+    // Whatever type the numbers have.
+    for (const OIIO::TypeDesc& type : {OIIO::TypeUInt8, OIIO::TypeUInt16, OIIO::TypeHalf}) {
+        OIIO::ImageBuf noise(OIIO::ImageSpec(40, 30, 3, type));
+        EXPECT_TRUE(OIIO::ImageBufAlgo::noise(noise, "uniform", 0.0f, 1.0f));
+        const std::string path = temporary("noise.tif");
+        EXPECT_TRUE(noise.write(path)) << noise.geterror();
+        EXPECT_EQ(run(make_compare_command(), {path, path}).err, "");
+    }
 }
 
 TEST(Commands, OfAFlagThatIsGivenTwiceTheLastCounts) {
