@@ -116,8 +116,7 @@ const Column* PointFile::find_meant(const std::string& name) const {
     for (const Column& column : columns)
         if (OIIO::Strutil::iequals(column.name, name))
             return &column;
-    for (const auto& [letter, colour] :
-         {std::pair("r", "red"), {"g", "green"}, {"b", "blue"}, {"a", "alpha"}})
+    for (const auto& [colour, letter] : colour_columns)
         if (OIIO::Strutil::iequals(name, letter))
             return find(colour);
     return nullptr;
@@ -173,14 +172,14 @@ bool write_points(WholeFile& file, const PointFile& points, Failure& failure) {
 
 std::vector<const Column*> usual_columns(const PointFile& points) {
     std::vector<const Column*> columns;
-    for (const char* name : {"red", "green", "blue", "alpha"})
-        if (const Column* column = points.find(name))
-            columns.push_back(column);
-    if (points.find("red") && points.find("green") && points.find("blue"))
+    if (points.find("red") && points.find("green") && points.find("blue")) {
+        for (const auto& [name, letter] : colour_columns)
+            if (const Column* column = points.find(name))
+                columns.push_back(column);
         return columns;
+    }
     if (const Column* z = points.find("z"))
         return {z};
-    columns.clear();
     for (const Column& column : points.columns)
         columns.push_back(&column);
     return columns;

@@ -20,6 +20,11 @@ struct Column {
     std::vector<double> values; ///< which hold every type's numbers
 };
 
+/// Columns that are colour and its alpha, and their letters: an image's channels, and what a text
+/// may call them.
+inline constexpr const char* colour_columns[][2] = {
+    {"red", "R"}, {"green", "G"}, {"blue", "B"}, {"alpha", "A"}};
+
 struct PointFile {
     PointMesh mesh; ///< with the file's triangles, if it has any
     std::vector<Column> columns;

@@ -29,12 +29,10 @@ bool is_alpha(const Column* column) {
 }
 
 std::string channel_name(const Column& column) {
-    static constexpr const char* names[][2] = {
-        {"red", "R"}, {"green", "G"}, {"blue", "B"}, {"alpha", "A"}, {"z", "Z"}};
-    for (const auto& [name, channel] : names)
+    for (const auto& [name, letter] : colour_columns)
         if (column.name == name)
-            return channel;
-    return column.name;
+            return letter;
+    return column.name == "z" ? "Z" : column.name;
 }
 
 /// Whether readers take what files of that format hold for linear light.
@@ -43,9 +41,9 @@ bool is_linear(const std::string& format) {
 }
 
 OIIO::ImageSpec spec_of(const PixelGrid& grid, const std::vector<const Column*>& columns) {
-    OIIO::ImageSpec spec(grid.width, grid.height, int(columns.size()), OIIO::TypeFloat);
-    spec.channelnames = channel_names(columns);
-    spec.nchannels = int(spec.channelnames.size());
+    const std::vector<std::string> names = channel_names(columns);
+    OIIO::ImageSpec spec(grid.width, grid.height, int(names.size()), OIIO::TypeFloat);
+    spec.channelnames = names;
     const auto alpha = std::find_if(columns.begin(), columns.end(), is_alpha);
     spec.alpha_channel = int(alpha - columns.begin());
     return spec;

@@ -2,6 +2,7 @@
 // Points as text: comma-separated values, XYZ files with a header.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <OpenImageIO/strutil.h>
 
@@ -36,12 +37,11 @@ void spell_out_colours(std::vector<std::string>& names) {
         return std::find_if(names.begin(), names.end(),
                             [&](const std::string& n) { return OIIO::Strutil::iequals(n, name); });
     };
-    constexpr const char* usual[][2] = {
-        {"r", "red"}, {"g", "green"}, {"b", "blue"}, {"a", "alpha"}};
     for (int k = 0; k < 3; ++k)
-        if (place(usual[k][0]) == names.end() || place(usual[k][1]) != names.end())
+        if (place(colour_columns[k][1]) == names.end() ||
+            place(colour_columns[k][0]) != names.end())
             return;
-    for (const auto& [letter, name] : usual)
+    for (const auto& [name, letter] : colour_columns)
         if (place(letter) != names.end() && place(name) == names.end())
             *place(letter) = name;
 }
@@ -52,8 +52,9 @@ std::vector<std::string> names_in(const std::string& line, const std::string& se
     std::vector<std::string> names;
     for (const std::string& cell : split(line, separator)) {
         const std::string lower = OIIO::Strutil::lower(cell);
-        const bool known = lower == "x" || lower == "y" || lower == "z" || lower == "red" ||
-                           lower == "green" || lower == "blue" || lower == "alpha";
+        const bool known = lower == "x" || lower == "y" || lower == "z" ||
+                           std::any_of(std::begin(colour_columns), std::end(colour_columns),
+                                       [&](const auto& column) { return lower == column[0]; });
         names.push_back(known ? lower : cell);
     }
     for (const char* axis : {"x", "y"})
