@@ -2,11 +2,24 @@
 #include "core/enlarge/hole_groups.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+
+#include "core/enlarge/hole_pieces.h"
 
 namespace ddt {
 
 namespace {
+
+/// Call `f` with the place of each pixel about the pixel i, itself among them, and whether it lies
+/// in its row or column.
+template <class F>
+void each_about(size_t i, int width, int height, F&& f) {
+    const int x = int(i % size_t(width)), y = int(i / size_t(width));
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u)
+            f(size_t(v) * size_t(width) + size_t(u), u == x || v == y);
+}
 
 class Grouping {
 public:
@@ -18,7 +31,7 @@ public:
     std::vector<HoleGroup> groups() {
         for (size_t i = 0; i < m_seen.size(); ++i)
             if (m_missing[i] && !m_seen[i])
-                add(hole_at(i));
+                add(group_of(hole_at(i), m_missing, m_width, m_height));
         for (HoleGroup& group : m_groups)
             std::sort(group.pixels.begin(), group.pixels.end());
         return std::move(m_groups);
@@ -28,38 +41,24 @@ private:
     static constexpr size_t none = std::numeric_limits<size_t>::max();
 
     /// The hole with the pixel i, which nobody has seen.
-    HoleGroup hole_at(size_t i) {
-        HoleGroup hole;
-        hole.box = {m_width, m_height, 0, 0};
+    std::vector<size_t> hole_at(size_t i) {
         m_seen[i] = 1;
-        hole.pixels.push_back(i);
-        for (size_t k = 0; k < hole.pixels.size(); ++k)
-            look_around(hole.pixels[k], hole);
+        std::vector<size_t> hole{i};
+        for (size_t k = 0; k < hole.size(); ++k)
+            each_about(hole[k], m_width, m_height, [&](size_t other, bool) {
+                if (!m_missing[other] || m_seen[other])
+                    return;
+                m_seen[other] = 1;
+                hole.push_back(other);
+            });
         return hole;
-    }
-
-    void look_around(size_t i, HoleGroup& hole) {
-        const int x = int(i % size_t(m_width)), y = int(i / size_t(m_width));
-        hole.box = {std::min(hole.box.x0, x), std::min(hole.box.y0, y),
-                    std::max(hole.box.x1, x + 1), std::max(hole.box.y1, y + 1)};
-        bool all = true;
-        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, m_height - 1); ++v)
-            for (int u = std::max(x - 1, 0); u <= std::min(x + 1, m_width - 1); ++u) {
-                const size_t other = size_t(v) * size_t(m_width) + size_t(u);
-                if (!m_missing[other]) {
-                    all = false;
-                    hole.rim += u == x || v == y;
-                } else if (!m_seen[other]) {
-                    m_seen[other] = 1;
-                    hole.pixels.push_back(other);
-                }
-            }
-        hole.deep |= all;
     }
 
     void add(HoleGroup hole) {
         if (hole.box.width() > hole_block || hole.box.height() > hole_block) {
-            m_groups.push_back(std::move(hole));
+            std::vector<HoleGroup> pieces =
+                cut_hole(std::move(hole.pixels), m_missing, m_width, m_height, m_seen);
+            std::move(pieces.begin(), pieces.end(), std::back_inserter(m_groups));
             return;
         }
         size_t& group = m_of_block[size_t(hole.box.y0 / hole_block) * size_t(m_blocks_across) +
@@ -79,13 +78,33 @@ private:
 
     const uint8_t* m_missing;
     int m_width, m_height;
-    std::vector<uint8_t> m_seen;
+    std::vector<uint8_t> m_seen; ///< 0 where nothing is missing, or nobody was yet
     int m_blocks_across;
     std::vector<size_t> m_of_block; ///< the group of each block's small holes
     std::vector<HoleGroup> m_groups;
 };
 
 } // namespace
+
+HoleGroup group_of(std::vector<size_t> pixels, const uint8_t* missing, int width, int height) {
+    HoleGroup group;
+    group.box = {width, height, 0, 0};
+    for (const size_t i : pixels) {
+        const int x = int(i % size_t(width)), y = int(i / size_t(width));
+        group.box = {std::min(group.box.x0, x), std::min(group.box.y0, y),
+                     std::max(group.box.x1, x + 1), std::max(group.box.y1, y + 1)};
+        bool all = true;
+        each_about(i, width, height, [&](size_t other, bool beside) {
+            if (missing[other])
+                return;
+            all = false;
+            group.rim += beside;
+        });
+        group.deep |= all;
+    }
+    group.pixels = std::move(pixels);
+    return group;
+}
 
 std::vector<HoleGroup> group_holes(const uint8_t* missing, int width, int height) {
     return Grouping(missing, width, height).groups();

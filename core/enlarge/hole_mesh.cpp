@@ -2,6 +2,7 @@
 #include "core/enlarge/hole_mesh.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/enlarge/points.h"
 #include "core/tin/draw.h"
@@ -22,14 +23,16 @@ constexpr int deep_starts = 4;
 /// Of the time of a mesh, about.
 constexpr float sweeps_share = 0.2f;
 
+Rect around(const Rect& box, int by) {
+    return {box.x0 - by, box.y0 - by, box.x1 + by, box.y1 + by};
+}
+
 } // namespace
 
 HoleMesh::HoleMesh(const HoledImage& image, const uint8_t* missing, const HoleGroup& group)
-    : m_image(image),
-      m_group(group), m_box{std::max(group.box.x0 - margin, 0), std::max(group.box.y0 - margin, 0),
-                            std::min(group.box.x1 + margin, image.width),
-                            std::min(group.box.y1 + margin, image.height)} {
-    const std::vector<uint8_t> near = near_holes();
+    : m_image(image), m_group(group), m_box(intersection(around(group.box, group.reach + margin),
+                                                         {0, 0, image.width, image.height})) {
+    const std::vector<uint8_t> near = near_holes(missing);
     const auto channels = size_t(image.channels);
     // Or fewer: pixels of other holes may be near.
     const auto count = size_t(std::count(near.begin(), near.end(), uint8_t(1)));
@@ -53,24 +56,43 @@ size_t HoleMesh::local(size_t pixel) const {
     return (y - size_t(m_box.y0)) * size_t(m_box.width()) + x - size_t(m_box.x0);
 }
 
-/// Of the box 1 where one of the group's pixels lies within the margin along both axes, else 0:
-/// widened along rows, then columns.
-std::vector<uint8_t> HoleMesh::near_holes() const {
-    const auto width = size_t(m_box.width()), height = size_t(m_box.height());
-    std::vector<uint8_t> rows(m_box.area(), 0), near(m_box.area(), 0);
-    for (const size_t pixel : m_group.pixels) {
-        const size_t i = local(pixel), x = i % width, row = i - x;
-        const size_t first = x - std::min(x, size_t(margin)),
-                     last = std::min(x + margin, width - 1);
-        std::fill(&rows[row + first], &rows[row + last] + 1, uint8_t(1));
+/// Of the box 1 at the pixels that the mesh is made for and within the margin of one along both
+/// axes, else 0: the group's own pixels, and what is missing within their reach.
+std::vector<uint8_t> HoleMesh::near_holes(const uint8_t* missing) const {
+    std::vector<uint8_t> holes(m_box.area(), 0);
+    for (const size_t pixel : m_group.pixels)
+        holes[local(pixel)] = 1;
+    if (m_group.reach > 0) {
+        holes = widened(std::move(holes), m_group.reach);
+        auto hole = holes.begin();
+        for (int y = m_box.y0; y < m_box.y1; ++y)
+            for (int x = m_box.x0; x < m_box.x1; ++x, ++hole)
+                *hole &= missing[place(x, y)] != 0;
     }
+    return widened(std::move(holes), margin);
+}
+
+/// Of the box 1 wherever there is one no farther than `by` along both axes: along rows, then
+/// columns.
+std::vector<uint8_t> HoleMesh::widened(std::vector<uint8_t> marks, int by) const {
+    const auto width = size_t(m_box.width()), height = size_t(m_box.height()), far = size_t(by);
+    std::vector<uint8_t> rows(m_box.area(), 0);
+    for (size_t y = 0; y < height; ++y)
+        for (size_t x = 0, done = 0; x < width; ++x) {
+            if (!marks[y * width + x])
+                continue;
+            const size_t last = std::min(x + far, width - 1);
+            for (done = std::max(done, x - std::min(x, far)); done <= last; ++done)
+                rows[y * width + done] = 1;
+        }
+    marks.assign(m_box.area(), 0);
     for (size_t y = 0; y < height; ++y) {
-        const size_t last = std::min(y + margin, height - 1);
-        for (size_t k = y - std::min(y, size_t(margin)); k <= last; ++k)
+        const size_t last = std::min(y + far, height - 1);
+        for (size_t k = y - std::min(y, far); k <= last; ++k)
             for (size_t x = 0; x < width; ++x)
-                near[y * width + x] |= rows[k * width + x];
+                marks[y * width + x] |= rows[k * width + x];
     }
-    return near;
+    return marks;
 }
 
 /// Whether three of the points are not on one line.

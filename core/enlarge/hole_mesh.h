@@ -33,14 +33,15 @@ public:
 private:
     size_t place(int x, int y) const { return size_t(y) * size_t(m_image.width) + size_t(x); }
     size_t local(size_t pixel) const;
-    std::vector<uint8_t> near_holes() const;
+    std::vector<uint8_t> near_holes(const uint8_t* missing) const;
+    std::vector<uint8_t> widened(std::vector<uint8_t> marks, int by) const;
     bool spans_plane() const;
     float value(size_t channel, const std::array<int32_t, 3>& triangle,
                 const Covered& covered) const;
 
     const HoledImage& m_image;
     const HoleGroup& m_group;
-    Rect m_box; ///< the group's, and what lies about it
+    Rect m_box; ///< the group's, and what its mesh reaches
     PointMesh m_mesh;
     std::vector<float> m_guides; ///< a point
     std::vector<float> m_values; ///< the points', of all channels

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // By exact arithmetic, whatever shape the points have together. (Lawson, "Software for C1 surface
-// interpolation", 1977: a sweep, and flips wherever a circle is not empty.)
+// interpolation", 1977: a sweep, and flips wherever a circle is not empty; from the middle outwards
+// and with the rim in a table of angles, Sinclair, "S-hull", 2016.)
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "core/tin/delaunay.h"
@@ -38,21 +39,27 @@ uint32_t hashed(uint32_t x) {
     return x ^ x >> 16;
 }
 
+/// An angle by its way, from 0 to less than 1 once round.
+double turn_of(double x, double y) {
+    const double share = x / (std::abs(x) + std::abs(y)); // 1 to -1 over half a turn
+    return (y < 0 ? 3 + share : 1 - share) / 4;
+}
+
 /// Half-edge h belongs to triangle h / 3 and goes from corner[h] to corner[next(h)], the triangle
 /// to its left.
 class Sweep {
 public:
     Sweep(const std::vector<Steps>& points, Ties ties)
         : m_points(points), m_ties(ties), m_next(points.size(), -1), m_previous(points.size(), -1),
-          m_rim(points.size(), -1) {}
+          m_rim(points.size(), -1), m_at_angle(size_t(std::sqrt(double(points.size()))) + 1, -1) {}
 
     bool triangulate(const Tell& progress) {
         constexpr size_t told_each = 1024;
-        const std::vector<int32_t> order = along_longer_axis();
+        const std::vector<int32_t> order = outwards();
         for (size_t i = begin(order); i < order.size(); ++i) {
             if (progress && i % told_each == 0 && !progress(float(i) / float(order.size())))
                 return false;
-            insert(order[i], order[i - 1]);
+            insert(order[i]);
         }
         return true;
     }
@@ -72,18 +79,27 @@ private:
     int32_t& corner(int32_t h) { return m_corner[size_t(h)]; }
     int64_t turn(int32_t u, int32_t v, int32_t w) const { return orientation(at(u), at(v), at(w)); }
 
-    /// The order of insertion. Along the longer axis a point sees few of the rim's edges.
-    std::vector<int32_t> along_longer_axis() const {
-        const auto [left, right] = std::minmax_element(m_points.begin(), m_points.end(),
-                                                       [](Steps a, Steps b) { return a.x < b.x; });
-        // They are sorted by y.
-        const bool by_x = int64_t(right->x) - left->x > int64_t(m_points.back().y) - m_points[0].y;
-        std::vector<int32_t> order(m_points.size());
-        std::iota(order.begin(), order.end(), 0);
-        if (by_x)
-            std::sort(order.begin(), order.end(), [&](int32_t u, int32_t v) {
-                return at(u).x != at(v).x ? at(u).x < at(v).x : at(u).y < at(v).y;
-            });
+    /// The order of insertion: none lies within the hull of those before it, which are no farther
+    /// from the middle. In a hull so round each sees few of the rim's edges.
+    std::vector<int32_t> outwards() {
+        Steps least = at(0), most = at(0);
+        for (const Steps p : m_points) {
+            least = {std::min(least.x, p.x), std::min(least.y, p.y)};
+            most = {std::max(most.x, p.x), std::max(most.y, p.y)};
+        }
+        const auto middle = [](int32_t a, int32_t b) {
+            return int32_t((int64_t(a) + int64_t(b)) / 2);
+        };
+        m_middle = {middle(least.x, most.x), middle(least.y, most.y)};
+        std::vector<std::pair<int64_t, int32_t>> far;
+        for (int32_t v = 0; v < int32_t(m_points.size()); ++v) {
+            const int64_t x = int64_t(at(v).x) - m_middle.x, y = int64_t(at(v).y) - m_middle.y;
+            far.push_back({x * x + y * y, v});
+        }
+        std::sort(far.begin(), far.end());
+        std::vector<int32_t> order;
+        for (const auto& [square, v] : far)
+            order.push_back(v);
         return order;
     }
 
@@ -119,7 +135,8 @@ private:
             ++n;
         const int32_t p = order[n];
         std::vector<int32_t> line(order.begin(), order.begin() + ptrdiff_t(n));
-        if (turn(order[0], order[1], p) < 0)
+        std::sort(line.begin(), line.end()); // points are sorted
+        if (turn(line[0], line[1], p) < 0)
             std::reverse(line.begin(), line.end());
         int32_t beside = -1; // from p to line[i]
         for (size_t i = 0; i + 1 < n; ++i) {
@@ -132,12 +149,35 @@ private:
             beside = h + 1;
         }
         follow(line[n - 1], p, beside);
+        m_last = p;
         return n + 1;
     }
 
-    /// p lies beyond all so far, of which q was the last: it sees q and rim edges beside it.
-    void insert(int32_t p, int32_t q) {
-        int32_t first = q, last = q;
+    /// The table's entry for points at p's angle.
+    size_t angle_of(int32_t p) const {
+        const double turns = turn_of(double(at(p).x) - m_middle.x, double(at(p).y) - m_middle.y);
+        const auto entries = double(m_at_angle.size());
+        // The middle itself, which has no angle, is on the rim at the beginning at most.
+        return turns >= 0 ? size_t(std::min(turns * entries, entries - 1)) : 0;
+    }
+
+    /// A vertex of the rim near p's angle.
+    int32_t rim_near(int32_t p) const {
+        const size_t own = angle_of(p), entries = m_at_angle.size();
+        for (size_t k = 0; k < entries; ++k) {
+            const int32_t v = m_at_angle[(own + k) % entries];
+            if (v >= 0 && m_next[size_t(v)] >= 0)
+                return v;
+        }
+        return m_last;
+    }
+
+    /// p lies outside the rim, of which it sees some edges that follow one another.
+    void insert(int32_t p) {
+        int32_t first = rim_near(p);
+        while (turn(first, m_next[size_t(first)], p) >= 0)
+            first = m_next[size_t(first)];
+        int32_t last = m_next[size_t(first)];
         while (turn(m_previous[size_t(first)], first, p) < 0)
             first = m_previous[size_t(first)];
         while (turn(last, m_next[size_t(last)], p) < 0)
@@ -154,8 +194,11 @@ private:
             from_p = h + 2;
             doubtful.push_back(h);
         }
+        for (int32_t u = m_next[size_t(first)]; u != last;)
+            u = std::exchange(m_next[size_t(u)], -1);
         follow(first, p, to_p);
         follow(p, last, from_p);
+        m_last = m_at_angle[angle_of(p)] = p;
         while (!doubtful.empty()) {
             const int32_t h = doubtful.back();
             doubtful.pop_back();
@@ -206,8 +249,12 @@ private:
     const std::vector<Steps>& m_points;
     const Ties m_ties;
     std::vector<int32_t> m_corner, m_twin; ///< a half-edge
-    /// Of a vertex on the rim the vertices after and before it, and the half-edge to the next.
+    /// Of a vertex on the rim the vertices after and before it, and the half-edge to the next; what
+    /// is not on the rim any more has -1 after it.
     std::vector<int32_t> m_next, m_previous, m_rim;
+    Steps m_middle{};                ///< of the points' box
+    std::vector<int32_t> m_at_angle; ///< the last vertex at each angle seen from there, or -1
+    int32_t m_last = -1;             ///< the last vertex, which is on the rim
 };
 
 } // namespace

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/enlarge/hole_pieces.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace ddt {
+
+namespace {
+
+/// Of the first cut; and of the last, whose thickness a byte still holds.
+constexpr int first_block = 128, last_block = 2048;
+
+/// Of a block: a part is thick with more than this many pixels to the nearest that is there.
+constexpr int thickness_share = 16;
+
+/// Numbers 0 to n - 1, each at first a set of its own.
+class DisjointSets {
+public:
+    explicit DisjointSets(size_t n) : m_parent(n) {
+        std::iota(m_parent.begin(), m_parent.end(), size_t(0));
+    }
+
+    size_t find(size_t i) {
+        while (m_parent[i] != i)
+            i = m_parent[i] = m_parent[m_parent[i]];
+        return i;
+    }
+
+    void join(size_t a, size_t b) { m_parent[find(a)] = find(b); }
+
+private:
+    std::vector<size_t> m_parent;
+};
+
+class Cutter {
+public:
+    Cutter(const uint8_t* missing, int width, int height, std::vector<uint8_t>& depth)
+        : m_missing(missing), m_width(width), m_height(height), m_depth(depth) {}
+
+    /// Steps along both axes to the nearest pixel that is there, at most 255: the distance
+    /// transform of the chessboard in two passes (Rosenfeld & Pfaltz 1968). `pixels`: row by row.
+    void measure(const std::vector<size_t>& pixels) {
+        for (const size_t i : pixels)
+            m_depth[i] = 255;
+        const auto pass = [&](size_t i, int way) {
+            const int x = int(i % size_t(m_width)), y = int(i / size_t(m_width));
+            nearer(i, x - way, y);
+            for (int u = x - 1; u <= x + 1; ++u)
+                nearer(i, u, y - way);
+        };
+        std::for_each(pixels.begin(), pixels.end(), [&](size_t i) { pass(i, 1); });
+        std::for_each(pixels.rbegin(), pixels.rend(), [&](size_t i) { pass(i, -1); });
+    }
+
+    /// `pixels` cut into blocks of at most this size, their order kept.
+    void cut(std::vector<size_t> pixels, int block, int reach) {
+        HoleGroup whole = group_of(std::move(pixels), m_missing, m_width, m_height);
+        whole.reach = reach;
+        const int across = parts(whole.box.width(), block), down = parts(whole.box.height(), block);
+        if (block > last_block || across * down == 1) {
+            m_pieces.push_back(std::move(whole));
+            return;
+        }
+        const auto block_at = [&](int x, int y) {
+            const Rect& box = whole.box;
+            const int64_t u = std::min(std::max(x, box.x0), box.x1 - 1) - box.x0,
+                          v = std::min(std::max(y, box.y0), box.y1 - 1) - box.y0;
+            return size_t(v * down / box.height() * across + u * across / box.width());
+        };
+        const int thickness = block / thickness_share, near = 2 * thickness;
+        DisjointSets sets(size_t(across) * size_t(down));
+        for (const size_t i : whole.pixels) {
+            if (m_depth[i] <= thickness)
+                continue;
+            const int x = int(i % size_t(m_width)), y = int(i / size_t(m_width));
+            const size_t own = block_at(x, y);
+            for (const int v : {y - near, y + near})
+                for (const int u : {x - near, x + near})
+                    sets.join(own, block_at(u, v));
+        }
+        std::vector<std::vector<size_t>> piece(size_t(across) * size_t(down));
+        for (const size_t i : whole.pixels) {
+            const int x = int(i % size_t(m_width)), y = int(i / size_t(m_width));
+            piece[sets.find(block_at(x, y))].push_back(i);
+        }
+        whole = {};
+        const auto is_part = [](const std::vector<size_t>& part) { return !part.empty(); };
+        const bool is_cut = std::count_if(piece.begin(), piece.end(), is_part) > 1;
+        for (std::vector<size_t>& part : piece)
+            if (is_part(part))
+                cut(std::move(part), 2 * block, is_cut ? near : reach);
+    }
+
+    std::vector<HoleGroup> pieces() { return std::move(m_pieces); }
+
+private:
+    static int parts(int size, int block) { return (size + block - 1) / block; }
+
+    void nearer(size_t i, int x, int y) {
+        if (x < 0 || x >= m_width || y < 0 || y >= m_height)
+            return;
+        const int steps = m_depth[size_t(y) * size_t(m_width) + size_t(x)] + 1;
+        m_depth[i] = uint8_t(std::min(int(m_depth[i]), steps));
+    }
+
+    const uint8_t* m_missing;
+    int m_width, m_height;
+    std::vector<uint8_t>& m_depth;
+    std::vector<HoleGroup> m_pieces;
+};
+
+} // namespace
+
+std::vector<HoleGroup> cut_hole(std::vector<size_t> pixels, const uint8_t* missing, int width,
+                                int height, std::vector<uint8_t>& depth) {
+    std::sort(pixels.begin(), pixels.end());
+    Cutter cutter(missing, width, height, depth);
+    cutter.measure(pixels);
+    cutter.cut(std::move(pixels), first_block, 0);
+    return cutter.pieces();
+}
+
+} // namespace ddt
