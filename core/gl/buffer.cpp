@@ -105,6 +105,8 @@ void Buffer::write(size_t offset, size_t bytes, const void* data) const {
 
 void Buffer::read(size_t offset, size_t bytes, void* data) const {
     m_gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    // Reading waits for what writes to the buffer, for ever if that does not end.
+    finish(m_gl, "before a buffer is read");
     if (m_out_of_reach) {
         const Passing to(m_gl, bytes, nullptr, GL_STREAM_READ);
         copy(m_gl, m_name, offset, to.name, 0, bytes);

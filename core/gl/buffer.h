@@ -27,8 +27,8 @@ public:
     void bind_uniform(GLuint binding) const;
     /// Throws Failure if what goes there finds no memory on the way.
     void write(size_t offset, size_t bytes, const void* data) const;
-    /// Read, also what shaders wrote. Waits for the device to be done with the buffer. Throws
-    /// Failure if it cannot be read.
+    /// Read, also what shaders wrote. Waits, as finish() does, for all that was asked of the
+    /// device. Throws Failure if it cannot be read.
     void read(size_t offset, size_t bytes, void* data) const;
     void clear() const { fill(0); }
 

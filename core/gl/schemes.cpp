@@ -154,7 +154,11 @@ void DeviceMesh::accept_reject(const Rules& rules) {
     m_gl.Uniform2i(9, GLint(stamps), m_gpu.context->software ? 40000 : 500000);
     std::vector<uint32_t> progress(size_t(progress_size) * size_t(m_tiles));
     const auto goes_on = [&] {
+        const std::vector<uint32_t> before = progress;
         m_stamps->read(stamps * word, progress.size() * word, progress.data());
+        // Every dispatch takes each tile that has not ended a step on, from zeros at the beginning.
+        if (progress == before)
+            throw Failure("accept_reject.comp: a dispatch did nothing");
         bool all_ended = true;
         for (size_t t = 0; t < progress.size(); t += size_t(progress_size)) {
             if (progress[t] == progress_stuck)

@@ -175,6 +175,29 @@ TEST_P(Buffers, AreNotReadBeforeAFenceThatCannotBeWaitedFor) {
         .get();
 }
 
+bool g_read;
+void APIENTRY get_buffer(GLenum, GLintptr, GLsizeiptr, void*) {
+    g_read = true;
+}
+
+// A driver may wait for ever for what writes to it.
+TEST_P(Buffers, AreNotReadFromADeviceThatDoesNotAnswer) {
+    on_both_kinds([](const gl::Functions& right) {
+        gl::Functions gl = right;
+        const gl::Buffer buffer(gl, 400);
+        std::vector<uint32_t> found(100);
+        gl.GetBufferSubData = get_buffer;
+        gl.ClientWaitSync = wait_sync;
+        g_read = false;
+        g_state = GL_TIMEOUT_EXPIRED;
+        EXPECT_THROW(buffer.read(0, 400, found.data()), gl::ContextLost);
+        EXPECT_FALSE(g_read);
+        g_state = GL_ALREADY_SIGNALED;
+        EXPECT_NO_THROW(buffer.read(0, 400, found.data()));
+        EXPECT_TRUE(g_read);
+    });
+}
+
 // Memory that a driver hands out again may hold what the same program wrote there before.
 TEST_P(Buffers, AreFilledInChecks) {
     gl::Gpu& gpu = fresh_device();

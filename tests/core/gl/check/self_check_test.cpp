@@ -176,6 +176,57 @@ TEST_P(SelfCheck, EveryProgramIsCheckedBeforeItIsUsedAndAWrongOneIsNot) {
     EXPECT_GE(proved.size(), 7 * cost_names().size() + 6 + 1 + 2 + 2 + 2 + 1 + 3 + 4 + 2 + 16);
 }
 
+// A program is known by what it alone is told: of accept_reject.comp most_turns on software.
+constexpr GLint most_turns = 40000;
+int g_dropped;
+bool g_dropping;
+PFNGLUSEPROGRAMPROC g_use_program;
+PFNGLUNIFORM2IPROC g_uniform_2i;
+PFNGLDISPATCHCOMPUTEPROC g_dispatch;
+
+void APIENTRY use_program(GLuint program) {
+    g_dropping = false;
+    g_use_program(program);
+}
+
+void APIENTRY uniform_2i(GLint location, GLint x, GLint y) {
+    g_dropping |= y == most_turns;
+    g_uniform_2i(location, x, y);
+}
+
+void APIENTRY dispatch_some(GLuint x, GLuint y, GLuint z) {
+    g_dropped += g_dropping;
+    if (!g_dropping)
+        g_dispatch(x, y, z);
+}
+
+// What repeats a dispatch until all is done would repeat it for ever.
+TEST_P(SelfCheck, ADeviceOnWhichADispatchDoesNothingIsNotUsed) {
+    const Picture picture = make_picture(Content::photo, 24, 20, 3, 4);
+    Order order;
+    order.out_width = 60;
+    order.out_height = 50;
+    order.job.mesh.scheme = Scheme::maxgain;
+    for (const bool in_the_check : {true, false}) {
+        gl::Gpu& device = fresh_device();
+        device.thread
+            .post([&] {
+                if (!in_the_check) {
+                    EXPECT_EQ(device.checks.differs(device, order.job), "");
+                }
+                gl::Functions& gl = device.context->gl;
+                g_use_program = std::exchange(gl.UseProgram, use_program);
+                g_uniform_2i = std::exchange(gl.Uniform2i, uniform_2i);
+                g_dispatch = std::exchange(gl.DispatchCompute, dispatch_some);
+            })
+            .get();
+        g_dropped = 0;
+        std::vector<std::string> lines;
+        EXPECT_FALSE(on_device(picture, order, lines));
+        EXPECT_EQ(g_dropped, 1);
+    }
+}
+
 int g_linked, g_linked_when_asked;
 PFNGLLINKPROGRAMPROC g_link_program;
 PFNGLGETSHADERIVPROC g_get_shader;
