@@ -227,6 +227,13 @@ GeglRectangle get_invalidated_by_change(GeglOperation* operation, const gchar*,
     return get_bounding_box(operation);
 }
 
+/// What $GEGL_THREADS or a program such as GIMP says.
+int threads_of_gegl() {
+    gint threads = 1;
+    g_object_get(gegl_config(), "threads", &threads, nullptr);
+    return threads_within(uint64_t(std::max(threads, 1)));
+}
+
 gboolean process(GeglOperation* operation, GeglBuffer* input, GeglBuffer* output,
                  const GeglRectangle* part, gint) {
     Enlargement work;
@@ -244,6 +251,7 @@ gboolean process(GeglOperation* operation, GeglBuffer* input, GeglBuffer* output
     work.from.box = work.place.window;
     const Wanted wanted = wanted_by(operation);
     work.layout = Layout::usual(wanted.channels, wanted.associated);
+    work.threads = threads_of_gegl();
     // GEGL's progress is for the thread that it calls us on. Of pieces the host counts how many are
     // done; and at 0 and 1 GIMP begins and ends a progress in place of its own, which could be
     // cancelled.

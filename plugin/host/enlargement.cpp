@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/base/guarded.h"
+#include "core/base/parallel.h"
 #include "plugin/colour/colour_pixels.h"
 #include "plugin/colour/encodings.h"
 #include "plugin/host/pixels.h"
@@ -85,6 +86,11 @@ Job job_of(const Enlargement& work) {
 }
 
 } // namespace
+
+int threads_within(uint64_t allows) {
+    const auto usual = uint64_t(usual_threads());
+    return int(std::max<uint64_t>(std::min(usual, allows), 1));
+}
 
 Layout Layout::usual(int channels, bool associated) {
     Layout layout;

@@ -54,10 +54,13 @@ struct Enlargement {
     MeshOptions mesh;
     Device device = Device::automatic;
     Holes holes = Holes::keep; ///< not keep: from.box holds the whole window
-    int threads = 0;
+    int threads = 0;           ///< see Job::threads; threads_within() of the program's own limit
     std::function<bool(float)> progress; ///< see Job::progress
     Statistics* statistics = nullptr;
 };
+
+/// As many threads as usual, but no more than the program that we are in `allows` its own work.
+int threads_within(uint64_t allows);
 
 /// Do it. A full that has the window's size and is not enlarged is a copy, holes and all; a smaller
 /// one is Outcome::bad_job, with one line in `error` as of any failure. Never throws.

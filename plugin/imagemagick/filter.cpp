@@ -106,6 +106,7 @@ Image* enlarged(Image& image, const Request& request, ExceptionInfo* exception) 
     std::vector<Number> to;
     work.from = from.buffer();
     work.to = buffer_of(to, full, work.layout.channels);
+    work.threads = threads_within(GetMagickResourceLimit(ThreadResource));
     work.progress = Progress{&image};
     const ddt::Outcome outcome = enlarge(work, error);
     if (outcome != ddt::Outcome::done) {

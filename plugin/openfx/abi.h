@@ -86,6 +86,12 @@ struct ProgressSuite {
     int (*end)(void* effect);
 };
 
+struct MultiThreadSuite {
+    void* multi_thread;
+    int (*number_of_cpus)(unsigned int* cpus);
+    void* rest[7];
+};
+
 struct MessageSuite {
     int (*message)(void* handle, const char* type, const char* id, const char* format, ...);
 };

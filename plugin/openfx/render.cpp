@@ -115,6 +115,14 @@ bool plan(const Image& image, const Settings& settings, host::Enlargement& work,
     return host::set_filter(settings.filter, matte ? "linear" : settings.light, work, error);
 }
 
+/// What the host allows a render, which may be one of several that run side by side.
+int threads_of_host() {
+    unsigned int cpus = 0;
+    const bool says = suites.multi_thread && suites.multi_thread->number_of_cpus &&
+                      suites.multi_thread->number_of_cpus(&cpus) == ok && cpus > 0;
+    return says ? host::threads_within(cpus) : 0;
+}
+
 int render_part(Effect effect, const SourceClip& source, const Image& from, const Image& to,
                 Rect part, std::string& error) {
     host::Enlargement work;
@@ -137,6 +145,7 @@ int render_part(Effect effect, const SourceClip& source, const Image& from, cons
     host::Buffer& out = work.to;
     out.data = out.at(inside.x0, inside.y0);
     out.box = inside;
+    work.threads = threads_of_host();
     Watch watch(effect);
     work.progress = std::ref(watch);
     const Outcome outcome = host::enlarge(work, error);

@@ -22,6 +22,7 @@ void load_suites() {
     fetch(suites.param, "OfxParameterSuite");
     fetch(suites.progress, "OfxProgressSuite");
     fetch(suites.message, "OfxMessageSuite");
+    fetch(suites.multi_thread, "OfxMultiThreadSuite");
 }
 
 // A property that a host does not know is no failure: each knows some that others do not.

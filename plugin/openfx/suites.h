@@ -8,7 +8,7 @@
 
 namespace ddt::ofx {
 
-/// All null before load_suites(). The last two may stay null.
+/// All null before load_suites(). The last three may stay null.
 struct Suites {
     Host* host = nullptr;
     const PropertySuite* property = nullptr;
@@ -16,6 +16,7 @@ struct Suites {
     const ParamSuite* param = nullptr;
     const ProgressSuite* progress = nullptr;
     const MessageSuite* message = nullptr;
+    const MultiThreadSuite* multi_thread = nullptr;
     bool complete() const { return property && effect && param; }
 };
 extern Suites suites;

@@ -81,6 +81,19 @@ class Case(unittest.TestCase):
         return subprocess.run(command, cwd=self.folder, env={**environment(plugin), **variables},
                               capture_output=True, text=True, timeout=120)
 
+    def most_threads(self, *command, **variables):
+        """Run a program that must succeed; return how many threads it was seen with at most."""
+        most = 0
+        with subprocess.Popen(command, cwd=self.folder, env={**environment(True), **variables},
+                              stdout=subprocess.DEVNULL) as running:
+            while running.poll() is None:
+                try:
+                    most = max(most, len(os.listdir(f"/proc/{running.pid}/task")))
+                except OSError:
+                    pass  # it has just ended
+        self.assertEqual(running.returncode, 0, " ".join(command))
+        return most
+
     def succeed(self, *command, **how):
         """Run a program that must succeed without a complaint; return its output."""
         done = self.attempt(*command, **how)

@@ -4,6 +4,7 @@
 import os
 import shutil
 import subprocess
+import sys
 import unittest
 
 import support
@@ -54,6 +55,27 @@ for y in range(0, min(box.height, 128), 64):
         blit(ddt, Rectangle(box.x + x, box.y + y, 64, 64))
         pieces += 1
 print(pieces)
+"""
+
+# Enlarges a file; prints how many threads it was seen to begin.
+THREADS = GRAPH + """
+import os, threading
+load = node(b"gegl:load", b"path", c_char_p(sys.argv[1].encode()))
+ddt = node(b"gegl:ddt", b"scale", c_double(2))
+gegl.gegl_node_link_many(load, ddt, None)
+blit(load, Rectangle(0, 0, 64, 64))  # GEGL begins its own
+done, before, begun = threading.Event(), set(), set()
+def watch():
+    while not done.is_set():
+        begun.update(os.listdir("/proc/self/task"))
+watcher = threading.Thread(target=watch)
+watcher.start()
+before.update(os.listdir("/proc/self/task"))
+box = gegl.gegl_node_get_bounding_box(ddt)
+blit(ddt, box)
+done.set()
+watcher.join()
+print(len(begun - before))
 """
 
 # Enlarges a file so many times, a corner of it or all, and prints what progress was told.
@@ -221,6 +243,16 @@ class Gegl(support.Case):
             self.succeed("oiiotool", "wanted.exr", "--cut", f"{last - first}x12+{first}+0",
                          "-o", "b.exr")
             self.same_floats("a.exr", "b.exr")
+
+    def test_its_number_of_threads_counts(self):
+        self.succeed("oiiotool", "photo.png", "--resize", "900x600", "-o", "large.png")
+
+        def begun(threads):
+            return int(self.succeed(sys.executable, "-c", THREADS, self.path("large.png"),
+                                    **gegl_environment(), GEGL_THREADS=threads))
+        self.assertEqual(begun("1"), 0)
+        if len(os.sched_getaffinity(0)) > 1:
+            self.assertGreater(begun("2"), 0)
 
     def test_what_has_no_end_is_told(self):
         done = self.attempt("gegl", "-o", "out.png", "--", "checkerboard", "ddt", "scale=2", "crop",

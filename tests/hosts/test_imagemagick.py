@@ -106,6 +106,14 @@ class ImageMagick(support.Case):
         self.assertEqual(self.hashes("out.tif")[:1], self.hashes("wanted.png"))
         self.assertEqual(len(self.hashes("out.tif")), 2)
 
+    def test_its_limit_of_threads_counts(self):
+        def most(limit):
+            return self.most_threads(CONVERT, "-limit", "thread", limit, "photo.png", "-sample",
+                                     "1500x1000!", "-process", "ddt 2", "null:", **FOUND_IN)
+        self.assertEqual(most("1"), 1)
+        if len(os.sched_getaffinity(0)) > 1:
+            self.assertGreater(most("2"), 1)
+
     def test_errors_end_with_1_and_a_line(self):
         for arguments, says in (("", "scale"), ("0.5", "scale"), ("2 ddtx", "unknown filter"),
                                 ("2 ddt,blur=7", "blur=7")):

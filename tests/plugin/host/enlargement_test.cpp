@@ -234,6 +234,15 @@ TEST(Enlargement, TellsHowFarItIsAndStopsWhenTold) {
     EXPECT_EQ(error, "ddt: cancelled");
 }
 
+TEST(Enlargement, UsesNoMoreThreadsThanItsProgramAllows) {
+    const int usual = threads_within(std::numeric_limits<uint64_t>::max());
+    EXPECT_GE(usual, 1);
+    EXPECT_EQ(threads_within(0), 1);
+    EXPECT_EQ(threads_within(1), 1);
+    EXPECT_EQ(threads_within(uint64_t(usual)), usual);
+    EXPECT_EQ(threads_within(uint64_t(usual) + 1), usual);
+}
+
 TEST(Enlargement, UnassociatedAlphaIsMultipliedFirst) {
     ImageBuf from = picture(60, 40, 4, TypeDesc::FLOAT), straight;
     ASSERT_TRUE(OIIO::ImageBufAlgo::unpremult(straight, from));

@@ -6,6 +6,7 @@
 #include <ofxCore.h>
 #include <ofxImageEffect.h>
 #include <ofxMessage.h>
+#include <ofxMultiThread.h>
 #include <ofxParam.h>
 #include <ofxProgress.h>
 
@@ -43,6 +44,7 @@ TEST(OpenFxHeaders, FunctionsAreInTheirPlaces) {
     DDT_SAME_PLACE(ProgressSuite, update, OfxProgressSuiteV1, progressUpdate);
     DDT_SAME_PLACE(ProgressSuite, end, OfxProgressSuiteV1, progressEnd);
     DDT_SAME_PLACE(MessageSuite, message, OfxMessageSuiteV1, message);
+    DDT_SAME_PLACE(MultiThreadSuite, number_of_cpus, OfxMultiThreadSuiteV1, multiThreadNumCPUs);
     DDT_SAME_PLACE(Host, fetch_suite, OfxHost, fetchSuite);
     DDT_SAME_PLACE(Plugin, identifier, OfxPlugin, pluginIdentifier);
     DDT_SAME_PLACE(Plugin, set_host, OfxPlugin, setHost);

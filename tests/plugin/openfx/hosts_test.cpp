@@ -124,8 +124,20 @@ TEST_P(OfxHosts, AreAskedForSuitesOfVersion1AndNoOthersThanTheOnesUsed) {
     for (const std::string& suite : host->asked)
         EXPECT_TRUE(suite == "OfxPropertySuite 1" || suite == "OfxImageEffectSuite 1" ||
                     suite == "OfxParameterSuite 1" || suite == "OfxProgressSuite 1" ||
-                    suite == "OfxMessageSuite 1")
+                    suite == "OfxMessageSuite 1" || suite == "OfxMultiThreadSuite 1")
             << suite;
+}
+
+// A host that renders several frames at once says fewer than the machine has.
+TEST_P(OfxHosts, SayHowManyThreadsEachRenderMayUse) {
+    const ImageBuf image = open_usual(300, 200);
+    for (const unsigned int cpus : {1u, 2u, 0u, ~0u}) {
+        host->cpus = cpus;
+        host->asked_for_cpus = 0;
+        render_whole(step());
+        EXPECT_TRUE(same_pixels(effect->output, wanted_of(image, with_light("linear")))) << cpus;
+        EXPECT_EQ(host->asked_for_cpus > 0, GetParam().suites.count("OfxMultiThreadSuite") > 0);
+    }
 }
 
 TEST_P(OfxHosts, WithoutASuiteThatIsNeededAreToldSo) {

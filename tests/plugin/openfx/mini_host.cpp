@@ -203,6 +203,13 @@ int message(void*, const char* type, const char*, const char*, ...) {
 }
 const ofx::MessageSuite message_suite = {message};
 
+int number_of_cpus(unsigned int* cpus) {
+    ++current->asked_for_cpus;
+    *cpus = current->cpus;
+    return ofx::ok;
+}
+const ofx::MultiThreadSuite multi_thread_suite = {nullptr, number_of_cpus, {}};
+
 } // namespace
 
 void Properties::put(const std::string& name, Value value, int index) {
@@ -231,6 +238,7 @@ const void* Host::fetch(ofx::Properties, const char* name, int version) {
            : suite == "OfxParameterSuite"   ? static_cast<const void*>(&param_suite)
            : suite == "OfxProgressSuite"    ? static_cast<const void*>(&progress_suite)
            : suite == "OfxMessageSuite"     ? static_cast<const void*>(&message_suite)
+           : suite == "OfxMultiThreadSuite" ? static_cast<const void*>(&multi_thread_suite)
                                             : nullptr;
 }
 

@@ -72,6 +72,8 @@ public:
     std::set<std::string> withheld; ///< suites that it does not have after all
     std::vector<std::string> asked; ///< suites that it was asked for, with a space and the version
     std::vector<std::string> messages;
+    unsigned int cpus = 64; ///< that it allows a render
+    std::atomic<int> asked_for_cpus{0};
     int progress_started = 0, progress_ended = 0;
     int stop_after = -1; ///< updates of progress until it says to stop; -1: never
 
