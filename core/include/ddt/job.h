@@ -114,8 +114,9 @@ struct Job {
     /// pixel for each channel and 14 more, some 50 for each missing pixel (and 4 for each channel
     /// of one that lacks only some), and for each thread some 300 and 4 for each channel for each
     /// pixel about the hole it works on, and 2 for each of the box round it (small holes count
-    /// together, by blocks of 64 x 64, and large ones where they are thin in pieces). A failure if all pixels are missing, the image
-    /// has more than 2^31 - 1, or more than 2^27 lie about one hole.
+    /// together, by blocks of 64 x 64, and large ones where they are thin in pieces). A failure if
+    /// all pixels are missing, the image has more than 2^31 - 1, or more than 2^27 lie about one
+    /// hole.
     Holes holes = Holes::keep;
     /// Called from time to time with the share done, 0 to 1, one thread at a time; return false
     /// to cancel. May be empty.
