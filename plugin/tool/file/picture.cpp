@@ -2,6 +2,10 @@
 #include "plugin/tool/file/picture.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include <OpenImageIO/filesystem.h>
 
 #include "plugin/image/metadata.h"
 #include "plugin/image/source.h"
@@ -67,6 +71,9 @@ std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path)
 std::string why_unreadable(const std::string& said, const std::string& path) {
     if (const std::string why = why_not_opened(path); !why.empty())
         return "cannot read \"" + path + "\": " + why;
+    // Some readers call it broken. A name with a query need not be a file's.
+    if (path.find('?') == std::string::npos && !OIIO::Filesystem::exists(path))
+        return "cannot read \"" + path + "\": " + std::strerror(ENOENT);
     const std::string why = said.empty() ? "cannot read \"" + path + "\"" : said;
     return why.find(path) == std::string::npos ? "\"" + path + "\": " + why : why;
 }

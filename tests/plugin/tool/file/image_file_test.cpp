@@ -101,6 +101,22 @@ TEST(Unreadable, FilesThatMayNotBeReadAreCalledSo) {
     EXPECT_EQ(failure.code, exit_failed);
 }
 
+// Readers of EXR, PNG and JPEG call what is not there broken.
+TEST(Unreadable, FilesThatAreNotThereAreCalledSo) {
+    for (const char* name : {"not_there.exr", "not_there.png", "not_there.tif", "not_there.jpg"}) {
+        const std::string path = temporary(name);
+        OIIO::ImageBuf image;
+        std::string error;
+        EXPECT_FALSE(open_image(path, image, error));
+        EXPECT_EQ(error, "cannot read \"" + path + "\": No such file or directory");
+        EXPECT_EQ(open_input(path, 0, error), nullptr);
+        EXPECT_EQ(error, "cannot read \"" + path + "\": No such file or directory");
+    }
+    OIIO::ImageBuf image;
+    std::string error;
+    EXPECT_TRUE(open_image("a.null?RES=4x4", image, error)) << error;
+}
+
 TEST(Unreadable, WhatTheSystemSaysIsSaidOfFilesThatAreThere) {
     const std::string loop = temporary("loop.exr");
     std::filesystem::create_symlink(loop, loop);
