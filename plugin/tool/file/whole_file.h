@@ -17,8 +17,9 @@ namespace ddt::tool {
 ///
 /// The temporary file lies in the same folder, its name hidden and with the same extension:
 /// .NAME.ddt-0.exr. A signal that can be caught removes it (see unfinished.h). After one that
-/// cannot (SIGKILL) it stays, and the next process of this user that writes the file removes it: a
-/// process at work holds a lock on its temporary file, and nobody holds one on what is left over.
+/// cannot (SIGKILL) it stays, and the next process of this user that writes the file removes it,
+/// and those of others that were killed with it: a process at work holds a lock on its temporary
+/// file, and nobody holds one on what is left over.
 ///
 /// A symbolic link stays one: the file that it leads to is replaced. A file that was there keeps
 /// its permissions, and its owner and group where that is allowed; one that may not be written is
