@@ -117,6 +117,24 @@ class Whole(Case):
                 self.assertIn(name, text)
                 self.assertEqual([n for n in os.listdir(self.folder) if ".ddt-" in n], [])
 
+    def test_no_room_for_the_last_bytes(self):
+        """Which some writers do not look at, and without which a file may be read all the same."""
+        self.succeed("oiiotool", "photo.png", "--noise", "-o", "noise.png")
+        for name in ("out.rla", "out.ico", "out.tif"):
+            with self.subTest(name=name):
+                command = ("resize", "noise.png", "500%", name)
+                self.assertEqual(self.run_to_end(*command), (0, ""))
+                size = os.path.getsize(self.path(name))
+                os.remove(self.path(name))
+                for less in (1, 150, 450, 900):
+                    def small():
+                        resource.setrlimit(resource.RLIMIT_FSIZE, (size - less, size - less))
+
+                    code, text = self.run_to_end(*command, preexec_fn=small)
+                    self.assertEqual(code, 3, text)
+                    self.assertEqual(len(text.splitlines()), 1, text)
+                    self.assertFalse(os.path.exists(self.path(name)))
+
     def test_no_room_for_tiles(self):
         """After one that could not be written OpenEXR waits for ever for the next."""
         def small():

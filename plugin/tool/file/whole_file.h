@@ -42,7 +42,7 @@ public:
     void begin_writeback();
 
     /// The error's number that a write gives now, or 0. It writes beyond the end, and takes that
-    /// back; where there is no temporary file it cannot, so only for what is to be given up.
+    /// back; where there is no temporary file it cannot, and is for what is to be given up.
     int write_error() const;
 
     /// Put all of it on the disk, then under its name. False with a failure, and no file, if a
