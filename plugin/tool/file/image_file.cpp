@@ -15,6 +15,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "plugin/message/format.h"
+#include "plugin/tool/file/cut_off.h"
 #include "plugin/tool/file/fit_format.h"
 
 namespace ddt::tool {
@@ -297,7 +298,7 @@ bool ImageFile::check_written(Failure& failure) {
         return refuse(std::strerror(number), code_of_errno(number));
     const ExitCode code = m_stream ? exit_failed : exit_resources;
     const auto in = OIIO::ImageInput::open(temporary());
-    if (!in)
+    if (!in || is_cut_off(temporary(), in->format_name()))
         return refuse("what was written cannot be read back", code_of_reading(temporary(), code));
     m_compression = in->spec().get_string_attribute("compression");
     m_compression.resize(std::min(m_compression.size(), m_compression.find(':')));

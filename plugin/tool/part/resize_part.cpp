@@ -241,6 +241,8 @@ struct PartJob {
             failure.code = code_of_message(failure.why);
             return false;
         }
+        if (!check_whole(path, std::string(image().file_format_name()), failure.why))
+            return false;
         // Of whose image neither the bytes nor the time of its last change are looked at.
         if (image().file_format_name() == "ddt") {
             failure = {"\"" + path + "\" asks for another image, enlarged; --part needs that image",
