@@ -235,6 +235,12 @@ class Whole(Case):
             self.assertEqual(done.returncode, 3, done.stderr)
             self.assertIn("is unavailable", done.stderr)
 
+    def test_an_unknown_device_is_told_before_anything_is_opened(self):
+        """Whose writer would complain by itself."""
+        done = self.attempt(DDT, "resize", "photo.png", "250%", "out.png", DDT_DEVICE="voodoo")
+        self.assertEqual((done.returncode, done.stderr), (
+            1, "ddt: DDT_DEVICE=voodoo is not one of auto, cpu, egl, osmesa\n"))
+
     def test_closed_streams(self):
         """What is meant for a terminal does not get into a file."""
         self.assertEqual(self.run_to_end("resize", "photo.png", "150%", "wanted.exr"), (0, ""))
