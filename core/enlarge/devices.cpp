@@ -3,6 +3,7 @@
 
 #include "core/base/guarded.h"
 #include "core/enlarge/thread_count.h"
+#include "core/gl/choice.h"
 #include "core/gl/offload.h"
 #include "ddt/option_table.h"
 
@@ -23,6 +24,14 @@ bool describe_device(const Job& job, std::string& line) noexcept {
     if (had)
         line.swap(text);
     return had;
+}
+
+bool check_device(Device device, std::string& line) noexcept {
+    return succeeds(&line, [&](std::string& why) {
+        Job job;
+        job.device = device;
+        return gl::wish(job, device, why);
+    });
 }
 
 } // namespace ddt

@@ -9,6 +9,7 @@
 #include <OpenImageIO/strutil.h>
 #include <OpenImageIO/sysutil.h>
 
+#include "core/base/control_groups.h"
 #include "core/base/memory/large_pages.h"
 #include "plugin/message/format.h"
 
@@ -17,9 +18,7 @@ namespace {
 
 int64_t allowed_megabytes() {
     int limit = 0;
-    auto memory = int64_t(OIIO::Sysutil::physical_memory() >> 20);
-    if (memory == 0) // not known: no /proc
-        memory = std::numeric_limits<int64_t>::max();
+    const int64_t memory = available_memory() >> 20;
     if (!OIIO::getattribute("limits:imagesize_MB", limit) || limit <= 0)
         return memory;
     return std::min<int64_t>(limit, memory);
@@ -97,6 +96,13 @@ bool check_pixels(const OIIO::ImageBuf& src, std::string& error) {
 
 } // namespace
 
+int64_t available_memory() {
+    auto bytes = int64_t(OIIO::Sysutil::physical_memory());
+    if (bytes == 0) // not known: no /proc
+        bytes = std::numeric_limits<int64_t>::max();
+    return std::min(bytes, memory_of_groups());
+}
+
 bool check_source(const OIIO::ImageBuf& src, std::string& error) {
     if (!src.initialized()) {
         error = src.has_error() ? format("the source image cannot be read: {}", src.geterror(false))
@@ -154,9 +160,10 @@ bool check_memory(const std::string& what, double bytes, std::string& error) {
     const double megabytes = bytes / (1 << 20);
     if (megabytes <= double(allowed_megabytes()))
         return true;
-    error = format("{} would need {:.0f} MB; allowed are {} MB (the least of OpenImageIO's "
-                   "limits:imagesize_MB and this machine's memory)",
-                   what, megabytes, allowed_megabytes());
+    error =
+        format("{} would need {:.0f} MB; allowed are {} MB (the least of OpenImageIO's "
+               "limits:imagesize_MB, this machine's memory and what control groups allow of it)",
+               what, megabytes, allowed_megabytes());
     return false;
 }
 

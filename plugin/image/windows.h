@@ -16,9 +16,12 @@ bool check_source(const OIIO::ImageBuf& src, std::string& error);
 /// The same before pixels are read.
 bool check_source_spec(const OIIO::ImageSpec& spec, std::string& error);
 
+/// Bytes that this process may have: the machine's memory, or what its control groups allow of it.
+int64_t available_memory();
+
 /// False with one line in `error` unless an image of `roi`'s size may be allocated: coordinates
 /// within +-largest_coordinate, and no more bytes than OpenImageIO's attribute
-/// "limits:imagesize_MB" or than the machine has memory.
+/// "limits:imagesize_MB" or available_memory() allows.
 bool check_size(const OIIO::ROI& roi, int channels, OIIO::TypeDesc format, std::string& error);
 /// The same of so many bytes for something else: "comparing 640 x 480 pixels".
 bool check_memory(const std::string& what, double bytes, std::string& error);

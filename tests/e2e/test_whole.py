@@ -6,9 +6,11 @@ import os
 import random
 import resource
 import signal
+import struct
 import subprocess
 import time
 import unittest
+import zlib
 
 from support import BUILD, Case, environment
 
@@ -117,6 +119,24 @@ class Whole(Case):
                 self.assertIn(name, text)
                 self.assertEqual([n for n in os.listdir(self.folder) if ".ddt-" in n], [])
 
+    def test_no_room_for_the_last_bytes(self):
+        """Which some writers do not look at, and without which a file may be read all the same."""
+        self.succeed("oiiotool", "photo.png", "--noise", "-o", "noise.png")
+        for name in ("out.rla", "out.ico", "out.tif"):
+            with self.subTest(name=name):
+                command = ("resize", "noise.png", "500%", name)
+                self.assertEqual(self.run_to_end(*command), (0, ""))
+                size = os.path.getsize(self.path(name))
+                os.remove(self.path(name))
+                for less in (1, 150, 450, 900):
+                    def small():
+                        resource.setrlimit(resource.RLIMIT_FSIZE, (size - less, size - less))
+
+                    code, text = self.run_to_end(*command, preexec_fn=small)
+                    self.assertEqual(code, 3, text)
+                    self.assertEqual(len(text.splitlines()), 1, text)
+                    self.assertFalse(os.path.exists(self.path(name)))
+
     def test_no_room_for_tiles(self):
         """After one that could not be written OpenEXR waits for ever for the next."""
         def small():
@@ -177,6 +197,42 @@ class Whole(Case):
         self.assertIn("memory", text)
         self.assertFalse(os.path.exists(self.path("out.tif")))
 
+    def run_in_group(self, mebibytes, *arguments):
+        """Run ddt where a control group allows that, as the kernel's files say it."""
+        for name in ("memory.max", "memory/memory.limit_in_bytes"):
+            os.makedirs(os.path.dirname(self.path(f"groups/{name}")), exist_ok=True)
+            with open(self.path(f"groups/{name}"), "w", encoding="ascii") as file:
+                file.write(f"{mebibytes << 20}\n")
+        done = self.attempt("unshare", "-rm", "sh", "-c",
+                            "mount --bind groups /sys/fs/cgroup || exit 77; "
+                            f"ulimit -v 12000000; '{DDT}' {' '.join(arguments)}")
+        if done.returncode == 77:
+            self.skipTest("no folder can be mounted here: " + done.stderr)
+        return done.returncode, done.stderr
+
+    def test_what_a_control_group_has_no_memory_for(self):
+        """In which the kernel would kill the process."""
+        code, text = self.run_in_group(64, "resize", "photo.png", "4000x4000", "out.tif")
+        self.assertEqual((code, text), (0, ""))
+        code, text = self.run_in_group(64, "resize", "photo.png", "6000x6000", "out.tif")
+        self.assertEqual(code, 3, text)
+        self.assertIn("would need 103 MB; allowed are 64 MB", text)
+        self.assertIn("control groups", text)
+
+    def test_a_part_with_more_tiles_than_memory(self):
+        """OpenEXR's writer keeps the place of each, here 14 GB."""
+        def chunk(name, data):
+            return (struct.pack(">I", len(data)) + name + data +
+                    struct.pack(">I", zlib.crc32(name + data)))
+
+        with open(self.path("large.png"), "wb") as file:
+            file.write(b"\x89PNG\r\n\x1a\n" +
+                       chunk(b"IHDR", struct.pack(">IIBBBBB", 200000, 150000, 8, 0, 0, 0, 0)) +
+                       chunk(b"IDAT", zlib.compress(b"")) + chunk(b"IEND", b""))
+        code, text = self.run_in_group(8000, "resize", "large.png", "800%", "out.exr", "--part", "1/1")
+        self.assertEqual(code, 3, text)
+        self.assertIn("a part of 1600000 x 1200000 pixels", text)
+
     def test_no_memory_for_a_part(self):
         """Whichever allocation is the first to fail, of the threads' or of the image cache's."""
         self.succeed("oiiotool", "--pattern", "noise", "900x900", "3", "-d", "half", "--tile", "64",
@@ -216,6 +272,12 @@ class Whole(Case):
             done = self.attempt(DDT, *command, __EGL_VENDOR_LIBRARY_FILENAMES="/nonexistent")
             self.assertEqual(done.returncode, 3, done.stderr)
             self.assertIn("is unavailable", done.stderr)
+
+    def test_an_unknown_device_is_told_before_anything_is_opened(self):
+        """Whose writer would complain by itself."""
+        done = self.attempt(DDT, "resize", "photo.png", "250%", "out.png", DDT_DEVICE="voodoo")
+        self.assertEqual((done.returncode, done.stderr), (
+            1, "ddt: DDT_DEVICE=voodoo is not one of auto, cpu, egl, osmesa\n"))
 
     def test_closed_streams(self):
         """What is meant for a terminal does not get into a file."""

@@ -14,4 +14,8 @@ namespace ddt {
 /// Does not throw; safe to call from several threads at once.
 bool describe_device(const Job& job, std::string& line) noexcept;
 
+/// Whether a job of this device may begin as far as names go: false if DDT_DEVICE counts for it and
+/// is no device's name; the line then says so. Opens nothing. Does not throw.
+bool check_device(Device device, std::string& line) noexcept;
+
 } // namespace ddt

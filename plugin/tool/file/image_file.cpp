@@ -15,6 +15,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "plugin/message/format.h"
+#include "plugin/tool/file/cut_off.h"
 #include "plugin/tool/file/fit_format.h"
 
 namespace ddt::tool {
@@ -145,10 +146,9 @@ bool keeps_zeros(std::FILE* file) {
 }
 
 /// Whether parts of a file were never written. A writer that goes from row to row of a full disk
-/// (SGI, RLA, FITS) leaves them, and they read as zeros. Where holes may have been written, it is
-/// asked whether the disk is full.
-bool was_left_out(const WholeFile& whole) {
-    return has_holes(whole.file()) && (keeps_zeros(whole.file()) || whole.write_error() != 0);
+/// (SGI, RLA, FITS) leaves them, and they read as zeros.
+bool was_left_out(std::FILE* file) {
+    return has_holes(file) && keeps_zeros(file);
 }
 
 /// A descriptor, or less than 0 with errno. Of a pipe at once: nobody may be at its other end.
@@ -292,15 +292,19 @@ bool ImageFile::check_written(Failure& failure) {
         failure = {"cannot write \"" + m_path + "\": " + why, code};
         return false;
     };
+    // Writers that open the file themselves may not look at the last writes (RLA, TIFF): what they
+    // left need not even look broken. So it is asked whether the disk is full.
+    if (const int number = m_stream ? 0 : m_whole.write_error())
+        return refuse(std::strerror(number), code_of_errno(number));
     const ExitCode code = m_stream ? exit_failed : exit_resources;
     const auto in = OIIO::ImageInput::open(temporary());
-    if (!in)
+    if (!in || is_cut_off(temporary(), in->format_name()))
         return refuse("what was written cannot be read back", code_of_reading(temporary(), code));
     m_compression = in->spec().get_string_attribute("compression");
     m_compression.resize(std::min(m_compression.size(), m_compression.find(':')));
     // Reading the pixels of small icons ends the program (OpenImageIO 2.4.7).
     const bool enough = m_stream || m_output->format_name() == std::string("ico");
-    if (!enough && was_left_out(m_whole))
+    if (!enough && was_left_out(m_whole.file()))
         return refuse("what was written cannot be read back", code);
     for (size_t i = 0; i < m_specs.size(); ++i) {
         if (i > 0 && !in->seek_subimage(int(i), 0))

@@ -17,9 +17,9 @@ namespace ddt::tool {
 
 /// An image file to be written, which appears under its name only when whole and checked. Writers
 /// of many formats do not look whether what they write arrives (PNG: a full disk), so their stream
-/// is ours where they let us; the others' files, and those of several images, are read back. The
-/// size of every image is read back, which some writers do not look at either (GIF: 66000 becomes
-/// 464).
+/// is ours where they let us; of the others' files, and those of several images, it is asked
+/// whether the disk is full, and they are read back. The size of every image is read back, which
+/// some writers do not look at either (GIF: 66000 becomes 464).
 class ImageFile {
 public:
     /// Decide on the format by the name's extension and open a temporary file.

@@ -12,6 +12,7 @@
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/command.h"
+#include "plugin/tool/file/cut_off.h"
 #include "plugin/tool/file/image_file.h"
 
 namespace ddt::tool {
@@ -83,14 +84,23 @@ std::string image_name(const std::string& path, int number) {
     return number > 0 ? format("{}, image {}", name, number + 1) : name;
 }
 
+bool check_whole(const std::string& path, const std::string& format, std::string& error) {
+    if (!is_cut_off(path, format))
+        return true;
+    error = "cannot read \"" + path + "\": the file ends before its pixels do";
+    return false;
+}
+
 bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error, int number) {
     if (path.empty()) { // OpenImageIO makes an image of it that is not there
         error = "\"\" is no name of a file";
         return false;
     }
     image.reset(path, number, 0);
-    const bool floats =
-        image.init_spec(path, number, 0) && is_associated_when_read(image.nativespec());
+    const bool begun = image.init_spec(path, number, 0);
+    if (begun && !check_whole(path, std::string(image.file_format_name()), error))
+        return false;
+    const bool floats = begun && is_associated_when_read(image.nativespec());
     if (image.read(number, 0, true, floats ? OIIO::TypeFloat : OIIO::TypeUnknown))
         return true;
     error = why_unreadable(image, path);
@@ -105,7 +115,8 @@ std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path, int number
     else if (number > 0 && !input->seek_subimage(number, 0)) {
         error = why_unreadable(input->geterror(), path);
         input.reset();
-    }
+    } else if (!check_whole(path, input->format_name(), error))
+        input.reset();
     return input;
 }
 

@@ -87,6 +87,17 @@ int create_new(const std::string& path, mode_t mode) {
     return -1;
 }
 
+/// Remove what others left that were killed while this name was taken: of the numbers that follow,
+/// up to two in a row that are not there.
+void remove_those_left(const fs::path& target, int after) {
+    std::error_code ignored;
+    for (int i = after + 1, missing = 0; i < most_writers && missing < 2; ++i) {
+        const std::string name = temporary_name(target, i);
+        missing = fs::exists(fs::symlink_status(name, ignored)) ? 0 : missing + 1;
+        remove_left_over(name);
+    }
+}
+
 } // namespace
 
 WholeFile::~WholeFile() {
@@ -142,8 +153,10 @@ bool WholeFile::open_temporary() {
             continue;
         if (descriptor < 0)
             return false;
-        if (take(descriptor))
+        if (take(descriptor)) {
+            remove_those_left(m_target, i);
             return true;
+        }
         if (errno != 0)
             return false;
     }

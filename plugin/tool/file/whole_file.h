@@ -17,8 +17,9 @@ namespace ddt::tool {
 ///
 /// The temporary file lies in the same folder, its name hidden and with the same extension:
 /// .NAME.ddt-0.exr. A signal that can be caught removes it (see unfinished.h). After one that
-/// cannot (SIGKILL) it stays, and the next process of this user that writes the file removes it: a
-/// process at work holds a lock on its temporary file, and nobody holds one on what is left over.
+/// cannot (SIGKILL) it stays, and the next process of this user that writes the file removes it,
+/// and those of others that were killed with it: a process at work holds a lock on its temporary
+/// file, and nobody holds one on what is left over.
 ///
 /// A symbolic link stays one: the file that it leads to is replaced. A file that was there keeps
 /// its permissions, and its owner and group where that is allowed; one that may not be written is
@@ -41,7 +42,7 @@ public:
     void begin_writeback();
 
     /// The error's number that a write gives now, or 0. It writes beyond the end, and takes that
-    /// back; where there is no temporary file it cannot, so only for what is to be given up.
+    /// back; where there is no temporary file it cannot, and is for what is to be given up.
     int write_error() const;
 
     /// Put all of it on the disk, then under its name. False with a failure, and no file, if a

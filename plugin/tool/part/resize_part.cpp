@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/part/resize_part.h"
 
+#include <algorithm>
 #include <cstring>
 #include <numeric>
 #include <set>
@@ -215,6 +216,26 @@ OIIO::ImageSpec file_spec(const OIIO::ImageSpec& whole, const Rect& part) {
     return spec;
 }
 
+/// Whether there is memory for what a part takes at once: its highest strip, and beside that where
+/// each tile lies in the file, which OpenEXR's writer keeps.
+bool check_memory_of(const PartTiles& tiles, const OIIO::ImageSpec& whole,
+                     const OIIO::ImageSpec& file, Failure& failure) {
+    int rows = 0;
+    for (int row = 0, begin = file.y; row < tiles.rows(); begin = tiles.end(row++))
+        rows = std::max(rows, tiles.end(row) - begin);
+    const auto count = [](int size, int tile) { return double((size - 1) / tile + 1); };
+    const double places =
+                     8 * count(file.width, file.tile_width) * count(file.height, file.tile_height),
+                 strip = double(rows) * file.width * double(whole.nchannels) *
+                         double(whole.format.size());
+    if (check_memory(format("a part of {} x {} pixels, in strips of {} rows,", file.width,
+                            file.height, rows),
+                     places + strip, failure.why))
+        return true;
+    failure.code = code_of_message(failure.why);
+    return false;
+}
+
 bool open_part(const std::string& path, const OIIO::ImageSpec& spec, ImageFile& file,
                Failure& failure) {
     if (!file.create(path, failure))
@@ -241,6 +262,8 @@ struct PartJob {
             failure.code = code_of_message(failure.why);
             return false;
         }
+        if (!check_whole(path, std::string(image().file_format_name()), failure.why))
+            return false;
         // Of whose image neither the bytes nor the time of its last change are looked at.
         if (image().file_format_name() == "ddt") {
             failure = {"\"" + path + "\" asks for another image, enlarged; --part needs that image",
@@ -307,7 +330,7 @@ bool resize_part(const std::string& in, const std::string& out, const ResizeSett
     OIIO::ImageSpec spec = file_spec(whole, tiles.pixels());
     job.header.write_to(spec);
     ImageFile file;
-    if (!open_part(out, spec, file, failure))
+    if (!check_memory_of(tiles, whole, spec, failure) || !open_part(out, spec, file, failure))
         return false;
     MixedIds mixed(in, 0, image, file.output().spec());
     PartSource source(in, image, from);

@@ -8,6 +8,7 @@
 #include <OpenImageIO/filesystem.h>
 
 #include "core/tiles/crew_size.h"
+#include "ddt/devices.h"
 #include "plugin/image/lazy_file.h"
 #include "plugin/image/metadata.h"
 #include "plugin/image/reading.h"
@@ -34,8 +35,11 @@ bool plan_image(const OIIO::ImageBuf& image, const std::string& name,
     if (!check_image(image, name, settings.options, failure) ||
         !plan_result(spec_of_file(image), settings, spec, failure))
         return false;
-    if (!enlarges(image.roi_full(), spec.roi_full()) ||
-        check_light(image.spec(), image.nativespec(), settings.options, failure.why))
+    if (!enlarges(image.roi_full(), spec.roi_full()))
+        return true;
+    if (!check_device(settings.options.device, failure.why))
+        return false;
+    if (check_light(image.spec(), image.nativespec(), settings.options, failure.why))
         return true;
     failure.why = name + ": " + failure.why;
     return false;

@@ -5,13 +5,10 @@
 #include <condition_variable>
 #include <exception>
 #include <filesystem>
-#include <limits>
 #include <mutex>
 #include <thread>
 
-#include <OpenImageIO/sysutil.h>
-
-#include "core/base/control_groups.h"
+#include "plugin/image/windows.h"
 #include "plugin/tool/command/command.h"
 
 namespace ddt::tool {
@@ -151,10 +148,7 @@ FrameCounts run_frames(const std::vector<FrameTask>& tasks, const FrameRun& run,
 }
 
 int64_t memory_allowed() {
-    auto bytes = int64_t(OIIO::Sysutil::physical_memory());
-    if (bytes == 0) // not known: no /proc
-        bytes = std::numeric_limits<int64_t>::max();
-    return std::min(bytes, memory_of_groups()) / 4 * 3;
+    return available_memory() / 4 * 3;
 }
 
 } // namespace ddt::tool

@@ -33,4 +33,16 @@ TEST(Devices, WhatCannotBeHadIsNamed) {
     EXPECT_EQ(line.find('\n'), std::string::npos) << line;
 }
 
+TEST(Devices, NamesAreCheckedWithoutOpeningAny) {
+    std::string line;
+    for (const char* name : {"", "auto", "cpu", "egl", "osmesa"}) {
+        const ddt::Environment device("DDT_DEVICE", name);
+        EXPECT_TRUE(ddt::check_device(ddt::Device::automatic, line)) << name << ": " << line;
+    }
+    const ddt::Environment device("DDT_DEVICE", "voodoo");
+    EXPECT_TRUE(ddt::check_device(ddt::Device::cpu, line)) << line;
+    EXPECT_FALSE(ddt::check_device(ddt::Device::automatic, line));
+    EXPECT_EQ(line.find("ddt: DDT_DEVICE=voodoo is not one of auto, cpu"), 0u) << line;
+}
+
 } // namespace

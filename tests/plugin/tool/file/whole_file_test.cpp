@@ -91,6 +91,26 @@ TEST_F(WholeFiles, WhatAKilledProcessLeftIsRemoved) {
     EXPECT_EQ(files(), 1u);
 }
 
+TEST_F(WholeFiles, WhatSeveralLeftIsRemovedAndWhatIsHeldIsNot) {
+    WholeFile held;
+    ASSERT_TRUE(held.open(path("out.exr"), m_failure)) << m_failure.why;
+    const auto work = [&] {
+        WholeFile killed[4];
+        for (WholeFile& file : killed)
+            file.open(path("out.exr"), m_failure);
+        fs::remove(killed[1].temporary()); // one that was written meanwhile
+        return raise(SIGKILL);
+    };
+    ASSERT_EQ(test::in_child(work).signal, SIGKILL);
+    EXPECT_EQ(files(), 4u);
+    ASSERT_TRUE(write(path("out.exr"), "whole")) << m_failure.why;
+    EXPECT_EQ(files(), 2u);
+    EXPECT_TRUE(fs::exists(held.temporary()));
+    std::fputs("held", held.file());
+    ASSERT_TRUE(held.commit(m_failure)) << m_failure.why;
+    EXPECT_EQ(text_of(path("out.exr")), "held");
+}
+
 TEST_F(WholeFiles, WhatSomebodyElseLeftIsNot) {
     const std::string first = path(".out.ddt-0.exr"), out = path("out.exr");
     const auto expect_untouched = [&](const char* what) {

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/file/cut_off.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <vector>
+
+namespace ddt::tool {
+
+namespace {
+
+/// Whole numbers that stand in a file, in one of both byte orders.
+class NumberFile {
+public:
+    explicit NumberFile(const std::string& path) : m_file(path, std::ios::binary) {
+        m_file.seekg(0, std::ios::end);
+        m_length = uint64_t(std::max(std::streamoff(m_file.tellg()), std::streamoff(0)));
+    }
+
+    bool big_endian = false;
+
+    uint64_t length() const { return m_length; }
+
+    bool has(uint64_t begin, uint64_t count, uint64_t size = 1) const {
+        return begin <= m_length && count <= (m_length - begin) / size;
+    }
+
+    /// Nothing if the file ends before.
+    std::vector<uint8_t> bytes(uint64_t begin, uint64_t count) {
+        std::vector<uint8_t> all;
+        if (!has(begin, count))
+            return all;
+        all.resize(size_t(count));
+        m_file.clear();
+        m_file.seekg(std::streamoff(begin));
+        if (!m_file.read(reinterpret_cast<char*>(all.data()), std::streamsize(count)))
+            all.clear();
+        return all;
+    }
+
+    /// One of `size` bytes.
+    uint64_t number(const uint8_t* from, int size) const {
+        uint64_t n = 0;
+        for (int i = 0; i < size; ++i)
+            n = n << 8 | from[big_endian ? i : size - 1 - i];
+        return n;
+    }
+
+private:
+    std::ifstream m_file;
+    uint64_t m_length = 0;
+};
+
+/// Walks through the directories of a TIFF, one for each image. Source: Adobe, TIFF Revision 6.0;
+/// of files beyond 4 GiB: the BigTIFF File Format Proposal.
+class TiffTables {
+public:
+    explicit TiffTables(const std::string& path) : m_file(path), m_left(2 * m_file.length()) {}
+
+    bool are_beyond_end() {
+        const std::vector<uint8_t> head = m_file.bytes(0, 16);
+        if (head.empty() || head[0] != head[1] || (head[0] != 'I' && head[0] != 'M'))
+            return false;
+        m_file.big_endian = head[0] == 'M';
+        const uint64_t version = m_file.number(&head[2], 2);
+        m_word = version == 43 ? 8 : 4;
+        // Each directory is paid for by its bytes, so a chain that bites its tail ends.
+        uint64_t next = m_file.number(&head[size_t(m_word)], m_word);
+        bool beyond = false;
+        while (next != 0 && !beyond && !m_nonsense)
+            beyond = !read_directory(next) || pieces_are_beyond_end();
+        return beyond && !m_nonsense;
+    }
+
+private:
+    enum Tag : uint64_t {
+        width_tag = 256,
+        height_tag = 257,
+        bits_tag = 258,
+        compression_tag = 259,
+        strip_offsets_tag = 273,
+        samples_tag = 277,
+        rows_per_strip_tag = 278,
+        strip_bytes_tag = 279,
+        planes_tag = 284,
+        tile_offsets_tag = 324,
+        tile_bytes_tag = 325,
+    };
+    enum Compression : uint64_t { uncompressed = 1, old_jpeg = 6 };
+
+    /// Numbers of one kind.
+    struct Field {
+        int size = 0; ///< bytes of each
+        uint64_t count = 0, begin = 0;
+    };
+
+    /// Of whole numbers of a type; 0: no such.
+    static int size_of_type(uint64_t type) {
+        return type == 1 ? 1 : type == 3 ? 2 : type == 4 ? 4 : type == 16 ? 8 : 0;
+    }
+
+    /// Take so many bytes of twice all there are. More makes no sense: few tables share one.
+    bool pay(uint64_t bytes) {
+        m_nonsense = m_nonsense || bytes > m_left;
+        m_left -= std::min(bytes, m_left);
+        return !m_nonsense;
+    }
+
+    /// Read the directory there, and where the next is. False if the file ends before it does.
+    bool read_directory(uint64_t& at) {
+        const int before = m_word == 8 ? 8 : 2, each = 4 + 2 * m_word;
+        const std::vector<uint8_t> head = m_file.bytes(at, uint64_t(before));
+        if (head.empty())
+            return false;
+        const uint64_t count = m_file.number(head.data(), before), begin = at + uint64_t(before);
+        if (!m_file.has(begin, count, uint64_t(each)))
+            return false;
+        const uint64_t bytes = count * uint64_t(each);
+        m_fields.clear();
+        m_nonsense = m_nonsense || count > UINT16_MAX;
+        if (!pay(bytes + uint64_t(before)))
+            return true;
+        const std::vector<uint8_t> all = m_file.bytes(begin, bytes + uint64_t(m_word));
+        if (all.empty())
+            return false;
+        for (uint64_t k = 0; k < bytes; k += uint64_t(each))
+            read_field(&all[size_t(k)], begin + k);
+        at = m_file.number(&all[size_t(bytes)], m_word);
+        return true;
+    }
+
+    void read_field(const uint8_t* entry, uint64_t at) {
+        Field field;
+        field.size = size_of_type(m_file.number(entry + 2, 2));
+        field.count = m_file.number(entry + 4, m_word);
+        const auto word = uint64_t(m_word);
+        const bool here = field.size > 0 && field.count <= word / uint64_t(field.size);
+        field.begin = here ? at + 4 + word : m_file.number(entry + 4 + m_word, m_word);
+        if (field.size > 0)
+            m_fields[m_file.number(entry, 2)] = field;
+    }
+
+    /// Some of a field's numbers; none if the file ends before.
+    std::vector<uint64_t> numbers(const Field& field, uint64_t first, uint64_t count) {
+        const auto size = uint64_t(field.size);
+        std::vector<uint64_t> all;
+        if (!m_file.has(field.begin, first + count, size))
+            return all;
+        const std::vector<uint8_t> bytes = m_file.bytes(field.begin + first * size, count * size);
+        for (size_t k = 0; k < bytes.size(); k += size_t(size))
+            all.push_back(m_file.number(&bytes[k], field.size));
+        return all;
+    }
+
+    /// The first number of a field, or what it is without.
+    uint64_t value(Tag tag, uint64_t otherwise) {
+        const auto found = m_fields.find(tag);
+        const std::vector<uint64_t> all =
+            found == m_fields.end() ? std::vector<uint64_t>() : numbers(found->second, 0, 1);
+        return all.empty() ? otherwise : all[0];
+    }
+
+    bool pieces_are_beyond_end() {
+        const uint64_t compression = value(compression_tag, uncompressed);
+        // Of old JPEG the numbers of bytes mean nothing.
+        if (m_nonsense || compression == old_jpeg)
+            return false;
+        const bool tiled = m_fields.count(tile_offsets_tag) > 0;
+        const Field offsets = m_fields[tiled ? tile_offsets_tag : strip_offsets_tag];
+        const Field bytes = m_fields[tiled ? tile_bytes_tag : strip_bytes_tag];
+        const Strips strips = tiled || compression != uncompressed ? Strips() : find_strips();
+        constexpr uint64_t at_once = 4096;
+        const uint64_t count = std::min(offsets.count, bytes.count);
+        for (uint64_t first = 0; first < count; first += at_once) {
+            const uint64_t some = std::min(at_once, count - first);
+            const auto begins = numbers(offsets, first, some), sizes = numbers(bytes, first, some);
+            if (begins.empty() || sizes.empty())
+                return true;
+            if (!pay(some * uint64_t(offsets.size + bytes.size)))
+                return false;
+            for (uint64_t k = 0; k < some; ++k)
+                if (!m_file.has(begins[k], std::min(sizes[k], most_bytes(strips, first + k))))
+                    return true;
+        }
+        return false;
+    }
+
+    /// Strips without compression: as high as these, of an image as high as that, and each row of
+    /// so many bytes; 0: of others.
+    struct Strips {
+        uint64_t rows = 0, height = 0, row_bytes = 0;
+    };
+
+    Strips find_strips() {
+        const uint64_t height = value(height_tag, 0), rows = value(rows_per_strip_tag, height);
+        const uint64_t samples = value(planes_tag, 1) == 2 ? 1 : value(samples_tag, 1);
+        const uint64_t width = value(width_tag, 0), bits = value(bits_tag, 1);
+        if (std::max({width, height, rows}) > UINT32_MAX || std::max(samples, bits) > UINT16_MAX)
+            return {};
+        return {std::min(rows, height), height, (width * bits * samples + 7) / 8};
+    }
+
+    /// What a strip of this number is read from at most, whatever its number of bytes: some writers
+    /// count the last as whole that has fewer rows.
+    static uint64_t most_bytes(const Strips& strips, uint64_t number) {
+        if (strips.rows == 0)
+            return UINT64_MAX;
+        const uint64_t in_plane = (strips.height - 1) / strips.rows + 1;
+        const uint64_t above = number % in_plane * strips.rows;
+        return strips.row_bytes * std::min(strips.rows, strips.height - above);
+    }
+
+    NumberFile m_file;
+    uint64_t m_left; ///< bytes to be paid with
+    int m_word = 4;  ///< bytes of an offset
+    bool m_nonsense = false;
+    std::map<uint64_t, Field> m_fields; ///< of the directory that was read
+};
+
+/// Source: SMPTE 268M. Of no size are 0 and all bits.
+bool is_short_dpx(const std::string& path) {
+    NumberFile file(path);
+    const std::vector<uint8_t> head = file.bytes(0, 20);
+    if (head.empty())
+        return false;
+    file.big_endian = std::memcmp(head.data(), "SDPX", 4) == 0;
+    const uint64_t size = file.number(&head[16], 4);
+    return size != UINT32_MAX && size > file.length();
+}
+
+} // namespace
+
+bool is_cut_off(const std::string& path, const std::string& format) {
+    if (format == "tiff")
+        return TiffTables(path).are_beyond_end();
+    return format == "dpx" && is_short_dpx(path);
+}
+
+} // namespace ddt::tool

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files that end before their pixels do, where readers make up what is missing.
+#pragma once
+
+#include <string>
+
+namespace ddt::tool {
+
+/// Whether a file, whose reader has this name of its format, is shorter than its own tables say:
+/// TIFF's of strips and tiles, DPX's of its size. OpenImageIO's readers (2.4.7) say nothing of
+/// strips, and of 10 or 12 bits, that are not there. False of other formats, and where the tables
+/// make no sense.
+bool is_cut_off(const std::string& path, const std::string& format);
+
+} // namespace ddt::tool
