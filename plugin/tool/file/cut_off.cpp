@@ -220,15 +220,44 @@ private:
     std::map<uint64_t, Field> m_fields; ///< of the directory that was read
 };
 
-/// Source: SMPTE 268M. Of no size are 0 and all bits.
+/// A DPX's header, of one element. Source: SMPTE 268M.
+struct DpxHeader {
+    uint64_t data, size; ///< where pixels begin, and the file's length; 0 and all bits: unknown
+    uint64_t width, height;
+    uint64_t descriptor, bits, packing, encoding;
+
+    DpxHeader(NumberFile& file, const std::vector<uint8_t>& head)
+        : data(file.number(&head[4], 4)), size(file.number(&head[16], 4)),
+          width(file.number(&head[772], 4)), height(file.number(&head[776], 4)),
+          descriptor(head[800]), bits(head[803]), packing(file.number(&head[804], 2)),
+          encoding(file.number(&head[806], 2)) {}
+
+    /// What the pixels take at least, lines without what fills them up.
+    uint64_t least_bytes() const {
+        constexpr uint64_t largest = 1 << 28;
+        if (encoding != 0 || width > largest || height > largest)
+            return 0;
+        const uint64_t rgb = 50, rgba = 51, abgr = 52;
+        const uint64_t samples = width * height *
+                                 (descriptor == rgb                          ? 3
+                                  : descriptor == rgba || descriptor == abgr ? 4
+                                                                             : 1);
+        if (packing != 0 && bits == 10)
+            return (samples + 2) / 3 * 4;
+        return packing != 0 && bits == 12 ? samples * 2 : samples * bits / 8;
+    }
+};
+
+/// Some writers say another size than the file's: its pixels must be lacking too.
 bool is_short_dpx(const std::string& path) {
     NumberFile file(path);
-    const std::vector<uint8_t> head = file.bytes(0, 20);
+    const std::vector<uint8_t> head = file.bytes(0, 808);
     if (head.empty())
         return false;
     file.big_endian = std::memcmp(head.data(), "SDPX", 4) == 0;
-    const uint64_t size = file.number(&head[16], 4);
-    return size != UINT32_MAX && size > file.length();
+    const DpxHeader header(file, head);
+    return header.size != UINT32_MAX && header.size > file.length() &&
+           !file.has(header.data, header.least_bytes());
 }
 
 } // namespace
