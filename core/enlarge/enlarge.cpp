@@ -138,8 +138,11 @@ Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& j
     Outcome outcome = Outcome::bad_job;
     const Caught caught = guarded_call(error, [&] {
         std::string why;
-        if (check(job, mapping, why))
-            outcome = run(source, sink, mapping, job, why);
+        if (check(job, mapping, why)) {
+            Job own = job;
+            own.progress = until_it_ends(job.progress);
+            outcome = run(source, sink, mapping, own, why);
+        }
         if (outcome != Outcome::done && why.empty())
             why = describe(outcome);
         if (error)

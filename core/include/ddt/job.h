@@ -118,7 +118,7 @@ struct Job {
     /// has more than 2^31 - 1, or more than 2^27 lie about one hole.
     Holes holes = Holes::keep;
     /// Called from time to time with the share done, 0 to 1, one thread at a time; return false
-    /// to cancel. May be empty.
+    /// to cancel. Not called again after that, nor after it threw. May be empty.
     std::function<bool(float)> progress;
     Statistics* statistics = nullptr; ///< filled in when not null
 };
