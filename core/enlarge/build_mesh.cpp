@@ -3,6 +3,7 @@
 
 #include "core/base/arith.h"
 #include "core/base/guarded.h"
+#include "core/enlarge/mesh_size.h"
 #include "core/guide/guide.h"
 #include "core/lattice/list_triangles.h"
 #include "core/tiles/tile_io.h"
@@ -59,16 +60,22 @@ bool build(const float* guide, int width, int height, const MeshOptions& options
 
 } // namespace
 
+bool check_mesh_size(int width, int height, std::string& error) {
+    if (width < 2 || height < 2)
+        error = "ddt: a mesh needs at least 2 x 2 pixels";
+    else if (int64_t(width) * height > most_pixels)
+        error = "ddt: the image is too large for one mesh";
+    else
+        return true;
+    return false;
+}
+
 bool build_mesh(const float* guide, int width, int height, const MeshOptions& options, Mesh& mesh,
                 MeshReport* report, std::string* error,
                 const std::function<bool(float)>& progress) {
     return succeeds(error, [&](std::string& why) {
-        if (width < 2 || height < 2)
-            why = "ddt: a mesh needs at least 2 x 2 pixels";
-        else if (int64_t(width) * height > most_pixels)
-            why = "ddt: the image is too large for one mesh";
-        else if (check_options(options, why) &&
-                 !build(guide, width, height, options, mesh, report, progress))
+        if (check_mesh_size(width, height, why) && check_options(options, why) &&
+            !build(guide, width, height, options, mesh, report, progress))
             why = "ddt: cancelled";
         return why.empty();
     });

@@ -191,6 +191,13 @@ def test_what_is_too_large_is_told():
         oiio_ddt.enlarge(np.broadcast_to(np.uint8(3), (2**32 + 4, 4)), 2)
 
 
+def test_a_mesh_of_too_many_pixels_is_refused_before_memory_is_taken():
+    for shape, says in (((2**29, 2**29), "too large for one mesh"), ((1, 2**29), "2 x 2")):
+        with pytest.raises(ValueError, match=says) as caught:
+            oiio_ddt.mesh(np.broadcast_to(np.float32(0), shape))
+        assert str(caught.value).startswith("ddt: ")
+
+
 def test_numbers_of_objects_have_no_mesh():
     for dtype in (bool, np.int64, np.uint32):
         with pytest.raises(TypeError, match="is not allowed for a mesh"):
