@@ -39,8 +39,8 @@ public:
     virtual bool read(const Rect& r, float* values, float* guide) = 0;
 
     /// Where every number is one of 256 or 65536 codes, the floats that they stand for, in order;
-    /// else nothing. Asked once, before anything is read, for devices to which numbers travel far:
-    /// they are then read by read_codes().
+    /// else nothing; another number of floats is Outcome::bad_job. Asked once at most, before
+    /// anything is read; devices to which numbers travel far then read by read_codes().
     virtual std::vector<float> codes() { return {}; }
     /// As read(), with the codes of the values: bytes, or 16-bit numbers where there are 65536.
     virtual bool read_codes(const Rect& /*r*/, void* /*codes*/, float* /*guide*/) { return false; }
@@ -114,8 +114,9 @@ struct Job {
     /// pixel for each channel and 14 more, some 50 for each missing pixel (and 4 for each channel
     /// of one that lacks only some), and for each thread some 300 and 4 for each channel for each
     /// pixel about the hole it works on, and 2 for each of the box round it (small holes count
-    /// together, by blocks of 64 x 64, and large ones where they are thin in pieces). A failure if all pixels are missing, the image
-    /// has more than 2^31 - 1, or more than 2^27 lie about one hole.
+    /// together, by blocks of 64 x 64, and large ones where they are thin in pieces). A failure if
+    /// all pixels are missing, the image has more than 2^31 - 1, or more than 2^27 lie about one
+    /// hole.
     Holes holes = Holes::keep;
     /// Called from time to time with the share done, 0 to 1, one thread at a time; return false
     /// to cancel. Not called again after that, nor after it threw. May be empty.
