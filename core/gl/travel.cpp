@@ -41,7 +41,9 @@ Travel travel_of(std::vector<float> codes, const Sink& sink, const Job& job) {
     // Identifiers are bits that are not to change.
     if (any_nearest(job))
         return travel;
-    travel.codes_back = sink.takes_codes();
+    const CodeTable* taken = sink.takes_codes();
+    if (taken && !taken->entries.empty())
+        travel.codes_back = taken;
     travel.back = travel.codes_back    ? Travel::Back::codes
                   : sink.takes_halfs() ? Travel::Back::halfs
                                        : Travel::Back::floats;

@@ -64,7 +64,7 @@ public:
     /// one.
     virtual bool takes_halfs() const { return false; }
     /// The table, which must stay, whose codes write_packed() takes, a byte each; before halfs.
-    /// Null: none.
+    /// Null, or one without entries: none.
     virtual const CodeTable* takes_codes() const { return nullptr; }
     /// As write(), of what is taken; some devices call it in place of write().
     virtual bool write_packed(const Rect& /*r*/, const void* /*numbers*/) { return false; }

@@ -221,6 +221,14 @@ TEST_P(Travel, IdentifiersAndSinglePixelsTravelAsFloats) {
     EXPECT_GT(sink.writes, 0);
 }
 
+TEST_P(Travel, AnEmptyTableOfCodesIsNone) {
+    const CodeTable empty;
+    const PackedSink sink(&empty, 2, 2, 1);
+    const auto travel = gl::travel_of({}, sink, job_of(2, 2, 1));
+    EXPECT_EQ(travel.codes_back, nullptr);
+    EXPECT_EQ(travel.back, gl::Travel::Back::floats);
+}
+
 TEST_P(Travel, OtherNumbersOfCodesAreABadJob) {
     const Job plain = job_of(71, 53, 3);
     for (const Device device : {Device::cpu, GetParam()})
