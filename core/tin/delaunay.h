@@ -32,7 +32,8 @@ struct Ties {
 };
 
 /// The Delaunay triangles of such points, all of them whatever shape they have together. A point of
-/// a lattice of 5000 takes half a microsecond, of one of a million 5. False: `progress`, told the share of points that have their triangles, cancelled it.
+/// a lattice of 5000 takes half a microsecond, of one of a million 5. False: `progress`, told the
+/// share of points that have their triangles, cancelled it.
 bool swept_delaunay(const std::vector<Steps>& points,
                     std::vector<std::array<int32_t, 3>>& triangles, Ties ties = {},
                     const Tell& progress = {});

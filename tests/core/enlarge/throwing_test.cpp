@@ -167,9 +167,9 @@ TEST(Throwing, ProgressIsNotCalledAgain) {
         std::vector<float> values = source.values(), guide = source.guide();
         const HoledImage image{values.data(), guide.data(), 600, 600, 1, nullptr, true, 4};
         std::string error;
-        EXPECT_THROW(fill_holes(image, missing.data(), {}, Device::cpu, filling.tell(), nullptr,
-                                error),
-                     std::runtime_error);
+        EXPECT_THROW(
+            fill_holes(image, missing.data(), {}, Device::cpu, filling.tell(), nullptr, error),
+            std::runtime_error);
         EXPECT_EQ(filling.calls, last);
         for (TestSource* from : {&source, &holed}) {
             CountedProgress enlarging{from == &source ? std::min(last, 3) : last};
