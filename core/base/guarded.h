@@ -4,6 +4,7 @@
 
 #include <exception>
 #include <new>
+#include <stdexcept>
 #include <string>
 
 #include "core/base/one_line.h"
@@ -34,6 +35,9 @@ Caught guarded_call(std::string* error, F&& f) noexcept {
         f();
         return Caught::nothing;
     } catch (const std::bad_alloc&) {
+        set_error(error, "out of memory");
+        return Caught::out_of_memory;
+    } catch (const std::length_error&) { // of a size that no vector can have
         set_error(error, "out of memory");
         return Caught::out_of_memory;
     } catch (const std::exception& e) {

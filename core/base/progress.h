@@ -21,4 +21,18 @@ inline Tell part_of(const Tell& whole, float from, float to) {
     };
 }
 
+/// `whole` until it says false or throws; then false, and it is not called again, whichever thread
+/// asks. One thread at a time. Empty if `whole` is, which must stay where it is.
+inline Tell until_it_ends(const Tell& whole) {
+    if (!whole)
+        return {};
+    return [&whole, going = true](float share) mutable {
+        if (!going)
+            return false;
+        going = false; // should it throw
+        going = whole(share);
+        return going;
+    };
+}
+
 } // namespace ddt

@@ -33,9 +33,7 @@ public:
     bool add(float done) {
         const std::lock_guard<std::mutex> lock(m_mutex);
         m_done += done;
-        if (m_going && m_whole)
-            m_going = m_whole(std::min(m_done / m_all, 1.0f));
-        return m_going;
+        return !m_whole || m_whole(std::min(m_done / m_all, 1.0f));
     }
 
 private:
@@ -43,7 +41,6 @@ private:
     const float m_all;
     std::mutex m_mutex;
     float m_done = 0;
-    bool m_going = true;
 };
 
 class Filler {
@@ -51,8 +48,9 @@ public:
     Filler(const HoledImage& image, const uint8_t* missing)
         : m_image(image), m_missing(missing), m_size(size_t(image.width) * size_t(image.height)) {}
 
-    bool fill(const MeshOptions& options, Device device, const Tell& progress, MeshReport* report,
+    bool fill(const MeshOptions& options, Device device, const Tell& told, MeshReport* report,
               std::string& error) {
+        const Tell progress = until_it_ends(told);
         const auto count = size_t(std::count_if(m_missing, m_missing + m_size, is_set));
         if (count == 0)
             return true;

@@ -308,7 +308,12 @@ public:
     /// Call f(site) for every edge in address order.
     template <class F>
     void each_edge(F&& f) const {
-        for (int y = 0; y < 2 * m_height - 1; ++y)
+        each_edge(0, 2 * m_height - 1, f);
+    }
+    /// Of those in rows y0 to y1 - 1 of sites.
+    template <class F>
+    void each_edge(int y0, int y1, F&& f) const {
+        for (int y = y0; y < y1; ++y)
             for (int x = 1 - (y & 1), step = 2 - (y & 1); x < 2 * m_width - 1; x += step)
                 f(site(x, y));
     }

@@ -7,10 +7,11 @@
 namespace ddt {
 
 /// Call f(a, b, c) with the vertices' sites, det(b - a, c - a) = 1, for every triangle once: at the
-/// smallest address of its edges, in address order.
+/// smallest address of its edges, in address order. Of those that begin in rows y0 to y1 - 1 of
+/// sites.
 template <class F>
-void each_triangle(const Lattice& lattice, F&& f) {
-    lattice.each_edge([&](int m) {
+void each_triangle(const Lattice& lattice, int y0, int y1, F&& f) {
+    lattice.each_edge(y0, y1, [&](int m) {
         const Edge& e = lattice.edge(m);
         const int v = lattice.offset(e.v);
         const auto side = [&](int a, int b, Vec apex) {

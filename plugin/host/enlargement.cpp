@@ -6,6 +6,7 @@
 
 #include "core/base/guarded.h"
 #include "core/base/parallel.h"
+#include "core/base/one_line.h"
 #include "plugin/colour/colour_pixels.h"
 #include "plugin/colour/encodings.h"
 #include "plugin/host/pixels.h"
@@ -123,7 +124,7 @@ bool find_meaning(std::string_view name, Meaning& meaning, std::string& error) {
         meaning = {light, true};
         return true;
     }
-    error = "ddt: light \"" + std::string(name) + "\" is not allowed; allowed are ";
+    error = "ddt: light \"" + one_line(std::string(name)) + "\" is not allowed; allowed are ";
     for (const std::string& allowed : meaning_names())
         error += (allowed == meaning_names().front() ? "" : ", ") + allowed;
     return false;

@@ -12,6 +12,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include "core/enlarge/mesh_size.h"
 #include "ddt/mesh.h"
 #include "plugin/host/enlargement.h"
 #include "plugin/host/pixels.h"
@@ -190,16 +191,19 @@ void read_guide(const Enlargement& work, std::vector<float>& guide) {
 py::array mesh_of(const py::array& pixels, const std::string& sample, const std::string& filter,
                   const std::string& light, bool associated, py::object progress) {
     Enlargement work = work_on(pixels, sample, filter, light, associated);
+    const int width = work.place.window.width(), height = work.place.window.height();
+    std::string error;
+    if (!ddt::check_mesh_size(width, height, error))
+        throw py::value_error(error);
     Watch watch(std::move(progress));
     ddt::Mesh mesh;
-    std::string error;
     bool done = false;
     {
         const Unlocked unlocked;
         std::vector<float> guide(work.place.window.area());
         read_guide(work, guide);
-        done = ddt::build_mesh(guide.data(), work.place.window.width(), work.place.window.height(),
-                               work.mesh, mesh, nullptr, &error, std::ref(watch));
+        done = ddt::build_mesh(guide.data(), width, height, work.mesh, mesh, nullptr, &error,
+                               std::ref(watch));
     }
     watch.rethrow();
     if (!done && error == "ddt: out of memory") // of ddt/mesh.h

@@ -148,6 +148,14 @@ def test_unassociated_alpha():
     (dict(scale=2, light="dim"), "allowed are linear, encoded, sRGB"),
     (dict(scale=2, alpha="some"), "associated"),
     (dict(scale=2, roi=(0, 0, 1000, 2)), "roi"),
+    (dict(scale=10**400), "scale 10000"),
+    (dict(scale=10**5000), "scale of int is not allowed; allowed are numbers from 1"),
+    (dict(size=(10**5000, 9)), "size of tuple is not allowed"),
+    (dict(scale=2, light="x\ny"), 'light "x y" is not allowed'),
+    (dict(scale=2, filter="ddt,light=x\ny"), 'light "x y" is not allowed'),
+    (dict(scale=2, alpha="x\ny"), "alpha 'x.ny' is not allowed"),
+    (dict(scale=2, filter="ddt\udc80"), "filter 'ddt.udc80' is not allowed; allowed are texts"),
+    (dict(scale=2, light="\ud800"), "light"),
 ])
 def test_errors_name_what_is_allowed(arguments, says):
     with pytest.raises(ValueError, match=says) as caught:
@@ -158,6 +166,8 @@ def test_errors_name_what_is_allowed(arguments, says):
 @pytest.mark.parametrize("arguments, says", [
     (dict(scale="2"), "scale '2' is not allowed; allowed are a number, or one for x and one for y"),
     (dict(scale=(2,)), "scale"),
+    (dict(scale=2j), "scale 2j is not allowed; allowed are a number, or one for x and one for y"),
+    (dict(scale=np.ones((3, 3))), "scale"),
     (dict(size=5), "size 5 is not allowed; allowed are whole numbers, .width, height."),
     (dict(size=(400.5, 300)), "size"),
     (dict(size=("400", "300")), "size"),
@@ -189,6 +199,13 @@ def test_what_is_too_large_is_told():
         oiio_ddt.enlarge(np.ones((9000, 2), np.uint8), 900000.0, roi=(0, 0, 2, 2))
     with pytest.raises(ValueError, match="is not allowed; allowed are sides"):
         oiio_ddt.enlarge(np.broadcast_to(np.uint8(3), (2**32 + 4, 4)), 2)
+
+
+def test_a_mesh_of_too_many_pixels_is_refused_before_memory_is_taken():
+    for shape, says in (((2**29, 2**29), "too large for one mesh"), ((1, 2**29), "2 x 2")):
+        with pytest.raises(ValueError, match=says) as caught:
+            oiio_ddt.mesh(np.broadcast_to(np.float32(0), shape))
+        assert str(caught.value).startswith("ddt: ")
 
 
 def test_numbers_of_objects_have_no_mesh():

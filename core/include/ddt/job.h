@@ -39,8 +39,8 @@ public:
     virtual bool read(const Rect& r, float* values, float* guide) = 0;
 
     /// Where every number is one of 256 or 65536 codes, the floats that they stand for, in order;
-    /// else nothing. Asked once, before anything is read, for devices to which numbers travel far:
-    /// they are then read by read_codes().
+    /// else nothing; another number of floats is Outcome::bad_job. Asked once at most, before
+    /// anything is read; devices to which numbers travel far then read by read_codes().
     virtual std::vector<float> codes() { return {}; }
     /// As read(), with the codes of the values: bytes, or 16-bit numbers where there are 65536.
     virtual bool read_codes(const Rect& /*r*/, void* /*codes*/, float* /*guide*/) { return false; }
@@ -64,7 +64,7 @@ public:
     /// one.
     virtual bool takes_halfs() const { return false; }
     /// The table, which must stay, whose codes write_packed() takes, a byte each; before halfs.
-    /// Null: none.
+    /// Null, or one without entries: none.
     virtual const CodeTable* takes_codes() const { return nullptr; }
     /// As write(), of what is taken; some devices call it in place of write().
     virtual bool write_packed(const Rect& /*r*/, const void* /*numbers*/) { return false; }
@@ -119,7 +119,7 @@ struct Job {
     /// hole.
     Holes holes = Holes::keep;
     /// Called from time to time with the share done, 0 to 1, one thread at a time; return false
-    /// to cancel. May be empty.
+    /// to cancel. Not called again after that, nor after it threw. May be empty.
     std::function<bool(float)> progress;
     Statistics* statistics = nullptr; ///< filled in when not null
 };

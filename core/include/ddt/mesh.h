@@ -34,7 +34,7 @@ struct MeshReport {
 /// `progress` is called from time to time with a rough share done, 0 to 1; it returns false to
 /// cancel; it may be empty. False, with one line in `error`, if the image has less than 2 x 2
 /// pixels or more than 2^28, an option is not allowed, memory runs out, or it was cancelled; `mesh`
-/// is then as it was, unless memory ran out. Never throws.
+/// and `report` are then as they were. Never throws.
 bool build_mesh(const float* guide, int width, int height, const MeshOptions& options, Mesh& mesh,
                 MeshReport* report = nullptr, std::string* error = nullptr,
                 const std::function<bool(float)>& progress = {});

@@ -11,6 +11,7 @@ at once; they release the interpreter's lock while they work. Ctrl-C cancels.
 
 from __future__ import annotations
 
+import math
 import operator
 from typing import Any, Callable, Optional, Sequence, Tuple, Union
 
@@ -140,10 +141,23 @@ def _as_dtype(result: np.ndarray, dtype: np.dtype) -> np.ndarray:
     return result.astype(dtype, copy=False)
 
 
+def _shown(value: Any) -> str:
+    """For a message: in one line, and not too long."""
+    try:
+        return " ".join(repr(value).split())[:60]
+    except ValueError:  # of a whole number with thousands of digits
+        return f"of {type(value).__name__}"
+
+
 def _check_texts(filter: Any, light: Any) -> None:
     for name, text in (("filter", filter), ("light", light)):
         if not (isinstance(text, str) or text is None and name == "light"):
-            raise TypeError(f"ddt: {name} {text!r:.60} is not allowed; allowed are texts")
+            raise TypeError(f"ddt: {name} {_shown(text)} is not allowed; allowed are texts")
+        try:
+            (text or "").encode()
+        except UnicodeEncodeError:
+            raise ValueError(f"ddt: {name} {_shown(text)} is not allowed; allowed are texts that "
+                             "UTF-8 can hold") from None
 
 
 def _whole_numbers(name: str, numbers: Any, allowed: str) -> Tuple[int, ...]:
@@ -153,7 +167,7 @@ def _whole_numbers(name: str, numbers: Any, allowed: str) -> Tuple[int, ...]:
     except TypeError:
         whole = ()
     if len(whole) != allowed.count(",") + 1:
-        raise TypeError(f"ddt: {name} {numbers!r:.60} is not allowed; allowed are whole numbers, "
+        raise TypeError(f"ddt: {name} {_shown(numbers)} is not allowed; allowed are whole numbers, "
                         f"{allowed}")
     return whole
 
@@ -170,8 +184,8 @@ def _light_of(dtype: np.dtype, light: Optional[str]) -> str:
 
 
 def _is_associated(alpha: str) -> bool:
-    if alpha not in ("associated", "unassociated"):
-        raise ValueError(f'ddt: alpha "{alpha}" is not allowed; allowed are associated, '
+    if not isinstance(alpha, str) or alpha not in ("associated", "unassociated"):
+        raise ValueError(f"ddt: alpha {_shown(alpha)} is not allowed; allowed are associated, "
                          "unassociated")
     return alpha == "associated"
 
@@ -182,20 +196,22 @@ def _full_size(width: int, height: int, scale: Any, size: Any) -> Tuple[int, int
     if size is not None:
         full_width, full_height = _whole_numbers("size", size, "(width, height)")
         if not (width <= full_width <= 2**29 and height <= full_height <= 2**29):
-            raise ValueError(f"ddt: size {size} is not allowed; it must not be smaller than the "
+            raise ValueError(f"ddt: size {_shown(size)} is not allowed; it must not be smaller than the "
                              f"image, {width} x {height}, nor larger than 2**29")
         return full_width, full_height
     try:
-        x, y = (n * 1.0 for n in ((scale, scale) if np.ndim(scale) == 0 else scale))
+        x, y = (float(n * 1.0) for n in ((scale, scale) if np.ndim(scale) == 0 else scale))
+    except OverflowError:  # of a whole number
+        x = y = math.inf
     except (TypeError, ValueError):
-        raise TypeError(f"ddt: scale {scale!r:.60} is not allowed; allowed are a number, or one for "
+        raise TypeError(f"ddt: scale {_shown(scale)} is not allowed; allowed are a number, or one for "
                         "x and one for y") from None
     if not (1 <= x < 1e6 and 1 <= y < 1e6):
-        raise ValueError(f"ddt: scale {scale} is not allowed; allowed are numbers from 1 to below "
+        raise ValueError(f"ddt: scale {_shown(scale)} is not allowed; allowed are numbers from 1 to below "
                          "1000000")
     full_width, full_height = int(width * x + 0.5), int(height * y + 0.5)
     if max(full_width, full_height) > 2**29:
-        raise ValueError(f"ddt: scale {scale} is not allowed; it makes {full_width} x "
+        raise ValueError(f"ddt: scale {_shown(scale)} is not allowed; it makes {full_width} x "
                          f"{full_height} pixels of the image, and allowed are sides up to 2**29")
     return full_width, full_height
 
@@ -204,6 +220,6 @@ def _checked_roi(roi: Any, full: Tuple[int, int]) -> Tuple[int, int, int, int]:
     x0, y0, x1, y1 = ((0, 0, *full) if roi is None else
                       _whole_numbers("roi", roi, "(x0, y0, x1, y1)"))
     if not (0 <= x0 < x1 <= full[0] and 0 <= y0 < y1 <= full[1]):
-        raise ValueError(f"ddt: roi {roi} is not allowed; allowed are (x0, y0, x1, y1) within the "
+        raise ValueError(f"ddt: roi {_shown(roi)} is not allowed; allowed are (x0, y0, x1, y1) within the "
                          f"result of {full[0]} x {full[1]} pixels")
     return x0, y0, x1, y1

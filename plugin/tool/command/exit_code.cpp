@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <exception>
 #include <new>
+#include <stdexcept>
 #include <system_error>
 
 namespace ddt::tool {
@@ -31,6 +32,8 @@ Failure thrown() {
     try {
         throw;
     } catch (const std::bad_alloc&) {
+        return {"out of memory", exit_resources};
+    } catch (const std::length_error&) { // of a size that no vector can have
         return {"out of memory", exit_resources};
     } catch (const std::system_error& e) {
         const int number = e.code().value();

@@ -112,24 +112,43 @@ TEST(Mesh, IsOneHoweverManyAreAskedFor) {
 }
 
 TEST(Mesh, EverySchemeTellsHowFarItIsAndCanBeCancelled) {
-    const int w = 40, h = 30;
+    const int w = 40, h = 50; // two blocks of rows
     const auto guide = make_guide(Kind::noise, w, h, 3);
     for (const char* name : {"one-round", "lawson", "maxgain", "look-ahead", "annealing"}) {
         SCOPED_TRACE(name);
         MeshOptions o = plain_mesh();
         ASSERT_TRUE(find_scheme(name, o));
-        int calls = 0;
-        Mesh mesh = left_over();
-        std::string error;
-        const auto count = [&](float share) {
-            EXPECT_GE(share, 0.0f);
-            EXPECT_LE(share, 1.0f);
-            return ++calls != 2;
+        std::vector<float> shares;
+        size_t last = SIZE_MAX;
+        const auto tell = [&](float share) {
+            shares.push_back(share);
+            return shares.size() != last;
         };
-        EXPECT_FALSE(build_mesh(guide.data(), w, h, o, mesh, nullptr, &error, count));
-        EXPECT_EQ(error, "ddt: cancelled");
-        EXPECT_EQ(calls, 2);
-        EXPECT_TRUE(is_left_over(mesh));
+        Mesh mesh;
+        std::string error;
+        ASSERT_TRUE(build_mesh(guide.data(), w, h, o, mesh, nullptr, &error, tell));
+        EXPECT_GT(shares.front(), 0.0f);
+        EXPECT_LE(*std::max_element(shares.begin(), shares.end()), 1.0f);
+        // Before, at, and after the flips, and twice while triangles are listed.
+        const size_t calls = shares.size();
+        ASSERT_GE(calls, 5u);
+        EXPECT_LT(shares[0], shares[1]);
+        EXPECT_LE(shares[1], shares[2]);
+        EXPECT_LT(shares[calls - 3], shares[calls - 2]);
+        EXPECT_LT(shares[calls - 2], 1.0f);
+        EXPECT_EQ(shares[calls - 1], 1.0f);
+        for (const size_t at : {size_t(1), size_t(2), size_t(3), calls - 2, calls - 1, calls}) {
+            last = at;
+            shares.clear();
+            mesh = left_over();
+            MeshReport report;
+            report.cost = -5;
+            EXPECT_FALSE(build_mesh(guide.data(), w, h, o, mesh, &report, &error, tell));
+            EXPECT_EQ(error, "ddt: cancelled");
+            EXPECT_EQ(shares.size(), at);
+            EXPECT_TRUE(is_left_over(mesh));
+            EXPECT_EQ(report.cost, -5);
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How work ends, and what is told of it: progress, statistics, failures.
+#include <limits>
 #include <new>
 #include <stdexcept>
 
@@ -185,6 +186,21 @@ TEST(Outcomes, AFailingSourceOrSinkEndsTheWork) {
         EXPECT_EQ(error, "ddt: the result could not be written");
         EXPECT_LE(source.reads.size(), size_t(1 + threads));
     }
+}
+
+// To be kept whole, where holes are filled.
+TEST(Outcomes, ASizeThatNoVectorCanHaveIsOutOfMemory) {
+    TestSource source({0, 0, 8, 8}, 1, 19);
+    const Rect window{0, 0, 46340, 46340};
+    Job job = job_of(source, std::numeric_limits<int>::max());
+    job.window = window;
+    job.holes = Holes::fill;
+    TestSink sink({0, 0, 8, 8}, 1);
+    std::string error;
+    EXPECT_EQ(enlarge(source, sink, mapping_of(window, window, {0, 0, 8, 8}), job, &error),
+              Outcome::out_of_memory);
+    EXPECT_EQ(error, "ddt: out of memory");
+    EXPECT_TRUE(source.reads.empty());
 }
 
 TEST(Outcomes, BadJobsAreToldFromGoodOnes) {

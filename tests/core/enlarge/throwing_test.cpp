@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // No exception of user code, of whatever type, leaves the library.
+#include <atomic>
+#include <chrono>
+#include <cmath>
 #include <stdexcept>
+#include <thread>
 
+#include "core/enlarge/fill.h"
 #include "ddt/mesh.h"
 #include "ddt/points.h"
 #include "tests/core/job_helpers.h"
@@ -130,6 +135,55 @@ TEST(Throwing, EndsTheWorkOfOtherThreadsToo) {
     job.device = Device::cpu;
     EXPECT_EQ(enlarge(once, sink, mapping_of(window, out, out), job, nullptr), Outcome::bad_job);
     EXPECT_LT(once.reads, 2 * 40);
+}
+
+/// Throws at its call number `last`, which others wait for.
+struct CountedProgress {
+    int last;
+    std::atomic<int> calls{0};
+    Tell tell() {
+        return [this](float) {
+            if (++calls < last)
+                return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            throw std::runtime_error("enough");
+        };
+    }
+};
+
+TEST(Throwing, ProgressIsNotCalledAgain) {
+    const ManyThreads allowed;
+    const Rect window{0, 0, 600, 600};
+    TestSource source(window, 1, 3);
+    std::vector<uint8_t> missing(window.area());
+    for (size_t i = 0; i < missing.size(); ++i)
+        missing[i] = i % 5 == 0 && i / 600 % 3 == 0;
+    TestSource holed(window, 1, 3);
+    for (size_t i = 0; i < missing.size(); ++i)
+        if (missing[i])
+            holed.values()[i] = std::nanf("");
+    for (const int last : {1, 2, 3, 30, 300}) {
+        CountedProgress filling{last};
+        std::vector<float> values = source.values(), guide = source.guide();
+        const HoledImage image{values.data(), guide.data(), 600, 600, 1, nullptr, true, 4};
+        std::string error;
+        EXPECT_THROW(
+            fill_holes(image, missing.data(), {}, Device::cpu, filling.tell(), nullptr, error),
+            std::runtime_error);
+        EXPECT_EQ(filling.calls, last);
+        for (TestSource* from : {&source, &holed}) {
+            CountedProgress enlarging{from == &source ? std::min(last, 3) : last};
+            Job job = job_of(*from, 1, 4);
+            job.device = Device::cpu;
+            job.holes = Holes::fill;
+            job.progress = enlarging.tell();
+            TestSink sink(window, 1);
+            EXPECT_EQ(enlarge(*from, sink, mapping_of(window, window, window), job, &error),
+                      Outcome::bad_job);
+            EXPECT_EQ(error, "ddt: enough");
+            EXPECT_EQ(enlarging.calls, enlarging.last);
+        }
+    }
 }
 
 TEST(Throwing, BuildMeshNeverDoes) {

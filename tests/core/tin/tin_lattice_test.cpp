@@ -21,7 +21,7 @@ Tin tin_of(const Lattice& lattice, int step) {
     const auto vertex = [&](int site) {
         return int32_t(site / stride / 2 * lattice.width() + site % stride / 2);
     };
-    each_triangle(lattice, [&](int a, int b, int c) {
+    each_triangle(lattice, 0, 2 * lattice.height() - 1, [&](int a, int b, int c) {
         triangles.push_back({vertex(a), vertex(c), vertex(b)});
     });
     std::string error;

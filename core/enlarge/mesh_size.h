@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace ddt {
+
+/// Whether build_mesh() makes a mesh of so many pixels, for who takes memory before it does; false
+/// with one line in `error`. Defined in build_mesh.cpp.
+bool check_mesh_size(int width, int height, std::string& error);
+
+} // namespace ddt

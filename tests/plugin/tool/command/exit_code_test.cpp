@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/command/exit_code.h"
+
+#include <new>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace ddt::tool {
+namespace {
+
+template <class Thrown>
+Failure failure_of(const Thrown& what) {
+    try {
+        throw what;
+    } catch (...) {
+        return thrown();
+    }
+}
+
+TEST(ExitCodes, SizesThatNoVectorCanHaveAreOutOfMemory) {
+    for (const Failure& failure :
+         {failure_of(std::bad_alloc()), failure_of(std::length_error("vector::reserve"))}) {
+        EXPECT_EQ(failure.why, "out of memory");
+        EXPECT_EQ(failure.code, exit_resources);
+    }
+    const Failure other = failure_of(std::runtime_error("no such reel"));
+    EXPECT_EQ(other.why, "no such reel");
+    EXPECT_EQ(other.code, exit_failed);
+}
+
+} // namespace
+} // namespace ddt::tool
