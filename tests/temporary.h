@@ -35,7 +35,7 @@ inline std::string temporary(const std::string& name) {
 }
 
 /// The whole of a file, or nothing.
-inline std::string text_of(const std::string& path) {
+inline std::string text_in(const std::string& path) {
     std::ostringstream text;
     text << std::ifstream(path, std::ios::binary).rdbuf();
     return text.str();

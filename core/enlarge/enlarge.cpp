@@ -47,21 +47,6 @@ bool check(const Job& job, const Mapping& mapping, std::string& error) {
     return false;
 }
 
-/// What the source's codes stand for, where a device may read them: not identifiers, whose bits are
-/// not to change, nor what is filled before, nor rows and columns that are alone, which are
-/// repeated as floats. Asked on the CPU too, so that a source is wrong everywhere.
-bool find_codes(Source& source, const Job& job, std::vector<float>& codes, std::string& error) {
-    if (any_nearest(job) || job.holes != Holes::keep ||
-        std::min(job.window.width(), job.window.height()) < 2)
-        return true;
-    codes = source.codes();
-    if (codes.empty() || codes.size() == 256 || codes.size() == 65536)
-        return true;
-    error = "ddt: Source::codes() must be 256 or 65536 floats or none, not " +
-            std::to_string(codes.size());
-    return false;
-}
-
 const char* describe(Outcome outcome) {
     switch (outcome) {
     case Outcome::done:
@@ -95,13 +80,12 @@ void report(const Placement& placement, const std::string& failure, const Statis
 }
 
 /// Work on the tiles that are shown. failure: what the GPU failed at, if it did.
-Outcome work(Source& source, std::vector<float> codes, Sink& sink, const Mapping& mapping,
-             const Job& job, const Grid& grid, const Placement& placement, Statistics& statistics,
-             std::string& failure) {
+Outcome work(Source& source, Sink& sink, const Mapping& mapping, const Job& job, const Grid& grid,
+             const Placement& placement, Statistics& statistics, std::string& failure) {
     Run run(job, grid.count());
     if (placement.gpu)
-        failure = work_on_gpu(*placement.gpu, source, std::move(codes), sink, mapping, job, grid,
-                              thread_count(job), run, statistics);
+        failure = work_on_gpu(*placement.gpu, source, sink, mapping, job, grid, thread_count(job),
+                              run, statistics);
     else
         missed_gpu(job, pixels_a_thread(grid.pixels().area(), job));
     const bool on_cpu = !placement.gpu || !failure.empty();
@@ -113,8 +97,7 @@ Outcome work(Source& source, std::vector<float> codes, Sink& sink, const Mapping
     return run.outcome();
 }
 
-Outcome run(Source& source, std::vector<float> codes, Sink& sink, const Mapping& mapping,
-            const Job& job, std::string& why) {
+Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, std::string& why) {
     const Stopwatch watch;
     const Grid grid = shown_tiles(job.window, mapping);
     Placement placement;
@@ -126,8 +109,7 @@ Outcome run(Source& source, std::vector<float> codes, Sink& sink, const Mapping&
     std::string failure;
     Outcome outcome;
     if (job.holes == Holes::keep) {
-        outcome = work(source, std::move(codes), sink, mapping, job, grid, placement, statistics,
-                       failure);
+        outcome = work(source, sink, mapping, job, grid, placement, statistics, failure);
     } else {
         float filled = 0; // share done by then: that of reading, where nothing is missing
         Tell filling;
@@ -142,7 +124,7 @@ Outcome run(Source& source, std::vector<float> codes, Sink& sink, const Mapping&
             return outcome;
         Job rest = job;
         rest.progress = part_of(job.progress, filled, 1);
-        outcome = work(whole, {}, sink, mapping, rest, grid, placement, statistics, failure);
+        outcome = work(whole, sink, mapping, rest, grid, placement, statistics, failure);
     }
     if (verbose())
         report(placement, failure, statistics, watch.milliseconds());
@@ -156,11 +138,10 @@ Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& j
     Outcome outcome = Outcome::bad_job;
     const Caught caught = guarded_call(error, [&] {
         std::string why;
-        std::vector<float> codes;
-        if (check(job, mapping, why) && find_codes(source, job, codes, why)) {
+        if (check(job, mapping, why)) {
             Job own = job;
             own.progress = until_it_ends(job.progress);
-            outcome = run(source, std::move(codes), sink, mapping, own, why);
+            outcome = run(source, sink, mapping, own, why);
         }
         if (outcome != Outcome::done && why.empty())
             why = describe(outcome);

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <string>
-#include <vector>
 
 #include "core/tiles/grid.h"
 #include "core/tiles/run.h"
@@ -39,12 +38,11 @@ bool find_place(const Job& job, size_t pixels_a_thread, Placement& placement, st
 void missed_gpu(const Job& job, size_t pixels_a_thread);
 
 /// Work on the tiles of a job as far as the GPU gets; `run` knows how far that is. Adds to
-/// `statistics` for the tiles it finished. `codes`: what the source's stand for, none if it is to
-/// be read as floats. `threads`: how many may read the source and write to the sink at a time.
-/// Returns an empty text, or what the GPU failed at when it did.
-std::string work_on_gpu(gl::Gpu& gpu, Source& source, std::vector<float> codes, Sink& sink,
-                        const Mapping& mapping, const Job& job, const Grid& grid, int threads,
-                        Run& run, Statistics& statistics);
+/// `statistics` for the tiles it finished. `threads`: how many may read the source and write to the
+/// sink at a time. Returns an empty text, or what the GPU failed at when it did.
+std::string work_on_gpu(gl::Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping,
+                        const Job& job, const Grid& grid, int threads, Run& run,
+                        Statistics& statistics);
 
 /// Flip the edges of a Tin by a scheme that tin_on_gpu(). Adds to `statistics`. Returns an empty
 /// text, or what the GPU failed at: then the Tin may be anything.

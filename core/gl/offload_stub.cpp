@@ -20,8 +20,8 @@ bool find_place(const Job& job, size_t, Placement& placement, std::string& why) 
 
 void missed_gpu(const Job&, size_t) {}
 
-std::string work_on_gpu(gl::Gpu&, Source&, std::vector<float>, Sink&, const Mapping&, const Job&,
-                        const Grid&, int, Run&, Statistics&) {
+std::string work_on_gpu(gl::Gpu&, Source&, Sink&, const Mapping&, const Job&, const Grid&, int,
+                        Run&, Statistics&) {
     return "there is no GPU";
 }
 

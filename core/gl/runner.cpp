@@ -332,12 +332,12 @@ void Runner::report() {
 
 namespace ddt {
 
-std::string work_on_gpu(gl::Gpu& gpu, Source& source, std::vector<float> codes, Sink& sink,
-                        const Mapping& mapping, const Job& job, const Grid& grid, int threads,
-                        Run& run, Statistics& statistics) {
+std::string work_on_gpu(gl::Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping,
+                        const Job& job, const Grid& grid, int threads, Run& run,
+                        Statistics& statistics) {
     std::string failure;
     try {
-        gl::Travel travel = gl::travel_of(std::move(codes), sink, job);
+        gl::Travel travel = gl::travel_of(source, sink, job);
         const auto begin = [&] {
             for (const gl::JobProgram& program : gl::job_programs(job, travel))
                 gpu.programs->expect(program.file, program.macros);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/travel.h"
 
+#include <algorithm>
 #include <cstring>
-#include <utility>
 
 #include "core/base/float_bits.h"
 #include "core/base/memory/zero_small.h"
@@ -36,7 +36,7 @@ size_t Numbers::room(size_t count) const {
     return whole_words(count * size_t(bytes));
 }
 
-Travel travel_of(std::vector<float> codes, const Sink& sink, const Job& job) {
+Travel travel_of(Source& source, const Sink& sink, const Job& job) {
     Travel travel;
     // Identifiers are bits that are not to change.
     if (any_nearest(job))
@@ -47,8 +47,13 @@ Travel travel_of(std::vector<float> codes, const Sink& sink, const Job& job) {
     travel.back = travel.codes_back    ? Travel::Back::codes
                   : sink.takes_halfs() ? Travel::Back::halfs
                                        : Travel::Back::floats;
+    // Rows and columns that are alone are repeated as floats.
+    if (std::min(job.window.width(), job.window.height()) < 2)
+        return travel;
     Numbers& numbers = travel.there;
-    numbers.table = std::move(codes);
+    numbers.table = source.codes();
+    if (numbers.table.size() != 256 && numbers.table.size() != 65536)
+        numbers.table.clear();
     zero_small(numbers.table.data(), numbers.table.size(), least_value);
     if (numbers.coded())
         numbers.bytes = numbers.table.size() == 256 ? 1 : 2;

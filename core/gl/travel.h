@@ -47,7 +47,7 @@ struct Travel {
     bool packed() const { return back != Back::floats; }
 };
 
-/// The fewest bytes that the source, whose codes stand for `codes`, and the sink allow.
-Travel travel_of(std::vector<float> codes, const Sink& sink, const Job& job);
+/// The fewest bytes that the job's source and sink allow.
+Travel travel_of(Source& source, const Sink& sink, const Job& job);
 
 } // namespace ddt::gl

@@ -5,8 +5,8 @@
 #include <cstring>
 
 #include "core/base/guarded.h"
-#include "core/base/parallel.h"
 #include "core/base/one_line.h"
+#include "core/base/parallel.h"
 #include "plugin/colour/colour_pixels.h"
 #include "plugin/colour/encodings.h"
 #include "plugin/host/pixels.h"

@@ -39,8 +39,8 @@ public:
     virtual bool read(const Rect& r, float* values, float* guide) = 0;
 
     /// Where every number is one of 256 or 65536 codes, the floats that they stand for, in order;
-    /// else nothing; another number of floats is Outcome::bad_job. Asked once at most, before
-    /// anything is read; devices to which numbers travel far then read by read_codes().
+    /// else nothing, as which any other number of floats counts. Asked once, before anything is
+    /// read, for devices to which numbers travel far: they are then read by read_codes().
     virtual std::vector<float> codes() { return {}; }
     /// As read(), with the codes of the values: bytes, or 16-bit numbers where there are 65536.
     virtual bool read_codes(const Rect& /*r*/, void* /*codes*/, float* /*guide*/) { return false; }

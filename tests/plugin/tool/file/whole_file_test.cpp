@@ -59,10 +59,10 @@ TEST_F(WholeFiles, AppearWhenCommitted) {
         EXPECT_EQ(fs::path(file.temporary()).extension(), ".exr");
         std::fputs("after", file.file());
         std::fflush(file.file());
-        EXPECT_EQ(text_of(out), "before");
+        EXPECT_EQ(text_in(out), "before");
         ASSERT_TRUE(file.commit(m_failure)) << m_failure.why;
     }
-    EXPECT_EQ(text_of(out), "after");
+    EXPECT_EQ(text_in(out), "after");
     EXPECT_EQ(files(), 1u);
 }
 
@@ -87,7 +87,7 @@ TEST_F(WholeFiles, WhatAKilledProcessLeftIsRemoved) {
     EXPECT_EQ(files(), 1u);
     EXPECT_FALSE(fs::exists(path("out.exr")));
     ASSERT_TRUE(write(path("out.exr"), "whole")) << m_failure.why;
-    EXPECT_EQ(text_of(path("out.exr")), "whole");
+    EXPECT_EQ(text_in(path("out.exr")), "whole");
     EXPECT_EQ(files(), 1u);
 }
 
@@ -108,14 +108,14 @@ TEST_F(WholeFiles, WhatSeveralLeftIsRemovedAndWhatIsHeldIsNot) {
     EXPECT_TRUE(fs::exists(held.temporary()));
     std::fputs("held", held.file());
     ASSERT_TRUE(held.commit(m_failure)) << m_failure.why;
-    EXPECT_EQ(text_of(path("out.exr")), "held");
+    EXPECT_EQ(text_in(path("out.exr")), "held");
 }
 
 TEST_F(WholeFiles, WhatSomebodyElseLeftIsNot) {
     const std::string first = path(".out.ddt-0.exr"), out = path("out.exr");
     const auto expect_untouched = [&](const char* what) {
         EXPECT_TRUE(write(out, "whole")) << what << ": " << m_failure.why;
-        EXPECT_EQ(text_of(out), "whole") << what;
+        EXPECT_EQ(text_in(out), "whole") << what;
         EXPECT_TRUE(fs::exists(first)) << what;
         fs::remove(out);
         fs::remove(first);
@@ -125,7 +125,7 @@ TEST_F(WholeFiles, WhatSomebodyElseLeftIsNot) {
     expect_untouched("a file with another name");
     fs::create_symlink("precious", first);
     expect_untouched("a link");
-    EXPECT_EQ(text_of(path("precious")), "precious");
+    EXPECT_EQ(text_in(path("precious")), "precious");
     ASSERT_EQ(mkfifo(first.c_str(), 0666), 0);
     expect_untouched("a pipe");
     if (geteuid() == 0) {
@@ -159,7 +159,7 @@ TEST_F(WholeFiles, TwoAtOnceDoNotMix) {
     std::fputs("first", a.file());
     std::fputs("second", b.file());
     ASSERT_TRUE(b.commit(m_failure) && a.commit(m_failure));
-    EXPECT_EQ(text_of(path("out.exr")), "first");
+    EXPECT_EQ(text_in(path("out.exr")), "first");
     EXPECT_EQ(files(), 1u);
 }
 
@@ -183,10 +183,10 @@ TEST_F(WholeFiles, KeepLinksAndPermissions) {
     fs::create_symlink("later.exr", path("dangling.exr"));
     ASSERT_TRUE(write(path("link.exr"), "after")) << m_failure.why;
     EXPECT_TRUE(fs::is_symlink(path("link.exr")));
-    EXPECT_EQ(text_of(path("real.exr")), "after");
+    EXPECT_EQ(text_in(path("real.exr")), "after");
     EXPECT_EQ(fs::status(path("real.exr")).permissions(), fs::perms(0640));
     ASSERT_TRUE(write(path("dangling.exr"), "after")) << m_failure.why;
-    EXPECT_EQ(text_of(path("later.exr")), "after");
+    EXPECT_EQ(text_in(path("later.exr")), "after");
 
     const mode_t mask = umask(027);
     EXPECT_TRUE(write(path("new.exr"), "new"));
@@ -240,7 +240,7 @@ TEST_F(WholeFiles, AFullDiskIsAFailureThatMayPass) {
     EXPECT_FALSE(committed);
     EXPECT_EQ(m_failure.code, exit_resources);
     EXPECT_NE(m_failure.why.find("out.exr"), std::string::npos) << m_failure.why;
-    EXPECT_EQ(text_of(path("out.exr")), "before");
+    EXPECT_EQ(text_in(path("out.exr")), "before");
     EXPECT_EQ(files(), 1u);
 }
 

@@ -34,7 +34,7 @@ double area(const Vertex& a, const Vertex& b, const Vertex& c) {
 
 Contents read_obj(const std::string& path) {
     Contents contents;
-    std::istringstream lines(text_of(path));
+    std::istringstream lines(text_in(path));
     for (std::string line; std::getline(lines, line);) {
         std::istringstream in(line);
         std::string kind;
@@ -58,7 +58,7 @@ Contents read_obj(const std::string& path) {
 }
 
 Contents read_ply(const std::string& path) {
-    const std::string text = text_of(path);
+    const std::string text = text_in(path);
     const size_t end = text.find("end_header\n");
     const std::string header = text.substr(0, end);
     EXPECT_EQ(header.rfind("ply\nformat binary_little_endian 1.0\n", 0), 0u);
@@ -110,7 +110,7 @@ struct SvgTriangle {
 };
 
 std::vector<SvgTriangle> read_svg(const std::string& path) {
-    const std::string text = text_of(path);
+    const std::string text = text_in(path);
     EXPECT_NE(text.find("</svg>"), std::string::npos);
     const std::regex path_element("<path(?: fill=\"([^\"]*)\")?(?: fill-opacity=\"[^\"]*\")? "
                                   "d=\"M(\\d+) (\\d+)L(\\d+) (\\d+)L(\\d+) (\\d+)Z\"/>");
@@ -237,7 +237,7 @@ TEST_F(MeshFile, SvgGradientShowsAPlaneOfGreyExactly) {
         const float v = 0.02f * float(i % w) + 0.03f * float(i / w);
         m_picture.colours[i] = {v, v, v, 1};
     }
-    const std::string text = text_of(write(".svg"));
+    const std::string text = text_in(write(".svg"));
     const std::regex gradient("x1=\"([^\"]*)\" y1=\"([^\"]*)\" x2=\"([^\"]*)\" y2=\"([^\"]*)\">"
                               "<stop stop-color=\"#(..)[^\"]*\"/>"
                               "<stop offset=\"1\" stop-color=\"#(..)");
@@ -258,7 +258,7 @@ TEST_F(MeshFile, SvgIsFlatWhereNothingChangesVisibly) {
         const float v = i % 3 ? 0.0f : 2e-8f;
         m_picture.colours[i] = {v, v, v, 1};
     }
-    const std::string path = write(".svg"), text = text_of(path);
+    const std::string path = write(".svg"), text = text_in(path);
     EXPECT_EQ(text.find("nan"), std::string::npos);
     EXPECT_EQ(text.find("linearGradient"), std::string::npos);
     const auto triangles = read_svg(path);
@@ -279,7 +279,7 @@ TEST_F(MeshFile, SvgGradientsAreWhereTheyShouldBeInWidePictures) {
         m_picture.guide.push_back(v);
     }
     ASSERT_TRUE(build_mesh(m_picture.guide.data(), m_picture.width, m_picture.height, {}, m_mesh));
-    const std::string text = text_of(write(".svg"));
+    const std::string text = text_in(write(".svg"));
     const std::regex gradient("x1=\"(1[^\"]*)\" y1=\"([^\"]*)\"[^>]*><stop stop-color=\"#(..)");
     int found = 0;
     for (std::sregex_iterator i(text.begin(), text.end(), gradient), none; i != none; ++i) {

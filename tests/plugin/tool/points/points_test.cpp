@@ -455,12 +455,12 @@ TEST_F(OnPoints, ScatterReplacesBothFilesOrNone) {
         const Ran ran = run(make_scatter_command(), {in, out, "--size", "4x4", "--mesh", mesh});
         EXPECT_EQ(ran.code, mesh == full ? exit_resources : exit_failed) << ran.err;
         EXPECT_NE(ran.err.find(mesh), std::string::npos) << ran.err;
-        EXPECT_EQ(text_of(out), "before");
+        EXPECT_EQ(text_in(out), "before");
     }
     const std::string mesh = write_file("both.ply", "before");
     EXPECT_EQ(run(make_scatter_command(), {in, "/no/such/folder/a.png", "--mesh", mesh}).code,
               exit_failed);
-    EXPECT_EQ(text_of(mesh), "before");
+    EXPECT_EQ(text_in(mesh), "before");
 }
 
 TEST(MeshOfPoints, EdgesFollowTheValues) {
