@@ -196,19 +196,19 @@ def _full_size(width: int, height: int, scale: Any, size: Any) -> Tuple[int, int
     if size is not None:
         full_width, full_height = _whole_numbers("size", size, "(width, height)")
         if not (width <= full_width <= 2**29 and height <= full_height <= 2**29):
-            raise ValueError(f"ddt: size {_shown(size)} is not allowed; it must not be smaller than the "
-                             f"image, {width} x {height}, nor larger than 2**29")
+            raise ValueError(f"ddt: size {_shown(size)} is not allowed; it must not be smaller than "
+                             f"the image, {width} x {height}, nor larger than 2**29")
         return full_width, full_height
     try:
         x, y = (float(n * 1.0) for n in ((scale, scale) if np.ndim(scale) == 0 else scale))
     except OverflowError:  # of a whole number
         x = y = math.inf
     except (TypeError, ValueError):
-        raise TypeError(f"ddt: scale {_shown(scale)} is not allowed; allowed are a number, or one for "
-                        "x and one for y") from None
+        raise TypeError(f"ddt: scale {_shown(scale)} is not allowed; allowed are a number, or one "
+                        "for x and one for y") from None
     if not (1 <= x < 1e6 and 1 <= y < 1e6):
-        raise ValueError(f"ddt: scale {_shown(scale)} is not allowed; allowed are numbers from 1 to below "
-                         "1000000")
+        raise ValueError(f"ddt: scale {_shown(scale)} is not allowed; allowed are numbers from 1 to "
+                         "below 1000000")
     full_width, full_height = int(width * x + 0.5), int(height * y + 0.5)
     if max(full_width, full_height) > 2**29:
         raise ValueError(f"ddt: scale {_shown(scale)} is not allowed; it makes {full_width} x "
@@ -220,6 +220,6 @@ def _checked_roi(roi: Any, full: Tuple[int, int]) -> Tuple[int, int, int, int]:
     x0, y0, x1, y1 = ((0, 0, *full) if roi is None else
                       _whole_numbers("roi", roi, "(x0, y0, x1, y1)"))
     if not (0 <= x0 < x1 <= full[0] and 0 <= y0 < y1 <= full[1]):
-        raise ValueError(f"ddt: roi {_shown(roi)} is not allowed; allowed are (x0, y0, x1, y1) within the "
-                         f"result of {full[0]} x {full[1]} pixels")
+        raise ValueError(f"ddt: roi {_shown(roi)} is not allowed; allowed are (x0, y0, x1, y1) within "
+                         f"the result of {full[0]} x {full[1]} pixels")
     return x0, y0, x1, y1
