@@ -58,6 +58,10 @@ public:
             error = "ddt: no pixel is there to fill the others from";
             return false;
         }
+        if (progress && !progress(0)) {
+            error = "ddt: cancelled";
+            return false;
+        }
         const std::vector<HoleGroup> groups = group_holes(m_missing, m_image.width, m_image.height);
         float rims = 0;
         for (const HoleGroup& group : groups)

@@ -22,7 +22,7 @@ struct HoleGroup {
 /// Holes of up to this many pixels each way share meshes.
 constexpr int hole_block = 64;
 
-/// `pixels`, places in an image of which no byte of `missing` is 0, as a group without reach.
+/// `pixels`, places in an image whose bytes of `missing` are not 0, as a group without reach.
 HoleGroup group_of(std::vector<size_t> pixels, const uint8_t* missing, int width, int height);
 
 /// Every missing pixel of an image (its byte is not 0) in one group. A hole is what touches, along

@@ -23,15 +23,17 @@ constexpr int deep_starts = 4;
 /// Of the time of a mesh, about.
 constexpr float sweeps_share = 0.2f;
 
-Rect around(const Rect& box, int by) {
-    return {box.x0 - by, box.y0 - by, box.x1 + by, box.y1 + by};
+/// A box and what lies so near it, as far as there is an image.
+Rect around(const Rect& box, int by, int width, int height) {
+    return {std::max(box.x0 - by, 0), std::max(box.y0 - by, 0),
+            box.x1 + std::min(by, width - box.x1), box.y1 + std::min(by, height - box.y1)};
 }
 
 } // namespace
 
 HoleMesh::HoleMesh(const HoledImage& image, const uint8_t* missing, const HoleGroup& group)
-    : m_image(image), m_group(group), m_box(intersection(around(group.box, group.reach + margin),
-                                                         {0, 0, image.width, image.height})) {
+    : m_image(image), m_group(group),
+      m_box(around(group.box, group.reach + margin, image.width, image.height)) {
     const std::vector<uint8_t> near = near_holes(missing);
     const auto channels = size_t(image.channels);
     // Or fewer: pixels of other holes may be near.

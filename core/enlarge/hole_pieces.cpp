@@ -12,7 +12,8 @@ namespace {
 /// Of the first cut; and of the last, whose thickness a byte still holds.
 constexpr int first_block = 128, last_block = 2048;
 
-/// Of a block: a part is thick with more than this many pixels to the nearest that is there.
+/// A part is thick with more pixels than a block's size divided by this to the nearest that is
+/// there.
 constexpr int thickness_share = 16;
 
 /// Numbers 0 to n - 1, each at first a set of its own.
@@ -63,26 +64,27 @@ public:
             m_pieces.push_back(std::move(whole));
             return;
         }
-        const auto block_at = [&](int x, int y) {
-            const Rect& box = whole.box;
-            const int64_t u = std::min(std::max(x, box.x0), box.x1 - 1) - box.x0,
-                          v = std::min(std::max(y, box.y0), box.y1 - 1) - box.y0;
-            return size_t(v * down / box.height() * across + u * across / box.width());
+        const std::vector<int> column = places(whole.box.width(), across),
+                               row = places(whole.box.height(), down);
+        const auto block_at = [&](int64_t x, int64_t y) {
+            const auto u = size_t(std::clamp<int64_t>(x - whole.box.x0, 0, column.size() - 1)),
+                       v = size_t(std::clamp<int64_t>(y - whole.box.y0, 0, row.size() - 1));
+            return size_t(row[v]) * size_t(across) + size_t(column[u]);
         };
         const int thickness = block / thickness_share, near = 2 * thickness;
         DisjointSets sets(size_t(across) * size_t(down));
         for (const size_t i : whole.pixels) {
             if (m_depth[i] <= thickness)
                 continue;
-            const int x = int(i % size_t(m_width)), y = int(i / size_t(m_width));
+            const auto x = int64_t(i % size_t(m_width)), y = int64_t(i / size_t(m_width));
             const size_t own = block_at(x, y);
-            for (const int v : {y - near, y + near})
-                for (const int u : {x - near, x + near})
+            for (const int64_t v : {y - near, y + near})
+                for (const int64_t u : {x - near, x + near})
                     sets.join(own, block_at(u, v));
         }
         std::vector<std::vector<size_t>> piece(size_t(across) * size_t(down));
         for (const size_t i : whole.pixels) {
-            const int x = int(i % size_t(m_width)), y = int(i / size_t(m_width));
+            const auto x = int64_t(i % size_t(m_width)), y = int64_t(i / size_t(m_width));
             piece[sets.find(block_at(x, y))].push_back(i);
         }
         whole = {};
@@ -96,7 +98,15 @@ public:
     std::vector<HoleGroup> pieces() { return std::move(m_pieces); }
 
 private:
-    static int parts(int size, int block) { return (size + block - 1) / block; }
+    static int parts(int size, int block) { return (size - 1) / block + 1; }
+
+    /// Of so many places in a row, which of so many equal parts each lies in.
+    static std::vector<int> places(int size, int parts) {
+        std::vector<int> part(static_cast<size_t>(size));
+        for (int i = 0; i < size; ++i)
+            part[size_t(i)] = int(int64_t(i) * parts / size);
+        return part;
+    }
 
     void nearer(size_t i, int x, int y) {
         if (x < 0 || x >= m_width || y < 0 || y >= m_height)

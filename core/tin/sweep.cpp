@@ -164,23 +164,35 @@ private:
     /// A vertex of the rim near p's angle.
     int32_t rim_near(int32_t p) const {
         const size_t own = angle_of(p), entries = m_at_angle.size();
-        for (size_t k = 0; k < entries; ++k) {
-            const int32_t v = m_at_angle[(own + k) % entries];
-            if (v >= 0 && m_next[size_t(v)] >= 0)
-                return v;
-        }
+        for (size_t k = 0; k <= entries / 2; ++k)
+            for (const size_t at : {(own + k) % entries, (own + entries - k) % entries})
+                if (const int32_t v = m_at_angle[at]; v >= 0 && m_next[size_t(v)] >= 0)
+                    return v;
         return m_last;
+    }
+
+    bool is_seen(int32_t u, int32_t p) const { return turn(u, m_next[size_t(u)], p) < 0; }
+
+    /// The beginning of a rim edge that p sees, looked for to both sides.
+    int32_t seen_by(int32_t p) const {
+        int32_t u = rim_near(p), v = u;
+        for (;;) {
+            if (is_seen(u, p))
+                return u;
+            v = m_previous[size_t(v)];
+            if (is_seen(v, p))
+                return v;
+            u = m_next[size_t(u)];
+        }
     }
 
     /// p lies outside the rim, of which it sees some edges that follow one another.
     void insert(int32_t p) {
-        int32_t first = rim_near(p);
-        while (turn(first, m_next[size_t(first)], p) >= 0)
-            first = m_next[size_t(first)];
+        int32_t first = seen_by(p);
         int32_t last = m_next[size_t(first)];
-        while (turn(m_previous[size_t(first)], first, p) < 0)
+        while (is_seen(m_previous[size_t(first)], p))
             first = m_previous[size_t(first)];
-        while (turn(last, m_next[size_t(last)], p) < 0)
+        while (is_seen(last, p))
             last = m_next[size_t(last)];
         std::vector<int32_t> doubtful;
         int32_t to_p = -1, from_p = -1; // of first; of the vertex that was come to

@@ -54,25 +54,25 @@ private:
     uint64_t m_length = 0;
 };
 
-/// Walks through the directories of a TIFF, one for each image. Source: Adobe, TIFF Revision 6.0;
-/// of files beyond 4 GiB: the BigTIFF File Format Proposal.
+/// The directories of a TIFF, one for each image. Source: Adobe, TIFF Revision 6.0; of files beyond
+/// 4 GiB: the BigTIFF File Format Proposal.
 class TiffTables {
 public:
-    explicit TiffTables(const std::string& path) : m_file(path), m_left(2 * m_file.length()) {}
+    explicit TiffTables(const std::string& path) : m_file(path) {}
 
-    bool are_beyond_end() {
+    /// Of the image of this number from 0.
+    bool are_beyond_end(int number) {
         const std::vector<uint8_t> head = m_file.bytes(0, 16);
         if (head.empty() || head[0] != head[1] || (head[0] != 'I' && head[0] != 'M'))
             return false;
         m_file.big_endian = head[0] == 'M';
         const uint64_t version = m_file.number(&head[2], 2);
         m_word = version == 43 ? 8 : 4;
-        // Each directory is paid for by its bytes, so a chain that bites its tail ends.
         uint64_t next = m_file.number(&head[size_t(m_word)], m_word);
-        bool beyond = false;
-        while (next != 0 && !beyond && !m_nonsense)
-            beyond = !read_directory(next) || pieces_are_beyond_end();
-        return beyond && !m_nonsense;
+        for (int n = 0; n <= number && next != 0; ++n)
+            if (!read_directory(next, n == number))
+                return true;
+        return pieces_are_beyond_end();
     }
 
 private:
@@ -86,6 +86,8 @@ private:
         rows_per_strip_tag = 278,
         strip_bytes_tag = 279,
         planes_tag = 284,
+        tile_width_tag = 322,
+        tile_height_tag = 323,
         tile_offsets_tag = 324,
         tile_bytes_tag = 325,
     };
@@ -102,15 +104,9 @@ private:
         return type == 1 ? 1 : type == 3 ? 2 : type == 4 ? 4 : type == 16 ? 8 : 0;
     }
 
-    /// Take so many bytes of twice all there are. More makes no sense: few tables share one.
-    bool pay(uint64_t bytes) {
-        m_nonsense = m_nonsense || bytes > m_left;
-        m_left -= std::min(bytes, m_left);
-        return !m_nonsense;
-    }
-
-    /// Read the directory there, and where the next is. False if the file ends before it does.
-    bool read_directory(uint64_t& at) {
+    /// Read the fields of a directory if it is the wanted one, or else go to the next. False if the
+    /// file ends before; some writers leave out that there is no next.
+    bool read_directory(uint64_t& at, bool wanted) {
         const int before = m_word == 8 ? 8 : 2, each = 4 + 2 * m_word;
         const std::vector<uint8_t> head = m_file.bytes(at, uint64_t(before));
         if (head.empty())
@@ -119,16 +115,16 @@ private:
         if (!m_file.has(begin, count, uint64_t(each)))
             return false;
         const uint64_t bytes = count * uint64_t(each);
-        m_fields.clear();
-        m_nonsense = m_nonsense || count > UINT16_MAX;
-        if (!pay(bytes + uint64_t(before)))
+        if (!wanted) {
+            const std::vector<uint8_t> next = m_file.bytes(begin + bytes, uint64_t(m_word));
+            at = next.empty() ? 0 : m_file.number(next.data(), m_word);
+            return !next.empty();
+        }
+        if (count > UINT16_MAX)
             return true;
-        const std::vector<uint8_t> all = m_file.bytes(begin, bytes + uint64_t(m_word));
-        if (all.empty())
-            return false;
-        for (uint64_t k = 0; k < bytes; k += uint64_t(each))
+        const std::vector<uint8_t> all = m_file.bytes(begin, bytes);
+        for (uint64_t k = 0; k < all.size(); k += uint64_t(each))
             read_field(&all[size_t(k)], begin + k);
-        at = m_file.number(&all[size_t(bytes)], m_word);
         return true;
     }
 
@@ -139,8 +135,8 @@ private:
         const auto word = uint64_t(m_word);
         const bool here = field.size > 0 && field.count <= word / uint64_t(field.size);
         field.begin = here ? at + 4 + word : m_file.number(entry + 4 + m_word, m_word);
-        if (field.size > 0)
-            m_fields[m_file.number(entry, 2)] = field;
+        if (field.size > 0) // of a tag that is there twice the first counts
+            m_fields.emplace(m_file.number(entry, 2), field);
     }
 
     /// Some of a field's numbers; none if the file ends before.
@@ -166,26 +162,40 @@ private:
     bool pieces_are_beyond_end() {
         const uint64_t compression = value(compression_tag, uncompressed);
         // Of old JPEG the numbers of bytes mean nothing.
-        if (m_nonsense || compression == old_jpeg)
+        if (compression == old_jpeg)
             return false;
         const bool tiled = m_fields.count(tile_offsets_tag) > 0;
         const Field offsets = m_fields[tiled ? tile_offsets_tag : strip_offsets_tag];
         const Field bytes = m_fields[tiled ? tile_bytes_tag : strip_bytes_tag];
         const Strips strips = tiled || compression != uncompressed ? Strips() : find_strips();
         constexpr uint64_t at_once = 4096;
-        const uint64_t count = std::min(offsets.count, bytes.count);
+        const uint64_t count = std::min({offsets.count, bytes.count, pieces(tiled)});
         for (uint64_t first = 0; first < count; first += at_once) {
             const uint64_t some = std::min(at_once, count - first);
             const auto begins = numbers(offsets, first, some), sizes = numbers(bytes, first, some);
             if (begins.empty() || sizes.empty())
                 return true;
-            if (!pay(some * uint64_t(offsets.size + bytes.size)))
-                return false;
-            for (uint64_t k = 0; k < some; ++k)
-                if (!m_file.has(begins[k], std::min(sizes[k], most_bytes(strips, first + k))))
+            for (uint64_t k = 0; k < some; ++k) {
+                const uint64_t size = std::min(sizes[k], most_bytes(strips, first + k));
+                if (size > 0 && !m_file.has(begins[k], size))
                     return true;
+            }
         }
         return false;
+    }
+
+    /// How many there are, whatever the tables have room for.
+    uint64_t pieces(bool tiled) {
+        const uint64_t width = value(width_tag, 0), height = value(height_tag, 0);
+        const uint64_t across = tiled ? value(tile_width_tag, width) : width,
+                       down = value(tiled ? tile_height_tag : rows_per_strip_tag, height);
+        const uint64_t planes = value(planes_tag, 1) == 2 ? value(samples_tag, 1) : 1;
+        if (std::max({width, height, across, down}) > UINT32_MAX || across == 0 || down == 0 ||
+            planes > UINT16_MAX)
+            return 0;
+        const double all = double((width + across - 1) / across) *
+                           double((height + down - 1) / down) * double(planes);
+        return all < 1e18 ? uint64_t(all) : 0;
     }
 
     /// Strips without compression: as high as these, of an image as high as that, and each row of
@@ -214,10 +224,8 @@ private:
     }
 
     NumberFile m_file;
-    uint64_t m_left; ///< bytes to be paid with
-    int m_word = 4;  ///< bytes of an offset
-    bool m_nonsense = false;
-    std::map<uint64_t, Field> m_fields; ///< of the directory that was read
+    int m_word = 4;                     ///< bytes of an offset
+    std::map<uint64_t, Field> m_fields; ///< of the directory that is wanted, once it was found
 };
 
 /// A DPX's header, of one element. Source: SMPTE 268M.
@@ -262,9 +270,9 @@ bool is_short_dpx(const std::string& path) {
 
 } // namespace
 
-bool is_cut_off(const std::string& path, const std::string& format) {
+bool is_cut_off(const std::string& path, const std::string& format, int number) {
     if (format == "tiff")
-        return TiffTables(path).are_beyond_end();
+        return TiffTables(path).are_beyond_end(number);
     return format == "dpx" && is_short_dpx(path);
 }
 

@@ -6,10 +6,10 @@
 
 namespace ddt::tool {
 
-/// Whether a file, whose reader has this name of its format, is shorter than its own tables say:
-/// TIFF's of strips and tiles, DPX's of its size. OpenImageIO's readers (2.4.7) say nothing of
-/// strips, and of 10 or 12 bits, that are not there. False of other formats, and where the tables
-/// make no sense.
-bool is_cut_off(const std::string& path, const std::string& format);
+/// Whether a file, whose reader has this name of its format, ends before the pixels of the image of
+/// this number from 0 do: before a TIFF's strips and tiles, as it lists them, or before a DPX's
+/// pixels and what it says of its size. OpenImageIO's readers (2.4.7) say nothing of strips, and of
+/// 10 or 12 bits, that are not there. False of other formats, and where the tables make no sense.
+bool is_cut_off(const std::string& path, const std::string& format, int number);
 
 } // namespace ddt::tool

@@ -298,7 +298,7 @@ bool ImageFile::check_written(Failure& failure) {
         return refuse(std::strerror(number), code_of_errno(number));
     const ExitCode code = m_stream ? exit_failed : exit_resources;
     const auto in = OIIO::ImageInput::open(temporary());
-    if (!in || is_cut_off(temporary(), in->format_name()))
+    if (!in)
         return refuse("what was written cannot be read back", code_of_reading(temporary(), code));
     m_compression = in->spec().get_string_attribute("compression");
     m_compression.resize(std::min(m_compression.size(), m_compression.find(':')));
@@ -309,6 +309,9 @@ bool ImageFile::check_written(Failure& failure) {
     for (size_t i = 0; i < m_specs.size(); ++i) {
         if (i > 0 && !in->seek_subimage(int(i), 0))
             return refuse("what was written cannot be read back", code);
+        if (is_cut_off(temporary(), in->format_name(), int(i)))
+            return refuse("what was written cannot be read back",
+                          code_of_reading(temporary(), code));
         const OIIO::ImageSpec &asked = m_specs[i], &made = in->spec();
         if (made.width != asked.width || made.height != asked.height)
             return refuse(format("the format {} made {} x {} pixels of {} x {}",

@@ -84,8 +84,9 @@ std::string image_name(const std::string& path, int number) {
     return number > 0 ? format("{}, image {}", name, number + 1) : name;
 }
 
-bool check_whole(const std::string& path, const std::string& format, std::string& error) {
-    if (!is_cut_off(path, format))
+bool check_whole(const std::string& path, const std::string& format, int number,
+                 std::string& error) {
+    if (!is_cut_off(path, format, number))
         return true;
     error = "cannot read \"" + path + "\": the file ends before its pixels do";
     return false;
@@ -98,7 +99,7 @@ bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& err
     }
     image.reset(path, number, 0);
     const bool begun = image.init_spec(path, number, 0);
-    if (begun && !check_whole(path, std::string(image.file_format_name()), error))
+    if (begun && !check_whole(path, std::string(image.file_format_name()), number, error))
         return false;
     const bool floats = begun && is_associated_when_read(image.nativespec());
     if (image.read(number, 0, true, floats ? OIIO::TypeFloat : OIIO::TypeUnknown))
@@ -115,7 +116,7 @@ std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path, int number
     else if (number > 0 && !input->seek_subimage(number, 0)) {
         error = why_unreadable(input->geterror(), path);
         input.reset();
-    } else if (!check_whole(path, input->format_name(), error))
+    } else if (!check_whole(path, input->format_name(), number, error))
         input.reset();
     return input;
 }

@@ -37,7 +37,8 @@ std::string image_name(const std::string& path, int number = 0);
 
 /// False with one line in `error` if a file of a format is cut off, which its reader would not say
 /// (cut_off.h). The functions that follow look for that.
-bool check_whole(const std::string& path, const std::string& format, std::string& error);
+bool check_whole(const std::string& path, const std::string& format, int number,
+                 std::string& error);
 
 /// Read the image of this number from 0 in a file, its pixels included. False with one line in
 /// `error`.

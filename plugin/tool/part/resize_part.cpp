@@ -262,7 +262,7 @@ struct PartJob {
             failure.code = code_of_message(failure.why);
             return false;
         }
-        if (!check_whole(path, std::string(image().file_format_name()), failure.why))
+        if (!check_whole(path, std::string(image().file_format_name()), 0, failure.why))
             return false;
         // Of whose image neither the bytes nor the time of its last change are looked at.
         if (image().file_format_name() == "ddt") {

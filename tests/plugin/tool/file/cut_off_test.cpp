@@ -68,7 +68,9 @@ public:
         std::ofstream(path, std::ios::binary).write(m_bytes.data(), std::streamsize(length));
         return path;
     }
-    bool is_cut_off(size_t length) const { return tool::is_cut_off(file(length), "tiff"); }
+    bool is_cut_off(size_t length, int number = 0) const {
+        return tool::is_cut_off(file(length), "tiff", number);
+    }
     size_t size() const { return m_bytes.size(); }
     std::string& bytes() { return m_bytes; }
 
@@ -97,9 +99,12 @@ TEST(CutOff, IsATiffThatLacksAByteOfAnything) {
     for (const Kind kind : all_kinds)
         for (const int images : {1, 3}) {
             const SmallTiff tiff(kind, images);
-            EXPECT_FALSE(tiff.is_cut_off(tiff.size()));
+            const int last = images - 1;
+            EXPECT_FALSE(tiff.is_cut_off(tiff.size(), last));
             for (size_t length = 16; length < tiff.size(); ++length)
-                ASSERT_TRUE(tiff.is_cut_off(length)) << length << " of " << tiff.size();
+                ASSERT_TRUE(tiff.is_cut_off(length, last)) << length << " of " << tiff.size();
+            // Another image's pixels are of no interest.
+            EXPECT_EQ(tiff.is_cut_off(tiff.size() - 1), images == 1);
         }
 }
 
@@ -113,18 +118,43 @@ TEST(CutOff, IsNoTiffWhoseLastStripIsCountedAsWhole) {
     }
 }
 
+TEST(CutOff, IsNoTiffThatEndsWithItsDirectory) {
+    const int width = 8, height = 12, pixels = width * height;
+    std::string bytes("II*\0", 4);
+    const auto put = [&](int n, int size) {
+        for (int i = 0; i < size; ++i)
+            bytes += char(n >> 8 * i);
+    };
+    put(8 + pixels, 4);
+    bytes.append(size_t(pixels), 'x');
+    const int entries[][2] = {{256, width}, {257, height}, {258, 8},      {259, 1},
+                              {273, 8},     {277, 1},      {278, height}, {279, pixels}};
+    put(8, 2);
+    for (const auto& [tag, value] : entries) {
+        put(tag, 2);
+        put(4, 2);
+        put(1, 4);
+        put(value, 4);
+    }
+    const std::string path = temporary("last.tif");
+    std::ofstream(path, std::ios::binary) << bytes; // and not where the next is
+    EXPECT_FALSE(is_cut_off(path, "tiff", 0));
+    std::filesystem::resize_file(path, bytes.size() - 1);
+    EXPECT_TRUE(is_cut_off(path, "tiff", 0));
+}
+
 TEST(CutOff, IsNoTiffThatMakesNoSense) {
     std::mt19937 random(1);
     for (int i = 0; i < 4000; ++i) {
         SmallTiff tiff(all_kinds[i % 4], 3, i % 3 ? 8 : 1);
         for (int k = 0; k < 3; ++k)
             tiff.bytes()[random() % (tiff.size() - 1)] = char(random() % 3 ? random() : 0xff);
-        tiff.is_cut_off(tiff.size()); // which ends
+        tiff.is_cut_off(tiff.size(), i % 4); // which ends
     }
     SmallTiff loop({false, false});
     loop.bytes().replace(10 + 8 * 12, 4, std::string("\x08\0\0\0", 4)); // the next is the first
-    EXPECT_FALSE(loop.is_cut_off(loop.size()));
-    EXPECT_FALSE(is_cut_off(temporary("missing.tif"), "tiff"));
+    EXPECT_FALSE(loop.is_cut_off(loop.size(), 1000));
+    EXPECT_FALSE(is_cut_off(temporary("missing.tif"), "tiff", 0));
 }
 
 TEST(CutOff, IsWhatNoCommandReads) {
@@ -176,8 +206,10 @@ TEST(CutOff, IsNothingThatIsWhole) {
                     spec.attribute("compression", compression);
                     spec.attribute("planarconfig", planes);
                     spec.attribute("tiff:bigtiff", big);
-                    EXPECT_FALSE(is_cut_off(written("whole.tif", spec, 2), "tiff"))
-                        << compression << tile << planes << big;
+                    const std::string path = written("whole.tif", spec, 2);
+                    for (const int number : {0, 1, 2})
+                        EXPECT_FALSE(is_cut_off(path, "tiff", number))
+                            << compression << tile << planes << big << number;
                 }
 }
 
@@ -190,25 +222,25 @@ TEST(CutOff, IsADpxOfFewerBytesThanItSays) {
         for (const char* endian : {"little", "big"}) {
             spec.attribute("oiio:Endian", endian);
             const std::string path = written("small.dpx", spec);
-            EXPECT_FALSE(is_cut_off(path, "dpx")) << bits << endian;
+            EXPECT_FALSE(is_cut_off(path, "dpx", 0)) << bits << endian;
             std::filesystem::resize_file(path, std::filesystem::file_size(path) - line);
-            EXPECT_TRUE(is_cut_off(path, "dpx")) << bits << endian;
-            EXPECT_FALSE(is_cut_off(path, "openexr"));
+            EXPECT_TRUE(is_cut_off(path, "dpx", 0)) << bits << endian;
+            EXPECT_FALSE(is_cut_off(path, "openexr", 0));
             std::fstream(path, std::ios::in | std::ios::out | std::ios::binary)
                 .seekp(0, std::ios::end)
                 .write(std::string(line, '\0').data(), line);
-            EXPECT_FALSE(is_cut_off(path, "dpx"));
+            EXPECT_FALSE(is_cut_off(path, "dpx", 0));
             std::fstream(path, std::ios::in | std::ios::out | std::ios::binary)
                 .seekp(16)
                 .write(endian[0] == 'l' ? "\0\0\1\0" : "\0\1\0\0", 4); // a size that is not its own
-            EXPECT_FALSE(is_cut_off(path, "dpx")) << "all pixels are there";
+            EXPECT_FALSE(is_cut_off(path, "dpx", 0)) << "all pixels are there";
             std::filesystem::resize_file(path, std::filesystem::file_size(path) - line);
-            EXPECT_TRUE(is_cut_off(path, "dpx")) << bits << endian;
+            EXPECT_TRUE(is_cut_off(path, "dpx", 0)) << bits << endian;
             for (const char byte : {'\0', '\xff'}) { // no size
                 std::fstream(path, std::ios::in | std::ios::out | std::ios::binary)
                     .seekp(16)
                     .write(std::string(4, byte).data(), 4);
-                EXPECT_FALSE(is_cut_off(path, "dpx"));
+                EXPECT_FALSE(is_cut_off(path, "dpx", 0));
             }
         }
     }
