@@ -97,9 +97,7 @@ private:
                          [&](size_t a, size_t b) { return groups[a].rim > groups[b].rim; });
         std::vector<MeshReport> reports(groups.size());
         std::mutex mutex; // of `error`
-        std::atomic<bool> going{shared.add(0)};
-        if (!going)
-            error = "ddt: cancelled";
+        std::atomic<bool> going{true};
         for_each_index(threads_for(m_image.threads), int(groups.size()), [&](int, int k) {
             if (!going)
                 return;

@@ -57,7 +57,7 @@ private:
     void add(HoleGroup hole) {
         if (hole.box.width() > hole_block || hole.box.height() > hole_block) {
             std::vector<HoleGroup> pieces =
-                cut_hole(std::move(hole.pixels), m_missing, m_width, m_height, m_seen);
+                cut_hole(std::move(hole), m_missing, m_width, m_height, m_seen);
             std::move(pieces.begin(), pieces.end(), std::back_inserter(m_groups));
             return;
         }

@@ -55,10 +55,8 @@ public:
         std::for_each(pixels.rbegin(), pixels.rend(), [&](size_t i) { pass(i, -1); });
     }
 
-    /// `pixels` cut into blocks of at most this size, their order kept.
-    void cut(std::vector<size_t> pixels, int block, int reach) {
-        HoleGroup whole = group_of(std::move(pixels), m_missing, m_width, m_height);
-        whole.reach = reach;
+    /// Cut into blocks of at most this size, the order of pixels kept.
+    void cut(HoleGroup whole, int block) {
         const int across = parts(whole.box.width(), block), down = parts(whole.box.height(), block);
         if (block > last_block || across * down == 1) {
             m_pieces.push_back(std::move(whole));
@@ -87,12 +85,18 @@ public:
             const auto x = int64_t(i % size_t(m_width)), y = int64_t(i / size_t(m_width));
             piece[sets.find(block_at(x, y))].push_back(i);
         }
-        whole = {};
-        const auto is_part = [](const std::vector<size_t>& part) { return !part.empty(); };
-        const bool is_cut = std::count_if(piece.begin(), piece.end(), is_part) > 1;
-        for (std::vector<size_t>& part : piece)
-            if (is_part(part))
-                cut(std::move(part), 2 * block, is_cut ? near : reach);
+        const size_t all = std::exchange(whole.pixels, {}).size();
+        for (std::vector<size_t>& pixels : piece) {
+            if (pixels.empty())
+                continue;
+            if (pixels.size() == all) {
+                whole.pixels = std::move(pixels);
+                return cut(std::move(whole), 2 * block);
+            }
+            HoleGroup part = group_of(std::move(pixels), m_missing, m_width, m_height);
+            part.reach = near;
+            cut(std::move(part), 2 * block);
+        }
     }
 
     std::vector<HoleGroup> pieces() { return std::move(m_pieces); }
@@ -123,12 +127,12 @@ private:
 
 } // namespace
 
-std::vector<HoleGroup> cut_hole(std::vector<size_t> pixels, const uint8_t* missing, int width,
-                                int height, std::vector<uint8_t>& depth) {
-    std::sort(pixels.begin(), pixels.end());
+std::vector<HoleGroup> cut_hole(HoleGroup hole, const uint8_t* missing, int width, int height,
+                                std::vector<uint8_t>& depth) {
+    std::sort(hole.pixels.begin(), hole.pixels.end());
     Cutter cutter(missing, width, height, depth);
-    cutter.measure(pixels);
-    cutter.cut(std::move(pixels), first_block, 0);
+    cutter.measure(hole.pixels);
+    cutter.cut(std::move(hole), first_block);
     return cutter.pieces();
 }
 

@@ -19,9 +19,9 @@ namespace ddt {
 /// both axes to the nearest that is there, stay together, and are cut again by the same rule with
 /// every length doubled. The mesh of a piece goes on for twice the thickness (HoleGroup::reach).
 ///
-/// `pixels`: the places of all of the hole, in any order. `depth`: a byte for each pixel of the
+/// `hole`: all of it, its pixels in any order. `depth`: a byte for each pixel of the
 /// image, not 0 at the hole's, 0 at those that touch it; the hole's are written.
-std::vector<HoleGroup> cut_hole(std::vector<size_t> pixels, const uint8_t* missing, int width,
-                                int height, std::vector<uint8_t>& depth);
+std::vector<HoleGroup> cut_hole(HoleGroup hole, const uint8_t* missing, int width, int height,
+                                std::vector<uint8_t>& depth);
 
 } // namespace ddt

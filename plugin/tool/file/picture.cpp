@@ -63,6 +63,10 @@ void to_tiles(int first, int size, int tile, int& begin, int& end) {
     end += first;
 }
 
+std::string cannot_read(const std::string& path, const std::string& why) {
+    return "cannot read \"" + path + "\": " + why;
+}
+
 } // namespace
 
 std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path) {
@@ -71,10 +75,10 @@ std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path)
 
 std::string why_unreadable(const std::string& said, const std::string& path) {
     if (const std::string why = why_not_opened(path); !why.empty())
-        return "cannot read \"" + path + "\": " + why;
+        return cannot_read(path, why);
     // Some readers call it broken. A name with a query need not be a file's.
     if (path.find('?') == std::string::npos && !OIIO::Filesystem::exists(path))
-        return "cannot read \"" + path + "\": " + std::strerror(ENOENT);
+        return cannot_read(path, std::strerror(ENOENT));
     const std::string why = said.empty() ? "cannot read \"" + path + "\"" : said;
     return why.find(path) == std::string::npos ? "\"" + path + "\": " + why : why;
 }
@@ -88,7 +92,7 @@ bool check_whole(const std::string& path, const std::string& format, int number,
                  std::string& error) {
     if (!is_cut_off(path, format, number))
         return true;
-    error = "cannot read \"" + path + "\": the file ends before its pixels do";
+    error = cannot_read(path, "the file ends before its pixels do");
     return false;
 }
 
