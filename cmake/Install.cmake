@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Installs the libraries for other CMake projects:
 #
-#   find_package(oiio-ddt)
+#   find_package(oiio-ddt)                               # or COMPONENTS core
 #   target_link_libraries(mine PRIVATE ddt::ddt_image)   # ImageBuf in and out
 #   target_link_libraries(mine PRIVATE ddt::ddt_core)    # plain float buffers, no OpenImageIO
 #
@@ -11,26 +11,28 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/oiio-ddt)
 
 install(DIRECTORY core/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(TARGETS ddt_core EXPORT oiio-ddt-targets)
+set(DDT_COMPONENTS core)
+install(TARGETS ddt_core EXPORT oiio-ddt-core-targets)
 if(DDT_PLUGIN)
   install(DIRECTORY plugin/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-  install(TARGETS ddt_image EXPORT oiio-ddt-targets)
+  list(APPEND DDT_COMPONENTS image)
+  install(TARGETS ddt_image EXPORT oiio-ddt-image-targets)
 endif()
-install(EXPORT oiio-ddt-targets NAMESPACE ddt:: DESTINATION ${package_dir})
+foreach(component IN LISTS DDT_COMPONENTS)
+  install(EXPORT oiio-ddt-${component}-targets NAMESPACE ddt:: DESTINATION ${package_dir})
+endforeach()
 
 set(DDT_WITH_TBB ${DDT_TBB_FOUND})
 set(DDT_WITH_HIGHWAY ${DDT_HWY_FOUND})
 # What they were built with and pkg-config knows, and from which version on.
-set(DDT_WITH_MODULES)
-if(DDT_PLUGIN)
-  string(APPEND DDT_WITH_MODULES " OpenColorIO>=2.1")
-endif()
+set(DDT_CORE_MODULES)
 if(DDT_HWY_FOUND)
-  string(APPEND DDT_WITH_MODULES " libhwy>=1.0")
+  list(APPEND DDT_CORE_MODULES libhwy>=1.0)
 endif()
 if(DDT_GEOS_FOUND)
-  string(APPEND DDT_WITH_MODULES " geos>=3.6")
+  list(APPEND DDT_CORE_MODULES geos>=3.6)
 endif()
+set(DDT_IMAGE_MODULES OpenColorIO>=2.1)
 if(DDT_PLUGIN)
   string(REGEX MATCH "^[0-9]+[.][0-9]+" DDT_OIIO_SERIES "${OpenImageIO_VERSION}")
 endif()
@@ -44,17 +46,24 @@ install(FILES
   cmake/CoreDependencies.cmake cmake/ImageDependencies.cmake
   DESTINATION ${package_dir})
 
-# The same for pkg-config: pkg-config --cflags --libs oiio-ddt
-string(REGEX REPLACE ">=[^ ]*" "" DDT_PC_REQUIRES "${DDT_WITH_MODULES}")
-set(DDT_PC_LIBS -lddt_core)
-if(DDT_TBB_FOUND)
-  string(APPEND DDT_PC_REQUIRES " tbb")
-endif()
-if(DDT_PLUGIN)
-  string(PREPEND DDT_PC_REQUIRES "OpenImageIO")
-  set(DDT_PC_LIBS "-lddt_image -lddt_core")
-endif()
-# From where the file lies, so that an installed tree can be moved.
+# The same for pkg-config: pkg-config --cflags --libs oiio-ddt, or oiio-ddt-core. From where the files
+# lie, so that an installed tree can be moved.
 file(RELATIVE_PATH DDT_PC_PREFIX ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
-configure_file(cmake/package/oiio-ddt.pc.in oiio-ddt.pc @ONLY)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/oiio-ddt.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+# ddt_install_pc(NAME LIBRARIES MODULE...)
+function(ddt_install_pc DDT_PC_NAME DDT_PC_LIBS)
+  string(REGEX REPLACE ">=[^;]*" "" DDT_PC_REQUIRES "${ARGN}")
+  list(JOIN DDT_PC_REQUIRES " " DDT_PC_REQUIRES)
+  configure_file(cmake/package/oiio-ddt.pc.in ${DDT_PC_NAME}.pc @ONLY)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${DDT_PC_NAME}.pc
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+set(pc_modules ${DDT_CORE_MODULES})
+if(DDT_TBB_FOUND)
+  list(APPEND pc_modules tbb)
+endif()
+ddt_install_pc(oiio-ddt-core "-lddt_core -pthread -ldl" ${pc_modules})
+if(DDT_PLUGIN)
+  ddt_install_pc(oiio-ddt -lddt_image oiio-ddt-core OpenImageIO ${DDT_IMAGE_MODULES})
+else()
+  ddt_install_pc(oiio-ddt "" oiio-ddt-core)
+endif()

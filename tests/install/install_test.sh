@@ -58,16 +58,62 @@ grep -q 'found: 1' "$scratch/log" || { cat "$scratch/log"; exit 1; }
     grep -E 'oneTBB|Highway|GEOS|OpenColorIO|OpenImageIO [0-9]|Found (Threads|PkgConfig)' ||
     { echo "FAILED: find_package(oiio-ddt QUIET) is not quiet"; exit 1; }
 
-# With another OpenImageIO than it was built with it is not found.
+# The core alone is there without OpenImageIO; whatever else is asked for is not, and why is told.
+mkdir "$scratch/core"
+cat >"$scratch/core/main.cpp" <<'END'
+#include <ddt/core.h>
+int main() {
+    const float grey[4] = {0.25f, 0.25f, 0.25f, 0.25f};
+    float large[16] = {};
+    ddt::enlarge(grey, 2, 2, 1, nullptr, large, 4, 4);
+    return large[5] == 0.25f ? 0 : 1;
+}
+END
+cat >"$scratch/core/CMakeLists.txt" <<'END'
+cmake_minimum_required(VERSION 3.20)
+project(core LANGUAGES C CXX)
+find_package(oiio-ddt 0.1 REQUIRED ${WANTED})
+message(STATUS "image: ${oiio-ddt_image_FOUND}")
+add_executable(core main.cpp)
+target_link_libraries(core PRIVATE ddt::ddt_core)
+END
+# configure_core NAME WANTED ARGUMENT...
+configure_core() {
+    rm -rf "${scratch:?}/core/$1"
+    cmake -G "$generator" -S "$scratch/core" -B "$scratch/core/$1" -DCMAKE_PREFIX_PATH="$scratch/prefix" \
+        -DWANTED="$2" "${@:3}" >"$scratch/log" 2>&1
+}
+without=-DCMAKE_DISABLE_FIND_PACKAGE_OpenImageIO=ON
 mkdir "$scratch/other"
 echo 'set(OpenImageIO_VERSION 9.9.9)' >"$scratch/other/OpenImageIOConfig.cmake"
 echo 'set(PACKAGE_VERSION 9.9.9)' >"$scratch/other/OpenImageIOConfigVersion.cmake"
-if cmake -G "$generator" -S "$scratch/consumer" -B "$scratch/consumer/other" -DCMAKE_PREFIX_PATH="$scratch/prefix" \
-    -DOpenImageIO_DIR="$scratch/other" >"$scratch/log" 2>&1; then
-    echo "FAILED: it is found with any OpenImageIO"
-    exit 1
-fi
-grep -q "oiio-ddt was built with OpenImageIO" "$scratch/log" || { cat "$scratch/log"; exit 1; }
+for wanted in 'COMPONENTS;core' 'COMPONENTS;core;OPTIONAL_COMPONENTS;image;nothing'; do
+    configure_core alone "$wanted" $without || { cat "$scratch/log"; exit 1; }
+    grep -Eq 'image: (FALSE)?$' "$scratch/log" || { cat "$scratch/log"; exit 1; }
+done
+cmake --build "$scratch/core/alone" >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
+"$scratch/core/alone/core"
+configure_core both 'COMPONENTS;image' || { cat "$scratch/log"; exit 1; }
+grep -q 'image: TRUE' "$scratch/log" || { cat "$scratch/log"; exit 1; }
+while read -r wanted argument reason; do
+    if configure_core refused "${wanted/all/}" "$argument"; then
+        echo "FAILED: it is found with $wanted $argument"
+        exit 1
+    fi
+    tr -s ' \n' ' ' <"$scratch/log" | grep -qF "$reason" || { cat "$scratch/log"; exit 1; }
+done <<END
+all $without oiio-ddt was built with OpenImageIO, whose CMake package is not found
+COMPONENTS;image $without oiio-ddt was built with OpenImageIO, whose CMake package is not found
+all -DOpenImageIO_DIR=$scratch/other ; there is 9.9.9
+COMPONENTS;gpu -DANY= oiio-ddt has no component "gpu" here, but core and image
+END
+pc=$(dirname "$(find "$scratch/prefix" -name oiio-ddt.pc)")
+! PKG_CONFIG_PATH=$pc pkg-config --print-requires oiio-ddt-core | grep -E 'OpenImageIO|OpenColorIO' ||
+    { echo "FAILED: pkg-config's core needs image libraries"; exit 1; }
+# shellcheck disable=SC2046 # words on purpose
+c++ -std=c++17 "$scratch/core/main.cpp" -o "$scratch/core/by-pkg-config" \
+    $(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs oiio-ddt-core)
+"$scratch/core/by-pkg-config"
 
 # The plugin and the wrapper find each other in the installed tree.
 "$scratch/prefix/bin/ddt-oiiotool" --pattern constant:color=1,0,0 8x8 3 --resize:filter=ddt 200% \
