@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace ddt::tool {
@@ -167,16 +168,19 @@ private:
         const bool tiled = m_fields.count(tile_offsets_tag) > 0;
         const Field offsets = m_fields[tiled ? tile_offsets_tag : strip_offsets_tag];
         const Field bytes = m_fields[tiled ? tile_bytes_tag : strip_bytes_tag];
-        const Strips strips = tiled || compression != uncompressed ? Strips() : find_strips();
+        const Pieces pieces = find_pieces(tiled);
+        // Some writers count the last strip as whole that has fewer rows.
+        const bool rows_tell = !tiled && compression == uncompressed;
         constexpr uint64_t at_once = 4096;
-        const uint64_t count = std::min({offsets.count, bytes.count, pieces(tiled)});
+        const uint64_t count = std::min({offsets.count, bytes.count, pieces.count()});
         for (uint64_t first = 0; first < count; first += at_once) {
             const uint64_t some = std::min(at_once, count - first);
             const auto begins = numbers(offsets, first, some), sizes = numbers(bytes, first, some);
             if (begins.empty() || sizes.empty())
                 return true;
             for (uint64_t k = 0; k < some; ++k) {
-                const uint64_t size = std::min(sizes[k], most_bytes(strips, first + k));
+                const uint64_t most = rows_tell ? pieces.strip_bytes(first + k) : UINT64_MAX;
+                const uint64_t size = std::min(sizes[k], most);
                 if (size > 0 && !m_file.has(begins[k], size))
                     return true;
             }
@@ -184,43 +188,38 @@ private:
         return false;
     }
 
-    /// How many there are, whatever the tables have room for.
-    uint64_t pieces(bool tiled) {
-        const uint64_t width = value(width_tag, 0), height = value(height_tag, 0);
-        const uint64_t across = tiled ? value(tile_width_tag, width) : width,
-                       down = value(tiled ? tile_height_tag : rows_per_strip_tag, height);
-        const uint64_t planes = value(planes_tag, 1) == 2 ? value(samples_tag, 1) : 1;
-        if (std::max({width, height, across, down}) > UINT32_MAX || across == 0 || down == 0 ||
-            planes > UINT16_MAX)
-            return 0;
-        const double all = double((width + across - 1) / across) *
-                           double((height + down - 1) / down) * double(planes);
-        return all < 1e18 ? uint64_t(all) : 0;
-    }
+    /// The strips or tiles that an image lies in, in pixels; none of tags that no image has.
+    struct Pieces {
+        uint64_t width = 0, height = 0, piece_width = 0, piece_height = 0;
+        uint64_t planes = 0, samples = 0, bits = 0; ///< samples of a pixel in a plane, bits of each
 
-    /// Strips without compression: as high as these, of an image as high as that, and each row of
-    /// so many bytes; 0: of others.
-    struct Strips {
-        uint64_t rows = 0, height = 0, row_bytes = 0;
+        uint64_t in_plane() const {
+            return ((width + piece_width - 1) / piece_width) *
+                   ((height + piece_height - 1) / piece_height);
+        }
+        /// How many there are, whatever the tables have room for.
+        uint64_t count() const { return planes == 0 ? 0 : in_plane() * planes; }
+
+        /// What a strip of this number has without compression.
+        uint64_t strip_bytes(uint64_t number) const {
+            const uint64_t above = number % in_plane() * piece_height;
+            return (width * bits * samples + 7) / 8 * std::min(piece_height, height - above);
+        }
     };
 
-    Strips find_strips() {
-        const uint64_t height = value(height_tag, 0), rows = value(rows_per_strip_tag, height);
-        const uint64_t samples = value(planes_tag, 1) == 2 ? 1 : value(samples_tag, 1);
-        const uint64_t width = value(width_tag, 0), bits = value(bits_tag, 1);
-        if (std::max({width, height, rows}) > UINT32_MAX || std::max(samples, bits) > UINT16_MAX)
-            return {};
-        return {std::min(rows, height), height, (width * bits * samples + 7) / 8};
-    }
-
-    /// What a strip of this number is read from at most, whatever its number of bytes: some writers
-    /// count the last as whole that has fewer rows.
-    static uint64_t most_bytes(const Strips& strips, uint64_t number) {
-        if (strips.rows == 0)
-            return UINT64_MAX;
-        const uint64_t in_plane = (strips.height - 1) / strips.rows + 1;
-        const uint64_t above = number % in_plane * strips.rows;
-        return strips.row_bytes * std::min(strips.rows, strips.height - above);
+    Pieces find_pieces(bool tiled) {
+        Pieces p;
+        p.width = value(width_tag, 0), p.height = value(height_tag, 0);
+        p.piece_width = tiled ? std::min(value(tile_width_tag, p.width), p.width) : p.width;
+        p.piece_height =
+            std::min(value(tiled ? tile_height_tag : rows_per_strip_tag, p.height), p.height);
+        p.samples = value(samples_tag, 1), p.bits = value(bits_tag, 1);
+        p.planes = value(planes_tag, 1) == 2 ? std::exchange(p.samples, 1) : 1;
+        constexpr uint64_t largest = 1 << 24; // so that the number of pieces is one
+        const bool possible = std::max(p.width, p.height) < largest &&
+                              std::min(p.piece_width, p.piece_height) > 0 &&
+                              std::max({p.planes, p.samples, p.bits}) <= UINT16_MAX;
+        return possible ? p : Pieces();
     }
 
     NumberFile m_file;
