@@ -2,6 +2,7 @@
 #include "core/enlarge/hole_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/enlarge/points.h"
@@ -147,7 +148,19 @@ float HoleMesh::value(size_t channel, const std::array<int32_t, 3>& triangle,
         const auto k = size_t(std::max_element(w, w + 3) - w);
         return m_values[size_t(triangle[k]) * channels + channel];
     }
-    return value_at(m_values.data(), int(channels), int(channel), triangle, covered);
+    const float all = value_at(m_values.data(), int(channels), int(channel), triangle, covered);
+    if (std::isfinite(all))
+        return all;
+    // A share of an infinity is one: the others count alone.
+    double sum = 0, weights = 0;
+    for (size_t k = 0; k < 3; ++k) {
+        const float v = m_values[size_t(triangle[k]) * channels + channel];
+        if (covered.weight[k] == 0 || !std::isfinite(v))
+            continue;
+        sum += covered.weight[k] * double(v);
+        weights += covered.weight[k];
+    }
+    return weights > 0 ? float(sum / weights) : all;
 }
 
 bool HoleMesh::fill(float* surface, uint8_t* inside, std::string& error) const {

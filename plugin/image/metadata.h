@@ -23,6 +23,18 @@ inline bool is_associated_when_read(const OIIO::ImageSpec& native) {
            !native.format.is_floating_point() && native.format.size() <= 2;
 }
 
+/// Whether OpenImageIO's reader overruns its memory with the pixels: up to 3.1 with those of TIFFs
+/// of CMYK in tiles, which have a channel more than what it makes of them.
+inline bool overruns_memory(const OIIO::ImageSpec& native) {
+    constexpr int separated = 5;
+    return OIIO::openimageio_version() < 30200 && native.tile_width > 0 && native.nchannels == 3 &&
+           native.get_int_attribute("tiff:PhotometricInterpretation") == separated;
+}
+
+/// What is said of such a file.
+inline constexpr const char* why_overrun =
+    "it has CMYK in tiles, with which OpenImageIO overruns its memory; in strips it can be read";
+
 /// Whether OpenImageIO cannot read back a TIFF in tiles that it wrote with this attribute: its
 /// reader overruns its memory with tiles of CMYK, and lacks the tables of those in JPEG.
 inline bool spoils_tiff_tiles(const OIIO::ParamValue& attribute) {

@@ -107,9 +107,10 @@ bool Reader::open_source(const OIIO::ImageSpec& config, std::string& error) {
     // Meant for the file that we are, not for the one that we read.
     m_hints.erase_attribute("oiio:ioproxy");
     m_source = OIIO::ImageInput::open(m_request.source, &m_hints);
-    if (m_source)
+    if (m_source && !overruns_memory(m_source->spec()))
         return true;
-    error = format("ddt: cannot open \"{}\": {}", m_request.source, OIIO::geterror());
+    error = format("ddt: cannot open \"{}\": {}", m_request.source,
+                   m_source ? why_overrun : OIIO::geterror());
     return false;
 }
 

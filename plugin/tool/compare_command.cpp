@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/strutil.h>
 
 #include "metrics/correlation.h"
 #include "metrics/gmsd.h"
@@ -44,15 +45,21 @@ metrics::Image image_of(const Picture& picture) {
     return image;
 }
 
-/// Of each pixel whether colour or alpha is an infinity or no number, which no display shows.
-std::vector<uint8_t> find_not_finite(const OIIO::ImageBuf& image) {
-    const Channels channels = channels_of(image.spec(), image.nativespec());
+/// The channels that a Picture is made of.
+std::vector<int> shown_channels(const Channels& channels) {
     std::vector<int> shown(channels.colour.channel,
                            channels.colour.channel + channels.colour.count);
     if (shown.empty() && channels.guide >= 0)
         shown.push_back(channels.guide);
     if (channels.alpha >= 0)
         shown.push_back(channels.alpha);
+    return shown;
+}
+
+/// Of each pixel whether colour or alpha is an infinity or no number, which no display shows.
+std::vector<uint8_t> find_not_finite(const OIIO::ImageBuf& image) {
+    const Channels channels = channels_of(image.spec(), image.nativespec());
+    const std::vector<int> shown = shown_channels(channels);
     const auto width = size_t(image.spec().width), count = size_t(image.nchannels());
     std::vector<uint8_t> found;
     found.reserve(image.spec().image_pixels());
@@ -68,6 +75,19 @@ std::vector<uint8_t> find_not_finite(const OIIO::ImageBuf& image) {
             }));
     }
     return found;
+}
+
+/// Say on stderr which channels, of those that hold no IDs or depth, no metric is of.
+void note_not_compared(const OIIO::ImageBuf& image) {
+    const Channels channels = channels_of(image.spec(), image.nativespec());
+    const std::vector<int> shown = shown_channels(channels);
+    std::vector<std::string> others;
+    for (int c = 0; c < image.nchannels(); ++c)
+        if (channels.kinds[size_t(c)] != Channel::nearest && c != image.spec().z_channel &&
+            std::find(shown.begin(), shown.end(), c) == shown.end())
+            others.push_back(image.spec().channel_name(c));
+    if (!others.empty())
+        note(format("not compared: {}", OIIO::Strutil::join(others, ", ")));
 }
 
 /// Of the data window within the display window: pixels there are compared with one another.
@@ -118,8 +138,10 @@ public:
             "the others 1. The first image is the reference. Data windows of one size are "
             "compared, which must lie at the same place of their display windows. A pixel that is "
             "not finite in one of them counts as black in both. Images of IDs (32-bit integers) "
-            "alone are refused; beside colour IDs and depth are not looked at. OpenImageIO's idiff "
-            "tells whether numbers are equal."};
+            "alone are refused; beside colour IDs and depth are not looked at, nor are layers "
+            "beside "
+            "the first; without colour the first channel is. What has colour but an alpha of 0 is "
+            "transparent. OpenImageIO's idiff tells whether numbers are equal."};
         operands = {{"A", "the reference"}, {"B", "an image of the same size and place"}};
         flags = {switch_flag("--csv", "print as comma-separated values", m_csv)};
     }
@@ -140,6 +162,8 @@ public:
                 return fail(error, code_of_message(error));
             specs[k] = image.spec();
             not_finite[k] = find_not_finite(image);
+            if (k == 0)
+                note_not_compared(image);
             note_others(values[k]);
         }
         if (pictures[0].width != pictures[1].width || pictures[0].height != pictures[1].height)

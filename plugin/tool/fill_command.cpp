@@ -9,6 +9,8 @@
 #include "plugin/tool/file/fit_format.h"
 #include "plugin/tool/file/image_file.h"
 #include "plugin/tool/file/picture.h"
+#include "plugin/tool/file/unassociated.h"
+#include "plugin/tool/ids/lost_ids.h"
 #include "plugin/tool/ids/mixed_ids.h"
 #include "plugin/tool/resize/plan_result.h"
 #include "plugin/tool/resize/row_writer.h"
@@ -22,15 +24,34 @@ bool plan_file(const OIIO::ImageBuf& image, const std::string& path, ImageFile& 
                OIIO::ImageSpec& spec, Failure& failure) {
     spec = spec_of_file(image);
     forget_pixels(spec);
-    if (!file.create(path, failure) || !fit_format(file.output(), path, spec, failure))
+    if (!fit_format(file.output(), path, spec, failure))
         return false;
     note_left_out(path, fit_channels(file.output(), spec));
     return true;
 }
 
+/// Have the image as its file does, if that and the result's format keep colour unassociated: the
+/// products with alpha that were read are rounded, and what is there is to stay as it is. Then
+/// `image` becomes associated floats.
+bool read_unassociated(const std::string& path, ImageFile& file, OIIO::ImageBuf& image,
+                       Unassociated& in_file, Failure& failure) {
+    const std::string format(image.file_format_name());
+    if (format != file.output().format_name() || !keeps_unassociated(format) ||
+        image.spec().alpha_channel < 0)
+        return true;
+    if (!in_file.read(path, failure.why)) {
+        failure = unreadable(path, failure.why);
+        return false;
+    }
+    if (in_file)
+        image = in_file.associated();
+    return true;
+}
+
 /// Write that.
-bool write_filled(const OIIO::ImageBuf& filled, const OIIO::ImageSpec& spec, MixedIds& ids,
-                  ImageFile& file, Failure& failure) {
+bool write_filled(const OIIO::ImageBuf& filled, const OIIO::ImageSpec& spec,
+                  const OIIO::ImageSpec& of_file, MixedIds& ids, ImageFile& file,
+                  Failure& failure) {
     const bool whole = spec.roi() == filled.roi();
     OIIO::ImageBuf cropped;
     if (!whole && !OIIO::ImageBufAlgo::crop(cropped, filled, spec.roi())) {
@@ -41,6 +62,7 @@ bool write_filled(const OIIO::ImageBuf& filled, const OIIO::ImageSpec& spec, Mix
     const auto progress = [](float) {};
     if (!file.open(spec, failure))
         return false;
+    note_lost_ids(of_file, file.output().spec(), file.path());
     RowWriter writer(image, file, ids);
     writer.ready(image.yend());
     return writer.finish(progress, failure) && file.commit(failure);
@@ -83,8 +105,13 @@ public:
         if (missing == Missing::alpha && channels_of(image.spec(), image.nativespec()).alpha < 0)
             return fail("\"" + values[0] + "\" has no alpha");
         ImageFile file;
+        Unassociated in_file;
+        if (!file.create(values[1], failure) ||
+            !read_unassociated(values[0], file, image, in_file, failure))
+            return fail(failure);
+        const OIIO::ImageBuf& shown = in_file ? in_file.image() : image;
         OIIO::ImageSpec spec;
-        if (!plan_file(image, values[1], file, spec, failure))
+        if (!plan_file(shown, values[1], file, spec, failure))
             return fail(failure);
         MixedIds ids(values[0], 0, image, spec);
         if (ids && !ids.put_into(image, failure.why))
@@ -96,7 +123,10 @@ public:
             failure.why = filled.geterror();
             return fail(failure.why, code_of_message(failure.why));
         }
-        if (!write_filled(filled, spec, ids, file, failure))
+        if (in_file && !in_file.put(image, filled, failure.why))
+            return fail(failure.why, code_of_message(failure.why));
+        if (!write_filled(in_file ? in_file.image() : filled, spec, shown.nativespec(), ids, file,
+                          failure))
             return fail(failure);
         note_others(values[0]);
         return exit_done;

@@ -5,6 +5,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "core/options/values.h"
+#include "ddt/resize.h"
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/filter_flag.h"
@@ -94,6 +95,8 @@ public:
         std::string error;
         if (!open_image(values[0], image, error))
             return fail(unreadable(values[0], error));
+        if (!fill_missing_pixels(image, error))
+            return fail(error, code_of_message(error));
         constexpr double bytes_a_pixel = 100; // about
         if (!check_memory(
                 format("triangulating {} x {} pixels", image.spec().width, image.spec().height),
@@ -158,6 +161,23 @@ private:
         if (m_verbose)
             print(report);
         return exit_done;
+    }
+    /// By the filter's holes=.
+    bool fill_missing_pixels(OIIO::ImageBuf& image, std::string& error) const {
+        if (m_options.holes == Holes::keep)
+            return true;
+        OIIO::ImageBuf filled;
+        Options options = m_options;
+        Progress progress("filling");
+        options.progress = std::ref(progress);
+        const Missing missing =
+            m_options.holes == Holes::fill_alpha ? Missing::alpha : Missing::nan;
+        if (!ddt::fill(filled, image, options, missing)) {
+            error = filled.geterror();
+            return false;
+        }
+        image = std::move(filled);
+        return true;
     }
     bool triangulate(const Picture& picture, Mesh& mesh, MeshReport& report,
                      std::string& error) const {

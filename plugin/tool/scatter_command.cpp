@@ -93,7 +93,9 @@ public:
             "edges are flipped until they run along the values' own edges; values are interpolated "
             "linearly over the triangles. Outside them pixels are empty: 0, alpha 0.",
             "POINTS is a PLY file or text (CSV, XYZ) whose first line names the columns, x and y "
-            "among them; there red, green, blue and alpha may be called R, G, B and A. Points with "
+            "among them; there red, green, blue and alpha may be called R, G, B and A. "
+            "Of points at one place, or closer together than 2^-29 of what all span, the first is "
+            "taken. Points with "
             "a value that is no number (nan) are left out, and triangles "
             "that have such a corner. The image spans the points' box, the y axis upwards.",
             "Its channels are red, green, blue and alpha where the file has them, else z, else all "
@@ -206,12 +208,27 @@ private:
 
     bool triangulate(PointFile& points, Progress& progress, Failure& failure) const {
         const std::vector<float> guide = guide_of(points, m_columns);
-        if ((!points.mesh.triangles.empty() || delaunay(points.mesh, &failure.why)) &&
+        const bool has_triangles = !points.mesh.triangles.empty();
+        if (!has_triangles && delaunay(points.mesh, &failure.why))
+            note_merged(points.mesh);
+        if (!points.mesh.triangles.empty() &&
             optimise(points.mesh, guide.data(), m_options.mesh, nullptr, &failure.why,
                      std::ref(progress), m_options.device))
             return true;
         failure.code = code_of_message(failure.why);
         return false;
+    }
+
+    /// Say how many points are no corner of a triangle that they were to be triangulated to.
+    static void note_merged(const PointMesh& mesh) {
+        std::vector<uint8_t> is_corner(mesh.x.size(), 0);
+        for (const auto& triangle : mesh.triangles)
+            for (const int32_t corner : triangle)
+                is_corner[size_t(corner)] = 1;
+        if (const auto merged = std::count(is_corner.begin(), is_corner.end(), uint8_t(0)))
+            note(format("{} of {} points are left out: they lie where others do, or too close to "
+                        "them beside what all span",
+                        merged, mesh.x.size()));
     }
 
     Window box(const PointMesh& mesh) const {

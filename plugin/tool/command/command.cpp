@@ -134,7 +134,9 @@ private:
 
     ExitCode wrong_option(const std::string& said) const {
         const std::string why(OIIO::Strutil::strip(said));
-        return wrong(why + near_option(why, m_command.flags));
+        // Some versions of the parser say it themselves.
+        const bool said_near = why.find("did you mean") != std::string::npos;
+        return wrong(said_near ? why : why + near_option(why, m_command.flags));
     }
 
     ExitCode wrong(const std::string& why) const {

@@ -73,10 +73,14 @@ std::string fit_channels(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec)
         most = 4;
     else if (!takes_grey_with_alpha(output) && spec.nchannels == 2 && spec.alpha_channel == 1)
         most = 1;
+    // Where the first three are displayed, whatever they are called.
+    const bool displaces_alpha = spec.nchannels >= 3 && spec.alpha_channel >= 0 &&
+                                 spec.alpha_channel < 3 && spec.alpha_channel < spec.nchannels;
+    std::string left_out = displaces_alpha ? names[size_t(spec.alpha_channel)] + " as alpha" : "";
     if (spec.nchannels <= most)
-        return {};
-    const std::string left_out =
-        OIIO::Strutil::join(std::vector(names.begin() + most, names.end()), ", ");
+        return left_out;
+    left_out += left_out.empty() ? "" : ", ";
+    left_out += OIIO::Strutil::join(std::vector(names.begin() + most, names.end()), ", ");
     spec.nchannels = most;
     spec.channelnames.resize(size_t(most));
     if (!spec.channelformats.empty())

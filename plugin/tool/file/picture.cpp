@@ -88,22 +88,26 @@ std::string image_name(const std::string& path, int number) {
     return number > 0 ? format("{}, image {}", name, number + 1) : name;
 }
 
-bool check_whole(const std::string& path, const std::string& format, int number,
-                 std::string& error) {
-    if (!is_cut_off(path, format, number))
-        return true;
-    error = cannot_read(path, "the file ends before its pixels do");
-    return false;
+bool check_readable(const std::string& path, const std::string& format, int number,
+                    const OIIO::ImageSpec& native, std::string& error) {
+    const char* const why = is_cut_off(path, format, number) ? "the file ends before its pixels do"
+                            : overruns_memory(native)        ? why_overrun
+                                                             : nullptr;
+    if (why)
+        error = cannot_read(path, why);
+    return !why;
 }
 
-bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error, int number) {
+bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error, int number,
+                const OIIO::ImageSpec* hints) {
     if (path.empty()) { // OpenImageIO makes an image of it that is not there
         error = "\"\" is no name of a file";
         return false;
     }
-    image.reset(path, number, 0);
+    image.reset(path, number, 0, nullptr, hints);
     const bool begun = image.init_spec(path, number, 0);
-    if (begun && !check_whole(path, std::string(image.file_format_name()), number, error))
+    if (begun && !check_readable(path, std::string(image.file_format_name()), number,
+                                 image.nativespec(), error))
         return false;
     const bool floats = begun && is_associated_when_read(image.nativespec());
     if (image.read(number, 0, true, floats ? OIIO::TypeFloat : OIIO::TypeUnknown))
@@ -120,7 +124,7 @@ std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path, int number
     else if (number > 0 && !input->seek_subimage(number, 0)) {
         error = why_unreadable(input->geterror(), path);
         input.reset();
-    } else if (!check_whole(path, input->format_name(), number, error))
+    } else if (!check_readable(path, input->format_name(), number, input->spec(), error))
         input.reset();
     return input;
 }

@@ -35,14 +35,16 @@ std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path)
 /// How messages name the image of this number from 0 in a file: "in.exr", or "in.exr", image 2.
 std::string image_name(const std::string& path, int number = 0);
 
-/// False with one line in `error` if a file of a format is cut off, which its reader would not say
-/// (cut_off.h). The functions that follow look for that.
-bool check_whole(const std::string& path, const std::string& format, int number,
-                 std::string& error);
+/// False with one line in `error` if a file of a format is cut off (cut_off.h), or ends its reader
+/// (overruns_memory() of plugin/image/metadata.h), which the reader would not say. The functions
+/// that follow look for that.
+bool check_readable(const std::string& path, const std::string& format, int number,
+                    const OIIO::ImageSpec& native, std::string& error);
 
-/// Read the image of this number from 0 in a file, its pixels included. False with one line in
-/// `error`.
-bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error, int number = 0);
+/// Read the image of this number from 0 in a file, its pixels included; hints: for its reader, or
+/// null. False with one line in `error`.
+bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error, int number = 0,
+                const OIIO::ImageSpec* hints = nullptr);
 
 /// The image's spec with the file's types, where its pixels are held as others.
 OIIO::ImageSpec spec_of_file(const OIIO::ImageBuf& image);

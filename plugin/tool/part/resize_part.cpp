@@ -262,7 +262,8 @@ struct PartJob {
             failure.code = code_of_message(failure.why);
             return false;
         }
-        if (!check_whole(path, std::string(image().file_format_name()), 0, failure.why))
+        if (!check_readable(path, std::string(image().file_format_name()), 0, image().nativespec(),
+                            failure.why))
             return false;
         // Of whose image neither the bytes nor the time of its last change are looked at.
         if (image().file_format_name() == "ddt") {

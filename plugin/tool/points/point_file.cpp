@@ -131,7 +131,9 @@ bool read_points(const std::string& path, PointFile& points, Failure& failure) {
     }
     const std::string extension = OIIO::Strutil::lower(OIIO::Filesystem::extension(path));
     std::string error;
-    if (extension == ".ply" ? read_ply(text, points, error) : read_table(text, points, error))
+    const bool ply = extension == ".ply" || text.compare(0, 4, "ply\n") == 0 ||
+                     text.compare(0, 5, "ply\r\n") == 0;
+    if (ply ? read_ply(text, points, error) : read_table(text, points, error))
         return true;
     failure = {"\"" + path + "\": " + error, exit_failed};
     return false;

@@ -7,6 +7,7 @@
 
 #include "plugin/colour/colour_pixels.h"
 #include "plugin/colour/encodings.h"
+#include "plugin/tool/command/command.h"
 #include "plugin/tool/file/fit_format.h"
 #include "plugin/tool/file/image_file.h"
 #include "plugin/tool/file/picture.h"
@@ -121,6 +122,9 @@ bool write_point_image(const PointFile& points, const std::vector<const Column*>
     if (!file.open(spec, failure))
         return false;
     note_left_out(path, left_out);
+    if (!file.output().spec().format.is_floating_point() &&
+        std::any_of(pixels.begin(), pixels.end(), [](float v) { return v < 0 || v > 1; }))
+        note("\"" + path + "\" holds 0 to 1; what is beyond is cut off");
     const OIIO::ImageBuf image(spec, pixels.data());
     return write_image(
         image, file, [](float) {}, failure);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Polygon File Format ("PLY"; Turk 1994) as far as points and polygons go.
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -181,9 +182,12 @@ private:
     }
     bool read_element(std::istringstream& words) {
         Element element;
-        words >> element.name >> element.count;
+        std::string count;
+        words >> element.name >> count;
+        const char* const end = count.data() + count.size();
+        const auto read = std::from_chars(count.data(), end, element.count); // takes no sign
         m_elements.push_back(element);
-        return !words.fail();
+        return read.ec == std::errc() && read.ptr == end;
     }
     bool read_property(std::istringstream& words) {
         std::string type, name;
@@ -281,7 +285,7 @@ private:
         auto& axis = property.name == "x" ? m_points.mesh.x : m_points.mesh.y;
         axis.push_back(*v);
         return std::isfinite(*v) ||
-               wrong(format("point {} has a position that is not finite", axis.size()));
+               wrong(format("vertex {} has a position that is not finite", axis.size() - 1));
     }
 
     bool read_list(Body& body, const Property& property, bool corners) {

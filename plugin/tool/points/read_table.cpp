@@ -31,12 +31,16 @@ std::vector<std::string> split(const std::string& line, const std::string& separ
     return cells;
 }
 
-/// Have r, g and b, where all three are there, called as usual, and with them a.
+/// Have r, g and b, where all three are there, called as usual, and with them a; A without them
+/// too.
 void spell_out_colours(std::vector<std::string>& names) {
     const auto place = [&](const char* name) {
         return std::find_if(names.begin(), names.end(),
                             [&](const std::string& n) { return OIIO::Strutil::iequals(n, name); });
     };
+    const auto alpha = std::find(names.begin(), names.end(), "A");
+    if (alpha != names.end() && place("alpha") == names.end())
+        *alpha = "alpha";
     for (int k = 0; k < 3; ++k)
         if (place(colour_columns[k][1]) == names.end() ||
             place(colour_columns[k][0]) != names.end())
@@ -106,9 +110,11 @@ bool read_table(const std::string& text, PointFile& points, std::string& error) 
     points = {};
     std::vector<int> place; ///< of each column: -1 x, -2 y, else an index
     std::string separator;
+    // What some spreadsheets write.
+    const char line_end = text.find('\n') == std::string::npos ? '\r' : '\n';
     size_t number = 0;
     for (size_t at = begin_of_text(text); at < text.size(); ++number) {
-        const size_t end = std::min(text.find('\n', at), text.size());
+        const size_t end = std::min(text.find(line_end, at), text.size());
         std::string line(OIIO::Strutil::strip(text.substr(at, end - at)));
         at = end + 1;
         const bool comment = !line.empty() && line[0] == '#';

@@ -229,6 +229,40 @@ TEST(FillHoles, HolesFarAwayChangeNothing) {
     EXPECT_EQ(filled(false), filled(true));
 }
 
+/// Beside a hole, one of them and both: what others give is finite.
+TEST(FillHoles, InfinitiesAreNoPartOfWhatOthersGive) {
+    constexpr int side = 40;
+    const auto in_hole = [](int x, int y) { return x >= 15 && x < 25 && y >= 14 && y < 26; };
+    const auto filled = [&](bool infinite) {
+        std::vector<float> values(side * side), guide(values.size());
+        std::vector<uint8_t> missing(values.size());
+        Random random(7);
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                const auto i = size_t(y * side + x);
+                values[i] = guide[i] = 0.1f * float(random.below(10));
+                missing[i] = in_hole(x, y);
+                if (infinite && x >= 15 && x < 25 && (y == 13 || y == 26))
+                    values[i] = y == 13 ? INFINITY : -INFINITY;
+            }
+        const std::vector<float> before = values;
+        std::string error;
+        EXPECT_TRUE(fill_holes(values.data(), side, side, 1, nullptr, guide.data(), missing.data(),
+                               plain_mesh(), &error))
+            << error;
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                const auto i = size_t(y * side + x);
+                if (in_hole(x, y))
+                    EXPECT_TRUE(values[i] >= 0 && values[i] <= 0.9f) << x << " " << y;
+                else
+                    EXPECT_EQ(values[i], before[i]);
+            }
+    };
+    filled(false);
+    filled(true);
+}
+
 /// A step across a hole 24 pixels wide, and noise on its rim.
 TEST(SmoothHoles, TakesStreaksAndLeavesEdgesAndRanges) {
     constexpr int side = 24;

@@ -130,6 +130,22 @@ TEST_F(Reader, HasNothingThatATiffInTilesCannotHold) {
     EXPECT_NE(input->spec().get_string_attribute("compression"), "jpeg");
 }
 
+TEST_F(Reader, RefusesWhatOverrunsMemory) {
+    ImageSpec cmyk(20, 10, 4, TypeUInt8);
+    cmyk.channelnames = {"C", "M", "Y", "K"};
+    cmyk.attribute("tiff:ColorSpace", "CMYK");
+    ImageBuf image(cmyk);
+    image.set_write_tiles(16, 16);
+    const std::string path = ddt::temporary("cmyk_tiles.tif");
+    ASSERT_TRUE(image.write(path));
+    const auto input = ImageInput::open(path + ".ddt?scale=2");
+    if (OIIO::openimageio_version() < 30200) {
+        EXPECT_FALSE(input);
+        EXPECT_NE(OIIO::geterror().find("it has CMYK in tiles"), std::string::npos);
+    } else
+        EXPECT_TRUE(input);
+}
+
 TEST_F(Reader, TellsThatItsSourceWasReplaced) {
     const std::string replaced = ddt::temporary("reader_test_replaced.tif");
     ASSERT_TRUE(ImageBuf(path()).write(replaced));

@@ -51,5 +51,59 @@ TEST(FillCommand, FormatsWithoutWindowsGetTheDisplayWindow) {
                 << x << " " << y;
 }
 
+/// Numbers of a file as it has them.
+std::vector<uint16_t> numbers_of(const std::string& path) {
+    ImageSpec asked;
+    asked.attribute("oiio:UnassociatedAlpha", 1);
+    const auto in = OIIO::ImageInput::open(path, &asked);
+    std::vector<uint16_t> numbers(in->spec().image_pixels() * size_t(in->spec().nchannels));
+    EXPECT_TRUE(in->read_image(0, 0, 0, -1, OIIO::TypeUInt16, numbers.data()));
+    return numbers;
+}
+
+/// Readers multiply by alpha in whole numbers: what is there keeps those of the file.
+TEST(FillCommand, WhatIsThereKeepsUnassociatedNumbers) {
+    constexpr int side = 24;
+    for (const char* name : {"straight.png", "straight.tif", "straight.tga"}) {
+        ImageSpec spec(side, side, 4, OIIO::TypeUInt8);
+        spec.attribute("oiio:UnassociatedAlpha", 1);
+        ImageBuf image(spec);
+        OIIO::ImageBufAlgo::noise(image, "uniform", 0.05f, 1.0f);
+        const auto is_missing = [](int x, int y) { return x >= 9 && x < 14 && y >= 6 && y < 12; };
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x)
+                if (is_missing(x, y))
+                    image.setpixel(x, y, {0, 0, 0, 0});
+        const std::string in = temporary(name), out = temporary(std::string("filled_") + name);
+        ASSERT_TRUE(image.write(in)) << image.geterror();
+        ASSERT_EQ(parse_and_run(*make_fill_command(), {in, out, "--missing", "alpha"}), exit_done);
+        const std::vector<uint16_t> before = numbers_of(in), after = numbers_of(out);
+        ASSERT_EQ(after.size(), before.size());
+        for (size_t i = 0; i < before.size(); ++i) {
+            const int x = int(i / 4) % side, y = int(i / 4) / side;
+            if (is_missing(x, y))
+                EXPECT_GT(after[i], 0) << name << " " << x << " " << y;
+            else
+                ASSERT_EQ(after[i], before[i]) << name << " " << x << " " << y;
+        }
+        EXPECT_EQ(OIIO::ImageInput::open(out)->spec().get_int_attribute("tiff:UnassociatedAlpha"),
+                  OIIO::ImageInput::open(in)->spec().get_int_attribute("tiff:UnassociatedAlpha"));
+    }
+}
+
+TEST(FillCommand, SaysWhichObjectNumbersAreLost) {
+    ImageSpec spec(8, 8, 1, OIIO::TypeUInt32);
+    spec.channelnames = {"id"};
+    ImageBuf image(spec);
+    OIIO::ImageBufAlgo::zero(image);
+    const std::string in = temporary("ids.exr"), out = temporary("ids.png");
+    ASSERT_TRUE(image.write(in)) << image.geterror();
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(parse_and_run(*make_fill_command(), {in, out}), exit_done);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "ddt: \"" + out +
+                  "\" is written as uint8, which object numbers do not survive: id\n");
+}
+
 } // namespace
 } // namespace ddt::tool

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <gtest/gtest.h>
 
@@ -198,6 +199,42 @@ TEST(Commands, CompareTakesPixelsThatAreNotFiniteForBlack) {
         EXPECT_TRUE(noise.write(path)) << noise.geterror();
         EXPECT_EQ(run(make_compare_command(), {path, path}).err, "");
     }
+}
+
+TEST(Commands, CompareSaysWhatItDoesNotLookAt) {
+    const auto said = [](const std::vector<std::string>& names) {
+        OIIO::ImageBuf image(OIIO::ImageSpec(20, 20, int(names.size()), OIIO::TypeFloat));
+        image.specmod().channelnames = names;
+        const std::string path = temporary("channels.exr");
+        EXPECT_TRUE(OIIO::ImageBufAlgo::zero(image) && image.write(path)) << image.geterror();
+        return run(make_compare_command(), {path, path}).err;
+    };
+    EXPECT_EQ(said({"forward.u", "forward.v"}), "ddt: not compared: forward.v\n");
+    EXPECT_EQ(said({"R", "G", "B", "A", "glow.R", "glow.G"}),
+              "ddt: not compared: glow.R, glow.G\n");
+    for (const auto& names :
+         {std::vector<std::string>{"R", "G", "B", "A"}, {"Y"}, {"Y", "A"}, {"R", "G", "B", "Z"}})
+        EXPECT_EQ(said(names), "");
+}
+
+TEST(Commands, MeshFillsHolesWhereTheFilterDoes) {
+    OIIO::ImageBuf image(OIIO::ImageSpec(8, 8, 3, OIIO::TypeFloat));
+    EXPECT_TRUE(OIIO::ImageBufAlgo::fill(image, {0.5f, 0.5f, 0.5f}));
+    image.setpixel(3, 3, {NAN, NAN, NAN});
+    const std::string in = temporary("holed.exr"), out = temporary("holed.obj"),
+                      whole = temporary("whole.obj");
+    EXPECT_TRUE(image.write(in));
+    const auto text = [&](const std::string& filter) {
+        EXPECT_EQ(run(make_mesh_command(), {in, out, "--filter", filter}).code, exit_done);
+        std::string all;
+        EXPECT_TRUE(OIIO::Filesystem::read_text_file(out, all));
+        return all;
+    };
+    const std::string kept = text("ddt"), filled = text("ddt,holes=fill");
+    EXPECT_NE(kept, filled);
+    image.setpixel(3, 3, {0.5f, 0.5f, 0.5f});
+    EXPECT_TRUE(image.write(in));
+    EXPECT_EQ(text("ddt"), filled);
 }
 
 TEST(Commands, OfAFlagThatIsGivenTwiceTheLastCounts) {

@@ -196,6 +196,24 @@ std::string written(const std::string& name, OIIO::ImageSpec spec, int images = 
     return path;
 }
 
+/// Not cut off, but as bad.
+TEST(CutOff, NoCommandReadsWhatOverrunsMemory) {
+    OIIO::ImageSpec spec(20, 10, 4, OIIO::TypeUInt8);
+    spec.channelnames = {"C", "M", "Y", "K"};
+    spec.attribute("tiff:ColorSpace", "CMYK");
+    OIIO::ImageBuf image;
+    std::string error;
+    EXPECT_TRUE(open_image(written("strips.tif", spec), image, error)) << error;
+    spec.tile_width = spec.tile_height = 16;
+    const std::string path = written("tiles.tif", spec);
+    const bool overruns = OIIO::openimageio_version() < 30200;
+    EXPECT_EQ(open_image(path, image, error), !overruns);
+    EXPECT_EQ(!open_input(path, 0, error), overruns);
+    if (overruns) {
+        EXPECT_EQ(error.find("cannot read \"" + path + "\": it has CMYK in tiles"), 0u) << error;
+    }
+}
+
 TEST(CutOff, IsNothingThatIsWhole) {
     for (const char* compression : {"none", "zip", "lzw", "packbits"})
         for (const int tile : {0, 16})

@@ -85,6 +85,9 @@ TEST(FitChannels, TakesWhatOiiotoolTakes) {
     EXPECT_EQ(left_out("a.png", {"u", "v", "w", "x"}, -1), "");
     EXPECT_EQ(left_out("a.png", {"R", "G", "B", "Z"}, -1), "Z");
     EXPECT_EQ(left_out("a.png", {"Y", "A"}, 1), "");
+    EXPECT_EQ(left_out("a.png", {"u", "v", "A"}, 2), "A as alpha");
+    EXPECT_EQ(left_out("a.jpg", {"u", "A", "v", "w"}, 1), "A as alpha, w");
+    EXPECT_EQ(left_out("a.exr", {"u", "v", "A"}, 2), "");
     EXPECT_EQ(left_out("a.jpg", {"u", "v", "w", "x"}, -1), "x");
     EXPECT_EQ(left_out("a.jpg", {"Y", "A"}, 1), "A");
     EXPECT_EQ(left_out("a.bmp", {"Y", "A"}, 1), "A");

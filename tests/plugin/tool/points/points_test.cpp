@@ -42,7 +42,7 @@ std::string table_error(const std::string& text) {
 TEST(PointTable, SeparatorsAndComments) {
     for (const char* text :
          {"x,y,z\n1,2,3\n4,5,6\n", "# X Y Z\n1 2 3\n\n# more\n4\t5  6\n", "x;y;z\r\n1;2;3\r\n4;5;6",
-          "# of 2010, by hand; more\n#\nx,y,z\n1,2,3\n#\n4,5,6\n",
+          "x,y,z\r1,2,3\r4,5,6\r", "# of 2010, by hand; more\n#\nx,y,z\n1,2,3\n#\n4,5,6\n",
           "\"z\", \"x\",\"y\"\n3, 1, 2\n6,4,5\n", "\xEF\xBB\xBFx,y,z\n1,2,3\n4,5,6\n"}) {
         PointFile points;
         std::string error;
@@ -108,6 +108,8 @@ TEST(PointTable, ColoursMayBeCalledByTheirLetters) {
     EXPECT_EQ(names("X,Y,R,G,B"), "red! green! blue! ");
     EXPECT_EQ(names("a,b,g,r,y,x"), "alpha! blue! green! red! ");
     EXPECT_EQ(names("x,y,Red,GREEN,blue,Alpha"), "red! green! blue! alpha! ");
+    EXPECT_EQ(names("x,y,A,z"), "alpha! z ");
+    EXPECT_EQ(names("x,y,A,alpha"), "A alpha! ");
     // Letters that stand for something else, and names that mean nothing.
     EXPECT_EQ(names("x,y,R,Theta,a"), "R Theta a ");
     EXPECT_EQ(names("x,y,r,g,b,red"), "r g b red! ");
@@ -169,6 +171,10 @@ TEST(Ply, RefusesNonsense) {
     EXPECT_EQ(error_of("ply\nformat ascii 1.0\nelement vertex 99999999999\nproperty float x\n"
                        "property float y\nend_header\n"),
               "the file ends before its vertex elements do");
+    for (const char* count : {"-1", "+3", "3.5", "", "99999999999999999999"})
+        EXPECT_EQ(error_of(std::string("ply\nformat ascii 1.0\nelement vertex ") + count +
+                           "\nend_header\n"),
+                  std::string("not a line of a PLY header: \"element vertex ") + count + "\"");
     EXPECT_EQ(error_of("ply\nformat ascii 1.0\nproperty float x\nend_header\n"),
               "not a line of a PLY header: \"property float x\"");
     EXPECT_EQ(
@@ -176,7 +182,7 @@ TEST(Ply, RefusesNonsense) {
         "there must be one element vertex, with one x and one y");
     EXPECT_EQ(error_of("ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n"
                        "property float y\nend_header\n0 0\n1 nan\n"),
-              "point 2 has a position that is not finite");
+              "vertex 1 has a position that is not finite");
     const std::string with_faces = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
                                    "property float y\nelement face 1\n"
                                    "property list uchar uint vertex_indices\nend_header\n0 0\n";
@@ -368,7 +374,7 @@ TEST_F(OnPoints, ScatterSaysWhatIsWrong) {
          {Case{{in, out, "--channels", "height"}, exit_usage, "there are z, weight"},
           Case{{in, out, "--channels", "z,weight,z"}, exit_usage, "\"Z\" would be two channels"},
           Case{{in, out, "--channels", "z,Z"}, exit_usage, "\"Z\" would be two channels"},
-          Case{{write_file("a.csv", "x,y,A,v\n0,0,.2,1\n1,0,.2,2\n0,1,.2,3\n"), out},
+          Case{{write_file("a.csv", "x,y,A,alpha\n0,0,.2,1\n1,0,.2,2\n0,1,.2,3\n"), out},
                exit_failed,
                "\"A\" would be two channels"},
           Case{{write_file("twice.csv", "x,y,v,v\n0,0,1,1\n1,0,2,2\n0,1,3,3\n"), out},
@@ -411,6 +417,46 @@ TEST_F(OnPoints, ScatterFitsItsChannelsToTheFormat) {
         for (int c = 0; c < image.nchannels(); ++c)
             EXPECT_NEAR(image.getchannel(8, 8, 0, c), 0.3f, 0.005f) << name;
     }
+}
+
+TEST_F(OnPoints, ScatterSaysWhatTheFormatMakesOfThem) {
+    const std::string two = write_file("two.csv", "x,y,u,v\n0,0,.3,.1\n1,0,.3,.1\n0,1,.3,.1\n"),
+                      high = write_file("high.csv", "x,y,z\n0,0,1\n1,0,2\n0,1,3\n"),
+                      png = temporary("of_points.png"), exr = temporary("of_points.exr");
+    const auto said = [](const std::string& in, const std::string& out) {
+        const Ran ran = run(make_scatter_command(), {in, out, "--size", "4x4"});
+        EXPECT_EQ(ran.code, exit_done);
+        return ran.err;
+    };
+    EXPECT_EQ(said(two, png), "ddt: \"" + png + "\" has no room for A as alpha\n");
+    EXPECT_EQ(said(two, exr), "");
+    EXPECT_EQ(said(high, png), "ddt: \"" + png + "\" holds 0 to 1; what is beyond is cut off\n");
+    EXPECT_EQ(said(high, exr), "");
+}
+
+TEST_F(OnPoints, ScatterSaysWhichPointsAreLeftOut) {
+    const std::string square = "x,y,z\n0,0,1\n1,0,1\n0,1,1\n1,1,1\n", out = temporary("some.exr");
+    const auto said = [&](const std::string& more) {
+        const std::string in = write_file("some.csv", square + more);
+        const Ran ran = run(make_scatter_command(), {in, out, "--size", "4x4"});
+        EXPECT_EQ(ran.code, exit_done);
+        return ran.err;
+    };
+    EXPECT_EQ(said(""), "");
+    EXPECT_EQ(said("0,0,5\n"), "ddt: 1 of 5 points are left out: they lie where others do, or too "
+                               "close to them beside what all span\n");
+    EXPECT_EQ(said("0,1e12,1\n1e12,0,1\n").substr(0, 34), "ddt: 3 of 6 points are left out: t");
+}
+
+TEST_F(OnPoints, PlyIsKnownByItsFirstLine) {
+    PointFile points;
+    Failure failure;
+    const std::string text = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                             "property float y\nend_header\n3 4\n";
+    ASSERT_TRUE(read_points(write_file("stdin", text), points, failure)) << failure.why;
+    EXPECT_EQ(points.mesh.y, std::vector<double>{4});
+    ASSERT_TRUE(read_points(write_file("ply.txt", "ply x y\n1 2 3\n"), points, failure));
+    EXPECT_EQ(points.columns[0].name, "ply");
 }
 
 TEST(ScatterOfAMesh, BringsThePictureBack) {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files whose colour is not multiplied by alpha, and whose readers multiply it.
+#pragma once
+
+#include <string>
+
+#include <OpenImageIO/imagebuf.h>
+
+namespace ddt::tool {
+
+/// Whether OpenImageIO reads and writes files of this format unassociated where it is asked to, and
+/// says so.
+bool keeps_unassociated(const std::string& format);
+
+/// An image as such a file has it. Readers round the products with alpha to the file's type; from
+/// here on they are floats, and what nobody changes keeps its numbers.
+class Unassociated {
+public:
+    /// Read the first image of a file. False with one line in `error`.
+    bool read(const std::string& path, std::string& error);
+    /// Whether its colour is unassociated.
+    explicit operator bool() const;
+
+    /// The image as floats, associated.
+    OIIO::ImageBuf associated() const;
+
+    /// Take those pixels of `changed` that differ from associated()'s. False with one line in
+    /// `error`.
+    bool put(const OIIO::ImageBuf& associated, const OIIO::ImageBuf& changed, std::string& error);
+
+    const OIIO::ImageBuf& image() const { return m_image; }
+
+private:
+    OIIO::ImageBuf m_image;
+};
+
+} // namespace ddt::tool
