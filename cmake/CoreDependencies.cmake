@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What the core needs, as the imported targets Threads::Threads, PkgConfig::DDT_HWY and (DDT_TBB_FOUND) TBB::tbb,
-# and what it can use, PkgConfig::DDT_GEOS. Used by this project, where DDT_HIGHWAY and DDT_TBB are the user's
-# wishes and DDT_NEEDED is QUIET, and, installed, by those that link its libraries, where they say
+# and what it can use, PkgConfig::DDT_GEOS. Used by this project, where DDT_HIGHWAY, DDT_TBB and DDT_GEOS
+# are the user's wishes and DDT_NEEDED is QUIET, and, installed, by those that link its libraries, where they say
 # what these were built with and DDT_NEEDED is REQUIRED. Names begin with DDT_, since those who link may
 # look for the same packages in ways of their own. A find_package(oiio-ddt QUIET) is told nothing.
 set(ddt_quiet)
@@ -14,7 +14,8 @@ find_package(Threads REQUIRED ${ddt_quiet})
 find_package(PkgConfig REQUIRED ${ddt_quiet})
 set(DDT_TBB_FOUND FALSE)
 if(DDT_TBB)
-  find_package(TBB ${DDT_NEEDED} ${ddt_quiet})
+  # By its own package: who links may have a FindTBB, which need not make its target.
+  find_package(TBB CONFIG ${DDT_NEEDED} ${ddt_quiet})
   set(DDT_TBB_FOUND ${TBB_FOUND})
 endif()
 if(DDT_TBB_FOUND)
@@ -34,9 +35,12 @@ else()
     add_library(PkgConfig::DDT_HWY INTERFACE IMPORTED)
   endif()
 endif()
-pkg_check_modules(DDT_GEOS QUIET IMPORTED_TARGET geos>=3.6)
+set(DDT_GEOS_FOUND FALSE)
+if(DDT_GEOS)
+  pkg_check_modules(DDT_GEOS ${DDT_NEEDED} ${ddt_quiet} IMPORTED_TARGET geos>=3.6)
+endif()
 if(DDT_GEOS_FOUND)
   message(${ddt_status} "GEOS ${DDT_GEOS_VERSION}: points can be triangulated (ddt/points.h)")
 else()
-  message(${ddt_status} "GEOS not found: points need triangles of their own (ddt/points.h)")
+  message(${ddt_status} "GEOS: left out; points need triangles of their own (ddt/points.h)")
 endif()

@@ -26,11 +26,27 @@ if(CMAKE_UNITY_BUILD)
 endif()
 
 # Highway's functions on vectors of a wider instruction set than the rest is compiled for must be inlined,
-# which they are not with -O0: GCC 12 breaks off, and what it makes of others crashes.
-add_compile_options($<$<CONFIG:Debug>:-Og>)
-# Nor does a project have to name a build type that has this one as a part.
-if(NOT CMAKE_CXX_FLAGS MATCHES "-O")
-  add_compile_options($<$<STREQUAL:$<CONFIG>,>:-O2>)
+# which they are not with -O0: GCC 12 breaks off, and what it makes of others crashes. Nor does a build
+# type, which may be any, or none, have to ask for optimisation.
+function(ddt_optimise type)
+  string(TOUPPER "${type}" upper)
+  string(REGEX MATCHALL "-O[^ ]*" levels "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${upper}}")
+  set(last)
+  if(levels)
+    list(GET levels -1 last)
+  endif()
+  if(last STREQUAL "-O0" OR (NOT last AND type STREQUAL "Debug"))
+    add_compile_options($<$<STREQUAL:$<CONFIG>,${type}>:-Og>)
+  elseif(NOT last)
+    add_compile_options($<$<STREQUAL:$<CONFIG>,${type}>:-O2>)
+  endif()
+endfunction()
+if(CMAKE_CONFIGURATION_TYPES)
+  foreach(type IN LISTS CMAKE_CONFIGURATION_TYPES)
+    ddt_optimise(${type})
+  endforeach()
+else()
+  ddt_optimise("${CMAKE_BUILD_TYPE}")
 endif()
 
 # For code that takes no time to run, tests and the command line: less to compile.

@@ -35,9 +35,7 @@ if(TARGET ddt_imagemagick)
     set(filters ${CMAKE_INSTALL_LIBDIR}/${DDT_FILTERS_FROM_LIB})
     install(TARGETS ddt_imagemagick LIBRARY DESTINATION ${filters}
       COMPONENT imagemagick EXCLUDE_FROM_ALL)
-    set(libdir /usr/${filters})
-    configure_file(plugin/imagemagick/ddt.la.in ${PROJECT_BINARY_DIR}/package/ddt.la @ONLY)
-    install(FILES ${PROJECT_BINARY_DIR}/package/ddt.la DESTINATION ${filters}
+    install(FILES plugin/imagemagick/ddt.la DESTINATION ${filters}
       COMPONENT imagemagick EXCLUDE_FROM_ALL)
     install(FILES plugin/imagemagick/delegates.xml
       DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/oiio-ddt-imagemagick/examples

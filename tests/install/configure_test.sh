@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # What configuring makes of this project where it is not as usual: with headers in folders of their own,
-# for several build types at once, and as a part of another project.
+# for several build types at once, of other build types, and as a part of another project.
 # Nothing is compiled; the commands that would are looked at.
 #
 #   configure_test.sh SOURCE_DIR GENERATOR CMAKE_ARGUMENT...
@@ -53,6 +53,27 @@ if [ "$several" != "$generator" ]; then
     done
 fi
 
+# Without optimisation GCC breaks off, whatever asks for none.
+while read -r level given; do
+    IFS=';' read -ra flags <<<"$given"
+    quietly cmake -S "$source_dir" -B "$scratch/typed" -G "$generator" "${arguments[@]}" -DDDT_TESTS=OFF \
+        -DDDT_PLUGIN=OFF -DDDT_HOSTS=OFF "${flags[@]}"
+    with "$scratch/typed" core/surface/edges.cpp " $level " || failed "not $level: $given"
+    rm -rf "$scratch/typed"
+done <<'END'
+-O2 -DCMAKE_BUILD_TYPE=None
+-Og -DCMAKE_BUILD_TYPE=Debug
+-Og -DCMAKE_BUILD_TYPE=None;-DCMAKE_CXX_FLAGS=-g -O0
+-O3 -DCMAKE_BUILD_TYPE=Own;-DCMAKE_CXX_FLAGS_OWN=-O3
+END
+
+# Folders that no tree which can be moved has.
+! cmake -S "$source_dir" -B "$scratch/absolute" "${arguments[@]}" -DCMAKE_INSTALL_PREFIX="$scratch/prefix" \
+    -DCMAKE_INSTALL_MANDIR="$scratch/man" >"$scratch/log" 2>&1 || failed "man pages are installed beyond the prefix"
+tr -s ' \n' ' ' <"$scratch/log" |
+    grep -qF "CMAKE_INSTALL_MANDIR, $scratch/man, is not below CMAKE_INSTALL_PREFIX, $scratch/prefix" ||
+    { cat "$scratch/log"; exit 1; }
+
 # Another project that has this one as a part keeps its build type, folders, packages, tests and definitions.
 mkdir "$scratch/whole"
 cat >"$scratch/whole/CMakeLists.txt" <<END
@@ -65,7 +86,10 @@ add_library(mine MODULE \${CMAKE_BINARY_DIR}/mine.cpp)
 target_link_libraries(mine PRIVATE ddt::ddt_image)
 END
 whole=$scratch/whole/build
-quietly cmake -S "$scratch/whole" -B "$whole" -G "$generator" "${arguments[@]}" -DCMAKE_INSTALL_PREFIX="$scratch/prefix"
+# It may look for the same packages in its own way.
+echo 'set(TBB_FOUND TRUE)' >"$scratch/whole/FindTBB.cmake"
+quietly cmake -S "$scratch/whole" -B "$whole" -G "$generator" "${arguments[@]}" -DCMAKE_INSTALL_PREFIX="$scratch/prefix" \
+    -DCMAKE_MODULE_PATH="$scratch/whole"
 ! grep -E '^CMAKE_BUILD_TYPE:[A-Z]*=.|^CMAKE_INSTALL_LIBDIR:[A-Z]*=.*linux-gnu|^CPACK_|^GTest_DIR' \
     "$whole/CMakeCache.txt" || failed "a part changes the whole's choices"
 for file in CPackConfig.cmake plugins bin lib; do

@@ -110,6 +110,10 @@ END
 pc=$(dirname "$(find "$scratch/prefix" -name oiio-ddt.pc)")
 ! PKG_CONFIG_PATH=$pc pkg-config --print-requires oiio-ddt-core | grep -E 'OpenImageIO|OpenColorIO' ||
     { echo "FAILED: pkg-config's core needs image libraries"; exit 1; }
+PKG_CONFIG_PATH=$pc pkg-config --exists oiio-ddt
+printf '%s\n' 'Name: OpenImageIO' 'Description: another' 'Version: 9.9.9' >"$scratch/other/OpenImageIO.pc"
+! PKG_CONFIG_PATH=$scratch/other:$pc pkg-config --exists oiio-ddt ||
+    { echo "FAILED: pkg-config takes any OpenImageIO"; exit 1; }
 # shellcheck disable=SC2046 # words on purpose
 c++ -std=c++17 "$scratch/core/main.cpp" -o "$scratch/core/by-pkg-config" \
     $(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs oiio-ddt-core)
