@@ -74,7 +74,8 @@ private:
         Job job;
         job.window = {0, 0, 32768, 32768};
         std::string text;
-        ddt::describe_device(job, text);
+        if (!ddt::describe_device(job, text))
+            return "not used: " + text.substr(text.find(": ") + 2);
         return text +
                " (for a large image; small ones, schemes a GPU does not know, and machines whose "
                "only renderer is software use the cpu)";

@@ -209,12 +209,15 @@ private:
     bool triangulate(PointFile& points, Progress& progress, Failure& failure) const {
         const std::vector<float> guide = guide_of(points, m_columns);
         const bool has_triangles = !points.mesh.triangles.empty();
+        progress(0); // GEOS tells none
         if (!has_triangles && delaunay(points.mesh, &failure.why))
             note_merged(points.mesh);
         if (!points.mesh.triangles.empty() &&
             optimise(points.mesh, guide.data(), m_options.mesh, nullptr, &failure.why,
-                     std::ref(progress), m_options.device))
+                     std::ref(progress), m_options.device)) {
+            progress(1);
             return true;
+        }
         failure.code = code_of_message(failure.why);
         return false;
     }
