@@ -25,30 +25,6 @@ if(CMAKE_UNITY_BUILD)
   add_compile_options(${DDT_UNITY_WARNINGS})
 endif()
 
-# Highway's functions on vectors of a wider instruction set than the rest is compiled for must be inlined,
-# which they are not with -O0: GCC 12 breaks off, and what it makes of others crashes. Nor does a build
-# type, which may be any, or none, have to ask for optimisation.
-function(ddt_optimise type)
-  string(TOUPPER "${type}" upper)
-  string(REGEX MATCHALL "-O[^ ]*" levels "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${upper}}")
-  set(last)
-  if(levels)
-    list(GET levels -1 last)
-  endif()
-  if(last STREQUAL "-O0" OR (NOT last AND type STREQUAL "Debug"))
-    add_compile_options($<$<STREQUAL:$<CONFIG>,${type}>:-Og>)
-  elseif(NOT last)
-    add_compile_options($<$<STREQUAL:$<CONFIG>,${type}>:-O2>)
-  endif()
-endfunction()
-if(CMAKE_CONFIGURATION_TYPES)
-  foreach(type IN LISTS CMAKE_CONFIGURATION_TYPES)
-    ddt_optimise(${type})
-  endforeach()
-else()
-  ddt_optimise("${CMAKE_BUILD_TYPE}")
-endif()
-
 # For code that takes no time to run, tests and the command line: less to compile.
 set(DDT_BRIEFLY $<$<CONFIG:Release>:-O1>)
 # For code that does. With -O2, which RelWithDebInfo and distributions compile with, loops over channels
@@ -87,6 +63,35 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   string(APPEND CMAKE_CXX_FLAGS_THREADS " -mssse3 -DHWY_DISABLED_TARGETS=~HWY_SSSE3")
 endif()
 set(CMAKE_EXE_LINKER_FLAGS_THREADS "-fsanitize=thread")
+
+# Highway's functions on vectors of a wider instruction set than the rest is compiled for must be inlined,
+# which they are not with -O0: GCC 12 breaks off, and what it makes of others crashes. Nor does a build
+# type, which may be any, or none, have to ask for optimisation.
+function(ddt_optimisation type result)
+  string(TOUPPER "${type}" type)
+  separate_arguments(flags UNIX_COMMAND "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}}")
+  list(FILTER flags INCLUDE REGEX "^-O([0-3gsz]|fast)?$")
+  set(last)
+  if(flags)
+    list(GET flags -1 last)
+  endif()
+  set(level)
+  if(last STREQUAL "-O0" OR (NOT last AND type STREQUAL "DEBUG"))
+    set(level -Og)
+  elseif(NOT last)
+    set(level -O2)
+  endif()
+  set(${result} "${level}" PARENT_SCOPE)
+endfunction()
+if(CMAKE_CONFIGURATION_TYPES)
+  foreach(type IN LISTS CMAKE_CONFIGURATION_TYPES)
+    ddt_optimisation(${type} level)
+    add_compile_options("$<$<CONFIG:${type}>:${level}>")
+  endforeach()
+else()
+  ddt_optimisation("${CMAKE_BUILD_TYPE}" level)
+  add_compile_options(${level})
+endif()
 
 # With clang also what libFuzzer goes by, for tests/fuzz.
 if(CMAKE_BUILD_TYPE STREQUAL "Sanitize" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")

@@ -51,6 +51,7 @@ install(FILES
 # The same for pkg-config: pkg-config --cflags --libs oiio-ddt, or oiio-ddt-core. From where the files
 # lie, so that an installed tree can be moved.
 file(RELATIVE_PATH DDT_PC_PREFIX ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" DDT_PC_PREFIX "${DDT_PC_PREFIX}")
 # ddt_install_pc(NAME LIBRARIES MODULE...)
 function(ddt_install_pc DDT_PC_NAME DDT_PC_LIBS)
   string(REGEX REPLACE "([<>]=?)" " \\1 " DDT_PC_REQUIRES "${ARGN}")

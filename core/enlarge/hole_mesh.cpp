@@ -143,24 +143,26 @@ bool HoleMesh::make(const MeshOptions& options, Device device, const Tell& progr
 float HoleMesh::value(size_t channel, const std::array<int32_t, 3>& triangle,
                       const Covered& covered) const {
     const auto channels = size_t(m_image.channels);
-    if (m_image.kinds && m_image.kinds[channel] == Channel::nearest) {
-        const double* w = covered.weight;
-        const auto k = size_t(std::max_element(w, w + 3) - w);
+    const auto at_corner = [&](size_t k) {
         return m_values[size_t(triangle[k]) * channels + channel];
-    }
+    };
+    const auto heaviest =
+        size_t(std::max_element(covered.weight, covered.weight + 3) - covered.weight);
+    if (m_image.kinds && m_image.kinds[channel] == Channel::nearest)
+        return at_corner(heaviest);
     const float all = value_at(m_values.data(), int(channels), int(channel), triangle, covered);
     if (std::isfinite(all))
         return all;
     // A share of an infinity is one: the others count alone.
     double sum = 0, weights = 0;
     for (size_t k = 0; k < 3; ++k) {
-        const float v = m_values[size_t(triangle[k]) * channels + channel];
+        const float v = at_corner(k);
         if (covered.weight[k] == 0 || !std::isfinite(v))
             continue;
         sum += covered.weight[k] * double(v);
         weights += covered.weight[k];
     }
-    return weights > 0 ? float(sum / weights) : all;
+    return weights > 0 ? float(sum / weights) : at_corner(heaviest);
 }
 
 bool HoleMesh::fill(float* surface, uint8_t* inside, std::string& error) const {

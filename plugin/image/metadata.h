@@ -26,9 +26,8 @@ inline bool is_associated_when_read(const OIIO::ImageSpec& native) {
 /// Whether OpenImageIO's reader overruns its memory with the pixels: up to 3.1 with those of TIFFs
 /// of CMYK in tiles, which have a channel more than what it makes of them.
 inline bool overruns_memory(const OIIO::ImageSpec& native) {
-    constexpr int separated = 5;
     return OIIO::openimageio_version() < 30200 && native.tile_width > 0 && native.nchannels == 3 &&
-           native.get_int_attribute("tiff:PhotometricInterpretation") == separated;
+           native.get_string_attribute("tiff:ColorSpace") == "CMYK";
 }
 
 /// What is said of such a file.

@@ -107,10 +107,9 @@ bool Reader::open_source(const OIIO::ImageSpec& config, std::string& error) {
     // Meant for the file that we are, not for the one that we read.
     m_hints.erase_attribute("oiio:ioproxy");
     m_source = OIIO::ImageInput::open(m_request.source, &m_hints);
-    if (m_source && !overruns_memory(m_source->spec()))
+    if (m_source)
         return true;
-    error = format("ddt: cannot open \"{}\": {}", m_request.source,
-                   m_source ? why_overrun : OIIO::geterror());
+    error = format("ddt: cannot open \"{}\": {}", m_request.source, OIIO::geterror());
     return false;
 }
 
@@ -149,6 +148,10 @@ bool Reader::describe(int subimage, std::string& error) {
     }
     if (from.undefined() || from.full_width < 1 || from.full_height < 1) {
         error = format("ddt: \"{}\" has no pixels", m_request.source);
+        return false;
+    }
+    if (overruns_memory(from)) {
+        error = format("ddt: cannot read \"{}\": {}", m_request.source, why_overrun);
         return false;
     }
     OIIO::ImageSpec to = from;

@@ -78,7 +78,7 @@ std::vector<uint8_t> find_not_finite(const OIIO::ImageBuf& image) {
 }
 
 /// Say on stderr which channels, of those that hold no IDs or depth, no metric is of.
-void note_not_compared(const OIIO::ImageBuf& image) {
+void note_not_compared(const OIIO::ImageBuf& image, const std::string& path) {
     const Channels channels = channels_of(image.spec(), image.nativespec());
     const std::vector<int> shown = shown_channels(channels);
     std::vector<std::string> others;
@@ -87,7 +87,7 @@ void note_not_compared(const OIIO::ImageBuf& image) {
             std::find(shown.begin(), shown.end(), c) == shown.end())
             others.push_back(image.spec().channel_name(c));
     if (!others.empty())
-        note(format("not compared: {}", OIIO::Strutil::join(others, ", ")));
+        note(format("not compared of \"{}\": {}", path, OIIO::Strutil::join(others, ", ")));
 }
 
 /// Of the data window within the display window: pixels there are compared with one another.
@@ -138,10 +138,11 @@ public:
             "the others 1. The first image is the reference. Data windows of one size are "
             "compared, which must lie at the same place of their display windows. A pixel that is "
             "not finite in one of them counts as black in both. Images of IDs (32-bit integers) "
-            "alone are refused; beside colour IDs and depth are not looked at, nor are layers "
-            "beside "
-            "the first; without colour the first channel is. What has colour but an alpha of 0 is "
-            "transparent. OpenImageIO's idiff tells whether numbers are equal."};
+            "alone are refused; beside colour IDs and depth are not looked at, nor are other "
+            "layers; "
+            "without colour the first channel is. What has colour but an alpha of 0 is "
+            "transparent. "
+            "OpenImageIO's idiff tells whether numbers are equal."};
         operands = {{"A", "the reference"}, {"B", "an image of the same size and place"}};
         flags = {switch_flag("--csv", "print as comma-separated values", m_csv)};
     }
@@ -162,8 +163,7 @@ public:
                 return fail(error, code_of_message(error));
             specs[k] = image.spec();
             not_finite[k] = find_not_finite(image);
-            if (k == 0)
-                note_not_compared(image);
+            note_not_compared(image, values[k]);
             note_others(values[k]);
         }
         if (pictures[0].width != pictures[1].width || pictures[0].height != pictures[1].height)

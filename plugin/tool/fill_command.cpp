@@ -43,9 +43,10 @@ bool read_unassociated(const std::string& path, ImageFile& file, OIIO::ImageBuf&
         failure = unreadable(path, failure.why);
         return false;
     }
-    if (in_file)
-        image = in_file.associated();
-    return true;
+    if (!in_file || in_file.associate(image, failure.why))
+        return true;
+    failure.code = code_of_message(failure.why);
+    return false;
 }
 
 /// Write that.
@@ -125,8 +126,8 @@ public:
             failure.why = filled.geterror();
             return fail(failure.why, code_of_message(failure.why));
         }
-        if (in_file && !in_file.put(image, filled, failure.why))
-            return fail(failure.why, code_of_message(failure.why));
+        if (in_file)
+            in_file.put(image, filled);
         if (!write_filled(in_file ? in_file.image() : filled, spec, shown.nativespec(), ids, file,
                           failure))
             return fail(failure);

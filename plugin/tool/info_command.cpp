@@ -66,8 +66,13 @@ private:
         job.device = device;
         std::string text;
         if (!ddt::describe_device(job, text))
-            return "not used: " + text.substr(text.find(": ", 5) + 2);
+            return "not used: " + reason_in(text, 5);
         return text;
+    }
+    /// What an error says after the ": " that comes from that place on, or all of it.
+    static std::string reason_in(const std::string& error, size_t from) {
+        const size_t colon = error.find(": ", from);
+        return colon == std::string::npos ? error : error.substr(colon + 2);
     }
     /// What a large image is worked on when no device is named.
     static std::string automatic_device() {
@@ -75,7 +80,7 @@ private:
         job.window = {0, 0, 32768, 32768};
         std::string text;
         if (!ddt::describe_device(job, text))
-            return "not used: " + text.substr(text.find(": ") + 2);
+            return "not used: " + reason_in(text, 0);
         return text +
                " (for a large image; small ones, schemes a GPU does not know, and machines whose "
                "only renderer is software use the cpu)";

@@ -26,7 +26,7 @@ public:
         paragraphs = {
             "The image's pixels are the vertices; there are two triangles for every four "
             "neighbouring pixels. The whole image is triangulated at once, on the CPU whatever "
-            "device the filter names.",
+            "device the filter names; with its holes=fill missing pixels are filled first.",
             "SVG is a vector picture of the image. PLY (binary) and OBJ are for 3D "
             "programs: a pixel "
             "a unit, y upwards, colours as displayed, flat unless --height is given.",
@@ -95,13 +95,11 @@ public:
         std::string error;
         if (!open_image(values[0], image, error))
             return fail(unreadable(values[0], error));
-        if (!fill_missing_pixels(image, error))
-            return fail(error, code_of_message(error));
         constexpr double bytes_a_pixel = 100; // about
         if (!check_memory(
                 format("triangulating {} x {} pixels", image.spec().width, image.spec().height),
                 bytes_a_pixel * double(image.spec().image_pixels()), error) ||
-            !read_picture(image, m_options, picture, error) ||
+            !fill_missing_pixels(image, error) || !read_picture(image, m_options, picture, error) ||
             !triangulate(picture, mesh, report, error))
             return fail(error, code_of_message(error));
         if (m_verbose)
@@ -168,6 +166,7 @@ private:
             return true;
         OIIO::ImageBuf filled;
         Options options = m_options;
+        options.device = Device::cpu;
         Progress progress("filling");
         options.progress = std::ref(progress);
         const Missing missing =

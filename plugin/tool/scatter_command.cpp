@@ -211,7 +211,7 @@ private:
         const bool has_triangles = !points.mesh.triangles.empty();
         progress(0); // GEOS tells none
         if (!has_triangles && delaunay(points.mesh, &failure.why))
-            note_merged(points.mesh);
+            note_merged(points.mesh, progress);
         if (!points.mesh.triangles.empty() &&
             optimise(points.mesh, guide.data(), m_options.mesh, nullptr, &failure.why,
                      std::ref(progress), m_options.device)) {
@@ -223,15 +223,18 @@ private:
     }
 
     /// Say how many points are no corner of a triangle that they were to be triangulated to.
-    static void note_merged(const PointMesh& mesh) {
+    static void note_merged(const PointMesh& mesh, Progress& progress) {
         std::vector<uint8_t> is_corner(mesh.x.size(), 0);
         for (const auto& triangle : mesh.triangles)
             for (const int32_t corner : triangle)
                 is_corner[size_t(corner)] = 1;
-        if (const auto merged = std::count(is_corner.begin(), is_corner.end(), uint8_t(0)))
-            note(format("{} of {} points are left out: they lie where others do, or too close to "
-                        "them beside what all span",
-                        merged, mesh.x.size()));
+        const auto merged = std::count(is_corner.begin(), is_corner.end(), uint8_t(0));
+        if (merged == 0)
+            return;
+        progress.hide();
+        note(format("{} of {} points are left out: they lie where others do, or too close to "
+                    "them beside what all span",
+                    merged, mesh.x.size()));
     }
 
     Window box(const PointMesh& mesh) const {

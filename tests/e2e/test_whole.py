@@ -257,6 +257,22 @@ class Whole(Case):
                 os.remove(self.path("part.exr"))
         self.assertEqual(codes - {1}, {0, 3})
 
+    def test_no_memory_to_fill(self):
+        """Of a TIFF whose colour is not multiplied by alpha: three times as much as it takes."""
+        self.succeed("oiiotool", "--pattern", "noise", "2000x2000", "4", "--chnames", "R,G,B,A",
+                     "--attrib:type=int", "oiio:UnassociatedAlpha", "1", "-d", "uint8", "-o",
+                     "straight.tif")
+        loaded = self.loaded()
+        codes = set()
+        for mebibytes in range(loaded + 100, loaded + 400, 20):
+            code, text = self.run_within(mebibytes, "fill", "straight.tif", "filled.tif")
+            codes.add(code)
+            self.assertIn(code, (0, 3), text)
+            self.assertEqual(os.path.exists(self.path("filled.tif")), code == 0)
+            if code == 0:
+                os.remove(self.path("filled.tif"))
+        self.assertEqual(codes, {0, 3})
+
     def test_exit_codes(self):
         for code, arguments in ((1, ("missing.png", "200%", "out.png")),
                                 (1, ("photo.png", "200%", "no/folder.png")),

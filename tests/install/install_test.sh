@@ -72,6 +72,8 @@ END
 cat >"$scratch/core/CMakeLists.txt" <<'END'
 cmake_minimum_required(VERSION 3.20)
 project(core LANGUAGES C CXX)
+set(core its) # names of its own
+set(image own)
 find_package(oiio-ddt 0.1 REQUIRED ${WANTED})
 message(STATUS "image: ${oiio-ddt_image_FOUND}")
 add_executable(core main.cpp)

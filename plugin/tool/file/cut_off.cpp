@@ -193,18 +193,22 @@ private:
         uint64_t width = 0, height = 0, piece_width = 0, piece_height = 0;
         uint64_t planes = 0, samples = 0, bits = 0; ///< samples of a pixel in a plane, bits of each
 
-        uint64_t in_plane() const {
-            return ((width + piece_width - 1) / piece_width) *
-                   ((height + piece_height - 1) / piece_height);
-        }
+        uint64_t across() const { return (width + piece_width - 1) / piece_width; }
+        uint64_t down() const { return (height + piece_height - 1) / piece_height; }
         /// How many there are, whatever the tables have room for.
-        uint64_t count() const { return planes == 0 ? 0 : in_plane() * planes; }
-
+        uint64_t count() const {
+            return planes == 0 ? 0 : whole(double(across()) * double(down()) * double(planes));
+        }
         /// What a strip of this number has without compression.
         uint64_t strip_bytes(uint64_t number) const {
-            const uint64_t above = number % in_plane() * piece_height;
-            return (width * bits * samples + 7) / 8 * std::min(piece_height, height - above);
+            const uint64_t above = number % down() * piece_height;
+            const uint64_t row = (width * bits * samples + 7) / 8;
+            return whole(double(row) * double(std::min(piece_height, height - above)));
         }
+
+    private:
+        /// A number, or the largest.
+        static uint64_t whole(double n) { return n < 1e18 ? uint64_t(n) : UINT64_MAX; }
     };
 
     Pieces find_pieces(bool tiled) {
@@ -215,8 +219,7 @@ private:
             std::min(value(tiled ? tile_height_tag : rows_per_strip_tag, p.height), p.height);
         p.samples = value(samples_tag, 1), p.bits = value(bits_tag, 1);
         p.planes = value(planes_tag, 1) == 2 ? std::exchange(p.samples, 1) : 1;
-        constexpr uint64_t largest = 1 << 24; // so that the number of pieces is one
-        const bool possible = std::max(p.width, p.height) < largest &&
+        const bool possible = std::max(p.width, p.height) <= INT32_MAX &&
                               std::min(p.piece_width, p.piece_height) > 0 &&
                               std::max({p.planes, p.samples, p.bits}) <= UINT16_MAX;
         return possible ? p : Pieces();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 
 #include <OpenImageIO/filesystem.h>
 
@@ -88,14 +89,25 @@ std::string image_name(const std::string& path, int number) {
     return number > 0 ? format("{}, image {}", name, number + 1) : name;
 }
 
-bool check_readable(const std::string& path, const std::string& format, int number,
-                    const OIIO::ImageSpec& native, std::string& error) {
-    const char* const why = is_cut_off(path, format, number) ? "the file ends before its pixels do"
-                            : overruns_memory(native)        ? why_overrun
-                                                             : nullptr;
-    if (why)
-        error = cannot_read(path, why);
-    return !why;
+bool check_whole(const std::string& path, const std::string& format, int number,
+                 std::string& error) {
+    if (!is_cut_off(path, format, number))
+        return true;
+    error = cannot_read(path, "the file ends before its pixels do");
+    return false;
+}
+
+bool check_reader(const std::string& path, int number, std::string& error) {
+    char begin[2] = {};
+    std::ifstream(path, std::ios::binary).read(begin, sizeof begin);
+    if (begin[0] != begin[1] || (begin[0] != 'I' && begin[0] != 'M')) // no TIFF
+        return true;
+    const auto input = OIIO::ImageInput::open(path);
+    OIIO::geterror();
+    if (!input || !overruns_memory(input->spec(number)))
+        return true;
+    error = cannot_read(path, why_overrun);
+    return false;
 }
 
 bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error, int number,
@@ -104,10 +116,11 @@ bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& err
         error = "\"\" is no name of a file";
         return false;
     }
+    if (!check_reader(path, number, error))
+        return false;
     image.reset(path, number, 0, nullptr, hints);
     const bool begun = image.init_spec(path, number, 0);
-    if (begun && !check_readable(path, std::string(image.file_format_name()), number,
-                                 image.nativespec(), error))
+    if (begun && !check_whole(path, std::string(image.file_format_name()), number, error))
         return false;
     const bool floats = begun && is_associated_when_read(image.nativespec());
     if (image.read(number, 0, true, floats ? OIIO::TypeFloat : OIIO::TypeUnknown))
@@ -124,8 +137,12 @@ std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path, int number
     else if (number > 0 && !input->seek_subimage(number, 0)) {
         error = why_unreadable(input->geterror(), path);
         input.reset();
-    } else if (!check_readable(path, input->format_name(), number, input->spec(), error))
+    } else if (!check_whole(path, input->format_name(), number, error))
         input.reset();
+    else if (overruns_memory(input->spec())) {
+        error = cannot_read(path, why_overrun);
+        input.reset();
+    }
     return input;
 }
 

@@ -6,6 +6,7 @@
 
 #include <OpenImageIO/imagebufalgo.h>
 
+#include "plugin/image/windows.h"
 #include "plugin/tool/file/picture.h"
 
 namespace ddt::tool {
@@ -32,41 +33,42 @@ Unassociated::operator bool() const {
            m_image.spec().get_int_attribute(asked) != 0;
 }
 
-OIIO::ImageBuf Unassociated::associated() const {
-    OIIO::ImageBuf floats = m_image.copy(OIIO::TypeFloat);
-    floats.specmod().erase_attribute(asked);
-    OIIO::ImageBufAlgo::premult(floats, floats);
-    return floats;
+bool Unassociated::associate(OIIO::ImageBuf& floats, std::string& error) const {
+    OIIO::ImageSpec spec = m_image.spec();
+    spec.set_format(OIIO::TypeFloat);
+    spec.erase_attribute(asked);
+    if (!check_size(spec.roi(), spec.nchannels, spec.format, error) ||
+        !take_memory(floats, spec, error))
+        return false;
+    if (m_image.get_pixels(spec.roi(), OIIO::TypeFloat, floats.localpixels()) &&
+        OIIO::ImageBufAlgo::premult(floats, floats))
+        return true;
+    error = why_unreadable(floats, std::string(m_image.name()));
+    return false;
 }
 
-bool Unassociated::put(const OIIO::ImageBuf& associated, const OIIO::ImageBuf& changed,
-                       std::string& error) {
-    const auto channels = size_t(m_image.nchannels()), width = size_t(m_image.spec().width);
-    OIIO::ImageBuf straight;
-    if (!OIIO::ImageBufAlgo::unpremult(straight, changed)) {
-        error = straight.geterror();
-        return false;
-    }
+void Unassociated::put(const OIIO::ImageBuf& associated, const OIIO::ImageBuf& changed) {
+    const OIIO::ImageSpec& spec = m_image.spec();
+    const auto channels = size_t(spec.nchannels), width = size_t(spec.width);
     std::vector<float> before(width * channels), after(before.size());
     OIIO::ROI row = m_image.roi();
     for (int y = m_image.ybegin(); y < m_image.yend(); ++y) {
         row.ybegin = y;
         row.yend = y + 1;
-        if (!associated.get_pixels(row, OIIO::TypeFloat, before.data()) ||
-            !changed.get_pixels(row, OIIO::TypeFloat, after.data())) {
-            error = "out of memory";
-            return false;
-        }
+        associated.get_pixels(row, OIIO::TypeFloat, before.data());
+        changed.get_pixels(row, OIIO::TypeFloat, after.data());
         for (size_t x = 0; x < width; ++x) {
-            const size_t at = x * channels;
-            if (std::memcmp(&before[at], &after[at], channels * sizeof(float)) == 0)
+            float* const pixel = &after[x * channels];
+            if (std::memcmp(&before[x * channels], pixel, channels * sizeof *pixel) == 0)
                 continue;
-            const int column = m_image.xbegin() + int(x);
-            straight.getpixel(column, y, &after[at], int(channels));
-            m_image.setpixel(column, y, &after[at], int(channels));
+            // As OpenImageIO divides.
+            const float alpha = pixel[spec.alpha_channel];
+            for (int c = 0; c < spec.nchannels && alpha != 0; ++c)
+                if (c != spec.alpha_channel && c != spec.z_channel)
+                    pixel[c] /= alpha;
+            m_image.setpixel(m_image.xbegin() + int(x), y, pixel, spec.nchannels);
         }
     }
-    return true;
 }
 
 } // namespace ddt::tool

@@ -21,12 +21,11 @@ public:
     /// Whether its colour is unassociated.
     explicit operator bool() const;
 
-    /// The image as floats, associated.
-    OIIO::ImageBuf associated() const;
+    /// Make `floats` the image as floats, associated. False with one line in `error`.
+    bool associate(OIIO::ImageBuf& floats, std::string& error) const;
 
-    /// Take those pixels of `changed` that differ from associated()'s. False with one line in
-    /// `error`.
-    bool put(const OIIO::ImageBuf& associated, const OIIO::ImageBuf& changed, std::string& error);
+    /// Take those pixels of `changed` that differ from what associate() made.
+    void put(const OIIO::ImageBuf& associated, const OIIO::ImageBuf& changed);
 
     const OIIO::ImageBuf& image() const { return m_image; }
 

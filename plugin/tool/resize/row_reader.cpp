@@ -38,6 +38,8 @@ bool comes_by_rows(const OIIO::ImageSpec& spec) {
 bool RowReader::begin(const std::string& path, OIIO::ImageBuf& image, std::string& error,
                       int number) {
     m_path = path;
+    if (!check_reader(path, number, error))
+        return false;
     image.reset(path, number, 0);
     if (image.init_spec(path, number, 0) && comes_by_rows(image.nativespec())) {
         m_spec = image.nativespec();

@@ -254,13 +254,31 @@ TEST(FillHoles, InfinitiesAreNoPartOfWhatOthersGive) {
             for (int x = 0; x < side; ++x) {
                 const auto i = size_t(y * side + x);
                 if (in_hole(x, y))
-                    EXPECT_TRUE(values[i] >= 0 && values[i] <= 0.9f) << x << " " << y;
+                    EXPECT_TRUE(values[i] >= 0 && values[i] <= 0.1f * 9) << x << " " << y;
                 else
                     EXPECT_EQ(values[i], before[i]);
             }
     };
     filled(false);
     filled(true);
+}
+
+/// Of infinities alone, of both signs, they are what is there.
+TEST(FillHoles, IsNoNumberOfNothing) {
+    constexpr int side = 20;
+    std::vector<float> values(side * side), guide(values.size(), 0.5f);
+    std::vector<uint8_t> missing(values.size());
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            values[size_t(y * side + x)] = y < side / 2 ? INFINITY : -INFINITY;
+            missing[size_t(y * side + x)] = x > 5 && x < 14 && y > 5 && y < 14;
+        }
+    std::string error;
+    ASSERT_TRUE(fill_holes(values.data(), side, side, 1, nullptr, guide.data(), missing.data(),
+                           plain_mesh(), &error))
+        << error;
+    for (const float v : values)
+        EXPECT_TRUE(std::isinf(v)) << v;
 }
 
 /// A step across a hole 24 pixels wide, and noise on its rim.

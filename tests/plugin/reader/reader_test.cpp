@@ -144,6 +144,19 @@ TEST_F(Reader, RefusesWhatOverrunsMemory) {
         EXPECT_NE(OIIO::geterror().find("it has CMYK in tiles"), std::string::npos);
     } else
         EXPECT_TRUE(input);
+
+    // Another image than the first.
+    const std::string second = ddt::temporary("cmyk_second.tif");
+    const auto out = OIIO::ImageOutput::create(second);
+    const ImageSpec plain(20, 10, 3, TypeUInt8);
+    const std::vector<uint8_t> pixels(20 * 10 * 4);
+    ASSERT_TRUE(out->open(second, plain) && out->write_image(TypeUInt8, pixels.data()));
+    cmyk.tile_width = cmyk.tile_height = 16;
+    ASSERT_TRUE(out->open(second, cmyk, OIIO::ImageOutput::AppendSubimage) &&
+                out->write_image(TypeUInt8, pixels.data()) && out->close());
+    const auto both = ImageInput::open(second + ".ddt?scale=2");
+    ASSERT_TRUE(both) << OIIO::geterror();
+    EXPECT_EQ(both->seek_subimage(1, 0), OIIO::openimageio_version() >= 30200);
 }
 
 TEST_F(Reader, TellsThatItsSourceWasReplaced) {

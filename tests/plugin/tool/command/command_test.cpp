@@ -202,16 +202,19 @@ TEST(Commands, CompareTakesPixelsThatAreNotFiniteForBlack) {
 }
 
 TEST(Commands, CompareSaysWhatItDoesNotLookAt) {
-    const auto said = [](const std::vector<std::string>& names) {
-        OIIO::ImageBuf image(OIIO::ImageSpec(20, 20, int(names.size()), OIIO::TypeFloat));
+    const std::string path = temporary("channels.exr");
+    const auto said = [&](const std::vector<std::string>& names) {
+        OIIO::ImageBuf image(OIIO::ImageSpec(192, 144, int(names.size()), OIIO::TypeFloat));
         image.specmod().channelnames = names;
-        const std::string path = temporary("channels.exr");
         EXPECT_TRUE(OIIO::ImageBufAlgo::zero(image) && image.write(path)) << image.geterror();
-        return run(make_compare_command(), {path, path}).err;
+        const Ran ran = run(make_compare_command(), {scene, path}),
+                  turned = run(make_compare_command(), {path, scene});
+        EXPECT_EQ(ran.err, turned.err);
+        return ran.err;
     };
-    EXPECT_EQ(said({"forward.u", "forward.v"}), "ddt: not compared: forward.v\n");
-    EXPECT_EQ(said({"R", "G", "B", "A", "glow.R", "glow.G"}),
-              "ddt: not compared: glow.R, glow.G\n");
+    const std::string not_compared = "ddt: not compared of \"" + path + "\": ";
+    EXPECT_EQ(said({"forward.u", "forward.v"}), not_compared + "forward.v\n");
+    EXPECT_EQ(said({"R", "G", "B", "A", "glow.R", "glow.G"}), not_compared + "glow.R, glow.G\n");
     for (const auto& names :
          {std::vector<std::string>{"R", "G", "B", "A"}, {"Y"}, {"Y", "A"}, {"R", "G", "B", "Z"}})
         EXPECT_EQ(said(names), "");

@@ -209,6 +209,21 @@ TEST(CutOff, NoCommandReadsWhatOverrunsMemory) {
     const bool overruns = OIIO::openimageio_version() < 30200;
     EXPECT_EQ(open_image(path, image, error), !overruns);
     EXPECT_EQ(!open_input(path, 0, error), overruns);
+    ResizeSettings settings;
+    settings.size = "200%";
+    Failure failures[2];
+    const auto progress = [](float) { return true; };
+    const std::string out = temporary("of_tiles.exr");
+    EXPECT_EQ(resize_file(path, out, settings, progress, failures[0]), !overruns);
+    EXPECT_EQ(resize_part(path, out, settings, {1, 1}, progress, failures[1]), !overruns);
+    EXPECT_EQ(failures[0].why, overruns ? error : "");
+    EXPECT_EQ(failures[1].why, overruns ? error : "");
+    // Inks that are not CMYK are read as they are.
+    spec.nchannels = 3;
+    spec.channelnames = {"ink0", "ink1", "ink2"};
+    spec.attribute("tiff:ColorSpace", "color separated");
+    std::string none;
+    EXPECT_TRUE(open_image(written("inks.tif", spec), image, none)) << none;
     if (overruns) {
         EXPECT_EQ(error.find("cannot read \"" + path + "\": it has CMYK in tiles"), 0u) << error;
     }
