@@ -125,9 +125,9 @@ bool find_space(const std::string& name, NamedBy by, Space& found, std::string& 
     }
     if (by == NamedBy::image)
         return true;
-    error = format(
-        "light \"{}\" is not a colour space of the OCIO config; allowed are auto, encoded, {}",
-        name, names_in(list));
+    error = format("light \"{}\" is not a colour space of the OCIO config, $OCIO or the one built "
+                   "in; allowed are auto, encoded, {}",
+                   name, names_in(list));
     return false;
 }
 

@@ -129,7 +129,8 @@ bool Reader::seek_subimage(int subimage, int miplevel) {
     if (subimage == m_subimage)
         return true;
     // Failing is how callers find out how many there are: no message.
-    if (!m_source->seek_subimage(subimage, 0)) {
+    if (!m_source->seek_subimage(subimage, 0) &&
+        !(m_source->seek_subimage(0, 0) && m_source->seek_subimage(subimage, 0))) {
         m_source->geterror();
         return false;
     }

@@ -21,7 +21,10 @@ bool cache_keeps(OIIO::TypeDesc type) {
 bool SourceImage::open(const std::string& path, OIIO::ImageInput& input, int subimage,
                        const OIIO::ImageSpec& hints, std::string& error) {
     OIIO::ImageSpec spec = input.spec(subimage);
-    if (cache_keeps(spec.format)) {
+    // OpenImageIO 3.1's reader of GIF does not find its way back to any image but the first, which
+    // a cache asks it for.
+    const bool lost = subimage > 0 && input.format_name() == std::string("gif");
+    if (cache_keeps(spec.format) && !lost) {
         m_file = std::make_unique<LazyFile>(path, subimage, LazyFile::Pieces(), &hints);
         const OIIO::ImageBuf& image = m_file->image();
         if (const OIIO::ImageSpec& now = image.nativespec(); image.has_error())

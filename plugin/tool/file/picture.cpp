@@ -119,10 +119,13 @@ bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& err
     if (!check_reader(path, number, error))
         return false;
     image.reset(path, number, 0, nullptr, hints);
-    const bool begun = image.init_spec(path, number, 0);
-    if (begun && !check_whole(path, std::string(image.file_format_name()), number, error))
+    if (!image.init_spec(path, number, 0)) {
+        error = why_unreadable(image, path);
         return false;
-    const bool floats = begun && is_associated_when_read(image.nativespec());
+    }
+    if (!check_whole(path, std::string(image.file_format_name()), number, error))
+        return false;
+    const bool floats = is_associated_when_read(image.nativespec());
     if (image.read(number, 0, true, floats ? OIIO::TypeFloat : OIIO::TypeUnknown))
         return true;
     error = why_unreadable(image, path);

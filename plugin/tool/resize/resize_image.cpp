@@ -47,10 +47,19 @@ std::vector<int> strip_ends(const OIIO::ImageSpec& from, const OIIO::ImageSpec& 
     return ends;
 }
 
+/// Whether the writer divides colour by alpha before it rounds, as PNG's does since
+/// OpenImageIO 2.5.
+bool divides_floats(const OIIO::ImageOutput& output) {
+    const OIIO::ImageSpec& spec = output.spec();
+    return OIIO::openimageio_version() >= 20500 && output.format_name() == std::string("png") &&
+           spec.alpha_channel >= 0 && !spec.get_int_attribute("oiio:UnassociatedAlpha");
+}
+
 /// Make the image whose pixels an open file of this spec is written from. What the writer makes
 /// other numbers of is held as floats, as oiiotool holds it: rounded once.
 bool hold_result(OIIO::ImageSpec spec, ImageFile& file, OIIO::ImageBuf& result, Failure& failure) {
-    if (file.output().spec().format != spec.format || !spec.channelformats.empty())
+    if (file.output().spec().format != spec.format || !spec.channelformats.empty() ||
+        divides_floats(file.output()))
         spec.set_format(OIIO::TypeFloat);
     spec.channelformats.clear();
     if (!check_size_of(spec, failure))
@@ -103,6 +112,10 @@ bool resize_image(ArrivingImage& source, const OIIO::ROI& wanted, const OIIO::Im
     OIIO::ImageBuf result;
     if (!hold_result(spec, file, result, failure))
         return false;
+    ResizeSettings own = settings;
+    // As results of whole numbers are, in whatever they are held.
+    own.options.surface.clipped |=
+        divides_floats(file.output()) && file.output().spec().format == spec.format;
     const OIIO::ROI made = OIIO::roi_intersection(wanted, result.roi());
     // Beyond its data window an image is black.
     if (made != result.roi() && !OIIO::ImageBufAlgo::zero(result)) {
@@ -117,7 +130,7 @@ bool resize_image(ArrivingImage& source, const OIIO::ROI& wanted, const OIIO::Im
     }
     RowWriter writer(result, file, ids);
     if (made.width() > 0 && made.height() > 0 &&
-        !resize_strips(result, image, made, source.reader, writer, settings, progress, failure))
+        !resize_strips(result, image, made, source.reader, writer, own, progress, failure))
         return false;
     if (!writer.has_failed())
         writer.ready(result.yend());

@@ -30,6 +30,36 @@ bool resized(const std::string& in, const std::string& size, const std::string& 
         in, out, settings, [](float) { return true; }, failure);
 }
 
+/// Writers of later OpenImageIOs divide by alpha before they round, if they get floats, as from
+/// oiiotool.
+TEST(ResizeFile, WhatIsDividedByAlphaIsRoundedAfterwards) {
+    for (const OIIO::TypeDesc type : {OIIO::TypeUInt8, OIIO::TypeUInt16}) {
+        ImageBuf picture(ImageSpec(24, 20, 4, type));
+        for (int y = 0; y < 20; ++y)
+            for (int x = 0; x < 24; ++x) {
+                const float alpha = float(x) / 60;
+                picture.setpixel(x, y, {alpha * 0.9f, alpha * float(y) / 20, alpha * 0.1f, alpha});
+            }
+        const std::string in = temporary("alpha.png"), out = temporary("alpha_out.png"),
+                          expected = temporary("alpha_expected.png");
+        ASSERT_TRUE(picture.write(in)) << picture.geterror();
+        ImageBuf image, large;
+        std::string error;
+        ASSERT_TRUE(open_image(in, image, error)) << error;
+        ImageSpec spec(48, 40, 4, OIIO::TypeFloat);
+        large.reset(spec);
+        Options options;
+        options.surface.clipped = true; // as what becomes whole numbers
+        ASSERT_TRUE(ddt::resize(large, image, options)) << large.geterror();
+        large.set_write_format(type);
+        ASSERT_TRUE(large.write(expected)) << large.geterror();
+        Failure failure;
+        ASSERT_TRUE(resized(in, "200%", out, failure)) << failure.why;
+        const auto same = OIIO::ImageBufAlgo::compare(ImageBuf(expected), ImageBuf(out), 0, 0);
+        EXPECT_EQ(same.maxerror, 0) << type;
+    }
+}
+
 TEST(ResizeFile, ChannelsKeepTheirTypes) {
     const std::string in = file_of_several_types();
     const auto formats = OIIO::ImageInput::open(in)->spec().channelformats;
