@@ -33,7 +33,7 @@ bool resized(const std::string& in, const std::string& size, const std::string& 
 /// Writers of later OpenImageIOs divide by alpha before they round, if they get floats, as from
 /// oiiotool.
 TEST(ResizeFile, WhatIsDividedByAlphaIsRoundedAfterwards) {
-    for (const OIIO::TypeDesc type : {OIIO::TypeUInt8, OIIO::TypeUInt16}) {
+    for (const OIIO::TypeDesc& type : {OIIO::TypeUInt8, OIIO::TypeUInt16}) {
         ImageBuf picture(ImageSpec(24, 20, 4, type));
         for (int y = 0; y < 20; ++y)
             for (int x = 0; x < 24; ++x) {
