@@ -40,13 +40,17 @@ TEST(ResizeFile, WhatIsDividedByAlphaIsRoundedAfterwards) {
                 const float alpha = float(x) / 60;
                 picture.setpixel(x, y, {alpha * 0.9f, alpha * float(y) / 20, alpha * 0.1f, alpha});
             }
-        const std::string in = temporary("alpha.png"), out = temporary("alpha_out.png"),
-                          expected = temporary("alpha_expected.png");
+        const std::string name = type.c_str(); // caches know files by theirs
+        const std::string in = temporary(name + ".png"), out = temporary(name + "_out.png"),
+                          expected = temporary(name + "_expected.png");
         ASSERT_TRUE(picture.write(in)) << picture.geterror();
         ImageBuf image, large;
         std::string error;
         ASSERT_TRUE(open_image(in, image, error)) << error;
-        ImageSpec spec(48, 40, 4, OIIO::TypeFloat);
+        ImageSpec spec = image.spec(); // with what the writer goes by
+        spec.width = spec.full_width = 48;
+        spec.height = spec.full_height = 40;
+        spec.set_format(OIIO::TypeFloat);
         large.reset(spec);
         Options options;
         options.surface.clipped = true; // as what becomes whole numbers
