@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/strutil.h>
 
 #include "plugin/image/metadata.h"
 #include "plugin/image/source.h"
@@ -64,6 +65,15 @@ void to_tiles(int first, int size, int tile, int& begin, int& end) {
     end += first;
 }
 
+/// A text without lines that it has twice: OpenImageIO 3 says again what it said before.
+std::string each_line_once(const std::string& text) {
+    std::vector<std::string> lines;
+    for (const std::string& line : OIIO::Strutil::splits(text, "\n"))
+        if (!line.empty() && std::find(lines.begin(), lines.end(), line) == lines.end())
+            lines.push_back(line);
+    return OIIO::Strutil::join(lines, "\n");
+}
+
 std::string cannot_read(const std::string& path, const std::string& why) {
     return "cannot read \"" + path + "\": " + why;
 }
@@ -80,7 +90,7 @@ std::string why_unreadable(const std::string& said, const std::string& path) {
     // Some readers call it broken. A name with a query need not be a file's.
     if (path.find('?') == std::string::npos && !OIIO::Filesystem::exists(path))
         return cannot_read(path, std::strerror(ENOENT));
-    const std::string why = said.empty() ? "cannot read \"" + path + "\"" : said;
+    const std::string why = said.empty() ? "cannot read \"" + path + "\"" : each_line_once(said);
     return why.find(path) == std::string::npos ? "\"" + path + "\": " + why : why;
 }
 

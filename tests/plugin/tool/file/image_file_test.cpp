@@ -124,5 +124,12 @@ TEST(Unreadable, WhatTheSystemSaysIsSaidOfFilesThatAreThere) {
     EXPECT_EQ(why_not_opened(temporary("missing.exr")), "");
 }
 
+TEST(Unreadable, WhatIsSaidTwiceIsSaidOnce) {
+    const std::string path = temporary("there.png");
+    std::ofstream(path) << "no picture";
+    EXPECT_EQ(why_unreadable("no header\nnothing read\nno header\nnothing read\n", path),
+              "\"" + path + "\": no header\nnothing read");
+}
+
 } // namespace
 } // namespace ddt::tool
