@@ -139,10 +139,8 @@ public:
             "compared, which must lie at the same place of their display windows. A pixel that is "
             "not finite in one of them counts as black in both. Images of IDs (32-bit integers) "
             "alone are refused; beside colour IDs and depth are not looked at, nor are other "
-            "layers; "
-            "without colour the first channel is. What has colour but an alpha of 0 is "
-            "transparent. "
-            "OpenImageIO's idiff tells whether numbers are equal."};
+            "layers; without colour the first channel is. What has colour but an alpha of 0 is "
+            "transparent. OpenImageIO's idiff tells whether numbers are equal."};
         operands = {{"A", "the reference"}, {"B", "an image of the same size and place"}};
         flags = {switch_flag("--csv", "print as comma-separated values", m_csv)};
     }

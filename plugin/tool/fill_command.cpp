@@ -79,10 +79,9 @@ public:
             "pixels about them, whose edges are flipped so that the image's own edges run on "
             "across the hole; more than a pixel inside they are smoothed where there are no edges. "
             "All other pixels stay as they are (of PNG, TIFF and TGA with alpha where both files "
-            "are of "
-            "one format). Beyond the outermost pixels that are there the "
-            "nearest goes on. The filter's scheme one-round, which is meant for pictures, is "
-            "look-ahead here; its min_gain does not count."};
+            "are of one format). Beyond the outermost pixels that are there the nearest goes on. "
+            "The filter's scheme one-round, which is meant for pictures, is look-ahead here; its "
+            "min_gain does not count."};
         operands = {{"IN", "any image OpenImageIO reads"}, {"OUT", "any image OpenImageIO writes"}};
         flags = {
             choice_flag("--missing", {"nan", "alpha"},

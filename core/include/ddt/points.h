@@ -75,11 +75,10 @@ bool draw(const PointMesh& mesh, const float* values, int channels, const PixelG
 /// smoothed where it has no edges. Small holes share meshes, by blocks of 64 x 64 pixels; a larger
 /// one has its own, or where it is thin several. What lies outside all triangles, beyond the
 /// outermost pixels that are there, gets the value of the nearest. Infinities are no part of what
-/// others beside them give. `values`: `channels` floats a
-/// pixel; `kinds`: one a channel, or null if all are Channel::blend; `guide`: a float a pixel, not
-/// looked at where one is missing. Nothing is done if nothing is missing; false if all is, or where
-/// `progress`, called now and then with the share done, 0 to 1, returned false, which leaves the
-/// missing pixels as anything.
+/// others beside them give. `values`: `channels` floats a pixel; `kinds`: one a channel, or null if
+/// all are Channel::blend; `guide`: a float a pixel, not looked at where one is missing. Nothing is
+/// done if nothing is missing; false if all is, or where `progress`, called now and then with the
+/// share done, 0 to 1, returned false, which leaves the missing pixels as anything.
 bool fill_holes(float* values, int width, int height, int channels, const Channel* kinds,
                 const float* guide, const uint8_t* missing, const MeshOptions& options,
                 std::string* error = nullptr, const std::function<bool(float)>& progress = {});
