@@ -5,8 +5,8 @@
 #include <OpenImageIO/strutil.h>
 
 #include "core/options/values.h"
-#include "ddt/resize.h"
 #include "plugin/image/windows.h"
+#include "plugin/imagebuf/holes.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/filter_flag.h"
 #include "plugin/tool/command/progress.h"
@@ -162,20 +162,16 @@ private:
     }
     /// By the filter's holes=.
     bool fill_missing_pixels(OIIO::ImageBuf& image, std::string& error) const {
-        if (m_options.holes == Holes::keep)
-            return true;
         OIIO::ImageBuf filled;
         Options options = m_options;
         options.device = Device::cpu;
         Progress progress("filling");
         options.progress = std::ref(progress);
-        const Missing missing =
-            m_options.holes == Holes::fill_alpha ? Missing::alpha : Missing::nan;
-        if (!ddt::fill(filled, image, options, missing)) {
-            error = filled.geterror();
+        constexpr int all_threads = 0;
+        if (!fill_image(image, options, m_options.holes, filled, all_threads, error))
             return false;
-        }
-        image = std::move(filled);
+        if (filled.initialized())
+            image = std::move(filled);
         return true;
     }
     bool triangulate(const Picture& picture, Mesh& mesh, MeshReport& report,

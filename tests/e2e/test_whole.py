@@ -243,19 +243,20 @@ class Whole(Case):
         for mebibytes in range(loaded + 75, loaded + 500, 50):
             code, text = self.run_within(mebibytes, "resize", "tiled.exr", "200%", "part.exr",
                                          "--part", "1/1", "--threads", "4")
-            codes.add(code)
             # OpenEXR 3.4 says itself what its compressor had no memory for, and then that the file
             # cannot be written; its reader, as OpenImageIO 3 uses it, that tiles are missing.
             lines = text.splitlines()
             own = [line for line in lines if "(EXR_ERR_OUT_OF_MEMORY)" not in line]
             unsaid = own != lines or "Some tiles were missing or corrupted" in text
             self.assertIn(code, (0, 1, 3) if unsaid else (0, 3), text)
+            if not unsaid:
+                codes.add(code)
             self.assertEqual(len(own), int(code != 0), text)
             self.assertEqual([n for n in os.listdir(self.folder) if ".ddt-" in n], [])
             self.assertEqual(os.path.exists(self.path("part.exr")), code == 0)
             if code == 0:
                 os.remove(self.path("part.exr"))
-        self.assertEqual(codes - {1}, {0, 3})
+        self.assertEqual(codes, {0, 3})
 
     def test_no_memory_to_fill(self):
         """Of a TIFF whose colour is not multiplied by alpha: three times as much as it takes."""

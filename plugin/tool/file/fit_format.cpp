@@ -74,8 +74,8 @@ std::string fit_channels(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec)
     else if (!takes_grey_with_alpha(output) && spec.nchannels == 2 && spec.alpha_channel == 1)
         most = 1;
     // Where the first three are displayed, whatever they are called.
-    const bool displaces_alpha = spec.nchannels >= 3 && spec.alpha_channel >= 0 &&
-                                 spec.alpha_channel < 3 && spec.alpha_channel < spec.nchannels;
+    const bool displaces_alpha =
+        spec.nchannels >= 3 && spec.alpha_channel >= 0 && spec.alpha_channel < 3;
     std::string left_out = displaces_alpha ? names[size_t(spec.alpha_channel)] + " as alpha" : "";
     if (spec.nchannels <= most)
         return left_out;

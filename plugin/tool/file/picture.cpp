@@ -78,6 +78,15 @@ std::string cannot_read(const std::string& path, const std::string& why) {
     return "cannot read \"" + path + "\": " + why;
 }
 
+/// False with one line in `error` if a file of a format is cut off.
+bool check_whole(const std::string& path, const std::string& format, int number,
+                 std::string& error) {
+    if (!is_cut_off(path, format, number))
+        return true;
+    error = cannot_read(path, "the file ends before its pixels do");
+    return false;
+}
+
 } // namespace
 
 std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path) {
@@ -99,14 +108,6 @@ std::string image_name(const std::string& path, int number) {
     return number > 0 ? format("{}, image {}", name, number + 1) : name;
 }
 
-bool check_whole(const std::string& path, const std::string& format, int number,
-                 std::string& error) {
-    if (!is_cut_off(path, format, number))
-        return true;
-    error = cannot_read(path, "the file ends before its pixels do");
-    return false;
-}
-
 bool check_reader(const std::string& path, int number, std::string& error) {
     char begin[2] = {};
     std::ifstream(path, std::ios::binary).read(begin, sizeof begin);
@@ -120,20 +121,23 @@ bool check_reader(const std::string& path, int number, std::string& error) {
     return false;
 }
 
+bool begin_image(const std::string& path, int number, OIIO::ImageBuf& image, std::string& error) {
+    if (!check_reader(path, number, error))
+        return false;
+    if (image.init_spec(path, number, 0))
+        return check_whole(path, std::string(image.file_format_name()), number, error);
+    error = why_unreadable(image, path);
+    return false;
+}
+
 bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error, int number,
                 const OIIO::ImageSpec* hints) {
     if (path.empty()) { // OpenImageIO makes an image of it that is not there
         error = "\"\" is no name of a file";
         return false;
     }
-    if (!check_reader(path, number, error))
-        return false;
     image.reset(path, number, 0, nullptr, hints);
-    if (!image.init_spec(path, number, 0)) {
-        error = why_unreadable(image, path);
-        return false;
-    }
-    if (!check_whole(path, std::string(image.file_format_name()), number, error))
+    if (!begin_image(path, number, image, error))
         return false;
     const bool floats = is_associated_when_read(image.nativespec());
     if (image.read(number, 0, true, floats ? OIIO::TypeFloat : OIIO::TypeUnknown))

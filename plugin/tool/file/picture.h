@@ -35,15 +35,14 @@ std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path)
 /// How messages name the image of this number from 0 in a file: "in.exr", or "in.exr", image 2.
 std::string image_name(const std::string& path, int number = 0);
 
-/// False with one line in `error` if a file of a format is cut off, which its reader would not say
-/// (cut_off.h). The functions that follow look for that.
-bool check_whole(const std::string& path, const std::string& format, int number,
-                 std::string& error);
-
 /// False with one line in `error` if the image of a file makes its reader overrun its memory
 /// (plugin/image/metadata.h). To be asked before an ImageBuf looks at the file: that of OpenImageIO
 /// 2.5 reads pixels then. The functions that follow do.
 bool check_reader(const std::string& path, int number, std::string& error);
+
+/// Have an ImageBuf of the image of this number in a file know its spec. False with one line in
+/// `error`, also if the file is cut off (cut_off.h), which its reader would not say.
+bool begin_image(const std::string& path, int number, OIIO::ImageBuf& image, std::string& error);
 
 /// Read the image of this number from 0 in a file, its pixels included; hints: for its reader, or
 /// null. False with one line in `error`.

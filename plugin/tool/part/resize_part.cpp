@@ -257,15 +257,10 @@ struct PartJob {
     Grid grid() const { return Grid(rect_of(image().roi())); }
 
     bool plan(const ResizeSettings& settings, const Part& part, Failure& failure) {
-        if (!check_reader(path, 0, failure.why))
-            return false;
-        if (!file.image().init_spec(path, 0, 0)) {
-            failure.why = why_unreadable(image(), path);
+        if (!begin_image(path, 0, file.image(), failure.why)) {
             failure.code = code_of_message(failure.why);
             return false;
         }
-        if (!check_whole(path, std::string(image().file_format_name()), 0, failure.why))
-            return false;
         // Of whose image neither the bytes nor the time of its last change are looked at.
         if (image().file_format_name() == "ddt") {
             failure = {"\"" + path + "\" asks for another image, enlarged; --part needs that image",

@@ -157,27 +157,30 @@ TEST(CutOff, IsNoTiffThatMakesNoSense) {
     EXPECT_FALSE(is_cut_off(temporary("missing.tif"), "tiff", 0));
 }
 
+/// By each way that commands read a file; nothing where it was read.
+std::vector<std::string> what_is_said(const std::string& path) {
+    std::vector<std::string> said(4);
+    OIIO::ImageBuf image;
+    ResizeSettings settings;
+    settings.size = "200%";
+    Failure failures[2];
+    const auto progress = [](float) { return true; };
+    const std::string out = temporary("cut_off.exr");
+    const bool read[] = {open_image(path, image, said[0]), open_input(path, 0, said[1]) != nullptr,
+                         resize_file(path, out, settings, progress, failures[0]),
+                         resize_part(path, out, settings, {1, 1}, progress, failures[1])};
+    said[2] = failures[0].why;
+    said[3] = failures[1].why;
+    for (size_t k = 0; k < said.size(); ++k)
+        EXPECT_EQ(read[k], said[k].empty()) << k;
+    return said;
+}
+
 TEST(CutOff, IsWhatNoCommandReads) {
     const SmallTiff tiff({false, false}, 1, 1);
-    const auto what_is_said = [&](size_t length) {
-        const std::string path = tiff.file(length);
-        std::vector<std::string> said(4);
-        OIIO::ImageBuf image;
-        open_image(path, image, said[0]);
-        open_input(path, 0, said[1]);
-        ResizeSettings settings;
-        settings.size = "200%";
-        Failure failures[2];
-        const auto progress = [](float) { return true; };
-        resize_file(path, temporary("cut_off.exr"), settings, progress, failures[0]);
-        resize_part(path, temporary("cut_off.exr"), settings, {1, 1}, progress, failures[1]);
-        said[2] = failures[0].why;
-        said[3] = failures[1].why;
-        return said;
-    };
-    for (const std::string& said : what_is_said(tiff.size()))
+    for (const std::string& said : what_is_said(tiff.file(tiff.size())))
         EXPECT_EQ(said, "");
-    for (const std::string& said : what_is_said(tiff.size() - 1))
+    for (const std::string& said : what_is_said(tiff.file(tiff.size() - 1)))
         EXPECT_EQ(said, "cannot read \"" + temporary("small.tif") +
                             "\": the file ends before its pixels do");
 }
@@ -201,25 +204,16 @@ TEST(CutOff, NoCommandReadsWhatOverrunsMemory) {
     OIIO::ImageSpec spec(20, 10, 4, OIIO::TypeUInt8);
     spec.channelnames = {"C", "M", "Y", "K"};
     spec.attribute("tiff:ColorSpace", "CMYK");
-    OIIO::ImageBuf image;
-    std::string error;
-    EXPECT_TRUE(open_image(written("strips.tif", spec), image, error)) << error;
+    for (const std::string& said : what_is_said(written("strips.tif", spec)))
+        EXPECT_EQ(said, "");
     spec.tile_width = spec.tile_height = 16;
     const std::string path = written("tiles.tif", spec);
-    const bool overruns = OIIO::openimageio_version() < 30200;
-    EXPECT_EQ(open_image(path, image, error), !overruns);
-    EXPECT_EQ(!open_input(path, 0, error), overruns);
-    ResizeSettings settings;
-    settings.size = "200%";
-    Failure failures[2];
-    const auto progress = [](float) { return true; };
-    const std::string out = temporary("of_tiles.exr");
-    EXPECT_EQ(resize_file(path, out, settings, progress, failures[0]), !overruns);
-    EXPECT_EQ(resize_part(path, out, settings, {1, 1}, progress, failures[1]), !overruns);
-    EXPECT_EQ(failures[0].why, overruns ? error : "");
-    EXPECT_EQ(failures[1].why, overruns ? error : "");
-    if (overruns) {
-        EXPECT_EQ(error.find("cannot read \"" + path + "\": it has CMYK in tiles"), 0u) << error;
+    const std::string refused = "cannot read \"" + path + "\": it has CMYK in tiles";
+    for (const std::string& said : what_is_said(path)) {
+        if (OIIO::openimageio_version() < 30200)
+            EXPECT_EQ(said.substr(0, refused.size()), refused);
+        else
+            EXPECT_EQ(said, "");
     }
 }
 
