@@ -180,7 +180,7 @@ void accept(bool wide, int list) {
     }
 }
 
-void reject_round(bool wide, int winner) {
+void reject_region(bool wide, int winner) {
     stamp[winner] = accepted;
     int region[wide_region_size];
     region_in(wide, winner, region);
@@ -201,7 +201,7 @@ void select(int list) {
     accept(wide, list);
     synchronize();
     for (uint i = first + own; i < n_selected; i += size)
-        reject_round(wide, to[list + int(i)]);
+        reject_region(wide, to[list + int(i)]);
     first = n_selected;
     // The first in order is accepted, if the device computes right.
     if (n_waiting >= waiting)

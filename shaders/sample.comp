@@ -52,7 +52,7 @@ void main() {
         mean[c] = pixels[index * channels.x + channels.y + c];
 #endif
     bvec4 copied = notEqual(uvec4(nearest) & uvec4(1u, 2u, 4u, 8u), uvec4(0u));
-    vec4 f = joined(uintBitsToFloat(mean), uintBitsToFloat(bits), share);
+    vec4 f = running_mean(uintBitsToFloat(mean), uintBitsToFloat(bits), share);
     bits = if_true(copied, mean, result_bits(f));
 #else
     if (nearest != 0u) {

@@ -121,7 +121,7 @@ vec4 at(Patch p, float b0, float b1, float b2) {
 
 // The mean of some surfaces at a position from that of all but the last, and the last, whose share
 // is 1 / their number.
-vec4 joined(vec4 mean, vec4 last, float share) {
+vec4 running_mean(vec4 mean, vec4 last, float share) {
     precise float others = 1.0 - share;
     precise vec4 f = mean * others + last * share;
     vec4 low = if_less(last, mean, last, mean), high = if_less(last, mean, mean, last);

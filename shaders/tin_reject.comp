@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a round's winners leave no room for. C++ twin: AcceptReject::reject_round() in
+// What a round's winners leave no room for. C++ twin: AcceptReject::reject_region() in
 // core/triangulate/accept_reject.h.
 #include "tin.glsl"
 

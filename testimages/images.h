@@ -20,8 +20,8 @@ OIIO::ImageBuf alpha();   ///< soft and hard alpha edges over colour, black stro
 // scene_linear.cpp
 OIIO::ImageBuf light();  ///< a light of 1000 beside black
 OIIO::ImageBuf window(); ///< a data window that leaves the display window on two sides
-OIIO::ImageBuf layers(); ///< colour, coverage, depth and object numbers in one float image
-OIIO::ImageBuf ids();    ///< object numbers as 32-bit integers
+OIIO::ImageBuf layers(); ///< colour, coverage, depth and object IDs in one float image
+OIIO::ImageBuf ids();    ///< object IDs as 32-bit integers
 
 // scene.cpp
 OIIO::ImageBuf scene(); ///< something to look at: sky, roof, fence, leaves

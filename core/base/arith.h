@@ -12,10 +12,10 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
 #include "core/base/constants.h"
+#include "core/base/float_bits.h"
 
 #if defined(__SSE2__)
 #include <xmmintrin.h>
@@ -72,11 +72,7 @@ namespace scalar {
 
 /// First guess of 1/sqrt(x), x > 0, about 3 % off: integer arithmetic on the float's bits.
 inline float rsqrt_seed(float x) {
-    int32_t bits;
-    std::memcpy(&bits, &x, sizeof bits);
-    bits = rsqrt_magic - (bits >> 1);
-    std::memcpy(&x, &bits, sizeof x);
-    return x;
+    return float_of(uint32_t(rsqrt_magic - (int32_t(bits_of(x)) >> 1)));
 }
 
 #include "core/base/rsqrt-inl.h"

@@ -80,7 +80,8 @@ namespace ddt {
     /* Share of a triangle's smallest value that softness leaves where none is negative. */        \
     FLOAT(dark_share, 0.5f)                                                                        \
                                                                                                    \
-    /* Means over a quadrant (surface/consistency-inl.h) of values, bends and softness, where */   \
+    /* Means over a quadrant (core/surface/consistency/consistency-inl.h) of values, bends and     \
+     * softness, where */                                                                          \
     /* the cell's diagonal goes through V, */                                                      \
     FLOAT(through_beside, 1.0f / 16)                                                               \
     FLOAT(through_opposite, 3.0f / 16)                                                             \

@@ -2,9 +2,9 @@
 // Work shared among threads.
 //
 // Two files make these functions, and a program links one of them: parallel_tbb.cpp, by oneTBB's
-// pool, is part of ddt_core; parallel_std.cpp, by threads that live no longer than the call, is for
-// modules that a foreign program loads: that program may bring a oneTBB of its own, and may unload
-// the module.
+// pool, is part of ddt_core where oneTBB was found; parallel_std.cpp, by threads that live no
+// longer than the call, is for builds without it, and for modules that a foreign program loads:
+// that program may bring a oneTBB of its own, and may unload the module.
 #pragma once
 
 #include <functional>

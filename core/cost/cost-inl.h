@@ -114,9 +114,8 @@ struct Dp {
     }
     template <class Areas = Unimodular>
     static DDT_INLINE T between(const Face& a, const Face& b, T ex, T ey, Areas areas = {}) {
-        const T dx = a.x - b.x, dy = a.y - b.y;
-        const T square = (dx * dx) + (dy * dy);
-        const T vertical = (square * rsqrt<3>(square)) * rsqrt<3>((ex * ex) + (ey * ey));
+        const T jump = Jnd<T>::between({a.x, a.y}, {b.x, b.y}, ex, ey);
+        const T vertical = jump * rsqrt<3>((ex * ex) + (ey * ey));
         return vertical * weighted(b.r, a.r, areas);
     }
 };

@@ -7,9 +7,9 @@
 #include "core/base/arith.h"
 #include "core/base/guarded.h"
 #include "core/base/progress.h"
-#include "core/enlarge/mesh_size.h"
+#include "core/enlarge/build_mesh.h"
 #include "core/guide/guide.h"
-#include "core/lattice/list_triangles.h"
+#include "core/lattice/each_triangle.h"
 #include "core/tiles/tile_io.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/triangulate.h"
@@ -94,7 +94,7 @@ bool check_mesh_size(int width, int height, std::string& error) {
     if (width < 2 || height < 2)
         error = "ddt: a mesh needs at least 2 x 2 pixels";
     else if (int64_t(width) * height > most_pixels)
-        error = "ddt: the image is too large for one mesh";
+        error = "ddt: the image is too large for one mesh; allowed are 2^28 pixels";
     else
         return true;
     return false;

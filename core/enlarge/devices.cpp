@@ -3,8 +3,8 @@
 
 #include "core/base/guarded.h"
 #include "core/enlarge/thread_count.h"
-#include "core/gl/choice.h"
 #include "core/gl/offload.h"
+#include "core/gl/requested_device.h"
 #include "ddt/option_table.h"
 
 namespace ddt {
@@ -16,7 +16,7 @@ bool describe_device(const Job& job, std::string& line) noexcept {
         const FilterOptions usual;
         if (!check_options({usual.surface, job.mesh, usual.light, job.device, usual.holes}, why))
             return false;
-        if (!find_place(job, pixels_a_thread(job.window.area(), job), placement, why))
+        if (!choose_device(job, pixels_a_thread(job.window.area(), job), placement, why))
             return false;
         text = describe(placement);
         return true;
@@ -30,7 +30,7 @@ bool check_device(Device device, std::string& line) noexcept {
     return succeeds(&line, [&](std::string& why) {
         Job job;
         job.device = device;
-        return gl::wish(job, device, why);
+        return gl::requested_device(job, device, why);
     });
 }
 

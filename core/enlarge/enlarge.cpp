@@ -11,7 +11,7 @@
 #include "core/enlarge/whole_source.h"
 #include "core/gl/offload.h"
 #include "core/tiles/grid.h"
-#include "core/tiles/run.h"
+#include "core/tiles/job_state.h"
 #include "core/tiles/tile_io.h"
 #include "core/tiles/work_on_cpu.h"
 #include "ddt/core.h"
@@ -80,36 +80,37 @@ void report(const Placement& placement, const std::string& failure, const Statis
 }
 
 /// Work on the tiles that are shown. failure: what the GPU failed at, if it did.
-Outcome work(Source& source, Sink& sink, const Mapping& mapping, const Job& job, const Grid& grid,
-             const Placement& placement, Statistics& statistics, std::string& failure) {
-    Run run(job, grid.count());
+Outcome work(const TiledJob& tiled, const Placement& placement, Statistics& statistics,
+             std::string& failure) {
+    const Job& job = tiled.job;
+    JobState state(job, tiled.grid.count());
     if (placement.gpu)
-        failure = work_on_gpu(*placement.gpu, source, sink, mapping, job, grid, thread_count(job),
-                              run, statistics);
+        failure = work_on_gpu(*placement.gpu, tiled, state, statistics);
     else
-        missed_gpu(job, pixels_a_thread(grid.pixels().area(), job));
+        missed_gpu(job, pixels_a_thread(tiled.grid.pixels().area(), job));
     const bool on_cpu = !placement.gpu || !failure.empty();
     statistics.device = on_cpu ? Device::cpu : placement.device;
     if (on_cpu)
-        work_on_cpu(source, sink, mapping, job, grid, thread_count(job), run, statistics);
+        work_on_cpu(tiled, state, statistics);
     if (job.statistics)
         *job.statistics = statistics;
-    return run.outcome();
+    return state.outcome();
 }
 
 Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, std::string& why) {
     const Stopwatch watch;
     const Grid grid = shown_tiles(job.window, mapping);
     Placement placement;
-    if (!find_place(job, pixels_a_thread(grid.pixels().area(), job), placement, why))
+    if (!choose_device(job, pixels_a_thread(grid.pixels().area(), job), placement, why))
         return Outcome::device_unavailable;
     Statistics statistics;
     if (job.statistics)
         *job.statistics = statistics; // of work that does not begin
     std::string failure;
     Outcome outcome;
+    const int threads = thread_count(job);
     if (job.holes == Holes::keep) {
-        outcome = work(source, sink, mapping, job, grid, placement, statistics, failure);
+        outcome = work({source, sink, mapping, job, grid, threads}, placement, statistics, failure);
     } else {
         float filled = 0; // share done by then: that of reading, where nothing is missing
         Tell filling;
@@ -119,12 +120,12 @@ Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, 
                 return job.progress(filled);
             };
         WholeSource whole;
-        outcome = whole.fill(source, job, thread_count(job), filling, why);
+        outcome = whole.fill(source, job, threads, filling, why);
         if (outcome != Outcome::done)
             return outcome;
         Job rest = job;
         rest.progress = part_of(job.progress, filled, 1);
-        outcome = work(whole, sink, mapping, rest, grid, placement, statistics, failure);
+        outcome = work({whole, sink, mapping, rest, grid, threads}, placement, statistics, failure);
     }
     if (verbose())
         report(placement, failure, statistics, watch.milliseconds());

@@ -208,7 +208,7 @@ bool fill_holes(float* values, int width, int height, int channels, const Channe
                 std::string* error, const std::function<bool(float)>& progress) {
     return succeeds(error, [&](std::string& why) {
         if (width < 0 || height < 0 || channels < 1) {
-            why = "ddt: an image has no negative size, and at least 1 channel";
+            why = "ddt: width and height must be 0 or more, channels 1 or more";
             return false;
         }
         if (kinds && std::any_of(kinds, kinds + channels,

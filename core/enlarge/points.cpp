@@ -71,7 +71,7 @@ bool choose(Device device, size_t points, const MeshOptions& options, Placement&
     job.mesh = options;
     job.device = device;
     constexpr size_t as_if_threads = 5;
-    return find_place(job, points / as_if_threads, placement, error);
+    return choose_device(job, points / as_if_threads, placement, error);
 }
 
 void flip(Tin& tin, const MeshOptions& options, const Placement& placement, Workspace& workspace,
@@ -96,7 +96,7 @@ void flip(Tin& tin, const MeshOptions& options, const Placement& placement, Work
 
 } // namespace
 
-bool triangulate_points(PointMesh& mesh, std::string& error) {
+bool delaunay_points(PointMesh& mesh, std::string& error) {
     const DenormalsAreZero as_on_gpus;
     return triangulate_by(
         mesh, error, [&](const std::vector<Steps>& points, const auto&, Triangles& triangles) {
@@ -107,7 +107,7 @@ bool triangulate_points(PointMesh& mesh, std::string& error) {
         });
 }
 
-bool sweep_points(PointMesh& mesh, Ties ties, std::string& error, const Tell& progress) {
+bool swept_delaunay_points(PointMesh& mesh, Ties ties, std::string& error, const Tell& progress) {
     const DenormalsAreZero as_on_gpus;
     return triangulate_by(mesh, error,
                           [&](const std::vector<Steps>& points, const std::vector<int32_t>& order,
@@ -169,7 +169,7 @@ bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, M
 }
 
 bool delaunay(PointMesh& mesh, std::string* error) {
-    return succeeds(error, [&](std::string& why) { return triangulate_points(mesh, why); });
+    return succeeds(error, [&](std::string& why) { return delaunay_points(mesh, why); });
 }
 
 bool optimise(PointMesh& mesh, const float* guide, const MeshOptions& options, MeshReport* report,

@@ -6,7 +6,7 @@
 
 #include "core/base/parallel.h"
 #include "core/enlarge/fill.h"
-#include "core/tiles/run.h"
+#include "core/tiles/job_state.h"
 
 namespace ddt {
 
@@ -33,20 +33,20 @@ Outcome WholeSource::fill(Source& source, const Job& job, int threads, const Tel
     const int bands = (m_window.height() + rows_at_once - 1) / rows_at_once;
     Job reading = job;
     reading.progress = part_of(progress, 0, filling_begins);
-    Run run(reading, bands);
+    JobState state(reading, bands);
     for_each_index(threads, bands, [&](int, int band) {
         const int y0 = m_window.y0 + band * rows_at_once;
         const Rect r{m_window.x0, y0, m_window.x1, std::min(y0 + rows_at_once, m_window.y1)};
         const size_t first = place(r.x0, r.y0);
-        if (!run.going())
+        if (!state.going())
             return;
         if (source.read(r, &m_values[first * m_channels], &m_guide[first]))
-            run.tile_done(band);
+            state.tile_done(band);
         else
-            run.end(Outcome::source_failed);
+            state.end(Outcome::source_failed);
     });
-    if (!run.going())
-        return run.outcome();
+    if (!state.going())
+        return state.outcome();
     const HoledImage image{m_values.data(),
                            m_guide.data(),
                            m_window.width(),

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/offload.h"
 
-#include "core/gl/choice.h"
 #include "core/gl/context/gpu.h"
 #include "core/gl/device_mesh.h"
+#include "core/gl/requested_device.h"
 #include "ddt/names.h"
 
 namespace ddt {
@@ -22,10 +22,10 @@ bool worth_a_gpu(const Job& job, size_t pixels_a_thread) {
 
 } // namespace
 
-bool find_place(const Job& job, size_t pixels_a_thread, Placement& placement, std::string& why) {
+bool choose_device(const Job& job, size_t pixels_a_thread, Placement& placement, std::string& why) {
     placement = {};
     Device wanted;
-    if (!gl::wish(job, wanted, why))
+    if (!gl::requested_device(job, wanted, why))
         return false;
     if (wanted == Device::cpu)
         return true;

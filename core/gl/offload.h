@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <string>
 
-#include "core/tiles/grid.h"
-#include "core/tiles/run.h"
+#include "core/tiles/job_state.h"
+#include "core/tiles/tiled_job.h"
 #include "core/tin/tin.h"
 #include "core/triangulate/triangulate.h"
 #include "ddt/core.h"
@@ -32,17 +32,15 @@ struct Placement {
 /// Choose by Job::device and DDT_DEVICE, and by how many source pixels there are to be worked on
 /// for each of the CPU's threads. False if a device that was named cannot be had; `why` says what
 /// stood in the way.
-bool find_place(const Job& job, size_t pixels_a_thread, Placement& placement, std::string& why);
+bool choose_device(const Job& job, size_t pixels_a_thread, Placement& placement, std::string& why);
 
 /// To be told that the job, for which no GPU was found, is done by the CPU.
 void missed_gpu(const Job& job, size_t pixels_a_thread);
 
-/// Work on the tiles of a job as far as the GPU gets; `run` knows how far that is. Adds to
-/// `statistics` for the tiles it finished. `threads`: how many may read the source and write to the
-/// sink at a time. Returns an empty text, or what the GPU failed at when it did.
-std::string work_on_gpu(gl::Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping,
-                        const Job& job, const Grid& grid, int threads, Run& run,
-                        Statistics& statistics);
+/// Work on the tiles of a job as far as the GPU gets; `state` knows how far that is. Adds to
+/// `statistics` for the tiles it finished. Returns an empty text, or what the GPU failed at when it
+/// did.
+std::string work_on_gpu(gl::Gpu& gpu, const TiledJob& job, JobState& state, Statistics& statistics);
 
 /// Flip the edges of a Tin by a scheme that tin_on_gpu(). Adds to `statistics`. Returns an empty
 /// text, or what the GPU failed at: then the Tin may be anything.

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stands in for offload.cpp and runner.cpp where OpenGL's headers were missing when this was built.
-#include "core/gl/choice.h"
 #include "core/gl/offload.h"
+#include "core/gl/requested_device.h"
 #include "ddt/names.h"
 
 namespace ddt {
 
-bool find_place(const Job& job, size_t, Placement& placement, std::string& why) {
+bool choose_device(const Job& job, size_t, Placement& placement, std::string& why) {
     placement = {};
     Device wanted;
-    if (!gl::wish(job, wanted, why))
+    if (!gl::requested_device(job, wanted, why))
         return false;
     if (wanted == Device::automatic || wanted == Device::cpu)
         return true;
@@ -20,8 +20,7 @@ bool find_place(const Job& job, size_t, Placement& placement, std::string& why) 
 
 void missed_gpu(const Job&, size_t) {}
 
-std::string work_on_gpu(gl::Gpu&, Source&, Sink&, const Mapping&, const Job&, const Grid&, int,
-                        Run&, Statistics&) {
+std::string work_on_gpu(gl::Gpu&, const TiledJob&, JobState&, Statistics&) {
     return "there is no GPU";
 }
 

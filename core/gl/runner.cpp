@@ -46,15 +46,14 @@ size_t most_strips(const Job& job, const Grid& grid, const Mapping& mapping) {
 
 } // namespace
 
-Runner::Runner(Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping, const Job& job,
-               const Grid& grid, Travel travel, int threads, Run& run)
-    : m_gpu(gpu), m_source(source), m_sink(sink), m_mapping(mapping), m_job(job), m_grid(grid),
-      m_run(run), m_threads(threads), m_shape(shape_for(job.window)), m_meshes(job.mesh.meshes),
-      m_travel(std::move(travel)),
-      m_in_flight(affordable_tiles(gpu, m_shape, group_count(job.channels), job.surface,
-                                   grid.count(), m_meshes)),
-      m_most_strips(most_strips(job, grid, mapping)), m_strips_a_write(m_most_strips / 3),
-      m_counting(job.statistics || verbose()) {}
+Runner::Runner(Gpu& gpu, const TiledJob& tiled, Travel travel, JobState& state)
+    : m_gpu(gpu), m_source(tiled.source), m_sink(tiled.sink), m_mapping(tiled.mapping),
+      m_job(tiled.job), m_grid(tiled.grid), m_state(state), m_threads(tiled.threads),
+      m_shape(shape_for(m_job.window)), m_meshes(m_job.mesh.meshes), m_travel(std::move(travel)),
+      m_in_flight(affordable_tiles(gpu, m_shape, group_count(m_job.channels), m_job.surface,
+                                   m_grid.count(), m_meshes)),
+      m_most_strips(most_strips(m_job, m_grid, m_mapping)), m_strips_a_write(m_most_strips / 3),
+      m_counting(m_job.statistics || verbose()) {}
 
 Runner::~Runner() {
     m_gpu.thread.call([this] {
@@ -62,14 +61,14 @@ Runner::~Runner() {
         m_ready.clear();
         m_batch.clear();
         m_memory.clear();
-        m_stages.reset();
+        m_timer.reset();
     });
 }
 
 void Runner::work() {
     m_gpu.thread.post([this] { take_memory(); }).get();
     read_ahead();
-    while (m_run.going() && !m_ready.empty()) {
+    while (m_state.going() && !m_ready.empty()) {
         for (auto& tile : m_batch)
             m_memory.push_back(std::move(tile->memory));
         m_batch.clear();
@@ -92,7 +91,7 @@ void Runner::work() {
         }
     }
     write_strips(0);
-    if (m_stages && m_stages->on())
+    if (m_timer && m_timer->on())
         m_gpu.thread.post([this] { report(); }).wait();
 }
 
@@ -130,7 +129,7 @@ void Runner::read_ahead() {
         t->tile = m_grid.tile(t->index);
         t->reach = reach_of(t->tile, m_job.window, m_mapping);
         if (t->reach.empty()) {
-            m_run.tile_done(t->index);
+            m_state.tile_done(t->index);
             continue;
         }
         m_ready.push_back(t);
@@ -142,17 +141,17 @@ void Runner::read_ahead() {
     m_read_memory.resize(size_t(m_threads));
     for_each_index(m_threads, int(m_ready.size() - first), [&](int thread, int i) {
         JobTile& t = *m_ready[first + size_t(i)];
-        if (m_run.going() &&
+        if (m_state.going() &&
             !read(m_source, m_job, m_shape, m_travel.there, t, m_read_memory[size_t(thread)]))
-            m_run.end(Outcome::source_failed);
+            m_state.end(Outcome::source_failed);
     });
 }
 
 /// Ask the device for all it takes to sample the batch.
 void Runner::begin_batch() {
     const Functions& gl = m_gpu.context->gl;
-    if (!m_stages)
-        m_stages = std::make_unique<Stages>(gl, verbose());
+    if (!m_timer)
+        m_timer = std::make_unique<StageTimer>(gl, verbose());
     if (!m_mesh || !m_surfaces) {
         const int slots = int(m_in_flight) * m_meshes;
         m_mesh = std::make_unique<DeviceMesh>(m_gpu, m_shape, slots);
@@ -164,21 +163,21 @@ void Runner::begin_batch() {
     for (const auto& t : m_batch)
         sizes.insert(sizes.end(), size_t(m_meshes), t->size);
 
-    m_stages->begin(Stage::upload);
+    m_timer->begin(Stage::upload);
     m_mesh->set_tiles(sizes);
     for (size_t i = 0; i < m_batch.size(); ++i)
         m_uploaded += upload(*m_batch[i], m_job, int(i) * m_meshes, *m_mesh, *m_surfaces);
     unpack(m_job, *m_mesh, *m_surfaces);
-    m_stages->end();
+    m_timer->end();
 
     if (m_batch[0]->sites.empty()) {
-        m_stages->begin(Stage::triangulate);
+        m_timer->begin(Stage::triangulate);
         m_mesh->triangulate(m_job.mesh);
-        m_stages->end();
+        m_timer->end();
     }
-    m_stages->begin(Stage::surface);
+    m_timer->begin(Stage::surface);
     m_surfaces->make(*m_mesh, criterion(m_job.mesh));
-    m_stages->end();
+    m_timer->end();
     gl.Flush();
     // Else another job on this thread would come upon the error, and this one not.
     check(gl, "triangulation");
@@ -201,11 +200,11 @@ void Runner::finish_batch() {
 }
 
 void Runner::sample_batch() {
-    for (size_t i = 0; i < m_batch.size() && m_run.going(); ++i) {
+    for (size_t i = 0; i < m_batch.size() && m_state.going(); ++i) {
         const JobTile& t = *m_batch[i];
         const int height = strip_height(t.reach, m_job.channels);
-        for (int y = std::max(t.reach.y0, m_run.next_row(t.index)); y < t.reach.y1 && m_run.going();
-             y += height) {
+        for (int y = std::max(t.reach.y0, m_state.next_row(t.index));
+             y < t.reach.y1 && m_state.going(); y += height) {
             JobStrip& strip = next_strip();
             strip.tile = m_batch[i];
             strip.rows = {t.reach.x0, y, t.reach.x1, std::min(y + height, t.reach.y1)};
@@ -245,14 +244,14 @@ void Runner::sample(JobStrip& strip) {
     const Functions& gl = m_gpu.context->gl;
     make_room(strip);
     if (strip.plan.count > 0) {
-        m_stages->begin(Stage::sample);
+        m_timer->begin(Stage::sample);
         m_surfaces->write_positions(strip.positions, strip.memory);
         m_surfaces->sample(*m_mesh, strip.plan, strip.memory);
-        m_stages->end();
-        m_stages->begin(Stage::download);
+        m_timer->end();
+        m_timer->begin(Stage::download);
         m_downloaded +=
             m_surfaces->download(result_count(strip), m_travel, strip.memory, *strip.results);
-        m_stages->end();
+        m_timer->end();
         check(gl, "sampling");
     }
     strip.copied = std::make_unique<Fence>(gl);
@@ -271,7 +270,7 @@ void Runner::write_strips(size_t left) {
                 m_under_way[count - 1]->copied->wait("sampling");
             })
             .get();
-        if (m_run.going())
+        if (m_state.going())
             write(count);
         for (size_t i = 0; i < count; ++i) {
             m_under_way.front()->tile.reset();
@@ -296,12 +295,12 @@ void Runner::write(size_t count) {
     }
     for_each_index(m_threads, int(parts.size()), [&](int, int i) {
         const auto& [part, first] = parts[size_t(i)];
-        if (!m_run.going())
+        if (!m_state.going())
             return;
         const bool taken = m_travel.packed() ? m_sink.write_packed(part, first)
                                              : m_sink.write(part, reinterpret_cast<float*>(first));
         if (!taken)
-            m_run.end(Outcome::sink_failed);
+            m_state.end(Outcome::sink_failed);
     });
     for (size_t i = 0; i < count; ++i)
         wrote(*m_under_way[i]);
@@ -309,15 +308,15 @@ void Runner::write(size_t count) {
 
 void Runner::wrote(const JobStrip& strip) {
     const JobTile& t = *strip.tile;
-    m_run.wrote_rows_before(strip.rows.y1, t.index);
-    if (!strip.last || !m_run.going())
+    m_state.wrote_rows_before(strip.rows.y1, t.index);
+    if (!strip.last || !m_state.going())
         return;
-    m_run.tile_done(t.index);
+    m_state.tile_done(t.index);
     m_statistics += t.statistics;
 }
 
 void Runner::report() {
-    const auto ms = [&](Stage stage) { return m_stages->milliseconds(stage); };
+    const auto ms = [&](Stage stage) { return m_timer->milliseconds(stage); };
     say("ddt: %.1f MB to the device, %.1f MB from it, %d waits for it", double(m_uploaded) * 1e-6,
         double(m_downloaded) * 1e-6, m_waits);
     say("ddt: upload %.2f ms, triangulate %.2f ms, surface %.2f ms, sample %.2f ms, "
@@ -332,12 +331,12 @@ void Runner::report() {
 
 namespace ddt {
 
-std::string work_on_gpu(gl::Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping,
-                        const Job& job, const Grid& grid, int threads, Run& run,
+std::string work_on_gpu(gl::Gpu& gpu, const TiledJob& tiled, JobState& state,
                         Statistics& statistics) {
+    const Job& job = tiled.job;
     std::string failure;
     try {
-        gl::Travel travel = gl::travel_of(source, sink, job);
+        gl::Travel travel = gl::travel_of(tiled.source, tiled.sink, job);
         const auto begin = [&] {
             for (const gl::JobProgram& program : gl::job_programs(job, travel))
                 gpu.programs->expect(program.file, program.macros);
@@ -346,7 +345,7 @@ std::string work_on_gpu(gl::Gpu& gpu, Source& source, Sink& sink, const Mapping&
         failure = gpu.thread.post(begin).get();
         if (!failure.empty())
             return failure;
-        gl::Runner runner(gpu, source, sink, mapping, job, grid, std::move(travel), threads, run);
+        gl::Runner runner(gpu, tiled, std::move(travel), state);
         try {
             runner.work();
         } catch (...) {

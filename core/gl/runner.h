@@ -9,10 +9,10 @@
 
 #include "core/gl/context/gpu.h"
 #include "core/gl/host_tile.h"
-#include "core/gl/stages.h"
+#include "core/gl/stage_timer.h"
 #include "core/gl/strip.h"
-#include "core/tiles/grid.h"
-#include "core/tiles/run.h"
+#include "core/tiles/job_state.h"
+#include "core/tiles/tiled_job.h"
 #include "ddt/core.h"
 
 namespace ddt::gl {
@@ -22,12 +22,11 @@ namespace ddt::gl {
 /// its thread, where nothing waits for the device but for what is then written.
 class Runner {
 public:
-    Runner(Gpu& gpu, Source& source, Sink& sink, const Mapping& mapping, const Job& job,
-           const Grid& grid, Travel travel, int threads, Run& run);
+    Runner(Gpu& gpu, const TiledJob& tiled, Travel travel, JobState& state);
     /// Waits for what was posted.
     ~Runner();
 
-    /// Work until all tiles are done or the run has ended. Throws Failure.
+    /// Work until all tiles are done or the job has ended. Throws Failure.
     void work();
 
     /// Of the tiles that are done; filled in if the job or DDT_VERBOSE wants it.
@@ -72,7 +71,7 @@ private:
     const Mapping& m_mapping;
     const Job& m_job;
     const Grid& m_grid;
-    Run& m_run;
+    JobState& m_state;
     int m_threads;
     SlotShape m_shape;
     int m_meshes; ///< a tile; they take neighbouring slots
@@ -94,7 +93,7 @@ private:
     // On the context's thread only.
     std::unique_ptr<DeviceMesh> m_mesh;
     std::unique_ptr<Surfaces> m_surfaces;
-    std::unique_ptr<Stages> m_stages;
+    std::unique_ptr<StageTimer> m_timer;
     size_t m_uploaded = 0, m_downloaded = 0; ///< bytes
     int m_waits = 0;                         ///< for the device
 };

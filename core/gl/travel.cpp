@@ -38,7 +38,7 @@ size_t Numbers::room(size_t count) const {
 
 Travel travel_of(Source& source, const Sink& sink, const Job& job) {
     Travel travel;
-    // Identifiers are bits that are not to change.
+    // IDs are bits that are not to change.
     if (any_nearest(job))
         return travel;
     const CodeTable* taken = sink.takes_codes();

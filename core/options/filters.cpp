@@ -7,10 +7,11 @@ namespace ddt {
 
 const std::vector<FilterRow>& filter_rows() {
     static const auto* rows = new std::vector<FilterRow>{
-        {{"ddt", "A quadratic patch a triangle; every value lies between the three pixels of its "
-                 "triangle."},
+        {{"ddt",
+          "One quadratic patch per triangle; every value lies between the three pixels of its "
+          "triangle."},
          Surface::patch},
-        {{"ddt-linear", "A plane a triangle; the same promise, less sharp, faster."},
+        {{"ddt-linear", "One plane per triangle; the same promise, less sharp, faster."},
          Surface::linear},
         {{"ddt-sharp", "As `ddt`, corrected so that the mean over each source pixel comes back; "
                        "closest to the original, may overshoot slightly."},

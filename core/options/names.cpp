@@ -42,11 +42,11 @@ constexpr Named<Device> devices[] = {
 };
 
 constexpr Named<Holes> holes_table[] = {
-    {Holes::keep, {"keep", "Nothing."}},
+    {Holes::keep, {"keep", "They stay as they are."}},
     {Holes::fill,
-     {"fill", "Those with a NaN are filled over triangles of the pixels around them, so that edges "
-              "run on."}},
-    {Holes::fill_alpha, {"fill-alpha", "Those whose alpha is 0, too. Without alpha, as `fill`."}},
+     {"fill", "Pixels with a NaN are filled over triangles of the pixels around them, so that "
+              "edges run on."}},
+    {Holes::fill_alpha, {"fill-alpha", "Pixels whose alpha is 0, too. Without alpha, as `fill`."}},
 };
 
 template <class Value, size_t n>

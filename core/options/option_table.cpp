@@ -124,7 +124,7 @@ Row scheme(const char* help) {
     return r;
 }
 
-/// Any text without a comma; whether it means something the host knows.
+/// Any text that is not empty and has no comma; only the host can tell whether it means something.
 template <class Part>
 Row text(const char* key, OptionGroup group, std::string Part::*member,
          std::vector<NamedValue> values, const char* others, const char* help) {
@@ -158,24 +158,23 @@ std::vector<Option> make_table() {
                "Linear light. The image's `oiio:ColorSpace` names its space; OpenColorIO converts "
                "by `$OCIO`'s config, or else a built-in one. If it names none that is known, or "
                "one of data, the numbers are used as they are. Many programs' TIFF and BMP name "
-               "none: say "
-               "`light=sRGB`."},
+               "none: say `light=sRGB`."},
               {"encoded", "The numbers as they are."}},
              "names of colour spaces",
              "The light in which values are interpolated. The name of a colour space of the "
              "config: linear light, and the image is in this space."),
         choice("cost", mesh, &MeshOptions::cost, cost_name, find_cost, cost_values(),
                "What an edge of the mesh costs."),
-        number("blur", mesh, &MeshOptions::blur, 0.0f, largest_blur,
-               "Blur of the guide in which edges are sought, as the weight of each neighbour; "
-               "calms the mesh.")
+        number(
+            "blur", mesh, &MeshOptions::blur, 0.0f, largest_blur,
+            "Blur of the guide (the picture's brightness, one number per pixel, in which edges are "
+            "sought), as the weight of each neighbour; calms the mesh.")
             .in("ddt-linear", "0")
             .in("ddt-sharp", "0.05"),
         number("contour", mesh, &MeshOptions::contour, 0.0f, most_contour,
                "Weight of the contours' direction, seen over seven pixels, beside the cost: a "
-               "steadier mesh that follows them further. "
-               "Unless given, 0 (the cost alone) with any cost but `abn` or any scheme but "
-               "`one-round`.")
+               "steadier mesh that follows them further. Unless given, 0 (the cost alone) with any "
+               "cost but `abn` or any scheme but `one-round`.")
             .in("ddt-sharp", "0.4")
             .where(is_abn_one_round, "0"),
         number("meshes", mesh, &MeshOptions::meshes, 1, most_meshes,

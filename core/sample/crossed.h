@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Positions that lie alike in crossed cells: those of several
-// cells, each in its own triangle, beside each other in the lanes.
+// Positions that lie alike in crossed cells: those of several cells, each in its own triangle,
+// beside each other in the lanes.
 #pragma once
 
 #include "core/sample/evaluate.h"

@@ -274,10 +274,10 @@ HWY_ATTR void join_all(const float* last, size_t n, float share, float* mean) {
     const size_t step = hn::Lanes(hn::ScalableTag<float>());
     size_t i = 0;
     for (; i + step <= n; i += step)
-        joined(Floats::load(mean + i), Floats::load(last + i), Floats(share)).store(mean + i);
+        running_mean(Floats::load(mean + i), Floats::load(last + i), Floats(share)).store(mean + i);
     using One = Lanes<hn::CappedTag<float, 1>>;
     for (; i < n; ++i)
-        joined(One::load(mean + i), One::load(last + i), One(share)).store(mean + i);
+        running_mean(One::load(mean + i), One::load(last + i), One(share)).store(mean + i);
 }
 
 } // namespace HWY_NAMESPACE
@@ -350,7 +350,7 @@ void evaluate_block(const Net& net, Surface surface, const Columns& columns,
         evaluate_crossed(net, surface, columns, block, to);
 }
 
-void join_last(const float* last, size_t n, float share, float* mean) {
+void add_to_mean(const float* last, size_t n, float share, float* mean) {
     HWY_DYNAMIC_DISPATCH(join_all)(last, n, share, mean);
 }
 

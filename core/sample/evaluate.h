@@ -172,6 +172,6 @@ void evaluate_block(const Net& net, Surface surface, const Columns& columns,
 
 /// Running means over surfaces, n of them: include the surface whose values are `last` with the
 /// weight share = 1 / (number of surfaces, this one included).
-void join_last(const float* last, size_t n, float share, float* mean);
+void add_to_mean(const float* last, size_t n, float share, float* mean);
 
 } // namespace ddt

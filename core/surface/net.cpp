@@ -62,7 +62,7 @@ void copy_lanes(const float* from, int pixels, int count, unsigned lanes, float*
     for (int x = 0; lanes && x < pixels; ++x, from += count, to += count)
         for (int c = 0; c < count; ++c)
             if (lanes >> c & 1u)
-                std::memcpy(to + c, from + c, sizeof(float)); // bits: identifiers may look like NaN
+                std::memcpy(to + c, from + c, sizeof(float)); // bits: IDs may look like NaN
 }
 
 void copy_group(const GroupValues& values, size_t pixels, float* to) {

@@ -46,7 +46,7 @@ struct Patch {
     /// Whether the vertices are tame, which leaves nothing to look out for but the sign of zero:
     /// the same bits in fewer steps.
     DDT_INLINE bool is_tame() const {
-        return T::all_within(tame_size, (size_of(z0) + size_of(z1)) + size_of(z2));
+        return T::all_within(tame_size, (abs(z0) + abs(z1)) + abs(z2));
     }
 
     // Unlike lower() and upper(), b stays unless a is strictly beyond it: so f, and NaN as f, stays
@@ -195,8 +195,7 @@ struct PlainCell {
 
     /// As Patch::is_tame(), of both triangles.
     DDT_INLINE bool is_tame() const {
-        return T::all_within(Patch<T>::tame_size,
-                             (size_of(z0) + size_of(z1)) + (size_of(z2) + size_of(z3)));
+        return T::all_within(Patch<T>::tame_size, (abs(z0) + abs(z1)) + (abs(z2) + abs(z3)));
     }
 
     template <bool quadratic, bool soft, bool tame>
@@ -215,7 +214,7 @@ struct PlainCell {
 /// 1 / (number of surfaces). It lies between the two, so what is the same in all of them stays as
 /// it is.
 template <class T>
-DDT_INLINE T joined(T mean, T last, T share) {
+DDT_INLINE T running_mean(T mean, T last, T share) {
     T f = mean * (T(1.0f) - share) + last * share;
     const T low = if_less(last, mean, last, mean), high = if_less(last, mean, mean, last);
     f = if_less(f, low, low, f);

@@ -8,7 +8,7 @@
 namespace ddt {
 
 /// Values up to this size are tame. Gradients of triangles are less than 2^8 times as large, no
-/// edge being longer than 127 pixels, and squares of those are finite, too.
+/// edge being longer than longest_edge along an axis, and squares of those are finite, too.
 constexpr float tame_value = 0x1p50f;
 
 /// Whether so many values are tame. A NaN is not.

@@ -147,7 +147,7 @@ private:
             for (int c = 0; c < count; ++c) {
                 channel[c].store(m_numbers[c][number] + i);
                 if (number < e)
-                    size[c] = size[c] + size_of(channel[c]);
+                    size[c] = size[c] + abs(channel[c]);
             }
         }
         const auto here = hn::FirstN(d, size_t(std::min(n - i, lanes())));

@@ -14,11 +14,11 @@ namespace ddt {
 /// the next.
 class TileWorker {
 public:
-    /// run: where it ends, nothing more is written; null: there is none.
+    /// state: where the job has ended, nothing more is written; null: there is none.
     TileWorker(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
-               const Run* run = nullptr)
+               const JobState* state = nullptr)
         : m_source(source), m_mapping(mapping), m_job(job),
-          m_writer(sink, mapping, job, m_statistics.times, m_arena, run) {}
+          m_writer(sink, mapping, job, m_statistics.times, m_arena, state) {}
     TileWorker(const TileWorker&) = delete;
     TileWorker& operator=(const TileWorker&) = delete;
 

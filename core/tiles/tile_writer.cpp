@@ -70,8 +70,8 @@ MemoryNeeded TileWriter::memory(const Job& job, const Mapping& mapping, int widt
 }
 
 TileWriter::TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times,
-                       Arena& arena, const Run* run)
-    : m_sink(sink), m_mapping(mapping), m_job(job), m_times(times), m_arena(arena), m_run(run) {
+                       Arena& arena, const JobState* state)
+    : m_sink(sink), m_mapping(mapping), m_job(job), m_times(times), m_arena(arena), m_state(state) {
     m_past_caches = output_of(mapping).area() * size_t(job.channels) >= least_past_caches;
     m_rows_in_cell = in_cell(mapping).rows;
 }
@@ -259,16 +259,16 @@ int TileWriter::sample_block(const int32_t* y, int n, float* out, size_t row) {
 }
 
 /// Running mean over meshes: include in the mean of the first `mesh` of them the next one, whose
-/// values are `last`. Identifiers remain the first's.
+/// values are `last`. IDs remain the first's.
 void TileWriter::join(size_t mesh, const float* last, size_t positions, float* mean) const {
     const DenormalsAreZero as_on_gpus;
     const float share = 1.0f / float(mesh + 1);
     const auto channels = size_t(m_job.channels);
     if (!any_nearest(m_job))
-        return join_last(last, positions * channels, share, mean);
+        return add_to_mean(last, positions * channels, share, mean);
     for (size_t i = 0; i < positions * channels; ++i)
         if (kind_of(m_job, int(i % channels)) != Channel::nearest)
-            join_last(last + i, 1, share, mean + i);
+            add_to_mean(last + i, 1, share, mean + i);
 }
 
 bool TileWriter::hand_over(const Rect& r) {

@@ -7,8 +7,8 @@
 
 #include "core/sample/evaluate.h"
 #include "core/tiles/band_spans.h"
+#include "core/tiles/job_state.h"
 #include "core/tiles/rows_left.h"
-#include "core/tiles/run.h"
 #include "core/tiles/stage_clock.h"
 #include "core/tiles/tile_mesh.h"
 #include "core/tiles/tile_surface.h"
@@ -20,12 +20,12 @@ namespace ddt {
 /// tile to the next.
 class TileWriter {
 public:
-    /// arena: for rows of a tile's surface; it is cleared for each part that is written. run: where
-    /// it ends, nothing more is written; null: there is none.
+    /// arena: for rows of a tile's surface; it is cleared for each part that is written. state:
+    /// where the job has ended, nothing more is written; null: there is none.
     TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times, Arena& arena,
-               const Run* run);
+               const JobState* state);
 
-    /// Write what is left of a tile. Where the run ends meanwhile, its outcome.
+    /// Write what is left of a tile. Where the job ends meanwhile, its outcome.
     Outcome write(RowsLeft& left);
 
     /// Whether the positions of a tile's output pixels are the points of a grid: y the same in a
@@ -80,8 +80,8 @@ private:
     int sample_block(const int32_t* y, int n, float* out, size_t row);
     void join(size_t mesh, const float* last, size_t positions, float* mean) const;
     bool hand_over(const Rect& r); ///< m_out to the sink
-    Outcome outcome() const { return m_run ? m_run->outcome() : Outcome::done; }
-    /// So many of the rows that are left; none once the run has ended.
+    Outcome outcome() const { return m_state ? m_state->outcome() : Outcome::done; }
+    /// So many of the rows that are left; none once the job has ended.
     Rect take(RowsLeft& left, int rows) const {
         return outcome() == Outcome::done ? left.take(rows) : Rect();
     }
@@ -91,7 +91,7 @@ private:
     const Job& m_job;
     StageTimes& m_times;
     Arena& m_arena;
-    const Run* m_run;
+    const JobState* m_state;
     StageClock m_clock;
 
     bool m_past_caches; ///< results are put where the sink has a place for them

@@ -21,11 +21,10 @@ namespace {
 /// The threads of one job.
 class Crew {
 public:
-    Crew(Source& source, Sink& sink, const Mapping& mapping, const Job& job, const Grid& grid,
-         Run& run, CrewSize size, NodeOfThread node)
-        : m_source(source), m_sink(sink), m_mapping(mapping), m_job(job), m_grid(grid), m_run(run),
-          m_node(node), m_places(size.places), m_members(size.members),
-          m_order(grid.count(), grid.columns()) {}
+    Crew(const TiledJob& tiled, JobState& state, CrewSize size, NodeOfThread node)
+        : m_source(tiled.source), m_sink(tiled.sink), m_mapping(tiled.mapping), m_job(tiled.job),
+          m_grid(tiled.grid), m_state(state), m_node(node), m_places(size.places),
+          m_members(size.members), m_order(m_grid.count(), m_grid.columns()) {}
 
     void work() {
         const int members = int(m_members.size());
@@ -59,14 +58,14 @@ private:
         try {
             if (!self.worker)
                 self.worker =
-                    std::make_unique<TileWorker>(m_source, m_sink, m_mapping, m_job, &m_run);
+                    std::make_unique<TileWorker>(m_source, m_sink, m_mapping, m_job, &m_state);
             for (Next next = find_work(self); next != Next::none; next = find_work(self)) {
                 if (next == Next::begin)
                     begin(self);
                 finish(self);
             }
         } catch (...) {
-            m_run.end(Outcome::bad_job);
+            m_state.end(Outcome::bad_job);
             stop_working(self);
             throw;
         }
@@ -76,7 +75,7 @@ private:
     Next find_work(Member& self) {
         const int node = m_node();
         std::unique_lock<std::mutex> lock(m_mutex);
-        while (m_run.going()) {
+        while (m_state.going()) {
             Place* const place = free_place(node);
             if (place && find_tile(node, place->tile)) {
                 place->number = m_begun++;
@@ -104,7 +103,7 @@ private:
     bool find_tile(int node, int& tile) {
         while (!m_order.empty()) {
             tile = m_order.next(node);
-            if (!m_run.is_done(tile))
+            if (!m_state.is_done(tile))
                 return true;
         }
         return false;
@@ -124,10 +123,10 @@ private:
         Place& place = *self.place;
         if (!place.memory)
             place.memory.emplace();
-        if (const Outcome outcome = self.worker->begin(m_grid.tile(place.tile),
-                                                       m_run.next_row(place.tile), **place.memory);
+        if (const Outcome outcome = self.worker->begin(
+                m_grid.tile(place.tile), m_state.next_row(place.tile), **place.memory);
             outcome != Outcome::done)
-            m_run.end(outcome);
+            m_state.end(outcome);
         // Those that wait for rows have looked before they waited, or look now.
         { const std::lock_guard<std::mutex> lock(m_mutex); }
         m_changed.notify_all();
@@ -161,12 +160,12 @@ private:
     }
 
     void finish(Member& self) {
-        if (m_run.going())
+        if (m_state.going())
             if (const Outcome outcome = self.worker->finish(); outcome != Outcome::done)
-                m_run.end(outcome);
+                m_state.end(outcome);
         const int tile = self.place->tile;
-        if (stop_working(self) && m_run.going())
-            m_run.tile_done(tile);
+        if (stop_working(self) && m_state.going())
+            m_state.tile_done(tile);
     }
 
     /// Returns whether nobody works on the tile any more.
@@ -189,7 +188,7 @@ private:
     const Mapping& m_mapping;
     const Job& m_job;
     const Grid& m_grid;
-    Run& m_run;
+    JobState& m_state;
     const NodeOfThread m_node;
     std::mutex m_mutex; ///< of all that follows
     std::condition_variable m_changed;
@@ -202,11 +201,8 @@ private:
 
 } // namespace
 
-void work_on_cpu(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
-                 const Grid& grid, int threads, Run& run, Statistics& statistics,
-                 NodeOfThread node) {
-    Crew crew(source, sink, mapping, job, grid, run, crew_size(mapping, job, grid, size_t(threads)),
-              node);
+void work_on_cpu(const TiledJob& job, JobState& state, Statistics& statistics, NodeOfThread node) {
+    Crew crew(job, state, crew_size(job.mapping, job.job, job.grid, size_t(job.threads)), node);
     crew.work();
     statistics += crew.statistics();
 }

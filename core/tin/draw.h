@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/tin/step_grid.h"
+#include "core/tin/tin.h"
 #include "ddt/points.h"
 
 namespace ddt {
@@ -109,8 +110,8 @@ template <class F>
 bool each_pixel(const PointMesh& mesh, const PixelGrid& grid, uint8_t* inside, std::string& error,
                 F&& f) {
     if (!is_axis(grid.x, grid.step_x, grid.width) || !is_axis(grid.y, grid.step_y, grid.height)) {
-        error = "ddt: a grid of pixels has no negative size, finite positions, and steps that are "
-                "not 0";
+        error = "ddt: a grid of pixels must have a size of 0 or more, finite positions, and steps "
+                "other than 0";
         return false;
     }
     StepGrid steps;
@@ -121,12 +122,8 @@ bool each_pixel(const PointMesh& mesh, const PixelGrid& grid, uint8_t* inside, s
     const PixelAxis rows(grid.y, grid.step_y, grid.height,
                          [&](double y) { return steps.step_y(y); });
     const size_t size = size_t(grid.width) * size_t(grid.height);
-    for (const auto& t : mesh.triangles)
-        for (const int32_t v : t)
-            if (v < 0 || size_t(v) >= mesh.x.size()) {
-                error = "ddt: a triangle has a vertex that there is not";
-                return false;
-            }
+    if (!check_vertices(mesh.triangles, mesh.x.size(), error))
+        return false;
     std::fill_n(inside, size, uint8_t(0));
     constexpr uint8_t touched = 1, owned_by_one = 2;
     for (const auto& t : mesh.triangles) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "core/base/float_bits.h"
 #include "core/cost/cost.h"
 #include "core/tin/tin.h"
 
@@ -20,11 +21,7 @@ namespace scalar {
 
 /// 1/x for x > 0, within 2 units of the last place; of a power of two exactly.
 inline float reciprocal(float x) {
-    int32_t bits;
-    std::memcpy(&bits, &x, sizeof bits);
-    bits = reciprocal_magic - bits;
-    float y;
-    std::memcpy(&y, &bits, sizeof y);
+    float y = float_of(uint32_t(reciprocal_magic) - bits_of(x));
     // Newton's steps by the remainder: it gets exact, so the last step can repair the rounding.
     for (int i = 0; i < 4; ++i)
         y = y + y * (1.0f - x * y);

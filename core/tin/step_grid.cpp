@@ -24,13 +24,14 @@ bool StepGrid::fit(const std::vector<double>& x, const std::vector<double>& y, s
     m_y = *range_y.first;
     const double extent = std::max(*range_x.second - m_x, *range_y.second - m_y);
     if (!std::isfinite(extent)) {
-        error = "ddt: the points' positions are too far apart";
+        error = "ddt: the points' positions are too far apart; x and y may span 1.7e308 at most";
         return false;
     }
     // The extent is then from 2^29 steps to most_steps.
     m_scale = extent > 0 ? std::ldexp(1.0, 29 - std::ilogb(extent)) : 1;
     if (!std::isfinite(m_scale)) {
-        error = "ddt: the points' positions are too close together";
+        error =
+            "ddt: the points' positions are too close together; x or y must span 6e-300 or more";
         return false;
     }
     return true;

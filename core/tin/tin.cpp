@@ -16,7 +16,7 @@ struct Side {
 };
 
 /// A line that tells where in the file the fault is.
-std::string fault(size_t triangle, const char* what) {
+std::string fault(size_t triangle, const std::string& what) {
     return "ddt: triangle " + std::to_string(triangle) + " " + what;
 }
 
@@ -26,11 +26,6 @@ bool list_triangles(Tin& tin, const std::vector<std::array<int32_t, 3>>& triangl
     tin.triangles.reserve(triangles.size());
     double doubled_area = 0;
     for (std::array<int32_t, 3> t : triangles) {
-        for (const int32_t v : t)
-            if (v < 0 || size_t(v) >= tin.vertices.size()) {
-                error = fault(tin.triangles.size(), "has a vertex that there is not");
-                return false;
-            }
         const auto at = [&](size_t k) { return tin.vertices[size_t(t[k])].at; };
         int64_t area = orientation(at(0), at(1), at(2));
         if (area < 0) {
@@ -102,8 +97,21 @@ std::vector<Side> list_sides(const Tin& tin) {
 
 } // namespace
 
+bool check_vertices(const std::vector<std::array<int32_t, 3>>& triangles, size_t vertices,
+                    std::string& error) {
+    for (size_t i = 0; i < triangles.size(); ++i)
+        for (const int32_t v : triangles[i])
+            if (v < 0 || size_t(v) >= vertices) {
+                error = fault(i, "has the vertex " + std::to_string(v) + "; there are 0 to " +
+                                     std::to_string(int64_t(vertices) - 1));
+                return false;
+            }
+    return true;
+}
+
 bool connect(Tin& tin, const std::vector<std::array<int32_t, 3>>& triangles, std::string& error) {
-    if (!list_triangles(tin, triangles, error))
+    if (!check_vertices(triangles, tin.vertices.size(), error) ||
+        !list_triangles(tin, triangles, error))
         return false;
     const std::vector<Side> sides = list_sides(tin);
     tin.edges.clear();

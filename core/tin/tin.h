@@ -86,6 +86,10 @@ struct TinQuad {
     }
 };
 
+/// Whether all triangles are of vertices below `vertices`; false with one line in `error`.
+bool check_vertices(const std::vector<std::array<int32_t, 3>>& triangles, size_t vertices,
+                    std::string& error);
+
 /// Make triangles' edges and `pixel`. `triangles` are of vertices of tin.vertices, which are in
 /// 0 to most_steps; either way round. Each edge runs from its end with the smaller address (row by
 /// row) to the other. False with one line in `error` if a vertex index is out of range, a triangle

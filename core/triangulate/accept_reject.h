@@ -102,7 +102,7 @@ private:
             const size_t first = m_w.selected.size();
             accept();
             for (size_t i = first; i < m_w.selected.size(); ++i)
-                reject_round(m_w.selected[i]);
+                reject_region(m_w.selected[i]);
             ++m_statistics.rounds;
         } while (!m_w.blocked.empty());
     }
@@ -124,7 +124,7 @@ private:
         m_w.blocked.resize(kept);
     }
 
-    void reject_round(int winner) {
+    void reject_region(int winner) {
         mark(winner) = accepted;
         any_of_region(winner, [&](int other) {
             if (mark(other) == untreated)

@@ -2,9 +2,8 @@
 // The definition of annealing() of core/triangulate/schemes.h.
 #pragma once
 
-#include <cstring>
-
 #include "core/base/constants.h"
+#include "core/base/float_bits.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/one_round.h"
 #include "core/triangulate/schemes.h"
@@ -26,8 +25,7 @@ inline uint64_t mixed(uint64_t x) {
 /// machines agree.
 inline float exponential(uint32_t bits) {
     const float uniform = float((bits >> 8) + 1) * draw_unit;
-    uint32_t word;
-    std::memcpy(&word, &uniform, sizeof word);
+    const uint32_t word = bits_of(uniform);
     const auto exponent = int(word >> 23) - 127;
     const float f = float(word & 0x7fffffu) * fraction_unit;
     return natural_log_2 * ((0.0f - float(exponent)) - (f + ((log_bow * f) * (1.0f - f))));

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/triangulate/evaluate.h"
+#include "core/triangulate/candidates.h"
 #include "core/triangulate/regions.h"
 #include "core/triangulate/schemes.h"
 #include "core/triangulate/start_gains.h"

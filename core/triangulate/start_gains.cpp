@@ -16,7 +16,7 @@
 
 #include "core/base/vectors/compress_lanes.h"
 #include "core/base/vectors/row_lanes.h"
-#include "core/triangulate/evaluate.h"
+#include "core/triangulate/candidates.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/triangulate/start_gains.cpp"

@@ -25,10 +25,9 @@ enum class NamedBy {
 
 /// Find a space by name or alias, in any case. "Linear" is the config's scene_linear role, and
 /// "GammaX.Y" and "gXY_rec709_scene" are known for any X.Y from 0.1 to 10, as OpenImageIO's readers
-/// name them. Returns
-/// false with one line in `error` when $OCIO cannot be read, or when the user's name is unknown;
-/// the line then lists the known ones. To be called under colour_lock() (fork.h) where there are
-/// threads; each $OCIO is read once.
+/// name them. Returns false with one line in `error` when $OCIO cannot be read, or when the user's
+/// name is unknown; the line then lists the known ones. To be called under colour_lock() (fork.h)
+/// where there are threads; each $OCIO is read once.
 bool find_space(const std::string& name, NamedBy by, Space& found, std::string& error);
 
 } // namespace ddt

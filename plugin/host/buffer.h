@@ -19,7 +19,7 @@ enum class Sample : uint8_t {
     half,
     float32,
     float64,
-    id32, ///< 32 bits that are copied as they are: object numbers
+    id32, ///< 32 bits that are copied as they are: object IDs
 };
 
 /// Bytes of a number.

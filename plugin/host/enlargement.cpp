@@ -157,7 +157,7 @@ Outcome enlarge(const Enlargement& work, std::string& error) {
             return Outcome::done;
         });
     if (!work.from.data || !work.to.data) {
-        error = "ddt: there is no memory with pixels";
+        error = "ddt: the source's and the result's memory must not be null";
         return Outcome::bad_job;
     }
     HostSource source(work);

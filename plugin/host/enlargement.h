@@ -27,7 +27,7 @@ struct Layout {
     /// Of so many channels as OpenImageIO names them: grey, grey and alpha, RGB, RGBA, RGBA and
     /// more.
     static Layout usual(int channels, bool associated = true);
-    /// Nothing but numbers of objects.
+    /// Nothing but object IDs.
     static Layout ids(int channels);
     bool is_ids() const { return kinds[0] == Channel::nearest; }
 };

@@ -22,8 +22,7 @@ struct Parameter {
     std::string label; ///< "Min gain"
     std::string help;
     /// real and whole: the range, from filters_own or by_name on where the filter presets the
-    /// number;
-    /// toggle: 0 and 1; choice: indices of `names`.
+    /// number; toggle: 0 and 1; choice: indices of `names`.
     double low, high;
     double shown_high; ///< what a slider should end at
     double initial;

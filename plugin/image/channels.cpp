@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <numeric>
 #include <string>
 
 #include <OpenImageIO/strutil.h>
@@ -71,6 +72,37 @@ int find_named(const OIIO::ImageSpec& spec, std::initializer_list<const char*> n
     return -1;
 }
 
+/// Fill in the channels of colour, of those that may be: R, G and B, else the first three, else the
+/// one that is named as grey or is alone; or none.
+template <class MayBe>
+void find_colour(const OIIO::ImageSpec& spec, const MayBe& may_be, ColourLayout& layout) {
+    const int named[3] = {find_named(spec, {"R", "red"}), find_named(spec, {"G", "green"}),
+                          find_named(spec, {"B", "blue"})};
+    if (may_be(named[0]) && may_be(named[1]) && may_be(named[2])) {
+        layout.count = 3;
+        std::copy(named, named + 3, layout.channel);
+        return;
+    }
+    if (may_be(0) && may_be(1) && may_be(2)) {
+        layout.count = 3;
+        std::iota(layout.channel, layout.channel + 3, 0);
+        return;
+    }
+    int grey = find_named(spec, {"Y", "L", "I", "luminance", "gray", "grey"});
+    if (!may_be(grey)) {
+        int candidates = 0;
+        for (int c = 0; c < spec.nchannels; ++c)
+            if (may_be(c)) {
+                grey = c;
+                ++candidates;
+            }
+        if (candidates != 1)
+            return;
+    }
+    layout.count = 1;
+    layout.channel[0] = grey;
+}
+
 } // namespace
 
 bool is_id_name(OIIO::string_view name) {
@@ -134,32 +166,9 @@ Channels channels_of(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& native)
     const auto blends = [&](int c) {
         return c >= 0 && c < count && c != channels.alpha && channels.kinds[c] == Channel::blend;
     };
-    const auto colour = [&](int c) { return blends(c) && c != spec.z_channel; };
-    const int named[3] = {find_named(spec, {"R", "red"}), find_named(spec, {"G", "green"}),
-                          find_named(spec, {"B", "blue"})};
     ColourLayout& layout = channels.colour;
-    if (colour(named[0]) && colour(named[1]) && colour(named[2])) {
-        layout.count = 3;
-        std::copy(named, named + 3, layout.channel);
-    } else if (colour(0) && colour(1) && colour(2)) {
-        layout.count = 3;
-        for (int c = 0; c < 3; ++c)
-            layout.channel[c] = c;
-    } else {
-        int grey = find_named(spec, {"Y", "L", "I", "luminance", "gray", "grey"}), candidates = 0;
-        if (!colour(grey)) {
-            for (int c = count - 1; c >= 0; --c)
-                if (colour(c)) {
-                    grey = c;
-                    ++candidates;
-                }
-            grey = candidates == 1 ? grey : -1;
-        }
-        if (grey >= 0) {
-            layout.count = 1;
-            layout.channel[0] = grey;
-        }
-    }
+    find_colour(
+        spec, [&](int c) { return blends(c) && c != spec.z_channel; }, layout);
     for (int c = count - 1; c >= 0; --c)
         if (blends(c))
             channels.guide = c;

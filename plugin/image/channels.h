@@ -39,7 +39,7 @@ inline Channels channels_of(const OIIO::ImageSpec& spec) {
     return channels_of(spec, spec);
 }
 
-/// True for the name of a channel of identifiers: its last word ends in "id" in any case, as in
+/// True for the name of a channel of IDs: its last word ends in "id" in any case, as in
 /// "id", "objectId", "prim_id", "materialid", "layer.ID". A word of English that ends so (grid,
 /// fluid, solid, void, ...) is none. A word starts after a character that is no letter and where a
 /// capital follows a small letter.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Identifiers in files of 32-bit integers.
+// IDs in files of 32-bit integers.
 #pragma once
 
 #include <string>

@@ -25,8 +25,8 @@ public:
     };
 
     /// `hints` are handed to the file's reader. Pixels that cannot be read are noticed when they
-    /// are asked for. The image
-    /// is of the file's type, or of floats where is_associated_when_read().
+    /// are asked for. The image is of the file's type, or of floats where
+    /// is_associated_when_read().
     LazyFile(const std::string& path, int subimage, const Pieces& pieces,
              const OIIO::ImageSpec* hints = nullptr);
     ~LazyFile();

@@ -89,7 +89,7 @@ bool plan_reading(const OIIO::ImageBuf& src, const Options& options, const OIIO:
     reading.guide = recipe(reading.channels, *light, linear);
     if (!encoded)
         reading.light = *light;
-    // Identifiers are neither NaN nor to be interpolated.
+    // IDs are neither NaN nor to be interpolated.
     const bool fill = options.holes != Holes::keep && !reading.channels.raw;
     reading.keep_nan = fill;
     reading.selected = select(reading, roi, fill ? spec.nchannels : 0);

@@ -45,7 +45,7 @@ bool fill_image(const OIIO::ImageBuf& src, const Options& options, Holes holes,
     if (holes == Holes::keep)
         return true;
     if (is_id_type(src.spec().format) || is_id_type(src.nativespec().format) || src.spec().deep)
-        return true; // identifiers are neither NaN nor to be interpolated
+        return true; // IDs are neither NaN nor to be interpolated
     OIIO::ROI roi = src.roi();
     const Rect window = rect_of(roi);
     const auto channels = size_t(src.nchannels());

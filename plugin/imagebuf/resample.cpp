@@ -57,7 +57,7 @@ bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& map
     Reading reading;
     if (!plan_reading(src, options, roi, reading, error))
         return false;
-    // Identifiers are never missing: the whole of them need not be read first.
+    // IDs are never missing: the whole of them need not be read first.
     const Holes holes = reading.channels.raw ? Holes::keep : options.holes;
     if (holes != Holes::keep &&
         !check_size(src.roi(), int(reading.selected.size()) + 1, OIIO::TypeFloat, error))

@@ -64,10 +64,10 @@ enum class Beyond { edge, black };
 bool copy_moved(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::ROI& roi, int dx,
                 int dy, Beyond beyond, std::string& error);
 
-/// Whether the roi's channels are identifiers, all of them.
+/// Whether the roi's channels are IDs, all of them.
 bool all_are_ids(const OIIO::ImageBuf& src, const OIIO::ROI& roi);
 
-/// Resize those of the roi's channels that are identifiers by the nearest pixels.
+/// Resize those of the roi's channels that are IDs by the nearest pixels.
 bool copy_nearest_ids(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::ROI& roi,
                       std::string& error);
 

@@ -54,21 +54,28 @@ bool image_of(const float* m, OIIO::ROI& roi, std::string& error) {
     return true;
 }
 
+/// What ImageBufAlgo::warp is asked for, beside the images and the roi.
+struct WarpCall {
+    OIIO::M33fParam M;
+    bool recompute_roi;
+    OIIO::ImageBuf::WrapMode wrap;
+    bool edgeclamp;
+    int nthreads;
+};
+
 /// OpenImageIO's own, by its default filter.
-bool warp_by_oiio(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fParam M,
-                  bool recompute_roi, OIIO::ImageBuf::WrapMode wrap, bool edgeclamp,
-                  const OIIO::ROI& roi, int nthreads, std::string& error) {
+bool warp_by_oiio(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const WarpCall& call,
+                  const OIIO::ROI& roi, std::string& error) {
     return while_reading(src, error, [&](const OIIO::ImageBuf& from) {
 #if OIIO_VERSION >= OIIO_MAKE_VERSION(3, 0, 0)
-        const bool ok = OIIO::ImageBufAlgo::warp(dst, from, M,
-                                                 {{"recompute_roi", int(recompute_roi)},
-                                                  {"wrap", int(wrap)},
-                                                  {"edgeclamp", int(edgeclamp)}},
-                                                 roi, nthreads);
+        const bool ok = OIIO::ImageBufAlgo::warp(dst, from, call.M,
+                                                 {{"recompute_roi", int(call.recompute_roi)},
+                                                  {"wrap", int(call.wrap)},
+                                                  {"edgeclamp", int(call.edgeclamp)}},
+                                                 roi, call.nthreads);
 #else
-        (void)edgeclamp;
-        const bool ok =
-            OIIO::ImageBufAlgo::warp(dst, from, M, "", 0.0f, recompute_roi, wrap, roi, nthreads);
+        const bool ok = OIIO::ImageBufAlgo::warp(dst, from, call.M, "", 0.0f, call.recompute_roi,
+                                                 call.wrap, roi, call.nthreads);
 #endif
         if (!ok)
             error = dst.has_error() ? dst.geterror() : "OpenImageIO's warp failed";
@@ -77,18 +84,16 @@ bool warp_by_oiio(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fPara
 }
 
 /// The same into a dst of any type.
-bool warp_by_oiio_into_any(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fParam M,
-                           bool recompute_roi, OIIO::ImageBuf::WrapMode wrap, bool edgeclamp,
-                           const OIIO::ROI& roi, int nthreads, std::string& error) {
+bool warp_by_oiio_into_any(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const WarpCall& call,
+                           const OIIO::ROI& roi, std::string& error) {
     if (is_written_by_oiio(dst.spec().format))
-        return warp_by_oiio(dst, src, M, recompute_roi, wrap, edgeclamp, roi, nthreads, error);
+        return warp_by_oiio(dst, src, call, roi, error);
     OIIO::ImageSpec spec = dst.spec();
     spec.set_format(OIIO::TypeFloat);
     OIIO::set_roi(spec, roi);
     spec.nchannels = dst.nchannels();
     OIIO::ImageBuf floats;
-    return make_image(floats, spec, error) &&
-           warp_by_oiio(floats, src, M, recompute_roi, wrap, edgeclamp, roi, nthreads, error) &&
+    return make_image(floats, spec, error) && warp_by_oiio(floats, src, call, roi, error) &&
            copy_moved(dst, floats, roi, 0, 0, Beyond::edge, error);
 }
 
@@ -107,17 +112,16 @@ bool has_an_end(const Projective& to_output, const OIIO::ROI& roi, std::string& 
     return false;
 }
 
-bool warp_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fParam M,
-                  const Options& options, bool recompute_roi, OIIO::ImageBuf::WrapMode wrap,
-                  bool edgeclamp, OIIO::ROI roi, int nthreads, OIIO::ROI& touched,
-                  std::string& error) {
+bool warp_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options,
+                  const WarpCall& call, OIIO::ROI roi, OIIO::ROI& touched, std::string& error) {
+    const OIIO::ImageBuf::WrapMode wrap = call.wrap;
     if (!check_options_of(src, options, error))
         return false;
     if (wrap < OIIO::ImageBuf::WrapDefault || wrap > OIIO::ImageBuf::WrapMirror) {
         error = "there is no such wrap mode"; // OpenImageIO ends the process
         return false;
     }
-    const Projective to_output = matrix_of(M);
+    const Projective to_output = matrix_of(call.M);
     Projective to_source;
     if (!to_output.invert(to_source)) {
         error = "the matrix has no inverse; give one that maps the plane onto the plane";
@@ -125,7 +129,7 @@ bool warp_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fPara
     }
     if (!dst.initialized() && !roi.defined()) {
         roi = src.roi();
-        if (recompute_roi && !image_of(M.data(), roi, error))
+        if (call.recompute_roi && !image_of(call.M.data(), roi, error))
             return false;
     }
     if (!prepare(dst, src, roi, OIIO::ImageBufAlgo::IBAprep_NO_SUPPORT_VOLUME, error))
@@ -139,22 +143,21 @@ bool warp_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fPara
     const bool moved = black && moves_only(to_output, dx, dy);
     if (moved || !black || shrinks(to_output, rect_of(src.roi()))) {
         OIIO::ImageBuf filled;
-        if (!fill_image(src, options, options.holes, filled, nthreads, error))
+        if (!fill_image(src, options, options.holes, filled, call.nthreads, error))
             return false;
         const OIIO::ImageBuf& from = filled.initialized() ? filled : src;
         if (moved)
             return copy_moved(dst, from, roi, dx, dy, Beyond::black, error);
         if (!has_an_end(to_output, roi, error))
             return false;
-        return warp_by_oiio_into_any(dst, from, M, recompute_roi, wrap, edgeclamp, roi, nthreads,
-                                     error);
+        return warp_by_oiio_into_any(dst, from, call, roi, error);
     }
-    if (!OIIO::ImageBufAlgo::zero(dst, roi, nthreads)) {
+    if (!OIIO::ImageBufAlgo::zero(dst, roi, call.nthreads)) {
         error = dst.geterror();
         return false;
     }
     const MatrixMapping mapping(to_source, to_output, rect_of(src.roi()), rect_of(roi));
-    return resample(dst, src, mapping, roi, options, nthreads, error);
+    return resample(dst, src, mapping, roi, options, call.nthreads, error);
 }
 
 } // namespace
@@ -168,7 +171,7 @@ bool warp(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::M33fParam M, con
           bool recompute_roi, OIIO::ImageBuf::WrapMode wrap, bool edgeclamp, OIIO::ROI roi,
           int nthreads) {
     return guarded_from(dst, src, [&](const auto& from, OIIO::ROI& touched, std::string& error) {
-        return warp_checked(dst, from, M, options, recompute_roi, wrap, edgeclamp, roi, nthreads,
+        return warp_checked(dst, from, options, {M, recompute_roi, wrap, edgeclamp, nthreads}, roi,
                             touched, error);
     });
 }

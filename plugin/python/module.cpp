@@ -12,7 +12,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
-#include "core/enlarge/mesh_size.h"
+#include "core/enlarge/build_mesh.h"
 #include "ddt/mesh.h"
 #include "plugin/host/enlargement.h"
 #include "plugin/host/pixels.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a SIMD target's namespace: vectors of blocks of group_size lanes, a lane a
 // channel. A block is a vertex, an edge or a position.
-// Needs: net.h (group_size), lanes-inl.h.
+// Needs: constants.h (group_size), lanes-inl.h.
 
 constexpr int most_blocks = 4;
 using D = hn::CappedTag<float, most_blocks * group_size>;

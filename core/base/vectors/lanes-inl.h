@@ -70,7 +70,7 @@ struct Lanes {
         else
             return if_less(a, b, b, a);
     }
-    friend HWY_INLINE Lanes size_of(Lanes a) { return hn::Abs(a.v); }
+    friend HWY_INLINE Lanes abs(Lanes a) { return hn::Abs(a.v); }
     /// Whether all lanes are from -limit to limit.
     static HWY_INLINE bool all_within(float limit, Lanes a) {
         return hn::AllTrue(D(), hn::Le(hn::Abs(a.v), hn::Set(D(), limit)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The guide: the one number a pixel in which edges are sought. Sources give it with their pixels.
+// The guide: the one number per pixel in which edges are sought. Sources give it with their pixels.
 //
 // It is the luminance of the picture over mid-grey, through the sRGB curve where the picture is in
 // linear light, and a multiple of 2^-12, so that differences of it are exact. The arithmetic is

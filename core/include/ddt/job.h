@@ -20,7 +20,7 @@ enum class Channel : uint8_t {
     /// A quantity that keeps to the three values of its triangle whatever the options; corrections
     /// move these only within their 3x3 pixels. So 0 to 1 stays 0 to 1.
     alpha,
-    /// An identifier: copied, bit for bit, from the vertex with the largest weight.
+    /// An object ID: copied, bit for bit, from the vertex with the largest weight.
     nearest,
 };
 
@@ -28,14 +28,14 @@ enum class Channel : uint8_t {
 class Source {
 public:
     virtual ~Source() = default;
-    /// Fill `values`, `channels` interleaved floats a pixel, and `guide`, one float a pixel, for
-    /// the pixels of `r`, row by row without gaps. `r` lies within Job::window. The guide is what
-    /// edges are sought in, about 0 to 1 from black to white; make_guide() of ddt/guide.h makes the
-    /// usual one. Values of magnitude below 2^-80 count as 0, but Channel::nearest, and so does a
-    /// guide's below 2^-24: nothing that is computed from others is near the denormal floats, which
-    /// devices treat in different ways. So they do NaN where edges are chosen: what is not finite
-    /// in a guide counts as 0 too. Return false to end the work (an error the source itself
-    /// keeps).
+    /// Fill `values`, `channels` interleaved floats per pixel, and `guide`, one float per pixel,
+    /// for the pixels of `r`, row by row without gaps. `r` lies within Job::window. The guide is
+    /// what edges are sought in, about 0 to 1 from black to white; make_guide() of ddt/guide.h
+    /// makes the usual one. Values of magnitude below 2^-80 count as 0, but Channel::nearest, and
+    /// so does a guide's below 2^-24: nothing that is computed from others is near the denormal
+    /// floats, which devices treat in different ways. So they do NaN where edges are chosen: what
+    /// is not finite in a guide counts as 0 too. Return false to end the work (an error the source
+    /// itself keeps).
     virtual bool read(const Rect& r, float* values, float* guide) = 0;
 
     /// Where every number is one of 256 or 65536 codes, the floats that they stand for, in order;
@@ -97,7 +97,7 @@ struct Statistics {
 /// A piece of work.
 struct Job {
     Rect window;      ///< the source's pixels (data window), not empty, 2^45 of them at most
-    int channels = 1; ///< floats a pixel, 1 or more
+    int channels = 1; ///< floats per pixel, 1 or more
     std::vector<Channel> kinds; ///< one a channel; empty: all blend
     MeshOptions mesh;
     SurfaceOptions surface;
@@ -143,11 +143,11 @@ enum class Outcome {
 /// Memory beside what source and sink hold: up to 200 MiB for 40 threads or fewer and 6 MiB for
 /// each further one, all times MeshOptions::meshes, and 4 bytes for each 65536 pixels of the
 /// source; one thread works whatever it takes, as with hundreds of channels. Of up to 4 channels a
-/// tile's mesh takes 3.8 to 5 MiB, and a thread 1.3 to 4, or up to 5.5
-/// with corrections and a mapping that is not separable(); as many tiles are there at once as have
-/// room. So all threads work on enlargements of up to 4 channels, or 12 without corrections, and up
-/// to 8 times the size; with corrections and a mapping that is not separable() three quarters of
-/// them or more. Of more channels or larger results fewer work.
+/// tile's mesh takes 3.8 to 5 MiB, and a thread 1.3 to 4, or up to 5.5 with corrections and a
+/// mapping that is not separable(); as many tiles are there at once as have room. So all threads
+/// work on enlargements of up to 4 channels, or 12 without corrections, and up to 8 times the size;
+/// with corrections and a mapping that is not separable() three quarters of them or more. Of more
+/// channels or larger results fewer work.
 Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                 std::string* error = nullptr);
 

@@ -29,7 +29,7 @@ struct MeshReport {
 
 /// Triangulate a whole image at once, to one mesh whatever MeshOptions::meshes is. (enlarge() does
 /// it tile by tile: the same mesh but for edges, less than one in a million, that depend on
-/// something more than a halo away.) Takes about 80 bytes a pixel meanwhile. `guide`: width x
+/// something more than a halo away.) Takes about 80 bytes per pixel meanwhile. `guide`: width x
 /// height floats, row by row, about 0 to 1; what is below 2^-24 or not finite counts as 0.
 /// `progress` is called from time to time with a rough share done, 0 to 1; it returns false to
 /// cancel; it may be empty. False, with one line in `error`, if the image has less than 2 x 2

@@ -35,8 +35,9 @@ enum class Start : uint8_t {
 
 /// The surface that is laid over the mesh.
 enum class Surface : uint8_t {
-    linear, ///< a plane a triangle
-    patch,  ///< a quadratic patch a triangle; like `linear` never outside the triangle's 3 values
+    linear, ///< one plane per triangle
+    patch,  ///< one quadratic patch per triangle; like `linear` never outside the triangle's 3
+            ///< values
 };
 
 /// Options that are reals and have no bound of their own are 0 to this. None may be subnormal.

@@ -40,7 +40,7 @@ bool has_delaunay();
 bool delaunay(PointMesh& mesh, std::string* error = nullptr);
 
 /// Flip edges of the mesh's triangles, which together may have any shape, by options.scheme and
-/// options.cost (blur, contour, meshes and start mean nothing here). `guide`: a float a point,
+/// options.cost (blur, contour, meshes and start mean nothing here). `guide`: one float per point,
 /// about 0 to 1; what is below 2^-24 or not finite counts as 0. Triangles come out with the
 /// orientation from x towards y. False also where the triangles are no triangulation: one without
 /// area, an edge of more than two; and where a `device` that is named cannot be had. lawson and
@@ -62,8 +62,8 @@ struct PixelGrid {
 
 /// Interpolate linearly over the mesh's triangles, at positions that are rounded as delaunay()
 /// rounds points': pixels closer together show steps. `values` are `channels` floats a point,
-/// `pixels` as many a pixel, row by row. Pixels outside all triangles are left as they are;
-/// `inside`, one byte a pixel, tells where those are: 0. A pixel on an edge belongs to one
+/// `pixels` as many per pixel, row by row. Pixels outside all triangles are left as they are;
+/// `inside`, one byte per pixel, tells where those are: 0. A pixel on an edge belongs to one
 /// triangle, whichever order the triangles have. After a failure `pixels` and `inside` are as they
 /// were.
 bool draw(const PointMesh& mesh, const float* values, int channels, const PixelGrid& grid,
@@ -75,10 +75,11 @@ bool draw(const PointMesh& mesh, const float* values, int channels, const PixelG
 /// smoothed where it has no edges. Small holes share meshes, by blocks of 64 x 64 pixels; a larger
 /// one has its own, or where it is thin several. What lies outside all triangles, beyond the
 /// outermost pixels that are there, gets the value of the nearest. Infinities are no part of what
-/// others beside them give. `values`: `channels` floats a pixel; `kinds`: one a channel, or null if
-/// all are Channel::blend; `guide`: a float a pixel, not looked at where one is missing. Nothing is
-/// done if nothing is missing; false if all is, or where `progress`, called now and then with the
-/// share done, 0 to 1, returned false, which leaves the missing pixels as anything.
+/// others beside them give. `values`: `channels` floats per pixel; `kinds`: one per channel, or
+/// null if all are Channel::blend; `guide`: one float per pixel, not looked at where one is
+/// missing. Nothing is done if nothing is missing; false if all is, or where `progress`, called now
+/// and then with the share done, 0 to 1, returned false, which leaves the missing pixels as
+/// anything.
 bool fill_holes(float* values, int width, int height, int channels, const Channel* kinds,
                 const float* guide, const uint8_t* missing, const MeshOptions& options,
                 std::string* error = nullptr, const std::function<bool(float)>& progress = {});

@@ -16,7 +16,7 @@ struct CorrectionRecipe {
     int rounds = 1;
     float limit = 0;
     bool clipped = false;
-    /// Lanes whose bit is set keep their source values: identifiers are nothing to correct.
+    /// Lanes whose bit is set keep their source values: IDs are nothing to correct.
     unsigned kept_lanes = 0;
 };
 

@@ -17,7 +17,7 @@ struct FittedRecipe {
     /// SurfaceOptions::limit and clipped.
     float limit = 0;
     bool clipped = false;
-    /// Lanes whose bit is set keep their source values: identifiers are nothing to correct.
+    /// Lanes whose bit is set keep their source values: IDs are nothing to correct.
     unsigned kept_lanes = 0;
     /// EdgeRecipe::arena and cells
     Arena* arena = nullptr;

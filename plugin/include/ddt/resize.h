@@ -12,7 +12,7 @@
 // another the pixels asked for are untouched or black, never half of a result.
 //
 // Pixels. uint8, int8, uint16, int16, half, float and double are interpolated as float32 numbers;
-// uint32 and int32 are identifiers, copied bit for bit, to either type, from the nearest vertex of
+// uint32 and int32 are object IDs, copied bit for bit, to either type, from the nearest vertex of
 // the mesh, and so are the channels of other images that are IDs by name, by cryptomatte metadata
 // or by their own type in the file: as floats, which have no room for all doubles and integers
 // beyond 2^24. NaN and infinities stay within the triangles that touch them; an integer dst shows
@@ -79,7 +79,7 @@ enum class Missing {
 /// Fill the missing pixels: dst becomes a copy of src in which they are interpolated over triangles
 /// of the pixels about them, as Job::holes of ddt/job.h says, whatever options.holes; edges are
 /// sought under options.light, values are interpolated as they are. A pixel that lacks some
-/// channels keeps the others; channels of identifiers are copied from the nearest vertex. A failure
+/// channels keeps the others; channels of IDs are copied from the nearest vertex. A failure
 /// if no pixel is there; not if none is missing.
 bool fill(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options = {},
           Missing missing = Missing::nan);

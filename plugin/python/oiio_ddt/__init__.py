@@ -48,7 +48,7 @@ def enlarge(
               alpha; red, green, blue; the same and alpha; further ones are quantities of their
               own. uint8 and uint16 stand for 0 to 1, int8 and int16 for -1 to 1, floats for
               themselves, worked in 32 bits, beyond whose range float64 comes out infinite; bool and
-              integers of 32 and 64 bits are numbers of objects: copied from the nearest pixel,
+              integers of 32 and 64 bits are object IDs: copied from the nearest pixel,
               never blended. A masked array must have nothing masked: give NaN there, and
               filter="ddt,holes=fill".
     scale     A factor, or one for x and one for y: at least 1. Sizes are rounded to whole pixels.
@@ -95,12 +95,12 @@ def mesh(
 
     Returns int32 numbers of vertices, 3 a triangle: vertex y * width + x is pixel (x, y), at
     (x, y). There are 2 (width - 1) (height - 1) triangles, each of area 1/2 and running from x
-    towards y. Arguments and errors are those of enlarge(); numbers of objects, which have no
+    towards y. Arguments and errors are those of enlarge(); object IDs, which have no
     edges to follow, are a TypeError. Takes about 80 bytes a pixel meanwhile.
     """
     pixels, dtype, sample = _as_pixels(array)
     if sample == "id32":
-        raise TypeError(f"ddt: dtype {dtype} is not allowed for a mesh, as of numbers of objects; "
+        raise TypeError(f"ddt: dtype {dtype} is not allowed for a mesh, as of object IDs; "
                         "allowed are floats and integers of 8 and 16 bits")
     _check_texts(filter=filter, light=light)
     return _ddt.mesh(pixels, sample, filter, _light_of(dtype, light), _is_associated(alpha),

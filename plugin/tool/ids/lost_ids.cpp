@@ -46,8 +46,7 @@ void add(const std::string& name, std::string& names) {
 
 void note_names(const std::string& names, const std::string& path, const std::string& how) {
     if (!names.empty())
-        note(format("\"{}\" is written {}, which object numbers do not survive: {}", path, how,
-                    names));
+        note(format("\"{}\" is written {}, which object IDs do not survive: {}", path, how, names));
 }
 
 } // namespace

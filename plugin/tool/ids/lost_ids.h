@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Object numbers that the file they are written to does not hold.
+// Object IDs that the file they are written to does not hold.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct LostIds {
     std::string by_compression; ///< it rounds them; others than those
 };
 
-/// The channels of object numbers, by plugin/image/channels.h, that do not come back from a file
+/// The channels of object IDs, by plugin/image/channels.h, that do not come back from a file
 /// that is written by this spec. Where the compression is the image's own, what it rounds was
 /// rounded before, and counts as kept. image: the spec of its file; both have the same channels, of
 /// which `written` may lack the last.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Object numbers of 32 bits among channels of other types.
+// Object IDs of 32 bits among channels of other types.
 #pragma once
 
 #include <string>

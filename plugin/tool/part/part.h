@@ -14,7 +14,7 @@ struct Part {
 };
 
 constexpr int most_parts = 1 << 20;
-constexpr const char* allowed_parts = "K/N with whole numbers, 1 <= K <= N";
+constexpr const char* allowed_parts = "K/N with whole numbers, 1 <= K <= N <= 1048576";
 
 /// "3/16". False for anything else.
 bool parse_part(const std::string& text, Part& part);

@@ -170,7 +170,7 @@ public:
         m_id_file = IdFile(path, 0, image, all);
     }
 
-    /// Have all of it in memory, with the bits of its object numbers.
+    /// Have all of it in memory, with the bits of its object IDs.
     bool open_whole(MixedIds& ids, Failure& failure) {
         std::string error;
         if (open_image(m_path, m_whole, error) && ids.put_into(m_whole, error))

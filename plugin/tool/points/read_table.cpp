@@ -104,65 +104,91 @@ void find_bytes(PointFile& points) {
             take_as_bytes(columns);
 }
 
+/// Fills in the points of a text, line by line.
+class TableReader {
+public:
+    explicit TableReader(PointFile& points) : m_points(points) {}
+
+    bool has_names() const { return !m_place.empty(); }
+    /// Take a line for that of the columns' names, if it is.
+    bool read_names(const std::string& line);
+    /// False with `error`, which does not name the line.
+    bool read_row(const std::string& line, std::string& error);
+
+private:
+    enum : int { x = -1, y = -2 };
+
+    PointFile& m_points;
+    std::string m_separator;
+    std::vector<int> m_place; ///< of each column: x, y or an index
+};
+
+bool TableReader::read_names(const std::string& line) {
+    m_separator = separator_of(line);
+    for (const std::string& name : names_in(line, m_separator)) {
+        if (name == "x" || name == "y") {
+            m_place.push_back(name == "x" ? x : y);
+            continue;
+        }
+        m_place.push_back(int(m_points.columns.size()));
+        m_points.columns.push_back({name, "float", 1, {}});
+    }
+    return has_names();
+}
+
+bool TableReader::read_row(const std::string& line, std::string& error) {
+    const std::vector<std::string> cells =
+        split(line, m_separator.empty() ? separator_of(line) : m_separator);
+    if (cells.size() != m_place.size()) {
+        error = format("there are {} columns, not {}", cells.size(), m_place.size());
+        return false;
+    }
+    for (size_t k = 0; k < cells.size(); ++k) {
+        const std::optional<double> number = number_in(cells[k]);
+        if (!number) {
+            error = format("\"{}\" is no number", cells[k]);
+            return false;
+        }
+        if (m_place[k] < 0 && !std::isfinite(*number)) {
+            error = "a position that is not finite";
+            return false;
+        }
+        std::vector<double>& column = m_place[k] == x ? m_points.mesh.x
+                                      : m_place[k] == y
+                                          ? m_points.mesh.y
+                                          : m_points.columns[size_t(m_place[k])].values;
+        column.push_back(*number);
+    }
+    return true;
+}
+
 } // namespace
 
 bool read_table(const std::string& text, PointFile& points, std::string& error) {
     points = {};
-    std::vector<int> place; ///< of each column: -1 x, -2 y, else an index
-    std::string separator;
+    TableReader reader(points);
     // What some spreadsheets write.
     const char line_end = text.find('\n') == std::string::npos ? '\r' : '\n';
-    size_t number = 0;
+    size_t number = 1;
     for (size_t at = begin_of_text(text); at < text.size(); ++number) {
         const size_t end = std::min(text.find(line_end, at), text.size());
         std::string line(OIIO::Strutil::strip(text.substr(at, end - at)));
         at = end + 1;
         const bool comment = !line.empty() && line[0] == '#';
-        if (comment)
-            line = place.empty() ? std::string(OIIO::Strutil::strip(line.substr(1))) : "";
+        if (comment) // which may hold the names
+            line = reader.has_names() ? "" : std::string(OIIO::Strutil::strip(line.substr(1)));
         if (line.empty())
             continue;
-        if (place.empty()) {
-            separator = separator_of(line);
-            for (const std::string& name : names_in(line, separator)) {
-                if (name == "x" || name == "y") {
-                    place.push_back(name == "x" ? -1 : -2);
-                    continue;
-                }
-                place.push_back(int(points.columns.size()));
-                points.columns.push_back({name, "float", 1, {}});
-            }
-            if (place.empty() && !comment) {
-                error = format("line {}: the first line must name the columns, x and y among them",
-                               number + 1);
+        std::string fault;
+        if (reader.has_names()) {
+            if (!reader.read_row(line, fault)) {
+                error = format("line {}: {}", number, fault);
                 return false;
             }
-            continue;
-        }
-        const std::vector<std::string> cells =
-            split(line, separator.empty() ? separator_of(line) : separator);
-        if (cells.size() != place.size()) {
+        } else if (!reader.read_names(line) && !comment) {
             error =
-                format("line {} has {} columns, not {}", number + 1, cells.size(), place.size());
+                format("line {}: the first line must name the columns, x and y among them", number);
             return false;
-        }
-        for (size_t k = 0; k < cells.size(); ++k) {
-            const std::optional<double> number_there = number_in(cells[k]);
-            if (!number_there) {
-                error = format("line {}: \"{}\" is no number", number + 1, cells[k]);
-                return false;
-            }
-            const double v = *number_there;
-            if (place[k] < 0 && !std::isfinite(v)) {
-                error = format("line {}: a position that is not finite", number + 1);
-                return false;
-            }
-            if (place[k] == -1)
-                points.mesh.x.push_back(v);
-            else if (place[k] == -2)
-                points.mesh.y.push_back(v);
-            else
-                points.columns[size_t(place[k])].values.push_back(v);
         }
     }
     if (points.mesh.x.empty())

@@ -38,7 +38,7 @@ public:
     }
 
     /// One run over the whole picture.
-    void run(gl::Stages& stages, Measured& m, bool keep) {
+    void run(gl::StageTimer& timer, Measured& m, bool keep) {
         m.batches = 0;
         m.uploaded = m.downloaded = 0;
         m.work = {};
@@ -47,7 +47,7 @@ public:
             m.result.resize(size_t(m_picture.width()) * size_t(m_picture.height()) * 4 * channels);
         for (int first = 0; first < m_grid.count(); first += int(m_in_flight)) {
             read(first, std::min(m_grid.count(), first + int(m_in_flight)));
-            batch(stages, m, keep);
+            batch(timer, m, keep);
             ++m.batches;
         }
         m.dispatches = m_gpu.programs->uses();
@@ -71,36 +71,36 @@ private:
     }
 
     /// What comes until the next stage is no kernel's.
-    void end(gl::Stages& stages) {
+    void end(gl::StageTimer& timer) {
         if (m_gpu.programs->before_use)
             m_gpu.programs->before_use("");
-        stages.end();
+        timer.end();
     }
 
-    void batch(gl::Stages& stages, Measured& m, bool keep) {
+    void batch(gl::StageTimer& timer, Measured& m, bool keep) {
         std::vector<gl::TileSize> sizes;
         for (const BenchTile& t : m_tiles)
             sizes.push_back(t.size);
-        stages.begin(Stage::upload);
+        timer.begin(Stage::upload);
         m_mesh.set_tiles(sizes);
         for (size_t i = 0; i < m_tiles.size(); ++i)
             m.uploaded += gl::upload(m_tiles[i], m_job, int(i), m_mesh, m_surfaces);
         gl::unpack(m_job, m_mesh, m_surfaces);
-        end(stages);
+        end(timer);
         gl::finish(m_gpu.context->gl, "upload");
-        stages.begin(Stage::triangulate);
+        timer.begin(Stage::triangulate);
         m_mesh.triangulate(m_job.mesh);
-        end(stages);
-        stages.begin(Stage::surface);
+        end(timer);
+        timer.begin(Stage::surface);
         m_surfaces.make(m_mesh, criterion(m_job.mesh));
-        end(stages);
+        end(timer);
         gl::finish(m_gpu.context->gl, "triangulation");
         count(m);
-        sample(stages, m, keep);
+        sample(timer, m, keep);
     }
 
     /// Sample as many tiles at a time as a storage block holds the results of.
-    void sample(gl::Stages& stages, Measured& m, bool keep) {
+    void sample(gl::StageTimer& timer, Measured& m, bool keep) {
         std::vector<gl::Strip> strips;
         std::vector<int32_t> positions;
         int results = 0;
@@ -112,13 +112,13 @@ private:
                 m_download =
                     std::make_unique<gl::HostBuffer>(m_gpu.context->gl, numbers * sizeof(float));
             gl::finish(m_gpu.context->gl, "positions");
-            stages.begin(Stage::sample);
+            timer.begin(Stage::sample);
             for (const gl::Strip& s : strips)
                 m_surfaces.sample(m_mesh, s.plan, m_memory);
-            end(stages);
-            stages.begin(Stage::download);
+            end(timer);
+            timer.begin(Stage::download);
             m.downloaded += m_surfaces.download(numbers, gl::Travel(), m_memory, *m_download);
-            end(stages);
+            end(timer);
             gl::finish(m_gpu.context->gl, "sampling");
             if (keep)
                 for (const gl::Strip& s : strips)
@@ -199,11 +199,11 @@ Measured measure(gl::Gpu& gpu, Picture& picture, const Job& job, int runs, bool 
     const auto work = [&] {
         Bench bench(gpu, picture, job); // its buffers belong to this thread
         for (int i = 0; i < runs; ++i) {
-            gl::Stages stages(gpu.context->gl, true);
+            gl::StageTimer timer(gpu.context->gl, true);
             Measured m;
-            bench.run(stages, m, keep_result);
+            bench.run(timer, m, keep_result);
             for (int s = 0; s < int(Stage::count); ++s)
-                m.milliseconds[s] = stages.milliseconds(Stage(s));
+                m.milliseconds[s] = timer.milliseconds(Stage(s));
             const double kernels = m.milliseconds[int(Stage::triangulate)] +
                                    m.milliseconds[int(Stage::surface)] +
                                    m.milliseconds[int(Stage::sample)];
@@ -215,9 +215,9 @@ Measured measure(gl::Gpu& gpu, Picture& picture, const Job& job, int runs, bool 
         if (by_kernel) {
             KernelClock clock(gpu.context->gl);
             gpu.programs->before_use = [&](const std::string& kernel) { clock.next(kernel); };
-            gl::Stages stages(gpu.context->gl, false);
+            gl::StageTimer timer(gpu.context->gl, false);
             Measured m;
-            bench.run(stages, m, false);
+            bench.run(timer, m, false);
             gpu.programs->before_use = nullptr;
             best.kernels = clock.milliseconds();
         }
@@ -247,15 +247,15 @@ void main() {
             const GLuint program = gl::compile(gl, "copy", gl::assembled(text, ""));
             double best = 0;
             for (int i = 0; i < 5; ++i) {
-                gl::Stages stages(gl, true);
+                gl::StageTimer timer(gl, true);
                 gl.UseProgram(program);
                 from.bind(0);
                 to.bind(1);
-                stages.begin(Stage::sample);
+                timer.begin(Stage::sample);
                 gl.DispatchCompute(4096, 1, 1);
-                stages.end();
+                timer.end();
                 best = std::max(best,
-                                2.0 * double(bytes) / (stages.milliseconds(Stage::sample) * 1e-3));
+                                2.0 * double(bytes) / (timer.milliseconds(Stage::sample) * 1e-3));
             }
             gl.DeleteProgram(program);
             return best;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/gl/context/gpu.h"
-#include "core/gl/stages.h"
+#include "core/gl/stage_timer.h"
 #include "core/gl/surfaces.h"
 #include "tests/bench/gpu/picture.h"
 #include "tests/bench/gpu/traffic.h"

@@ -95,7 +95,7 @@ std::vector<NamedDevice> devices() {
     job.device = ddt::Device::egl;
     ddt::Placement placement;
     std::string why;
-    if (!find_place(job, 0, placement, why))
+    if (!choose_device(job, 0, placement, why))
         std::printf("no GPU: %s\n", why.c_str());
     else if (const std::string gpu = describe(placement); gpu.find("llvmpipe") == gpu.npos)
         all.push_back({gpu, ddt::Device::egl});

@@ -108,7 +108,7 @@ TEST(JobHoles, AreFilledAsFillHolesDoesAndTheMeshSeesThemSo) {
             EXPECT_TRUE(std::isfinite(filled.guide[i]));
             EXPECT_TRUE(std::isfinite(filled.values[i * channels]));
         }
-        // Identifiers are those of the hole's rim, none between two and no other channel's number.
+        // IDs are those of the hole's rim, none between two and no other channel's number.
         for (int y = 50; y < 61; ++y)
             for (int x = 30; x < 46 && holes == Holes::fill_alpha; ++x) {
                 const float id = filled.values[size_t(y * width + x) * channels + 1];

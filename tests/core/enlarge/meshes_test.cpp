@@ -46,7 +46,7 @@ TEST(Meshes, AMeanLiesBetweenItsTwoPartsAndKeepsWhatIsTheSame) {
     }
     for (const int meshes : {2, 3, 4}) {
         std::vector<float> joined = mean;
-        join_last(last.data(), last.size(), 1.0f / float(meshes), joined.data());
+        add_to_mean(last.data(), last.size(), 1.0f / float(meshes), joined.data());
         for (size_t i = 0; i < joined.size(); ++i) {
             ASSERT_GE(joined[i], std::min(mean[i], last[i]));
             ASSERT_LE(joined[i], std::max(mean[i], last[i]));
@@ -57,7 +57,7 @@ TEST(Meshes, AMeanLiesBetweenItsTwoPartsAndKeepsWhatIsTheSame) {
     }
     mean = {infinity, -0.0f};
     last = {-infinity, -0.0f};
-    join_last(last.data(), 2, 0.5f, mean.data());
+    add_to_mean(last.data(), 2, 0.5f, mean.data());
     EXPECT_EQ(bits_of(mean[0]), 0x7fc00000u);
     EXPECT_EQ(bits_of(mean[1]), 0u);
 }

@@ -7,6 +7,16 @@ namespace ddt::test {
 namespace {
 
 TEST(Names, FindWhatTheyName) {
+    for (const std::string& name : device_names()) {
+        Device device;
+        ASSERT_TRUE(find_device(name, device));
+        EXPECT_EQ(device_name(device), name);
+    }
+    for (const std::string& name : holes_names()) {
+        Holes holes;
+        ASSERT_TRUE(find_holes(name, holes));
+        EXPECT_EQ(holes_name(holes), name);
+    }
     for (const std::string& name : cost_names()) {
         Cost cost;
         ASSERT_TRUE(find_cost(name, cost));

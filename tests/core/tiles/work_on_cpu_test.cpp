@@ -247,11 +247,11 @@ TEST(WorkOnCpu, NodesOfMemoryHaveNeighbouringTiles) {
     const ResizeMapping mapping = mapping_of(source.window(), out, out);
     const Grid grid(job.window);
     ASSERT_EQ(grid.count(), tiles);
-    ddt::Run run(job, tiles);
+    ddt::JobState state(job, tiles);
     Statistics statistics;
     TestSink sink(out, 1), by_one(out, 1);
-    work_on_cpu(source, sink, mapping, job, grid, threads, run, statistics, some_node);
-    ASSERT_EQ(run.outcome(), Outcome::done);
+    work_on_cpu({source, sink, mapping, job, grid, threads}, state, statistics, some_node);
+    ASSERT_EQ(state.outcome(), Outcome::done);
     EXPECT_EQ(sink.written(1), int64_t(out.area()));
     // However unlike their paces: when one has nothing left, what the other has is halved, which
     // can happen seven times before it is one tile, and each time two runs of tiles more begin at

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // On the pixel lattice a Tin becomes the Lattice's mesh, edge for edge.
-#include "core/lattice/list_triangles.h"
+#include "core/lattice/each_triangle.h"
 #include "core/tin/tin_mesh.h"
 #include "core/triangulate/gain.h"
 #include "ddt/names.h"

@@ -101,8 +101,7 @@ TEST(FillCommand, SaysWhichObjectNumbersAreLost) {
     testing::internal::CaptureStderr();
     EXPECT_EQ(parse_and_run(*make_fill_command(), {in, out}), exit_done);
     EXPECT_EQ(testing::internal::GetCapturedStderr(),
-              "ddt: \"" + out +
-                  "\" is written as uint8, which object numbers do not survive: id\n");
+              "ddt: \"" + out + "\" is written as uint8, which object IDs do not survive: id\n");
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A file whose channels have several types, object numbers of 32 bits among them.
+// A file whose channels have several types, object IDs of 32 bits among them.
 #pragma once
 
 #include <algorithm>

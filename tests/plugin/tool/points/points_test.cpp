@@ -58,7 +58,7 @@ TEST(PointTable, SeparatorsAndComments) {
 TEST(PointTable, SaysWhichLineIsWrong) {
     EXPECT_EQ(table_error("1,2,3\n"),
               "line 1: the first line must name the columns, x and y among them");
-    EXPECT_EQ(table_error("x,y,z\n1,2,3\n1,2\n"), "line 3 has 2 columns, not 3");
+    EXPECT_EQ(table_error("x,y,z\n1,2,3\n1,2\n"), "line 3: there are 2 columns, not 3");
     EXPECT_EQ(table_error("x,y,z\n1,2,three\n"), "line 2: \"three\" is no number");
     EXPECT_EQ(table_error(std::string("x,y,z\n1,2,3\0 4\n", 14)).substr(0, 8), "line 2: ");
     EXPECT_EQ(table_error("x;y;z\n0,5;1;2\n"), "line 2: \"0,5\" is no number");

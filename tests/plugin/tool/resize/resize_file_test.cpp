@@ -181,10 +181,10 @@ TEST(ResizeFile, ObjectNumbersThatDoNotSurviveAreNamed) {
     const std::string exr = temporary("as_half.exr"), tif = temporary("as_float.tif");
     EXPECT_EQ(said(exr, ""), "");
     EXPECT_EQ(said(exr, "half"), "ddt: \"" + exr +
-                                     "\" is written as half, which object numbers do not "
+                                     "\" is written as half, which object IDs do not "
                                      "survive: obj\n");
     EXPECT_EQ(said(tif, ""), "ddt: \"" + tif +
-                                 "\" is written as float, which object numbers do not survive: "
+                                 "\" is written as float, which object IDs do not survive: "
                                  "obj\n");
 }
 

@@ -10,6 +10,6 @@ namespace ddt::gl {
 
 /// The device a job asks for: Job::device, or where that is automatic what DDT_DEVICE names. False
 /// with `why` if that is no device's name.
-bool wish(const Job& job, Device& device, std::string& why);
+bool requested_device(const Job& job, Device& device, std::string& why);
 
 } // namespace ddt::gl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/gl/choice.h"
+#include "core/gl/requested_device.h"
 
 #include <cstdlib>
 
@@ -8,7 +8,7 @@
 
 namespace ddt::gl {
 
-bool wish(const Job& job, Device& device, std::string& why) {
+bool requested_device(const Job& job, Device& device, std::string& why) {
     device = job.device;
     const char* name = std::getenv("DDT_DEVICE");
     if (device != Device::automatic || !name || !*name)

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/gl/stages.h"
+#include "core/gl/stage_timer.h"
 
 namespace ddt::gl {
 
-Stages::~Stages() {
+StageTimer::~StageTimer() {
     for (const Span& span : m_spans)
         m_gl.DeleteQueries(2, span.queries);
 }
 
-void Stages::begin(Stage stage) {
+void StageTimer::begin(Stage stage) {
     if (!m_on)
         return;
     m_spans.push_back({stage, {}, false});
@@ -16,14 +16,14 @@ void Stages::begin(Stage stage) {
     m_gl.QueryCounter(m_spans.back().queries[0], GL_TIMESTAMP);
 }
 
-void Stages::end() {
+void StageTimer::end() {
     if (!m_on)
         return;
     m_gl.QueryCounter(m_spans.back().queries[1], GL_TIMESTAMP);
     m_spans.back().ended = true;
 }
 
-void Stages::collect() {
+void StageTimer::collect() {
     for (const Span& span : m_spans) {
         if (span.ended) { // not where something was thrown
             GLuint64 from = 0, to = 0;
@@ -36,7 +36,7 @@ void Stages::collect() {
     m_spans.clear();
 }
 
-double Stages::milliseconds(Stage stage) {
+double StageTimer::milliseconds(Stage stage) {
     collect();
     return m_milliseconds[int(stage)];
 }

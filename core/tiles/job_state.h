@@ -13,9 +13,9 @@ namespace ddt {
 
 /// The state shared by the threads of one job. Thread-safe, but for next_row() of a tile, which
 /// belongs to whoever works on the tile.
-class Run {
+class JobState {
 public:
-    Run(const Job& job, int tiles) : m_job(job), m_next_row(size_t(tiles), INT_MIN) {}
+    JobState(const Job& job, int tiles) : m_job(job), m_next_row(size_t(tiles), INT_MIN) {}
 
     bool going() const { return m_outcome.load(std::memory_order_relaxed) == Outcome::done; }
     /// The first outcome that is not `done` counts.

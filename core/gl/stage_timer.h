@@ -11,13 +11,13 @@ namespace ddt::gl {
 enum class Stage { upload, triangulate, surface, sample, download, count };
 
 /// Collects time stamps; reading them waits for the device. To be used on the context's thread.
-class Stages {
+class StageTimer {
 public:
     /// Off: measures nothing and costs nothing.
-    Stages(const Functions& gl, bool on) : m_gl(gl), m_on(on) {}
-    ~Stages();
-    Stages(const Stages&) = delete;
-    Stages& operator=(const Stages&) = delete;
+    StageTimer(const Functions& gl, bool on) : m_gl(gl), m_on(on) {}
+    ~StageTimer();
+    StageTimer(const StageTimer&) = delete;
+    StageTimer& operator=(const StageTimer&) = delete;
 
     void begin(Stage stage);
     void end();

@@ -8,7 +8,7 @@
 namespace ddt {
 
 /// Find the gains of the edges w.candidates[first..); those above min_gain stay candidates. Returns
-/// how many they were.
+/// how many gains were found.
 template <class Mesh>
 int64_t evaluate(Mesh& mesh, const Criterion& criterion, float min_gain, size_t first,
                  Workspace& w) {
