@@ -344,7 +344,7 @@ TEST(ScatterOfAMesh, LeavesOutTrianglesWithACornerThatHasNoNumber) {
         }
     for (const auto& [faces, told] :
          {std::pair("3 0 1 4\n3 0 4 3\n", "no triangle has numbers at its three points"),
-          std::pair("3 1 2 5\n3 1 5 99\n", "a vertex that there is not")}) {
+          std::pair("3 1 2 5\n3 1 5 99\n", "has the vertex 99; there are 0 to 4")}) {
         const std::string wrong = write_file("wrong.ply", header + vertices + faces);
         const Ran failed = run(make_scatter_command(), {wrong, out});
         EXPECT_EQ(failed.code, exit_failed);
