@@ -118,8 +118,8 @@ void DeviceMesh::one_round() {
     bind_lists();
     // Four are at most some 60 000 turns: a tile of 321 x 321 pixels has 603 edges for each of the
     // group, in finish.comp every one takes 5 turns to be evaluated and 17 to find a blocker, and
-    // every fifth 13 to be flipped.
-    const int a_dispatch = m_parts > 0 ? m_parts : m_gpu.context->software ? 4 : 64;
+    // every fifth 13 to be flipped. 32 are as many as accept_reject() allows of hardware.
+    const int a_dispatch = m_parts > 0 ? m_parts : m_gpu.context->short_loops ? 4 : 32;
     for (int i = dispatched + 1; i <= m_iterations + 1; i += a_dispatch) { // one more: the gains
         use("finish.comp", i, m_iterations, m_criterion);
         m_gl.Uniform1i(5, a_dispatch);
@@ -151,7 +151,7 @@ void DeviceMesh::accept_reject(const Rules& rules) {
     // llvmpipe's loops turn 65535 times a dispatch. Drivers of hardware take a dispatch of seconds
     // for one that hangs: so many turns are half of one where each waits for memory, for a
     // microsecond.
-    m_gl.Uniform2i(9, GLint(stamps), m_gpu.context->software ? 40000 : 500000);
+    m_gl.Uniform2i(9, GLint(stamps), m_gpu.context->short_loops ? 40000 : 500000);
     std::vector<uint32_t> progress(size_t(progress_size) * size_t(m_tiles));
     const auto goes_on = [&] {
         const std::vector<uint32_t> before = progress;

@@ -46,12 +46,16 @@ void load_later_functions(const void* library, Lookup lookup, int minor, Functio
 } // namespace
 
 bool is_software(const std::string& renderer) {
-    // The last is Direct3D's own, by way of Mesa's d3d12.
+    // The last is Direct3D's own, by way of Mesa's d3d12. In any case: virgl writes LLVMPIPE.
     for (const char* name :
          {"llvmpipe", "softpipe", "swrast", "SWR", "Software Rasterizer", "Microsoft Basic Render"})
-        if (renderer.find(name) != std::string::npos)
+        if (strcasestr(renderer.c_str(), name))
             return true;
     return false;
+}
+
+bool is_guest(const std::string& renderer) {
+    return renderer.rfind("virgl", 0) == 0 || renderer.rfind("SVGA3D", 0) == 0;
 }
 
 bool is_tested(const std::string& renderer) {
@@ -59,7 +63,7 @@ bool is_tested(const std::string& renderer) {
 }
 
 bool is_zink(const std::string& renderer) {
-    return renderer.rfind("zink", 0) == 0;
+    return renderer.find("zink") != std::string::npos; // virgl's host may have it
 }
 
 bool describe_current(const void* library, Lookup lookup, Context& context, std::string& why) {
@@ -92,6 +96,7 @@ bool describe_current(const void* library, Lookup lookup, Context& context, std:
         gl.BufferStorage = nullptr;
     context.software = is_software(context.renderer);
     context.tested = is_tested(context.renderer);
+    context.short_loops = context.software || is_guest(context.renderer);
     return true;
 }
 

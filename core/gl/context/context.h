@@ -18,6 +18,8 @@ struct Context {
     std::string version;   ///< GL_VERSION
     bool software = false; ///< llvmpipe and its like: native code is faster
     bool tested = false;   ///< a renderer that the project's own tests run on
+    /// A dispatch's loops may end after 65535 turns, as llvmpipe's do.
+    bool short_loops = false;
 };
 
 /// Which renderers will do.
@@ -33,6 +35,9 @@ std::unique_ptr<Context> make_osmesa_context(std::string& why);
 
 /// Whether a renderer of this name (GL_RENDERER) is none of hardware.
 bool is_software(const std::string& renderer);
+/// Whether it draws by a host's renderer, of which the name tells little or nothing: it may be of
+/// software.
+bool is_guest(const std::string& renderer);
 /// Whether it is one that the project's own tests run on, and not by way of another API.
 bool is_tested(const std::string& renderer);
 /// Mesa's OpenGL by way of Vulkan. In what stays mapped its copies may be missing when the fence is

@@ -243,7 +243,6 @@ TEST_P(Travel, OtherNumbersOfCodesAreNone) {
 // Without pinned memory, as before OpenGL 4.4.
 TEST_P(Travel, WithoutPinnedMemoryToo) {
     gl::Functions& gl = fresh_device().context->gl;
-    EXPECT_NE(gl.BufferStorage, nullptr) << "Mesa has it, and so have drivers of hardware";
     gl.BufferStorage = nullptr;
     expect_same(16, job_of(300, 270, 3), true);
 }

@@ -20,10 +20,20 @@ namespace {
 
 TEST(Renderers, OfSoftwareAreKnownByTheirNames) {
     for (const char* name :
-         {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe", "D3D12 (Microsoft Basic Render Driver)"})
+         {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe", "D3D12 (Microsoft Basic Render Driver)",
+          "virgl (LLVMPIPE (LLVM 15.0.6, 256 bits))"})
         EXPECT_TRUE(gl::is_software(name)) << name;
     for (const char* name : {"NVIDIA H100 80GB HBM3/PCIe/SSE2", "D3D12 (NVIDIA GeForce RTX 3080)"})
         EXPECT_FALSE(gl::is_software(name)) << name;
+}
+
+TEST(Renderers, OfGuestsAreKnownByTheirNames) {
+    for (const char* name : {"virgl (LLVMPIPE (LLVM 15.0.6, 256 bits))", "virgl (Intel UHD 620)",
+                             "SVGA3D; build: RELEASE;  LLVM;"})
+        EXPECT_TRUE(gl::is_guest(name)) << name;
+    for (const char* name : {"llvmpipe (LLVM 15.0.6, 256 bits)", "NVIDIA H100 80GB HBM3/PCIe/SSE2"})
+        EXPECT_FALSE(gl::is_guest(name)) << name;
+    EXPECT_TRUE(gl::is_zink("virgl (zink Vulkan 1.3(Intel(R) UHD 620))"));
 }
 
 TEST(Renderers, ByWayOfAnotherApiAreNotTakenForTheOnesThatAreTested) {
