@@ -18,11 +18,6 @@ namespace HWY_NAMESPACE {
 
 #include "core/guide/guide-inl.h"
 
-/// What shows through where there is no alpha: the middle of the guide's range, in either light.
-HWY_INLINE float grey(bool linear) {
-    return linear ? 0.21404114f : 0.5f;
-}
-
 /// Luminance of n pixels that begin with red, green and blue: loads a compiler makes vectors of.
 template <size_t stride>
 HWY_INLINE void luminance_of_first(const float (&weight)[3], const float* pixels, size_t n,
@@ -47,9 +42,9 @@ HWY_INLINE void luminance_of_any(const GuideRecipe& recipe, const float* pixels,
     }
 }
 
-/// Luminance over mid-grey of n pixels.
-HWY_ATTR void luminance(const GuideRecipe& recipe, const float* pixels, size_t n, size_t stride,
-                        float* y) {
+/// Luminance of n pixels.
+HWY_INLINE void luminance(const GuideRecipe& recipe, const float* pixels, size_t n, size_t stride,
+                          float* y) {
     const int* k = recipe.channel;
     const bool first = k[0] == 0 && k[1] == 1 && k[2] == 2;
     if (first && stride == 3)
@@ -58,33 +53,41 @@ HWY_ATTR void luminance(const GuideRecipe& recipe, const float* pixels, size_t n
         luminance_of_first<4>(recipe.weight, pixels, n, y);
     else
         luminance_of_any(recipe, pixels, n, stride, y);
-    if (recipe.alpha < 0)
-        return;
-    const float back = grey(recipe.linear);
+}
+
+/// Beside black, nothing has a guide of 0 and what is covered 0.5 or more: its outline shows
+/// whatever its colour. (Over a colour of its own, things of that colour had none.)
+constexpr float share_of_alpha = 0.5f;
+
+/// What n pixels' alpha, within 0 to 1, adds to their guide; what is not finite counts as 1.
+HWY_INLINE void cover(const float* alpha, size_t n, size_t stride, float* added) {
     for (size_t i = 0; i < n; ++i) {
-        const float alpha = pixels[i * stride + size_t(recipe.alpha)];
-        const auto bits = int32_t(bits_of(alpha)), one = int32_t(bits_of(1.0f));
+        const float a = alpha[i * stride];
+        const auto bits = int32_t(bits_of(a)), one = int32_t(bits_of(1.0f));
         const int32_t low = bits < 0 ? 0 : bits;
-        const float over = y[i] + back * (1.0f - float_of(uint32_t(low < one ? low : one)));
-        y[i] = float_of(choose(is_finite(alpha), bits_of(over), bits_of(y[i])));
+        const float within = float_of(uint32_t(low < one ? low : one));
+        added[i] = share_of_alpha * float_of(choose(is_finite(a), bits_of(within), bits_of(1.0f)));
     }
 }
 
 HWY_ATTR void make_guide(const GuideRecipe& recipe, const float* pixels, size_t count,
                          size_t stride, float* guide) {
     constexpr size_t block = 256;
-    float y[block];
+    float y[block], added[block] = {};
     for (size_t begin = 0; begin < count; begin += block, pixels += block * stride) {
         const size_t n = std::min(block, count - begin);
         luminance(recipe, pixels, n, stride, y);
+        if (recipe.alpha >= 0)
+            cover(pixels + recipe.alpha, n, stride, added);
         // The curve's steps on exponents need a finite number.
         if (recipe.linear)
             for (size_t i = 0; i < n; ++i) {
                 const float v = srgb_curve(y[i]);
                 y[i] = float_of(choose(is_finite(y[i]), bits_of(v), 0));
             }
+        // Two steps: their sum is exact, so an alpha of 1 everywhere changes no difference.
         for (size_t i = 0; i < n; ++i)
-            guide[begin + i] = guide_step(y[i]);
+            guide[begin + i] = guide_step(y[i]) + guide_step(added[i]);
     }
 }
 

@@ -79,14 +79,43 @@ ddt::GuideRecipe rgba(bool linear) {
     return recipe;
 }
 
-TEST(Guide, SeesAlphaBesideBlack) {
-    const float pixels[] = {0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 1, 1};
+TEST(Guide, WhatIsCoveredDiffersFromNothingWhateverItsColour) {
     for (const bool linear : {true, false}) {
-        float guide[3];
-        ddt::make_guide(rgba(linear), pixels, 3, 4, guide);
-        EXPECT_EQ(guide[0], 0.0f);
-        EXPECT_NEAR(guide[1], 0.5f, 1e-3f);
-        EXPECT_EQ(guide[2], 1.0f);
+        const float nothing[4] = {};
+        float none;
+        ddt::make_guide(rgba(linear), nothing, 1, 4, &none);
+        float before = none;
+        for (int i = 0; i <= 800; ++i) {
+            const float v = float(i) / 200; // to four times white
+            const float whole[4] = {v, v, v, 1}, half[4] = {v / 2, v / 2, v / 2, 0.5f};
+            float guide, between;
+            ddt::make_guide(rgba(linear), whole, 1, 4, &guide);
+            ddt::make_guide(rgba(linear), half, 1, 4, &between);
+            EXPECT_GE(guide - none, 0.5f) << v;
+            EXPECT_GE(between - none, 0.25f) << v;
+            EXPECT_GE(guide - between, 0.25f) << v;
+            EXPECT_GE(guide, before);
+            before = guide;
+        }
+    }
+}
+
+TEST(Guide, OfWhatIsOpaqueIsThatWithoutAlphaAndAHalf) {
+    ddt::test::Random random(6);
+    for (const bool linear : {true, false}) {
+        ddt::GuideRecipe rgb = rgba(linear);
+        rgb.alpha = -1;
+        for (int i = 0; i < 1000; ++i) {
+            float pixel[4] = {0, 0, 0, i % 3 ? 1.0f : 7.0f};
+            for (int c = 0; c < 3; ++c)
+                pixel[c] = random.unit() * 3 - 1;
+            if (i % 50 == 0)
+                pixel[i % 3] = i % 100 ? std::nanf("") : std::numeric_limits<float>::infinity();
+            float with, without;
+            ddt::make_guide(rgba(linear), pixel, 1, 4, &with);
+            ddt::make_guide(rgb, pixel, 1, 4, &without);
+            EXPECT_EQ(with, without + 0.5f);
+        }
     }
 }
 
@@ -95,9 +124,9 @@ TEST(Guide, ValueThatIsNotFiniteCountsAsZero) {
     const float pixels[] = {infinity, 0, 0, 1, 0, std::nanf(""), 0, 1, 1, 1, 1, std::nanf("")};
     float guide[3];
     ddt::make_guide(rgba(true), pixels, 3, 4, guide);
-    EXPECT_EQ(guide[0], 0.0f);
-    EXPECT_EQ(guide[1], 0.0f);
-    EXPECT_EQ(guide[2], 1.0f); // an alpha that is none hides nothing
+    EXPECT_EQ(guide[0], 0.5f);
+    EXPECT_EQ(guide[1], 0.5f);
+    EXPECT_EQ(guide[2], 1.5f); // an alpha that is none hides nothing
 }
 
 TEST(Guide, NoChannelsGiveNothing) {
