@@ -173,8 +173,9 @@ def test_errors_name_what_is_allowed(arguments, says):
     (dict(size=("400", "300")), "size"),
     (dict(scale=2, roi=(0, 0, 1)), "roi"),
     (dict(scale=2, roi="0011"), "roi"),
-    (dict(scale=2, threads=2.5), "threads"),
-    (dict(scale=2, threads=None), "threads"),
+    (dict(scale=2, threads=1.5), "^ddt: threads must be a whole number, not 1.5$"),
+    (dict(scale=2, threads=None), "^ddt: threads must be a whole number, not None$"),
+    (dict(scale=2, threads=(2,)), "^ddt: threads must be a whole number, not .2,.$"),
     (dict(scale=2, filter=None), "filter None is not allowed; allowed are texts"),
     (dict(scale=2, light=5), "light"),
 ])

@@ -175,7 +175,10 @@ def _whole_numbers(name: str, numbers: Any, allowed: str) -> Tuple[int, ...]:
 
 
 def _thread_count(threads: Any) -> int:
-    (count,) = _whole_numbers("threads", (threads,), "(threads)")
+    try:
+        count = operator.index(threads)
+    except TypeError:
+        raise TypeError(f"ddt: threads must be a whole number, not {_shown(threads)}") from None
     return max(-1, min(count, 2**31 - 1))
 
 
