@@ -119,15 +119,17 @@ Wanted wanted_by(GeglOperation* operation) {
     const auto flags = source ? babl_get_model_flags(source)
                               : BablModelFlag(BABL_MODEL_FLAG_RGB | BABL_MODEL_FLAG_ALPHA |
                                               BABL_MODEL_FLAG_ASSOCIATED);
-    // Of palettes there are no flags.
-    const bool alpha = !source || babl_format_has_alpha(source),
+    // Of palettes there are no flags; of formats such as "HSVA float" the flags alone tell.
+    const bool alpha = !source || babl_format_has_alpha(source) || flags & BABL_MODEL_FLAG_ALPHA,
                is_grey = flags & BABL_MODEL_FLAG_GRAY;
     const char* curve =
         flags & BABL_MODEL_FLAG_NONLINEAR ? curve_of(space ? space : babl_space("sRGB")) : nullptr;
     const bool blend_encoded = self_of(operation).light == 1;
     Wanted wanted;
     wanted.channels = (is_grey ? 1 : 3) + (alpha ? 1 : 0);
-    wanted.associated = flags & BABL_MODEL_FLAG_ASSOCIATED;
+    // Of transparent pixels babl's way from "YaA float" to "Y'aA float" writes beyond its memory.
+    const bool is_unsafe = is_grey && blend_encoded && !(flags & BABL_MODEL_FLAG_NONLINEAR);
+    wanted.associated = flags & BABL_MODEL_FLAG_ASSOCIATED && !is_unsafe;
     wanted.light = blend_encoded ? "encoded" : curve ? curve : "linear";
     wanted.format = babl_format_with_space(
         (is_grey ? grey : colour)[blend_encoded || curve][alpha ? wanted.associated ? 2 : 1 : 0],
