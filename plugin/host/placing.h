@@ -11,7 +11,7 @@ struct Placing {
     Rect full;     ///< all of the result; pixels that no position lies within show the nearest
     Rect from, to; ///< by how much all is enlarged: pixels of the source become these of the result
 
-    /// Whether the result has the source's pixels as they are.
+    /// Whether the result has the source's pixels as they are, but for holes that are filled.
     bool copies() const {
         return from.width() == to.width() && from.height() == to.height() &&
                window.width() == full.width() && window.height() == full.height();

@@ -136,6 +136,8 @@ int render_part(Effect effect, const SourceClip& source, const Image& from, cons
         return failed;
     const Windows w = source.windows();
     work.place = w.place;
+    if (!w.bounded())
+        work.holes = Holes::keep; // a copy, whatever else is asked for
     part = intersection(part, work.to.box);
     const Rect inside = intersection(part, w.place.full);
     if (inside.width() != part.width() || inside.height() != part.height())

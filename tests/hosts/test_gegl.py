@@ -7,6 +7,8 @@ import subprocess
 import sys
 import unittest
 
+import OpenImageIO
+
 import support
 
 FOLDER = os.path.join(support.BUILD, "hosts", "gegl")
@@ -200,6 +202,19 @@ class Gegl(support.Case):
     def test_a_scale_of_one_changes_nothing(self):
         self.gegl("float.exr", "out.exr", "scale=1")
         self.same_floats("out.exr", "float.exr")
+
+    def test_a_scale_of_one_fills_holes(self):
+        image = self.load("float.exr")
+        pixels = image.get_pixels("float")
+        pixels[11:18, 20:29] = float("nan")
+        holed = OpenImageIO.ImageBuf(image.spec())
+        holed.set_pixels(image.roi, pixels)
+        self.assertTrue(holed.write(self.path("holes.exr")))
+        self.succeed("oiiotool", "holes.exr.ddt?scale=1&holes=fill", "-d", "float", "-o",
+                     "wanted.exr")
+        self.assertEqual(self.gegl("holes.exr", "out.exr", "scale=1", "holes=fill"), "")
+        self.same_floats("out.exr", "wanted.exr")
+        self.assert_different("out.exr", "holes.exr")
 
     def test_pieces_are_of_one_enlargement(self):
         # As GIMP asks: piece after piece of one graph.
