@@ -73,12 +73,12 @@ Placing onto(const Rect& window, const Rect& full) {
     return {window, full, window, full};
 }
 
-int begin_of(double v) {
-    return int(std::floor(std::clamp(v, -1e9, 1e9) + 0.01));
+int begin_of(double v, double hair) {
+    return int(std::floor(std::clamp(v, -1e9, 1e9) + hair));
 }
 
-int end_of(double v) {
-    return int(std::ceil(std::clamp(v, -1e9, 1e9) - 0.01));
+int end_of(double v, double hair) {
+    return int(std::ceil(std::clamp(v, -1e9, 1e9) - hair));
 }
 
 Placing by_factors(const Rect& window, double x_factor, double y_factor) {

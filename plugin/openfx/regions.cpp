@@ -32,7 +32,7 @@ int region_of_definition(Effect effect, Properties in, Properties out) {
     const Windows w = windows_of(source.region, scale, scale, source.settings, zooms());
     if (!w.bounded())
         return reply_default;
-    set_rect(out, "OfxImageEffectPropRegionOfDefinition", to_canonical(w.place.full, scale));
+    set_rect(out, "OfxImageEffectPropRegionOfDefinition", to_region(w.place.full, scale));
     return ok;
 }
 
