@@ -58,10 +58,8 @@ public:
             error = "ddt: no pixel is there to fill the others from";
             return false;
         }
-        if (progress && !progress(0)) {
-            error = "ddt: cancelled";
+        if (!tell(progress, 0, error))
             return false;
-        }
         const std::vector<HoleGroup> groups = group_holes(m_missing, m_image.width, m_image.height);
         float rims = 0;
         for (const HoleGroup& group : groups)
@@ -78,10 +76,16 @@ public:
             return false;
         }
         spread();
-        return true;
+        return tell(progress, 1, error);
     }
 
 private:
+    static bool tell(const Tell& progress, float share, std::string& error) {
+        const bool going = !progress || progress(share);
+        if (!going)
+            error = "ddt: cancelled";
+        return going;
+    }
     static bool is_set(uint8_t byte) { return byte != 0; }
 
     float* pixel(size_t i) { return m_image.values + i * size_t(m_image.channels); }

@@ -14,6 +14,7 @@
 #include <gegl-plugin.h>
 #include <gegl.h>
 
+#include "core/base/guarded.h"
 #include "ddt/names.h"
 #include "plugin/host/parameters.h"
 #include "plugin/host/pixels.h"
@@ -119,15 +120,17 @@ Wanted wanted_by(GeglOperation* operation) {
     const auto flags = source ? babl_get_model_flags(source)
                               : BablModelFlag(BABL_MODEL_FLAG_RGB | BABL_MODEL_FLAG_ALPHA |
                                               BABL_MODEL_FLAG_ASSOCIATED);
-    // Of palettes there are no flags.
-    const bool alpha = !source || babl_format_has_alpha(source),
+    // Of palettes there are no flags; of formats such as "HSVA float" the flags alone tell.
+    const bool alpha = !source || babl_format_has_alpha(source) || flags & BABL_MODEL_FLAG_ALPHA,
                is_grey = flags & BABL_MODEL_FLAG_GRAY;
     const char* curve =
         flags & BABL_MODEL_FLAG_NONLINEAR ? curve_of(space ? space : babl_space("sRGB")) : nullptr;
     const bool blend_encoded = self_of(operation).light == 1;
     Wanted wanted;
     wanted.channels = (is_grey ? 1 : 3) + (alpha ? 1 : 0);
-    wanted.associated = flags & BABL_MODEL_FLAG_ASSOCIATED;
+    // Of transparent pixels babl's way from "YaA float" to "Y'aA float" writes beyond its memory.
+    const bool is_unsafe = is_grey && blend_encoded && !(flags & BABL_MODEL_FLAG_NONLINEAR);
+    wanted.associated = flags & BABL_MODEL_FLAG_ASSOCIATED && !is_unsafe;
     wanted.light = blend_encoded ? "encoded" : curve ? curve : "linear";
     wanted.format = babl_format_with_space(
         (is_grey ? grey : colour)[blend_encoded || curve][alpha ? wanted.associated ? 2 : 1 : 0],
@@ -234,6 +237,31 @@ int threads_of_gegl() {
     return threads_within(uint64_t(std::max(threads, 1)));
 }
 
+/// A buffer of floats for the pixels of a box.
+Buffer buffer_of(std::vector<float>& values, const Rect& box, int channels) {
+    constexpr auto size = ptrdiff_t(sizeof(float));
+    values.resize(box.area() * size_t(channels));
+    return {values.data(),  size * channels * box.width(), size * channels, size, box,
+            Sample::float32};
+}
+
+/// A copy without holes. Its pixels go through memory, in the format that both have.
+bool fill(Enlargement work, GeglBuffer* input, GeglBuffer* output, const Babl* format,
+          std::string& error) {
+    return ddt::succeeds(&error, [&](std::string& why) {
+        const GeglRectangle all = rectangle_of(work.from.box), part = rectangle_of(work.to.box);
+        std::vector<float> before, after;
+        work.from = buffer_of(before, work.from.box, work.layout.channels);
+        work.to = buffer_of(after, work.to.box, work.layout.channels);
+        gegl_buffer_get(input, &all, 1.0, format, before.data(), GEGL_AUTO_ROWSTRIDE,
+                        GEGL_ABYSS_CLAMP);
+        if (enlarge(work, why) != ddt::Outcome::done)
+            return false;
+        gegl_buffer_set(output, &part, 0, format, after.data(), GEGL_AUTO_ROWSTRIDE);
+        return true;
+    });
+}
+
 gboolean process(GeglOperation* operation, GeglBuffer* input, GeglBuffer* output,
                  const GeglRectangle* part, gint) {
     Enlargement work;
@@ -242,7 +270,8 @@ gboolean process(GeglOperation* operation, GeglBuffer* input, GeglBuffer* output
         return FALSE;
     }
     const Operation& self = self_of(operation);
-    if (work.place.copies()) {
+    const bool copies = work.place.copies();
+    if (copies && holes_of(operation) == ddt::Holes::keep) {
         const GeglRectangle from = rectangle_of(needed(work.place, rect_of(*part)));
         gegl_buffer_copy(input, &from, GEGL_ABYSS_CLAMP, output, part);
         return TRUE;
@@ -269,7 +298,8 @@ gboolean process(GeglOperation* operation, GeglBuffer* input, GeglBuffer* output
     }
     GeglSource source(input, wanted, work);
     GeglSink sink(output, wanted.format, work);
-    if (enlarge(work, source, sink, error) == ddt::Outcome::done)
+    if (copies ? fill(work, input, output, wanted.format, error)
+               : enlarge(work, source, sink, error) == ddt::Outcome::done)
         return TRUE;
     g_warning("%s", error.c_str());
     return FALSE;

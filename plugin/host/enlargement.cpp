@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "plugin/colour/colour_pixels.h"
 #include "plugin/colour/encodings.h"
+#include "plugin/host/holes.h"
 #include "plugin/host/pixels.h"
 
 namespace ddt::host {
@@ -154,7 +155,8 @@ Outcome enlarge(const Enlargement& work, std::string& error) {
             if (!check(work, error))
                 return Outcome::bad_job;
             copy(work);
-            return Outcome::done;
+            const bool fill = work.holes != Holes::keep && !work.layout.is_ids();
+            return fill ? fill_copy(work, job_of(work), error) : Outcome::done;
         });
     if (!work.from.data || !work.to.data) {
         error = "ddt: the source's and the result's memory must not be null";

@@ -62,8 +62,9 @@ struct Enlargement {
 /// As many threads as usual, but no more than the program that we are in `allows` its own work.
 int threads_within(uint64_t allows);
 
-/// Do it. A full that has the window's size and is not enlarged is a copy, holes and all; a smaller
-/// one is Outcome::bad_job, with one line in `error` as of any failure. Never throws.
+/// Do it. A full that has the window's size and is not enlarged is a copy, in which holes are
+/// filled if `holes` says so: what is there keeps its bits. A smaller one is Outcome::bad_job, with
+/// one line in `error` as of any failure. Never throws.
 Outcome enlarge(const Enlargement& work, std::string& error);
 
 /// The same with a source and a sink of the host's own, whose pixels are associated linear light or

@@ -122,7 +122,17 @@ const std::vector<Parameter>& parameters() {
     return *all;
 }
 
+namespace {
+
+/// An expression or a curve may leave a range that a host keeps its sliders in.
+double within_range(const Parameter& p, double value) {
+    return std::isnan(value) ? p.initial : std::clamp(value, p.low, p.high);
+}
+
+} // namespace
+
 std::string item(const Parameter& p, double value) {
+    value = within_range(p, value);
     // Sliders stop between the two that stand for something, and between them and 0.
     if (p.initial == filters_own && value < 0)
         value = value < (by_name + filters_own) / 2 ? p.low : filters_own;
@@ -135,7 +145,7 @@ std::string item(const Parameter& p, double value) {
                                                     : number_text(float(value));
         break;
     case OptionKind::choice:
-        text = p.names[size_t(std::clamp(value, p.low, p.high))];
+        text = p.names[size_t(value)];
         break;
     default:
         text = std::to_string(std::llround(value));

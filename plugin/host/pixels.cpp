@@ -21,11 +21,11 @@ void dissociate(const ColourLayout& colour, float* pixels, size_t count, int cha
                 pixels[colour.channel[k]] /= alpha;
 }
 
+} // namespace
+
 bool must_associate(const Layout& layout) {
     return !layout.associated && layout.colour.alpha >= 0;
 }
-
-} // namespace
 
 void to_work(const Enlargement& work, float* values, size_t count) {
     const Layout& layout = work.layout;

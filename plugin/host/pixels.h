@@ -6,6 +6,9 @@
 
 namespace ddt::host {
 
+/// Whether colour is multiplied by alpha before the work and divided by it afterwards.
+bool must_associate(const Layout& layout);
+
 /// What memory holds, to what the core works on, and back: associated linear light, or as it is.
 void to_work(const Enlargement& work, float* values, size_t count);
 void from_work(const Enlargement& work, float* values, size_t count);

@@ -73,12 +73,12 @@ Placing onto(const Rect& window, const Rect& full) {
     return {window, full, window, full};
 }
 
-int begin_of(double v) {
-    return int(std::floor(std::clamp(v, -1e9, 1e9) + 0.01));
+int begin_of(double v, double hair) {
+    return int(std::floor(std::clamp(v, -1e9, 1e9) + hair));
 }
 
-int end_of(double v) {
-    return int(std::ceil(std::clamp(v, -1e9, 1e9) - 0.01));
+int end_of(double v, double hair) {
+    return int(std::ceil(std::clamp(v, -1e9, 1e9) - hair));
 }
 
 Placing by_factors(const Rect& window, double x_factor, double y_factor) {
@@ -109,12 +109,12 @@ Rect needed(const Placing& place, const Rect& box, Holes holes) {
     const Rect part = intersection(place.full, box);
     if (window.empty() || part.empty())
         return {};
+    if (holes != Holes::keep)
+        return window;
     if (place.copies()) {
         const int x = place.from.x0 - place.to.x0, y = place.from.y0 - place.to.y0;
         return {part.x0 + x, part.y0 + y, part.x1 + x, part.y1 + y};
     }
-    if (holes != Holes::keep)
-        return window;
     const Grid tiles = shown_tiles(window, place.mapping(part));
     const Rect first = tiles.tile(0).pixels, last = tiles.tile(tiles.count() - 1).pixels;
     return {first.x0, first.y0, last.x1, last.y1};
@@ -123,7 +123,7 @@ Rect needed(const Placing& place, const Rect& box, Holes holes) {
 Rect made_at_once(const Placing& place, const Rect& box, Holes holes) {
     constexpr int little = 1024, most = 2048; // pixels along an axis
     const Rect part = intersection(place.full, box);
-    if (part.empty() || place.copies())
+    if (part.empty() || (place.copies() && holes == Holes::keep))
         return part;
     if (holes != Holes::keep || place.full.area() <= most_at_once)
         return place.full;

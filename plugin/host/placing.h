@@ -11,7 +11,7 @@ struct Placing {
     Rect full;     ///< all of the result; pixels that no position lies within show the nearest
     Rect from, to; ///< by how much all is enlarged: pixels of the source become these of the result
 
-    /// Whether the result has the source's pixels as they are.
+    /// Whether the result has the source's pixels as they are, but for holes that are filled.
     bool copies() const {
         return from.width() == to.width() && from.height() == to.height() &&
                window.width() == full.width() && window.height() == full.height();
@@ -35,10 +35,10 @@ Placing about(int x, int y, const Rect& window, double x_factor, double y_factor
 /// `window` enlarged by factors: sizes rounded to whole pixels, at least 1; the corner rounded too.
 Rect scaled(const Rect& window, double x_factor, double y_factor);
 
-/// Where the pixels begin and end that an interval from or to here touches, but for less than a
-/// hundredth of one.
-int begin_of(double v);
-int end_of(double v);
+/// Where the pixels begin and end that an interval from or to here touches, but for less than
+/// `hair` of one.
+int begin_of(double v, double hair = 0.01);
+int end_of(double v, double hair = 0.01);
 
 /// The pixels of the window that the part `box` of the result depends on: whole tiles and their
 /// halos; to fill holes the whole of it. Empty if box misses `full`.

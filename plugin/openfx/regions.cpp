@@ -14,6 +14,13 @@ void set_rect(Properties p, const char* name, const RectD& r) {
     set(p, name, r.y2, 3);
 }
 
+Holes holes_of(const Settings& settings) {
+    host::Enlargement work;
+    std::string error;
+    host::set_filter(settings.filter, "linear", work, error);
+    return work.holes;
+}
+
 } // namespace
 
 int region_of_definition(Effect effect, Properties in, Properties out) {
@@ -25,7 +32,7 @@ int region_of_definition(Effect effect, Properties in, Properties out) {
     const Windows w = windows_of(source.region, scale, scale, source.settings, zooms());
     if (!w.bounded())
         return reply_default;
-    set_rect(out, "OfxImageEffectPropRegionOfDefinition", to_canonical(w.place.full, scale));
+    set_rect(out, "OfxImageEffectPropRegionOfDefinition", to_region(w.place.full, scale));
     return ok;
 }
 
@@ -40,10 +47,8 @@ int regions_of_interest(Effect effect, Properties in, Properties out) {
     const Windows w = source.windows();
     if (!w.bounded())
         return reply_default;
-    host::Enlargement work; // for what it says of holes
-    std::string error;
-    host::set_filter(source.settings.filter, "linear", work, error);
-    const Rect pixels = host::needed(w.place, to_pixels(wanted, source.scale), work.holes);
+    const Rect pixels =
+        host::needed(w.place, to_pixels(wanted, source.scale), holes_of(source.settings));
     if (pixels.empty())
         return reply_default;
     set_rect(out, "OfxImageClipPropRoI_Source", to_canonical(pixels, source.scale));
@@ -55,7 +60,10 @@ int is_identity(Effect effect, Properties in, Properties out) {
     if (!source.find(effect, in))
         return reply_default;
     const Windows w = source.windows();
-    if (!w.place.copies())
+    // Of what has no end nothing is made.
+    const bool same = w.place.copies() && w.place.full == w.place.window &&
+                      holes_of(source.settings) == Holes::keep;
+    if (w.bounded() && !same)
         return reply_default;
     set(out, "OfxPropName", "Source");
     set(out, "OfxPropTime", source.time);

@@ -15,8 +15,9 @@ namespace {
 /// An image of a clip; released when it goes.
 class Image {
 public:
+    /// `clip` may be null.
     Image(Clip clip, double time) {
-        if (suites.effect->clip_get_image(clip, time, nullptr, &m_image) != ok)
+        if (!clip || suites.effect->clip_get_image(clip, time, nullptr, &m_image) != ok)
             m_image = nullptr;
     }
     ~Image() {
@@ -25,7 +26,8 @@ public:
     }
     Image(const Image&) = delete;
     Image& operator=(const Image&) = delete;
-    explicit operator bool() const { return m_image != nullptr; }
+    /// False where there is none, or one without pixels.
+    explicit operator bool() const { return m_image && !bounds().empty(); }
 
     /// 4, 3, 1, or 0 for components that are not supported.
     int channels() const {
@@ -39,7 +41,7 @@ public:
         return get(m_image, "OfxImageEffectPropPreMultiplication", "") ==
                "OfxImageAlphaUnPremultiplied";
     }
-    /// False for a depth that is not supported or an image without pixels.
+    /// False for a depth that is not supported or an image without memory.
     bool buffer(host::Buffer& b) const {
         constexpr std::pair<const char*, host::Sample> depths[] = {
             {"OfxBitDepthFloat", host::Sample::float32},
@@ -52,10 +54,7 @@ public:
         char* data = static_cast<char*>(get_pointer(m_image, "OfxImagePropData"));
         if (known == std::end(depths) || !data)
             return false;
-        Rect upwards;
-        int* const sides[] = {&upwards.x0, &upwards.y0, &upwards.x1, &upwards.y1};
-        for (int i = 0; i < 4; ++i)
-            *sides[i] = get(m_image, "OfxImagePropBounds", 0, i);
+        const Rect upwards = bounds();
         const ptrdiff_t row = get(m_image, "OfxImagePropRowBytes", 0);
         b.sample = known->second;
         b.channel = ptrdiff_t(host::size_of(b.sample));
@@ -63,10 +62,16 @@ public:
         b.row = -row;
         b.box = host::flipped(upwards);
         b.data = data + row * (upwards.height() - 1); // the uppermost
-        return !upwards.empty();
+        return true;
     }
 
 private:
+    /// Rows upwards.
+    Rect bounds() const {
+        const auto side = [&](int i) { return get(m_image, "OfxImagePropBounds", 0, i); };
+        return {side(0), side(1), side(2), side(3)};
+    }
+
     Properties m_image = nullptr;
 };
 
@@ -136,6 +141,8 @@ int render_part(Effect effect, const SourceClip& source, const Image& from, cons
         return failed;
     const Windows w = source.windows();
     work.place = w.place;
+    if (!w.bounded())
+        work.holes = Holes::keep; // a copy, whatever else is asked for
     part = intersection(part, work.to.box);
     const Rect inside = intersection(part, w.place.full);
     if (inside.width() != part.width() || inside.height() != part.height())
@@ -158,7 +165,8 @@ int render_part(Effect effect, const SourceClip& source, const Image& from, cons
                                                : int(failed);
 }
 
-/// What clipGetImage() asks of an effect whose source has no image at that time: it is black.
+/// What clipGetImage() and clipGetRegionOfDefinition() ask of an effect whose source has no image
+/// at that time: it is black. So is one whose image has no pixels.
 int render_black(const Image& to, const Rect& part) {
     host::Buffer buffer;
     if (!to.buffer(buffer) || to.channels() == 0)
@@ -174,10 +182,11 @@ int render(Effect effect, Properties in) {
     Clip output = nullptr;
     std::string error;
     int status = failed;
-    if (!source.find(effect, in) ||
+    const bool found = source.find(effect, in);
+    if ((!found && !source.is_black) ||
         suites.effect->clip_get_handle(effect, "Output", &output, nullptr) != ok)
         return failed;
-    const Image from(source.clip, source.time), to(output, source.time);
+    const Image from(found ? source.clip : nullptr, source.time), to(output, source.time);
     if (!from || !to) {
         if (suites.effect->abort(effect))
             return ok;

@@ -13,6 +13,9 @@ namespace {
 
 constexpr const char* advanced = "advanced";
 
+constexpr double largest_scale = 1024;
+constexpr int largest_side = 1 << 20;
+
 /// A parameter of the type with what all have; null where the host refuses it.
 Properties define(ParamSet set_, const char* type, const char* name, const char* label,
                   const std::string& help, const char* parent = nullptr) {
@@ -80,6 +83,11 @@ Number value(ParamSet set_, const char* name, double time, Number otherwise) {
     return number;
 }
 
+/// As far as the range goes, which hosts need not keep expressions and curves in; NaN is the least.
+double within(double number, double low, double high) {
+    return std::min(std::max(low, number), high);
+}
+
 std::string name_at(const std::vector<std::string>& names, int index) {
     return names[index >= 0 && size_t(index) < names.size() ? size_t(index) : 0];
 }
@@ -88,20 +96,20 @@ std::string name_at(const std::vector<std::string>& names, int index) {
 
 void define_parameters(ParamSet set_, bool zoom) {
     set_range(define(set_, "OfxParamTypeDouble", "scale", "Scale", "By how much both sides grow"),
-              2.0, 1.0, 1024.0, 8.0);
+              2.0, 1.0, largest_scale, 8.0);
     set_range(
         define(set_, "OfxParamTypeDouble", "scale_y", "Scale Y",
                "By how much the height grows; 0: as much as the width; between 0 and 1 it stays"),
-        0.0, 0.0, 1024.0, 8.0);
+        0.0, 0.0, largest_scale, 8.0);
     if (!zoom) {
         set_range(define(set_, "OfxParamTypeInteger", "width", "Width",
                          "Width of the result in pixels instead of a scale, the source's at least; "
                          "0: by the scale, or from the height"),
-                  0, 0, 1 << 20, 8192);
+                  0, 0, largest_side, 8192);
         set_range(define(set_, "OfxParamTypeInteger", "height", "Height",
                          "Height of the result in pixels instead of a scale, the source's at "
                          "least; 0: by the scale, or from the width"),
-                  0, 0, 1 << 20, 8192);
+                  0, 0, largest_side, 8192);
     } else {
         set_range(define(set_, "OfxParamTypeDouble", "centre_x", "Centre X",
                          "What stays in its place: from the left, 0, to the right, 1"),
@@ -128,13 +136,13 @@ Settings settings_at(Effect effect, double time) {
     ParamSet set_ = nullptr;
     suites.effect->get_param_set(effect, &set_);
     Settings s;
-    s.scale_x = value(set_, "scale", time, 2.0);
+    s.scale_x = within(value(set_, "scale", time, 2.0), 1, largest_scale);
     s.scale_y = value(set_, "scale_y", time, 0.0);
-    s.scale_y = s.scale_y > 0 ? std::max(s.scale_y, 1.0) : s.scale_x;
-    s.width = value(set_, "width", time, 0);
-    s.height = value(set_, "height", time, 0);
-    s.centre_x = value(set_, "centre_x", time, 0.5);
-    s.centre_y = value(set_, "centre_y", time, 0.5);
+    s.scale_y = s.scale_y > 0 ? within(s.scale_y, 1, largest_scale) : s.scale_x;
+    s.width = std::clamp(value(set_, "width", time, 0), 0, largest_side);
+    s.height = std::clamp(value(set_, "height", time, 0), 0, largest_side);
+    s.centre_x = within(value(set_, "centre_x", time, 0.5), 0, 1);
+    s.centre_y = within(value(set_, "centre_y", time, 0.5), 0, 1);
     s.filter = name_at(filter_names(), value(set_, "filter", time, 0));
     s.light = name_at(host::meaning_names(), value(set_, "light", time, 0));
     s.premultiplication = value(set_, "premultiplication", time, 0);

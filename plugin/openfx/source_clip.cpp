@@ -8,8 +8,11 @@ namespace ddt::ofx {
 bool SourceClip::find(Effect effect, Properties in) {
     Properties p = nullptr;
     time = get(in, "OfxPropTime", 0.0);
-    if (suites.effect->clip_get_handle(effect, "Source", &clip, &p) != ok ||
-        suites.effect->clip_get_region_of_definition(clip, time, &region) != ok)
+    if (suites.effect->clip_get_handle(effect, "Source", &clip, &p) != ok)
+        return false;
+    const int status = suites.effect->clip_get_region_of_definition(clip, time, &region);
+    is_black = status == failed;
+    if (status != ok)
         return false;
     if (!p)
         suites.effect->clip_get_property_set(clip, &p);

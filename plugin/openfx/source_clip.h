@@ -13,6 +13,8 @@ struct SourceClip {
     RectD region{}; ///< of definition, canonical
     PixelScale scale, at_full_scale;
     Settings settings;
+    /// That it has no region at this time, as clipGetRegionOfDefinition() then says.
+    bool is_black = false;
 
     /// False where the host has no such clip or region.
     bool find(Effect effect, Properties in);

@@ -37,14 +37,25 @@ host::Placing zoomed(const Rect& window, const Settings& s) {
 
 } // namespace
 
-Rect to_pixels(const RectD& r, const PixelScale& scale) {
-    return host::flipped({host::begin_of(r.x1 * scale.x), host::begin_of(r.y1 * scale.y),
-                          host::end_of(r.x2 * scale.x), host::end_of(r.y2 * scale.y)});
+Rect to_pixels(const RectD& r, const PixelScale& scale, double hair) {
+    return host::flipped({host::begin_of(r.x1 * scale.x, hair),
+                          host::begin_of(r.y1 * scale.y, hair), host::end_of(r.x2 * scale.x, hair),
+                          host::end_of(r.y2 * scale.y, hair)});
 }
 
 RectD to_canonical(const Rect& pixels, const PixelScale& scale) {
     const Rect r = host::flipped(pixels);
     return {r.x0 / scale.x, r.y0 / scale.y, r.x1 / scale.x, r.y1 / scale.y};
+}
+
+RectD to_region(const Rect& pixels, const PixelScale& scale) {
+    // Where a pixel is a unit nothing is rounded.
+    const auto drawn_in = [](double side, double s, double inwards) {
+        return s == 1 ? side : side + inwards * std::abs(side) * 0x1p-49;
+    };
+    const RectD r = to_canonical(pixels, scale);
+    return {drawn_in(r.x1, scale.x, 1), drawn_in(r.y1, scale.y, 1), drawn_in(r.x2, scale.x, -1),
+            drawn_in(r.y2, scale.y, -1)};
 }
 
 Windows windows_of(const RectD& region, const PixelScale& scale, const PixelScale& at_full_scale,
@@ -75,7 +86,8 @@ Windows windows_of(const RectD& region, const PixelScale& scale, const PixelScal
         w.place.to = at_full.to;
     }
     Rect& full = w.place.full;
-    full = to_pixels(to_canonical(at_full.full, at_full_scale), scale);
+    // As the host does, which asks for all that the region touches.
+    full = to_pixels(to_canonical(at_full.full, at_full_scale), scale, 1e-6);
     // A hair above 1 and at a small render scale it might come out smaller.
     full.x1 = std::max(full.x1, full.x0 + window.width());
     full.y0 = std::min(full.y0, full.y1 - window.height());

@@ -23,8 +23,13 @@ struct Windows {
     bool bounded() const { return !place.window.empty() && place.window.within_limits(); }
 };
 
-Rect to_pixels(const RectD& canonical, const PixelScale& scale);
+/// What a region touches, but for less than `hair` of a pixel.
+Rect to_pixels(const RectD& canonical, const PixelScale& scale, double hair = 0.01);
 RectD to_canonical(const Rect& pixels, const PixelScale& scale);
+/// The same for a host that looks for the pixels that the region touches: its right side times the
+/// scale may come out a hair beyond the whole number, and the host then wants a pixel more. So
+/// sides that are rounded are drawn in by more than that, and by less than any host sees.
+RectD to_region(const Rect& pixels, const PixelScale& scale);
 
 /// `region`: the source's, canonical. At render scales other than 1 `full` is that of scale 1,
 /// scaled along, as the host expects it. An endless region stays as it is.

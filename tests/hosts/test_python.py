@@ -82,6 +82,22 @@ def test_holes_are_filled_as_the_filter_fills_them():
     assert ours.tobytes() == by_filter(image, (161, 101), "ddt,light=linear,holes=fill").tobytes()
 
 
+@pytest.mark.parametrize("dtype", ["float16", "float32", "float64"])
+def test_holes_are_filled_where_the_size_stays(dtype):
+    image = picture(channels=3, dtype=dtype)
+    image[20:31, 25:40] = np.nan
+    image[5, 6, 0] = np.nan
+    missing = np.isnan(image)
+    ours = oiio_ddt.enlarge(image, 1, filter="ddt,holes=fill")
+    assert np.isfinite(ours).all()
+    assert ours[~missing].tobytes() == image[~missing].tobytes()
+    assert ours.tobytes() == by_filter(image, (70, 50), "ddt,holes=fill").tobytes()
+    part = oiio_ddt.enlarge(image, 1, filter="ddt,holes=fill", roi=(30, 10, 45, 25))
+    assert part.tobytes() == ours[10:25, 30:45].tobytes()
+    kept = oiio_ddt.enlarge(image, 1)
+    assert kept.tobytes() == image.tobytes()
+
+
 @pytest.mark.parametrize("dtype", NUMBERS + INTEGERS)
 def test_keeps_dtype_and_dimensions(dtype):
     image = (np.arange(12 * 9 * 2).reshape(9, 12, 2) % 100).astype(dtype)
@@ -173,8 +189,9 @@ def test_errors_name_what_is_allowed(arguments, says):
     (dict(size=("400", "300")), "size"),
     (dict(scale=2, roi=(0, 0, 1)), "roi"),
     (dict(scale=2, roi="0011"), "roi"),
-    (dict(scale=2, threads=2.5), "threads"),
-    (dict(scale=2, threads=None), "threads"),
+    (dict(scale=2, threads=1.5), "^ddt: threads must be a whole number, not 1.5$"),
+    (dict(scale=2, threads=None), "^ddt: threads must be a whole number, not None$"),
+    (dict(scale=2, threads=(2,)), "^ddt: threads must be a whole number, not .2,.$"),
     (dict(scale=2, filter=None), "filter None is not allowed; allowed are texts"),
     (dict(scale=2, light=5), "light"),
 ])

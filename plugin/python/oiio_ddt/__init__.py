@@ -59,7 +59,9 @@ def enlarge(
               encoding, blended as it is. "sRGB", "Rec709", "Gamma1.8", "Gamma2.2", "Gamma2.4":
               encoded so, and blended in linear light. None: "linear" of floats, "encoded" of
               integers, as the filter does for an image whose colour space nobody says. Where the
-              filter has an option light=, that counts.
+              filter has an option light=, that counts. (The filter's light=encoded in OpenImageIO
+              blends floats that nobody calls an encoding in the same way, but seeks edges in them
+              as in linear light; "linear" has its bits then.)
     alpha     "associated": colour is multiplied by alpha already. "unassociated": it is not, as
               in a PNG; colour where alpha is 0 does not show.
     threads   How many to use; 0 or less: as many as there are cores.
@@ -173,7 +175,10 @@ def _whole_numbers(name: str, numbers: Any, allowed: str) -> Tuple[int, ...]:
 
 
 def _thread_count(threads: Any) -> int:
-    (count,) = _whole_numbers("threads", (threads,), "(threads)")
+    try:
+        count = operator.index(threads)
+    except TypeError:
+        raise TypeError(f"ddt: threads must be a whole number, not {_shown(threads)}") from None
     return max(-1, min(count, 2**31 - 1))
 
 

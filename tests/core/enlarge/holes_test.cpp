@@ -169,6 +169,36 @@ TEST(JobHoles, ProgressRisesAndCancelsAtAnyCall) {
     EXPECT_EQ(shares[2], 1.0f);
 }
 
+TEST(FillHoles, ProgressEndsAtAllAndCancelsThereToo) {
+    constexpr int side = 40;
+    std::vector<float> shares;
+    size_t last = SIZE_MAX;
+    const auto filled = [&](bool corner, std::string& error) {
+        std::vector<float> values(side * side, 0.5f), guide(values.size());
+        std::vector<uint8_t> missing(values.size());
+        for (int y = 0; y < 9; ++y)
+            std::fill_n(&missing[size_t((corner ? y : y + 15) * side + (corner ? 0 : 15))], 9,
+                        uint8_t(1));
+        shares.clear();
+        return fill_holes(values.data(), side, side, 1, nullptr, guide.data(), missing.data(),
+                          plain_mesh(), &error, [&](float share) {
+                              shares.push_back(share);
+                              return shares.size() < last;
+                          });
+    };
+    for (const bool corner : {false, true}) {
+        std::string error;
+        last = SIZE_MAX;
+        ASSERT_TRUE(filled(corner, error)) << error;
+        EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+        EXPECT_EQ(shares.back(), 1.0f);
+        last = shares.size();
+        EXPECT_FALSE(filled(corner, error));
+        EXPECT_EQ(error, "ddt: cancelled");
+        EXPECT_EQ(shares.size(), last);
+    }
+}
+
 /// Single pixels all over it, and a hole larger than those that share meshes.
 TEST(FillHoles, HasTheSameBitsByAnyNumberOfThreads) {
     constexpr int side = 210;

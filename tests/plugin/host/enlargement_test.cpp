@@ -2,7 +2,9 @@
 // A host's picture is enlarged to the bits that ddt::resize() makes of the same ImageBuf.
 #include "plugin/host/enlargement.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 
@@ -325,6 +327,114 @@ TEST(Enlargement, HolesAreFilledAsTheFilterDoes) {
         const ddt::Rect all = needed(work.place, {0, 0, 4, 4}, work.holes);
         EXPECT_EQ(all.width(), 60);
         EXPECT_EQ(all.height(), 40);
+    }
+}
+
+/// A picture with a hole, and a pixel beside it that lacks red alone.
+ImageBuf holed_picture(int channels, TypeDesc type) {
+    ImageBuf image = picture(60, 40, channels, type);
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float hole[] = {nan, nan, nan, nan}, lacks_red[] = {nan, 0.5f, 0.25f, 0.75f};
+    for (int x = 20; x < 31; ++x)
+        for (int y = 9; y < 25; ++y)
+            image.setpixel(x, y, x == 30 ? lacks_red : hole);
+    return image;
+}
+
+TEST(Enlargement, TheSameSizeIsACopyWhoseHolesAreFilledAsTheFilterDoes) {
+    for (const TypeDesc type : {TypeDesc::HALF, TypeDesc::FLOAT, TypeDesc::DOUBLE})
+        for (const int channels : {3, 4})
+            for (const std::string light : {"linear", "sRGB", "encoded"}) {
+                ImageBuf from = holed_picture(channels, type);
+                if (type == TypeDesc::DOUBLE) // what floats have no room for stays
+                    *static_cast<double*>(from.pixeladdr(3, 4)) = 1.0 / 3;
+                ddt::Options options;
+                options.holes = ddt::Holes::fill;
+                options.light = light;
+                if (light == "encoded")
+                    from.specmod().attribute("oiio:ColorSpace", "sRGB");
+                const ImageBuf wanted = images::enlarged(from, 60, 40, options);
+                ASSERT_FALSE(std::isnan(images::value(wanted, 25, 17)));
+                const OIIO::ROI part = images::window(17, 48, 3, 21);
+                ImageBuf to = images::make(part, from.roi(), channels, type);
+                Enlargement work = work_of(from, to, light);
+                work.place = onto(work.from.box, work.from.box);
+                work.holes = options.holes;
+                std::string error;
+                ASSERT_EQ(enlarge(work, error), ddt::Outcome::done) << error;
+                EXPECT_TRUE(bytes(to) == bytes(wanted, part)) << type << channels << light;
+                EXPECT_EQ(needed(work.place, work.to.box, work.holes), work.from.box);
+            }
+}
+
+TEST(Enlargement, ACopyKeepsUnassociatedColourWhereNothingIsMissing) {
+    ImageBuf straight = picture(60, 40, 4, TypeDesc::FLOAT);
+    ASSERT_TRUE(OIIO::ImageBufAlgo::unpremult(straight, straight));
+    const float unseen[] = {5, 5, 5, 0};
+    for (int x = 20; x < 31; ++x)
+        for (int y = 9; y < 25; ++y)
+            straight.setpixel(x, y, unseen);
+    ImageBuf product, wanted;
+    ASSERT_TRUE(OIIO::ImageBufAlgo::premult(product, straight));
+    ddt::Options options;
+    options.holes = ddt::Holes::fill_alpha;
+    options.light = "linear";
+    const ImageBuf filled = images::enlarged(product, 60, 40, options);
+    ASSERT_TRUE(OIIO::ImageBufAlgo::unpremult(wanted, filled));
+    ImageBuf to = images::make(60, 40, 4);
+    Enlargement work = work_of(straight, to, "linear");
+    work.layout.associated = false;
+    work.holes = options.holes;
+    std::string error;
+    ASSERT_EQ(enlarge(work, error), ddt::Outcome::done) << error;
+    int missing = 0;
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 60; ++x) {
+            const bool there = images::value(straight, x, y, 3) != 0;
+            missing += !there;
+            for (int c = 0; c < 4; ++c)
+                ASSERT_EQ(images::value(to, x, y, c),
+                          images::value(there ? straight : wanted, x, y, c))
+                    << x << " " << y << " " << c;
+            EXPECT_GT(images::value(to, x, y, 3), 0);
+        }
+    EXPECT_GE(missing, 11 * 16);
+}
+
+TEST(Enlargement, ACopyOfNumbersOfObjectsHasNoHoles) {
+    ImageBuf from = images::make(40, 30, 1, TypeDesc::UINT32),
+             to = images::make(40, 30, 1, TypeDesc::UINT32);
+    auto* ids = static_cast<uint32_t*>(from.localpixels());
+    for (size_t i = 0; i < 40 * 30; ++i)
+        ids[i] = 0x7fc00000u + uint32_t(i / 7); // NaN, were they floats
+    Enlargement work = work_of(from, to, "linear");
+    work.holes = ddt::Holes::fill;
+    std::string error;
+    ASSERT_EQ(enlarge(work, error), ddt::Outcome::done) << error;
+    EXPECT_TRUE(bytes(to) == bytes(from));
+}
+
+TEST(Enlargement, FillingACopyTellsHowFarItIsAndStopsWhenTold) {
+    ImageBuf from = holed_picture(3, TypeDesc::FLOAT), to = images::make(60, 40, 3);
+    Enlargement work = work_of(from, to, "linear");
+    work.holes = ddt::Holes::fill;
+    std::vector<float> shares;
+    size_t last = SIZE_MAX;
+    work.progress = [&](float share) {
+        shares.push_back(share);
+        return shares.size() < last;
+    };
+    std::string error;
+    ASSERT_EQ(enlarge(work, error), ddt::Outcome::done) << error;
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_EQ(shares.back(), 1.0f);
+    const size_t calls = shares.size();
+    for (const size_t stop : {size_t(1), calls / 2, calls}) {
+        shares.clear();
+        last = stop;
+        EXPECT_EQ(enlarge(work, error), ddt::Outcome::cancelled) << stop;
+        EXPECT_EQ(error, "ddt: cancelled");
+        EXPECT_EQ(shares.size(), stop);
     }
 }
 

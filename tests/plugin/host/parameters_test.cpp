@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <clocale>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -86,6 +88,19 @@ TEST(Parameters, EveryValueOfAnOptionCanBeSaidOfEveryFilter) {
                     EXPECT_NE(std::find(reached.begin(), reached.end(), text), reached.end())
                         << start << " " << p.option->key << "=" << text;
             }
+}
+
+// An expression or a curve of a host may say anything.
+TEST(Parameters, OutOfRangeTheNearestEndCounts) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    for (const Parameter& p : parameters()) {
+        EXPECT_EQ(item(p, std::nan("")), "") << p.option->key;
+        for (const double value : {p.low - 5, p.low - 1e30, -infinity})
+            EXPECT_EQ(item(p, value), item(p, p.low)) << p.option->key << " " << value;
+        for (const double value : {p.high + 1, p.high * 3 + 7, 1e300, infinity})
+            EXPECT_EQ(item(p, value), item(p, p.high)) << p.option->key << " " << value;
+        parsed("ddt" + item(p, infinity));
+    }
 }
 
 TEST(Parameters, BetweenNumbersThatStandForSomethingTheNearestCounts) {

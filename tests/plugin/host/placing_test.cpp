@@ -94,6 +94,8 @@ TEST(Placing, FillingHolesNeedsTheWholeWindow) {
     EXPECT_EQ(needed(place, corner, Holes::fill), window);
     EXPECT_EQ(needed(place, corner, Holes::fill_alpha), window);
     EXPECT_TRUE(needed(place, {2000, 0, 2010, 10}, Holes::fill).empty());
+    EXPECT_EQ(needed(onto(window, window), corner, Holes::fill), window);
+    EXPECT_EQ(needed(onto(window, window), corner), corner);
 }
 
 TEST(MadeAtOnce, IsEverythingOfAResultOfUsualSize) {
@@ -131,6 +133,7 @@ TEST(MadeAtOnce, IsWhatIsAskedForWhereThatIsMuch) {
 TEST(MadeAtOnce, IsNoMoreThanIsAskedForOfACopy) {
     const Placing place = by_factors({0, 0, 9000, 6000}, 1, 1);
     EXPECT_EQ(made_at_once(place, {5, 6, 70, 80}), (Rect{5, 6, 70, 80}));
+    EXPECT_EQ(made_at_once(place, {5, 6, 70, 80}, Holes::fill), place.full);
 }
 
 } // namespace

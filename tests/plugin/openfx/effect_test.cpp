@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the effect does, in a host that suits.
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "plugin/colour/space_light.h"
 #include "tests/plugin/openfx/effect_fixture.h"
@@ -157,6 +159,102 @@ TEST_F(OpenFx, ASourceWithoutAnImageIsBlack) {
         const std::vector<char> black(70 * 12, 0);
         EXPECT_EQ(std::memcmp(effect->output.row(y) + 120, black.data(), black.size()), 0);
     }
+}
+
+TEST_F(OpenFx, AnImageWithoutPixelsAndAClipWithoutARegionAreBlack) {
+    for (const bool no_region : {true, false}) {
+        open(nuke, photograph(40, 30, 3, TypeDesc::FLOAT));
+        effect->output = effect->source;
+        effect->output.box = {0, 0, 80, 60};
+        effect->output.allocate();
+        if (no_region)
+            effect->region_status = ddt::ofx::failed;
+        else
+            effect->source.box = {0, 0, 0, 0};
+        ASSERT_EQ(effect->render({0, 0, 80, 60}), ddt::ofx::ok) << no_region;
+        EXPECT_EQ(std::count(effect->output.bytes.begin(), effect->output.bytes.end(), 0),
+                  80 * 60 * 12);
+        EXPECT_TRUE(host->messages.empty());
+        EXPECT_EQ(effect->images_held, 0);
+    }
+    effect->region_status = ddt::ofx::bad_handle;
+    EXPECT_EQ(effect->render({0, 0, 80, 60}), ddt::ofx::failed);
+}
+
+TEST_F(OpenFx, NoPixelOfWhatTheHostAsksForIsBlack) {
+    for (const auto& [aspect, factor, width] :
+         {std::tuple{1.46, 3, 720}, {0.91, 5, 720}, {0.91, 2, 1920}, {1.0, 3, 720}})
+        for (const double scale : {1.0, 0.5}) {
+            const int proxy = int(width * scale);
+            ImageBuf white = images::make(proxy, 8, 3);
+            images::fill(white, [](int, int, int) { return 1.0f; });
+            open(natron, white);
+            effect->clips.at("Source").put("OfxImagePropPixelAspectRatio", aspect);
+            effect->source_region = {0, 0, width * aspect, 8 / scale};
+            effect->set("scale", factor);
+            RectD r{};
+            ASSERT_EQ(effect->region_of_definition(r), ddt::ofx::ok);
+            effect->output = effect->source;
+            effect->output.box = {
+                int(std::floor(r.x1 * scale / aspect)), int(std::floor(r.y1 * scale)),
+                int(std::ceil(r.x2 * scale / aspect)), int(std::ceil(r.y2 * scale))};
+            effect->output.allocate();
+            EXPECT_EQ(effect->output.box.width(), proxy * factor) << aspect << " " << scale;
+            ASSERT_EQ(effect->render(effect->output.box, scale), ddt::ofx::ok);
+            const auto* numbers = reinterpret_cast<const float*>(effect->output.bytes.data());
+            const size_t count = effect->output.bytes.size() / sizeof(float);
+            EXPECT_EQ(std::count(numbers, numbers + count, 1.0f), ptrdiff_t(count))
+                << aspect << " " << scale;
+        }
+}
+
+/// Of expressions and curves, which hosts need not keep in range.
+TEST_F(OpenFx, NumbersOutOfRangeAreTheEndsOfTheRange) {
+    for (const Kind& kind : {nuke, resolve}) {
+        open(kind, photograph(40, 30, 3, TypeDesc::FLOAT), "OfxBitDepthFloat", -5, 7);
+        for (const double scale : {0.99, 0.5, 0.0, -1.0, double(NAN), -double(INFINITY)}) {
+            effect->params.at("scale").value = scale;
+            RectD r{};
+            ASSERT_EQ(effect->region_of_definition(r), ddt::ofx::ok);
+            EXPECT_TRUE(r.x1 == -5 && r.y1 == 7 && r.x2 == 35 && r.y2 == 37) << scale;
+            EXPECT_TRUE(effect->is_identity()) << scale;
+        }
+        effect->set("scale", 2);
+        render_whole();
+        const std::vector<char> usual = effect->output.bytes;
+        for (const auto& [name, value] : {std::pair("seed", -3.0),
+                                          {"blur", -0.7},
+                                          {"blur", double(NAN)},
+                                          {"scale_y", double(NAN)}}) {
+            const double before = effect->params.at(name).value;
+            effect->params.at(name).value = value;
+            render_whole();
+            EXPECT_EQ(effect->output.bytes, usual) << name << " " << value;
+            effect->params.at(name).value = before;
+        }
+        EXPECT_TRUE(host->messages.empty());
+    }
+}
+
+TEST_F(OpenFx, AScaleOfOneFillsHoles) {
+    ImageBuf image = photograph(40, 30, 3, TypeDesc::FLOAT);
+    const float hole[] = {NAN, NAN, NAN};
+    for (int x = 12; x < 20; ++x)
+        for (int y = 9; y < 17; ++y)
+            image.setpixel(x, y, hole);
+    ddt::Options options = with_light("linear");
+    options.holes = ddt::Holes::fill;
+    open(nuke, image);
+    effect->set("scale", 1);
+    effect->choose("holes", "fill");
+    EXPECT_FALSE(effect->is_identity());
+    RectD roi{};
+    ASSERT_EQ(effect->region_of_interest({3, 4, 5, 6}, roi), ddt::ofx::ok);
+    EXPECT_TRUE(roi.x1 == 0 && roi.y1 == 0 && roi.x2 == 40 && roi.y2 == 30);
+    render_whole(17);
+    EXPECT_TRUE(same_pixels(effect->output, images::enlarged(image, 40, 30, options)));
+    effect->source_region = {0, 0, 2147483647, 100}; // without an end
+    EXPECT_TRUE(effect->is_identity());
 }
 
 TEST_F(OpenFx, AMatteIsLinearWhateverTheLight) {

@@ -131,8 +131,9 @@ int clip_release_image(ofx::Properties p) {
     return ofx::ok;
 }
 int clip_get_region(ofx::Clip clip, double, ofx::RectD* region) {
-    *region = reinterpret_cast<ClipBehind*>(clip)->effect->source_region;
-    return ofx::ok;
+    const Effect& effect = *reinterpret_cast<ClipBehind*>(clip)->effect;
+    *region = effect.source_region;
+    return effect.region_status;
 }
 int abort_asked(ofx::Effect e) {
     Effect& effect = of(e);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/openfx/windows.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace ddt::ofx {
@@ -20,6 +22,36 @@ TEST(OpenFxWindows, AProxyIsEnlargedAsMuch) {
         EXPECT_EQ(place.from.x0, 0);
         EXPECT_EQ(place.to.x0, 0);
     }
+}
+
+/// As Natron finds the pixels that a canonical region touches.
+Rect pixels_of_host(const RectD& r, double scale, double aspect) {
+    return host::flipped({int(std::floor(r.x1 * scale / aspect)), int(std::floor(r.y1 * scale)),
+                          int(std::ceil(r.x2 * scale / aspect)), int(std::ceil(r.y2 * scale))});
+}
+
+/// It would be black in what the host asks for beyond the result.
+TEST(OpenFxWindows, HostsFindThePixelsOfTheResultAndNoOthers) {
+    for (const double aspect : {0.91, 1.0, 1.09, 1.21, 1.333, 4.0 / 3, 1.42, 1.46, 2.0})
+        for (const double factor : {1.5, 2.0, 2.5, 3.0, 3.3, 5.0})
+            for (const int width : {720, 719, 1440, 1920, 37})
+                for (const int x0 : {0, -3, 17}) {
+                    const RectD region{x0 * aspect, -2, (x0 + width) * aspect, 574};
+                    const PixelScale at_full{1 / aspect, 1};
+                    Settings settings;
+                    settings.scale_x = settings.scale_y = factor;
+                    const Rect full =
+                        windows_of(region, at_full, at_full, settings, false).place.full;
+                    const RectD defined = to_region(full, at_full);
+                    for (const double scale :
+                         {1.0, 0.5, 0.25, 0.125, 1.0 / 3, 0.7, 0.123, 0.871, 0.999}) {
+                        const PixelScale here{scale * at_full.x, scale * at_full.y};
+                        const Rect rendered =
+                            windows_of(region, here, at_full, settings, false).place.full;
+                        ASSERT_EQ(pixels_of_host(defined, scale, aspect), rendered)
+                            << aspect << " " << factor << " " << width << " " << x0 << " " << scale;
+                    }
+                }
 }
 
 } // namespace
