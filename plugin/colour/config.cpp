@@ -116,6 +116,10 @@ bool find_space(const std::string& name, NamedBy by, Space& found, std::string& 
     found = {};
     for (const auto& config : list)
         if (auto space = space_in(config, name)) {
+            // Without the role the config has no light to blend in; the carried one has.
+            if (by == NamedBy::image && !space->isData() &&
+                !config->getColorSpace(OCIO::ROLE_SCENE_LINEAR))
+                continue;
             found = {config, space};
             return true;
         }

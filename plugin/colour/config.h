@@ -19,7 +19,8 @@ struct Space {
 
 /// Who chose the name of a colour space.
 enum class NamedBy {
-    image, ///< metadata: a name nobody knows is no error, and the carried config is asked too
+    image, ///< metadata: a name nobody knows is no error, and the carried config is asked too, also
+           ///< where $OCIO's knows the name but has no role scene_linear
     user,  ///< the name must be known; where $OCIO is set, by that config
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <numeric>
 #include <string>
 
@@ -138,6 +139,31 @@ int alpha_of(const OIIO::ImageSpec& spec) {
                                                : find_named(spec, {"A", "alpha"});
 }
 
+namespace {
+
+/// What stands before a channel's last dot.
+std::string layer_of(const std::string& channel) {
+    const size_t dot = channel.rfind('.');
+    return dot == channel.npos ? "" : channel.substr(0, dot);
+}
+
+/// Layers of one channel and an ID's name: programs that name every channel by a component write
+/// an ID as "objectID.red", Blender as "View.IndexOB.X". (Of three, such a layer is a picture of
+/// coloured objects.)
+std::vector<std::string> layers_of_ids(const OIIO::ImageSpec& spec) {
+    std::map<std::string, int> channels;
+    for (const std::string& name : spec.channelnames)
+        ++channels[layer_of(name)];
+    std::vector<std::string> ids;
+    for (const auto& [layer, count] : channels)
+        if (count == 1 &&
+            (is_id_name(layer) || iends_with(layer, "IndexOB") || iends_with(layer, "IndexMA")))
+            ids.push_back(layer);
+    return ids;
+}
+
+} // namespace
+
 Channels channels_of(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& native) {
     const int count = spec.nchannels;
     Channels channels;
@@ -150,6 +176,7 @@ Channels channels_of(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& native)
     };
 
     const std::vector<std::string> layers = cryptomattes(spec);
+    const std::vector<std::string> ids = layers_of_ids(spec);
     // Of a file's parts each may be a layer, whose channels are R, G, B and A then, or one of any
     // name.
     const std::string part(spec.get_string_attribute("oiio:subimagename"));
@@ -157,6 +184,7 @@ Channels channels_of(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& native)
     for (int c = 0; c < count; ++c) {
         const std::string name = spec.channel_name(c);
         const bool id = stored_as_id(c) || part_of_ids || is_id_name(name) ||
+                        std::find(ids.begin(), ids.end(), layer_of(name)) != ids.end() ||
                         is_cryptomatte(name, layers) || is_cryptomatte(part + "." + name, layers);
         channels.kinds.push_back(id                    ? Channel::nearest
                                  : c == channels.alpha ? Channel::alpha

@@ -15,6 +15,16 @@ inline void forget_pixels(OIIO::ImageSpec& spec) {
         spec.erase_attribute(name);
 }
 
+/// Take away sizes, of the picture's own metadata, that it has no more.
+inline void forget_old_size(OIIO::ImageSpec& spec) {
+    const auto check = [&](const char* name, int size) {
+        if (spec.get_int_attribute(name, size) != size)
+            spec.erase_attribute(name);
+    };
+    check("Exif:PixelXDimension", spec.full_width);
+    check("Exif:PixelYDimension", spec.full_height);
+}
+
 /// Whether the file's reader, as TIFF's does, makes colours associated in numbers of the type that
 /// it is asked for. Ask for floats, as oiiotool does: a small alpha leaves little of 8 bits.
 inline bool is_associated_when_read(const OIIO::ImageSpec& native) {

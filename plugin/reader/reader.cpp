@@ -172,6 +172,7 @@ bool Reader::describe(int subimage, std::string& error) {
     to.tile_width = to.tile_height = tile_side;
     to.tile_depth = 1;
     forget_pixels(to);
+    forget_old_size(to);
     // Who copies an image writes it in tiles if it has some: TIFF's, where doubles are black, too.
     if (to.format == OIIO::TypeDesc(OIIO::TypeDesc::DOUBLE))
         to.set_format(OIIO::TypeFloat); // all that there is

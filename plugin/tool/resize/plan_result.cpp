@@ -81,6 +81,7 @@ bool plan_result(const OIIO::ImageSpec& from, const ResizeSettings& settings, OI
         spec.full_width = size.width;
         spec.full_height = size.height;
     }
+    forget_old_size(spec);
     if (!settings.type.empty()) {
         spec.set_format(OIIO::TypeDesc(settings.type));
         spec.channelformats.clear();

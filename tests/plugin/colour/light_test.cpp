@@ -76,6 +76,29 @@ private:
     const ddt::Environment m_none_named{"OCIO", std::nullopt};
 };
 
+// On a farm of unlike configs a picture would else be blended in another light on some machines.
+TEST_F(LightTest, AConfigWithoutSceneLinearHasNoneForAnImage) {
+    const float expected = to(*light("sRGB"), 0.5f, 0.5f, 0.5f)[0];
+    const std::string path = ddt::temporary("no_roles.ocio");
+    std::ofstream(path) << R"(ocio_profile_version: 2
+roles: {default: raw}
+displays:
+  none:
+    - !<View> {name: raw, colorspace: raw}
+colorspaces:
+  - !<ColorSpace>
+    name: raw
+    isdata: true
+  - !<ColorSpace>
+    name: sRGB
+    to_scene_reference: !<ExponentTransform> {value: 3}
+)";
+    const ddt::Environment ocio("OCIO", path);
+    EXPECT_EQ(to(*light("sRGB"), 0.5f, 0.5f, 0.5f)[0], expected);
+    EXPECT_FALSE(light("raw")->converts());
+    EXPECT_NE(error_of("", "sRGB").find("no role scene_linear"), std::string::npos);
+}
+
 TEST_F(LightTest, NamesOfGammas) {
     const float expected = std::pow(0.5f, 2.0f);
     EXPECT_NEAR(to(*light("Gamma2.0"), 0.5f, 0.5f, 0.5f)[1], expected, 1e-5f);

@@ -117,6 +117,18 @@ TEST(Channels, Cryptomatte) {
             << spec.channelnames[size_t(i)];
 }
 
+TEST(Channels, IdsThatAreALayerOfOneChannel) {
+    const ImageSpec spec =
+        named({"R", "G", "B", "objectID.red", "matId.R", "matId.G", "matId.B", "View.IndexOB.X",
+               "View.IndexMA.X", "View.Index.X", "grid.R", "id.x", "shadow.id.r", "id"});
+    const std::vector<int> ids{3, 7, 8, 11, 12, 13};
+    const auto c = ddt::channels_of(spec);
+    for (int i = 0; i < spec.nchannels; ++i)
+        EXPECT_EQ(c.kinds[size_t(i)] == ddt::Channel::nearest,
+                  std::find(ids.begin(), ids.end(), i) != ids.end())
+            << spec.channelnames[size_t(i)];
+}
+
 TEST(Channels, IdsOfALayerOrAPart) {
     const auto nearest = [](ImageSpec spec, const char* part, const char* matte) {
         if (*part)

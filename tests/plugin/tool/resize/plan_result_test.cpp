@@ -76,12 +76,16 @@ TEST(PlanResult, WhatIsSaidOfTheSourcesPixelsGoesAndTheLevelOfCompressionStays) 
     ImageSpec from(8, 8, 1, OIIO::TypeHalf), to;
     from.attribute("oiio:AverageColor", "0.5");
     from.attribute("textureformat", "Plain Texture");
+    from.attribute("Exif:PixelXDimension", 8);
+    from.attribute("Exif:PixelYDimension", 8);
     from.attribute("compression", "dwab");
     from.attribute("openexr:dwaCompressionLevel", 120.0f);
     ResizeSettings settings;
-    settings.size = "200%";
+    settings.size = "200%x100%";
     Failure failure;
     ASSERT_TRUE(plan_result(from, settings, to, failure));
+    EXPECT_EQ(to.find_attribute("Exif:PixelXDimension"), nullptr);
+    EXPECT_EQ(to.get_int_attribute("Exif:PixelYDimension"), 8);
     EXPECT_EQ(to.find_attribute("oiio:AverageColor"), nullptr);
     EXPECT_EQ(to.find_attribute("textureformat"), nullptr);
     EXPECT_EQ(to.get_string_attribute("compression"), "dwab:120");
