@@ -29,8 +29,8 @@ struct GuideRecipe {
     bool linear = true;
 };
 
-/// The guide of `count` pixels of `stride` floats each: from -1024 to 1024.5. A luminance that is not
-/// finite counts as 0, such an alpha as 1. Safe to call from several threads at once.
+/// The guide of `count` pixels of `stride` floats each: from -1024 to 1024.5. A luminance that is
+/// not finite counts as 0, such an alpha as 1. Safe to call from several threads at once.
 void make_guide(const GuideRecipe& recipe, const float* pixels, size_t count, int stride,
                 float* guide);
 
