@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What hosts of every kind do with the effect, in the order and with the suites they have.
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iterator>
