@@ -18,7 +18,7 @@ void main() {
     uint bits;
     if (encoded[first] != 0u) {
         uint steps = encoded[first + 1 + i / 2] >> 16 * (i % 2) & 0xffffu;
-        precise float v = float(steps) * guide_unit;
+        precise float v = float(steps) * guide_unit + guide_of_nothing;
         bits = floatBitsToUint(v);
     } else {
         bits = encoded[first + 1 + i];

@@ -40,6 +40,8 @@ namespace ddt {
     FLOAT(cost_slope_square, 0.04f)                                                                \
     /* The step of the usual guide. */                                                             \
     FLOAT(guide_unit, 0x1p-12f)                                                                    \
+    /* What it is where alpha is 0: below all that shows. */                                       \
+    FLOAT(guide_of_nothing, -0.5f)                                                                 \
     /* The gain of an edge that cannot be flipped. */                                              \
     FLOAT(no_gain, -1e30f)                                                                         \
                                                                                                    \
@@ -80,9 +82,8 @@ namespace ddt {
     /* Share of a triangle's smallest value that softness leaves where none is negative. */        \
     FLOAT(dark_share, 0.5f)                                                                        \
                                                                                                    \
-    /* Means over a quadrant (core/surface/consistency/consistency-inl.h) of values, bends and     \
-     * softness, where */                                                                          \
-    /* the cell's diagonal goes through V, */                                                      \
+    /* Means over a quadrant (core/surface/consistency/consistency-inl.h) of values, bends */      \
+    /* and softness, where the cell's diagonal goes through V, */                                  \
     FLOAT(through_beside, 1.0f / 16)                                                               \
     FLOAT(through_opposite, 3.0f / 16)                                                             \
     FLOAT(through_bend_diagonal, 1.0f / 8)                                                         \

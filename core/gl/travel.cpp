@@ -18,12 +18,12 @@ size_t encode_guide(const std::vector<float>& guide, std::byte* to) {
     const auto most = int32_t(bits_of(65535.0f));
     uint32_t differing = 0;
     for (size_t i = 0; i < guide.size(); ++i) {
-        const auto scaled = int32_t(bits_of(guide[i] * (1.0f / guide_unit)));
+        const auto scaled = int32_t(bits_of((guide[i] - guide_of_nothing) * (1.0f / guide_unit)));
         const auto above = int32_t(choose(scaled < 0, 0, uint32_t(scaled)));
         const auto within = choose(above < most, uint32_t(above), uint32_t(most));
         const auto step = int32_t(float_of(within));
         steps[i] = uint16_t(step);
-        differing |= bits_of(float(step) * guide_unit) ^ bits_of(guide[i]);
+        differing |= bits_of(float(step) * guide_unit + guide_of_nothing) ^ bits_of(guide[i]);
     }
     const uint32_t are_steps = differing == 0;
     if (!are_steps)

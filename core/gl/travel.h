@@ -18,8 +18,8 @@ constexpr size_t whole_words(size_t bytes) {
 }
 
 /// A guide on its way to the device: a word that tells whether 16-bit steps of guide_unit follow,
-/// which do for the usual guide between 0 and 16, or floats; then these, rows without gaps. Decoded
-/// by shaders/unpack_guide.comp.
+/// from guide_of_nothing on, which do for the usual guide below 15.5, or floats; then these, rows
+/// without gaps. Decoded by shaders/unpack_guide.comp.
 ///
 /// Room for so many, and what encode_guide() makes of the guide: the bytes of `to` that it takes.
 constexpr size_t guide_room(size_t pixels) {

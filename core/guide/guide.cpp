@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/base/arith.h"
+#include "core/base/constants.h"
 #include "core/base/float_bits.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -55,39 +56,40 @@ HWY_INLINE void luminance(const GuideRecipe& recipe, const float* pixels, size_t
         luminance_of_any(recipe, pixels, n, stride, y);
 }
 
-/// Beside black, nothing has a guide of 0 and what is covered 0.5 or more: its outline shows
-/// whatever its colour. (Over a colour of its own, things of that colour had none.)
-constexpr float share_of_alpha = 0.5f;
+/// How far below black nothing is: the outline of what covers it shows whatever its colour.
+constexpr float share_of_alpha = 0.0f - guide_of_nothing;
 
-/// What n pixels' alpha, within 0 to 1, adds to their guide; what is not finite counts as 1.
-HWY_INLINE void cover(const float* alpha, size_t n, size_t stride, float* added) {
+/// What n pixels' guide lacks of share_of_alpha for each that is not covered. Alpha counts within 0
+/// to 1, one that is not finite as 1.
+HWY_INLINE void lack_of(const float* alpha, size_t n, size_t stride, float* lacking) {
     for (size_t i = 0; i < n; ++i) {
         const float a = alpha[i * stride];
         const auto bits = int32_t(bits_of(a)), one = int32_t(bits_of(1.0f));
         const int32_t low = bits < 0 ? 0 : bits;
         const float within = float_of(uint32_t(low < one ? low : one));
-        added[i] = share_of_alpha * float_of(choose(is_finite(a), bits_of(within), bits_of(1.0f)));
+        const float shown = float_of(choose(is_finite(a), bits_of(within), bits_of(1.0f)));
+        lacking[i] = share_of_alpha * (1.0f - shown);
     }
 }
 
 HWY_ATTR void make_guide(const GuideRecipe& recipe, const float* pixels, size_t count,
                          size_t stride, float* guide) {
     constexpr size_t block = 256;
-    float y[block], added[block] = {};
+    float y[block], lacking[block] = {};
     for (size_t begin = 0; begin < count; begin += block, pixels += block * stride) {
         const size_t n = std::min(block, count - begin);
         luminance(recipe, pixels, n, stride, y);
         if (recipe.alpha >= 0)
-            cover(pixels + recipe.alpha, n, stride, added);
+            lack_of(pixels + recipe.alpha, n, stride, lacking);
         // The curve's steps on exponents need a finite number.
         if (recipe.linear)
             for (size_t i = 0; i < n; ++i) {
                 const float v = srgb_curve(y[i]);
                 y[i] = float_of(choose(is_finite(y[i]), bits_of(v), 0));
             }
-        // Two steps: their sum is exact, so an alpha of 1 everywhere changes no difference.
+        // Nothing is lacking of what is opaque: it has the guide that it has without alpha.
         for (size_t i = 0; i < n; ++i)
-            guide[begin + i] = guide_step(y[i]) + guide_step(added[i]);
+            guide[begin + i] = guide_step(y[i]) - guide_step(lacking[i]);
     }
 }
 

@@ -167,8 +167,8 @@ std::vector<Option> make_table() {
                "What an edge of the mesh costs."),
         number(
             "blur", mesh, &MeshOptions::blur, 0.0f, largest_blur,
-            "Blur of the guide (the picture's brightness, one number per pixel, in which edges are "
-            "sought), as the weight of each neighbour; calms the mesh.")
+            "Blur of the guide (the picture's brightness and alpha, one number per pixel, in which "
+            "edges are sought), as the weight of each neighbour; calms the mesh.")
             .in("ddt-linear", "0")
             .in("ddt-sharp", "0.05"),
         number("contour", mesh, &MeshOptions::contour, 0.0f, most_contour,

@@ -10,8 +10,7 @@ namespace ddt {
 /// above min_gain. Adds to statistics.evaluations.
 ///
 /// False if an edge was flipped since the start, or the guide is not in steps of 2^-12 within -1024
-/// to 1024 (as guide_step() makes it): then no gain is what
-/// it should be.
+/// to 1024 (as guide_step() makes it): then no gain is what it should be.
 bool start_gains(Lattice& lattice, const Criterion& criterion, float min_gain, Workspace& w,
                  Statistics& statistics);
 

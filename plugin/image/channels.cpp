@@ -147,17 +147,33 @@ std::string layer_of(const std::string& channel) {
     return dot == channel.npos ? "" : channel.substr(0, dot);
 }
 
+bool is_any_of(const std::string& name, std::initializer_list<const char*> names) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const char* other) { return iequals(name, other); });
+}
+
+/// As Blender calls objects' and materials' numbers.
+bool ends_with_index(const std::string& layer) {
+    for (const char* index : {"IndexOB", "IndexMA", "Object Index", "Material Index"})
+        if (iends_with(layer, index))
+            return true;
+    return false;
+}
+
 /// Layers of one channel and an ID's name: programs that name every channel by a component write
-/// an ID as "objectID.red", Blender as "View.IndexOB.X". (Of three, such a layer is a picture of
-/// coloured objects.)
+/// an ID as "objectID.red", Blender as "View.IndexOB.X", later "View.Object Index.X". (Of three,
+/// such a layer is a picture of coloured objects; of one called alpha or mask the matte of a thing
+/// or person, "david.A".)
 std::vector<std::string> layers_of_ids(const OIIO::ImageSpec& spec) {
-    std::map<std::string, int> channels;
-    for (const std::string& name : spec.channelnames)
-        ++channels[layer_of(name)];
+    std::map<std::string, std::vector<std::string>> components;
+    for (const std::string& name : spec.channelnames) {
+        const std::string layer = layer_of(name);
+        components[layer].push_back(name.substr(layer.empty() ? 0 : layer.size() + 1));
+    }
     std::vector<std::string> ids;
-    for (const auto& [layer, count] : channels)
-        if (count == 1 &&
-            (is_id_name(layer) || iends_with(layer, "IndexOB") || iends_with(layer, "IndexMA")))
+    for (const auto& [layer, names] : components)
+        if (names.size() == 1 && is_any_of(names.front(), {"r", "red", "x", "v", "value"}) &&
+            (is_id_name(layer) || ends_with_index(layer)))
             ids.push_back(layer);
     return ids;
 }
@@ -176,7 +192,7 @@ Channels channels_of(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& native)
     };
 
     const std::vector<std::string> layers = cryptomattes(spec);
-    const std::vector<std::string> ids = layers_of_ids(spec);
+    const std::vector<std::string> ids = layers_of_ids(spec); // in order
     // Of a file's parts each may be a layer, whose channels are R, G, B and A then, or one of any
     // name.
     const std::string part(spec.get_string_attribute("oiio:subimagename"));
@@ -184,7 +200,7 @@ Channels channels_of(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& native)
     for (int c = 0; c < count; ++c) {
         const std::string name = spec.channel_name(c);
         const bool id = stored_as_id(c) || part_of_ids || is_id_name(name) ||
-                        std::find(ids.begin(), ids.end(), layer_of(name)) != ids.end() ||
+                        std::binary_search(ids.begin(), ids.end(), layer_of(name)) ||
                         is_cryptomatte(name, layers) || is_cryptomatte(part + "." + name, layers);
         channels.kinds.push_back(id                    ? Channel::nearest
                                  : c == channels.alpha ? Channel::alpha

@@ -15,7 +15,7 @@ inline void forget_pixels(OIIO::ImageSpec& spec) {
         spec.erase_attribute(name);
 }
 
-/// Take away sizes, of the picture's own metadata, that it has no more.
+/// Forget the metadata's sizes that are no longer the picture's.
 inline void forget_old_size(OIIO::ImageSpec& spec) {
     const auto check = [&](const char* name, int size) {
         if (spec.get_int_attribute(name, size) != size)

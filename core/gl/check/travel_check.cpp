@@ -68,7 +68,7 @@ std::string guides_differ(Gpu& gpu) {
     const size_t count = 61 * 43;
     std::vector<float> guides[2];
     for (size_t i = 0; i < count; ++i) {
-        guides[0].push_back(float(uint16_t(i * 6553)) * guide_unit);
+        guides[0].push_back(float(uint16_t(i * 6553)) * guide_unit + guide_of_nothing);
         guides[1].push_back(float(i) * 0.37f - 100.0f);
     }
     DeviceMesh mesh(gpu, shape, 2);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The guide: the one number per pixel in which edges are sought. Sources give it with their pixels.
 //
-// It is the picture's luminance, through the sRGB curve where the picture is in linear light, and
-// half its alpha, so that outlines of what is covered show whatever its colour; a multiple of
-// 2^-12, so that differences of it are exact. The arithmetic is float32 + - * in one written order
-// and integer steps on exponents: every machine finds the same bits, which no libm's pow promises.
+// It is the picture's luminance, through the sRGB curve where the picture is in linear light, less
+// half of what alpha lacks to 1, so that outlines of what is covered show whatever its colour; a
+// multiple of 2^-12, so that differences of it are exact. The arithmetic is float32 + - * in one
+// written order and integer steps on exponents: every machine finds the same bits, which no libm's
+// pow promises.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +30,7 @@ struct GuideRecipe {
     bool linear = true;
 };
 
-/// The guide of `count` pixels of `stride` floats each: from -1024 to 1024.5. A luminance that is
+/// The guide of `count` pixels of `stride` floats each: from -1024.5 to 1024. A luminance that is
 /// not finite counts as 0, such an alpha as 1. Safe to call from several threads at once.
 void make_guide(const GuideRecipe& recipe, const float* pixels, size_t count, int stride,
                 float* guide);

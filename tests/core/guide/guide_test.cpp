@@ -100,7 +100,7 @@ TEST(Guide, WhatIsCoveredDiffersFromNothingWhateverItsColour) {
     }
 }
 
-TEST(Guide, OfWhatIsOpaqueIsThatWithoutAlphaAndAHalf) {
+TEST(Guide, OfWhatIsOpaqueIsThatWithoutAlpha) {
     ddt::test::Random random(6);
     for (const bool linear : {true, false}) {
         ddt::GuideRecipe rgb = rgba(linear);
@@ -114,7 +114,7 @@ TEST(Guide, OfWhatIsOpaqueIsThatWithoutAlphaAndAHalf) {
             float with, without;
             ddt::make_guide(rgba(linear), pixel, 1, 4, &with);
             ddt::make_guide(rgb, pixel, 1, 4, &without);
-            EXPECT_EQ(with, without + 0.5f);
+            EXPECT_EQ(with, without);
         }
     }
 }
@@ -124,9 +124,9 @@ TEST(Guide, ValueThatIsNotFiniteCountsAsZero) {
     const float pixels[] = {infinity, 0, 0, 1, 0, std::nanf(""), 0, 1, 1, 1, 1, std::nanf("")};
     float guide[3];
     ddt::make_guide(rgba(true), pixels, 3, 4, guide);
-    EXPECT_EQ(guide[0], 0.5f);
-    EXPECT_EQ(guide[1], 0.5f);
-    EXPECT_EQ(guide[2], 1.5f); // an alpha that is none hides nothing
+    EXPECT_EQ(guide[0], 0.0f);
+    EXPECT_EQ(guide[1], 0.0f);
+    EXPECT_EQ(guide[2], 1.0f); // an alpha that is none hides nothing
 }
 
 TEST(Guide, NoChannelsGiveNothing) {

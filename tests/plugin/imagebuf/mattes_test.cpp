@@ -61,4 +61,24 @@ TEST(Mattes, WithCorrectionsToo) {
         EXPECT_LT(difference(luminance, "Linear", sharp), 0.02) << luminance;
 }
 
+// Hosts hand over RGBA what oiiotool reads as RGB.
+TEST(Mattes, WhatIsOpaqueHasTheBitsOfThatWithoutAlpha) {
+    auto rgb = make(90, 70, 3), rgba = make(90, 70, 4);
+    images::noise(rgb);
+    images::fill(rgba, [&](int x, int y, int c) { return c < 3 ? value(rgb, x, y, c) : 1.0f; });
+    for (const char* filter : {"ddt", "ddt-linear", "ddt-sharp"}) {
+        ddt::Options options;
+        std::string error;
+        ASSERT_TRUE(ddt::parse_filter(filter, options, error)) << error;
+        const auto with = enlarged(rgba, 270, 210, options),
+                   without = enlarged(rgb, 270, 210, options);
+        int differing = 0;
+        for (int y = 0; y < 210; ++y)
+            for (int x = 0; x < 270; ++x)
+                for (int c = 0; c < 3; ++c)
+                    differing += value(with, x, y, c) != value(without, x, y, c);
+        EXPECT_EQ(differing, 0) << filter;
+    }
+}
+
 } // namespace
