@@ -16,8 +16,8 @@ constexpr float share_of_filling = 0.5f;
 
 /// A whole image in memory. `kinds` may be null: all channels are Channel::blend.
 struct HoledImage {
-    float* values; ///< `channels` interleaved floats a pixel
-    float* guide;  ///< a float a pixel
+    float* values; ///< `channels` interleaved floats per pixel
+    float* guide;  ///< one float per pixel
     int width, height, channels;
     const Channel* kinds;
     bool guide_too;  ///< fill the guide as if it were a channel; else it is left as it is

@@ -93,7 +93,9 @@ void put_filled(const Enlargement& work, UnconvertedSource& source, WholeSource&
 
 Outcome fill_copy(const Enlargement& work, const Job& job, std::string& error) {
     std::string line;
-    if (!describe_device(job, line)) {
+    // A device that was named is missed also where no pixel is; none is opened for that otherwise.
+    const bool is_named = job.device != Device::automatic;
+    if (is_named ? !describe_device(job, line) : !check_device(job.device, line)) {
         error = line;
         return Outcome::device_unavailable;
     }

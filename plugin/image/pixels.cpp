@@ -183,7 +183,7 @@ bool read_pixels(const OIIO::ImageBuf& image, const Rect& r, int chbegin, int ch
 
 void write_pixels(OIIO::ImageBuf& image, const Rect& r, int chbegin, int chend, OIIO::TypeDesc type,
                   const void* values) {
-    // An identifier is the same in the other type, where a number would be scaled.
+    // An ID is the same in the other type, where a number would be scaled.
     const bool ids = is_id_type(type) && is_id_type(image.spec().format);
     write_strided(image, r, chbegin, chend, ids ? image.spec().format : type, values,
                   OIIO::stride_t(type.size()) * (chend - chbegin));

@@ -181,7 +181,6 @@ int render(Effect effect, Properties in) {
     SourceClip source;
     Clip output = nullptr;
     std::string error;
-    int status = failed;
     const bool found = source.find(effect, in);
     if ((!found && !source.is_black) ||
         suites.effect->clip_get_handle(effect, "Output", &output, nullptr) != ok)
@@ -192,7 +191,7 @@ int render(Effect effect, Properties in) {
             return ok;
         return to ? render_black(to, render_window(in)) : failed;
     }
-    status = render_part(effect, source, from, to, render_window(in), error);
+    const int status = render_part(effect, source, from, to, render_window(in), error);
     if (!error.empty())
         complain(effect, error);
     return status;

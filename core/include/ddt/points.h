@@ -61,7 +61,7 @@ struct PixelGrid {
 };
 
 /// Interpolate linearly over the mesh's triangles, at positions that are rounded as delaunay()
-/// rounds points': pixels closer together show steps. `values` are `channels` floats a point,
+/// rounds points': pixels closer together show steps. `values` are `channels` floats per point,
 /// `pixels` as many per pixel, row by row. Pixels outside all triangles are left as they are;
 /// `inside`, one byte per pixel, tells where those are: 0. A pixel on an edge belongs to one
 /// triangle, whichever order the triangles have. After a failure `pixels` and `inside` are as they

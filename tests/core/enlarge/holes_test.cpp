@@ -95,7 +95,7 @@ TEST(JobHoles, AreFilledAsFillHolesDoesAndTheMeshSeesThemSo) {
             holed.values[size_t(y * width + x) * channels + 2] = 0;
         }
     holed.values[5 * channels + 2] = 0;             // alpha
-    holed.values[9 * channels + 1] = std::nanf(""); // an identifier is what it is
+    holed.values[9 * channels + 1] = std::nanf(""); // an ID is what it is
     for (const Holes holes : {Holes::fill, Holes::fill_alpha}) {
         Plain filled = holed;
         std::string error;
