@@ -122,8 +122,6 @@ bool check_reader(const std::string& path, int number, std::string& error) {
 }
 
 bool begin_image(const std::string& path, int number, OIIO::ImageBuf& image, std::string& error) {
-    if (!check_reader(path, number, error))
-        return false;
     if (image.init_spec(path, number, 0))
         return check_whole(path, std::string(image.file_format_name()), number, error);
     error = why_unreadable(image, path);
@@ -136,6 +134,8 @@ bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& err
         error = "\"\" is no name of a file";
         return false;
     }
+    if (!check_reader(path, number, error))
+        return false;
     image.reset(path, number, 0, nullptr, hints);
     if (!begin_image(path, number, image, error))
         return false;

@@ -36,12 +36,12 @@ std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path)
 std::string image_name(const std::string& path, int number = 0);
 
 /// False with one line in `error` if the image of a file makes its reader overrun its memory
-/// (plugin/image/metadata.h). To be asked before an ImageBuf looks at the file: that of OpenImageIO
-/// 2.5 reads pixels then. The functions that follow do.
+/// (plugin/image/metadata.h). To be asked before an ImageBuf without a cache is made of the file:
+/// that of OpenImageIO 2.5 reads pixels at once.
 bool check_reader(const std::string& path, int number, std::string& error);
 
-/// Have an ImageBuf of the image of this number in a file know its spec. False with one line in
-/// `error`, also if the file is cut off (cut_off.h), which its reader would not say.
+/// Have an ImageBuf of the image of this number in a file, of which check_reader() was asked, know
+/// its spec. False with one line in `error`, also if the file is cut off (cut_off.h), which its reader would not say.
 bool begin_image(const std::string& path, int number, OIIO::ImageBuf& image, std::string& error);
 
 /// Read the image of this number from 0 in a file, its pixels included; hints: for its reader, or

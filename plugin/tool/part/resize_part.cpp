@@ -257,7 +257,8 @@ struct PartJob {
     Grid grid() const { return Grid(rect_of(image().roi())); }
 
     bool plan(const ResizeSettings& settings, const Part& part, Failure& failure) {
-        if (!begin_image(path, 0, file.image(), failure.why)) {
+        if (!check_reader(path, 0, failure.why) ||
+            !begin_image(path, 0, file.image(), failure.why)) {
             failure.code = code_of_message(failure.why);
             return false;
         }
