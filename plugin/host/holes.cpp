@@ -4,6 +4,7 @@
 #include <cstring>
 #include <vector>
 
+#include "core/base/float_bits.h"
 #include "core/base/parallel.h"
 #include "core/base/progress.h"
 #include "core/enlarge/whole_source.h"
@@ -30,7 +31,11 @@ public:
     UnconvertedSource& operator=(const UnconvertedSource&) = delete;
     bool read(const Rect& r, float* values, float* guide) override {
         std::vector<float> converted(r.area() * size_t(m_unconverted.layout.channels));
-        return m_values.read(r, values, guide) && m_guide.read(r, converted.data(), guide);
+        return read_again(r, values, guide) && m_guide.read(r, converted.data(), guide);
+    }
+    /// The numbers alone; `guide` is room for one that means nothing.
+    bool read_again(const Rect& r, float* values, float* guide) {
+        return m_values.read(r, values, guide);
     }
     /// The way back from associated ones.
     void to_memory(float* values, size_t count) const { from_work(m_unconverted, values, count); }
@@ -40,8 +45,8 @@ private:
     HostSource m_values, m_guide;
 };
 
-bool differ(const float& a, const float& b) {
-    return std::memcmp(&a, &b, sizeof a) != 0;
+bool differ(float a, float b) {
+    return bits_of(a) != bits_of(b);
 }
 
 bool is_colour(const Layout& layout, int channel) {
@@ -79,8 +84,10 @@ void put_filled(const Enlargement& work, UnconvertedSource& source, WholeSource&
     std::vector<float> before(width * channels), after(before.size()), shown, guide(width);
     for (int y = box.y0; y < box.y1; ++y) {
         const Rect row{box.x0 + dx, y + dy, box.x1 + dx, y + dy + 1};
-        (void)source.read(row, before.data(), guide.data()); // memory is there
+        (void)source.read_again(row, before.data(), guide.data()); // memory is there
         filled.read(row, after.data(), guide.data());
+        if (std::memcmp(before.data(), after.data(), before.size() * sizeof(float)) == 0)
+            continue;
         shown = after;
         source.to_memory(shown.data(), width);
         for (size_t i = 0; i < width; ++i)

@@ -6,27 +6,22 @@
 namespace ddt::test {
 namespace {
 
+template <class Value>
+void expect_found(const std::vector<std::string>& names, bool (*find)(std::string_view, Value&),
+                  const char* (*name_of)(Value)) {
+    EXPECT_FALSE(names.empty());
+    for (const std::string& name : names) {
+        Value value;
+        ASSERT_TRUE(find(name, value)) << name;
+        EXPECT_EQ(name_of(value), name);
+    }
+}
+
 TEST(Names, FindWhatTheyName) {
-    for (const std::string& name : device_names()) {
-        Device device;
-        ASSERT_TRUE(find_device(name, device));
-        EXPECT_EQ(device_name(device), name);
-    }
-    for (const std::string& name : holes_names()) {
-        Holes holes;
-        ASSERT_TRUE(find_holes(name, holes));
-        EXPECT_EQ(holes_name(holes), name);
-    }
-    for (const std::string& name : cost_names()) {
-        Cost cost;
-        ASSERT_TRUE(find_cost(name, cost));
-        EXPECT_EQ(cost_name(cost), name);
-    }
-    for (const std::string& name : start_names()) {
-        Start start;
-        ASSERT_TRUE(find_start(name, start));
-        EXPECT_EQ(start_name(start), name);
-    }
+    expect_found(cost_names(), find_cost, cost_name);
+    expect_found(start_names(), find_start, start_name);
+    expect_found(device_names(), find_device, device_name);
+    expect_found(holes_names(), find_holes, holes_name);
     for (const std::string& name : scheme_names()) {
         MeshOptions options;
         ASSERT_TRUE(find_scheme(name, options)) << name;
