@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# What the core needs, as the imported targets Threads::Threads, PkgConfig::DDT_HWY and (DDT_TBB_FOUND) TBB::tbb,
-# and what it can use, PkgConfig::DDT_GEOS. Used by this project, where DDT_HIGHWAY, DDT_TBB and DDT_GEOS
+# What the core needs, Threads::Threads, and what it can use, PkgConfig::DDT_HWY (an empty target where
+# Highway is left out) and, if DDT_TBB_FOUND, TBB::tbb. Used by this project, where DDT_HIGHWAY and DDT_TBB
 # are the user's wishes and DDT_NEEDED is QUIET, and, installed, by those that link its libraries, where they say
 # what these were built with and DDT_NEEDED is REQUIRED. Names begin with DDT_, since those who link may
 # look for the same packages in ways of their own. A find_package(oiio-ddt QUIET) is told nothing.
@@ -34,13 +34,4 @@ else()
   if(NOT TARGET PkgConfig::DDT_HWY)
     add_library(PkgConfig::DDT_HWY INTERFACE IMPORTED)
   endif()
-endif()
-set(DDT_GEOS_FOUND FALSE)
-if(DDT_GEOS)
-  pkg_check_modules(DDT_GEOS ${DDT_NEEDED} ${ddt_quiet} IMPORTED_TARGET geos>=3.6)
-endif()
-if(DDT_GEOS_FOUND)
-  message(${ddt_status} "GEOS ${DDT_GEOS_VERSION}: points can be triangulated (ddt/points.h)")
-else()
-  message(${ddt_status} "GEOS: left out; points need triangles of their own (ddt/points.h)")
 endif()

@@ -31,7 +31,7 @@ sequences and parts of images, and there is a library for C++.")
 set(CPACK_DEBIAN_OIIO-DDT_PACKAGE_NAME oiio-ddt)
 set(CPACK_DEBIAN_OIIO-DDT_PACKAGE_DEPENDS openimageio-tools)
 set(CPACK_DEBIAN_OIIO-DDT_PACKAGE_SUGGESTS
-  "libopenimageio-dev, libopencolorio-dev, libtbb-dev, libhwy-dev, libgeos-dev")
+  "libopenimageio-dev, libopencolorio-dev, libtbb-dev, libhwy-dev")
 
 # Debian's policy: each package says whose it is and what changed.
 set(documents ${CMAKE_CURRENT_BINARY_DIR}/package)

@@ -15,14 +15,14 @@ layout(local_size_x = FINISH_GROUP) in; // x: a tile
 
 layout(location = 5) uniform bool by_gain;
 layout(location = 6) uniform int wide_iterations;
-layout(location = 9) uniform ivec2 progress; // where in `stamp` a tile's is kept; most_turns
+layout(location = 9) uniform ivec2 progress; // x: where in `mark` a tile's is kept; y: most_turns
 
 #include "comes_before.glsl"
 
 // `from` is the list of dirty edges here, `to` that of selected ones.
 
 // What the scheme knows of an edge. A dirty edge's iteration is of no interest.
-layout(std430, binding = 2) ACCESS buffer Stamps { uint stamp[]; }; // a site
+layout(std430, binding = 2) ACCESS buffer Marks { uint mark[]; }; // a site
 const uint idle = 0, dirty = MARK_DIRTY, untreated = 2, accepted = 3, rejected = 4;
 
 shared uint evaluated, n_dirty, n_candidates, n_selected, n_waiting;
@@ -51,7 +51,7 @@ int find_untreated_blocker(bool wide, int m) {
     region_in(wide, m, region);
     for (int k = 0; k < wide_region_size; ++k) {
         int other = region[k];
-        if (other >= 0 && stamp[other] == untreated && comes_before(other, m))
+        if (other >= 0 && mark[other] == untreated && comes_before(other, m))
             return other;
     }
     return -1;
@@ -73,7 +73,7 @@ void gather(int tile, int list) {
 }
 
 void touch(int list, int m) {
-    if (m >= 0 && atomicExchange(stamp[m], dirty) != dirty)
+    if (m >= 0 && atomicExchange(mark[m], dirty) != dirty)
         from[list + int(atomicAdd(n_dirty, 1))] = m;
 }
 
@@ -84,31 +84,31 @@ uint phase, rounds, first, waiting;
 int iteration;
 
 void load_progress(int at) {
-    phase = stamp[at];
-    iteration = int(stamp[at + 1]);
-    rounds = stamp[at + 2];
-    first = stamp[at + 3];
-    waiting = stamp[at + 4];
+    phase = mark[at];
+    iteration = int(mark[at + 1]);
+    rounds = mark[at + 2];
+    first = mark[at + 3];
+    waiting = mark[at + 4];
     if (gl_LocalInvocationIndex != 0)
         return;
-    evaluated = stamp[at + 5];
-    n_dirty = stamp[at + 6];
-    n_candidates = stamp[at + 7];
-    n_selected = stamp[at + 8];
+    evaluated = mark[at + 5];
+    n_dirty = mark[at + 6];
+    n_candidates = mark[at + 7];
+    n_selected = mark[at + 8];
 }
 
 void keep_progress(int at) {
     if (gl_LocalInvocationIndex != 0)
         return;
-    stamp[at] = phase;
-    stamp[at + 1] = uint(iteration);
-    stamp[at + 2] = rounds;
-    stamp[at + 3] = first;
-    stamp[at + 4] = waiting;
-    stamp[at + 5] = evaluated;
-    stamp[at + 6] = n_dirty;
-    stamp[at + 7] = n_candidates;
-    stamp[at + 8] = n_selected;
+    mark[at] = phase;
+    mark[at + 1] = uint(iteration);
+    mark[at + 2] = rounds;
+    mark[at + 3] = first;
+    mark[at + 4] = waiting;
+    mark[at + 5] = evaluated;
+    mark[at + 6] = n_dirty;
+    mark[at + 7] = n_candidates;
+    mark[at + 8] = n_selected;
 }
 
 // Turns of loops that so many entries take at most, of which each takes 61 or fewer: its own, 4
@@ -146,18 +146,18 @@ void evaluate(int tile, int list) {
             atomicAdd(evaluated, 1);
     for (uint i = own; i < before; i += size) {
         int m = blocked_at(iteration - 1, list + int(i)).x;
-        if (stamp[m] != dirty)
+        if (mark[m] != dirty)
             put_blocked(iteration, list + int(atomicAdd(n_candidates, 1)), ivec2(m, -1));
     }
     synchronize();
     for (uint i = own; i < touched; i += size) {
         int m = from[list + int(i)];
-        stamp[m] = idle;
+        mark[m] = idle;
         add_candidate(iteration, list, m);
     }
     synchronize();
     for (uint i = own; i < n_candidates; i += size)
-        stamp[blocked_at(iteration, list + int(i)).x] = untreated;
+        mark[blocked_at(iteration, list + int(i)).x] = untreated;
     rounds = 0;
     first = 0;
     waiting = n_candidates;
@@ -167,9 +167,9 @@ void evaluate(int tile, int list) {
 void accept(bool wide, int list) {
     for (uint i = gl_LocalInvocationIndex; i < n_candidates; i += gl_WorkGroupSize.x) {
         ivec2 c = blocked_at(iteration, list + int(i));
-        if (stamp[c.x] != untreated)
+        if (mark[c.x] != untreated)
             continue;
-        if (c.y < 0 || stamp[c.y] != untreated) {
+        if (c.y < 0 || mark[c.y] != untreated) {
             c.y = find_untreated_blocker(wide, c.x);
             put_blocked(iteration, list + int(i), c);
         }
@@ -181,12 +181,12 @@ void accept(bool wide, int list) {
 }
 
 void reject_region(bool wide, int winner) {
-    stamp[winner] = accepted;
+    mark[winner] = accepted;
     int region[wide_region_size];
     region_in(wide, winner, region);
     for (int k = 0; k < wide_region_size; ++k)
-        if (region[k] >= 0 && stamp[region[k]] == untreated)
-            stamp[region[k]] = rejected;
+        if (region[k] >= 0 && mark[region[k]] == untreated)
+            mark[region[k]] = rejected;
 }
 
 // One round of AcceptReject::select().
@@ -219,7 +219,7 @@ void flip(int tile, int list) {
         n_dirty = 0;
     }
     for (uint i = own; i < n_candidates; i += size)
-        stamp[blocked_at(iteration, list + int(i)).x] = idle;
+        mark[blocked_at(iteration, list + int(i)).x] = idle;
     synchronize();
     for (uint i = own; i < n_selected; i += size) {
         int m = to[list + int(i)];

@@ -12,7 +12,7 @@ layout(local_size_x = FINISH_GROUP) in; // x: a tile
 
 shared uint evaluated, n_dirty, n_candidates, n_selected, n_blocked;
 
-layout(location = 5) uniform int a_dispatch; // iterations; even
+layout(location = 5) uniform int iterations_a_dispatch; // even
 
 // Which of the two lists the iteration's dirty edges are in; its candidates are in the other one,
 // the selected in this one again, then what is dirty next in the other.
@@ -98,7 +98,7 @@ void main() {
         waiting = n_blocked;
         dirty = n_dirty;
         second = !second;
-        if (iteration + 1 == first_iteration + a_dispatch) {
+        if (iteration + 1 == first_iteration + iterations_a_dispatch) {
             // In the list where they are looked for first: `second` is false again.
             if (own == 0)
                 counts[counts_of(iteration + 1, tile)].dirty = dirty;

@@ -26,7 +26,7 @@ void tell_ends(int m, Edge e) {
     site[m - offset(e.left)].y = edge_key(e.left);
 }
 
-// Flip the edge e at m where nobody keeps stamps.
+// Flip the edge e at m, in records without the stamps of touch.glsl.
 void flip(int m, Edge e) {
     Side s = first_side(e);
     for (int k = 0; k < 4; ++k) {

@@ -175,9 +175,9 @@ float flip_gain(int m) {
 
 // The region of an edge, narrow (most_in_region - 1 at most) or wide; the rest is -1. The edge
 // itself may be in the wide one.
-const int region_size = most_in_wide_region;
-void region_of(int m, bool is_wide, out int region[region_size]) {
-    for (int k = 0; k < region_size; ++k)
+const int wide_region_size = most_in_wide_region;
+void region_of(int m, bool is_wide, out int region[wide_region_size]) {
+    for (int k = 0; k < wide_region_size; ++k)
         region[k] = -1;
     Quad q = quad_of(m);
     ivec2 e = edges[m];

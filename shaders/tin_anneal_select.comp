@@ -6,9 +6,9 @@
 #include "annealing.glsl"
 
 bool is_selected(int m) {
-    int region[region_size];
+    int region[wide_region_size];
     region_of(m, false, region);
-    for (int k = 0; k < region_size; ++k) {
+    for (int k = 0; k < wide_region_size; ++k) {
         int other = region[k];
         if (other >= 0 && is_of_part(drawn[other]) &&
             comes_first(other, drawn[other], m, drawn[m]) && flippable(other))

@@ -24,9 +24,9 @@ void main() {
     ivec2 cb = edges[q.cb], da = edges[q.da];
     edges[q.cb] = cb.x == e.x ? ivec2(e.y, cb.y) : ivec2(cb.x, e.y);
     edges[q.da] = da.x == e.y ? ivec2(e.x, da.y) : ivec2(da.x, e.x);
-    int region[region_size];
+    int region[wide_region_size];
     region_of(m, false, region);
-    for (int k = 0; k < region_size; ++k)
+    for (int k = 0; k < wide_region_size; ++k)
         if (region[k] >= 0)
             mark[region[k]] = dirty;
     mark[m] = dirty;

@@ -124,8 +124,8 @@ bool HoleMesh::make(const MeshOptions& options, Device device, const Tell& progr
                     flips = begin + (end - begin) * sweeps_share;
         MeshReport made; // which takes going through the mesh twice
         MeshReport* wanted = report || starts > 1 ? &made : nullptr;
-        if (!swept_delaunay_points(m_mesh, {m_guides.data(), uint32_t(start)}, error,
-                                   part_of(progress, begin, flips)) ||
+        if (!delaunay_points(m_mesh, {m_guides.data(), uint32_t(start)}, error,
+                             part_of(progress, begin, flips)) ||
             !optimise_points(m_mesh, m_guides.data(), options, wanted, error,
                              part_of(progress, flips, end), device))
             return false;

@@ -24,45 +24,6 @@ bool spans_plane(const std::vector<Steps>& points) {
                        [&](Steps p) { return orientation(points.front(), points.back(), p) != 0; });
 }
 
-using Triangles = std::vector<std::array<int32_t, 3>>;
-
-/// `find(points, order, triangles)`: makes the triangles of points that are as find_delaunay() asks
-/// for, point i the mesh's order[i]; false with one line in `error`.
-template <class Find>
-bool triangulate_by(PointMesh& mesh, std::string& error, Find&& find) {
-    StepGrid grid;
-    if (!grid.fit(mesh.x, mesh.y, error))
-        return false;
-    // The points row by row, of those at one position the first alone.
-    std::vector<int32_t> order(mesh.x.size());
-    std::iota(order.begin(), order.end(), 0);
-    const std::vector<Tin::Vertex> vertices = vertices_of(grid, mesh.x, mesh.y);
-    const auto at = [&](int32_t i) { return vertices[size_t(i)].at; };
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int32_t i, int32_t k) { return before(at(i), at(k)); });
-    order.erase(std::unique(order.begin(), order.end(),
-                            [&](int32_t i, int32_t k) {
-                                return !before(at(i), at(k)) && !before(at(k), at(i));
-                            }),
-                order.end());
-    std::vector<Steps> points;
-    points.reserve(order.size());
-    for (const int32_t i : order)
-        points.push_back(at(i));
-    if (!spans_plane(points)) {
-        error = "ddt: triangles need 3 points that are not on one line";
-        return false;
-    }
-    Triangles triangles;
-    if (!find(points, order, triangles))
-        return false;
-    for (auto& t : triangles)
-        for (int32_t& v : t)
-            v = order[size_t(v)];
-    mesh.triangles = std::move(triangles);
-    return true;
-}
-
 /// As for an image of as many pixels. One thread works on points; but how much a GPU gains on them
 /// is not known, and what is asked of it are many small steps.
 bool choose(Device device, size_t points, const MeshOptions& options, Placement& placement,
@@ -96,31 +57,45 @@ void flip(Tin& tin, const MeshOptions& options, const Placement& placement, Work
 
 } // namespace
 
-bool delaunay_points(PointMesh& mesh, std::string& error) {
+bool delaunay_points(PointMesh& mesh, Ties ties, std::string& error, const Tell& progress) {
     const DenormalsAreZero as_on_gpus;
-    return triangulate_by(
-        mesh, error, [&](const std::vector<Steps>& points, const auto&, Triangles& triangles) {
-            if (!find_delaunay(points, triangles, error))
-                return false;
-            complete_hull(points, triangles);
-            return covers_hull(points, triangles) || swept_delaunay(points, triangles);
-        });
-}
-
-bool swept_delaunay_points(PointMesh& mesh, Ties ties, std::string& error, const Tell& progress) {
-    const DenormalsAreZero as_on_gpus;
-    return triangulate_by(mesh, error,
-                          [&](const std::vector<Steps>& points, const std::vector<int32_t>& order,
-                              Triangles& triangles) {
-                              std::vector<float> guide;
-                              for (size_t i = 0; i < order.size() && ties.guide; ++i)
-                                  guide.push_back(ties.guide[order[i]]);
-                              const Ties sorted{ties.guide ? guide.data() : nullptr, ties.seed};
-                              const bool done = swept_delaunay(points, triangles, sorted, progress);
-                              if (!done)
-                                  error = "ddt: cancelled";
-                              return done;
-                          });
+    StepGrid grid;
+    if (!grid.fit(mesh.x, mesh.y, error))
+        return false;
+    // The points row by row, of those at one position the first alone.
+    std::vector<int32_t> order(mesh.x.size());
+    std::iota(order.begin(), order.end(), 0);
+    const std::vector<Tin::Vertex> vertices = vertices_of(grid, mesh.x, mesh.y);
+    const auto at = [&](int32_t i) { return vertices[size_t(i)].at; };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int32_t i, int32_t k) { return before(at(i), at(k)); });
+    order.erase(std::unique(order.begin(), order.end(),
+                            [&](int32_t i, int32_t k) {
+                                return !before(at(i), at(k)) && !before(at(k), at(i));
+                            }),
+                order.end());
+    std::vector<Steps> points;
+    std::vector<float> guide;
+    for (const int32_t i : order) {
+        points.push_back(at(i));
+        if (ties.guide)
+            guide.push_back(ties.guide[i]);
+    }
+    if (!spans_plane(points)) {
+        error = "ddt: triangles need 3 points that are not on one line";
+        return false;
+    }
+    std::vector<std::array<int32_t, 3>> triangles;
+    if (!find_delaunay(points, triangles, {ties.guide ? guide.data() : nullptr, ties.seed},
+                       progress)) {
+        error = "ddt: cancelled";
+        return false;
+    }
+    for (auto& t : triangles)
+        for (int32_t& v : t)
+            v = order[size_t(v)];
+    mesh.triangles = std::move(triangles);
+    return true;
 }
 
 bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, MeshReport* report,
@@ -168,8 +143,9 @@ bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, M
     return true;
 }
 
-bool delaunay(PointMesh& mesh, std::string* error) {
-    return succeeds(error, [&](std::string& why) { return delaunay_points(mesh, why); });
+bool delaunay(PointMesh& mesh, std::string* error, const std::function<bool(float)>& progress) {
+    return succeeds(error,
+                    [&](std::string& why) { return delaunay_points(mesh, {}, why, progress); });
 }
 
 bool optimise(PointMesh& mesh, const float* guide, const MeshOptions& options, MeshReport* report,

@@ -85,12 +85,11 @@ public:
     /// On the finished mesh: the gains of all edges, for soft ones; nothing to do where
     /// triangulate() keeps them. With contours the guide must have been written.
     void find_gains(const Criterion& by);
-    /// Leave all iterations of one_round() but the first n to finish.comp, n >= 1, so many
-    /// (`parts`, even) a dispatch: else a check's small picture would be done before it comes to
-    /// finish.comp.
-    void finish_after(int n, int parts) {
+    /// Leave all iterations of one_round() but the first n to finish.comp, n >= 1, so many (even) a
+    /// dispatch: else a check's small picture would be done before it comes to finish.comp.
+    void finish_after(int n, int iterations_a_dispatch) {
         m_dispatched = n;
-        m_parts = parts;
+        m_iterations_a_dispatch = iterations_a_dispatch;
     }
     /// Have find_gains() find them anew.
     void forget_gains() { m_gains_known = false; }
@@ -141,7 +140,7 @@ private:
     int m_tiles = 0;      ///< in use
     int m_iterations = 0; ///< of the last triangulate(), at most
     int m_dispatched = dispatched_iterations;
-    int m_parts = 0; ///< 0: as the device allows
+    int m_iterations_a_dispatch = 0; ///< 0: as the device allows
     float m_min_gain = 0;
     std::string m_criterion; ///< the macros that choose it
     float m_contour_weight = 0;
@@ -149,7 +148,7 @@ private:
     std::vector<Statistics> m_before; ///< what annealing did before chance, a slot
     Buffer m_batch, m_sites, m_encoded, m_guide, m_contours, m_gain, m_list0, m_list1,
         m_blocked_even, m_blocked_odd, m_work;
-    std::unique_ptr<Buffer> m_stamps;                  ///< accept_reject's
+    std::unique_ptr<Buffer> m_marks;                   ///< accept_reject.comp's
     const Buffer *m_from = &m_list0, *m_to = &m_list1; ///< in turn
 };
 

@@ -119,10 +119,11 @@ void DeviceMesh::one_round() {
     // Four are at most some 60 000 turns: a tile of 321 x 321 pixels has 603 edges for each of the
     // group, in finish.comp every one takes 5 turns to be evaluated and 17 to find a blocker, and
     // every fifth 13 to be flipped. 32 are as many as accept_reject() allows of hardware.
-    const int a_dispatch = m_parts > 0 ? m_parts : m_gpu.context->short_loops ? 4 : 32;
-    for (int i = dispatched + 1; i <= m_iterations + 1; i += a_dispatch) { // one more: the gains
+    const int usual = m_gpu.context->short_loops ? 4 : 32,
+              some = m_iterations_a_dispatch > 0 ? m_iterations_a_dispatch : usual;
+    for (int i = dispatched + 1; i <= m_iterations + 1; i += some) { // one more: the gains
         use("finish.comp", i, m_iterations, m_criterion);
-        m_gl.Uniform1i(5, a_dispatch);
+        m_gl.Uniform1i(5, some);
         m_gl.DispatchCompute(GLuint(m_tiles), 1, 1);
         barrier();
     }
@@ -137,25 +138,25 @@ void DeviceMesh::step(const char* shader, int iteration, Step step, const std::s
 }
 
 void DeviceMesh::accept_reject(const Rules& rules) {
-    // Behind the stamps, a tile's progress.
-    const size_t stamps = m_shape.sites() * size_t(m_capacity), word = sizeof(uint32_t);
-    if (!m_stamps)
-        m_stamps = std::make_unique<Buffer>(
-            m_gl, (stamps + size_t(progress_size) * size_t(m_capacity)) * word);
-    m_stamps->clear();
+    // Behind the marks, a tile's progress.
+    const size_t marks = m_shape.sites() * size_t(m_capacity), word = sizeof(uint32_t);
+    if (!m_marks)
+        m_marks = std::make_unique<Buffer>(
+            m_gl, (marks + size_t(progress_size) * size_t(m_capacity)) * word);
+    m_marks->clear();
     bind_lists();
-    m_stamps->bind(2);
+    m_marks->bind(2);
     use("accept_reject.comp", 1, m_iterations, m_criterion);
     m_gl.Uniform1i(5, rules.by_gain);
     m_gl.Uniform1i(6, rules.wide_iterations);
     // llvmpipe's loops turn 65535 times a dispatch. Drivers of hardware take a dispatch of seconds
     // for one that hangs: so many turns are half of one where each waits for memory, for a
     // microsecond.
-    m_gl.Uniform2i(9, GLint(stamps), m_gpu.context->short_loops ? 40000 : 500000);
+    m_gl.Uniform2i(9, GLint(marks), m_gpu.context->short_loops ? 40000 : 500000);
     std::vector<uint32_t> progress(size_t(progress_size) * size_t(m_tiles));
     const auto goes_on = [&] {
         const std::vector<uint32_t> before = progress;
-        m_stamps->read(stamps * word, progress.size() * word, progress.data());
+        m_marks->read(marks * word, progress.size() * word, progress.data());
         // Every dispatch takes each tile that has not ended a step on, from zeros at the beginning.
         if (progress == before)
             throw Failure("accept_reject.comp: a dispatch did nothing");

@@ -61,7 +61,7 @@ inline void narrow(const Steps (&corner)[3], const PixelAxis& columns, int64_t y
     }
 }
 
-/// Call f(triangle, covered) for every pixel within a triangle of positive orientation, its rim
+/// Call f(covered, owned) for every pixel within a triangle of positive orientation, its rim
 /// included; `owned` says that the pixel belongs to this one of several with the pixel on their
 /// rims: to the one that holds position + (d, d^2) for tiny d > 0, as core/lattice/locate.h has it.
 template <class F>

@@ -10,7 +10,7 @@ namespace ddt {
 
 bool StepGrid::fit(const std::vector<double>& x, const std::vector<double>& y, std::string& error) {
     if (x.size() != y.size() || x.empty() || x.size() > most_points) {
-        error = "ddt: a mesh has 3 to " + std::to_string(most_points) + " points, as many x as y";
+        error = "ddt: a mesh has 1 to " + std::to_string(most_points) + " points, as many x as y";
         return false;
     }
     for (size_t i = 0; i < x.size(); ++i)

@@ -13,8 +13,8 @@ namespace ddt {
 /// fraction keep their exact place.
 class StepGrid {
 public:
-    /// The finest grid on which all points fit. False with one line in `error` if a position is not
-    /// finite or there are none, or more than most_points.
+    /// The finest grid on which all points fit. False with one line in `error` if there are none
+    /// or more than most_points, a position is not finite, or all span too much or too little.
     bool fit(const std::vector<double>& x, const std::vector<double>& y, std::string& error);
 
     Steps steps(double x, double y) const { return {int32_t(step_x(x)), int32_t(step_y(y))}; }

@@ -139,8 +139,8 @@ float TinMesh::gain(int m) const {
     float after = scalar::between<CostOfFloat>(adc, bcd, d.at, c.at, pixel);
     const auto side = [&](int32_t s, int32_t inner, const TinFace& was, const TinFace& is,
                           Steps from, Steps to) {
-        const Tin::Edge& sides = m_tin.edges[size_t(s)];
-        const int32_t outer = sides.left == inner ? sides.right : sides.left;
+        const Tin::Edge& edge = m_tin.edges[size_t(s)];
+        const int32_t outer = edge.left == inner ? edge.right : edge.left;
         if (outer < 0)
             return;
         before = before + scalar::between<CostOfFloat>(face(outer), was, from, to, pixel);

@@ -7,8 +7,8 @@ description = "Image enlargement by data-dependent triangulation, as an OpenImag
 # A package for each minor version of OpenImageIO: the plugin looks at the version it was built for.
 variants = [["OpenImageIO-2.4"], ["OpenImageIO-2.5"]]
 requires = ["tbb"]
-# Without GEOS points need triangles of their own, without the headers of EGL and OpenGL no GPU is used.
-build_requires = ["cmake-3.20+", "highway", "geos"]
+# Without the headers of EGL and OpenGL no GPU is used.
+build_requires = ["cmake-3.20+", "highway"]
 build_command = ("cmake -S {root} -B . -DDDT_TESTS=OFF -DCMAKE_INSTALL_LIBDIR=lib "
                  "-DCMAKE_INSTALL_PREFIX=$REZ_BUILD_INSTALL_PATH "
                  "&& cmake --build . && if [ $REZ_BUILD_INSTALL = 1 ]; then cmake --install .; fi")

@@ -26,10 +26,9 @@ several=$generator
 [ "$generator" != Ninja ] || several="Ninja Multi-Config"
 
 # Libraries elsewhere than in /usr/include, as far as headers tell.
-mkdir -p "$scratch/pc" "$scratch"/elsewhere/{highway,geos,gl,egl}
+mkdir -p "$scratch/pc" "$scratch"/elsewhere/{highway,gl,egl}
 pc() { printf '%s\n' "Name: $1" 'Description: a stand-in' "Version: $2" "Cflags: -I$3" >"$scratch/pc/$1.pc"; }
 pc libhwy 1.0.3 "$scratch/elsewhere/highway"
-pc geos 3.11.1 "$scratch/elsewhere/geos"
 export PKG_CONFIG_PATH=$scratch/pc${PKG_CONFIG_PATH:+:$PKG_CONFIG_PATH}
 quietly cmake -S "$source_dir" -B "$scratch/build" -G "$several" "${arguments[@]}" -DDDT_TESTS=OFF \
     -DDDT_GL_HEADERS="$scratch/elsewhere/gl" -DDDT_EGL_HEADERS="$scratch/elsewhere/egl"
@@ -39,7 +38,6 @@ done <<END
 core/triangulate/gain_simd.cpp highway
 plugin/host/targets.cpp highway
 plugin/colour/code_table.cpp highway
-core/tin/delaunay_geos.cpp geos
 core/gl/context/functions.cpp gl
 core/gl/context/context_egl.cpp egl
 END

@@ -28,16 +28,13 @@ struct PointMesh {
 /// No mesh has more points.
 constexpr size_t most_points = size_t(1) << 27;
 
-/// Whether this library was built with GEOS, which delaunay() needs.
-bool has_delaunay();
-
-/// Make mesh.triangles: the Delaunay triangulation of the points, by GEOS, or by a sweep where that
-/// leaves some out, as of points in a narrow band. Positions are rounded to 2^-29 of the points'
-/// extent or finer. Of points at one position the first is used. GEOS takes about 1.2 KB and 10
-/// microseconds a point, of points of a lattice 20 and more, and of points on outlines time with
-/// the square of their number: 3 s of 20000 on that of a rectangle. False if there are not three
-/// that are not on one line, a position is not finite, or without GEOS.
-bool delaunay(PointMesh& mesh, std::string* error = nullptr);
+/// Make mesh.triangles: the Delaunay triangulation of the points, which covers their convex hull,
+/// by exact arithmetic, whatever shape they have together. Positions are rounded to 2^-29 of the
+/// points' extent or finer. Of points at one position the first is used. False if there are not
+/// three that are not on one line, or a position is not finite. `progress`: as for optimise(). After
+/// a failure the mesh is as it was.
+bool delaunay(PointMesh& mesh, std::string* error = nullptr,
+              const std::function<bool(float)>& progress = {});
 
 /// Flip edges of the mesh's triangles, which together may have any shape, by options.scheme and
 /// options.cost (blur, contour, meshes and start mean nothing here). `guide`: one float per point,

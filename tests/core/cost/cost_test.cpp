@@ -138,11 +138,9 @@ void check_common() {
 }
 
 TEST(Cost, SymmetricFiniteAndNothingBetweenEqualGradients) {
-    check_common<scalar::Abn<float>>();
-    check_common<scalar::Scf<float>>();
-    check_common<scalar::Jnd<float>>();
-    check_common<scalar::Dlp<float>>();
-    check_common<scalar::Dp<float>>();
+#define DDT_CHECK(name, Class, ...) check_common<scalar::Class<float>>();
+    DDT_COSTS(DDT_CHECK)
+#undef DDT_CHECK
 }
 
 TEST(Cost, DispatchCallsTheOneAskedFor) {

@@ -260,15 +260,7 @@ TEST(PointFile, GuidesAreNumbersWhateverTheValuesAre) {
 /// A square of 4 x 4 with z = x + 10 y in its corners and middle, as text.
 const char* const plane = "x,y,z,weight\n0,0,0,1\n4,0,4,2\n0,4,40,3\n4,4,44,4\n2,2,22,nan\n";
 
-class OnPoints : public testing::Test {
-protected:
-    void SetUp() override {
-        if (!has_delaunay())
-            GTEST_SKIP() << "built without GEOS";
-    }
-};
-
-TEST_F(OnPoints, ScatterMakesAnImage) {
+TEST(OnPoints, ScatterMakesAnImage) {
     const std::string in = write_file("plane.csv", plane), out = temporary("plane.exr");
     const Ran ran =
         run(make_scatter_command(), {in, out, "--size", "8x4", "--mesh", temporary("plane.ply")});
@@ -289,7 +281,7 @@ TEST_F(OnPoints, ScatterMakesAnImage) {
     EXPECT_EQ(mesh.mesh.triangles.size(), 4u);
 }
 
-TEST_F(OnPoints, ScatterTakesColoursByTheirLetters) {
+TEST(OnPoints, ScatterTakesColoursByTheirLetters) {
     const std::string numbers = "\n0,0,255,0,0,.5\n9,1,255,0,0,.5\n4,8,255,0,0,.5\n";
     const std::string letters = write_file("letters.csv", "x,y,R,G,B,A" + numbers),
                       out = temporary("letters.exr");
@@ -308,7 +300,7 @@ TEST_F(OnPoints, ScatterTakesColoursByTheirLetters) {
     EXPECT_NE(twice.err.find("\"R\" would be two channels"), std::string::npos) << twice.err;
 }
 
-TEST_F(OnPoints, ScatterLeavesTheOutsideEmptyAndPointsWithoutNumbersOut) {
+TEST(OnPoints, ScatterLeavesTheOutsideEmptyAndPointsWithoutNumbersOut) {
     const std::string in = write_file("plane.csv", plane), out = temporary("window.exr");
     const Ran ran = run(make_scatter_command(), {in, out, "--size", "6x6", "--window", "-1,-1,5,5",
                                                  "--y-down", "--channels", "weight,z"});
@@ -352,7 +344,7 @@ TEST(ScatterOfAMesh, LeavesOutTrianglesWithACornerThatHasNoNumber) {
     }
 }
 
-TEST_F(OnPoints, ScatterKeepsTheShapeOfAnyBox) {
+TEST(OnPoints, ScatterKeepsTheShapeOfAnyBox) {
     const std::string in = write_file("long.csv", "x,y,z\n0,0,1\n1,0,2\n1,20000,3\n0,20000,5\n");
     for (const auto& [size, width, height] :
          {std::tuple("0x1024", 1, 1024), std::tuple("3x0", 3, 60000)}) {
@@ -363,7 +355,7 @@ TEST_F(OnPoints, ScatterKeepsTheShapeOfAnyBox) {
     }
 }
 
-TEST_F(OnPoints, ScatterSaysWhatIsWrong) {
+TEST(OnPoints, ScatterSaysWhatIsWrong) {
     const std::string in = write_file("plane.csv", plane), out = temporary("wrong.exr");
     struct Case {
         std::vector<std::string> args;
@@ -406,7 +398,7 @@ TEST_F(OnPoints, ScatterSaysWhatIsWrong) {
     }
 }
 
-TEST_F(OnPoints, ScatterFitsItsChannelsToTheFormat) {
+TEST(OnPoints, ScatterFitsItsChannelsToTheFormat) {
     const std::string in = write_file("grey.csv", "x,y,z\n0,0,.3\n1,0,.3\n0,1,.3\n1,1,.3\n");
     for (const char* name : {"grey.jpg", "grey.ppm", "grey.bmp"}) {
         const std::string out = temporary(name);
@@ -419,7 +411,7 @@ TEST_F(OnPoints, ScatterFitsItsChannelsToTheFormat) {
     }
 }
 
-TEST_F(OnPoints, ScatterSaysWhatTheFormatMakesOfThem) {
+TEST(OnPoints, ScatterSaysWhatTheFormatMakesOfThem) {
     const std::string two = write_file("two.csv", "x,y,u,v\n0,0,.3,.1\n1,0,.3,.1\n0,1,.3,.1\n"),
                       high = write_file("high.csv", "x,y,z\n0,0,1\n1,0,2\n0,1,3\n"),
                       png = temporary("of_points.png"), exr = temporary("of_points.exr");
@@ -434,7 +426,7 @@ TEST_F(OnPoints, ScatterSaysWhatTheFormatMakesOfThem) {
     EXPECT_EQ(said(high, exr), "");
 }
 
-TEST_F(OnPoints, ScatterSaysWhichPointsAreLeftOut) {
+TEST(OnPoints, ScatterSaysWhichPointsAreLeftOut) {
     const std::string square = "x,y,z\n0,0,1\n1,0,1\n0,1,1\n1,1,1\n", out = temporary("some.exr");
     const auto said = [&](const std::string& more) {
         const std::string in = write_file("some.csv", square + more);
@@ -448,7 +440,7 @@ TEST_F(OnPoints, ScatterSaysWhichPointsAreLeftOut) {
     EXPECT_EQ(said("0,1e12,1\n1e12,0,1\n").substr(0, 34), "ddt: 3 of 6 points are left out: t");
 }
 
-TEST_F(OnPoints, PlyIsKnownByItsFirstLine) {
+TEST(OnPoints, PlyIsKnownByItsFirstLine) {
     PointFile points;
     Failure failure;
     const std::string text = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
@@ -493,7 +485,7 @@ TEST(ScatterOfAMesh, BringsThePictureBack) {
         }
 }
 
-TEST_F(OnPoints, ScatterReplacesBothFilesOrNone) {
+TEST(OnPoints, ScatterReplacesBothFilesOrNone) {
     const std::string in = write_file("plane.csv", plane), full = temporary("full.ply");
     std::filesystem::create_symlink("/dev/full", full);
     const std::string out = write_file("both.png", "before");
@@ -565,7 +557,7 @@ TEST(MeshOfPoints, FlagsOfOtherFilesAreRefused) {
     }
 }
 
-TEST_F(OnPoints, FillFillsWhatIsMissingAndNothingElse) {
+TEST(OnPoints, FillFillsWhatIsMissingAndNothingElse) {
     OIIO::ImageBuf image(OIIO::ImageSpec(12, 9, 4, OIIO::TypeFloat));
     const float nan = std::numeric_limits<float>::quiet_NaN();
     for (int y = 0; y < 9; ++y)

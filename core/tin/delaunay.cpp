@@ -271,9 +271,8 @@ private:
 
 } // namespace
 
-bool swept_delaunay(const std::vector<Steps>& points,
-                    std::vector<std::array<int32_t, 3>>& triangles, Ties ties,
-                    const Tell& progress) {
+bool find_delaunay(const std::vector<Steps>& points, std::vector<std::array<int32_t, 3>>& triangles,
+                   Ties ties, const Tell& progress) {
     Sweep sweep(points, ties);
     if (!sweep.triangulate(progress))
         return false;
