@@ -21,8 +21,7 @@ inline void set_error(std::string* error, const char* what) noexcept {
         return;
     error->clear();
     try {
-        const std::string line = one_line(what);
-        *error = line.compare(0, 5, "ddt: ") == 0 ? line : "ddt: " + line;
+        *error = with_prefix(one_line(what));
     } catch (...) {
     }
 }

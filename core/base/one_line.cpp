@@ -56,4 +56,22 @@ std::string one_line(const std::string& text) {
     return line.size() <= longest_line ? line : two_ends(line);
 }
 
+namespace {
+
+constexpr size_t prefix_length = sizeof message_prefix - 1;
+
+bool has_prefix(const std::string& message) {
+    return message.compare(0, prefix_length, message_prefix) == 0;
+}
+
+} // namespace
+
+std::string with_prefix(const std::string& message) {
+    return has_prefix(message) ? message : message_prefix + message;
+}
+
+std::string without_prefix(const std::string& message) {
+    return has_prefix(message) ? message.substr(prefix_length) : message;
+}
+
 } // namespace ddt

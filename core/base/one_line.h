@@ -15,4 +15,9 @@ constexpr size_t longest_line = 4000;
 /// could tell a terminal what to do, are question marks.
 std::string one_line(const std::string& text);
 
+/// What every message begins with, and a message with it, once, and without it.
+constexpr char message_prefix[] = "ddt: ";
+std::string with_prefix(const std::string& message);
+std::string without_prefix(const std::string& message);
+
 } // namespace ddt

@@ -75,10 +75,8 @@ std::vector<float> HostSource::codes() {
     const Layout& layout = m_work.layout;
     const Sample sample = m_work.from.sample;
     const Rect &box = m_work.from.box, &window = m_work.place.window;
-    const bool whole =
-        box.x0 <= window.x0 && box.y0 <= window.y0 && box.x1 >= window.x1 && box.y1 >= window.y1;
-    if (!(sample == Sample::uint8 || sample == Sample::half) || layout.is_ids() || !whole ||
-        must_associate(layout))
+    if (!(sample == Sample::uint8 || sample == Sample::half) || layout.is_ids() ||
+        !box.contains(window) || must_associate(layout))
         return {};
     return light_of_codes(*m_work.meaning.light, layout.colour, layout.channels,
                           sample == Sample::uint8 ? 8 : 16,

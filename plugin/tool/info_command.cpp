@@ -66,12 +66,12 @@ private:
         job.device = device;
         std::string text;
         if (!ddt::describe_device(job, text))
-            return "not used: " + reason_in(text, 5);
+            return "not used: " + reason_in(without_prefix(text));
         return text;
     }
-    /// What an error says after the ": " that comes from that place on, or all of it.
-    static std::string reason_in(const std::string& error, size_t from) {
-        const size_t colon = error.find(": ", from);
+    /// What an error says after its first ": ", or all of it.
+    static std::string reason_in(const std::string& error) {
+        const size_t colon = error.find(": ");
         return colon == std::string::npos ? error : error.substr(colon + 2);
     }
     /// What a large image is worked on when no device is named.
@@ -80,7 +80,7 @@ private:
         job.window = {0, 0, 32768, 32768};
         std::string text;
         if (!ddt::describe_device(job, text))
-            return "not used: " + reason_in(text, 0);
+            return "not used: " + without_prefix(text);
         return text +
                " (for a large image; small ones, schemes a GPU does not know, and machines whose "
                "only renderer is software use the cpu)";

@@ -27,7 +27,7 @@ struct Window {
 };
 
 /// "X0,Y0,X1,Y1", the corners of a window that is not empty.
-bool parse_window(const std::string& text, Window& window) {
+bool parse_corners(const std::string& text, Window& window) {
     const std::vector<std::string> parts = OIIO::Strutil::splits(text, ",");
     Window w;
     double* const numbers[] = {&w.x0, &w.y0, &w.x1, &w.y1};
@@ -43,7 +43,7 @@ bool parse_window(const std::string& text, Window& window) {
 }
 
 /// "WxH"; one of them may be 0, for what is left open.
-bool parse_size(const std::string& text, int& width, int& height) {
+bool parse_image_size(const std::string& text, int& width, int& height) {
     int w = 0, h = 0;
     if (!parse_sides(text, 0, largest_side, w, h) || (w == 0 && h == 0))
         return false;
@@ -109,11 +109,11 @@ public:
                     {"OUT", "any image OpenImageIO writes"}};
         flags = {
             {"--size", "WxH", "size of the image; a 0 keeps the shape (default: 1024x0)",
-             [this](const std::string& text) { return parse_size(text, m_width, m_height); },
+             [this](const std::string& text) { return parse_image_size(text, m_width, m_height); },
              "WxH, Wx0 and 0xH", ""},
             {"--window", "X0,Y0,X1,Y1", "the part of the plane to show (default: the points' box)",
              [this](const std::string& text) {
-                 return m_has_window = parse_window(text, m_window);
+                 return m_has_window = parse_corners(text, m_window);
              },
              "two corners, the smaller coordinates first", ""},
             switch_flag("--y-down", "the y axis runs downwards", m_y_down),

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <new>
 #include <system_error>
 #include <thread>
 
+#include "core/base/one_line.h"
 #include "core/base/parallel.h"
 #include "plugin/host/request.h"
 #include "plugin/tool/commands.h"
@@ -68,7 +68,6 @@ public:
         if (!host::set_filter(m_filter, "sRGB", work, error))
             return fail(error, exit_usage);
         allow_threads(m_threads);
-        std::signal(SIGPIPE, SIG_IGN); // a failure of the write instead
         Verdict verdict;
         HandOver<Frame> read, made;
         std::thread writer([&] { write_all(made, read, verdict); });
@@ -116,7 +115,7 @@ private:
             std::string error;
             const Outcome outcome = enlarge(*frame, large, error);
             if (outcome != Outcome::done)
-                return verdict.fail(n, error.substr(error.find(' ') + 1),
+                return verdict.fail(n, without_prefix(error),
                                     outcome == Outcome::bad_job ? code_of_message(error)
                                                                 : exit_resources);
             if (!made.put(std::move(large)))

@@ -21,6 +21,9 @@ struct Rect {
     int height() const { return y1 - y0; }
     bool empty() const { return x1 <= x0 || y1 <= y0; }
     size_t area() const { return empty() ? 0 : size_t(width()) * size_t(height()); }
+    bool contains(const Rect& o) const {
+        return x0 <= o.x0 && y0 <= o.y0 && x1 >= o.x1 && y1 >= o.y1;
+    }
     /// Whether a source or a result may have this window.
     bool within_limits() const {
         return x0 >= -largest_coordinate && y0 >= -largest_coordinate && x1 <= largest_coordinate &&

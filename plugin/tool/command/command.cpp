@@ -166,8 +166,7 @@ ExitCode parse_and_run(Command& command, const std::vector<std::string>& args) {
 }
 
 void note(const std::string& message) {
-    const bool named = message.compare(0, 5, "ddt: ") == 0;
-    std::fprintf(stderr, "%s%s\n", named ? "" : "ddt: ", one_line(message).c_str());
+    std::fprintf(stderr, "%s\n", with_prefix(one_line(message)).c_str());
 }
 
 ExitCode fail(const std::string& message, ExitCode code) {

@@ -155,8 +155,7 @@ bool check_windows(const std::vector<PartFile>& parts, Failure& failure) {
                 failure = {format("\"{}\" and \"{}\" overlap", parts[k].path, parts[i].path)};
                 return false;
             }
-        const Rect& w = parts[i].window;
-        if (w.x0 < whole.x0 || w.y0 < whole.y0 || w.x1 > whole.x1 || w.y1 > whole.y1) {
+        if (!whole.contains(parts[i].window)) {
             failure = {"\"" + parts[i].path + "\" leaves the whole's window"};
             return false;
         }

@@ -417,7 +417,7 @@ TEST(Enlarge, GuidesNearerToZeroThanTheLeastAreZero) {
     EXPECT_GT(differing(bits_with(-least_guide), flat), 0u);
 }
 
-TEST(Enlarge, ValuesNearerToZeroThanTheLeastAreZeroButIdentifiers) {
+TEST(Enlarge, ValuesNearerToZeroThanTheLeastAreZeroButIds) {
     TestSource source({0, 0, 20, 10}, 3, 22);
     for (size_t i = 0; i < source.values().size(); ++i)
         source.values()[i] = (i / 3 % 2 ? 0.75f : -1.0f) * least_value;

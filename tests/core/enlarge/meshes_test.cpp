@@ -132,7 +132,7 @@ TEST(Meshes, WithoutCorrectionsNothingLeavesTheSourcesRange) {
     }
 }
 
-TEST(Meshes, AlphaStaysWithinItsRangeAndIdentifiersAreTheFirstMeshs) {
+TEST(Meshes, AlphaStaysWithinItsRangeAndIdsAreTheFirstMeshs) {
     TestSource source({0, 0, 60, 50}, 4, 8);
     Random random(9);
     for (size_t i = 0; i < source.values().size(); i += 4) {
@@ -155,7 +155,7 @@ TEST(Meshes, AlphaStaysWithinItsRangeAndIdentifiersAreTheFirstMeshs) {
     }
 }
 
-TEST(Meshes, IdentifiersOfAnyGroupAreTheFirstMeshs) {
+TEST(Meshes, IdsOfAnyGroupAreTheFirstMeshs) {
     const int channels = 7;
     TestSource source({0, 0, 40, 30}, channels, 11);
     const Rect out{0, 0, 110, 90};

@@ -208,7 +208,7 @@ TEST_P(Travel, OfSeveralMeshesToo) {
     expect_same(8, job, true);
 }
 
-TEST_P(Travel, IdentifiersAndSinglePixelsTravelAsFloats) {
+TEST_P(Travel, IdsAndSinglePixelsTravelAsFloats) {
     Job job = job_of(71, 53, 4);
     job.kinds = {Channel::blend, Channel::nearest, Channel::blend, Channel::alpha};
     expect_same(8, job, false);

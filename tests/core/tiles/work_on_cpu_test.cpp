@@ -104,7 +104,7 @@ TEST(WorkOnCpu, AllThreadsWriteOneTileAndTheBitsAreThoseOfOne) {
         }
 }
 
-TEST(WorkOnCpu, IdentifiersAreSharedToo) {
+TEST(WorkOnCpu, IdsAreSharedToo) {
     OneTile tile(2);
     Job job = tile.job("ddt");
     job.kinds = {Channel::blend, Channel::nearest};

@@ -155,7 +155,7 @@ TEST(HolesOption, OtherPixelsKeepTheirBits) {
     EXPECT_NEAR(at(4, 1), 16777222.0, 4);
 }
 
-TEST(HolesOption, IdentifiersHaveNone) {
+TEST(HolesOption, IdsHaveNone) {
     ImageBuf src = images::make(4, 4, 3, OIIO::TypeUInt32);
     for (int y = 0; y < 4; ++y)
         for (int x = 0; x < 4; ++x)
