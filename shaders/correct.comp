@@ -157,7 +157,9 @@ void main() {
         vec4 low, high;
 #ifdef FITTED
         // LaneLimits::cut
-        vec4 cut = lowest < 0.0 ? if_less(vec4(0.0), strict, vec4(0.0), vec4(1.0)) : vec4(0.0);
+        vec4 cut = lowest < 0.0 && all_pixels(p, size)
+                       ? if_less(vec4(0.0), strict, vec4(0.0), vec4(1.0))
+                       : vec4(0.0);
         precise vec4 step_ = vec4(0.0) - sum * 0.25;
         VertexFeatures v = find_features(step_, cut);
         v.index = bends[first_site + offset(2 * p)];

@@ -7,6 +7,12 @@ vec4 at_bound(vec4 distance) {
     return upper(vec4(0.0), lower(vec4(1.0), t));
 }
 
+// Whether all taps of VertexFeatures at p are pixels: others may be black or white where no pixel
+// is, and who looked at those would take the vertex to stand at a bound.
+bool all_pixels(ivec2 p, ivec2 size) {
+    return p.x >= 2 && p.y >= 2 && p.x + 2 < size.x && p.y + 2 < size.y;
+}
+
 // What a vertex is moved by, and what its weights depend on. `index` is not found here:
 // gradients.comp has left it.
 struct VertexFeatures {
@@ -15,7 +21,7 @@ struct VertexFeatures {
 };
 
 // VertexFeatures::find() of the vertex of this invocation. step_: what a round of consistency would
-// move it by; cut: LaneLimits::cut.
+// move it by; cut: LaneLimits::cut, 0 where a tap is no pixel (all_pixels()).
 VertexFeatures find_features(vec4 step_, vec4 cut) {
     const vec4 zero = vec4(0.0);
     vec4 z = near(12);

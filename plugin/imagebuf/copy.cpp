@@ -51,4 +51,20 @@ bool copy_moved(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::ROI&
     return true;
 }
 
+bool copy_whole(OIIO::ImageBuf& copy, const OIIO::ImageBuf& src, OIIO::TypeDesc type,
+                std::string& error) {
+    // By OpenImageIO, which keeps what types a file's channels have, where it can: a caller's
+    // memory with room between pixels it takes for one without (2.4).
+    if (type == src.spec().format && src.storage() != OIIO::ImageBuf::APPBUFFER) {
+        if (copy.copy(src))
+            return true;
+        error = copy.geterror();
+        return false;
+    }
+    OIIO::ImageSpec spec = src.spec();
+    spec.set_format(type);
+    return take_memory(copy, spec, error) &&
+           copy_moved(copy, src, src.roi(), 0, 0, Beyond::edge, error);
+}
+
 } // namespace ddt

@@ -11,6 +11,7 @@
 #include "plugin/image/cached_reads.h"
 #include "plugin/image/ids.h"
 #include "plugin/image/windows.h"
+#include "plugin/imagebuf/resample.h"
 #include "plugin/message/format.h"
 
 namespace ddt {
@@ -50,8 +51,11 @@ bool guarded_from(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, Body&& body) n
         if (!check_source(src, error))
             return false;
         OIIO::ImageBuf copy, ids;
-        if (&dst == &src)
-            copy = src;
+        const bool of_caller = src.storage() == OIIO::ImageBuf::APPBUFFER;
+        if (&dst == &src && of_caller && !copy_whole(copy, src, src.spec().format, error))
+            return false;
+        if (&dst == &src && !of_caller)
+            copy = src; // of a file in OpenImageIO's cache no pixels
         const OIIO::ImageBuf& from = &dst == &src ? copy : src;
         const CachedReads reads(from);
         return reads.all_well(error) && read_ids(from, ids, error) &&

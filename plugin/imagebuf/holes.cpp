@@ -40,7 +40,13 @@ bool put_filled(const OIIO::ImageBuf& src, const float* values, OIIO::ImageBuf& 
 
 } // namespace
 
-bool fill_image(const OIIO::ImageBuf& src, const Options& options, Holes holes,
+OIIO::TypeDesc type_between(const OIIO::ImageBuf& src) {
+    const OIIO::TypeDesc type = src.spec().format;
+    const bool mixed = !src.nativespec().channelformats.empty();
+    return mixed || type.size() >= sizeof(float) ? type : OIIO::TypeFloat;
+}
+
+bool fill_image(const OIIO::ImageBuf& src, const Options& options, Holes holes, OIIO::TypeDesc type,
                 OIIO::ImageBuf& filled, int nthreads, std::string& error) {
     if (holes == Holes::keep)
         return true;
@@ -81,22 +87,15 @@ bool fill_image(const OIIO::ImageBuf& src, const Options& options, Holes holes,
         return false;
     if (options.statistics)
         *options.statistics = report.statistics;
-    if (!filled.copy(src)) {
-        error = filled.geterror();
-        return false;
-    }
-    return put_filled(src, values.data(), filled, error);
+    return copy_whole(filled, src, type, error) && put_filled(src, values.data(), filled, error);
 }
 
 bool copy_filled(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options,
                  Holes holes, int nthreads, std::string& error) {
     OIIO::ImageBuf filled;
-    if (!fill_image(src, options, holes, filled, nthreads, error))
-        return false;
-    if (dst.copy(filled.initialized() ? filled : src))
-        return true;
-    error = dst.geterror();
-    return false;
+    const OIIO::TypeDesc type = src.spec().format;
+    return fill_image(src, options, holes, type, filled, nthreads, error) &&
+           copy_whole(dst, filled.initialized() ? filled : src, type, error);
 }
 
 bool fill(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options, Missing missing) {

@@ -8,11 +8,15 @@
 
 namespace ddt {
 
-/// Make `filled` the image with its holes filled by options.mesh, whatever options.holes says;
-/// leave it uninitialised where there are none, and options.progress is not called. False with one
-/// line in `error`.
-bool fill_image(const OIIO::ImageBuf& src, const Options& options, Holes holes,
+/// Make `filled` the image, in this type, with its holes filled by options.mesh, whatever
+/// options.holes says; leave it uninitialised where there are none, and options.progress is not
+/// called. False with one line in `error`.
+bool fill_image(const OIIO::ImageBuf& src, const Options& options, Holes holes, OIIO::TypeDesc type,
                 OIIO::ImageBuf& filled, int nthreads, std::string& error);
+
+/// The type for that where pixels are worked on afterwards: not rounded in between, unless channels
+/// have types of their own, IDs among them.
+OIIO::TypeDesc type_between(const OIIO::ImageBuf& src);
 
 /// Make dst a copy of src with its holes filled so.
 bool copy_filled(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options,

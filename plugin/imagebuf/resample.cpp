@@ -74,8 +74,7 @@ bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& map
         job.kinds.push_back(reading.channels.kinds[c]);
     job.mesh = options.mesh;
     job.surface = options.surface;
-    const OIIO::TypeDesc type = dst.spec().format;
-    job.surface.clipped |= type == OIIO::TypeUInt8 || type == OIIO::TypeUInt16;
+    job.surface.clipped |= cuts_off(dst.spec().format);
     job.threads = thread_count(nthreads);
     job.device = options.device;
     job.holes = holes;

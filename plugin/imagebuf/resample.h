@@ -18,6 +18,11 @@ bool resample(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Mapping& map
               const OIIO::ROI& roi, const Options& options, int nthreads, std::string& error,
               Arrival* arrival = nullptr);
 
+/// Whether numbers of this type are cut off to 0 .. 1 (SurfaceOptions::clipped).
+inline bool cuts_off(OIIO::TypeDesc type) {
+    return type == OIIO::TypeUInt8 || type == OIIO::TypeUInt16;
+}
+
 /// Threads for `nthreads` as ddt/resize.h says; 0: the core takes all.
 int thread_count(int nthreads);
 
@@ -63,6 +68,11 @@ enum class Beyond { edge, black };
 /// are the same.
 bool copy_moved(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::ROI& roi, int dx,
                 int dy, Beyond beyond, std::string& error);
+
+/// Make `copy` an image of its own with src's pixels and metadata, in this type. False with one
+/// line in `error`.
+bool copy_whole(OIIO::ImageBuf& copy, const OIIO::ImageBuf& src, OIIO::TypeDesc type,
+                std::string& error);
 
 /// Whether the roi's channels are IDs, all of them.
 bool all_are_ids(const OIIO::ImageBuf& src, const OIIO::ROI& roi);

@@ -64,7 +64,9 @@ bool enlarge_then_shrink(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const O
     if (!make_image(between, spec, error))
         return false;
     const ResizeMapping mapping(x_axis(src.spec(), spec, part), y_axis(src.spec(), spec, part));
-    return resample(between, src, mapping, part, options, nthreads, error) &&
+    Options of_between = options;
+    of_between.surface.clipped |= cuts_off(dst.spec().format);
+    return resample(between, src, mapping, part, of_between, nthreads, error) &&
            resize_by_oiio(dst, between, roi, nthreads, error);
 }
 
@@ -145,7 +147,7 @@ bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& given, Arrival* a
     Options of_holes = options;
     of_holes.progress = part_of(options.progress, 0, grow ? share_of_filling : 1);
     OIIO::ImageBuf filled;
-    if (!fill_image(given, of_holes, options.holes, filled, nthreads, error))
+    if (!fill_image(given, of_holes, options.holes, type_between(given), filled, nthreads, error))
         return false;
     const OIIO::ImageBuf& src = filled.initialized() ? filled : given;
     if (!grow && !shrink_x && !shrink_y)

@@ -143,7 +143,8 @@ bool warp_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options&
     const bool moved = black && moves_only(to_output, dx, dy);
     if (moved || !black || shrinks(to_output, rect_of(src.roi()))) {
         OIIO::ImageBuf filled;
-        if (!fill_image(src, options, options.holes, filled, call.nthreads, error))
+        if (!fill_image(src, options, options.holes, type_between(src), filled, call.nthreads,
+                        error))
             return false;
         const OIIO::ImageBuf& from = filled.initialized() ? filled : src;
         if (moved)

@@ -168,7 +168,8 @@ private:
         Progress progress("filling");
         options.progress = std::ref(progress);
         constexpr int all_threads = 0;
-        if (!fill_image(image, options, m_options.holes, filled, all_threads, error))
+        if (!fill_image(image, options, m_options.holes, image.spec().format, filled, all_threads,
+                        error))
             return false;
         if (filled.initialized())
             image = std::move(filled);

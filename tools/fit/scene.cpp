@@ -102,7 +102,9 @@ void find_features(Scene& scene, const SurfaceOptions& options, const Net& net,
             const int site = lattice.vertex_site(x, y);
             ddt::scalar::VertexFeatures<float> found;
             const auto near = [&](int i, int j) { return tap(x + i, y + j); };
-            found.find(-0.25f * consistency.sum[pixel], limits.cut[c], fitted_table(), near);
+            found.find(-0.25f * consistency.sum[pixel],
+                       ddt::scalar::all_pixels(x, y, width, height) ? limits.cut[c] : 0.0f,
+                       fitted_table(), near);
             Features::Vertex& v = features.vertices[size_t(site)];
             v.z = inside(x, y);
             v.bound = found.bound;

@@ -41,6 +41,12 @@ DDT_INLINE T at_bound(T distance) {
     return upper(T(0.0f), lower(T(1.0f), T(1.0f) - distance));
 }
 
+/// Whether all taps of VertexFeatures at (x, y) are pixels: others may be black or white where no
+/// pixel is, and who looked at those would take the vertex to stand at a bound.
+DDT_INLINE bool all_pixels(int x, int y, int width, int height) {
+    return x >= 2 && y >= 2 && x + 2 < width && y + 2 < height;
+}
+
 /// What a vertex is moved by, and what its weights depend on: the index, and how far it stands at
 /// black or white, 0 to 1.
 template <class T>
@@ -49,7 +55,7 @@ struct VertexFeatures {
     T index, bound;
 
     /// `step`: what a round of consistency would move it by (consistency-inl.h). cut:
-    /// LaneLimits::cut.
+    /// LaneLimits::cut; 0 where a tap is no pixel (all_pixels()).
     template <class Tap>
     DDT_INLINE void find(T step, T cut, const FittedTable& table, Tap tap) {
         const T z = tap(0, 0), quarter = T(0.25f);

@@ -64,9 +64,10 @@ HWY_ATTR void move_row(const FittedSource& source, int x0, int x1, int y, const 
         };
         const ptrdiff_t at = ptrdiff_t(x) * count;
         PixelLanes found;
-        const PixelLanes moved =
-            move_vertex(PixelLanes::load(limits.limit), PixelLanes::load(limits.cut), limits.lowest,
-                        PixelLanes::load(sum + at), tap, found);
+        // Not all_pixels().
+        const PixelLanes uncut(0.0f);
+        const PixelLanes moved = move_vertex(PixelLanes::load(limits.limit), uncut, limits.lowest,
+                                             PixelLanes::load(sum + at), tap, found);
         if (x > 0 && y > 0 && x + 1 < width && y + 1 < height)
             store_pixel(moved, count, z + at);
         store_pixel(found, count, index + at);

@@ -155,6 +155,20 @@ TEST(HolesOption, OtherPixelsKeepTheirBits) {
     EXPECT_NEAR(at(4, 1), 16777222.0, 4);
 }
 
+// Filled pixels are rounded once, at the end.
+TEST(HolesOption, AHalfImageIsFilledAsItsFloatsAre) {
+    const ImageBuf half = holed(false, OIIO::TypeHalf);
+    ImageBuf floats;
+    ASSERT_TRUE(floats.copy(half, OIIO::TypeFloat));
+    const ddt::Options options = options_of("ddt,holes=fill");
+    for (const auto& [w, h] : {std::pair{width, height}, {2 * width, height / 2}, {60, 60}}) {
+        ImageBuf a = images::make(w, h, channels), b = images::make(w, h, channels);
+        ASSERT_TRUE(ddt::resize(a, half, options)) << a.geterror();
+        ASSERT_TRUE(ddt::resize(b, floats, options)) << b.geterror();
+        EXPECT_EQ(bytes(a), bytes(b)) << w << " x " << h;
+    }
+}
+
 TEST(HolesOption, IdsHaveNone) {
     ImageBuf src = images::make(4, 4, 3, OIIO::TypeUInt32);
     for (int y = 0; y < 4; ++y)

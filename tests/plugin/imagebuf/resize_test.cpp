@@ -202,10 +202,12 @@ TEST(Resize, UnsignedIntegersOf8And16BitsWillBeClipped) {
     for (const auto type : blended) {
         auto src = make(24, 24, 1, type);
         images::noise(src);
-        const bool same =
-            bytes(enlarged(src, 96, 96, sharp)) == bytes(enlarged(src, 96, 96, clipped));
-        EXPECT_EQ(same, type == TypeDesc::UINT8 || type == TypeDesc::UINT16)
-            << TypeDesc(type).c_str();
+        for (const int height : {96, 12}) { // an axis may shrink
+            const bool same = bytes(enlarged(src, 96, height, sharp)) ==
+                              bytes(enlarged(src, 96, height, clipped));
+            EXPECT_EQ(same, type == TypeDesc::UINT8 || type == TypeDesc::UINT16)
+                << TypeDesc(type).c_str() << ", " << height;
+        }
     }
 }
 

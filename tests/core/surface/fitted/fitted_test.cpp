@@ -144,7 +144,8 @@ NetValues slow(const Scene& scene, const std::vector<float>& values, Setting set
             const size_t at = size_t(y * w + x);
             const auto near = [&](int i, int j) { return tap(x + i, y + j); };
             scalar::VertexFeatures<float> v;
-            v.find(0.0f - consistency.sum[at] * 0.25f, limits.cut[0], table, near);
+            v.find(0.0f - consistency.sum[at] * 0.25f,
+                   scalar::all_pixels(x, y, w, h) ? limits.cut[0] : 0.0f, table, near);
             float low, high;
             scalar::find_limits({-1, -1, 2, 2},
                                 scalar::fitted_limit(limits.limit[0], v.bound, table),
@@ -215,6 +216,17 @@ TEST(Fitted, NeighbouringEdgesThatAreMadeTogetherHaveTheBitsOfTheDefinition) {
                     }
                 });
             }
+}
+
+// Beyond the rim, where the picture goes on as its odd mirror image, there is black and white.
+TEST(Fitted, GreyAtTheRimDoesNotStandAtABound) {
+    Random random(8);
+    const Scene scene(16, 14, 60, random);
+    const auto values = fill(scene.pixels(), [&] { return random.below(2) ? 0.7f : 0.4f; });
+    for (const float z : fitted(scene, values, {}).z) {
+        EXPECT_GE(z, 0.4f - 0.25f * 0.3f - 1e-6f);
+        EXPECT_LE(z, 0.7f + 0.25f * 0.3f + 1e-6f);
+    }
 }
 
 TEST(Fitted, WhatIsNotFiniteKeepsThePlainValue) {
