@@ -79,12 +79,16 @@ double staircase_at(const std::function<Plane(const Plane&)>& enlarge, int scale
     return fit.n > 0 ? fit.deviation() : 0;
 }
 
-double staircase(const std::function<Plane(const Plane&)>& enlarge, int scale) {
-    double sum = 0;
+Staircase staircase(const std::function<Plane(const Plane&)>& enlarge, int scale) {
+    Staircase all;
     int count = 0;
-    for (int degrees = 0; degrees < 180; degrees += 3, ++count)
-        sum += staircase_at(enlarge, scale, degrees * pi / 180);
-    return sum / count;
+    for (int degrees = 0; degrees < 180; degrees += 3, ++count) {
+        const double one = staircase_at(enlarge, scale, degrees * pi / 180);
+        all.mean += one;
+        all.worst = std::fmax(all.worst, one);
+    }
+    all.mean /= count;
+    return all;
 }
 
 } // namespace metrics

@@ -8,10 +8,10 @@ void main() {
     int m = own_index();
     if (m >= count || mark[m] != untreated)
         return;
-    int region[region_size];
+    int region[wide_region_size];
     region_of(m, wide, region);
     bool blocked = false;
-    for (int k = 0; k < region_size; ++k) {
+    for (int k = 0; k < wide_region_size; ++k) {
         int other = region[k];
         if (other < 0 || other == m)
             continue;

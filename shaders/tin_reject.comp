@@ -7,9 +7,9 @@ void main() {
     int m = own_index();
     if (m >= count || mark[m] != winner)
         return;
-    int region[region_size];
+    int region[wide_region_size];
     region_of(m, wide, region);
-    for (int k = 0; k < region_size; ++k)
+    for (int k = 0; k < wide_region_size; ++k)
         if (region[k] >= 0 && region[k] != m && mark[region[k]] == untreated)
             mark[region[k]] = rejected;
     mark[m] = accepted;

@@ -74,7 +74,7 @@ bool measure(const bench::Row& row, const Case& c, int scale, bench::Light light
     return true;
 }
 
-double staircase_of(const bench::Row& row, int scale, bench::Light light) {
+metrics::Staircase staircase_of(const bench::Row& row, int scale, bench::Light light) {
     auto enlarge = [&](const metrics::Plane& plane) {
         metrics::Image image{{plane, plane, plane}};
         return bench::to_display(row.enlarge(bench::to_light(image, light), scale), light)
@@ -84,17 +84,18 @@ double staircase_of(const bench::Row& row, int scale, bench::Light light) {
 }
 
 void print_head() {
-    std::printf("%-22s %7s %7s %7s %7s %6s %6s %6s %7s %7s\n", "", "PSNR", "SSIM", "MS-SSIM",
-                "GMSD", "over", "over", "neg.", "stair", "time");
-    std::printf("%-22s %7s %7s %7s %7s %6s %6s %6s %7s %7s\n", "", "dB", "", "", "", "max", "mean",
-                "%", "px", "ns/px");
+    std::printf("%-22s %7s %7s %7s %7s %6s %6s %6s %7s %7s %7s\n", "", "PSNR", "SSIM", "MS-SSIM",
+                "GMSD", "over", "over", "neg.", "stair", "worst", "time");
+    std::printf("%-22s %7s %7s %7s %7s %6s %6s %6s %7s %7s %7s\n", "", "dB", "", "", "", "max",
+                "mean", "%", "px", "px", "ns/px");
 }
 
-void print(const std::string& name, const Figures& f, double stairs) {
+void print(const std::string& name, const Figures& f, const metrics::Staircase& stairs) {
     double n = f.images;
-    std::printf("%-22s %7.2f %7.4f %7.4f %7.4f %6.1f %6.3f %6.3f %7.4f %7.0f\n", name.c_str(),
-                f.psnr / n, f.ssim / n, f.ms_ssim / n, f.gmsd / n, f.largest_overshoot,
-                f.mean_overshoot / n, 100 * f.negative_share / n, stairs, f.nanoseconds / n);
+    std::printf("%-22s %7.2f %7.4f %7.4f %7.4f %6.1f %6.3f %6.3f %7.4f %7.4f %7.0f\n",
+                name.c_str(), f.psnr / n, f.ssim / n, f.ms_ssim / n, f.gmsd / n,
+                f.largest_overshoot, f.mean_overshoot / n, 100 * f.negative_share / n, stairs.mean,
+                stairs.worst, f.nanoseconds / n);
     std::fflush(stdout);
 }
 

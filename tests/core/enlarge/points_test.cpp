@@ -148,7 +148,7 @@ TEST(Delaunay, SaysWhatIsWrong) {
               "ddt: triangles need 3 points that are not on one line");
     EXPECT_EQ(failure_of({{7, 7, 7}, {5, 5, 5}, {}}),
               "ddt: triangles need 3 points that are not on one line");
-    EXPECT_NE(failure_of({}).find("3 to"), std::string::npos);
+    EXPECT_NE(failure_of({}).find("1 to"), std::string::npos);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(failure_of({{0, 1, nan}, {0, 1, 5}, {}}),
               "ddt: point 2 has a position that is not finite");
