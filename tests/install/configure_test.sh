@@ -90,7 +90,9 @@ target_link_libraries(mine PRIVATE ddt::ddt_image)
 END
 whole=$scratch/whole/build
 # It may look for the same packages in its own way.
-echo 'set(TBB_FOUND TRUE)' >"$scratch/whole/FindTBB.cmake"
+for package in TBB OpenImageIO; do
+    echo "set(${package}_FOUND TRUE)" >"$scratch/whole/Find$package.cmake"
+done
 quietly cmake -S "$scratch/whole" -B "$whole" -G "$generator" "${arguments[@]}" -DCMAKE_INSTALL_PREFIX="$scratch/prefix" \
     -DCMAKE_MODULE_PATH="$scratch/whole"
 ! grep -E '^CMAKE_BUILD_TYPE:[A-Z]*=.|^CMAKE_INSTALL_LIBDIR:[A-Z]*=.*linux-gnu|^CPACK_|^GTest_DIR' \

@@ -28,8 +28,13 @@ awk -v folder="$scratch/consumer" '
 (cd "$scratch/prefix/include" && find . -name '*.h' -printf '%P\n') | while read -r header; do
     echo "#include <$header>" >"$scratch/consumer/header_${header//[^a-z]/_}.cpp"
 done
+# It may look for the same packages in its own way.
+mkdir "$scratch/modules"
+for package in TBB OpenImageIO; do
+    echo "set(${package}_FOUND TRUE)" >"$scratch/modules/Find$package.cmake"
+done
 cmake -G "$generator" -S "$scratch/consumer" -B "$scratch/consumer/build" -DCMAKE_PREFIX_PATH="$scratch/prefix" \
-    >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
+    -DCMAKE_MODULE_PATH="$scratch/modules" >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
 cmake --build "$scratch/consumer/build" -j 2 >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
 "$scratch/consumer/build/consumer" "$source_dir/testimages/scene.png" "$scratch/large.png"
 iinfo "$scratch/large.png" | grep '768 x  576'
