@@ -31,7 +31,8 @@ pc() { printf '%s\n' "Name: $1" 'Description: a stand-in' "Version: $2" "Cflags:
 pc libhwy 1.0.3 "$scratch/elsewhere/highway"
 export PKG_CONFIG_PATH=$scratch/pc${PKG_CONFIG_PATH:+:$PKG_CONFIG_PATH}
 quietly cmake -S "$source_dir" -B "$scratch/build" -G "$several" "${arguments[@]}" -DDDT_TESTS=OFF \
-    -DDDT_GL_HEADERS="$scratch/elsewhere/gl" -DDDT_EGL_HEADERS="$scratch/elsewhere/egl"
+    -DDDT_GL_HEADERS="$scratch/elsewhere/gl" -DDDT_EGL_HEADERS="$scratch/elsewhere/egl" \
+    -DCMAKE_INSTALL_DATAROOTDIR=data
 while read -r file folder; do
     with "$scratch/build" "$file" "$scratch/elsewhere/$folder " || failed "$file does not see the headers of $folder"
 done <<END
@@ -50,6 +51,10 @@ if [ "$several" != "$generator" ]; then
         done
     done
 fi
+
+# Login shells are led to where the script is.
+grep -q 'CREATE_LINK /usr/data/oiio-ddt/profile\.sh ' "$scratch/build/cmake_install.cmake" ||
+    failed "/etc/profile.d leads elsewhere"
 
 # Without optimisation GCC breaks off, whatever asks for none.
 while read -r level given; do
