@@ -21,5 +21,6 @@ set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
 unset(ddt_folders)
 
 # By pkg-config: Debian's CMake config of OpenColorIO names an include folder that is not there.
-pkg_check_modules(DDT_OCIO REQUIRED ${ddt_quiet} IMPORTED_TARGET OpenColorIO>=2.1)
+set(DDT_OCIO_MODULE OpenColorIO>=2.1)
+pkg_check_modules(DDT_OCIO REQUIRED ${ddt_quiet} IMPORTED_TARGET ${DDT_OCIO_MODULE})
 message(${ddt_status} "OpenImageIO ${OpenImageIO_VERSION}, OpenColorIO ${DDT_OCIO_VERSION}")
