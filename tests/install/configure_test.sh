@@ -56,10 +56,13 @@ fi
 grep -q 'CREATE_LINK /usr/data/oiio-ddt/profile\.sh ' "$scratch/build/cmake_install.cmake" ||
     failed "/etc/profile.d leads elsewhere"
 
-# Several files as one: what a module has in the place of the core's is an object by itself there.
+# Several files as one: what a module has in the place of the core's is an object by itself there. And a
+# Python that does not do, given, has no other in its place.
 quietly cmake -S "$source_dir" -B "$scratch/unity" -G "$generator" "${arguments[@]}" -DDDT_TESTS=OFF \
-    -DDDT_PLUGIN=OFF -DCMAKE_UNITY_BUILD=ON
+    -DDDT_PLUGIN=OFF -DCMAKE_UNITY_BUILD=ON -DDDT_PYTHON=/nonexistent/python
 with "$scratch/unity" 'core/base/parallel_[a-z]*.cpp' " -c "
+grep -q 'Python module: left out (.*; /nonexistent/python is no Python 3' "$scratch/log" ||
+    { cat "$scratch/log"; failed "a Python that is not there"; }
 
 # Without optimisation GCC breaks off, whatever asks for none.
 while read -r level given; do
