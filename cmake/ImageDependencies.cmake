@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # The image libraries the plugin and the ImageBuf library need, as the imported targets
 # OpenImageIO::OpenImageIO and PkgConfig::DDT_OCIO. Used as CoreDependencies.cmake is, after it.
-# No version here: OpenImageIO's own check refuses another major one than is asked for.
-find_package(OpenImageIO REQUIRED ${ddt_quiet})
+# By its own package: who links may have a FindOpenImageIO, which need not make its target. No version
+# here: OpenImageIO's own check refuses another major one than is asked for.
+find_package(OpenImageIO CONFIG REQUIRED ${ddt_quiet})
 if(OpenImageIO_VERSION VERSION_LESS 2.4)
   message(FATAL_ERROR "OpenImageIO ${OpenImageIO_VERSION} is too old: 2.4 or later is needed")
 endif()
@@ -20,5 +21,6 @@ set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
 unset(ddt_folders)
 
 # By pkg-config: Debian's CMake config of OpenColorIO names an include folder that is not there.
-pkg_check_modules(DDT_OCIO REQUIRED ${ddt_quiet} IMPORTED_TARGET OpenColorIO>=2.1)
+set(DDT_OCIO_MODULE OpenColorIO>=2.1)
+pkg_check_modules(DDT_OCIO REQUIRED ${ddt_quiet} IMPORTED_TARGET ${DDT_OCIO_MODULE})
 message(${ddt_status} "OpenImageIO ${OpenImageIO_VERSION}, OpenColorIO ${DDT_OCIO_VERSION}")

@@ -28,10 +28,10 @@ set(DDT_WITH_HIGHWAY ${DDT_HWY_FOUND})
 # What they were built with and pkg-config knows, and from which version on.
 set(DDT_CORE_MODULES)
 if(DDT_HWY_FOUND)
-  list(APPEND DDT_CORE_MODULES libhwy>=1.0)
+  set(DDT_CORE_MODULES ${DDT_HWY_MODULE})
 endif()
-set(DDT_IMAGE_MODULES OpenColorIO>=2.1)
 if(DDT_PLUGIN)
+  set(DDT_IMAGE_MODULES ${DDT_OCIO_MODULE})
   string(REGEX MATCH "^[0-9]+[.][0-9]+" DDT_OIIO_SERIES "${OpenImageIO_VERSION}")
 endif()
 configure_package_config_file(cmake/oiio-ddt-config.cmake.in oiio-ddt-config.cmake

@@ -31,7 +31,8 @@ pc() { printf '%s\n' "Name: $1" 'Description: a stand-in' "Version: $2" "Cflags:
 pc libhwy 1.0.3 "$scratch/elsewhere/highway"
 export PKG_CONFIG_PATH=$scratch/pc${PKG_CONFIG_PATH:+:$PKG_CONFIG_PATH}
 quietly cmake -S "$source_dir" -B "$scratch/build" -G "$several" "${arguments[@]}" -DDDT_TESTS=OFF \
-    -DDDT_GL_HEADERS="$scratch/elsewhere/gl" -DDDT_EGL_HEADERS="$scratch/elsewhere/egl"
+    -DDDT_GL_HEADERS="$scratch/elsewhere/gl" -DDDT_EGL_HEADERS="$scratch/elsewhere/egl" \
+    -DCMAKE_INSTALL_DATAROOTDIR=data
 while read -r file folder; do
     with "$scratch/build" "$file" "$scratch/elsewhere/$folder " || failed "$file does not see the headers of $folder"
 done <<END
@@ -50,6 +51,18 @@ if [ "$several" != "$generator" ]; then
         done
     done
 fi
+
+# Login shells are led to where the script is.
+grep -q 'CREATE_LINK /usr/data/oiio-ddt/profile\.sh ' "$scratch/build/cmake_install.cmake" ||
+    failed "/etc/profile.d leads elsewhere"
+
+# Several files as one: what a module has in the place of the core's is an object by itself there. And a
+# Python that does not do, given, has no other in its place.
+quietly cmake -S "$source_dir" -B "$scratch/unity" -G "$generator" "${arguments[@]}" -DDDT_TESTS=OFF \
+    -DDDT_PLUGIN=OFF -DCMAKE_UNITY_BUILD=ON -DDDT_PYTHON=/nonexistent/python
+with "$scratch/unity" 'core/base/parallel_[a-z]*.cpp' " -c "
+grep -q 'Python module: left out (.*; /nonexistent/python is no Python 3' "$scratch/log" ||
+    { cat "$scratch/log"; failed "a Python that is not there"; }
 
 # Without optimisation GCC breaks off, whatever asks for none.
 while read -r level given; do
@@ -90,7 +103,9 @@ target_link_libraries(mine PRIVATE ddt::ddt_image)
 END
 whole=$scratch/whole/build
 # It may look for the same packages in its own way.
-echo 'set(TBB_FOUND TRUE)' >"$scratch/whole/FindTBB.cmake"
+for package in TBB OpenImageIO; do
+    echo "set(${package}_FOUND TRUE)" >"$scratch/whole/Find$package.cmake"
+done
 quietly cmake -S "$scratch/whole" -B "$whole" -G "$generator" "${arguments[@]}" -DCMAKE_INSTALL_PREFIX="$scratch/prefix" \
     -DCMAKE_MODULE_PATH="$scratch/whole"
 ! grep -E '^CMAKE_BUILD_TYPE:[A-Z]*=.|^CMAKE_INSTALL_LIBDIR:[A-Z]*=.*linux-gnu|^CPACK_|^GTest_DIR' \

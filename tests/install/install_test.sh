@@ -10,7 +10,14 @@ here=$source_dir/tests/install
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-cmake --install "$build_dir" --prefix "$scratch/prefix" >/dev/null
+# By somebody careful: folders that are made on the way are for everybody, those that were there as
+# they were.
+mkdir -p -m 755 "$scratch/prefix"
+mkdir -m 700 "$scratch/prefix/share"
+(umask 077 && cmake --install "$build_dir" --prefix "$scratch/prefix" >/dev/null &&
+    DESTDIR=$scratch/staged cmake --install "$build_dir" --prefix /opt/ddt >/dev/null)
+private=$(cd "$scratch" && find prefix staged -type d ! -perm 755 | LC_ALL=C sort | xargs)
+[ "$private" = "prefix/share staged staged/opt" ] || { echo "FAILED: private folders: $private"; exit 1; }
 # The folder of libraries and the build type are in some names; the list is without either.
 (cd "$scratch/prefix" && find . -type f -printf '%P\n') |
     sed -e 's,^lib/[a-z0-9_]*-linux-gnu/,lib/,' -e 's,targets-[a-z]*\.cmake,targets-TYPE.cmake,' |
@@ -28,8 +35,13 @@ awk -v folder="$scratch/consumer" '
 (cd "$scratch/prefix/include" && find . -name '*.h' -printf '%P\n') | while read -r header; do
     echo "#include <$header>" >"$scratch/consumer/header_${header//[^a-z]/_}.cpp"
 done
+# It may look for the same packages in its own way.
+mkdir "$scratch/modules"
+for package in TBB OpenImageIO; do
+    echo "set(${package}_FOUND TRUE)" >"$scratch/modules/Find$package.cmake"
+done
 cmake -G "$generator" -S "$scratch/consumer" -B "$scratch/consumer/build" -DCMAKE_PREFIX_PATH="$scratch/prefix" \
-    >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
+    -DCMAKE_MODULE_PATH="$scratch/modules" >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
 cmake --build "$scratch/consumer/build" -j 2 >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
 "$scratch/consumer/build/consumer" "$source_dir/testimages/scene.png" "$scratch/large.png"
 iinfo "$scratch/large.png" | grep '768 x  576'
