@@ -31,8 +31,8 @@ constexpr size_t most_points = size_t(1) << 27;
 /// Make mesh.triangles: the Delaunay triangulation of the points, which covers their convex hull,
 /// by exact arithmetic, whatever shape they have together. Positions are rounded to 2^-29 of the
 /// points' extent or finer. Of points at one position the first is used. False if there are not
-/// three that are not on one line, or a position is not finite. `progress`: as for optimise(). After
-/// a failure the mesh is as it was.
+/// three that are not on one line, or a position is not finite. `progress`: as for optimise().
+/// After a failure the mesh is as it was.
 bool delaunay(PointMesh& mesh, std::string* error = nullptr,
               const std::function<bool(float)>& progress = {});
 
