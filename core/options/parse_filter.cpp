@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <locale>
+#include <sstream>
 
 #include "core/base/parse_number.h"
 #include "core/options/values.h"
@@ -22,6 +24,15 @@ std::string quoted(std::string_view text) {
     return '"' + line + '"';
 }
 
+/// Of a number that no float holds: whether it is too small, not too large. std::from_chars says
+/// the same of both.
+bool underflows(std::string_view text) {
+    std::istringstream stream{std::string(text)};
+    stream.imbue(std::locale::classic());
+    float number = 0;
+    return bool(stream >> number);
+}
+
 /// Says why `item`, "key=value", cannot be.
 std::string refusal(const Option& option, std::string_view item) {
     std::string line = "ddt: option " + quoted(item) + " is not allowed; allowed for " +
@@ -30,8 +41,8 @@ std::string refusal(const Option& option, std::string_view item) {
     float number = 0;
     const auto parsed = std::from_chars(value.data(), value.data() + value.size(), number);
     if (option.kind == OptionKind::real &&
-        (value == "subnormal" || parsed.ec == std::errc::result_out_of_range ||
-         is_subnormal(number)))
+        (value == "subnormal" || is_subnormal(number) ||
+         (parsed.ec == std::errc::result_out_of_range && underflows(value))))
         line += ", none but 0 below " + number_text(std::numeric_limits<float>::min());
     return line;
 }

@@ -2,14 +2,21 @@
 // How far a job is.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <climits>
+#include <cstdint>
+#include <map>
 #include <mutex>
 #include <vector>
 
 #include "ddt/core.h"
 
 namespace ddt {
+
+/// Progress is told whenever about so many more numbers of a tile's result are written: of smaller
+/// ones once they are done.
+constexpr int64_t told_numbers = int64_t(1) << 22;
 
 /// The state shared by the threads of one job. Thread-safe, but for next_row() of a tile, which
 /// belongs to whoever works on the tile.
@@ -30,21 +37,60 @@ public:
     void wrote_rows_before(int row, int tile) { m_next_row[size_t(tile)] = row; }
     bool is_done(int tile) const { return next_row(tile) == INT_MAX; }
 
+    /// So many more numbers of a tile's result, which has `all`, are written.
+    void wrote(int64_t numbers, int64_t all, int tile) {
+        if (!m_job.progress)
+            return;
+        const std::lock_guard<std::mutex> lock(m_mutex);
+        Part& part = m_parts[tile];
+        const int64_t before = part.numbers;
+        part.numbers += numbers;
+        const auto units = int64_t(double(part.numbers) / double(all) * double(units_of_tile));
+        m_units += units - part.units;
+        part.units = units;
+        if (part.numbers / told_numbers != before / told_numbers)
+            tell(std::min(share(), most_of_parts));
+    }
+
     void tile_done(int tile) {
         wrote_rows_before(INT_MAX, tile);
         if (!m_job.progress)
             return;
         const std::lock_guard<std::mutex> lock(m_mutex);
-        if (going() && !m_job.progress(float(++m_done) / float(m_next_row.size())))
-            end(Outcome::cancelled);
+        m_units += units_of_tile;
+        if (const auto part = m_parts.find(tile); part != m_parts.end()) {
+            m_units -= part->second.units;
+            m_parts.erase(part);
+        }
+        tell(share());
     }
 
 private:
+    /// Shares are added up in whole numbers, so that they never fall.
+    static constexpr int64_t units_of_tile = int64_t(1) << 20;
+    /// Nothing but the last tile's end is told as 1, also where a caller rounds.
+    static constexpr float most_of_parts = 0.999f;
+    /// What is written of a tile that is not done.
+    struct Part {
+        int64_t numbers = 0, units = 0;
+    };
+
+    float share() const {
+        return float(double(m_units) / (double(units_of_tile) * double(m_next_row.size())));
+    }
+    void tell(float share) {
+        m_told = std::max(m_told, share);
+        if (going() && !m_job.progress(m_told))
+            end(Outcome::cancelled);
+    }
+
     const Job& m_job;
     std::atomic<Outcome> m_outcome{Outcome::done};
     std::vector<int> m_next_row; ///< a tile
-    std::mutex m_mutex;
-    int m_done = 0;
+    std::mutex m_mutex;          ///< of all that follows
+    std::map<int, Part> m_parts; ///< of large tiles
+    int64_t m_units = 0;
+    float m_told = 0;
 };
 
 } // namespace ddt

@@ -70,8 +70,11 @@ Outcome TileWriter::write_runs(const Tile& band, const Rect& row, BandSpans::Spa
         const int n = i - begin;
         m_out.resize(size_t(n) * size_t(m_job.channels) + row_padding);
         sample(n, m_out.data());
-        if (!hand_over({row.x0 + begin, row.y0, row.x0 + i, row.y1}))
+        const Rect run{row.x0 + begin, row.y0, row.x0 + i, row.y1};
+        if (!hand_over(run))
             return Outcome::sink_failed;
+        if (const Outcome job = wrote(run); job != Outcome::done)
+            return job;
     }
     return Outcome::done;
 }

@@ -44,6 +44,7 @@ private:
 /// A tile that was read and triangulated: what its output is made from.
 struct MeshedTile {
     Tile tile;
+    int index = 0;             ///< in the job's grid
     Rect output;               ///< holds the output pixels that are wanted of it
     int width = 0, height = 0; ///< of the lattices
     std::vector<float> values; ///< the job's channels, pixel by pixel, and group_size more floats

@@ -40,11 +40,11 @@ size_t TileWorker::memory(const Job& job, const Mapping& mapping) {
 
 Outcome TileWorker::work(const Tile& tile, int first_row) {
     const KeptMemory memory;
-    const Outcome begun = begin(tile, first_row, *memory);
+    const Outcome begun = begin(tile, 0, first_row, *memory);
     return begun == Outcome::done ? finish() : begun;
 }
 
-Outcome TileWorker::begin(const Tile& tile, int first_row, TileMemory& memory) {
+Outcome TileWorker::begin(const Tile& tile, int index, int first_row, TileMemory& memory) {
     Rect reach = reach_of(tile, m_job.window, m_mapping);
     reach.y0 = std::max(reach.y0, first_row);
     MeshedTile& meshed = memory.meshed;
@@ -56,6 +56,7 @@ Outcome TileWorker::begin(const Tile& tile, int first_row, TileMemory& memory) {
     if (!read(tile, memory))
         return Outcome::source_failed;
     triangulate(tile, memory);
+    meshed.index = index;
     meshed.output = reach;
     const bool grid = m_writer.is_grid(tile, reach);
     const Rect& rows = grid ? reach : tile.cells;

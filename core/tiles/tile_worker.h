@@ -14,9 +14,9 @@ namespace ddt {
 /// the next.
 class TileWorker {
 public:
-    /// state: where the job has ended, nothing more is written; null: there is none.
+    /// state: as TileWriter's.
     TileWorker(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
-               const JobState* state = nullptr)
+               JobState* state = nullptr)
         : m_source(source), m_mapping(mapping), m_job(job),
           m_writer(sink, mapping, job, m_statistics.times, m_arena, state) {}
     TileWorker(const TileWorker&) = delete;
@@ -29,7 +29,8 @@ public:
     // The same in two steps, between which, and while the second is done, others may take rows.
 
     /// Read the tile and triangulate it, in `memory`, which must stay until all of it is written.
-    Outcome begin(const Tile& tile, int first_row, TileMemory& memory);
+    /// index: the tile's in the job's grid.
+    Outcome begin(const Tile& tile, int index, int first_row, TileMemory& memory);
     /// Write what is left of what was begun or taken.
     Outcome finish();
     /// Rows that are left, if they are enough for two; else 0.

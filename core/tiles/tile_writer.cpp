@@ -70,7 +70,7 @@ MemoryNeeded TileWriter::memory(const Job& job, const Mapping& mapping, int widt
 }
 
 TileWriter::TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times,
-                       Arena& arena, const JobState* state)
+                       Arena& arena, JobState* state)
     : m_sink(sink), m_mapping(mapping), m_job(job), m_times(times), m_arena(arena), m_state(state) {
     m_past_caches = output_of(mapping).area() * size_t(job.channels) >= least_past_caches;
     m_rows_in_cell = in_cell(mapping).rows;
@@ -176,7 +176,26 @@ Outcome TileWriter::write(RowsLeft& left) {
     m_meshed = &left.of();
     while (m_surfaces.size() < m_meshed->meshes.size())
         m_surfaces.emplace_back(m_job);
-    return left.grid() ? write_grid(left) : write_bands(left);
+    m_written = 0;
+    const Outcome written = left.grid() ? write_grid(left) : write_bands(left);
+    if (written == Outcome::done)
+        report_written();
+    return written;
+}
+
+/// Count these pixels, which were written; whether to go on.
+Outcome TileWriter::wrote(const Rect& r) {
+    m_written += int64_t(r.area()) * m_job.channels;
+    if (m_written >= told_numbers)
+        report_written();
+    return outcome();
+}
+
+void TileWriter::report_written() {
+    const int64_t all = int64_t(m_meshed->output.area()) * m_job.channels;
+    if (m_state && m_written > 0 && all > told_numbers)
+        m_state->wrote(m_written, all, m_meshed->index);
+    m_written = 0;
 }
 
 /// Lay the surfaces over the cells of a part of the tile, of which so many rows are sampled at
@@ -287,7 +306,7 @@ Outcome TileWriter::write_rows(const Tile& tile, const Rect& rows) {
     size_t row = 0;
     if (float* const place = blocks ? m_sink.place(rows, row) : nullptr) {
         place_rows(rows, place, row);
-        return Outcome::done;
+        return wrote(rows);
     }
     row = size_t(rows.width()) * channels;
     const int height = rows.height(), most = rows_together(height, row);
@@ -312,7 +331,7 @@ Outcome TileWriter::write_rows(const Tile& tile, const Rect& rows) {
             p.y = m_ys[size_t(y)];
         sample(rows.width(), out);
     }
-    return hand_over_to(height) ? Outcome::done : Outcome::sink_failed;
+    return hand_over_to(height) ? wrote(rows) : Outcome::sink_failed;
 }
 
 /// The same of rows that the sink has a place for, `row` floats apart.

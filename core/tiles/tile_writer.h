@@ -20,10 +20,10 @@ namespace ddt {
 /// tile to the next.
 class TileWriter {
 public:
-    /// arena: for rows of a tile's surface; it is cleared for each part that is written. state:
-    /// where the job has ended, nothing more is written; null: there is none.
+    /// arena: for rows of a tile's surface; it is cleared for each part that is written. state: is
+    /// told what is written; where the job has ended, nothing more is; null: there is none.
     TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times, Arena& arena,
-               const JobState* state);
+               JobState* state);
 
     /// Write what is left of a tile. Where the job ends meanwhile, its outcome.
     Outcome write(RowsLeft& left);
@@ -80,6 +80,8 @@ private:
     int sample_block(const int32_t* y, int n, float* out, size_t row);
     void join(size_t mesh, const float* last, size_t positions, float* mean) const;
     bool hand_over(const Rect& r); ///< m_out to the sink
+    Outcome wrote(const Rect& r);
+    void report_written();
     Outcome outcome() const { return m_state ? m_state->outcome() : Outcome::done; }
     /// So many of the rows that are left; none once the job has ended.
     Rect take(RowsLeft& left, int rows) const {
@@ -91,12 +93,13 @@ private:
     const Job& m_job;
     StageTimes& m_times;
     Arena& m_arena;
-    const JobState* m_state;
+    JobState* m_state;
     StageClock m_clock;
 
     bool m_past_caches; ///< results are put where the sink has a place for them
     int m_rows_in_cell; ///< output rows in a row of cells, about
     const MeshedTile* m_meshed = nullptr;
+    int64_t m_written = 0;               ///< numbers of its result that m_state was not told of yet
     std::vector<TileSurface> m_surfaces; ///< one a mesh
     std::vector<Position> m_positions;
     std::vector<uint8_t> m_inside;

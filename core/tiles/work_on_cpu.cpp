@@ -124,7 +124,7 @@ private:
         if (!place.memory)
             place.memory.emplace();
         if (const Outcome outcome = self.worker->begin(
-                m_grid.tile(place.tile), m_state.next_row(place.tile), **place.memory);
+                m_grid.tile(place.tile), place.tile, m_state.next_row(place.tile), **place.memory);
             outcome != Outcome::done)
             m_state.end(outcome);
         // Those that wait for rows have looked before they waited, or look now.

@@ -6,13 +6,16 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <unistd.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include "core/base/progress.h"
 #include "core/enlarge/build_mesh.h"
+#include "core/enlarge/fill.h"
 #include "ddt/mesh.h"
 #include "plugin/host/enlargement.h"
 #include "plugin/host/pixels.h"
@@ -188,28 +191,62 @@ void read_guide(const Enlargement& work, std::vector<float>& guide) {
                           &guide[size_t(y - all.y0) * width]);
 }
 
+/// Let the work have pixels of its own, in `memory`, in which what its filter says is filled. Not
+/// Outcome::done: with one line in `error`.
+ddt::Outcome fill_pixels(Enlargement& work, std::vector<char>& memory, const ddt::Tell& progress,
+                         std::string& error) {
+    const ddt::Rect& box = work.from.box;
+    const auto channels = size_t(work.layout.channels), number = size_of(work.from.sample);
+    memory.resize(box.area() * channels * number);
+    const auto pixel = ptrdiff_t(channels * number);
+    work.to = {memory.data(), pixel * box.width(), pixel, ptrdiff_t(number), box, work.from.sample};
+    work.progress = progress;
+    const ddt::Outcome outcome = enlarge(work, error);
+    work.from = work.to;
+    return outcome;
+}
+
+/// On the CPU. Not Outcome::done: with one line in `error`.
+ddt::Outcome make_mesh(Enlargement& work, const ddt::Tell& progress, ddt::Mesh& mesh,
+                       std::string& error) {
+    std::vector<char> memory;
+    float filled = 0;
+    if (work.holes != ddt::Holes::keep) {
+        filled = ddt::share_of_filling;
+        const ddt::Outcome outcome =
+            fill_pixels(work, memory, ddt::part_of(progress, 0, filled), error);
+        if (outcome != ddt::Outcome::done)
+            return outcome;
+    }
+    const ddt::Rect& window = work.place.window;
+    std::vector<float> guide(window.area());
+    read_guide(work, guide);
+    if (ddt::build_mesh(guide.data(), window.width(), window.height(), work.mesh, mesh, nullptr,
+                        &error, ddt::part_of(progress, filled, 1)))
+        return ddt::Outcome::done;
+    const bool no_memory = error == "ddt: out of memory"; // of ddt/mesh.h
+    return no_memory ? ddt::Outcome::out_of_memory : ddt::Outcome::bad_job;
+}
+
 py::array mesh_of(const py::array& pixels, const std::string& sample, const std::string& filter,
                   const std::string& light, bool associated, py::object progress) {
     Enlargement work = work_on(pixels, sample, filter, light, associated);
-    const int width = work.place.window.width(), height = work.place.window.height();
     std::string error;
-    if (!ddt::check_mesh_size(width, height, error))
+    if (!ddt::check_mesh_size(work.from.box.width(), work.from.box.height(), error))
         throw py::value_error(error);
+    work.place = onto(work.from.box, work.from.box);
+    work.device = ddt::Device::cpu;
     Watch watch(std::move(progress));
     ddt::Mesh mesh;
-    bool done = false;
+    ddt::Outcome outcome;
     {
         const Unlocked unlocked;
-        std::vector<float> guide(work.place.window.area());
-        read_guide(work, guide);
-        done = ddt::build_mesh(guide.data(), width, height, work.mesh, mesh, nullptr, &error,
-                               std::ref(watch));
+        const ddt::Tell told = std::ref(watch);
+        outcome = make_mesh(work, told, mesh, error);
     }
     watch.rethrow();
-    if (!done && error == "ddt: out of memory") // of ddt/mesh.h
-        throw std::bad_alloc();
-    if (!done)
-        throw py::value_error(error);
+    if (outcome != ddt::Outcome::done)
+        raise(outcome, error);
     py::array_t<int32_t> triangles({py::ssize_t(mesh.triangles.size()), py::ssize_t(3)});
     std::copy_n(mesh.triangles.data()->data(), 3 * mesh.triangles.size(), triangles.mutable_data());
     return triangles;

@@ -336,6 +336,53 @@ def test_a_mesh_covers_the_picture():
         oiio_ddt.mesh(image[:1])
 
 
+@pytest.mark.parametrize("dtype", ["float16", "float32", "float64"])
+def test_a_mesh_is_that_of_the_filled_picture(dtype):
+    image = picture(40, 30, 4, dtype)
+    image[8:17, 10:25] = np.nan
+    image[3, 30, 1] = np.nan
+    with_holes = image.copy()
+    for alpha in ("associated", "unassociated"):
+        filled = oiio_ddt.enlarge(image, 1, filter="ddt,holes=fill", alpha=alpha)
+        ours = oiio_ddt.mesh(image, filter="ddt,holes=fill", alpha=alpha)
+        assert np.array_equal(ours, oiio_ddt.mesh(filled, alpha=alpha))
+        assert not np.array_equal(ours, oiio_ddt.mesh(image, alpha=alpha))
+    assert image.tobytes() == with_holes.tobytes()
+    see_through = picture(40, 30, 4, "uint8")
+    see_through[8:17, 10:25, 3] = 0
+    filled = oiio_ddt.enlarge(see_through, 1, filter="ddt,holes=fill-alpha")
+    assert np.array_equal(oiio_ddt.mesh(see_through, filter="ddt,holes=fill-alpha"),
+                          oiio_ddt.mesh(filled))
+
+
+def test_a_mesh_of_a_picture_with_holes_has_the_same_errors_and_progress():
+    image = picture(40, 30)
+    image[8:17, 10:25] = np.nan
+    with pytest.raises(ValueError, match="no pixel is there to fill"):
+        oiio_ddt.mesh(np.full((30, 40, 3), np.nan, "float32"), filter="ddt,holes=fill")
+    shares = []
+    oiio_ddt.mesh(image, filter="ddt,holes=fill", progress=shares.append)
+    filling = shares[:shares.index(0.5)]
+    assert filling and filling == sorted(filling) and min(shares[len(filling):]) == 0.5
+    assert shares[-1] == 1
+    for stop in (1, len(shares) // 3, len(shares)):
+        calls = []
+        with pytest.raises(oiio_ddt.Cancelled):
+            oiio_ddt.mesh(image, filter="ddt,holes=fill",
+                          progress=lambda share: calls.append(share) or len(calls) < stop)
+        assert len(calls) == stop
+
+
+def test_a_mesh_is_made_on_the_cpu_whatever_device_is_named():
+    code = ("import numpy, oiio_ddt; image = numpy.eye(9, dtype=numpy.float32);"
+            "image[3, 4] = numpy.nan;"
+            "meshes = [oiio_ddt.mesh(image, filter='ddt,holes=fill,device=' + device)"
+            "          for device in ('cpu', 'osmesa', 'egl')];"
+            "assert all(numpy.array_equal(mesh, meshes[0]) for mesh in meshes);"
+            "assert 'OSMesa' not in open('/proc/self/maps').read()")
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
 def test_no_memory_stays():
     image = picture(100, 100)
     oiio_ddt.enlarge(image, 2)

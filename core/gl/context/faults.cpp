@@ -18,7 +18,11 @@ Armed g_armed[int(Fault::count)];
 struct Change {
     std::string program, name, value;
 };
-Change& g_change = *new Change;
+/// Made on first use, since a static object may enlarge before those of this file are made.
+Change& the_change() {
+    static auto* made = new Change;
+    return *made;
+}
 
 } // namespace
 
@@ -41,21 +45,22 @@ int chances(Fault fault) {
 
 void change_constant(const std::string& program, const std::string& name,
                      const std::string& value) {
-    g_change = {program, name, value};
+    the_change() = {program, name, value};
 }
 
 std::string with_changed_constant(const std::string& program, std::string source) {
-    if (g_change.program.empty() || program != g_change.program)
+    const Change& change = the_change();
+    if (change.program.empty() || program != change.program)
         return source;
-    for (const auto& [before, after] : {std::pair(" " + g_change.name + " = ", ";"),
-                                        std::pair(" " + g_change.name + " ", "\n")}) {
+    for (const auto& [before, after] :
+         {std::pair(" " + change.name + " = ", ";"), std::pair(" " + change.name + " ", "\n")}) {
         const size_t at = source.find(before);
         if (at == source.npos)
             continue;
         const size_t begin = at + before.size();
-        return source.replace(begin, source.find(after, begin) - begin, g_change.value);
+        return source.replace(begin, source.find(after, begin) - begin, change.value);
     }
-    throw Failure("no constant is named " + g_change.name);
+    throw Failure("no constant is named " + change.name);
 }
 
 } // namespace ddt::gl

@@ -22,20 +22,29 @@ struct Slot {
     std::atomic<bool> tried{false};
 };
 
-/// All of it leaked, so that it outlives every thread and static object.
 struct Registry {
     Slot hardware, egl, osmesa;
     std::atomic<size_t> missed{0};
     std::atomic<pid_t> missed_by{0}; ///< the process that counted them
 };
 
-std::atomic<Registry*> g_registry{new Registry};
+/// Made on first use, since a static object may enlarge before those of this file are made; never
+/// destroyed, so that it outlives every thread and static object.
+std::atomic<Registry*>& registry_in_use() {
+    static std::atomic<Registry*> made{new Registry};
+    return made;
+}
 std::atomic<bool> g_started{false}; ///< this process or one it was forked from has had a GL thread
 std::atomic<bool> g_forked{false};
 #ifdef DDT_FAULTS
-std::string& g_device_files = *new std::string("/dev");
+std::string& device_files() {
+    static auto* made = new std::string("/dev");
+    return *made;
+}
 #else
-const char* const g_device_files = "/dev";
+constexpr const char* device_files() {
+    return "/dev";
+}
 #endif
 
 std::unique_ptr<Context> make_context(Device device, std::string& why) {
@@ -84,8 +93,8 @@ void start(Device device, Slot& slot) {
 /// start(), whatever happens: a machine without a thread to spare has no device.
 void try_to_start(Device device, Slot& slot) {
     try {
-        if (device == Device::automatic && !hardware_possible(g_device_files))
-            slot.why = std::string("no GPU's driver has files in ") + g_device_files;
+        if (device == Device::automatic && !hardware_possible(device_files()))
+            slot.why = std::string("no GPU's driver has files in ") + device_files();
         else
             start(device, slot);
     } catch (const std::exception& e) {
@@ -110,7 +119,7 @@ Gpu* open(Device device, std::string& why, bool& forked) {
         why = "OpenGL does not survive fork()";
         return nullptr;
     }
-    Registry& registry = *g_registry;
+    Registry& registry = *registry_in_use();
     const auto slot_of = [&](Device kind, Slot& slot) -> Slot& {
         std::call_once(slot.once, [&] { try_to_start(kind, slot); });
         return slot;
@@ -125,12 +134,12 @@ Gpu* open(Device device, std::string& why, bool& forked) {
 }
 
 bool is_open(Device device) {
-    const Registry& registry = *g_registry;
+    const Registry& registry = *registry_in_use();
     return device == Device::osmesa ? registry.osmesa.tried : registry.hardware.tried;
 }
 
 std::atomic<size_t>& missed_pixels() {
-    Registry& registry = *g_registry;
+    Registry& registry = *registry_in_use();
     // A forked child begins anew.
     if (const pid_t self = getpid(); registry.missed_by.exchange(self) != self)
         registry.missed = 0;
@@ -139,11 +148,11 @@ std::atomic<size_t>& missed_pixels() {
 
 #ifdef DDT_FAULTS
 void look_for_hardware_in(const std::string& folder) {
-    g_device_files = folder;
+    device_files() = folder;
 }
 
 void forget_devices() {
-    g_registry = new Registry;
+    registry_in_use() = new Registry;
 }
 #endif
 

@@ -118,8 +118,11 @@ struct Job {
     /// all pixels are missing, the image has more than 2^31 - 1, or more than 2^27 lie about one
     /// hole.
     Holes holes = Holes::keep;
-    /// Called from time to time with the share done, 0 to 1, one thread at a time; return false
-    /// to cancel. Not called again after that, nor after it threw. May be empty.
+    /// Called from time to time with the share done, which never falls and is 1 at the very end,
+    /// one thread at a time; return false to cancel. Not called again after that, nor after it
+    /// threw. Called when a tile of 256 x 256 source pixels is done, and on the CPU whenever some 4
+    /// million more numbers of a tile's result are written; little more is written once it said
+    /// false. May be empty.
     std::function<bool(float)> progress;
     Statistics* statistics = nullptr; ///< filled in when not null
 };

@@ -98,7 +98,9 @@ def mesh(
     Returns int32 numbers of vertices, 3 a triangle: vertex y * width + x is pixel (x, y), at
     (x, y). There are 2 (width - 1) (height - 1) triangles, each of area 1/2 and running from x
     towards y. Arguments and errors are those of enlarge(); object IDs, which have no
-    edges to follow, are a TypeError. Takes about 80 bytes a pixel meanwhile.
+    edges to follow, are a TypeError. It is made on the CPU, whatever device the filter names; with
+    its holes=fill missing pixels are filled first, as by enlarge() with scale 1. Takes about 80
+    bytes a pixel meanwhile, after what filling takes.
     """
     pixels, dtype, sample = _as_pixels(array)
     if sample == "id32":

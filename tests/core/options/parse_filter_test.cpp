@@ -211,6 +211,18 @@ TEST(Options, SubnormalNumbersAreRefused) {
     EXPECT_NE(error.find("soft="), std::string::npos) << error;
 }
 
+TEST(Options, OnlyOfNumbersThatAreTooSmallIsItSaidThatTheyAre) {
+    for (const char* value : {"1e-400", "1e-46", "-1e-400", "0.1e-5000"})
+        EXPECT_NE(error_of((std::string("ddt,soft=") + value).c_str()).find("none but 0 below"),
+                  std::string::npos)
+            << value;
+    for (const char* value : {"1e400", "1e39", "-1e400", "10e5000"}) {
+        const std::string error = error_of((std::string("ddt,soft=") + value).c_str());
+        EXPECT_NE(error.find(ddt::find_option("soft")->allowed()), std::string::npos) << error;
+        EXPECT_EQ(error.find("below"), std::string::npos) << error;
+    }
+}
+
 TEST(Options, FieldsOutOfRangeAreRefusedWithTheLineOfTheKey) {
     ddt::FilterOptions options;
     const auto refused = [&](const char* key) {

@@ -2,6 +2,8 @@
 // A tile's rows, shared by threads that have no tile of their own.
 #include "core/tiles/work_on_cpu.h"
 
+#include <algorithm>
+#include <functional>
 #include <stdexcept>
 
 #include "core/tiles/crew_size.h"
@@ -140,6 +142,136 @@ TEST(WorkOnCpu, ATileIsDoneWhenTheLastPartIs) {
     Meeting sink(tile.out, 3, threads);
     ASSERT_EQ(enlarge(tile.source, sink, tile.mapping(), job), Outcome::done);
     EXPECT_EQ(told, std::vector<float>{1.0f});
+}
+
+/// Counts what it is given.
+class Counting final : public Sink {
+public:
+    bool write(const Rect& r, float*) override {
+        numbers += int64_t(r.area());
+        return true;
+    }
+    std::atomic<int64_t> numbers{0}; ///< of one channel
+};
+
+/// A result so large that its tiles are written for long.
+struct LargeResult {
+    LargeResult(Rect window, int width, int height, int workers = threads)
+        : source(window, 1, 37), out{0, 0, width, height}, job(job_of(source, 1, workers)) {
+        set_filter("ddt", job);
+        job.device = Device::cpu;
+    }
+    Outcome enlarge_to(Sink& sink, bool grid = true) {
+        const ResizeMapping mapping = mapping_of(source.window(), out, out);
+        const Opaque opaque(mapping);
+        return enlarge(source, sink, grid ? static_cast<const Mapping&>(mapping) : opaque, job);
+    }
+
+    const ManyThreads allowed;
+    TestSource source;
+    Rect out;
+    Job job;
+};
+
+/// Of one tile, nearly six times told_numbers: as a grid, the same in three panels, and in bands.
+void in_each_way(const std::function<void(LargeResult& large, bool grid)>& test) {
+    for (const bool panels : {false, true})
+        for (const bool grid : {true, false})
+            for (const int workers : {1, threads}) {
+                SCOPED_TRACE(::testing::Message() << panels << grid << workers);
+                const Rect window{0, 0, 200, panels ? 8 : 200};
+                LargeResult large(window, panels ? 3 << 14 : 5000, panels ? 500 : 5000, workers);
+                test(large, grid);
+            }
+}
+
+TEST(WorkOnCpu, ProgressIsToldOfPartsOfALargeTile) {
+    in_each_way([](LargeResult& large, bool grid) {
+        std::vector<float> told;
+        large.job.progress = [&](float share) {
+            told.push_back(share);
+            return true;
+        };
+        Counting sink;
+        ASSERT_EQ(large.enlarge_to(sink, grid), Outcome::done);
+        EXPECT_EQ(sink.numbers, int64_t(large.out.area()));
+        EXPECT_GE(told.size(), 4u);
+        EXPECT_LE(int64_t(told.size()), int64_t(large.out.area()) / told_numbers + 1);
+        EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+        EXPECT_EQ(std::count(told.begin(), told.end(), 1.0f), 1);
+        EXPECT_EQ(told.back(), 1.0f);
+        const double first = double(told_numbers) / double(large.out.area());
+        EXPECT_NEAR(told.front(), first, large.job.threads == 1 ? 0.02 : first);
+    });
+}
+
+TEST(WorkOnCpu, ALargeTileEndsWhenProgressSaysSo) {
+    in_each_way([](LargeResult& large, bool grid) {
+        int calls = 0;
+        int64_t written = 0;
+        Counting sink;
+        large.job.progress = [&](float) {
+            ++calls;
+            written = sink.numbers;
+            return false;
+        };
+        EXPECT_EQ(large.enlarge_to(sink, grid), Outcome::cancelled);
+        EXPECT_EQ(calls, 1);
+        EXPECT_LT(sink.numbers, int64_t(large.out.area()));
+        if (large.job.threads == 1) {
+            EXPECT_EQ(sink.numbers, written);
+        }
+    });
+}
+
+TEST(WorkOnCpu, WhatProgressThrowsInALargeTileEndsTheWork) {
+    LargeResult large({0, 0, 200, 200}, 5000, 5000);
+    int calls = 0;
+    large.job.progress = [&](float) -> bool {
+        ++calls;
+        throw std::runtime_error("no more");
+    };
+    Counting sink;
+    EXPECT_EQ(large.enlarge_to(sink), Outcome::bad_job);
+    EXPECT_EQ(calls, 1);
+}
+
+/// Four tiles at once, each of them told in parts, and a share that is filled before.
+TEST(WorkOnCpu, ProgressOfSeveralLargeTilesNeverFalls) {
+    for (const Holes holes : {Holes::keep, Holes::fill}) {
+        LargeResult large({0, 0, 400, 300}, 6000, 4500);
+        large.job.holes = holes;
+        std::vector<float> told;
+        large.job.progress = [&](float share) {
+            told.push_back(share);
+            return true;
+        };
+        Counting sink;
+        ASSERT_EQ(large.enlarge_to(sink), Outcome::done);
+        EXPECT_GT(told.size(), 5u);
+        EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+        EXPECT_EQ(std::count(told.begin(), told.end(), 1.0f), 1);
+    }
+}
+
+TEST(JobState, SharesNeitherFallNorReachOneBeforeTheEnd) {
+    constexpr int tiles = 5000;
+    Job job;
+    std::vector<float> told;
+    job.progress = [&](float share) {
+        told.push_back(share);
+        return true;
+    };
+    JobState state(job, tiles);
+    for (int tile = 1; tile < tiles; ++tile)
+        state.tile_done(tile);
+    for (int i = 0; i < 100; ++i)
+        state.wrote(told_numbers, 100 * told_numbers, 0);
+    EXPECT_EQ(told.size(), size_t(tiles) - 1 + 100);
+    EXPECT_LT(told.back(), 1.0f);
+    state.tile_done(0);
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+    EXPECT_EQ(std::count(told.begin(), told.end(), 1.0f), 1);
 }
 
 TEST(WorkOnCpu, WhatFailsWhileTheyShareEndsTheWork) {
