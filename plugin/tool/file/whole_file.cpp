@@ -179,6 +179,8 @@ bool WholeFile::open(const std::string& path, Failure& failure) {
     if (m_exists && faccessat(AT_FDCWD, m_target.c_str(), W_OK, AT_EACCESS) != 0)
         return refuse(errno, failure);
     m_direct = m_exists && !S_ISREG(m_before.st_mode);
+    if (m_exists && !m_direct)
+        m_attributes = Attributes(m_target);
     if (m_direct) {
         m_temporary = m_path;
         m_file = std::fopen(m_path.c_str(), "wb");
@@ -220,7 +222,7 @@ int WholeFile::write_error() const {
 /// As the file that it takes the place of: whose it is and who may do what. Another's owner is
 /// root's alone to give; a group those who are in it may give. Where that is not had, its rights
 /// are not either.
-bool WholeFile::take_after(const struct stat& there) const {
+bool WholeFile::take_after(const struct stat& there, const Attributes& attributes) const {
     const int descriptor = fileno(m_file);
     mode_t mode = there.st_mode & 07777;
     if (fchown(descriptor, there.st_uid, there.st_gid) != 0) {
@@ -230,6 +232,9 @@ bool WholeFile::take_after(const struct stat& there) const {
             mode &= ~mode_t(S_ISGID | (S_IRWXG & ~others));
         }
     }
+    attributes.give_notes(descriptor);
+    if (!attributes.give_rights(descriptor, mode))
+        mode &= ~mode_t(S_IRWXG | S_IRWXO);
     // Where a file system has no rights of single files there are none to take over.
     return fchmod(descriptor, mode) == 0 || errno == EPERM || errno == ENOTSUP || errno == ENOSYS;
 }
@@ -242,9 +247,9 @@ bool WholeFile::commit(Failure& failure) {
     bool done = std::fflush(m_file) == 0 && !std::ferror(m_file);
     if (done && !m_direct) {
         if (stat(m_target.c_str(), &there) == 0)
-            done = take_after(there);
+            done = take_after(there, Attributes(m_target));
         else if (m_exists)
-            done = take_after(m_before);
+            done = take_after(m_before, m_attributes);
         done = done && fsync(descriptor) == 0;
         const SignalsWait until_unlisted;
         done = done && std::rename(m_temporary.c_str(), m_target.c_str()) == 0;

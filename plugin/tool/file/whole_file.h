@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 
 #include "plugin/tool/command/exit_code.h"
+#include "plugin/tool/file/attributes.h"
 
 namespace ddt::tool {
 
@@ -22,7 +23,8 @@ namespace ddt::tool {
 /// file, and nobody holds one on what is left over.
 ///
 /// A symbolic link stays one: the file that it leads to is replaced. A file that was there keeps
-/// its permissions, and its owner and group where that is allowed; one that may not be written is
+/// its permissions, access control list and `user.*` attributes, and its owner and group where that
+/// is allowed; where a right cannot be kept, nobody gains one. A file that may not be written is
 /// not replaced either. What is no file (/dev/null, a pipe) is written directly.
 class WholeFile {
 public:
@@ -53,7 +55,7 @@ private:
     bool open_temporary();
     bool take(int descriptor);
     bool refuse(int number, Failure& failure) const;
-    bool take_after(const struct stat& there) const;
+    bool take_after(const struct stat& there, const Attributes& attributes) const;
     void unlist();
     void discard();
 
@@ -62,6 +64,7 @@ private:
     std::vector<char> m_buffer; ///< the stream's
     int m_listed = -1;
     struct stat m_before {}; ///< of the file that it takes the place of
+    Attributes m_attributes; ///< of that file
     bool m_exists = false;   ///< there was one
     bool m_direct = false;
 };

@@ -226,7 +226,7 @@ TEST(Join, NamesThePartsThatAreMissing) {
         return write_half(index, 3, "0 0 32 32", "half", count);
     };
     const auto missing = [](const std::vector<std::string>& paths) {
-        const std::string out = temporary("some.exr");
+        const std::string out = temporary("some_parts.exr");
         Failure failure;
         EXPECT_FALSE(join(
             paths, out, [](float) { return true; }, failure));
