@@ -115,6 +115,17 @@ bool is_file_format(const std::string& format) {
     return format != "null" && format != "term";
 }
 
+/// Formats of which a file is right though its writer cannot go back in it. Of the others many
+/// writers go back to lengths or rows, do not look whether that works, and leave a broken picture.
+/// What EXR's goes back for, where its rows lie, readers find out.
+constexpr const char* streamed_formats[] = {"gif",     "hdr", "iff", "jpeg",
+                                            "openexr", "png", "pnm", "webp"};
+
+bool may_be_streamed(const std::string& format) {
+    const auto& formats = streamed_formats;
+    return std::find(std::begin(formats), std::end(formats), format) != std::end(formats);
+}
+
 bool is_regular(std::FILE* file) {
     struct stat there {};
     return fstat(fileno(file), &there) == 0 && S_ISREG(there.st_mode);
@@ -180,7 +191,20 @@ bool ImageFile::create(const std::string& path, Failure& failure) {
                       : Failure{why};
         return false;
     }
-    return m_whole.open(path, failure);
+    return m_whole.open(path, failure) && check_stream(failure);
+}
+
+/// Before anything is made: whoever reads from a pipe has what was written, right or wrong.
+bool ImageFile::check_stream(Failure& failure) const {
+    const std::string type = m_output->format_name();
+    if (m_whole.can_seek() || may_be_streamed(type) || !is_file_format(type))
+        return true;
+    failure = {
+        format("cannot write \"{}\": it is a stream, such as a pipe, and the format {} needs a "
+               "file; allowed are {}",
+               m_path, type, OIIO::Strutil::join(streamed_formats, ", ")),
+        exit_usage};
+    return false;
 }
 
 /// Look for what the format's writer does not.

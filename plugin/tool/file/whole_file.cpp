@@ -196,6 +196,10 @@ bool WholeFile::open(const std::string& path, Failure& failure) {
     return true;
 }
 
+bool WholeFile::can_seek() const {
+    return lseek(fileno(m_file), 0, SEEK_CUR) >= 0;
+}
+
 void WholeFile::begin_writeback() {
     // That it fails, of a pipe or where there is no such thing, is no matter.
     if (!m_direct)

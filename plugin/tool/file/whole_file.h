@@ -39,6 +39,8 @@ public:
     const std::string& temporary() const { return m_temporary; }
     /// Open for writing and reading.
     std::FILE* file() const { return m_file; }
+    /// Whether a writer can go back in it: not in a pipe, a socket or a terminal.
+    bool can_seek() const;
 
     /// Let what was written so far go to the disk meanwhile, so that commit() waits for less.
     void begin_writeback();
