@@ -416,7 +416,21 @@ std::string said_of(int channels, OIIO::TypeDesc of, const std::string& name,
     return said.compare(0, begin.size(), begin) == 0 ? said.substr(begin.size()) : said;
 }
 
+TEST(ResizeFile, HalfsBecomeFloatsInFits) {
+    ImageBuf image(ImageSpec(8, 6, 3, OIIO::TypeHalf));
+    OIIO::ImageBufAlgo::fill(image, {0.1f, 0.2f, 0.3f});
+    const std::string in = temporary("halfs.exr"), out = temporary("halfs.fits");
+    ASSERT_TRUE(image.write(in));
+    Failure failure;
+    testing::internal::CaptureStderr();
+    EXPECT_TRUE(resized(in, "200%", out, failure)) << failure.why;
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_EQ(ImageBuf(out).spec().format, OIIO::TypeFloat);
+    EXPECT_EQ(ImageBuf(out).getchannel(7, 5, 0, 1), image.getchannel(0, 0, 0, 1));
+}
+
 TEST(ResizeFile, ATypeThatTheFormatHasNotIsNamed) {
+    EXPECT_EQ(said_of(3, OIIO::TypeUInt8, "a.fits", "half"), "type half; float is written\n");
     EXPECT_EQ(said_of(3, OIIO::TypeUInt8, "a.exr", "uint8"), "type uint8; half is written\n");
     EXPECT_EQ(said_of(3, OIIO::TypeUInt8, "a.png", "half"), "type half; uint8 is written\n");
     EXPECT_EQ(said_of(3, OIIO::TypeUInt8, "a.jpg", "float"), "type float; uint8 is written\n");
