@@ -48,6 +48,11 @@ std::string temporary_name(const fs::path& target, int number) {
     return (folder_of(target) / ("." + stem + rest)).string();
 }
 
+/// Whether it is the folder, not the file, that the system did not let us write.
+bool is_of_the_folder(int number) {
+    return number == EACCES || number == EPERM || number == EROFS;
+}
+
 /// Whether the name still is that of the open file.
 bool still_named(int descriptor, const std::string& path) {
     struct stat open {
@@ -126,6 +131,28 @@ bool WholeFile::refuse(int number, Failure& failure) const {
     return false;
 }
 
+/// `how`: what is wrong with the folder.
+bool WholeFile::refuse_folder(const char* how, int number, Failure& failure) const {
+    failure = {"cannot write \"" + m_path + "\": its folder \"" + folder_of(m_target).string() +
+                   "\" " + how + ": " + std::strerror(number),
+               code_of_errno(number)};
+    return false;
+}
+
+/// Whether the file that is there may be written and, where its folder lets only owners do that,
+/// have another take its place: the system would say so only in the end.
+bool WholeFile::check_replaceable(Failure& failure) const {
+    if (faccessat(AT_FDCWD, m_target.c_str(), W_OK, AT_EACCESS) != 0)
+        return refuse(errno, failure);
+    struct stat folder {};
+    const uid_t user = geteuid();
+    if (S_ISREG(m_before.st_mode) && stat(folder_of(m_target).c_str(), &folder) == 0 &&
+        (folder.st_mode & S_ISVTX) && user != 0 && user != folder.st_uid && user != m_before.st_uid)
+        return refuse_folder("is sticky, where only the owner of a file replaces it", EPERM,
+                             failure);
+    return true;
+}
+
 /// Make the new temporary file this one's, unless another was quick to take it for left over.
 bool WholeFile::take(int descriptor) {
     const bool locked = flock(descriptor, LOCK_EX | LOCK_NB) == 0;
@@ -176,8 +203,8 @@ bool WholeFile::open(const std::string& path, Failure& failure) {
     m_exists = stat(m_target.c_str(), &m_before) == 0;
     if (m_exists && S_ISDIR(m_before.st_mode))
         return refuse(EISDIR, failure);
-    if (m_exists && faccessat(AT_FDCWD, m_target.c_str(), W_OK, AT_EACCESS) != 0)
-        return refuse(errno, failure);
+    if (m_exists && !check_replaceable(failure))
+        return false;
     m_direct = m_exists && !S_ISREG(m_before.st_mode);
     if (m_exists && !m_direct)
         m_attributes = Attributes(m_target);
@@ -190,7 +217,9 @@ bool WholeFile::open(const std::string& path, Failure& failure) {
             m_listed = list_unfinished(m_temporary);
     }
     if (!m_file)
-        return refuse(errno, failure);
+        return !m_direct && is_of_the_folder(errno)
+                   ? refuse_folder("cannot be written", errno, failure)
+                   : refuse(errno, failure);
     m_buffer.resize(buffered);
     std::setvbuf(m_file, m_buffer.data(), _IOFBF, m_buffer.size());
     return true;

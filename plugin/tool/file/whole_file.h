@@ -57,6 +57,8 @@ private:
     bool open_temporary();
     bool take(int descriptor);
     bool refuse(int number, Failure& failure) const;
+    bool refuse_folder(const char* how, int number, Failure& failure) const;
+    bool check_replaceable(Failure& failure) const;
     bool take_after(const struct stat& there, const Attributes& attributes) const;
     void unlist();
     void discard();
