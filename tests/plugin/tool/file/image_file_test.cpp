@@ -50,6 +50,18 @@ TEST(ImageFile, HasOnlyAsManyChannelsAsItsFormat) {
     EXPECT_FALSE(begins("channels.jpg", 2));
 }
 
+// Whose writer leaves a hole of a row: whole blocks of the disk, of a wide one.
+TEST(ImageFile, OfFitsMayBeWide) {
+    const std::string path = temporary("wide.fits");
+    const OIIO::ImageSpec spec(20000, 8, 3, OIIO::TypeUInt8);
+    const std::vector<uint8_t> pixels(spec.image_bytes(), 200);
+    ImageFile file;
+    Failure failure;
+    ASSERT_TRUE(file.begin(path, spec, failure)) << failure.why;
+    ASSERT_TRUE(file.write_rows(0, 8, OIIO::TypeUInt8, pixels.data()));
+    EXPECT_TRUE(file.commit(failure)) << failure.why;
+}
+
 /// What was written to a pipe so far.
 std::string taken_from(int pipe) {
     std::string all;
