@@ -125,6 +125,11 @@ FIRST=010 timeout 60 sbatch --wait --array=1 --gpus=1 "$scripts/frames.sbatch" i
 cmp one.0001.png given.0011.png || { echo "FAILED: the frame with a GPU"; exit 1; }
 echo "a frame with a GPU, the eleventh: not kept from it"
 
+ln -s in.0001.png in.-003.png
+FIRST=-004 timeout 60 sbatch --wait --array=1 "$scripts/frames.sbatch" in.#.png 300% given.#.png --threads 1
+cmp one.0001.png given.-003.png || { echo "FAILED: the frame before the first"; exit 1; }
+echo "frame -3, which no task is called"
+
 # Of parts that fail: the join does not wait for ever.
 join=$(CPUS=1 "$scripts/parts.sh" 2 whole.exr 100% out.exr --filter none)
 for ((i = 0; i < 40; ++i)); do

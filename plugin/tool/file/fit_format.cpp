@@ -40,6 +40,8 @@ bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::
                 Failure& failure) {
     if (!output.supports("channelformats"))
         spec.channelformats.clear();
+    if (spec.format == OIIO::TypeHalf && output.format_name() == std::string("fits"))
+        spec.set_format(OIIO::TypeFloat);
     if (!may_have_tiles(output, spec))
         forget_tiles(spec);
     OIIO::ROI roi = spec.roi();

@@ -115,16 +115,36 @@ bool is_file_format(const std::string& format) {
     return format != "null" && format != "term";
 }
 
+/// Formats of which a file is right though its writer cannot go back in it. Of the others many
+/// writers go back to lengths or rows, do not look whether that works, and leave a broken picture.
+/// What EXR's goes back for, where its rows lie, readers find out.
+constexpr const char* streamed_formats[] = {"gif",     "hdr", "iff", "jpeg",
+                                            "openexr", "png", "pnm", "webp"};
+
+bool may_be_streamed(const std::string& format) {
+    const auto& formats = streamed_formats;
+    return std::find(std::begin(formats), std::end(formats), format) != std::end(formats);
+}
+
 bool is_regular(std::FILE* file) {
     struct stat there {};
     return fstat(fileno(file), &there) == 0 && S_ISREG(there.st_mode);
 }
 
-/// Whether there are parts of a file that take no room.
-bool has_holes(std::FILE* file) {
+/// Whether there are parts of a file, from one place on, that take no room.
+bool has_holes(std::FILE* file, off_t begin) {
     struct stat there {};
-    const off_t hole = lseek(fileno(file), 0, SEEK_HOLE);
+    const off_t hole = lseek(fileno(file), begin, SEEK_HOLE);
     return hole >= 0 && fstat(fileno(file), &there) == 0 && hole < there.st_size;
+}
+
+/// From where on no part of a file is left out. FITS's writer leaves out a row before the first, as
+/// its reader does (OpenImageIO 2.4.7), and the pixels come last.
+off_t begin_of_what_is_written(std::FILE* file, const OIIO::ImageOutput& output) {
+    struct stat there {};
+    if (output.format_name() != std::string("fits") || fstat(fileno(file), &there) != 0)
+        return 0;
+    return std::max<off_t>(0, there.st_size - off_t(output.spec().image_bytes()));
 }
 
 /// Whether a file's system is known to make no holes of zeros that were written. ZFS does, over NFS
@@ -147,8 +167,8 @@ bool keeps_zeros(std::FILE* file) {
 
 /// Whether parts of a file were never written. A writer that goes from row to row of a full disk
 /// (SGI, RLA, FITS) leaves them, and they read as zeros.
-bool was_left_out(std::FILE* file) {
-    return has_holes(file) && keeps_zeros(file);
+bool was_left_out(std::FILE* file, const OIIO::ImageOutput& output) {
+    return has_holes(file, begin_of_what_is_written(file, output)) && keeps_zeros(file);
 }
 
 /// A descriptor, or less than 0 with errno. Of a pipe at once: nobody may be at its other end.
@@ -180,7 +200,20 @@ bool ImageFile::create(const std::string& path, Failure& failure) {
                       : Failure{why};
         return false;
     }
-    return m_whole.open(path, failure);
+    return m_whole.open(path, failure) && check_stream(failure);
+}
+
+/// Before anything is made: whoever reads from a pipe has what was written, right or wrong.
+bool ImageFile::check_stream(Failure& failure) const {
+    const std::string type = m_output->format_name();
+    if (m_whole.can_seek() || may_be_streamed(type) || !is_file_format(type))
+        return true;
+    failure = {
+        format("cannot write \"{}\": it is a stream, such as a pipe, and the format {} needs a "
+               "file; allowed are {}",
+               m_path, type, OIIO::Strutil::join(streamed_formats, ", ")),
+        exit_usage};
+    return false;
 }
 
 /// Look for what the format's writer does not.
@@ -304,7 +337,7 @@ bool ImageFile::check_written(Failure& failure) {
     m_compression.resize(std::min(m_compression.size(), m_compression.find(':')));
     // Reading the pixels of small icons ends the program (OpenImageIO 2.4.7).
     const bool enough = m_stream || m_output->format_name() == std::string("ico");
-    if (!enough && was_left_out(m_whole.file()))
+    if (!enough && was_left_out(m_whole.file(), *m_output))
         return refuse("what was written cannot be read back", code);
     for (size_t i = 0; i < m_specs.size(); ++i) {
         if (i > 0 && !in->seek_subimage(int(i), 0))

@@ -54,6 +54,7 @@ public:
     Failure failed() const;
 
 private:
+    bool check_stream(Failure& failure) const;
     bool check_allowed(const OIIO::ImageSpec& spec, Failure& failure) const;
     bool check_written(Failure& failure);
 

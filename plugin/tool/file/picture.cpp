@@ -195,6 +195,14 @@ void note_others(const std::string& path, const std::string& how_to_have_all) {
     if (const int images = count_images(path); images > 1)
         note(format("\"{}\" has {} images; the first alone was taken{}", path, images,
                     how_to_have_all.empty() ? "" : " (all: " + how_to_have_all + ")"));
+    note_levels(path);
+}
+
+void note_levels(const std::string& path) {
+    const auto input = OIIO::ImageInput::open(path);
+    if (input && input->seek_subimage(0, 1))
+        note(format("\"{}\" has MIP levels; the largest alone was taken", path));
+    input ? input->geterror() : OIIO::geterror(); // 3.x prints what nobody asked for
 }
 
 bool read_picture(const OIIO::ImageBuf& image, const Options& options, Picture& picture,

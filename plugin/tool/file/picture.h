@@ -65,8 +65,12 @@ std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path, int number
 int count_images(const std::string& path);
 
 /// Say on stderr that of the images in a file only the first was looked at, if there are more, and
-/// how to have all, if that can be said.
+/// how to have all, if that can be said; and what note_levels() says.
 void note_others(const std::string& path, const std::string& how_to_have_all = "");
+
+/// Say on stderr that of the first image in a file only the largest MIP level was looked at, if it
+/// has more: results have none.
+void note_levels(const std::string& path);
 
 /// Read an image under options.light. False with one line in `error`, as for an image of IDs
 /// alone, which no display shows.

@@ -48,6 +48,11 @@ std::string temporary_name(const fs::path& target, int number) {
     return (folder_of(target) / ("." + stem + rest)).string();
 }
 
+/// Whether it is the folder, not the file, that the system did not let us write.
+bool is_of_the_folder(int number) {
+    return number == EACCES || number == EPERM || number == EROFS;
+}
+
 /// Whether the name still is that of the open file.
 bool still_named(int descriptor, const std::string& path) {
     struct stat open {
@@ -126,6 +131,28 @@ bool WholeFile::refuse(int number, Failure& failure) const {
     return false;
 }
 
+/// `how`: what is wrong with the folder.
+bool WholeFile::refuse_folder(const char* how, int number, Failure& failure) const {
+    failure = {"cannot write \"" + m_path + "\": its folder \"" + folder_of(m_target).string() +
+                   "\" " + how + ": " + std::strerror(number),
+               code_of_errno(number)};
+    return false;
+}
+
+/// Whether the file that is there may be written and, where its folder lets only owners do that,
+/// have another take its place: the system would say so only in the end.
+bool WholeFile::check_replaceable(Failure& failure) const {
+    if (faccessat(AT_FDCWD, m_target.c_str(), W_OK, AT_EACCESS) != 0)
+        return refuse(errno, failure);
+    struct stat folder {};
+    const uid_t user = geteuid();
+    if (S_ISREG(m_before.st_mode) && stat(folder_of(m_target).c_str(), &folder) == 0 &&
+        (folder.st_mode & S_ISVTX) && user != 0 && user != folder.st_uid && user != m_before.st_uid)
+        return refuse_folder("is sticky, where only the owner of a file replaces it", EPERM,
+                             failure);
+    return true;
+}
+
 /// Make the new temporary file this one's, unless another was quick to take it for left over.
 bool WholeFile::take(int descriptor) {
     const bool locked = flock(descriptor, LOCK_EX | LOCK_NB) == 0;
@@ -176,9 +203,11 @@ bool WholeFile::open(const std::string& path, Failure& failure) {
     m_exists = stat(m_target.c_str(), &m_before) == 0;
     if (m_exists && S_ISDIR(m_before.st_mode))
         return refuse(EISDIR, failure);
-    if (m_exists && faccessat(AT_FDCWD, m_target.c_str(), W_OK, AT_EACCESS) != 0)
-        return refuse(errno, failure);
+    if (m_exists && !check_replaceable(failure))
+        return false;
     m_direct = m_exists && !S_ISREG(m_before.st_mode);
+    if (m_exists && !m_direct)
+        m_attributes = Attributes(m_target);
     if (m_direct) {
         m_temporary = m_path;
         m_file = std::fopen(m_path.c_str(), "wb");
@@ -188,10 +217,16 @@ bool WholeFile::open(const std::string& path, Failure& failure) {
             m_listed = list_unfinished(m_temporary);
     }
     if (!m_file)
-        return refuse(errno, failure);
+        return !m_direct && is_of_the_folder(errno)
+                   ? refuse_folder("cannot be written", errno, failure)
+                   : refuse(errno, failure);
     m_buffer.resize(buffered);
     std::setvbuf(m_file, m_buffer.data(), _IOFBF, m_buffer.size());
     return true;
+}
+
+bool WholeFile::can_seek() const {
+    return lseek(fileno(m_file), 0, SEEK_CUR) >= 0;
 }
 
 void WholeFile::begin_writeback() {
@@ -220,7 +255,7 @@ int WholeFile::write_error() const {
 /// As the file that it takes the place of: whose it is and who may do what. Another's owner is
 /// root's alone to give; a group those who are in it may give. Where that is not had, its rights
 /// are not either.
-bool WholeFile::take_after(const struct stat& there) const {
+bool WholeFile::take_after(const struct stat& there, const Attributes& attributes) const {
     const int descriptor = fileno(m_file);
     mode_t mode = there.st_mode & 07777;
     if (fchown(descriptor, there.st_uid, there.st_gid) != 0) {
@@ -230,6 +265,9 @@ bool WholeFile::take_after(const struct stat& there) const {
             mode &= ~mode_t(S_ISGID | (S_IRWXG & ~others));
         }
     }
+    attributes.give_notes(descriptor);
+    if (!attributes.give_rights(descriptor, mode))
+        mode &= ~mode_t(S_IRWXG | S_IRWXO);
     // Where a file system has no rights of single files there are none to take over.
     return fchmod(descriptor, mode) == 0 || errno == EPERM || errno == ENOTSUP || errno == ENOSYS;
 }
@@ -242,9 +280,9 @@ bool WholeFile::commit(Failure& failure) {
     bool done = std::fflush(m_file) == 0 && !std::ferror(m_file);
     if (done && !m_direct) {
         if (stat(m_target.c_str(), &there) == 0)
-            done = take_after(there);
+            done = take_after(there, Attributes(m_target));
         else if (m_exists)
-            done = take_after(m_before);
+            done = take_after(m_before, m_attributes);
         done = done && fsync(descriptor) == 0;
         const SignalsWait until_unlisted;
         done = done && std::rename(m_temporary.c_str(), m_target.c_str()) == 0;

@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 
 #include "plugin/tool/command/exit_code.h"
+#include "plugin/tool/file/attributes.h"
 
 namespace ddt::tool {
 
@@ -22,7 +23,8 @@ namespace ddt::tool {
 /// file, and nobody holds one on what is left over.
 ///
 /// A symbolic link stays one: the file that it leads to is replaced. A file that was there keeps
-/// its permissions, and its owner and group where that is allowed; one that may not be written is
+/// its permissions, access control list and `user.*` attributes, and its owner and group where that
+/// is allowed; where a right cannot be kept, nobody gains one. A file that may not be written is
 /// not replaced either. What is no file (/dev/null, a pipe) is written directly.
 class WholeFile {
 public:
@@ -37,6 +39,8 @@ public:
     const std::string& temporary() const { return m_temporary; }
     /// Open for writing and reading.
     std::FILE* file() const { return m_file; }
+    /// Whether a writer can go back in it: not in a pipe, a socket or a terminal.
+    bool can_seek() const;
 
     /// Let what was written so far go to the disk meanwhile, so that commit() waits for less.
     void begin_writeback();
@@ -53,7 +57,9 @@ private:
     bool open_temporary();
     bool take(int descriptor);
     bool refuse(int number, Failure& failure) const;
-    bool take_after(const struct stat& there) const;
+    bool refuse_folder(const char* how, int number, Failure& failure) const;
+    bool check_replaceable(Failure& failure) const;
+    bool take_after(const struct stat& there, const Attributes& attributes) const;
     void unlist();
     void discard();
 
@@ -62,6 +68,7 @@ private:
     std::vector<char> m_buffer; ///< the stream's
     int m_listed = -1;
     struct stat m_before {}; ///< of the file that it takes the place of
+    Attributes m_attributes; ///< of that file
     bool m_exists = false;   ///< there was one
     bool m_direct = false;
 };

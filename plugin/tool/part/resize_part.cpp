@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
 #include <numeric>
 #include <set>
 #include <vector>
@@ -100,6 +101,18 @@ private:
     int m_made = m_part.y0;   ///< rows before are enlarged
     std::vector<char> m_left; ///< those between
 };
+
+/// By device and inode, whatever the names: links, too.
+bool check_place(const std::string& in, const std::string& out, Failure& failure) {
+    std::error_code not_there;
+    if (!std::filesystem::equivalent(in, out, not_there))
+        return true;
+    failure = {"cannot write \"" + out +
+                   "\": a part cannot take the place of its source, of which the other parts are "
+                   "made; allowed are names of other files",
+               exit_usage};
+    return false;
+}
 
 bool check_part(const OIIO::ImageSpec& from, const OIIO::ImageSpec& to, const Grid& grid,
                 const Part& part, Failure& failure) {
@@ -318,6 +331,8 @@ bool is_part_there(const std::string& in, const std::string& out, const ResizeSe
 bool resize_part(const std::string& in, const std::string& out, const ResizeSettings& settings,
                  Part part, const std::function<bool(float)>& progress, Failure& failure) {
     const EndsWithoutMemory or_the_cache_waits;
+    if (!check_place(in, out, failure))
+        return false;
     PartJob job(in);
     if (!job.plan(settings, part, failure))
         return false;

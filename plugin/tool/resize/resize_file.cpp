@@ -133,8 +133,7 @@ bool resize_file(const std::string& in, const std::string& out, const ResizeSett
     note_instead(out, "type", settings.type, type);
     note_instead(out, "compression", settings.compression.substr(0, settings.compression.find(':')),
                  file.compression());
-    if (!settings.all_images)
-        note_others(in, "--all-images");
+    settings.all_images ? note_levels(in) : note_others(in, "--all-images");
     return true;
 }
 

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "ddt/mapping.h"
+#include "plugin/message/format.h"
 
 namespace ddt::tool {
 
@@ -121,7 +122,8 @@ bool is_size(const std::string& text) {
 }
 
 std::string wrong_size(const std::string& text) {
-    return "size \"" + text + "\" is not allowed; allowed are " + allowed_sizes;
+    return format("size \"{}\" is not allowed; allowed are {}, 1 to {} pixels a side", text,
+                  allowed_sizes, largest_side);
 }
 
 } // namespace ddt::tool

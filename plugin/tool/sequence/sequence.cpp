@@ -13,6 +13,8 @@ namespace ddt::tool {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 bool refuse(const std::string& why, Failure& failure) {
     failure = {why, exit_usage};
     return false;
@@ -48,23 +50,45 @@ bool check_name(const std::string& text, const FrameName& name, bool frames, boo
     return true;
 }
 
+/// Names by which files are told apart: that of the folder without links, which lead to one from
+/// many names, and the file's own.
+class Names {
+public:
+    std::string of(const std::string& path) {
+        const fs::path name(path);
+        const auto [known, is_new] = m_folders.try_emplace(name.parent_path().string());
+        if (is_new) // looked at once: a file system on a network takes its time
+            known->second = whole(name.parent_path());
+        return (known->second / name.filename()).string();
+    }
+
+private:
+    /// Also of a folder that is not there yet.
+    static fs::path whole(const fs::path& folder) {
+        std::error_code error;
+        const fs::path absolute = fs::absolute(folder.empty() ? "." : folder, error);
+        const fs::path canonical = fs::weakly_canonical(absolute, error);
+        return error ? absolute.lexically_normal() : canonical;
+    }
+
+    std::map<std::string, fs::path> m_folders;
+};
+
 /// Whether no file would be written from two, "left" and "lower" have one first letter, and none is
 /// another's source.
 bool check_outputs(const std::vector<FrameTask>& tasks, Failure& failure) {
     std::map<std::string, std::string> source;
     std::set<std::string> sources;
-    const auto plain = [](const std::string& path) {
-        return std::filesystem::path(path).lexically_normal().string();
-    };
+    Names names;
     for (const FrameTask& task : tasks)
-        sources.insert(plain(task.in));
+        sources.insert(names.of(task.in));
     for (const FrameTask& task : tasks) {
-        const std::string out = plain(task.out);
-        if (out != plain(task.in) && sources.count(out) > 0)
+        const std::string out = names.of(task.out);
+        if (out != names.of(task.in) && sources.count(out) > 0)
             return refuse("\"" + task.in + "\" would become \"" + task.out +
                               "\", which is another's source",
                           failure);
-        const auto [other, first] = source.try_emplace(task.out, task.in);
+        const auto [other, first] = source.try_emplace(out, task.in);
         if (!first && other->second != task.in)
             return refuse("\"" + other->second + "\" and \"" + task.in + "\" would both become \"" +
                               task.out + "\"",
@@ -79,7 +103,7 @@ bool is_sequence(const std::string& in, const std::string& frames, const std::st
     const FrameName name(in);
     std::error_code ignored;
     return !frames.empty() || !views.empty() ||
-           ((name.has_frame() || name.has_view()) && !std::filesystem::exists(in, ignored));
+           ((name.has_frame() || name.has_view()) && !fs::exists(in, ignored));
 }
 
 bool list_tasks(const std::string& in, const std::string& out, const std::string& frames,

@@ -69,6 +69,18 @@ TEST(FitFormat, LeavesTilesWhereTheFormatMayHaveThem) {
     EXPECT_EQ(fitted("a.exr", 1 << 24, 1 << 24, "zip"), none);
 }
 
+TEST(FitFormat, HasFloatsForHalfsInFits) {
+    const auto fitted = [](const char* name, OIIO::TypeDesc type) {
+        ImageSpec spec(8, 6, 3, type);
+        Failure failure;
+        EXPECT_TRUE(fit_format(*OIIO::ImageOutput::create(name), name, spec, failure));
+        return spec.format;
+    };
+    EXPECT_EQ(fitted("a.fits", OIIO::TypeHalf), OIIO::TypeFloat);
+    EXPECT_EQ(fitted("a.fits", OIIO::TypeUInt16), OIIO::TypeUInt16);
+    EXPECT_EQ(fitted("a.exr", OIIO::TypeHalf), OIIO::TypeHalf);
+}
+
 TEST(FitChannels, TakesWhatOiiotoolTakes) {
     const auto left_out = [](const char* file, const std::vector<std::string>& names, int alpha) {
         ImageSpec spec(8, 6, int(names.size()), OIIO::TypeHalf);

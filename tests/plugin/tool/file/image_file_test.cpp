@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/file/image_file.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -10,8 +11,11 @@
 #include <filesystem>
 #include <fstream>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
+
+#include <OpenImageIO/imagebufalgo.h>
 
 #include "plugin/tool/file/picture.h"
 #include "plugin/tool/part/join.h"
@@ -44,6 +48,100 @@ TEST(ImageFile, HasOnlyAsManyChannelsAsItsFormat) {
     EXPECT_FALSE(begins("channels.dpx", 2));
     EXPECT_FALSE(begins("channels.dpx", 5));
     EXPECT_FALSE(begins("channels.jpg", 2));
+}
+
+// Whose writer leaves a hole of a row: whole blocks of the disk, of a wide one.
+TEST(ImageFile, OfFitsMayBeWide) {
+    const std::string path = temporary("wide.fits");
+    const OIIO::ImageSpec spec(20000, 8, 3, OIIO::TypeUInt8);
+    const std::vector<uint8_t> pixels(spec.image_bytes(), 200);
+    ImageFile file;
+    Failure failure;
+    ASSERT_TRUE(file.begin(path, spec, failure)) << failure.why;
+    ASSERT_TRUE(file.write_rows(0, 8, OIIO::TypeUInt8, pixels.data()));
+    EXPECT_TRUE(file.commit(failure)) << failure.why;
+}
+
+/// What was written to a pipe so far.
+std::string taken_from(int pipe) {
+    std::string all;
+    char bytes[4096];
+    for (ssize_t n = 0; (n = read(pipe, bytes, sizeof bytes)) > 0;)
+        all.append(bytes, size_t(n));
+    return all;
+}
+
+class Streams : public testing::Test {
+protected:
+    /// A pipe with somebody at its other end.
+    void open_pipe(const std::string& name) {
+        m_path = temporary(name);
+        ASSERT_EQ(mkfifo(m_path.c_str(), 0600), 0);
+        m_end = open(m_path.c_str(), O_RDWR | O_NONBLOCK);
+        ASSERT_GE(m_end, 0);
+    }
+    void close_pipe() {
+        close(m_end);
+        std::filesystem::remove(m_path);
+    }
+    /// Whether this OpenImageIO writes such files.
+    static bool is_known(const std::string& name) {
+        const bool known = OIIO::ImageOutput::create(name) != nullptr;
+        OIIO::geterror();
+        return known;
+    }
+    bool write(const std::string& path) {
+        ImageFile file;
+        const OIIO::ImageSpec spec(16, 16, 3, OIIO::TypeUInt8);
+        std::vector<uint8_t> pixels(16 * 16 * 3);
+        for (size_t i = 0; i < pixels.size(); ++i)
+            pixels[i] = uint8_t(i);
+        return file.begin(path, spec, m_failure) &&
+               file.write_rows(0, 16, OIIO::TypeUInt8, pixels.data()) && file.commit(m_failure);
+    }
+
+    std::string m_path;
+    int m_end = -1;
+    Failure m_failure;
+};
+
+TEST_F(Streams, HaveThePixelsOfAFile) {
+    for (const char* name :
+         {"s.gif", "s.hdr", "s.iff", "s.jpg", "s.exr", "s.png", "s.ppm", "s.webp"}) {
+        if (!is_known(name))
+            continue;
+        open_pipe(name);
+        ASSERT_TRUE(write(m_path)) << m_failure.why;
+        const std::string got = temporary(std::string("got_") + name);
+        std::ofstream(got, std::ios::binary) << taken_from(m_end);
+        close_pipe();
+        ASSERT_TRUE(write(m_path)) << m_failure.why;
+        const OIIO::ImageBuf of_pipe(got), of_file(m_path);
+        EXPECT_EQ(OIIO::ImageBufAlgo::computePixelHashSHA1(of_pipe),
+                  OIIO::ImageBufAlgo::computePixelHashSHA1(of_file))
+            << name;
+    }
+}
+
+TEST_F(Streams, OfFormatsWhoseWritersGoBackAreRefusedAtOnce) {
+    for (const char* name :
+         {"s.bmp", "s.dpx", "s.fits", "s.ico", "s.jp2", "s.rla", "s.sgi", "s.tga", "s.tif"}) {
+        if (!is_known(name))
+            continue;
+        open_pipe(name);
+        EXPECT_FALSE(write(m_path)) << name;
+        EXPECT_NE(m_failure.why.find(m_path), std::string::npos) << m_failure.why;
+        EXPECT_NE(m_failure.why.find("allowed are gif, hdr"), std::string::npos) << m_failure.why;
+        EXPECT_EQ(m_failure.code, exit_usage);
+        EXPECT_EQ(taken_from(m_end), "");
+        close_pipe();
+    }
+}
+
+TEST_F(Streams, WhatCanBeSoughtInIsNone) {
+    const std::string link = temporary("nothing.bmp");
+    std::filesystem::create_symlink("/dev/null", link);
+    EXPECT_TRUE(write(link)) << m_failure.why;
 }
 
 TEST(RowsInStrip, AreOneAtLeastAndNotWhateverAFileSays) {

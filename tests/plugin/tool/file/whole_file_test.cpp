@@ -8,6 +8,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -252,6 +253,69 @@ TEST_F(WholeFiles, WhatIsNotAllowedIsNamed) {
     EXPECT_NE(m_failure.why.find("directory"), std::string::npos) << m_failure.why;
     EXPECT_FALSE(write(path(std::string(300, 'x') + ".exr"), "text"));
     ASSERT_TRUE(write(path(std::string(251, 'x') + ".exr"), "text")) << m_failure.why;
+}
+
+/// Run `body` as a user who is not root and owns nothing, if this is root; in a child, which cannot
+/// come back.
+template <class Body>
+bool holds_for_another(Body&& body) {
+    constexpr uid_t me = 4321;
+    const auto work = [&] {
+        const bool am_i =
+            geteuid() != 0 || (setgroups(0, nullptr) == 0 && setgid(me) == 0 && setuid(me) == 0);
+        return am_i && body() ? 0 : 1;
+    };
+    return test::in_child(work).code == 0;
+}
+
+TEST_F(WholeFiles, AFolderThatMayNotBeWrittenIsNamed) {
+    const std::string folder = path("ro"), out = path("ro/out.exr");
+    fs::permissions(path("."), fs::perms::all);
+    fs::permissions(temporary(""), fs::perms(0711));
+    fs::create_directory(folder);
+    put(out, "before");
+    fs::permissions(out, fs::perms(0666));
+    fs::permissions(folder, fs::perms(0555));
+    EXPECT_TRUE(holds_for_another([&] {
+        const bool refused = !write(out, "after");
+        EXPECT_EQ(m_failure.why, "cannot write \"" + out + "\": its folder \"" + folder +
+                                     "\" cannot be written: Permission denied");
+        return refused && !HasFailure();
+    }));
+    fs::permissions(folder, fs::perms::all);
+}
+
+TEST_F(WholeFiles, AnothersInAStickyFolderIsRefusedBeforeTheWork) {
+    if (geteuid() != 0)
+        GTEST_SKIP() << "only root can make another's files";
+    const std::string folder = path("scratch"), out = path("scratch/out.exr");
+    fs::permissions(path("."), fs::perms::all);
+    fs::permissions(temporary(""), fs::perms(0711));
+    fs::create_directory(folder);
+    ASSERT_EQ(chmod(folder.c_str(), 01777), 0);
+    put(out, "before");
+    ASSERT_EQ(chmod(out.c_str(), 0666), 0);
+    const auto opened = [&] { return WholeFile().open(out, m_failure); };
+    EXPECT_TRUE(opened()) << m_failure.why; // as root
+    EXPECT_TRUE(holds_for_another([&] {
+        const bool refused = !opened();
+        EXPECT_NE(m_failure.why.find("folder \"" + folder + "\" is sticky"), std::string::npos)
+            << m_failure.why;
+        EXPECT_EQ(m_failure.code, exit_failed);
+        return refused && !HasFailure();
+    }));
+    // Its owner's, the folder's owner's, and where it is not sticky.
+    for (const auto& [file_owner, folder_owner, mode] :
+         {std::tuple(4321u, 0u, 01777u), {0u, 4321u, 01777u}, {0u, 0u, 0777u}}) {
+        ASSERT_EQ(chmod(folder.c_str(), 0700), 0); // or root may not write another's, either
+        put(out, "before");
+        ASSERT_EQ(chown(out.c_str(), file_owner, 0), 0);
+        ASSERT_EQ(chown(folder.c_str(), folder_owner, 0), 0);
+        ASSERT_EQ(chmod(folder.c_str(), mode), 0);
+        EXPECT_TRUE(holds_for_another([&] { return write(out, "after"); }))
+            << file_owner << " " << folder_owner;
+        EXPECT_EQ(text_in(out), "after");
+    }
 }
 
 TEST_F(WholeFiles, WhatIsNoFileIsWrittenDirectly) {

@@ -159,6 +159,27 @@ TEST(Parts, OfASourceThatChangesMeanwhileAreNone) {
     EXPECT_TRUE(resize_part(in, out, settings, {1, 1}, change, failure)) << failure.why;
 }
 
+TEST(Parts, DoNotTakeThePlaceOfTheirSource) {
+    const std::string in = temporary("part_onto_itself.exr"), link = temporary("part_link.exr");
+    ASSERT_TRUE(OIIO::ImageBuf(OIIO::ImageSpec(300, 600, 1, OIIO::TypeHalf)).write(in));
+    std::filesystem::create_symlink(in, link);
+    const std::string before = text_in(in);
+    ResizeSettings settings;
+    settings.size = "200%";
+    settings.threads = 1;
+    for (const std::string& out : {in, link}) {
+        Failure failure;
+        EXPECT_FALSE(resize_part(
+            in, out, settings, {1, 2}, [](float) { return true; }, failure));
+        EXPECT_EQ(failure.code, exit_usage);
+        EXPECT_NE(failure.why.find("\"" + out + "\": a part cannot take the place"),
+                  std::string::npos)
+            << failure.why;
+        EXPECT_TRUE(std::filesystem::is_symlink(link));
+        EXPECT_TRUE(text_in(in) == before);
+    }
+}
+
 TEST(Join, RefusesHeadersThatDoNotFit) {
     const std::string whole = "0 0 32 32", out = temporary("whole.exr");
     std::filesystem::remove(out);
@@ -226,7 +247,7 @@ TEST(Join, NamesThePartsThatAreMissing) {
         return write_half(index, 3, "0 0 32 32", "half", count);
     };
     const auto missing = [](const std::vector<std::string>& paths) {
-        const std::string out = temporary("some.exr");
+        const std::string out = temporary("some_parts.exr");
         Failure failure;
         EXPECT_FALSE(join(
             paths, out, [](float) { return true; }, failure));

@@ -225,6 +225,30 @@ TEST(ResizeFile, OfSeveralImagesTheFirstIsTakenWhichIsSaid) {
     testing::internal::GetCapturedStdout();
 }
 
+TEST(ResizeFile, OfLevelsTheLargestIsTakenWhichIsSaid) {
+    ImageBuf image(ImageSpec(64, 64, 3, OIIO::TypeUInt8));
+    OIIO::ImageBufAlgo::fill(image, {0.1f, 0.2f, 0.3f});
+    for (const char* name : {"levels.tx", "levels.exr"}) {
+        const std::string in = temporary(name), out = temporary("of_levels.tif");
+        ASSERT_TRUE(OIIO::ImageBufAlgo::make_texture(OIIO::ImageBufAlgo::MakeTxTexture, image, in,
+                                                     ImageSpec()));
+        const std::string said =
+            "ddt: \"" + in + "\" has MIP levels; the largest alone was taken\n";
+        for (const bool all : {false, true}) {
+            ResizeSettings settings;
+            settings.size = "200%";
+            settings.all_images = all;
+            Failure failure;
+            testing::internal::CaptureStderr();
+            EXPECT_TRUE(resize_file(
+                in, out, settings, [](float) { return true; }, failure))
+                << failure.why;
+            EXPECT_EQ(testing::internal::GetCapturedStderr(), said);
+            EXPECT_EQ(ImageBuf(out).spec().width, 128);
+        }
+    }
+}
+
 /// An RLA file that says it has a display window of no width.
 std::string file_without_display(const std::string& name) {
     const std::string path = temporary(name);
@@ -416,7 +440,21 @@ std::string said_of(int channels, OIIO::TypeDesc of, const std::string& name,
     return said.compare(0, begin.size(), begin) == 0 ? said.substr(begin.size()) : said;
 }
 
+TEST(ResizeFile, HalfsBecomeFloatsInFits) {
+    ImageBuf image(ImageSpec(8, 6, 3, OIIO::TypeHalf));
+    OIIO::ImageBufAlgo::fill(image, {0.1f, 0.2f, 0.3f});
+    const std::string in = temporary("halfs.exr"), out = temporary("halfs.fits");
+    ASSERT_TRUE(image.write(in));
+    Failure failure;
+    testing::internal::CaptureStderr();
+    EXPECT_TRUE(resized(in, "200%", out, failure)) << failure.why;
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_EQ(ImageBuf(out).spec().format, OIIO::TypeFloat);
+    EXPECT_EQ(ImageBuf(out).getchannel(7, 5, 0, 1), image.getchannel(0, 0, 0, 1));
+}
+
 TEST(ResizeFile, ATypeThatTheFormatHasNotIsNamed) {
+    EXPECT_EQ(said_of(3, OIIO::TypeUInt8, "a.fits", "half"), "type half; float is written\n");
     EXPECT_EQ(said_of(3, OIIO::TypeUInt8, "a.exr", "uint8"), "type uint8; half is written\n");
     EXPECT_EQ(said_of(3, OIIO::TypeUInt8, "a.png", "half"), "type half; uint8 is written\n");
     EXPECT_EQ(said_of(3, OIIO::TypeUInt8, "a.jpg", "float"), "type float; uint8 is written\n");

@@ -54,7 +54,15 @@ TEST(Size, IsOfSomeImage) {
     for (const char* text : {"", "large", "0", "-1", "16777220", "16777217x1", "0.000001%", "1e30",
                              "2147483648%", "nan"})
         EXPECT_FALSE(is_size(text)) << text;
-    EXPECT_NE(wrong_size("large").find("\"large\""), std::string::npos);
+}
+
+TEST(Size, WhatIsAllowedIsToldWithItsBound) {
+    for (const char* text : {"large", "100000000x3", "0x0", "0%"}) {
+        const std::string said = wrong_size(text);
+        EXPECT_EQ(said.find("size \"" + std::string(text) + "\" is not allowed"), 0u) << said;
+        EXPECT_NE(said.find("WxH, "), std::string::npos) << said;
+        EXPECT_NE(said.find(", 1 to 16777216 pixels a side"), std::string::npos) << said;
+    }
 }
 
 } // namespace

@@ -131,6 +131,31 @@ TEST(Frames, TasksOfACommandLine) {
     }
 }
 
+TEST(Frames, FilesAreToldApartWhateverTheirFoldersAreCalled) {
+    const std::string folder = temporary("one folder"), link = temporary("a link");
+    std::filesystem::create_directory(folder);
+    std::filesystem::create_directory_symlink(folder, link);
+    std::vector<FrameTask> tasks;
+    Failure failure;
+    EXPECT_FALSE(list_tasks(folder + "/f.%d.png", link + "/f.%d0.png", "1,10", "", tasks, failure));
+    EXPECT_NE(failure.why.find("another's source"), std::string::npos) << failure.why;
+    EXPECT_EQ(failure.code, exit_usage);
+    EXPECT_TRUE(list_tasks(folder + "/f.%d.png", link + "/f.%d.png", "1,10", "", tasks, failure))
+        << failure.why;
+    // Two names of one folder.
+    std::filesystem::create_directory_symlink(folder, temporary("l"));
+    std::filesystem::create_directory_symlink(folder, temporary("m"));
+    EXPECT_FALSE(list_tasks(temporary("%V.png"), temporary("%V/f.png"), "", "l,m", tasks, failure));
+    EXPECT_NE(failure.why.find("both become"), std::string::npos) << failure.why;
+    // Where a link leads on from is not where its name stands.
+    const std::string beyond = temporary("one folder/beyond");
+    std::filesystem::create_directory(temporary("far"));
+    std::filesystem::create_directory_symlink(temporary("far"), beyond);
+    EXPECT_TRUE(
+        list_tasks(folder + "/f.%d.png", beyond + "/../f.%d0.png", "1,10", "", tasks, failure))
+        << failure.why;
+}
+
 TEST(Frames, OnlyWhatIsDoneIsSaidToBeDone) {
     const std::vector<FrameTask> tasks = {{"first", ""}, {"second", ""}};
     FrameRun frames;
