@@ -2,8 +2,9 @@
 // What an annealing program is told.
 #pragma once
 
+#include <cstdint>
+
 #include "core/gl/context/functions.h"
-#include "core/triangulate/annealing.h"
 
 namespace ddt::gl {
 

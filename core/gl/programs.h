@@ -58,7 +58,8 @@ public:
 
     /// How often each shader was used, whatever its macros: nearly all uses are one dispatch.
     const std::map<std::string, int>& uses() const { return m_uses; }
-    int compiled() const { return int(m_programs.size()); }
+    /// Programs begun, which may be compiling still.
+    int begun() const { return int(m_programs.size()); }
     /// The programs begun, by file and macros.
     std::vector<std::string> names() const;
     double milliseconds() const { return m_milliseconds; }

@@ -323,7 +323,7 @@ void Runner::report() {
         "download %.2f ms; opened in %.0f ms, %d shaders compiled in %.0f ms, checked in "
         "%.0f ms",
         ms(Stage::upload), ms(Stage::triangulate), ms(Stage::surface), ms(Stage::sample),
-        ms(Stage::download), m_gpu.open_milliseconds, m_gpu.programs->compiled(),
+        ms(Stage::download), m_gpu.open_milliseconds, m_gpu.programs->begun(),
         m_gpu.programs->milliseconds(), m_gpu.checks.milliseconds());
 }
 

@@ -2,7 +2,6 @@
 // Pixels in the memory of a host.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 

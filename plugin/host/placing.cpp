@@ -13,6 +13,9 @@
 namespace ddt::host {
 namespace {
 
+/// Beyond every limit of windows, and within ints.
+constexpr double farthest = 1e9;
+
 /// A factor as so many pixels that become others.
 struct Ratio {
     int from = 1, to = 1;
@@ -74,11 +77,11 @@ Placing onto(const Rect& window, const Rect& full) {
 }
 
 int begin_of(double v, double hair) {
-    return int(std::floor(std::clamp(v, -1e9, 1e9) + hair));
+    return int(std::floor(std::clamp(v, -farthest, farthest) + hair));
 }
 
 int end_of(double v, double hair) {
-    return int(std::ceil(std::clamp(v, -1e9, 1e9) - hair));
+    return int(std::ceil(std::clamp(v, -farthest, farthest) - hair));
 }
 
 Placing by_factors(const Rect& window, double x_factor, double y_factor) {
@@ -92,9 +95,8 @@ Placing about(int x, int y, const Rect& window, double x_factor, double y_factor
 }
 
 Rect scaled(const Rect& window, double x_factor, double y_factor) {
-    // What is beyond the limits of windows stays beyond them, and within ints.
     const auto times = [](int n, double factor) {
-        return int(std::lround(std::clamp(double(n) * factor, -1e9, 1e9)));
+        return int(std::lround(std::clamp(double(n) * factor, -farthest, farthest)));
     };
     Rect r;
     r.x0 = times(window.x0, x_factor);

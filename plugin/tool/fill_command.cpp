@@ -49,7 +49,8 @@ bool read_unassociated(const std::string& path, ImageFile& file, OIIO::ImageBuf&
     return false;
 }
 
-/// Write that.
+/// Write the filled image as the file has it: in its window, with the IDs that are not to be
+/// filled.
 bool write_filled(const OIIO::ImageBuf& filled, const OIIO::ImageSpec& spec,
                   const OIIO::ImageSpec& of_file, MixedIds& ids, ImageFile& file,
                   Failure& failure) {

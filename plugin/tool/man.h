@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// What ddt says of itself, made of what its commands say of themselves.
 #pragma once
 
 #include <string>

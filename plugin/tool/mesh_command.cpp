@@ -74,10 +74,7 @@ public:
         if (is_point_mesh(values[0]))
             return run_on_points(values);
         if (!writer_for(values[1]))
-            return fail("\"" + values[1] +
-                            "\" is not allowed; allowed are names that end in .svg, "
-                            ".ply or .obj",
-                        exit_usage);
+            return fail(wrong_mesh_name(values[1]), exit_usage);
         for (const Given& given : m_given)
             if (!is_of(given.kinds, values[1]))
                 return fail(format("{} is for names that end in {}; \"{}\" is none", given.flag,

@@ -24,7 +24,7 @@ struct Failure {
 /// device failed.
 ExitCode code_of_errno(int number);
 
-/// The message of the exception that is being handled.
+/// The failure that the exception which is being handled tells of.
 Failure thrown();
 
 /// The code for a failure of the library, which tells it by a text alone.

@@ -4,7 +4,6 @@
 #include "plugin/tool/file/metadata_text.h"
 
 #include <climits>
-#include <cstring>
 #include <string_view>
 #include <vector>
 

@@ -16,13 +16,16 @@ MeshWriter writer_for(const std::string& path) {
                                  : nullptr;
 }
 
+std::string wrong_mesh_name(const std::string& path) {
+    return "\"" + path + "\" is not allowed; allowed are names that end in .svg, .ply or .obj";
+}
+
 bool write_mesh(const std::string& path, const Mesh& mesh, const Picture& picture,
                 const MeshStyle& style, const std::function<bool(float)>& progress,
                 Failure& failure) {
     const MeshWriter write = writer_for(path);
     if (!write) {
-        failure = {"\"" + path + "\": allowed are names that end in .svg, .ply or .obj",
-                   exit_usage};
+        failure = {wrong_mesh_name(path), exit_usage};
         return false;
     }
     WholeFile file;

@@ -39,6 +39,8 @@ bool write_obj(std::FILE*, const Mesh&, const Picture&, const MeshStyle&,
 
 /// The writer for a file's extension, or null.
 MeshWriter writer_for(const std::string& path);
+/// The message about a name that has none.
+std::string wrong_mesh_name(const std::string& path);
 
 /// Write the file, whole or not at all.
 bool write_mesh(const std::string& path, const Mesh& mesh, const Picture& picture,

@@ -221,7 +221,7 @@ int run(const Options& o) {
     size_t differing = differing_from_cpu(*gpu, o);
     std::printf("700x530 to 1400x1060: %zu bytes differ from the CPU's; %d shaders compiled in "
                 "%.0f ms\n",
-                differing, gpu->programs->compiled(), gpu->programs->milliseconds());
+                differing, gpu->programs->begun(), gpu->programs->milliseconds());
     const double bandwidth = copy_bandwidth(*gpu);
     std::printf("copy bandwidth %.1f GB/s (read + written)\n\n", bandwidth * 1e-9);
     std::printf("milliseconds upload triangulate   surface    sample  download   kernels"
