@@ -9,6 +9,7 @@
 #include "core/gl/context/failure.h"
 #include "core/gl/offload.h"
 #include "core/tin/tin_mesh.h"
+#include "core/triangulate/annealing.h"
 #include "ddt/names.h"
 
 namespace ddt {

@@ -11,6 +11,7 @@
 #include "core/gl/device_mesh.h"
 #include "core/gl/job_programs.h"
 #include "core/gl/work_layout.h"
+#include "core/triangulate/annealing.h"
 
 namespace ddt::gl {
 

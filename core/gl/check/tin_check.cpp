@@ -10,6 +10,7 @@
 #include "core/gl/context/gpu.h"
 #include "core/gl/device_tin.h"
 #include "core/tin/tin_mesh.h"
+#include "core/triangulate/gain.h"
 #include "ddt/names.h"
 
 namespace ddt::gl {
