@@ -92,10 +92,10 @@ void print_head() {
 
 void print(const std::string& name, const Figures& f, const metrics::Staircase& stairs) {
     double n = f.images;
-    std::printf("%-22s %7.2f %7.4f %7.4f %7.4f %6.1f %6.3f %6.3f %7.4f %7.4f %7.0f\n",
-                name.c_str(), f.psnr / n, f.ssim / n, f.ms_ssim / n, f.gmsd / n,
-                f.largest_overshoot, f.mean_overshoot / n, 100 * f.negative_share / n, stairs.mean,
-                stairs.worst, f.nanoseconds / n);
+    std::printf("%-22s %7.2f %7.4f %7.4f %7.4f %6.1f %6.3f %6.3f %7.4f %7.4f %7.0f\n", name.c_str(),
+                f.psnr / n, f.ssim / n, f.ms_ssim / n, f.gmsd / n, f.largest_overshoot,
+                f.mean_overshoot / n, 100 * f.negative_share / n, stairs.mean, stairs.worst,
+                f.nanoseconds / n);
     std::fflush(stdout);
 }
 
