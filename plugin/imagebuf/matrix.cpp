@@ -35,6 +35,20 @@ double least_scale(const Projective& m, double x, double y) {
     return 0.5 * std::fabs(sum - difference);
 }
 
+double largest_of(const std::array<double, 9>& m) {
+    double largest = 0;
+    for (const double v : m)
+        largest = std::max(largest, std::fabs(v));
+    return largest;
+}
+
+/// Whether a determinant is as good as 0. It goes with the cube of the matrix's scale, which says
+/// nothing of the map. Entries above 1 do not count: a large shift makes no map singular.
+bool vanishes(double determinant, const std::array<double, 9>& m) {
+    const double scale = std::min(largest_of(m), 1.0);
+    return determinant == 0 || std::fabs(determinant) < 1e-30 * scale * scale * scale;
+}
+
 double clamp_position(double v, int begin, int end) {
     return std::clamp(v, double(begin), double(end - 1));
 }
@@ -46,7 +60,7 @@ bool Projective::invert(Projective& inverse) const {
     const double c0 = a[4] * a[8] - a[5] * a[7], c1 = a[5] * a[6] - a[3] * a[8],
                  c2 = a[3] * a[7] - a[4] * a[6];
     const double det = a[0] * c0 + a[1] * c1 + a[2] * c2;
-    if (!std::isfinite(det) || std::fabs(det) < 1e-30)
+    if (!std::isfinite(det) || vanishes(det, a))
         return false;
     const double s = 1 / det;
     inverse.m = {c0 * s, (a[2] * a[7] - a[1] * a[8]) * s, (a[1] * a[5] - a[2] * a[4]) * s,
@@ -56,10 +70,20 @@ bool Projective::invert(Projective& inverse) const {
                        [](double v) { return std::isfinite(v); });
 }
 
+Projective Projective::scaled_up() const {
+    const double largest = largest_of(m);
+    Projective scaled = *this;
+    if (largest > 0 && largest < std::ldexp(1.0, -30))
+        for (double& v : scaled.m)
+            v = std::ldexp(v, -std::ilogb(largest));
+    return scaled;
+}
+
 Projective Projective::float_inverse() const {
+    const Projective scaled = scaled_up();
     Imath::M33f matrix;
     for (int i = 0; i < 9; ++i)
-        matrix[i / 3][i % 3] = float(m[size_t(i)]);
+        matrix[i / 3][i % 3] = float(scaled.m[size_t(i)]);
     matrix.invert();
     Projective inverse;
     for (int i = 0; i < 9; ++i)

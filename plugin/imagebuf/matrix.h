@@ -22,8 +22,12 @@ struct Projective {
     bool affine() const { return m[2] == 0 && m[5] == 0 && m[8] == 1; }
     /// False if the matrix has no inverse, or is not finite.
     bool invert(Projective& inverse) const;
-    /// The inverse that OpenImageIO goes by: Imath's, in float32. Of a nearly singular matrix it is
-    /// another map, and the identity where there is none.
+    /// The same map by a matrix whose largest entry is 1 to 2, where all are below 2^-30: in
+    /// float32, in which OpenImageIO inverts it, its determinant would be 0. By a power of two, so
+    /// what is computed from it has the same bits.
+    Projective scaled_up() const;
+    /// The inverse that OpenImageIO goes by, if it is given scaled_up(): Imath's, in float32. Of a
+    /// nearly singular matrix it is another map, and the identity where there is none.
     Projective float_inverse() const;
 };
 

@@ -66,15 +66,19 @@ struct WarpCall {
 /// OpenImageIO's own, by its default filter.
 bool warp_by_oiio(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const WarpCall& call,
                   const OIIO::ROI& roi, std::string& error) {
+    const Projective scaled = matrix_of(call.M).scaled_up();
+    float matrix[3][3];
+    for (int i = 0; i < 9; ++i)
+        matrix[i / 3][i % 3] = float(scaled.m[size_t(i)]);
     return while_reading(src, error, [&](const OIIO::ImageBuf& from) {
 #if OIIO_VERSION >= OIIO_MAKE_VERSION(3, 0, 0)
-        const bool ok = OIIO::ImageBufAlgo::warp(dst, from, call.M,
+        const bool ok = OIIO::ImageBufAlgo::warp(dst, from, matrix,
                                                  {{"recompute_roi", int(call.recompute_roi)},
                                                   {"wrap", int(call.wrap)},
                                                   {"edgeclamp", int(call.edgeclamp)}},
                                                  roi, call.nthreads);
 #else
-        const bool ok = OIIO::ImageBufAlgo::warp(dst, from, call.M, "", 0.0f, call.recompute_roi,
+        const bool ok = OIIO::ImageBufAlgo::warp(dst, from, matrix, "", 0.0f, call.recompute_roi,
                                                  call.wrap, roi, call.nthreads);
 #endif
         if (!ok)

@@ -267,6 +267,25 @@ TEST(Warp, CountsWhatAFilterGoesThrough) {
     EXPECT_TRUE(std::isinf(count({1, 0, -1 / 4.5, 0, 1, 0, 0, 0, 1}))); // w is 0 at x = 4.5
 }
 
+// All multiples of a matrix are the same map; by powers of two also the same bits.
+TEST(Warp, AMatrixMayBeSmallAllOver) {
+    const auto src = picture();
+    const ROI roi = window(0, 48, 0, 40);
+    const Matrix larger(2, 0.25f, 0, -0.25f, 2, 0, 0, 0, 1);
+    const Matrix smaller(0.5f, 0.25f, 0.001f, -0.25f, 0.5f, 0, 9, 0, 1); // OpenImageIO's own
+    for (const Matrix& M : {larger, smaller}) {
+        const auto wanted = bytes(warped(src, M, roi));
+        for (const int exponent : {-36, -100, 30})
+            EXPECT_EQ(bytes(warped(src, M * std::ldexp(1.0f, exponent), roi)), wanted) << exponent;
+    }
+    ddt::Projective inverse;
+    EXPECT_FALSE(ddt::Projective{{}}.invert(inverse));
+    EXPECT_FALSE(
+        (ddt::Projective{{1e-11, 1e-11, 0, 1e-11, 1e-11, 0, 0, 0, 1e-11}}.invert(inverse)));
+    // Small beside the shift alone.
+    EXPECT_TRUE((ddt::Projective{{1e-6, 0, 0, 0, 1e-6, 0, 1e9, 0, 1}}.invert(inverse)));
+}
+
 // OpenImageIO would filter them, for days.
 TEST(Warp, ShrinkingWithoutEndIsRefused) {
     const auto src = picture();
