@@ -17,7 +17,7 @@ install(CODE [[
   foreach(folder IN LISTS ddt_folders)
     while(NOT EXISTS "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/${folder}")
       list(APPEND ddt_missing "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/${folder}")
-      if(folder STREQUAL "")
+      if(folder STREQUAL "" OR folder STREQUAL "/")
         break()
       endif()
       get_filename_component(folder "${folder}" DIRECTORY)

@@ -49,7 +49,7 @@ public:
         m_units += units - part.units;
         part.units = units;
         if (part.numbers / told_numbers != before / told_numbers)
-            tell(std::min(share(), most_of_parts));
+            tell(std::min(share(), below_one));
     }
 
     void tile_done(int tile) {
@@ -62,14 +62,15 @@ public:
             m_units -= part->second.units;
             m_parts.erase(part);
         }
-        tell(share());
+        tell(++m_done == m_next_row.size() ? 1.0f : std::min(share(), below_one));
     }
 
 private:
     /// Shares are added up in whole numbers, so that they never fall.
     static constexpr int64_t units_of_tile = int64_t(1) << 20;
-    /// Nothing but the last tile's end is told as 1, also where a caller rounds.
-    static constexpr float most_of_parts = 0.999f;
+    /// Nothing but the last tile's end is told as 1, whatever floats make of a share: others may
+    /// have reported all that they wrote.
+    static constexpr float below_one = 0x1.fffffep-1f;
     /// What is written of a tile that is not done.
     struct Part {
         int64_t numbers = 0, units = 0;
@@ -90,6 +91,7 @@ private:
     std::mutex m_mutex;          ///< of all that follows
     std::map<int, Part> m_parts; ///< of large tiles
     int64_t m_units = 0;
+    size_t m_done = 0; ///< tiles
     float m_told = 0;
 };
 

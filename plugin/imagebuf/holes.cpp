@@ -43,7 +43,7 @@ bool put_filled(const OIIO::ImageBuf& src, const float* values, OIIO::ImageBuf& 
 OIIO::TypeDesc type_between(const OIIO::ImageBuf& src) {
     const OIIO::TypeDesc type = src.spec().format;
     const bool mixed = !src.nativespec().channelformats.empty();
-    return mixed || type.size() >= sizeof(float) ? type : OIIO::TypeFloat;
+    return type == OIIO::TypeHalf && !mixed ? OIIO::TypeFloat : type;
 }
 
 bool fill_image(const OIIO::ImageBuf& src, const Options& options, Holes holes, OIIO::TypeDesc type,

@@ -14,8 +14,9 @@ namespace ddt {
 bool fill_image(const OIIO::ImageBuf& src, const Options& options, Holes holes, OIIO::TypeDesc type,
                 OIIO::ImageBuf& filled, int nthreads, std::string& error);
 
-/// The type for that where pixels are worked on afterwards: not rounded in between, unless channels
-/// have types of their own, IDs among them.
+/// The type for that where pixels are worked on afterwards: halfs are not rounded in between,
+/// unless channels have types of their own, IDs among them. Integers stay integers, by which their
+/// light is known.
 OIIO::TypeDesc type_between(const OIIO::ImageBuf& src);
 
 /// Make dst a copy of src with its holes filled so.

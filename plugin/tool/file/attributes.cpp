@@ -20,7 +20,8 @@ bool is_absence(int number) {
     return number == ENODATA || number == ENOTSUP || number == ENOSYS;
 }
 
-/// By the path: to look at these a file need not be readable. False with errno.
+/// By the path: to look at a list a file need not be readable; to look at notes it must. False with
+/// errno.
 bool read_attribute(const std::string& path, const char* name, std::string& value) {
     value.resize(XATTR_SIZE_MAX);
     const ssize_t n = getxattr(path.c_str(), name, value.data(), value.size());
@@ -66,7 +67,9 @@ bool Attributes::give_rights(int descriptor, mode_t mode) const {
     const std::string list = with_mode(m_list, mode);
     if (!list.empty() && fsetxattr(descriptor, list_name, list.data(), list.size(), 0) == 0)
         return true;
-    const bool has_none = fremovexattr(descriptor, list_name) == 0 || is_absence(errno);
+    // Some systems do not take away what is not there.
+    const bool has_none = fremovexattr(descriptor, list_name) == 0 || is_absence(errno) ||
+                          (fgetxattr(descriptor, list_name, nullptr, 0) < 0 && is_absence(errno));
     return has_none && m_list.empty() && !m_unknown;
 }
 

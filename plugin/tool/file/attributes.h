@@ -23,7 +23,8 @@ public:
     /// some of them out.
     bool give_rights(int descriptor, mode_t mode) const;
 
-    /// Give an open file the `user.*` attributes, as far as it can have them.
+    /// Give an open file the `user.*` attributes, as far as they could be read and it can have
+    /// them.
     void give_notes(int descriptor) const;
 
 private:

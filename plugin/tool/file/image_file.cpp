@@ -246,6 +246,14 @@ bool ImageFile::open(std::vector<OIIO::ImageSpec> specs, Failure& failure) {
                           type, m_specs.size())};
         return false;
     }
+    if (several && type == "openexr" && !m_whole.can_seek()) {
+        failure = {
+            format("cannot write \"{}\": it is a stream, such as a pipe; allowed is one image "
+                   "of the format {}, not {}",
+                   m_path, type, m_specs.size()),
+            exit_usage};
+        return false;
+    }
     if (const char* what = unlike(type, m_specs)) {
         failure = {format("cannot write \"{}\": the images of a file of the format {} have one {}; "
                           "allowed is a SIZE that gives them one, as 640x480",

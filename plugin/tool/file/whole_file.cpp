@@ -140,7 +140,8 @@ bool WholeFile::refuse_folder(const char* how, int number, Failure& failure) con
 }
 
 /// Whether the file that is there may be written and, where its folder lets only owners do that,
-/// have another take its place: the system would say so only in the end.
+/// have another take its place: the system would say so only in the end. (Who has the right by a
+/// capability is not known here.)
 bool WholeFile::check_replaceable(Failure& failure) const {
     if (faccessat(AT_FDCWD, m_target.c_str(), W_OK, AT_EACCESS) != 0)
         return refuse(errno, failure);

@@ -23,9 +23,9 @@ namespace ddt::tool {
 /// file, and nobody holds one on what is left over.
 ///
 /// A symbolic link stays one: the file that it leads to is replaced. A file that was there keeps
-/// its permissions, access control list and `user.*` attributes, and its owner and group where that
-/// is allowed; where a right cannot be kept, nobody gains one. A file that may not be written is
-/// not replaced either. What is no file (/dev/null, a pipe) is written directly.
+/// its permissions, access control list (POSIX's) and `user.*` attributes, and its owner and group
+/// where that is allowed; where a right cannot be kept, nobody gains one. A file that may not be
+/// written is not replaced either. What is no file (/dev/null, a pipe) is written directly.
 class WholeFile {
 public:
     WholeFile() = default;

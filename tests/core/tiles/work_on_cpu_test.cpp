@@ -274,6 +274,25 @@ TEST(JobState, SharesNeitherFallNorReachOneBeforeTheEnd) {
     EXPECT_EQ(std::count(told.begin(), told.end(), 1.0f), 1);
 }
 
+// Others may have reported all of a tile before it is done, or all but a number.
+TEST(JobState, OneIsToldOnceWhoeverEndsLast) {
+    for (const int64_t lacking : {0, 1}) {
+        std::vector<float> told;
+        Job job;
+        job.progress = [&](float share) {
+            told.push_back(share);
+            return true;
+        };
+        JobState state(job, 2);
+        for (const int tile : {0, 1})
+            state.wrote(64 * told_numbers - lacking, 64 * told_numbers, tile);
+        for (const int tile : {0, 1})
+            state.tile_done(tile);
+        EXPECT_EQ(std::count(told.begin(), told.end(), 1.0f), 1);
+        EXPECT_EQ(told.back(), 1.0f);
+    }
+}
+
 TEST(WorkOnCpu, WhatFailsWhileTheyShareEndsTheWork) {
     OneTile tile;
     const Job job = tile.job("ddt");

@@ -169,6 +169,31 @@ TEST(HolesOption, AHalfImageIsFilledAsItsFloatsAre) {
     }
 }
 
+// By their type integers are known to be encoded.
+TEST(HolesOption, IntegersKeepTheirLightWhereOneAxisShrinks) {
+    constexpr int wide = 80, high = 40, far = 120;
+    ImageBuf whole = images::make(wide, high, channels, OIIO::TypeUInt8);
+    whole.specmod().alpha_channel = 3;
+    images::noise(whole);
+    for (int y = 0; y < high; ++y)
+        for (int x = 0; x < wide; ++x) {
+            float pixel[channels];
+            whole.getpixel(x, y, pixel);
+            pixel[3] = 1;
+            whole.setpixel(x, y, pixel);
+        }
+    ImageBuf holed = whole;
+    const float nothing[channels] = {};
+    holed.setpixel(2, 2, nothing);
+    const ddt::Options options = options_of("ddt,holes=fill-alpha");
+    const ImageBuf a = enlarged(whole, 2 * wide, high / 2, options),
+                   b = enlarged(holed, 2 * wide, high / 2, options);
+    for (int y = 0; y < high / 2; ++y)
+        for (int x = far; x < 2 * wide; ++x)
+            for (int c = 0; c < channels; ++c)
+                ASSERT_EQ(value(a, x, y, c), value(b, x, y, c)) << x << " " << y << " " << c;
+}
+
 TEST(HolesOption, IdsHaveNone) {
     ImageBuf src = images::make(4, 4, 3, OIIO::TypeUInt32);
     for (int y = 0; y < 4; ++y)

@@ -138,6 +138,18 @@ TEST_F(Streams, OfFormatsWhoseWritersGoBackAreRefusedAtOnce) {
     }
 }
 
+TEST_F(Streams, AnExrOfSeveralImagesIsRefusedAtOnce) {
+    open_pipe("several.exr");
+    const OIIO::ImageSpec spec(16, 16, 3, OIIO::TypeHalf);
+    ImageFile file;
+    ASSERT_TRUE(file.create(m_path, m_failure)) << m_failure.why;
+    EXPECT_FALSE(file.open({spec, spec}, m_failure));
+    EXPECT_NE(m_failure.why.find("allowed is one image"), std::string::npos) << m_failure.why;
+    EXPECT_EQ(m_failure.code, exit_usage);
+    EXPECT_EQ(taken_from(m_end), "");
+    close_pipe();
+}
+
 TEST_F(Streams, WhatCanBeSoughtInIsNone) {
     const std::string link = temporary("nothing.bmp");
     std::filesystem::create_symlink("/dev/null", link);
