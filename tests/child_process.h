@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <grp.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <vector>
 
 namespace ddt::test {
 
@@ -34,6 +36,11 @@ Ended in_child(Work&& work, unsigned seconds = 60) {
     ended.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     ended.peak_resident = int64_t(usage.ru_maxrss) * 1024;
     return ended;
+}
+
+/// In a child of root's, who cannot come back: be this user, in this group and `others`.
+inline bool become(uid_t user, gid_t group, const std::vector<gid_t>& others = {}) {
+    return setgroups(others.size(), others.data()) == 0 && setgid(group) == 0 && setuid(user) == 0;
 }
 
 } // namespace ddt::test

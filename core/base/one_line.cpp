@@ -48,16 +48,6 @@ std::string two_ends(const std::string& line) {
     return line.substr(0, head) + " ... " + line.substr(tail);
 }
 
-} // namespace
-
-std::string one_line(const std::string& text) {
-    std::string line = joined(text);
-    replace_control_characters(line);
-    return line.size() <= longest_line ? line : two_ends(line);
-}
-
-namespace {
-
 constexpr size_t prefix_length = sizeof message_prefix - 1;
 
 bool has_prefix(const std::string& message) {
@@ -65,6 +55,12 @@ bool has_prefix(const std::string& message) {
 }
 
 } // namespace
+
+std::string one_line(const std::string& text) {
+    std::string line = joined(text);
+    replace_control_characters(line);
+    return line.size() <= longest_line ? line : two_ends(line);
+}
 
 std::string with_prefix(const std::string& message) {
     return has_prefix(message) ? message : message_prefix + message;

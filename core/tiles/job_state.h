@@ -80,8 +80,7 @@ private:
         return float(double(m_units) / (double(units_of_tile) * double(m_next_row.size())));
     }
     void tell(float share) {
-        m_told = std::max(m_told, share);
-        if (going() && !m_job.progress(m_told))
+        if (going() && !m_job.progress(share))
             end(Outcome::cancelled);
     }
 
@@ -92,7 +91,6 @@ private:
     std::map<int, Part> m_parts; ///< of large tiles
     int64_t m_units = 0;
     size_t m_done = 0; ///< tiles
-    float m_told = 0;
 };
 
 } // namespace ddt

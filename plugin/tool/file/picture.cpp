@@ -178,31 +178,52 @@ Failure unreadable(const std::string& path, const std::string& error) {
     return {error, code == exit_failed ? code_of_reading(path) : code};
 }
 
-int count_images(const std::string& path) {
-    const auto input = OIIO::ImageInput::open(path);
-    if (!input) {
+namespace {
+
+// 3.x prints errors that nobody asked for.
+
+/// `look` at a file; nothing where it cannot be opened.
+template <class Look>
+void look_at(const std::string& path, Look&& look) {
+    if (const auto input = OIIO::ImageInput::open(path))
+        look(*input);
+    else
         OIIO::geterror();
-        return 0;
-    }
-    int images = std::max(1, input->spec().get_int_attribute("oiio:subimages", 1));
-    while (input->seek_subimage(images, 0))
+}
+
+int count_images(OIIO::ImageInput& input) {
+    int images = std::max(1, input.spec().get_int_attribute("oiio:subimages", 1));
+    while (input.seek_subimage(images, 0))
         ++images;
-    input->geterror();
+    input.geterror();
+    return images;
+}
+
+void note_levels(OIIO::ImageInput& input, const std::string& path) {
+    if (input.seek_subimage(0, 1))
+        note(format("\"{}\" has MIP levels; the largest alone was taken", path));
+    input.geterror();
+}
+
+} // namespace
+
+int count_images(const std::string& path) {
+    int images = 0;
+    look_at(path, [&](OIIO::ImageInput& input) { images = count_images(input); });
     return images;
 }
 
 void note_others(const std::string& path, const std::string& how_to_have_all) {
-    if (const int images = count_images(path); images > 1)
-        note(format("\"{}\" has {} images; the first alone was taken{}", path, images,
-                    how_to_have_all.empty() ? "" : " (all: " + how_to_have_all + ")"));
-    note_levels(path);
+    look_at(path, [&](OIIO::ImageInput& input) {
+        if (const int images = count_images(input); images > 1)
+            note(format("\"{}\" has {} images; the first alone was taken{}", path, images,
+                        how_to_have_all.empty() ? "" : " (all: " + how_to_have_all + ")"));
+        note_levels(input, path);
+    });
 }
 
 void note_levels(const std::string& path) {
-    const auto input = OIIO::ImageInput::open(path);
-    if (input && input->seek_subimage(0, 1))
-        note(format("\"{}\" has MIP levels; the largest alone was taken", path));
-    input ? input->geterror() : OIIO::geterror(); // 3.x prints what nobody asked for
+    look_at(path, [&](OIIO::ImageInput& input) { note_levels(input, path); });
 }
 
 bool read_picture(const OIIO::ImageBuf& image, const Options& options, Picture& picture,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/file/attributes.h"
 
-#include <grp.h>
 #include <sys/stat.h>
 #include <sys/xattr.h>
 #include <unistd.h>
@@ -68,8 +67,7 @@ mode_t mode_of(const std::string& path) {
 
 bool can_read(const std::string& path, uid_t user, gid_t group) {
     const auto read = [&] {
-        const bool is_user = setgroups(0, nullptr) == 0 && setgid(group) == 0 && setuid(user) == 0;
-        return is_user && access(path.c_str(), R_OK) == 0 ? 0 : 1;
+        return test::become(user, group) && access(path.c_str(), R_OK) == 0 ? 0 : 1;
     };
     return test::in_child(read).code == 0;
 }

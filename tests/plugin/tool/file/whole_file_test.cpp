@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/file/whole_file.h"
 
-#include <grp.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -207,10 +206,8 @@ TEST_F(WholeFiles, KeepAGroupThatMayBeGivenAndNoRightsOfOneThatMayNot) {
         ASSERT_EQ(chown(path("out.exr").c_str(), other, shared), 0);
         ASSERT_EQ(chmod(path("out.exr").c_str(), 04676), 0);
         const auto work = [&] {
-            const gid_t group = shared;
-            const bool am_i =
-                setgroups(member ? 1 : 0, &group) == 0 && setgid(mine) == 0 && setuid(me) == 0;
-            return am_i && write(path("out.exr"), "after") ? 0 : 1;
+            const std::vector<gid_t> groups(member ? 1 : 0, shared);
+            return test::become(me, mine, groups) && write(path("out.exr"), "after") ? 0 : 1;
         };
         ASSERT_EQ(test::in_child(work).code, 0);
         struct stat there {};
@@ -260,11 +257,7 @@ TEST_F(WholeFiles, WhatIsNotAllowedIsNamed) {
 template <class Body>
 bool holds_for_another(Body&& body) {
     constexpr uid_t me = 4321;
-    const auto work = [&] {
-        const bool am_i =
-            geteuid() != 0 || (setgroups(0, nullptr) == 0 && setgid(me) == 0 && setuid(me) == 0);
-        return am_i && body() ? 0 : 1;
-    };
+    const auto work = [&] { return (geteuid() != 0 || test::become(me, me)) && body() ? 0 : 1; };
     return test::in_child(work).code == 0;
 }
 
