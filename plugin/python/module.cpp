@@ -256,6 +256,7 @@ py::array mesh_of(const py::array& pixels, const std::string& sample, const std:
 
 PYBIND11_MODULE(_ddt, m) {
     m.doc() = "The compiled part of oiio_ddt.";
+    m.attr("__version__") = DDT_VERSION;
     py::register_exception<Cancelled>(m, "Cancelled");
     m.def("enlarge", &enlarge_array);
     m.def("mesh", &mesh_of);

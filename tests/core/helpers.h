@@ -80,14 +80,6 @@ inline size_t differing(const std::vector<float>& a, const std::vector<float>& b
     return n;
 }
 
-/// FNV-1a over the bits of the values.
-inline uint64_t hash(const std::vector<float>& values, uint64_t h = 0xcbf29ce484222325u) {
-    for (const float x : values)
-        for (uint32_t b = bits_of(x), k = 0; k < 4; ++k, b >>= 8)
-            h = (h ^ (b & 0xff)) * 0x100000001b3u;
-    return h;
-}
-
 /// Kinds of guide. `few` has three levels only, so gains tie all over.
 enum class Kind { noise, few, flat, shapes };
 constexpr Kind all_kinds[] = {Kind::noise, Kind::few, Kind::flat, Kind::shapes};

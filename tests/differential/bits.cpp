@@ -7,28 +7,16 @@
 // Exit status 1 if a job fails.
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 
 #include "ddt/guide.h"
 #include "tests/core/random.h"
 #include "tests/differential/ways.h"
+#include "tests/fnv.h"
 
 using namespace ddt;
 using namespace ddt::test;
 
 namespace {
-
-/// FNV-1a over the bits of the values.
-unsigned long long hash(const std::vector<float>& values) {
-    unsigned long long h = 0xcbf29ce484222325u;
-    for (const float x : values) {
-        unsigned char bytes[sizeof x];
-        std::memcpy(bytes, &x, sizeof x);
-        for (const unsigned char byte : bytes)
-            h = (h ^ byte) * 0x100000001b3u;
-    }
-    return h;
-}
 
 std::vector<float> guides() {
     Random random(7);
@@ -45,7 +33,7 @@ std::vector<float> guides() {
 
 int main(int argc, char** argv) {
     const int jobs = argc > 1 ? std::atoi(argv[1]) : 60;
-    std::printf("guides %016llx\n", hash(guides()));
+    std::printf("guides %016llx\n", static_cast<unsigned long long>(fnv(guides())));
     for (int i = 0; i < jobs; ++i) {
         const RandomJob job = random_job(3, uint64_t(i));
         const Done done = run(job, Way{"2 threads", 0, 2});
@@ -53,7 +41,8 @@ int main(int argc, char** argv) {
             std::fprintf(stderr, "job %d: %s\n", i, done.error.c_str());
             return 1;
         }
-        std::printf("job %d %016llx %s\n", i, hash(done.values), describe(job).c_str());
+        std::printf("job %d %016llx %s\n", i, static_cast<unsigned long long>(fnv(done.values)),
+                    describe(job).c_str());
     }
     return 0;
 }

@@ -7,29 +7,13 @@
 
 #include "core/base/half.h"
 #include "core/base/vectors/gathers.h"
+#include "core/enlarge/buffers.h"
 #include "ddt/names.h"
 #include "tests/use_simd.h"
 
 namespace ddt::test {
 
 namespace {
-
-class PictureSource final : public Source {
-public:
-    explicit PictureSource(const RandomJob& job) : m_job(job) {}
-    bool read(const Rect& r, float* values, float* guide) override {
-        const auto channels = size_t(m_job.job.channels), width = size_t(r.width());
-        for (int y = r.y0; y < r.y1; ++y, values += width * channels, guide += width) {
-            const size_t first = size_t(y) * size_t(m_job.width) + size_t(r.x0);
-            std::memcpy(values, &m_job.values[first * channels], width * channels * sizeof(float));
-            std::memcpy(guide, &m_job.guide[first], width * sizeof(float));
-        }
-        return true;
-    }
-
-private:
-    const RandomJob& m_job;
-};
 
 float rounded_to_half(float v) {
     return float_of_half(half_of_float(v));
@@ -113,7 +97,7 @@ Done run(const RandomJob& job, const Way& way) {
     set_gathers_are_quick(quick != way.other_reads);
     const Rect& out = way.part ? job.part : job.out;
     const std::unique_ptr<Mapping> mapping = mapping_of_part(job, out);
-    PictureSource source(job);
+    BufferSource source(job.values.data(), job.guide.data(), job.width, job.job.channels);
     PictureSink sink(out, job.job.channels, way);
     Job j = job.job;
     j.threads = way.threads;

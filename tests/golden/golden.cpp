@@ -17,26 +17,9 @@
 #include <sstream>
 
 #include "ddt/resize.h"
+#include "tests/fnv.h"
 
 namespace {
-
-/// FNV-1a, 64 bits.
-class Hash {
-public:
-    void add(const void* data, size_t size) {
-        const unsigned char* bytes = static_cast<const unsigned char*>(data);
-        for (size_t i = 0; i < size; ++i)
-            m_state = (m_state ^ bytes[i]) * 0x100000001b3u;
-    }
-    std::string text() const {
-        char digits[17];
-        std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(m_state));
-        return digits;
-    }
-
-private:
-    uint64_t m_state = 0xcbf29ce484222325u;
-};
 
 /// Of the pixels' bits in their own format, and of the windows.
 std::string hash_of(const OIIO::ImageBuf& image) {
@@ -46,10 +29,11 @@ std::string hash_of(const OIIO::ImageBuf& image) {
                            spec.full_width, spec.full_height, spec.nchannels};
     std::vector<unsigned char> pixels(spec.image_bytes());
     image.get_pixels(image.roi(), spec.format, pixels.data());
-    Hash hash;
-    hash.add(windows, sizeof windows);
-    hash.add(pixels.data(), pixels.size());
-    return hash.text();
+    const uint64_t hash =
+        ddt::test::fnv(pixels.data(), pixels.size(), ddt::test::fnv(windows, sizeof windows));
+    char digits[17];
+    std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
+    return digits;
 }
 
 /// Data and display window `scale` times as large. Where the data window's border falls within a

@@ -110,6 +110,14 @@ def test_keeps_dtype_and_dimensions(dtype):
     assert again.dtype == swapped.dtype and np.array_equal(again, large)
 
 
+def test_tells_its_release():
+    program = os.path.join(os.environ["DDT_BUILD"], "bin", "ddt")
+    if not os.path.exists(program):
+        pytest.skip("the tool is not built")
+    told = subprocess.run([program, "--version"], check=True, capture_output=True, text=True).stdout
+    assert told == f"ddt {oiio_ddt.__version__}\n"
+
+
 @pytest.mark.parametrize("dtype", INTEGERS)
 def test_numbers_of_objects_are_copied(dtype):
     values = [0, 1] if dtype == "bool" else [0, 3, np.iinfo(dtype).max, np.iinfo(dtype).max - 1]

@@ -18,9 +18,9 @@ from typing import Any, Callable, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from . import _ddt
-from ._ddt import Cancelled
+from ._ddt import Cancelled, __version__
 
-__all__ = ["Cancelled", "enlarge", "mesh"]
+__all__ = ["Cancelled", "__version__", "enlarge", "mesh"]
 
 # What the numbers of a dtype are to the core; integers of 32 bits and more are copied.
 _SAMPLES = {

@@ -4,6 +4,8 @@ from typing import Callable, Optional, Tuple
 
 import numpy as np
 
+__version__: str
+
 class Cancelled(Exception): ...
 
 def enlarge(

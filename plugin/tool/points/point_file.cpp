@@ -190,7 +190,7 @@ std::vector<const Column*> usual_columns(const PointFile& points) {
 std::vector<float> guide_of(const PointFile& points, const std::vector<const Column*>& columns) {
     std::vector<const Column*> parts;
     for (const Column* column : columns)
-        if (column->name != "alpha" && parts.size() < 3)
+        if (!column->is_alpha() && parts.size() < 3)
             parts.push_back(column);
     if (parts.empty())
         parts = columns;

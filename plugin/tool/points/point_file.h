@@ -18,6 +18,9 @@ struct Column {
     std::string name, type; ///< as PLY calls them: "red", "uchar"
     double scale = 1;
     std::vector<double> values; ///< which hold every type's numbers
+
+    bool is_colour() const { return name == "red" || name == "green" || name == "blue"; }
+    bool is_alpha() const { return name == "alpha"; }
 };
 
 /// Columns that are colour and its alpha, and their letters: an image's channels, and what a text

@@ -16,17 +16,13 @@ namespace ddt::tool {
 
 namespace {
 
-bool is_colour(const Column& column) {
-    return column.name == "red" || column.name == "green" || column.name == "blue";
-}
-
 /// Whether a column's numbers are as displayed.
 bool is_displayed(const Column& column) {
-    return is_colour(column) && column.scale != 1;
+    return column.is_colour() && column.scale != 1;
 }
 
 bool is_alpha(const Column* column) {
-    return column->name == "alpha";
+    return column->is_alpha();
 }
 
 std::string channel_name(const Column& column) {
@@ -58,7 +54,7 @@ std::vector<float> values_of(const std::vector<const Column*>& columns, size_t c
         for (size_t i = 0; i < count; ++i)
             values[i * channels + c] = float(columns[c]->values[i]);
     for (size_t c = 0; c < columns.size(); ++c)
-        for (size_t i = 0; i < count && is_colour(*columns[c]); ++i)
+        for (size_t i = 0; i < count && columns[c]->is_colour(); ++i)
             values[i * channels + c] *= values[i * channels + alpha];
     return values;
 }

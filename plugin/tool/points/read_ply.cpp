@@ -250,9 +250,8 @@ private:
                 axis.reserve(element.count);
                 continue;
             }
-            const bool colour =
-                p.name == "red" || p.name == "green" || p.name == "blue" || p.name == "alpha";
             Column column{p.name, p.number->name, 1, {}};
+            const bool colour = column.is_colour() || column.is_alpha();
             if (colour && p.number->number == Number::uint8)
                 column.scale = 255;
             if (colour && p.number->number == Number::uint16)

@@ -94,9 +94,9 @@ void take_as_bytes(const std::vector<Column*>& columns) {
 void find_bytes(PointFile& points) {
     std::vector<Column*> colours, alphas;
     for (Column& column : points.columns) {
-        if (column.name == "red" || column.name == "green" || column.name == "blue")
+        if (column.is_colour())
             colours.push_back(&column);
-        if (column.name == "alpha")
+        if (column.is_alpha())
             alphas.push_back(&column);
     }
     for (const auto& columns : {colours, alphas})

@@ -5,6 +5,7 @@
 
 #include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"
+#include "tests/fnv.h"
 
 namespace ddt::test {
 namespace {
@@ -74,8 +75,8 @@ TEST(Golden, EnlargedPicturesHaveTheseBits) {
             ASSERT_EQ(enlarge(values.data(), w, h, c.channels, guide.data(), out.data(), out_w,
                               out_h, surface, mesh, threads),
                       Outcome::done);
-            EXPECT_EQ(hash(out), c.expected)
-                << "case " << &c - cases << ": 0x" << std::hex << hash(out) << 'u';
+            EXPECT_EQ(fnv(out), c.expected)
+                << "case " << &c - cases << ": 0x" << std::hex << fnv(out) << 'u';
         }
     }
 }
@@ -97,7 +98,7 @@ TEST(Golden, MeshesAreThese) {
             numbers.push_back(float(n));
         numbers.push_back(float(statistics.flips));
         numbers.push_back(float(statistics.iterations));
-        return hash(numbers);
+        return fnv(numbers);
     };
     EXPECT_EQ(of(Cost::abn, Scheme::one_round), 0xfcad4041de4e43a5u);
     EXPECT_EQ(of(Cost::scf, Scheme::one_round), 0x887de0870dc41727u);

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/enlarge/buffers.h"
 #include "ddt/core.h"
 #include "ddt/names.h"
 #include "tests/core/plain.h"
@@ -44,22 +45,9 @@ struct Order {
     const Mapping* mapping = nullptr; ///< null: window to window
 };
 
-class PictureSource final : public Source {
-public:
-    explicit PictureSource(const Picture& picture) : m_picture(picture) {}
-    bool read(const Rect& r, float* values, float* guide) override {
-        const auto channels = size_t(m_picture.channels), width = size_t(r.width());
-        for (int y = r.y0; y < r.y1; ++y, values += width * channels, guide += width) {
-            const size_t first = size_t(y) * size_t(m_picture.width) + size_t(r.x0);
-            std::memcpy(values, &m_picture.values[first * channels], width * channels * 4);
-            std::memcpy(guide, &m_picture.guide[first], width * 4);
-        }
-        return true;
-    }
-
-private:
-    const Picture& m_picture;
-};
+inline BufferSource source_of(const Picture& picture) {
+    return {picture.values.data(), picture.guide.data(), picture.width, picture.channels};
+}
 
 /// Keeps the bits, and counts how often each pixel came.
 class BitsSink final : public Sink {
@@ -102,7 +90,7 @@ inline Result enlarge_on(Device device, const Picture& picture, const Order& ord
     job.channels = picture.channels;
     job.device = device;
     job.statistics = &result.statistics;
-    PictureSource source(picture);
+    BufferSource source = source_of(picture);
     BitsSink sink(order.out_width, order.out_height, picture.channels);
     const ResizeMapping whole(ResizeMapping::Axis::whole(picture.width, order.out_width),
                               ResizeMapping::Axis::whole(picture.height, order.out_height));

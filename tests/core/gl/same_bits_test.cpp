@@ -224,7 +224,7 @@ TEST_P(SameBits, OfJobsWithinJobs) {
     const Result expected = enlarge_on(Device::cpu, p, order);
     const ResizeMapping mapping(ResizeMapping::Axis::whole(p.width, order.out_width),
                                 ResizeMapping::Axis::whole(p.height, order.out_height));
-    PictureSource source(p);
+    BufferSource source = source_of(p);
     BitsSink sink(order.out_width, order.out_height, 1);
     Using user(source, sink, enlarge_another);
     Job job = order.job;

@@ -257,7 +257,7 @@ TEST_P(Travel, NumbersFitStorageBlocks) {
         fresh_device().block_limit = fits ? a_tile + a_tile / 2 : a_tile - 4;
         CodeSource source(16, width, channels), here(16, width, channels);
         const Picture picture = picture_of(source, width, height, channels);
-        PictureSource floats(picture);
+        BufferSource floats = source_of(picture);
         PackedSink sink(nullptr, 2 * width, 2 * height, channels),
             cpu(nullptr, 2 * width, 2 * height, channels);
         Moved moved;
@@ -290,7 +290,7 @@ TEST_P(Travel, BytesAreThoseOfTheNumbers) {
     const Picture picture{width, height, channels,
                           std::vector<float>(size_t(width) * height * channels),
                           std::vector<float>(size_t(width) * height)};
-    PictureSource source(picture);
+    BufferSource source = source_of(picture);
     BitsSink sink(2 * width, 2 * height, channels);
     Moved moved;
     enlarged(GetParam(), source, sink, job, moved);

@@ -24,7 +24,7 @@ bool same_value(float a, float b) {
 class Comparison {
 public:
     Comparison(gl::Gpu& gpu, const Picture& picture, const Job& job)
-        : m_picture(picture), m_job(job), m_source(picture), m_gpu(gpu, m_source, job) {
+        : m_picture(picture), m_job(job), m_source(source_of(picture)), m_gpu(gpu, m_source, job) {
         const Tile tile = Grid(job.window).tile(0);
         read_tile(m_source, tile, job, m_values, m_guide, m_width, m_height);
         if (const float share = blur_share(job.mesh, 0); share > 0)
@@ -167,7 +167,7 @@ private:
 
     const Picture& m_picture;
     const Job& m_job;
-    PictureSource m_source;
+    BufferSource m_source;
     GpuStages m_gpu;
     std::vector<float> m_values, m_guide;
     int m_width = 0, m_height = 0;
