@@ -31,8 +31,9 @@ void add(inout GradientMean mean, ivec2 j, ivec2 k, vec4 dzj, vec4 dzk) {
     precise vec4 sum_x = mean.sum_x + without_denormals(x);
     precise vec4 sum_y = mean.sum_y + without_denormals(y);
     precise vec4 weight = mean.weight + w;
-    mean.sum_x = sum_x;
-    mean.sum_y = sum_y;
+    // What is left where terms cancel; result() makes it large again where all gradients are.
+    mean.sum_x = without_denormals(sum_x);
+    mean.sum_y = without_denormals(sum_y);
     mean.weight = weight;
 }
 
@@ -41,8 +42,8 @@ void result(GradientMean mean, out vec4 gx, out vec4 gy) {
     precise vec4 reciprocal = r * r;
     precise vec4 x = mean.base_x + mean.sum_x * reciprocal;
     precise vec4 y = mean.base_y + mean.sum_y * reciprocal;
-    gx = x;
-    gy = y;
+    gx = without_denormals(x);
+    gy = without_denormals(y);
 }
 
 // e of the edge from i to j = i + v.
@@ -129,11 +130,11 @@ vec4 running_mean(vec4 mean, vec4 last, float share) {
     return if_less(high, f, high, f);
 }
 
-// The bits of a result: zeros have no sign, and all NaN are alike, which are known by their bits:
-// compilers may take it that there are none.
+// The bits of a result: zeros have no sign, denormals are zeros, and all NaN are alike, which are
+// known by their bits: compilers may take it that there are none.
 uvec4 result_bits(vec4 f) {
     uvec4 own = floatBitsToUint(f);
     bvec4 is_nan = greaterThan(own & 0x7fffffffu, uvec4(0x7f800000u));
-    uvec4 bits = if_true(equal(f, vec4(0.0)), uvec4(0u), own);
+    uvec4 bits = if_true(lessThan(own & 0x7fffffffu, uvec4(0x00800000u)), uvec4(0u), own);
     return if_true(is_nan, uvec4(0x7fc00000u), bits);
 }

@@ -20,9 +20,12 @@ HostBuffer::HostBuffer(const Functions& gl, size_t bytes)
         gl.BindBuffer(GL_COPY_WRITE_BUFFER, m_name);
         gl.BufferStorage(GL_COPY_WRITE_BUFFER, GLsizeiptr(m_bytes), nullptr,
                          access | GL_CLIENT_STORAGE_BIT);
-        m_data = static_cast<std::byte*>(
-            gl.MapBufferRange(GL_COPY_WRITE_BUFFER, 0, GLsizeiptr(m_bytes), access));
-        if (gl.GetError() == GL_NO_ERROR && m_data)
+        // Asked after each: an error of either that stayed would be a later call's.
+        const bool stored = gl.GetError() == GL_NO_ERROR;
+        if (stored)
+            m_data = static_cast<std::byte*>(
+                gl.MapBufferRange(GL_COPY_WRITE_BUFFER, 0, GLsizeiptr(m_bytes), access));
+        if (stored && gl.GetError() == GL_NO_ERROR && m_data)
             return;
         // What can be pinned has limits of its own.
         gl.DeleteBuffers(1, &m_name);

@@ -9,6 +9,7 @@
 #include "core/gl/context/failure.h"
 #include "core/gl/job_programs.h"
 #include "core/gl/offload.h"
+#include "core/gl/programs.h"
 #include "core/tiles/tile_io.h"
 
 namespace ddt::gl {
@@ -21,14 +22,19 @@ constexpr size_t strip_bytes = size_t(16) << 20, bytes_under_way = 4 * strip_byt
 /// Rows that are handed to the sink at once.
 constexpr int rows_a_write = 32;
 
+/// Of a strip whose positions form a grid: so many groups of invocations OpenGL promises along each
+/// axis of a dispatch.
+constexpr int most_groups = 65535, most_columns = most_groups * sample_group_x,
+              most_rows = most_groups * sample_group_y;
+
 /// A strip of so many rows has no more than strip_bytes, if it can.
 int strip_height(const Rect& reach, int channels) {
     const size_t row_bytes = size_t(reach.width()) * size_t(channels) * sizeof(float);
     return int(std::clamp<size_t>(strip_bytes / std::max<size_t>(row_bytes, 1), 1,
-                                  size_t(std::max(reach.height(), 1))));
+                                  size_t(std::clamp(reach.height(), 1, most_rows))));
 }
 
-/// How many strips of a job can be under way.
+/// How many strips of a job can be under way. Throws Failure where one cannot be sampled.
 size_t most_strips(const Job& job, const Grid& grid, const Mapping& mapping) {
     constexpr size_t fewest = 3, most = 32;
     // Positions that are no grid are kept twice, as they are and on their way.
@@ -37,6 +43,9 @@ size_t most_strips(const Job& job, const Grid& grid, const Mapping& mapping) {
     size_t largest = 1;
     for (int i = 0; i < grid.count(); ++i) {
         const Rect reach = reach_of(grid.tile(i), job.window, mapping);
+        if (mapping.separable() && reach.width() > most_columns)
+            throw Failure("a tile becomes " + std::to_string(reach.width()) +
+                          " pixels wide; allowed are " + std::to_string(most_columns));
         if (!reach.empty())
             largest = std::max(largest, size_t(strip_height(reach, job.channels)) *
                                             size_t(reach.width()) * pixel_bytes);

@@ -33,9 +33,10 @@ Point local(const Tile& tile, const Position& p);
 /// arithmetic in 32 bits.
 bool follows(const Point& a, const Point& b);
 
-/// Numbers nearer to zero than these become zero when a tile is read. So nothing
-/// that is computed from them comes near the denormal floats, which some devices keep and others
-/// take for zero, unless terms of that size cancel.
+/// Numbers nearer to zero than these become zero when a tile is read. So hardly anything that is
+/// computed from them comes near the denormal floats, which some devices keep and others take for
+/// zero: products with a weight by a large gradient, which shaders make zero themselves
+/// (without_denormals() in shaders/arith.glsl), and sums of them.
 constexpr float least_value = 0x1p-80f, least_guide = 0x1p-24f;
 
 /// Make what every guide must be of n of its numbers, a lattice's or points': those nearer to zero

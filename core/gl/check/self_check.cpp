@@ -43,7 +43,7 @@ using Bits = std::vector<uint32_t>;
 
 /// Noise, stripes and a few very bright pixels; in a corner of what is served, so that most of the
 /// check is of numbers as pictures have them, also what is not finite, or is so large that sums of
-/// it are not.
+/// it are not; and beside that rows so steep that sums of their gradients are denormal.
 class CheckSource final : public Source {
 public:
     explicit CheckSource(int channels) : m_channels(channels) {}
@@ -56,9 +56,11 @@ public:
                 const float bright = h % 101 == 0 ? 1000.0f : 1.0f;
                 *guide++ = 0.5f * noise + stripe;
                 const bool odd = x < 18 && y < 15 && h % 4 == 0;
+                const bool steep = x >= 20 && x < 38 && y < 15;
                 for (int c = 0; c < m_channels; ++c)
-                    *values++ = odd ? odd_number(h / 4 + uint32_t(c))
-                                    : (0.3f * noise + stripe) * bright * float(c + 1) * 0.37f;
+                    *values++ = odd     ? odd_number(h / 4 + uint32_t(c))
+                                : steep ? (y % 2 != 0 ? 0x1p46f : 0x1p-79f * (1 + noise))
+                                        : (0.3f * noise + stripe) * bright * float(c + 1) * 0.37f;
             }
         return true;
     }

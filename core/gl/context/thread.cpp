@@ -21,7 +21,8 @@ void Thread::push(Task& task) noexcept {
 }
 
 void Thread::run() {
-    // A software renderer's threads are started from here and inherit it.
+    // A software renderer's threads inherit it if they are started from here: not where the host
+    // has begun to use it before. Shaders need it of none.
     const DenormalsAreZero as_on_gpus;
     for (;;) {
         Task* task = nullptr;

@@ -32,7 +32,7 @@ public:
     /// for the pixels of `r`, row by row without gaps. `r` lies within Job::window. The guide is
     /// what edges are sought in, about 0 to 1 from black to white, below 0 where nothing is;
     /// make_guide() of ddt/guide.h makes the usual one. Values of magnitude below 2^-80 count as 0,
-    /// but Channel::nearest, and so does a guide's below 2^-24: nothing that is computed from
+    /// but Channel::nearest, and so does a guide's below 2^-24: little that is computed from
     /// others is near the denormal floats, which devices treat in different ways. So they do NaN
     /// where edges are chosen: what is not finite in a guide counts as 0 too. Return false to end
     /// the work (an error the source itself keeps).

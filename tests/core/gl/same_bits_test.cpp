@@ -163,6 +163,24 @@ TEST_P(SameBits, IterationsThatAreNotDispatched) {
     expect_same(GetParam(), p, order, "late iterations");
 }
 
+TEST_P(SameBits, TilesThatAreMoreThanADispatchCanDo) {
+    const int most = 65535; // groups along an axis, of 16 columns or 8 rows
+    Order order;
+    order.job.surface = Surface::linear;
+    const Picture tall = make_picture(Content::photo, 3, 200, 1, 5);
+    order.out_width = 3;
+    order.out_height = most * 8 + 100;
+    expect_same(GetParam(), tall, order, "tall");
+    const Picture wide = make_picture(Content::photo, 200, 3, 1, 6);
+    order.out_height = 3;
+    order.out_width = most * 16;
+    expect_same(GetParam(), wide, order, "wide");
+    order.out_width += 1; // left to the CPU before anything is done
+    const Result result = enlarge_on(GetParam(), wide, order);
+    EXPECT_EQ(result.outcome, Outcome::done) << result.error;
+    EXPECT_EQ(result.statistics.device, Device::cpu);
+}
+
 TEST_P(SameBits, SeveralMeshes) {
     for (const int channels : {3, 4})
         for (const Scheme scheme : {Scheme::one_round, Scheme::lawson})

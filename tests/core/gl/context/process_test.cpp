@@ -10,6 +10,7 @@
 #include "tests/child_process.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
+#include "tests/core/random.h"
 #include "tests/environment.h"
 #include "tests/temporary.h"
 
@@ -120,6 +121,27 @@ TEST_P(Process, TheEnvironmentNamesTheDeviceOfAutomaticJobs) {
 }
 
 /// As far as one GPU tells, or none.
+// A software renderer's threads are the host's if it has a context first, and keep denormals as it
+// does: see GradientMean in shaders/surface.glsl. (Alone in its process, as ctest runs it; else
+// another test may have had one.)
+TEST(Egl, AHostThatKeepsDenormalsChangesNoBit) {
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    std::string why;
+    const auto host = gl::make_egl_context(gl::Wanted::any, why);
+    if (!host)
+        GTEST_SKIP() << why << " (./check installs what it needs)";
+    Picture steep{24, 24, 1, {}, {}};
+    Random random(3);
+    for (int y = 0; y < steep.height; ++y)
+        for (int x = 0; x < steep.width; ++x) {
+            steep.values.push_back(y % 2 != 0 ? 0x1p46f : 0x1p-79f * (1 + random.unit()));
+            steep.guide.push_back(float(y % 2));
+        }
+    Order order;
+    order.out_width = order.out_height = 72;
+    expect_same(Device::egl, steep, order, "steep rows");
+}
+
 TEST(Egl, TheEnvironmentNamesOneOfSeveralGpus) {
     std::string why;
     if (!gl::make_egl_context(gl::Wanted::any, why))
