@@ -34,7 +34,7 @@ constexpr Named<Start> starts[] = {
 constexpr Named<Device> devices[] = {
     {Device::automatic,
      {"auto", "The GPU by OpenGL, if there is one, its shaders know the scheme and the image is "
-              "large enough: 20000 source pixels for each CPU thread, or 800000 (counting earlier "
+              "large enough: for each CPU thread 20000 source pixels, or 800000 (counting earlier "
               "images) if the GPU is yet to be opened. Else the CPU."}},
     {Device::cpu, {"cpu", "The processor's cores."}},
     {Device::egl, {"egl", "OpenGL by EGL and no other way, a software renderer included."}},

@@ -35,8 +35,9 @@ public:
             "its numbers. The mesh written has every number that the points had, in its "
             "type (x and y are double); what faces had beside their corners, other elements and "
             "comments are left out, and polygons are triangles."};
-        operands = {{"IN", "any image OpenImageIO reads, or a mesh: a name that ends in .ply"},
-                    {"OUT", "the mesh: a name that ends in .svg, .ply or .obj"}};
+        operands = {
+            {"IN", "any image OpenImageIO reads, or a mesh: a name that ends in .ply"},
+            {"OUT", "the mesh: a name that ends in .svg, .ply or .obj; of a mesh, in .ply"}};
         flags = {
             filter_flag("how to triangulate, as the filter's name and options: "
                         "ddt,scheme=lawson,cost=scf",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 
+#include "plugin/message/format.h"
 #include "plugin/tool/command/filter_flag.h"
 #include "plugin/tool/command/progress.h"
 #include "plugin/tool/command/threads.h"
@@ -38,8 +39,8 @@ public:
             "Sizes are oiiotool's: 640x480; 0x480 keeps the shape; 640x480+10-20 moves the origin; "
             "50%, 50%x75%; 2.5 is a factor. They are those of the display window.",
             "Sequences: IN and OUT with # (four digits), ### (three) or %04d in place of the "
-            "frame's number, and %V or %v in that of the view or its first letter. Without "
-            "--frames these are the frames of which there is a file.",
+            "frame's number and, with --views, %V or %v in that of the view or its first letter. "
+            "Without --frames the frames are those of which there is a file.",
             "Of a file with several images the first is resized; with --all-images each is, to "
             "SIZE "
             "of its own, where OUT's format has room for several (EXR's parts, TIFF's pages).",
@@ -56,8 +57,8 @@ public:
                       "how OUT is compressed: none, zip, dwaa:45 (default: as the image was)",
                       m_settings.compression),
             whole_flag("--threads", "N",
-                       "threads to use (default: all cores, in a container its quota)", 0, 4096,
-                       m_threads),
+                       "threads to use (0, the default: all cores, in a container its quota)", 0,
+                       4096, m_threads),
             text_flag("--frames", "LIST", "frames of a sequence: 1-100, 1-100x2, -5--1, 1,4,9",
                       m_frames),
             text_flag("--views", "LIST", "views of a sequence: left,right", m_views),
@@ -71,7 +72,9 @@ public:
                         m_run.skip_existing),
             switch_flag("--keep-going", "go on with the other frames after one failed",
                         m_run.keep_going),
-            {"--part", "K/N", "write the part K of N into OUT, an EXR file, for ddt join",
+            {"--part", "K/N",
+             format("write the part K of N, up to {}, into OUT, an EXR file, for ddt join",
+                    most_parts),
              [this](const std::string& text) { return parse_part(text, m_part); }, allowed_parts,
              ""},
             progress_flag(m_progress),

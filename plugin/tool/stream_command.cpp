@@ -57,8 +57,8 @@ public:
              },
              "", ""},
             whole_flag("--threads", "N",
-                       "threads to use (default: all cores, in a container its quota)", 0, 4096,
-                       m_threads),
+                       "threads to use (0, the default: all cores, in a container its quota)", 0,
+                       4096, m_threads),
         };
     }
 

@@ -101,7 +101,7 @@ struct Job {
     std::vector<Channel> kinds; ///< one a channel; empty: all blend
     MeshOptions mesh;
     SurfaceOptions surface;
-    int threads = 0; ///< 0: as many as there are cores
+    int threads = 0; ///< 0: one a processor that the process may use, or a container's quota
     /// A device that is named and cannot be had is Outcome::device_unavailable, before anything is
     /// read. A device that fails later, also for lack of memory, leaves the rest to the CPU; one
     /// that does not answer any more cannot be had by later jobs of the process. A
@@ -146,11 +146,11 @@ enum class Outcome {
 /// Memory beside what source and sink hold: up to 200 MiB for 40 threads or fewer and 6 MiB for
 /// each further one, all times MeshOptions::meshes, and 4 bytes for each 65536 pixels of the
 /// source; one thread works whatever it takes, as with hundreds of channels. Of up to 4 channels a
-/// tile's mesh takes 3.8 to 5 MiB, and a thread 1.3 to 4, or up to 5.5 with corrections and a
+/// tile's mesh takes 3.8 to 5 MiB, and a thread 1.3 to 4, or up to 5.1 with corrections and a
 /// mapping that is not separable(); as many tiles are there at once as have room. So all threads
-/// work on enlargements of up to 4 channels, or 12 without corrections, and up to 8 times the size;
-/// with corrections and a mapping that is not separable() three quarters of them or more. Of more
-/// channels or larger results fewer work.
+/// work on up to 4 channels up to 8 times the size, and without corrections on 10, or up to 4 times
+/// on 12; with a mapping that is not separable() on up to 8 without corrections, and four fifths of
+/// them or more on up to 4 with corrections. Of more channels or larger results fewer work.
 Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
                 std::string* error = nullptr);
 

@@ -93,7 +93,7 @@ std::string filter_help(std::string_view name);
 ///     soft      0 unless the cost is abn
 ///     min_gain  the cost's own ("auto") unless the cost is abn and the scheme one-round
 ///     contour   0 unless the cost is abn and the scheme one-round
-///     fitted    0 unless `clipped` is 1, the cost abn and `consistency` 2
+///     fitted    0 unless the filter is ddt-sharp, `clipped` 1, the cost abn and `consistency` 2
 /// On failure false with one line in `error` that names the option and lists what is allowed, and
 /// `options` unchanged.
 bool parse_filter(std::string_view spec, FilterOptions& options, std::string& error);

@@ -87,7 +87,8 @@ bool fill(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options
 /// Warp: M maps source to output pixel coordinates, (x, y, 1) * M with pixel centres at half
 /// integers. An output pixel whose centre comes from outside the source's data window is black. A
 /// dst that is not initialised becomes roi's size, or without one src's, or with `recompute_roi`
-/// that of the mapped data window; its display window is src's.
+/// that of the box of the data window's outermost pixel centres as mapped, as OpenImageIO has it:
+/// half a source pixel less on each side than that of the window. Its display window is src's.
 ///
 /// Where M shrinks the data window anywhere, in any direction, by more than a thousandth, and for
 /// the wrap modes other than default and black, this is OpenImageIO's own warp with its default

@@ -89,9 +89,9 @@ public:
                 notes += "\n" + flag.notes;
         }
         m_args.epilog(notes);
-        m_args.arg("--help").help("print this and end").action([this](OIIO::cspan<const char*>) {
-            m_help = true;
-        });
+        const auto ask_for_help = [this](OIIO::cspan<const char*>) { m_help = true; };
+        m_args.arg("--help").help("print this and end").action(ask_for_help);
+        m_args.arg("-h").hidden().action(ask_for_help);
     }
 
     ExitCode parse_and_run(const std::vector<std::string>& args) {
@@ -182,7 +182,7 @@ Flag number_flag(const char* name, const char* value, const char* help, double l
                  double& number) {
     return {name,
             value,
-            help,
+            format("{}; {} to {}", help, low, high),
             [=, &number](const std::string& text) { return parse_number(text, low, high, number); },
             format("numbers from {} to {}", low, high),
             ""};
@@ -192,7 +192,7 @@ Flag whole_flag(const char* name, const char* value, const char* help, int low, 
                 int& number) {
     return {name,
             value,
-            help,
+            format("{}; {} to {}", help, low, high),
             [=, &number](const std::string& text) { return parse_number(text, low, high, number); },
             format("whole numbers from {} to {}", low, high),
             ""};

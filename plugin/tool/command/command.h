@@ -53,7 +53,7 @@ void note(const std::string& message);
 ExitCode fail(const std::string& message, ExitCode code = exit_failed);
 ExitCode fail(const Failure& failure);
 
-/// Flags that hold a number from low to high, or are set when given.
+/// Flags that hold a number from low to high, which their help tells, or are set when given.
 Flag number_flag(const char* name, const char* value, const char* help, double low, double high,
                  double& number);
 Flag whole_flag(const char* name, const char* value, const char* help, int low, int high,

@@ -70,13 +70,21 @@ TEST(CrewSize, AllThreadsWorkAtEightTimesTheSizeAndNineTenthsAtSixteen) {
             }
 }
 
-TEST(CrewSize, AllThreadsWorkOnTwelveChannelsOfPlainFilters) {
+TEST(CrewSize, AllThreadsWorkOnTenChannelsOfPlainFiltersAndOnTwelveAtFourTimesTheSize) {
+    struct Case {
+        int channels, scale;
+    };
     for (const char* filter : {"ddt", "ddt-linear"})
-        for (const size_t threads : {40, 128}) {
-            const Large large(filter, 12);
-            const CrewSize size = large.of(threads);
-            EXPECT_EQ(size.members, threads) << filter;
-            EXPECT_LE(large.bytes(size), limit(threads)) << filter;
+        for (const Case& c : {Case{10, 8}, Case{12, 4}}) {
+            Large large(filter, c.channels);
+            large.to = {0, 0, 16384 * c.scale, 8192 * c.scale};
+            for (size_t threads = 1; threads <= 200; ++threads) {
+                SCOPED_TRACE(::testing::Message()
+                             << filter << ", " << c.channels << ", " << threads);
+                const CrewSize size = large.of(threads);
+                EXPECT_EQ(size.members, threads);
+                EXPECT_LE(large.bytes(size), limit(threads));
+            }
         }
 }
 
@@ -96,12 +104,24 @@ TEST(CrewSize, PositionsInAnyOrderTakeNoMore) {
                 const CrewSize size = crew_size(opaque, large.job, Grid(large.job.window), threads);
                 // Of corrections without bounds a row takes most.
                 const bool most = filter == std::string("ddt-sharp") && channels > 1;
-                EXPECT_GE(size.members, most && threads > 16 ? threads * 3 / 4 : threads);
+                EXPECT_GE(size.members, most && threads > 16 ? threads * 4 / 5 : threads);
                 EXPECT_LE(size.members * TileWorker::memory(large.job, opaque) +
                               size.places * TileMemory::needed(large.job),
                           limit(threads));
             }
         }
+}
+
+TEST(CrewSize, AllThreadsWorkOnEightChannelsOfPlainFiltersInAnyOrder) {
+    for (const char* filter : {"ddt", "ddt-linear"}) {
+        const Large large(filter, 8);
+        const ResizeMapping mapping = large.mapping();
+        const Opaque opaque(mapping);
+        for (size_t threads = 1; threads <= 200; ++threads)
+            EXPECT_EQ(crew_size(opaque, large.job, Grid(large.job.window), threads).members,
+                      threads)
+                << filter;
+    }
 }
 
 TEST(CrewSize, NoMoreThanThereIsWorkFor) {

@@ -34,6 +34,28 @@ TEST(Commands, HelpTellsOfEveryFlagAndOperand) {
     }
 }
 
+TEST(Commands, HelpIsPrintedForItsShortNameToo) {
+    const Ran ran = run(make_mesh_command(), {"-h"});
+    EXPECT_EQ(ran.code, exit_done);
+    EXPECT_EQ(ran.err, "");
+    EXPECT_EQ(ran.out, run(make_mesh_command(), {"--help"}).out);
+}
+
+TEST(Commands, HelpTellsWhichNumbersAreAllowed) {
+    const std::string before_range = "numbers from ";
+    int found = 0;
+    for (const auto& command : make_commands())
+        for (const Flag& flag : command->flags) {
+            const size_t at = flag.allowed.find(before_range);
+            if (at == std::string::npos)
+                continue;
+            ++found;
+            const std::string range = flag.allowed.substr(at + before_range.size());
+            EXPECT_NE(flag.help.find(range), std::string::npos) << flag.name << ": " << flag.help;
+        }
+    EXPECT_GE(found, 6);
+}
+
 /// With hyphens as man(7) wants them.
 std::string for_man(const std::string& flag) {
     std::string escaped;
