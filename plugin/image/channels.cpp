@@ -56,13 +56,8 @@ bool is_id_type(OIIO::TypeDesc type) {
 }
 
 int alpha_of(const OIIO::ImageSpec& spec) {
-    if (spec.alpha_channel < spec.nchannels)
-        return std::max(spec.alpha_channel, -1);
-    for (const char* name : {"A", "alpha"})
-        for (int c = 0; c < spec.nchannels; ++c)
-            if (is_any_of(spec.channel_name(c), {name}))
-                return c;
-    return -1;
+    return spec.alpha_channel < spec.nchannels ? std::max(spec.alpha_channel, -1)
+                                               : find_channel(spec, {"A", "alpha"});
 }
 
 Channels channels_of(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& native) {

@@ -16,14 +16,6 @@ bool is_depth(const std::string& name) {
                        [](const std::string& piece) { return is_any_of(piece, {"depth"}); });
 }
 
-int find_named(const OIIO::ImageSpec& spec, std::initializer_list<const char*> names) {
-    for (const char* name : names)
-        for (int c = 0; c < spec.nchannels; ++c)
-            if (is_any_of(spec.channel_name(c), {name}))
-                return c;
-    return -1;
-}
-
 /// Set `rgb` to a layer's red, green and blue; false without all three.
 bool find_triple(const Layer& layer, int (&rgb)[3]) {
     rgb[0] = layer.find({"R", "red"});
@@ -103,7 +95,7 @@ ColourChannels find_colour(const OIIO::ImageSpec& spec, const std::vector<Layer>
         std::iota(channel, channel + 3, 0);
         found.layout.count = 3;
     } else {
-        const int grey = find_named(spec, {"Y", "L", "I", "luminance", "gray", "grey"});
+        const int grey = find_channel(spec, {"Y", "L", "I", "luminance", "gray", "grey"});
         found.named = grey >= 0 && may_be(grey);
         channel[0] = found.named ? grey : find_only(spec.nchannels, may_be);
         found.layout.count = channel[0] >= 0 ? 1 : 0;

@@ -13,6 +13,14 @@ bool is_any_of(OIIO::string_view name, std::initializer_list<const char*> names)
                        [&](const char* other) { return OIIO::Strutil::iequals(name, other); });
 }
 
+int find_channel(const OIIO::ImageSpec& spec, std::initializer_list<const char*> names) {
+    for (const char* name : names)
+        for (int c = 0; c < spec.nchannels; ++c)
+            if (OIIO::Strutil::iequals(spec.channel_name(c), name))
+                return c;
+    return -1;
+}
+
 std::vector<std::string> pieces_of(const std::string& name) {
     std::vector<std::string> pieces;
     size_t begin = 0;

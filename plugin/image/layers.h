@@ -13,6 +13,9 @@ namespace ddt {
 /// True if `name` is one of `names`, in any case.
 bool is_any_of(OIIO::string_view name, std::initializer_list<const char*> names);
 
+/// The first channel whose whole name is the first of these that there is, or -1.
+int find_channel(const OIIO::ImageSpec& spec, std::initializer_list<const char*> names);
+
 /// The text between the dots.
 std::vector<std::string> pieces_of(const std::string& name);
 
@@ -22,7 +25,7 @@ struct Layer {
     std::vector<int> channels;           ///< positions in the image, ascending
     std::vector<std::string> components; ///< what stands after the last dot, one a channel
 
-    /// The first channel that is called one of these, or -1.
+    /// The same by the component.
     int find(std::initializer_list<const char*> names) const;
 };
 
