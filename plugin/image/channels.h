@@ -14,12 +14,14 @@ namespace ddt {
 /// The roles of an image's channels.
 struct Channels {
     /// Colour that a colour space speaks of. Three: the channels named R, G, B (or red, green,
-    /// blue), else channels 0 to 2 unless one of them is alpha, depth or an ID. One: without
-    /// these, a channel named as grey (Y, L, I, luminance, gray, grey), or the only one that is
-    /// neither alpha, depth nor an ID.
+    /// blue), else those of the layer that is the picture itself, else channels 0 to 2 unless one
+    /// of them is alpha, depth, of a vector or an ID. One: without these, a channel named as grey
+    /// (Y, L, I, luminance, gray, grey), or the only one that is none of those.
     ColourLayout colour;
-    int alpha = -1; ///< the image's alpha, or -1
-    int guide = -1; ///< without colour: the first channel that is neither alpha nor an ID
+    int alpha = -1; ///< the alpha of the image's colour, or -1
+    /// Where no names tell its colour: up to three channels in which edges are sought instead, the
+    /// first that are neither alpha nor an ID; depth where there is nothing else.
+    std::vector<int> guide;
     std::vector<Channel> kinds; ///< one a channel; nearest: an ID
     /// Pixels are 32-bit integers and travel as raw bits.
     bool raw = false;
@@ -28,8 +30,8 @@ struct Channels {
 /// True for the types whose numbers are IDs: 32-bit integers.
 bool is_id_type(OIIO::TypeDesc type);
 
-/// The image's alpha, or -1. Where the spec names a channel that there is not, as OpenImageIO's
-/// reader of GIF does (2.4.7: 4 of 4), it is the one by the name of A or alpha.
+/// The image's alpha as its spec has it, or -1. Where the spec names a channel that there is not,
+/// as OpenImageIO's reader of GIF does (2.4.7: 4 of 4), it is the one by the name of A or alpha.
 int alpha_of(const OIIO::ImageSpec& spec);
 
 /// `native` is of the file the pixels were read from: channels of 32-bit integers there are IDs,
@@ -39,10 +41,8 @@ inline Channels channels_of(const OIIO::ImageSpec& spec) {
     return channels_of(spec, spec);
 }
 
-/// True for the name of a channel of IDs: its last word ends in "id" in any case, as in
-/// "id", "objectId", "prim_id", "materialid", "layer.ID". A word of English that ends so (grid,
-/// fluid, solid, void, ...) is none. A word starts after a character that is no letter and where a
-/// capital follows a small letter.
-bool is_id_name(OIIO::string_view name);
+/// What a picture of the image shows: its colour, else the guide's channels as colour if they are
+/// three, else the first of them as grey.
+ColourLayout shown_colour(const Channels& channels);
 
 } // namespace ddt

@@ -35,9 +35,13 @@ std::vector<int> select(const Reading& reading, const OIIO::ROI& roi, int all) {
 GuideRecipe recipe(const Channels& channels, const Light& light, bool linear) {
     GuideRecipe guide = guide_recipe(light, channels.colour, linear);
     guide.alpha = channels.alpha;
-    if (channels.colour.count == 0) {
-        guide.channel[0] = channels.guide;
-        guide.weight[0] = 1.0f;
+    // Any of them may be where an edge is. Weights are alike, but not the same: what one channel
+    // gains where another loses as much, as two mattes side by side, is an edge too.
+    static constexpr float shares[3][3] = {{1.0f}, {0.6f, 0.4f}, {0.45f, 0.33f, 0.22f}};
+    const size_t count = channels.guide.size();
+    for (size_t k = 0; k < count; ++k) {
+        guide.channel[k] = channels.guide[k];
+        guide.weight[k] = shares[count - 1][k];
     }
     return guide;
 }

@@ -47,10 +47,8 @@ metrics::Image image_of(const Picture& picture) {
 
 /// The channels that a Picture is made of.
 std::vector<int> shown_channels(const Channels& channels) {
-    std::vector<int> shown(channels.colour.channel,
-                           channels.colour.channel + channels.colour.count);
-    if (shown.empty() && channels.guide >= 0)
-        shown.push_back(channels.guide);
+    const ColourLayout colour = shown_colour(channels);
+    std::vector<int> shown(colour.channel, colour.channel + colour.count);
     if (channels.alpha >= 0)
         shown.push_back(channels.alpha);
     return shown;

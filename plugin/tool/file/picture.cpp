@@ -23,7 +23,7 @@ namespace {
 
 /// Whether there is nothing that can be looked at: numbers that name things, at most with alpha.
 bool only_ids(const Channels& channels) {
-    return channels.colour.count == 0 && channels.guide < 0 &&
+    return channels.colour.count == 0 && channels.guide.empty() &&
            std::count(channels.kinds.begin(), channels.kinds.end(), Channel::nearest) > 0;
 }
 
@@ -31,13 +31,8 @@ bool only_ids(const Channels& channels) {
 class Display {
 public:
     explicit Display(const Reading& reading)
-        : m_layout(reading.channels.colour), m_linear(reading.guide.linear),
-          m_alpha(reading.channels.alpha) {
-        if (m_layout.count == 0) {
-            m_layout.count = 1;
-            m_layout.channel[0] = reading.channels.guide;
-        }
-    }
+        : m_layout(shown_colour(reading.channels)), m_linear(reading.guide.linear),
+          m_alpha(reading.channels.alpha) {}
     Colour operator()(const float* pixel) const {
         const float alpha = m_alpha >= 0 ? pixel[m_alpha] : 1.0f;
         const bool divide = m_layout.alpha >= 0 && alpha != 0.0f;

@@ -5,33 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/plugin/image/named.h"
+
 namespace {
 
+using ddt::test::named;
 using OIIO::ImageSpec;
 using OIIO::TypeDesc;
-
-ImageSpec named(std::vector<std::string> names, TypeDesc type = OIIO::TypeFloat) {
-    ImageSpec spec(4, 4, int(names.size()), type);
-    spec.alpha_channel = -1;
-    spec.z_channel = -1;
-    for (size_t i = 0; i < names.size(); ++i) {
-        if (names[i] == "A")
-            spec.alpha_channel = int(i);
-        if (names[i] == "Z")
-            spec.z_channel = int(i);
-    }
-    spec.channelnames = std::move(names);
-    return spec;
-}
-
-TEST(Channels, NamesOfIds) {
-    for (const char* name : {"id", "ID", "Id", "objectId", "objectID", "materialid", "prim_id",
-                             "layer.ID", "node.id", "OBJECTID", "instance2id"})
-        EXPECT_TRUE(ddt::is_id_name(name)) << name;
-    for (const char* name : {"", "d", "i", "R", "grid", "GRID", "uvGrid", "fluid", "layer.solid",
-                             "Void", "idle", "id.R", "centroid", "eyelid", "deltoid", "toroid"})
-        EXPECT_FALSE(ddt::is_id_name(name)) << name;
-}
 
 TEST(Channels, ColourByNameInAnyOrder) {
     const auto c = ddt::channels_of(named({"A", "B", "G", "R", "Z"}));
@@ -44,7 +24,7 @@ TEST(Channels, ColourByNameInAnyOrder) {
 }
 
 TEST(Channels, ColourIsTheFirstThreeWithoutNames) {
-    EXPECT_EQ(ddt::channels_of(named({"diffuse.R", "diffuse.G", "diffuse.B"})).colour.count, 3);
+    EXPECT_EQ(ddt::channels_of(named({"m1", "m2", "m3", "m4"})).colour.count, 3);
     EXPECT_EQ(ddt::channels_of(named({"u", "A", "v"})).colour.count, 0);
     EXPECT_EQ(ddt::channels_of(named({"Z", "u", "v"})).colour.count, 0);
     EXPECT_EQ(ddt::channels_of(named({"objectId", "u", "v"})).colour.count, 0);
@@ -60,10 +40,30 @@ TEST(Channels, GreyIsColour) {
     EXPECT_EQ(ddt::channels_of(named({"Z"})).colour.count, 0);
 }
 
-TEST(Channels, GuideWithoutColour) {
-    EXPECT_EQ(ddt::channels_of(named({"A", "id", "u", "v"})).guide, 2);
-    EXPECT_EQ(ddt::channels_of(named({"A", "id"})).guide, -1);
-    EXPECT_EQ(ddt::channels_of(named({"Z"})).guide, 0);
+TEST(Channels, GuideWithoutNamesOfColour) {
+    using Guide = std::vector<int>;
+    const auto guide_of = [](std::vector<std::string> names) {
+        return ddt::channels_of(named(std::move(names))).guide;
+    };
+    EXPECT_EQ(guide_of({"A", "id", "u", "v"}), (Guide{2, 3}));
+    EXPECT_EQ(guide_of({"N.X", "N.Y", "N.Z"}), (Guide{0, 1, 2}));
+    EXPECT_EQ(guide_of({"Z", "m1", "m2", "m3", "m4"}), (Guide{1, 2, 3}));
+    EXPECT_EQ(guide_of({"A", "id"}), Guide{});
+    EXPECT_EQ(guide_of({"Z"}), Guide{0});
+    EXPECT_EQ(guide_of({"height"}), Guide{0});
+    EXPECT_EQ(guide_of({"Y", "A", "Z"}), Guide{});
+    EXPECT_EQ(guide_of({"a.R", "a.G", "a.B"}), Guide{});
+}
+
+TEST(Channels, ShownAreColourOrTheGuide) {
+    const auto shown = [](std::vector<std::string> names) {
+        const auto layout = ddt::shown_colour(ddt::channels_of(named(std::move(names))));
+        return std::vector<int>(layout.channel, layout.channel + layout.count);
+    };
+    EXPECT_EQ(shown({"A", "B", "G", "R"}), (std::vector<int>{3, 2, 1}));
+    EXPECT_EQ(shown({"Z", "X", "Y"}), (std::vector<int>{0, 1, 2}));
+    EXPECT_EQ(shown({"Z", "u", "v"}), std::vector<int>{1});
+    EXPECT_EQ(shown({"id"}), std::vector<int>{});
 }
 
 TEST(Channels, UnassociatedAlphaIsNotDividedBy) {
@@ -149,7 +149,7 @@ TEST(Channels, IdsOfALayerOrAPart) {
     EXPECT_EQ(nearest(named({"X"}), "grid", ""), 0);
     EXPECT_EQ(nearest(colour, "objectId", ""), 0);
     const ImageSpec layers = named({"View.CryptoObject00.r", "View.Sub.CryptoMaterial02.A",
-                                    "View.Crypto.R", "ViewCryptoObject00.R", "View.Combined.R"});
+                                    "View.Crypto.R", "View.Combined.R"});
     EXPECT_EQ(nearest(layers, "", ""), 2);
 }
 

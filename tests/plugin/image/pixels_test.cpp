@@ -19,8 +19,8 @@ constexpr size_t numbers = size_t(width) * height * channels;
 const OIIO::TypeDesc types[] = {OIIO::TypeUInt8, OIIO::TypeUInt16, OIIO::TypeHalf};
 
 /// Memory of an image, with so many numbers between pixels.
-struct Numbers {
-    Numbers(OIIO::TypeDesc type, size_t gap)
+struct SpacedPixels {
+    SpacedPixels(OIIO::TypeDesc type, size_t gap)
         : bytes(numbers / channels * (channels + gap) * type.size()),
           image(OIIO::ImageSpec(width, height, channels, type), bytes.data(),
                 OIIO::stride_t((channels + gap) * type.size())) {}
@@ -42,7 +42,7 @@ constexpr Case cases[] = {{0, 0, channels}, {0, 1, channels}, {2, 0, channels}, 
 TEST(Pixels, AreReadAsOpenImageIODoes) {
     for (const OIIO::TypeDesc& type : types)
         for (const Case& c : cases) {
-            Numbers of(type, c.gap);
+            SpacedPixels of(type, c.gap);
             for (size_t i = 0; i + 1 < of.bytes.size(); i += 2) {
                 const auto code = uint16_t(i / 2); // all there are
                 std::memcpy(&of.bytes[i], &code, sizeof code);
@@ -61,7 +61,7 @@ TEST(Pixels, AreWrittenAsOpenImageIODoes) {
     std::mt19937 random(3);
     for (const OIIO::TypeDesc& type : types)
         for (const Case& c : cases) {
-            Numbers written(type, c.gap), expected(type, c.gap);
+            SpacedPixels written(type, c.gap), expected(type, c.gap);
             std::vector<float> values(c.count());
             for (float& v : values) {
                 // Of any size, and of halfs none; integers of NaN are not defined there.

@@ -18,7 +18,7 @@ using OIIO::ImageBuf;
 using OIIO::ROI;
 using Matrix = Imath::M33f;
 
-ImageBuf picture(int width = 24, int height = 20) {
+ImageBuf disc_picture(int width = 24, int height = 20) {
     auto image = make(width, height, 3);
     images::fill(image, [](int x, int y, int c) { return images::disc(x + c, y, 24); });
     return image;
@@ -31,7 +31,7 @@ ImageBuf warped(const ImageBuf& src, const Matrix& M, ROI roi) {
 }
 
 TEST(Warp, IdentityAndWholeMovesCopy) {
-    const auto src = picture();
+    const auto src = disc_picture();
     EXPECT_EQ(bytes(warped(src, Matrix(), src.roi())), bytes(src));
     const auto moved = warped(src, Matrix(1, 0, 0, 0, 1, 0, 7, -3, 1), window(0, 30, -5, 20));
     for (int y = -5; y < 20; ++y)
@@ -42,13 +42,13 @@ TEST(Warp, IdentityAndWholeMovesCopy) {
 }
 
 TEST(Warp, ScalingIsResizing) {
-    const auto src = picture();
+    const auto src = disc_picture();
     const auto warp = warped(src, Matrix(4, 0, 0, 0, 3, 0, 0, 0, 1), window(0, 96, 0, 60));
     EXPECT_EQ(bytes(warp), bytes(images::enlarged(src, 96, 60)));
 }
 
 TEST(Warp, OutsideIsBlack) {
-    auto src = picture();
+    auto src = disc_picture();
     images::fill(src, [](int, int, int) { return 1.0f; });
     // Twice as large, from (10, 10).
     const auto dst = warped(src, Matrix(2, 0, 0, 0, 2, 0, 10, 10, 1), window(0, 70, 0, 70));
@@ -63,7 +63,7 @@ TEST(Warp, OutsideIsBlack) {
 }
 
 TEST(Warp, QuarterTurn) {
-    const auto src = picture();
+    const auto src = disc_picture();
     // (x, y) -> (20 - y, x)
     const auto dst = warped(src, Matrix(0, 1, 0, -1, 0, 0, 20, 0, 1), window(0, 20, 0, 24));
     for (int y = 0; y < 24; ++y)
@@ -136,7 +136,7 @@ TEST(Warp, PartIsACropAndThreadsDoNotMatter) {
 }
 
 TEST(Warp, ShrinkingAndOtherWrapsAreOpenImageIOs) {
-    const auto src = picture();
+    const auto src = disc_picture();
     const Matrix half(0.5f, 0, 0, 0, 2, 0, 0, 0, 1), twice(2, 0, 0, 0, 2, 0, 0, 0, 1);
     ImageBuf dst, expected;
     ASSERT_TRUE(ddt::warp(dst, src, half));
@@ -153,7 +153,7 @@ TEST(Warp, ShrinkingAndOtherWrapsAreOpenImageIOs) {
 }
 
 TEST(Warp, ShrinkingFillsTheMemoryItIsGivenWhateverItsType) {
-    const auto src = picture();
+    const auto src = disc_picture();
     const Matrix half(0.5f, 0, 0, 0, 0.5f, 0, 0, 0, 1);
     const ImageBuf expected = warped(src, half, window(0, 12, 0, 10));
     std::vector<double> memory(12 * 10 * 3, -1.0);
@@ -187,7 +187,7 @@ TEST(Warp, ShrinkingFillsTheMemoryItIsGivenWhateverItsType) {
 }
 
 TEST(Warp, WindowsAreOpenImageIOs) {
-    const auto src = picture();
+    const auto src = disc_picture();
     for (const float angle : {0.0f, 0.3f, 1.5707963f, 2.0f})
         for (const float scale : {1.0f, 1.1f, 3.0f})
             for (const bool recompute : {false, true}) {
@@ -249,7 +249,7 @@ TEST(Warp, KnowsWholeMoves) {
 
 // A horizon within the picture: nothing to be right about, but it must end, and in one piece.
 TEST(Warp, HorizonWithinThePicture) {
-    const auto src = picture();
+    const auto src = disc_picture();
     const auto dst = warped(src, Matrix(60, 0, 0.1f, 0, 60, 0, 0, 0, -1), window(-50, 50, -50, 50));
     EXPECT_EQ(dst.spec().width, 100);
 }
@@ -269,7 +269,7 @@ TEST(Warp, CountsWhatAFilterGoesThrough) {
 
 // All multiples of a matrix are the same map; by powers of two also the same bits.
 TEST(Warp, AMatrixMayBeSmallAllOver) {
-    const auto src = picture();
+    const auto src = disc_picture();
     const ROI roi = window(0, 48, 0, 40);
     const Matrix larger(2, 0.25f, 0, -0.25f, 2, 0, 0, 0, 1);
     const Matrix smaller(0.5f, 0.25f, 0.001f, -0.25f, 0.5f, 0, 9, 0, 1); // OpenImageIO's own
@@ -288,7 +288,7 @@ TEST(Warp, AMatrixMayBeSmallAllOver) {
 
 // OpenImageIO would filter them, for days.
 TEST(Warp, ShrinkingWithoutEndIsRefused) {
-    const auto src = picture();
+    const auto src = disc_picture();
     for (const Matrix& M :
          {Matrix(1e-6f, 0, 0, 0, 1e-6f, 0, 0, 0, 1), Matrix(1, 0, 1 / 4.5f, 0, 1, 0, 0, 0, 1),
           // Nearly singular: 2^25 pixels by its inverse, 2^58 by that in float32.

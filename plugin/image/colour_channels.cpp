@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/image/colour_channels.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace ddt {
+namespace {
+
+using MayBe = std::function<bool(int channel)>;
+
+bool is_depth(const std::string& name) {
+    const std::vector<std::string> pieces = pieces_of(name);
+    return is_any_of(pieces.back(), {"Z"}) ||
+           std::any_of(pieces.begin(), pieces.end(),
+                       [](const std::string& piece) { return is_any_of(piece, {"depth"}); });
+}
+
+/// Set `rgb` to a layer's red, green and blue; false without all three.
+bool find_triple(const Layer& layer, int (&rgb)[3]) {
+    rgb[0] = layer.find({"R", "red"});
+    rgb[1] = layer.find({"G", "green"});
+    rgb[2] = layer.find({"B", "blue"});
+    return rgb[0] >= 0 && rgb[1] >= 0 && rgb[2] >= 0;
+}
+
+/// The higher, the likelier it is that of a layer's name and alpha the picture itself is there.
+int rank_of(const Layer& layer) {
+    if (layer.name.empty())
+        return 4;
+    const auto is_picture = [](const std::string& piece) {
+        return is_any_of(piece, {"Combined", "beauty", "rgba", "rgb", "C", "color", "colour"});
+    };
+    const std::vector<std::string> pieces = pieces_of(layer.name);
+    if (is_picture(pieces.back()))
+        return 3;
+    if (std::any_of(pieces.begin(), pieces.end(), is_picture))
+        return 2;
+    return layer.find({"A", "alpha"}) >= 0 ? 1 : 0;
+}
+
+/// The layer whose red, green and blue are the image's, or null.
+const Layer* find_layer(const std::vector<Layer>& layers, const MayBe& may_be) {
+    const Layer* best = nullptr;
+    for (const Layer& layer : layers) {
+        int rgb[3];
+        if (find_triple(layer, rgb) && std::all_of(rgb, rgb + 3, may_be) &&
+            (!best || rank_of(layer) > rank_of(*best)))
+            best = &layer;
+    }
+    return best;
+}
+
+/// The only channel that may be colour, or -1.
+int find_only(int count, const MayBe& may_be) {
+    int only = -1;
+    for (int c = 0; c < count; ++c)
+        if (may_be(c)) {
+            if (only >= 0)
+                return -1;
+            only = c;
+        }
+    return only;
+}
+
+} // namespace
+
+std::vector<Quantity> quantities_of(const OIIO::ImageSpec& spec, const std::vector<Layer>& layers) {
+    std::vector<Quantity> quantities(size_t(spec.nchannels), Quantity::other);
+    for (const Layer& layer : layers) {
+        const bool xy = layer.find({"X"}) >= 0 && layer.find({"Y"}) >= 0;
+        const bool uv = layer.find({"U"}) >= 0 && layer.find({"V"}) >= 0;
+        for (size_t i = 0; i < layer.channels.size(); ++i) {
+            const std::string& component = layer.components[i];
+            const int c = layer.channels[i];
+            if ((xy && is_any_of(component, {"X", "Y", "Z", "W"})) ||
+                (uv && is_any_of(component, {"U", "V", "W"})))
+                quantities[size_t(c)] = Quantity::vector;
+            else if (c == spec.z_channel || is_depth(spec.channel_name(c)))
+                quantities[size_t(c)] = Quantity::depth;
+        }
+    }
+    return quantities;
+}
+
+ColourChannels find_colour(const OIIO::ImageSpec& spec, const std::vector<Layer>& layers,
+                           const MayBe& may_be) {
+    ColourChannels found;
+    int(&channel)[3] = found.layout.channel;
+    if ((found.layer = find_layer(layers, may_be))) {
+        find_triple(*found.layer, channel);
+        found.layout.count = 3;
+        found.named = true;
+    } else if (spec.nchannels >= 3 && may_be(0) && may_be(1) && may_be(2)) {
+        std::iota(channel, channel + 3, 0);
+        found.layout.count = 3;
+    } else {
+        const int grey = find_channel(spec, {"Y", "L", "I", "luminance", "gray", "grey"});
+        found.named = grey >= 0 && may_be(grey);
+        channel[0] = found.named ? grey : find_only(spec.nchannels, may_be);
+        found.layout.count = channel[0] >= 0 ? 1 : 0;
+    }
+    return found;
+}
+
+int alpha_of_colour(int alpha, const std::vector<Layer>& layers, const Layer* layer,
+                    const std::function<bool(int channel)>& is_id) {
+    const auto home = std::find_if(layers.begin(), layers.end(), [&](const Layer& other) {
+        return std::binary_search(other.channels.begin(), other.channels.end(), alpha);
+    });
+    if (home == layers.end())
+        return -1;
+    int others[3];
+    const bool of_other = layer && layer != &*home && find_triple(*home, others);
+    const int own = layer ? layer->find({"A", "alpha"}) : -1;
+    if (layer && layer != &*home && own >= 0 && !is_id(own))
+        return own;
+    return of_other || is_id(alpha) ? -1 : alpha;
+}
+
+} // namespace ddt

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which of an image's channels are its colour, and which alpha is its.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "plugin/colour/layout.h"
+#include "plugin/image/layers.h"
+
+namespace ddt {
+
+/// What a channel's name tells of it.
+enum class Quantity { vector, depth, other };
+
+/// One a channel. Vectors: X, Y, Z and W of a layer that has X and Y; U, V and W of one that has U
+/// and V. Depth: Z and what is called so, alone or as a layer, and the spec's z_channel, unless it
+/// is a vector's: OpenImageIO takes the Z of a normal for it.
+std::vector<Quantity> quantities_of(const OIIO::ImageSpec& spec, const std::vector<Layer>& layers);
+
+/// The image's colour.
+struct ColourChannels {
+    ColourLayout layout;          ///< without its alpha
+    const Layer* layer = nullptr; ///< where red, green and blue are, by their names
+    bool named = false;           ///< a name tells that it is colour or grey
+};
+
+/// Of the channels that may be colour: those named R, G, B (or red, green, blue), else such of a
+/// layer, else the first three, else the one that is named as grey or is alone; or none.
+///
+/// Of several layers it is the first that is called as programs call the picture itself (Combined,
+/// beauty, rgba, rgb, C, color, colour) by the last of its name's pieces, else by another (of
+/// views: "Combined.left"), else one with an alpha, else any.
+ColourChannels find_colour(const OIIO::ImageSpec& spec, const std::vector<Layer>& layers,
+                           const std::function<bool(int channel)>& may_be);
+
+/// The alpha of colour in that layer (null: of none), or -1: where the spec's alpha is that of
+/// other colour, or an ID, it is the layer's own, if any.
+int alpha_of_colour(int alpha, const std::vector<Layer>& layers, const Layer* layer,
+                    const std::function<bool(int channel)>& is_id);
+
+} // namespace ddt
