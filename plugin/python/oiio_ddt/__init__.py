@@ -64,9 +64,12 @@ def enlarge(
               as in linear light; "linear" has its bits then.)
     alpha     "associated": colour is multiplied by alpha already. "unassociated": it is not, as
               in a PNG; colour where alpha is 0 does not show.
-    threads   How many to use; 0 or less: as many as there are cores.
-    progress  Called now and then with the share done, 0 to 1; if it returns False, or what is false
-              and not None, the work ends with Cancelled, if it raises, with that exception.
+    threads   How many to use; 0 or less: as many as there are processors that the process may run
+              on, or fewer where a container's quota says so.
+    progress  Called now and then, on the thread of the call, with the share done, 0 to 1; if it
+              returns False, or what is false and not None, the work ends with Cancelled, if it
+              raises, with that exception. Never called for a copy, as by scale=1 without
+              holes=fill.
 
     Returns a new C-contiguous array of the same dtype and number of dimensions. Raises ValueError
     or TypeError for what is not allowed, MemoryError, RuntimeError for a device that cannot be
