@@ -41,8 +41,8 @@ std::vector<Parameter> make_parameters();
 const std::vector<Parameter>& parameters();
 
 /// ",key=value" for a specification of the filter; empty for the initial value. Of numbers below 0
-/// that stand for something the nearest counts, of one out of range the end that is nearest, and
-/// NaN is the initial value.
+/// that stand for something the nearest counts, of one out of range the end that is nearest,
+/// subnormal reals are 0, and NaN is the initial value.
 std::string item(const Parameter& parameter, double value);
 
 } // namespace ddt::host
