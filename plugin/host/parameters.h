@@ -14,6 +14,9 @@ constexpr double filters_own = -1;
 /// What it is for the name that it may have in place of a number: `auto` of `min_gain`.
 constexpr double by_name = -2;
 
+/// Decimals that a host is asked to show of reals: some show two unless told.
+constexpr int shown_digits = 4;
+
 /// An option as a parameter. `light` is not among them: what a host's numbers mean the host knows.
 struct Parameter {
     const Option* option;

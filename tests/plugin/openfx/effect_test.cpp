@@ -346,5 +346,11 @@ TEST_F(OpenFx, StopsWhenTheHostSaysSo) {
         EXPECT_EQ(std::memcmp(effect->output.row(0) + 1700 * 12, untouched, 4), 0);
     }
 }
+            if (param.type == "OfxParamTypeInteger")
+                continue;
+            EXPECT_EQ(param.properties.at<int>("OfxParamPropDigits"), 4) << name;
+            EXPECT_EQ(param.properties.at<double>("OfxParamPropIncrement"),
+                      name == "scale" || name == "scale_y" ? 0.1 : 0.01)
+                << name;
 
 } // namespace
