@@ -178,6 +178,8 @@ def test_unassociated_alpha():
     (dict(size=(10**5000, 9)), "size (of tuple|.1000+) is not allowed"),
     (dict(scale=2, light="x\ny"), 'light "x y" is not allowed'),
     (dict(scale=2, filter="ddt,light=x\ny"), 'light "x y" is not allowed'),
+    (dict(scale=2, filter="ddt,light=sRGB", light="dim"), 'light "dim" is not allowed'),
+    (dict(scale=2, filter="ddt,light=dim", light="sRGB"), 'light "dim" is not allowed'),
     (dict(scale=2, alpha="x\ny"), "alpha 'x.ny' is not allowed"),
     (dict(scale=2, filter="ddt\udc80"), "filter 'ddt.udc80' is not allowed; allowed are texts"),
     (dict(scale=2, light="\ud800"), "light"),
@@ -203,6 +205,8 @@ def test_errors_name_what_is_allowed(arguments, says):
     (dict(scale=2, threads=(2,)), "^ddt: threads must be a whole number, not .2,.$"),
     (dict(scale=2, filter=None), "filter None is not allowed; allowed are texts"),
     (dict(scale=2, light=5), "light"),
+    (dict(scale=2, progress=5), "^ddt: progress 5 is not allowed; allowed are functions$"),
+    (dict(scale=1, progress=5), "^ddt: progress 5 is not allowed; allowed are functions$"),
 ])
 def test_arguments_of_other_types_are_named(arguments, says):
     with pytest.raises(TypeError, match=says) as caught:
@@ -243,6 +247,8 @@ def test_numbers_of_objects_have_no_mesh():
 def test_a_mesh_has_the_same_errors():
     with pytest.raises(ValueError, match="asociated"):
         oiio_ddt.mesh(picture(), alpha="asociated")
+    with pytest.raises(TypeError, match="^ddt: progress 5 is not allowed"):
+        oiio_ddt.mesh(picture(), progress=5)
 
 
 def test_daemon_threads_at_the_end_of_the_process():
@@ -283,12 +289,6 @@ def test_progress_rises_and_cancels():
         oiio_ddt.enlarge(image, 2, threads=2, progress=lambda share: 1 / 0)
 
 
-def test_ctrl_c_cancels():
-    calls = []
-
-    def interrupt(share):
-        calls.append(share)
-        signal.raise_signal(signal.SIGINT)
 @pytest.mark.parametrize("threads", [0, 2, 8])
 def test_progress_is_told_on_the_thread_that_called(threads):
     image = picture(900, 900)
@@ -331,6 +331,12 @@ def test_no_progress_is_told_of_a_copy():
     assert not shares
 
 
+def test_ctrl_c_cancels():
+    calls = []
+
+    def interrupt(share):
+        calls.append(share)
+        signal.raise_signal(signal.SIGINT)
 
     before = signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored in background jobs
     with pytest.raises(KeyboardInterrupt):

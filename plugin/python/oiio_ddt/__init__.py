@@ -77,6 +77,7 @@ def enlarge(
     """
     pixels, dtype, sample = _as_pixels(array)
     _check_texts(filter=filter, light=light)
+    _check_progress(progress)
     height, width = pixels.shape[:2]
     full = _full_size(width, height, scale, size)
     x0, y0, x1, y1 = _checked_roi(roi, full)
@@ -110,6 +111,7 @@ def mesh(
         raise TypeError(f"ddt: dtype {dtype} is not allowed for a mesh, as of object IDs; "
                         "allowed are floats and integers of 8 and 16 bits")
     _check_texts(filter=filter, light=light)
+    _check_progress(progress)
     return _ddt.mesh(pixels, sample, filter, _light_of(dtype, light), _is_associated(alpha),
                      progress)
 
@@ -165,6 +167,11 @@ def _check_texts(filter: Any, light: Any) -> None:
         except UnicodeEncodeError:
             raise ValueError(f"ddt: {name} {_shown(text)} is not allowed; allowed are texts that "
                              "UTF-8 can hold") from None
+
+
+def _check_progress(progress: Any) -> None:
+    if not (progress is None or callable(progress)):
+        raise TypeError(f"ddt: progress {_shown(progress)} is not allowed; allowed are functions")
 
 
 def _whole_numbers(name: str, numbers: Any, allowed: str) -> Tuple[int, ...]:
