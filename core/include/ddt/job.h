@@ -101,7 +101,7 @@ struct Job {
     std::vector<Channel> kinds; ///< one a channel; empty: all blend
     MeshOptions mesh;
     SurfaceOptions surface;
-    int threads = 0; ///< 0: as many as there are cores
+    int threads = 0; ///< 0: the processors that the process may run on, or a quota if lower
     /// A device that is named and cannot be had is Outcome::device_unavailable, before anything is
     /// read. A device that fails later, also for lack of memory, leaves the rest to the CPU; one
     /// that does not answer any more cannot be had by later jobs of the process. A
