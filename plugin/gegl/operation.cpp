@@ -369,9 +369,9 @@ const char* property_name(const char* key) {
     return g_intern_string(name.c_str());
 }
 
-/// A number of which a host shows enough decimals: GIMP leaves it with two.
+/// A number of which a host shows enough decimals.
 GParamSpec* with_digits(GParamSpec* spec) {
-    gegl_param_spec_double_set_digits(GEGL_PARAM_SPEC_DOUBLE(spec), 4);
+    gegl_param_spec_double_set_digits(GEGL_PARAM_SPEC_DOUBLE(spec), shown_digits);
     return spec;
 }
 

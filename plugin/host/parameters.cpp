@@ -124,9 +124,14 @@ const std::vector<Parameter>& parameters() {
 
 namespace {
 
-/// An expression or a curve may leave a range that a host keeps its sliders in.
+/// An expression or a curve may leave a range that a host keeps its sliders in, and one that eases
+/// to 0 comes to subnormal floats, which no option may be.
 double within_range(const Parameter& p, double value) {
-    return std::isnan(value) ? p.initial : std::clamp(value, p.low, p.high);
+    if (std::isnan(value))
+        return p.initial;
+    if (p.kind == OptionKind::real && is_subnormal(float(value)))
+        value = 0;
+    return std::clamp(value, p.low, p.high);
 }
 
 } // namespace

@@ -14,6 +14,9 @@ constexpr double filters_own = -1;
 /// What it is for the name that it may have in place of a number: `auto` of `min_gain`.
 constexpr double by_name = -2;
 
+/// Decimals that a host is asked to show of reals: some show two unless told.
+constexpr int shown_digits = 4;
+
 /// An option as a parameter. `light` is not among them: what a host's numbers mean the host knows.
 struct Parameter {
     const Option* option;
@@ -41,8 +44,8 @@ std::vector<Parameter> make_parameters();
 const std::vector<Parameter>& parameters();
 
 /// ",key=value" for a specification of the filter; empty for the initial value. Of numbers below 0
-/// that stand for something the nearest counts, of one out of range the end that is nearest, and
-/// NaN is the initial value.
+/// that stand for something the nearest counts, of one out of range the end that is nearest,
+/// subnormal reals are 0, and NaN is the initial value.
 std::string item(const Parameter& parameter, double value);
 
 } // namespace ddt::host

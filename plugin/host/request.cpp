@@ -8,8 +8,9 @@ namespace ddt::host {
 bool set_filter(std::string_view filter, std::string_view light, Enlargement& work,
                 std::string& error) {
     FilterOptions options;
-    if (!parse_filter(filter, options, error) ||
-        !find_meaning(options.light == "auto" ? light : options.light, work.meaning, error))
+    // Also where the filter's light counts the other has to be one.
+    if (!parse_filter(filter, options, error) || !find_meaning(light, work.meaning, error) ||
+        (options.light != "auto" && !find_meaning(options.light, work.meaning, error)))
         return false;
     work.surface = options.surface;
     work.mesh = options.mesh;

@@ -47,8 +47,7 @@ int regions_of_interest(Effect effect, Properties in, Properties out) {
     const Windows w = source.windows();
     if (!w.bounded())
         return reply_default;
-    const Rect pixels =
-        host::needed(w.place, to_pixels(wanted, source.scale), holes_of(source.settings));
+    const Rect pixels = w.needed(to_pixels(wanted, source.scale), holes_of(source.settings));
     if (pixels.empty())
         return reply_default;
     set_rect(out, "OfxImageClipPropRoI_Source", to_canonical(pixels, source.scale));

@@ -41,6 +41,8 @@ public:
         return get(m_image, "OfxImageEffectPropPreMultiplication", "") ==
                "OfxImageAlphaUnPremultiplied";
     }
+    /// All that the image is a part of; empty where the host does not say.
+    Rect defined() const { return host::flipped(rectangle("OfxImagePropRegionOfDefinition")); }
     /// False for a depth that is not supported or an image without memory.
     bool buffer(host::Buffer& b) const {
         constexpr std::pair<const char*, host::Sample> depths[] = {
@@ -67,8 +69,9 @@ public:
 
 private:
     /// Rows upwards.
-    Rect bounds() const {
-        const auto side = [&](int i) { return get(m_image, "OfxImagePropBounds", 0, i); };
+    Rect bounds() const { return rectangle("OfxImagePropBounds"); }
+    Rect rectangle(const char* name) const {
+        const auto side = [&](int i) { return get(m_image, name, 0, i); };
         return {side(0), side(1), side(2), side(3)};
     }
 
@@ -141,6 +144,7 @@ int render_part(Effect effect, const SourceClip& source, const Image& from, cons
         return failed;
     const Windows w = source.windows();
     work.place = w.place;
+    work.place.window = w.window_of(from.defined());
     if (!w.bounded())
         work.holes = Holes::keep; // a copy, whatever else is asked for
     part = intersection(part, work.to.box);

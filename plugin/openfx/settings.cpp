@@ -41,6 +41,16 @@ void set_range(Properties p, Number initial, Number low, Number high, Number sho
     set(p, "OfxParamPropDisplayMax", shown_high);
 }
 
+/// A number that is not whole; `step` is what a host's arrows add.
+void set_real(Properties p, double initial, double low, double high, double shown_high,
+              double step = 0.01) {
+    set_range(p, initial, low, high, shown_high);
+    if (!p)
+        return;
+    set(p, "OfxParamPropDigits", host::shown_digits);
+    set(p, "OfxParamPropIncrement", step);
+}
+
 void define_choice(ParamSet set_, const char* name, const char* label, const std::string& help,
                    const std::vector<std::string>& names, int initial,
                    const char* parent = nullptr) {
@@ -58,8 +68,8 @@ void define_option(ParamSet set_, const host::Parameter& q) {
     const char* parent = q.is_main() ? nullptr : advanced;
     switch (q.kind) {
     case OptionKind::real:
-        return set_range(define(set_, "OfxParamTypeDouble", key, label, q.help, parent), q.initial,
-                         q.low, q.high, q.shown_high);
+        return set_real(define(set_, "OfxParamTypeDouble", key, label, q.help, parent), q.initial,
+                        q.low, q.high, q.shown_high);
     case OptionKind::whole:
         return set_range(define(set_, "OfxParamTypeInteger", key, label, q.help, parent),
                          int(q.initial), int(q.low), int(q.high), int(q.shown_high));
@@ -95,12 +105,13 @@ std::string name_at(const std::vector<std::string>& names, int index) {
 } // namespace
 
 void define_parameters(ParamSet set_, bool zoom) {
-    set_range(define(set_, "OfxParamTypeDouble", "scale", "Scale", "By how much both sides grow"),
-              2.0, 1.0, largest_scale, 8.0);
-    set_range(
+    constexpr double step_of_scale = 0.1;
+    set_real(define(set_, "OfxParamTypeDouble", "scale", "Scale", "By how much both sides grow"),
+             2.0, 1.0, largest_scale, 8.0, step_of_scale);
+    set_real(
         define(set_, "OfxParamTypeDouble", "scale_y", "Scale Y",
                "By how much the height grows; 0: as much as the width; between 0 and 1 it stays"),
-        0.0, 0.0, largest_scale, 8.0);
+        0.0, 0.0, largest_scale, 8.0, step_of_scale);
     if (!zoom) {
         set_range(define(set_, "OfxParamTypeInteger", "width", "Width",
                          "Width of the result in pixels instead of a scale, the source's at least; "
@@ -111,12 +122,12 @@ void define_parameters(ParamSet set_, bool zoom) {
                          "least; 0: by the scale, or from the width"),
                   0, 0, largest_side, 8192);
     } else {
-        set_range(define(set_, "OfxParamTypeDouble", "centre_x", "Centre X",
-                         "What stays in its place: from the left, 0, to the right, 1"),
-                  0.5, 0.0, 1.0, 1.0);
-        set_range(define(set_, "OfxParamTypeDouble", "centre_y", "Centre Y",
-                         "What stays in its place: from below, 0, to above, 1"),
-                  0.5, 0.0, 1.0, 1.0);
+        set_real(define(set_, "OfxParamTypeDouble", "centre_x", "Centre X",
+                        "What stays in its place: from the left, 0, to the right, 1"),
+                 0.5, 0.0, 1.0, 1.0);
+        set_real(define(set_, "OfxParamTypeDouble", "centre_y", "Centre Y",
+                        "What stays in its place: from below, 0, to above, 1"),
+                 0.5, 0.0, 1.0, 1.0);
     }
     define_choice(set_, "filter", "Filter", host::help_of_filters(), filter_names(), 0);
     define_choice(set_, "light", "Light",

@@ -58,10 +58,36 @@ RectD to_region(const Rect& pixels, const PixelScale& scale) {
             drawn_in(r.y2, scale.y, -1)};
 }
 
+Rect Windows::window_of(const Rect& defined) const {
+    Rect window = place.window;
+    if (defined.empty() || least.empty())
+        return window;
+    if (defined.x1 == least.x1)
+        window.x1 = least.x1;
+    if (defined.y0 == least.y0)
+        window.y0 = least.y0;
+    return window;
+}
+
+Rect Windows::needed(const Rect& box, Holes holes) const {
+    const Rect usual = host::needed(place, box, holes);
+    host::Placing shorter = place;
+    // Tiles are counted from the upper side, so that all of them lie elsewhere then.
+    shorter.window.y0 = least.y0;
+    const Rect other = host::needed(shorter, box, holes);
+    if (usual.empty() || other.empty())
+        return usual;
+    return {std::min(usual.x0, other.x0), std::min(usual.y0, other.y0),
+            std::max(usual.x1, other.x1), std::max(usual.y1, other.y1)};
+}
+
 Windows windows_of(const RectD& region, const PixelScale& scale, const PixelScale& at_full_scale,
                    const Settings& settings, bool zoom) {
     Windows w;
     const Rect& window = w.place.window = to_pixels(region, scale);
+    w.least = window;
+    w.least.x1 = std::min(window.x1, host::begin_of(region.x2 * scale.x, 0));
+    w.least.y0 = std::max(window.y0, -host::begin_of(region.y2 * scale.y, 0));
     if (!w.bounded()) {
         w.place = host::onto(window, window);
         return w;

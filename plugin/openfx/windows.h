@@ -18,6 +18,15 @@ struct PixelScale {
 
 struct Windows {
     host::Placing place; ///< window, full: the regions of definition of source and output
+    /// The window of a host that rounds its right and its upper side down, and not, as most do, up
+    /// to all that the region touches.
+    Rect least;
+
+    /// The window of an image that is said to be a part of `defined`. Sides that are neither of the
+    /// window nor of the least one count for nothing: hosts that say them do not mean pixels.
+    Rect window_of(const Rect& defined) const;
+    /// See host::needed(); of either window, as the image that tells which is not there yet.
+    Rect needed(const Rect& box, Holes holes) const;
 
     /// Whether there is a picture, and not an endless one, as that of a constant.
     bool bounded() const { return !place.window.empty() && place.window.within_limits(); }

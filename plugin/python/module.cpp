@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The compiled part of the Python module; oiio_ddt/__init__.py gives it arrays of three dimensions.
+#include <algorithm>
 #include <cxxabi.h>
 #include <exception>
 #include <functional>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -62,8 +64,8 @@ Buffer buffer_of(const py::array& array, void* data, Sample sample, int x0, int 
         pause();
 }
 
-/// Whether the interpreter ends, or has ended. A thread that Python does not know, as workers are,
-/// would crash then where it asks for the lock from 3.14 on: it is given a state of what is gone.
+/// Whether the interpreter ends, or has ended. A thread may crash then where it asks for the lock:
+/// from 3.14 on it may be given a state of what is gone.
 bool is_ending() {
 #if PY_VERSION_HEX >= 0x030d0000
     return !Py_IsInitialized() || Py_IsFinalizing();
@@ -90,16 +92,35 @@ private:
     PyThreadState* m_thread;
 };
 
-/// Runs work without the interpreter's lock, and asks Python from time to time whether to go on.
+/// Asks Python from time to time whether work goes on that runs without the interpreter's lock. It
+/// asks on the thread that it was made on alone, which works with the others: there the caller may
+/// hold what no other thread is given, a lock, a connection to a database or a context, and there
+/// signals are seen if it is Python's main thread.
 class Watch {
 public:
     explicit Watch(py::object progress) : m_progress(std::move(progress)) {}
 
-    /// False: there is an exception, or the caller's function said so. Called on any thread;
-    /// signals are seen when it is Python's main thread, which works with the others.
+    /// False: there is an exception, or the caller's function said so. Called on any thread, one at
+    /// a time.
     bool operator()(float share) {
         if (is_ending())
             wait_for_the_end();
+        m_share = std::max(m_share, share); // a mesh's falls now and then
+        m_untold = std::this_thread::get_id() != m_thread;
+        return m_untold || ask();
+    }
+
+    /// Once all threads have ended, with the interpreter's lock: tell the last share if another
+    /// thread reached it, and raise what there is to raise.
+    void finish(bool done) {
+        if (done && m_untold)
+            ask();
+        if (m_exception)
+            std::rethrow_exception(m_exception);
+    }
+
+private:
+    bool ask() {
         std::optional<py::gil_scoped_acquire> lock;
         try {
             lock.emplace();
@@ -108,7 +129,7 @@ public:
             if (m_progress.is_none())
                 return true;
             // numpy's False is not Python's; functions without a return say None.
-            const py::object answer = m_progress(share);
+            const py::object answer = m_progress(m_share);
             const int on = answer.is_none() ? 1 : PyObject_IsTrue(answer.ptr());
             if (on < 0)
                 throw py::error_already_set();
@@ -123,13 +144,10 @@ public:
         }
     }
 
-    void rethrow() const {
-        if (m_exception)
-            std::rethrow_exception(m_exception);
-    }
-
-private:
     py::object m_progress;
+    const std::thread::id m_thread = std::this_thread::get_id();
+    float m_share = 0;
+    bool m_untold = false; ///< the last share, which another thread reached
     std::exception_ptr m_exception;
 };
 
@@ -174,7 +192,7 @@ void enlarge_array(const py::array& pixels, py::array& result, const std::string
         const Unlocked unlocked;
         outcome = enlarge(work, error);
     }
-    watch.rethrow();
+    watch.finish(outcome == ddt::Outcome::done);
     if (outcome != ddt::Outcome::done)
         raise(outcome, error);
 }
@@ -244,7 +262,7 @@ py::array mesh_of(const py::array& pixels, const std::string& sample, const std:
         const ddt::Tell told = std::ref(watch);
         outcome = make_mesh(work, told, mesh, error);
     }
-    watch.rethrow();
+    watch.finish(outcome == ddt::Outcome::done);
     if (outcome != ddt::Outcome::done)
         raise(outcome, error);
     py::array_t<int32_t> triangles({py::ssize_t(mesh.triangles.size()), py::ssize_t(3)});

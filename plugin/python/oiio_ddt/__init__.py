@@ -64,9 +64,12 @@ def enlarge(
               as in linear light; "linear" has its bits then.)
     alpha     "associated": colour is multiplied by alpha already. "unassociated": it is not, as
               in a PNG; colour where alpha is 0 does not show.
-    threads   How many to use; 0 or less: as many as there are cores.
-    progress  Called now and then with the share done, 0 to 1; if it returns False, or what is false
-              and not None, the work ends with Cancelled, if it raises, with that exception.
+    threads   How many to use; 0 or less: as many as there are processors that the process may run
+              on, or fewer where a container's quota says so.
+    progress  Called now and then, on the thread of the call, with the share done, 0 to 1; if it
+              returns False, or what is false and not None, the work ends with Cancelled, if it
+              raises, with that exception. Never called for a copy, as by scale=1 without
+              holes=fill.
 
     Returns a new C-contiguous array of the same dtype and number of dimensions. Raises ValueError
     or TypeError for what is not allowed, MemoryError, RuntimeError for a device that cannot be
@@ -74,6 +77,7 @@ def enlarge(
     """
     pixels, dtype, sample = _as_pixels(array)
     _check_texts(filter=filter, light=light)
+    _check_progress(progress)
     height, width = pixels.shape[:2]
     full = _full_size(width, height, scale, size)
     x0, y0, x1, y1 = _checked_roi(roi, full)
@@ -107,6 +111,7 @@ def mesh(
         raise TypeError(f"ddt: dtype {dtype} is not allowed for a mesh, as of object IDs; "
                         "allowed are floats and integers of 8 and 16 bits")
     _check_texts(filter=filter, light=light)
+    _check_progress(progress)
     return _ddt.mesh(pixels, sample, filter, _light_of(dtype, light), _is_associated(alpha),
                      progress)
 
@@ -162,6 +167,11 @@ def _check_texts(filter: Any, light: Any) -> None:
         except UnicodeEncodeError:
             raise ValueError(f"ddt: {name} {_shown(text)} is not allowed; allowed are texts that "
                              "UTF-8 can hold") from None
+
+
+def _check_progress(progress: Any) -> None:
+    if not (progress is None or callable(progress)):
+        raise TypeError(f"ddt: progress {_shown(progress)} is not allowed; allowed are functions")
 
 
 def _whole_numbers(name: str, numbers: Any, allowed: str) -> Tuple[int, ...]:

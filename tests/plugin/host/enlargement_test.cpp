@@ -452,6 +452,8 @@ TEST(Enlargement, AFiltersOptionsReachTheWork) {
     ASSERT_TRUE(set_filter("ddt", "sRGB", work, error)) << error;
     EXPECT_EQ(work.holes, ddt::Holes::keep);
     EXPECT_TRUE(work.meaning.light->converts());
+    EXPECT_FALSE(set_filter("ddt,light=sRGB", "bright", work, error));
+    EXPECT_FALSE(set_filter("ddt,light=bright", "sRGB", work, error));
 }
 
 TEST(Enlargement, LightsHaveNames) {

@@ -103,6 +103,22 @@ TEST(Parameters, OutOfRangeTheNearestEndCounts) {
     }
 }
 
+// A curve that eases to 0 passes them.
+TEST(Parameters, SubnormalsAreZero) {
+    for (const Parameter& p : parameters())
+        if (p.kind == OptionKind::real)
+            for (const double value : {1e-39, -1e-39, 1e-45, 1e-46, 1e-300, 5e-324}) {
+                EXPECT_EQ(item(p, value), item(p, 0)) << p.option->key << " " << value;
+                parsed("ddt" + item(p, value));
+            }
+    const auto all = parameters();
+    const auto blur = std::find_if(all.begin(), all.end(), [](const Parameter& p) {
+        return std::string(p.option->key) == "blur";
+    });
+    ASSERT_NE(blur, all.end());
+    EXPECT_NE(item(*blur, double(std::numeric_limits<float>::min())), item(*blur, 0));
+}
+
 TEST(Parameters, BetweenNumbersThatStandForSomethingTheNearestCounts) {
     for (const Parameter& p : parameters()) {
         if (p.kind != OptionKind::real || p.initial != filters_own)

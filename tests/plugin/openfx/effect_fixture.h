@@ -52,6 +52,18 @@ inline bool same_pixels(Picture& p, const ImageBuf& wanted) {
     return true;
 }
 
+/// The part of a picture that lies in the box.
+inline Picture cut(Picture& whole, const Rect& box) {
+    Picture part = whole;
+    part.box = ddt::intersection(whole.box, box);
+    part.allocate();
+    const size_t pixel = size_t(whole.channels) * whole.number_bytes();
+    for (int y = part.box.y0; y < part.box.y1; ++y)
+        std::memcpy(part.row(y), whole.row(y) + size_t(part.box.x0 - whole.box.x0) * pixel,
+                    part.row_bytes());
+    return part;
+}
+
 class OpenFx : public testing::Test {
 protected:
     /// A loaded host with an instance whose source is `image` with the corner (x0, y0).

@@ -18,23 +18,15 @@ TEST_F(OpenFx, PiecesAreCropsAndOnlyTheRegionOfInterestIsRead) {
     render_whole(157);
     EXPECT_TRUE(same_pixels(effect->output, wanted));
     // What is outside of the region of interest may as well not be there.
-    const Picture whole = effect->source, large = effect->output;
+    Picture all = effect->output;
     RectD roi{};
     ASSERT_EQ(effect->region_of_interest({1100, 20, 1150, 40}, roi), ddt::ofx::ok);
-    Picture part = whole;
-    part.box = {int(roi.x1), int(roi.y1), int(roi.x2), int(roi.y2)};
-    ASSERT_LT(part.box.width(), 400);
-    part.allocate();
-    Picture from = whole;
-    for (int y = part.box.y0; y < part.box.y1; ++y)
-        std::memcpy(part.row(y), from.row(y) + size_t(part.box.x0) * 12, part.row_bytes());
-    effect->source = part;
+    effect->source = cut(effect->source, {int(roi.x1), int(roi.y1), int(roi.x2), int(roi.y2)});
+    ASSERT_LT(effect->source.box.width(), 400);
     effect->output.box = {1100, 20, 1150, 40};
     effect->output.allocate();
     ASSERT_EQ(effect->render(effect->output.box), ddt::ofx::ok);
-    Picture all = large;
-    for (int y = 20; y < 40; ++y)
-        EXPECT_EQ(std::memcmp(effect->output.row(y), all.row(y) + 1100 * 12, 50 * 12), 0);
+    EXPECT_EQ(effect->output.bytes, cut(all, effect->output.box).bytes);
 }
 
 TEST_F(OpenFx, OtherOriginsAndOptions) {
@@ -129,6 +121,50 @@ TEST_F(OpenFx, AProxyIsEnlargedByItself) {
     effect->output.allocate();
     ASSERT_EQ(effect->render(effect->output.box, 0.5), ddt::ofx::ok);
     EXPECT_TRUE(same_pixels(effect->output, images::enlarged(image, 62, 42, with_light("linear"))));
+}
+
+/// Half of 101 x 81 pixels, of a host that makes 50 x 40 of them.
+TEST_F(OpenFx, AProxyThatWasRoundedDownHasNoFadedEdge) {
+    for (const bool white : {true, false}) {
+        ImageBuf image = photograph(50, 40, 3, TypeDesc::FLOAT);
+        if (white)
+            images::fill(image, [](int, int, int) { return 1.0f; });
+        open(natron, image);
+        effect->source_region = {0, 0, 101, 81};
+        effect->source_defined = effect->source.box;
+        effect->output = effect->source;
+        effect->output.box = {0, 0, 101, 81};
+        effect->output.allocate();
+        ASSERT_EQ(effect->render(effect->output.box, 0.5), ddt::ofx::ok);
+        Picture sharp = cut(effect->output, {0, 0, 100, 80});
+        EXPECT_TRUE(same_pixels(sharp, images::enlarged(image, 100, 80, with_light("linear"))));
+        const auto* numbers = reinterpret_cast<const float*>(effect->output.bytes.data());
+        const auto count = ptrdiff_t(effect->output.bytes.size() / sizeof(float));
+        if (white) {
+            EXPECT_EQ(std::count(numbers, numbers + count, 1.0f), count);
+        }
+    }
+}
+
+/// Nothing, canonical coordinates, the pixels of a tile.
+TEST_F(OpenFx, ARegionThatIsNotTheImagesCountsForNothing) {
+    const ImageBuf image = photograph(51, 41, 3, TypeDesc::FLOAT);
+    std::vector<char> usual;
+    for (const std::optional<Rect>& defined :
+         {std::optional<Rect>{}, std::optional<Rect>{{0, 0, 0, 0}},
+          std::optional<Rect>{{0, 0, 101, 81}}, std::optional<Rect>{{0, 0, 30, 20}},
+          std::optional<Rect>{{0, 0, 51, 41}}}) {
+        open(natron, image);
+        effect->source_region = {0, 0, 101, 81};
+        effect->source_defined = defined;
+        effect->output = effect->source;
+        effect->output.box = {0, 0, 101, 81};
+        effect->output.allocate();
+        ASSERT_EQ(effect->render(effect->output.box, 0.5), ddt::ofx::ok);
+        if (usual.empty())
+            usual = effect->output.bytes;
+        EXPECT_EQ(effect->output.bytes, usual);
+    }
 }
 
 TEST_F(OpenFx, LessThanTheSourcesSizeIsTheSource) {
@@ -310,6 +346,12 @@ TEST_F(OpenFx, DescribesItself) {
             for (const char* range : {"OfxParamPropMin", "OfxParamPropMax",
                                       "OfxParamPropDisplayMin", "OfxParamPropDisplayMax"})
                 EXPECT_EQ(param.properties.values.count(range), 1u) << name << range;
+            if (param.type == "OfxParamTypeInteger")
+                continue;
+            EXPECT_EQ(param.properties.at<int>("OfxParamPropDigits"), 4) << name;
+            EXPECT_EQ(param.properties.at<double>("OfxParamPropIncrement"),
+                      name == "scale" || name == "scale_y" ? 0.1 : 0.01)
+                << name;
         }
 }
 

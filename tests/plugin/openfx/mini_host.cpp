@@ -102,6 +102,11 @@ int clip_get_property_set(ofx::Clip clip, ofx::Properties* p) {
     *p = handle(&behind.effect->clips.at(behind.name));
     return ofx::ok;
 }
+void put_box(Properties& properties, const char* name, const Rect& box) {
+    const int sides[] = {box.x0, box.y0, box.x1, box.y1};
+    for (int i = 0; i < 4; ++i)
+        properties.put(name, sides[i], i);
+}
 int clip_get_image(ofx::Clip clip, double, const ofx::RectD*, ofx::Properties* p) {
     auto& behind = *reinterpret_cast<ClipBehind*>(clip);
     Effect& effect = *behind.effect;
@@ -117,9 +122,9 @@ int clip_get_image(ofx::Clip clip, double, const ofx::RectD*, ofx::Properties* p
     image->put("OfxImagePropData", static_cast<void*>(picture.row(picture.box.y0)));
     const int row = int(picture.row_bytes());
     image->put("OfxImagePropRowBytes", picture.rows_reversed ? -row : row);
-    const int sides[] = {picture.box.x0, picture.box.y0, picture.box.x1, picture.box.y1};
-    for (int i = 0; i < 4; ++i)
-        image->put("OfxImagePropBounds", sides[i], i);
+    put_box(*image, "OfxImagePropBounds", picture.box);
+    if (behind.name == "Source" && effect.source_defined)
+        put_box(*image, "OfxImagePropRegionOfDefinition", *effect.source_defined);
     ++effect.images_held;
     image->put("effect", static_cast<void*>(&effect));
     *p = handle(image);
@@ -328,9 +333,7 @@ int take_region(const Properties& out, const char* name, int status, ofx::RectD&
 int Effect::render(const Rect& upwards, double scale) {
     Properties in;
     put_scale(in, scale);
-    const int sides[] = {upwards.x0, upwards.y0, upwards.x1, upwards.y1};
-    for (int i = 0; i < 4; ++i)
-        in.put("OfxImageEffectPropRenderWindow", sides[i], i);
+    put_box(in, "OfxImageEffectPropRenderWindow", upwards);
     return host.act("OfxImageEffectActionRender", this, &in);
 }
 

@@ -14,14 +14,35 @@ TEST(OpenFxWindows, AProxyIsEnlargedAsMuch) {
     for (const bool by_width : {false, true}) {
         Settings settings;
         settings.width = by_width ? 202 : 0;
-        const host::Placing place = windows_of(region, {0.5, 0.5}, {1, 1}, settings, false).place;
+        const Windows windows = windows_of(region, {0.5, 0.5}, {1, 1}, settings, false);
+        const host::Placing& place = windows.place;
         EXPECT_EQ(place.window, (Rect{0, -52, 51, 0}));
+        EXPECT_EQ(windows.least, (Rect{0, -51, 50, 0}));
         EXPECT_EQ(place.full, (Rect{0, -103, 101, 0}));
         EXPECT_EQ(place.to.width(), 2 * place.from.width());
         EXPECT_EQ(place.to.height(), 2 * place.from.height());
         EXPECT_EQ(place.from.x0, 0);
         EXPECT_EQ(place.to.x0, 0);
     }
+}
+
+/// Whose tiles lie a pixel lower.
+TEST(OpenFxWindows, WhatAProxyThatIsRoundedDownNeedsIsAskedFor) {
+    const Windows windows = windows_of({0, 0, 601, 2801}, {0.5, 0.5}, {1, 1}, {}, false);
+    EXPECT_EQ(windows.window_of({0, -1400, 300, 0}), windows.least);
+    host::Placing rounded_down = windows.place;
+    rounded_down.window = windows.least;
+    int others = 0;
+    for (int y = -2801; y < 0; y += 50) {
+        const Rect part{20, y, 40, y + 50};
+        const Rect wanted = host::needed(rounded_down, part);
+        const Rect asked = windows.needed(part, Holes::keep);
+        EXPECT_EQ(intersection(asked, wanted), wanted) << y;
+        const Rect usual = host::needed(windows.place, part);
+        EXPECT_EQ(intersection(asked, usual), usual) << y;
+        others += !(intersection(usual, wanted) == wanted);
+    }
+    EXPECT_GT(others, 0);
 }
 
 /// As Natron finds the pixels that a canonical region touches.
