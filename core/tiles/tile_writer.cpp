@@ -194,8 +194,9 @@ Outcome TileWriter::wrote(const Rect& r) {
 }
 
 void TileWriter::report_written() {
-    const int64_t all = int64_t(m_meshed->output.area()) * m_job.channels;
-    if (m_state && m_written > 0 && all > told_numbers)
+    // Of numbers there may be more than 2^63.
+    const double all = double(m_meshed->output.area()) * m_job.channels;
+    if (m_state && m_written > 0 && all > double(told_numbers))
         m_state->wrote(m_written, all, m_meshed->index);
     m_written = 0;
 }
