@@ -12,6 +12,14 @@ namespace ddt {
 /// it is asked for one band after the other, from the top downwards.
 class BandSpans {
 public:
+    /// Columns of a row.
+    struct Span {
+        int x0, x1;
+        bool empty() const { return x0 >= x1; }
+    };
+    /// The bytes that this takes for so many rows of output.
+    static size_t memory(int rows) { return size_t(rows) * 2 * sizeof(Span); }
+
     /// Of output pixels of `all`, which are those of the bands that follow and maybe others.
     void begin(const Rect& all);
 
@@ -21,10 +29,6 @@ public:
     int y0() const { return m_y0; }
     int y1() const { return m_y1; }
     /// Columns, of which the others of row y have none.
-    struct Span {
-        int x0, x1;
-        bool empty() const { return x0 >= x1; }
-    };
     Span row(int y) const;
 
     /// Whether row(y) holds all that is left of the row for this band and those that follow, as it

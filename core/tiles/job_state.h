@@ -38,14 +38,14 @@ public:
     bool is_done(int tile) const { return next_row(tile) == INT_MAX; }
 
     /// So many more numbers of a tile's result, which has `all`, are written.
-    void wrote(int64_t numbers, int64_t all, int tile) {
+    void wrote(int64_t numbers, double all, int tile) {
         if (!m_job.progress)
             return;
         const std::lock_guard<std::mutex> lock(m_mutex);
         Part& part = m_parts[tile];
         const int64_t before = part.numbers;
         part.numbers += numbers;
-        const auto units = int64_t(double(part.numbers) / double(all) * double(units_of_tile));
+        const auto units = int64_t(double(part.numbers) / all * double(units_of_tile));
         m_units += units - part.units;
         part.units = units;
         if (part.numbers / told_numbers != before / told_numbers)

@@ -61,6 +61,15 @@ Rect reach_of(const Tile& tile, const Rect& window, const Mapping& mapping) {
                          tile.last_y ? beyond : tile.cells.y1);
 }
 
+int most_rows_of_a_tile(const Rect& window, const Mapping& mapping) {
+    const Grid grid = shown_tiles(window, mapping);
+    int most = 0;
+    for (int i = 0; i < grid.count(); ++i)
+        if (const Rect reach = reach_of(grid.tile(i), window, mapping); !reach.empty())
+            most = std::max(most, reach.height());
+    return most;
+}
+
 Grid shown_tiles(const Rect& window, const Mapping& mapping) {
     const Grid all(window);
     if (all.count() == 1)

@@ -18,6 +18,9 @@ Rect output_of(const Mapping& mapping);
 /// Output pixels whose positions the tile may serve; empty if the mapping shows none of it.
 Rect reach_of(const Tile& tile, const Rect& window, const Mapping& mapping);
 
+/// Rows of the largest of these among the window's tiles.
+int most_rows_of_a_tile(const Rect& window, const Mapping& mapping);
+
 /// The block of the window's tiles outside which the mapping shows nothing of it.
 Grid shown_tiles(const Rect& window, const Mapping& mapping);
 

@@ -63,10 +63,12 @@ MemoryNeeded TileWriter::memory(const Job& job, const Mapping& mapping, int widt
     // Where positions come in any order, a run of them may be as long as a panel.
     const size_t made = grid ? size_t(pixels.rows) * columns * size_t(job.channels) : strip_floats;
     const size_t out = std::max(handed_floats, made) + row_padding;
+    const size_t spans = grid ? 0 : BandSpans::memory(most_rows_of_a_tile(job.window, mapping));
     return size_t(job.mesh.meshes) *
                TileSurface::memory(job, width, height, grid ? 1 : cells_in_band(job.channels)) +
            MemoryNeeded{0, (job.mesh.meshes > 1 ? 2 : 1) * out * sizeof(float) +
-                               columns * (sizeof(Position) + sizeof(Point) + sizeof(float))};
+                               columns * (sizeof(Position) + sizeof(Point) + sizeof(float)) +
+                               spans};
 }
 
 TileWriter::TileWriter(Sink& sink, const Mapping& mapping, const Job& job, StageTimes& times,
@@ -192,8 +194,9 @@ Outcome TileWriter::wrote(const Rect& r) {
 }
 
 void TileWriter::report_written() {
-    const int64_t all = int64_t(m_meshed->output.area()) * m_job.channels;
-    if (m_state && m_written > 0 && all > told_numbers)
+    // Of numbers there may be more than 2^63.
+    const double all = double(m_meshed->output.area()) * m_job.channels;
+    if (m_state && m_written > 0 && all > double(told_numbers))
         m_state->wrote(m_written, all, m_meshed->index);
     m_written = 0;
 }

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/image/lazy_file.h"
 
+#include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <vector>
 
+#include "core/base/parallel.h"
 #include "core/tiles/grid.h"
 #include "plugin/image/metadata.h"
+#include "plugin/image/windows.h"
+#include "plugin/message/format.h"
 
 namespace ddt {
 namespace {
@@ -40,12 +45,26 @@ IdleCaches& idle_caches() {
     return *caches;
 }
 
+/// Bytes that a cache must be allowed for an image, of which this is its spec: as the cache holds
+/// it, in tiles even if the file has none. Where it holds ten times what it may, the cache ends the
+/// program (check_max_mem() in OpenImageIO's imagecache.cpp). It holds what it may, the tile that
+/// was just read and, for each thread, the two that the thread used last; or, where it may hold the
+/// whole image, no more than that. Two at least, or no tile would stay until it is used again.
+double bytes_needed(const OIIO::ImageSpec& cached, int threads) {
+    const auto count = [](int size, int tile) { return std::ceil(double(size) / double(tile)); };
+    const double all = count(cached.width, cached.tile_width) *
+                       count(cached.height, cached.tile_height),
+                 beside = 2.0 * threads + 1;
+    return std::min(all, std::max(2.0, beside / 9)) * double(cached.tile_width) *
+           double(cached.tile_height) * double(cached.nchannels) * double(cached.format.size());
+}
+
 } // namespace
 
 LazyFile::LazyFile(const std::string& path, int subimage, const Pieces& pieces,
                    const OIIO::ImageSpec* hints)
-    : m_path(path), m_cache(idle_caches().take()) {
-    m_cache->attribute("max_memory_MB", pieces.megabytes);
+    : m_path(path), m_megabytes(pieces.megabytes), m_cache(idle_caches().take()) {
+    m_cache->attribute("max_memory_MB", m_megabytes);
     m_cache->attribute("autotile", tile_size);
     m_cache->attribute("autoscanline", int(pieces.whole_rows));
     m_cache->attribute("forcefloat", 0);
@@ -61,6 +80,19 @@ LazyFile::~LazyFile() {
     m_image.reset();
     m_cache->invalidate(OIIO::ustring(m_path), true); // closed, and its tiles gone
     idle_caches().give_back(m_cache);
+}
+
+bool LazyFile::make_room(int threads, std::string& error) {
+    const OIIO::ImageSpec& cached = m_image->spec();
+    const double bytes = bytes_needed(cached, std::max(usual_threads(), threads_for(threads)));
+    if (bytes < std::ldexp(m_megabytes, 20))
+        return true;
+    if (!check_memory(format("reading \"{}\" in tiles of {} x {} pixels", m_path, cached.tile_width,
+                             cached.tile_height),
+                      bytes, error))
+        return false;
+    m_cache->attribute("max_memory_MB", int(std::ldexp(bytes, -20)) + 1);
+    return true;
 }
 
 bool is_unchanged(const OIIO::ImageSpec& before, const OIIO::ImageSpec& now,

@@ -17,8 +17,8 @@ using CacheHandle = decltype(OIIO::ImageCache::create(false));
 /// and empty the one they share.
 class LazyFile {
 public:
-    /// What the cache keeps, at most, and in which pieces it reads a file that has no tiles:
-    /// squares of the mesh's grid, or whole rows of them.
+    /// What the cache keeps, at most, unless make_room() finds that too little, and in which pieces
+    /// it reads a file that has no tiles: squares of the mesh's grid, or whole rows of them.
     struct Pieces {
         int megabytes = 128;
         bool whole_rows = false;
@@ -33,11 +33,18 @@ public:
     LazyFile(const LazyFile&) = delete;
     LazyFile& operator=(const LazyFile&) = delete;
 
+    /// Let the cache keep what so many threads (0: the usual number) take of tiles as large as the
+    /// file's. To be called before they ask for pixels: OpenImageIO ends the program where a cache
+    /// holds far more than it may. False with one line in `error` if that is more memory than is
+    /// allowed: a file may claim tiles of any size.
+    bool make_room(int threads, std::string& error);
+
     OIIO::ImageBuf& image() { return *m_image; }
     const OIIO::ImageBuf& image() const { return *m_image; }
 
 private:
     std::string m_path;
+    int m_megabytes;
     CacheHandle m_cache; // older than the image, which uses it until its end
     std::unique_ptr<OIIO::ImageBuf> m_image;
 };

@@ -12,6 +12,7 @@
 #include "core/base/half.h"
 #include "plugin/image/cached_reads.h"
 #include "plugin/image/channels.h"
+#include "plugin/image/file_tiles.h"
 #include "plugin/image/own_tasks.h"
 #include "plugin/message/format.h"
 
@@ -102,13 +103,14 @@ struct CachedTiles {
     explicit CachedTiles(const OIIO::ImageBuf& image) {
         const OIIO::ImageSpec& file = image.nativespec();
         width = file.tile_width, height = file.tile_height;
-        if (width > 0 && height > 0)
-            return;
-        int side = 0, by_rows = 0;
-        image.imagecache()->getattribute("autotile", side);
-        image.imagecache()->getattribute("autoscanline", by_rows);
-        width = side > 0 && by_rows == 0 ? side : file.width;
-        height = side > 0 ? side : file.height;
+        if (width < 1 || height < 1) {
+            int side = 0, by_rows = 0;
+            image.imagecache()->getattribute("autotile", side);
+            image.imagecache()->getattribute("autoscanline", by_rows);
+            width = side > 0 && by_rows == 0 ? side : file.width;
+            height = side > 0 ? side : file.height;
+        }
+        width = tile_side(width, file.width), height = tile_side(height, file.height);
     }
 
     /// Call f(part) for each part of `roi` that one tile has, where the file begins at (x, y),

@@ -29,7 +29,7 @@ bool SourceImage::open(const std::string& path, OIIO::ImageInput& input, int sub
         const OIIO::ImageBuf& image = m_file->image();
         if (const OIIO::ImageSpec& now = image.nativespec(); image.has_error())
             error = format("cannot read \"{}\": {}", path, image.geterror());
-        else if (is_unchanged(spec, now, path, error))
+        else if (is_unchanged(spec, now, path, error) && m_file->make_room(0, error))
             return true;
         error = "ddt: " + error;
         return false;

@@ -9,6 +9,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/image/file_tiles.h"
 #include "plugin/image/metadata.h"
 #include "plugin/image/source.h"
 #include "plugin/image/windows.h"
@@ -54,8 +55,9 @@ private:
 
 /// [begin, end) cut to the file's pixels along an axis and extended to whole tiles.
 void to_tiles(int first, int size, int tile, int& begin, int& end) {
-    begin = std::max(begin - first, 0) / tile * tile;
-    end = std::min((std::min(end - first, size) + tile - 1) / tile * tile, size);
+    const int side = tile_side(tile, size);
+    begin = std::max(begin - first, 0) / side * side;
+    end = std::min(rounded_up(std::min(end - first, size), side), size);
     begin += first;
     end += first;
 }

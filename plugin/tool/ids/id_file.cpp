@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "plugin/image/file_tiles.h"
 #include "plugin/image/windows.h"
 #include "plugin/tool/file/picture.h"
 
@@ -68,8 +69,7 @@ bool IdFile::read(const Rect& wanted, OIIO::ImageBuf& ids, std::string& error) {
     spec.height = r.height();
     if (!take_memory(ids, spec, error))
         return false;
-    const int together = file.tile_width > 0 ? file.tile_height : 1,
-              rows = (rows_at_once + together - 1) / together * together;
+    const int rows = rounded_up(rows_at_once, tile_side(file.tile_height, file.height));
     char* to = static_cast<char*>(ids.localpixels());
     for (int y = r.y0; y < r.y1; y += rows, to += spec.scanline_bytes() * size_t(rows))
         if (!read_some({r.x0, y, r.x1, std::min(y + rows, r.y1)}, to, error))

@@ -224,7 +224,7 @@ bool load(PartFile& part, int y, const Held& held, Failure& failure) {
     const OIIO::ImageSpec& spec = part.input->spec();
     const int height = spec.tile_height;
     part.y0 = part.window.y0 + (y - part.window.y0) / height * height;
-    part.y1 = std::min(part.y0 + height, part.window.y1);
+    part.y1 = part.y0 + std::min(height, part.window.y1 - part.y0);
     part.tiles.resize(held.pixel * size_t(part.window.width()) * size_t(height));
     if (!part.input->read_tiles(0, 0, part.window.x0, part.window.x1, part.y0, part.y1, 0, 1, 0,
                                 spec.nchannels, held.type, part.tiles.data()))

@@ -283,6 +283,10 @@ struct PartJob {
         }
         if (!check_image(image(), image_name(path), settings.options, failure))
             return false;
+        if (!file.make_room(settings.threads, failure.why)) {
+            failure.code = code_of_message(failure.why);
+            return false;
+        }
         from = spec_of_file(image());
         if (!plan_result(from, settings, whole, failure))
             return false;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "plugin/image/file_tiles.h"
 #include "plugin/image/lazy_file.h"
 #include "plugin/image/metadata.h"
 #include "plugin/image/windows.h"
@@ -21,10 +22,11 @@ constexpr size_t bytes_at_once = size_t(8) << 20;
 
 /// A multiple of those that the format keeps together.
 int rows_at_once(const OIIO::ImageSpec& spec) {
-    const int together = spec.tile_width > 0 ? spec.tile_height : rows_in_strip(spec);
+    const int together =
+        spec.tile_width > 0 ? tile_side(spec.tile_height, spec.height) : rows_in_strip(spec);
     const int wanted =
         std::max(least_rows, int(bytes_at_once / std::max<size_t>(spec.scanline_bytes(), 1)));
-    return (wanted + together - 1) / together * together;
+    return rounded_up(wanted, together);
 }
 
 /// Whether there are rows of pixels that follow one another as they are in memory, of one type.
@@ -72,16 +74,17 @@ RowReader::~RowReader() {
 
 void RowReader::work() {
     const int end = m_spec.y + m_spec.height, rows = rows_at_once(m_spec);
-    for (int y = m_spec.y; y < end; y = std::min(y + rows, end)) {
+    for (int y = m_spec.y, next = y; y < end; y = next) {
+        next = y + std::min(rows, end - y);
         bool done = false;
         std::string error = "out of memory";
         try {
-            done = read(y, std::min(y + rows, end), error);
+            done = read(y, next, error);
         } catch (const std::exception&) { // it is that
         }
         const std::lock_guard lock(m_mutex);
         if (done)
-            m_ready = std::min(y + rows, end);
+            m_ready = next;
         else
             m_error = error;
         m_failed = !done;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "plugin/image/file_tiles.h"
+
 namespace ddt::tool {
 
 namespace {
@@ -15,7 +17,7 @@ constexpr int rows_together = 64;
 int step_of(const OIIO::ImageSpec& image, const OIIO::ImageSpec& file) {
     if (file.tile_width == 0)
         return rows_together * rows_in_strip(image);
-    return (rows_together + file.tile_height - 1) / file.tile_height * file.tile_height;
+    return rounded_up(rows_together, tile_side(file.tile_height, file.height));
 }
 
 } // namespace

@@ -220,6 +220,17 @@ TEST(Memory, AWorkerTakesWhatIsSaidOfIt) {
     EXPECT_LE(peak_of(job_of("ddt-sharp", window, 3, 1), turned), 9 * mib);
 }
 
+TEST(Memory, OfPositionsInAnyOrderRowsAreCounted) {
+    warm_up(1);
+    const Rect tall{0, 0, 1, 1 << 20};
+    const Job job = job_of("ddt", {0, 0, 2, 3}, 1, 1);
+    const ResizeMapping resized = mapping_of(job.window, tall, tall);
+    const Opaque turned(resized);
+    const int64_t peak = peak_of(job, turned);
+    EXPECT_GE(peak, 16 * mib);
+    EXPECT_LE(peak, memory_said(job, turned));
+}
+
 /// Noise, until so many threads write at once, or for a minute; fails then.
 class Crowd final : public Source, public Sink {
 public:

@@ -124,6 +124,18 @@ TEST(CrewSize, AllThreadsWorkOnEightChannelsOfPlainFiltersInAnyOrder) {
     }
 }
 
+TEST(CrewSize, RowsOfPositionsInAnyOrderTakeMemory) {
+    // A row of tiles has 4 million rows of the result, for which a thread takes 64 MiB.
+    Large tall("ddt", 1);
+    tall.job.window = {0, 0, 1024, 257};
+    tall.to = {0, 0, 1024, 1 << 22};
+    const ResizeMapping mapping = tall.mapping();
+    EXPECT_EQ(tall.of(40).members, 40u);
+    const size_t members = crew_size(Opaque(mapping), tall.job, Grid(tall.job.window), 40).members;
+    EXPECT_GE(members, 2u);
+    EXPECT_LE(members * 64 * mib, limit(40));
+}
+
 TEST(CrewSize, NoMoreThanThereIsWorkFor) {
     Large one("ddt", 3);
     one.job.window = {0, 0, 100, 100};

@@ -254,6 +254,40 @@ TEST(WorkOnCpu, ProgressOfSeveralLargeTilesNeverFalls) {
     }
 }
 
+/// Shows the source's first pixel and nothing else.
+class FirstPixel final : public Mapping {
+public:
+    explicit FirstPixel(const Rect& out) : m_out(out) {}
+    Rect reach(double, double, double, double) const override { return m_out; }
+    void row(int, int x0, int x1, Position* positions, uint8_t* inside) const override {
+        std::fill(positions, positions + (x1 - x0), Position{});
+        std::fill(inside, inside + (x1 - x0), uint8_t(1));
+    }
+
+private:
+    Rect m_out;
+};
+
+TEST(WorkOnCpu, ProgressIsToldOfResultsOfMoreNumbersThanAnIntegerHolds) {
+    constexpr int channels = 1 << 14;
+    TestSource source({0, 0, 2, 2}, channels, 1);
+    const FirstPixel mapping({-(1 << 29), 0, 1 << 29, 1 << 19}); // 2^63 numbers
+    Job job = job_of(source, channels, 1);
+    set_filter("ddt", job);
+    job.device = Device::cpu;
+    int told = 0;
+    job.progress = [&](float) { return ++told < 2; };
+    class Sparing final : public Sink {
+        int64_t m_numbers = 0;
+        bool write(const Rect& r, float*) override {
+            m_numbers += int64_t(r.area()) * channels;
+            return m_numbers < 4 * told_numbers;
+        }
+    } sink;
+    EXPECT_EQ(enlarge(source, sink, mapping, job), Outcome::cancelled);
+    EXPECT_EQ(told, 2);
+}
+
 TEST(JobState, SharesNeitherFallNorReachOneBeforeTheEnd) {
     constexpr int tiles = 5000;
     Job job;
