@@ -343,6 +343,22 @@ bool write_part(const PartJob& job, const std::string& out, const ResizeSettings
     return true;
 }
 
+/// Whether the tile that was written last can be read, which it cannot where a file was cut off.
+bool has_last_tile(OIIO::ImageInput& file) {
+    const OIIO::ImageSpec& spec = file.spec();
+    if (spec.tile_width <= 0 || spec.width <= 0 || spec.height <= 0)
+        return false;
+    const auto last = [](int first, int size, int tile) {
+        return first + (size - 1) / tile * tile;
+    };
+    std::vector<char> pixels(spec.tile_bytes(true));
+    const bool read =
+        file.read_native_tile(0, 0, last(spec.x, spec.width, spec.tile_width),
+                              last(spec.y, spec.height, spec.tile_height), spec.z, pixels.data());
+    file.geterror(); // 3.x prints what nobody asked for
+    return read;
+}
+
 } // namespace
 
 bool is_part_there(const std::string& in, const std::string& out, const ResizeSettings& settings,
@@ -359,7 +375,7 @@ bool is_part_there(const std::string& in, const std::string& out, const ResizeSe
     PartJob job(in);
     Failure ignored; // whoever makes the part tells
     return job.plan(settings, part, ignored) && job.header.job == there.job &&
-           part.index == there.part.index && part.count == there.part.count;
+           part.index == there.part.index && part.count == there.part.count && has_last_tile(*file);
 }
 
 bool resize_part(const std::string& in, const std::string& out, const ResizeSettings& settings,

@@ -134,6 +134,21 @@ TEST(Parts, AreThereIfTheyAreOfTheSameResult) {
     EXPECT_FALSE(is_there(part));
 }
 
+TEST(Parts, ThatWereCutOffAreNotThere) {
+    const std::string in = temporary("cut_source.exr"), out = temporary("cut_part.exr");
+    ASSERT_TRUE(OIIO::ImageBuf(OIIO::ImageSpec(300, 600, 1, OIIO::TypeHalf)).write(in));
+    ResizeSettings settings;
+    settings.size = "200%";
+    settings.threads = 1;
+    Failure failure;
+    ASSERT_TRUE(resize_part(
+        in, out, settings, {2, 3}, [](float) { return true; }, failure))
+        << failure.why;
+    ASSERT_TRUE(is_part_there(in, out, settings, {2, 3}));
+    std::filesystem::resize_file(out, std::filesystem::file_size(out) - 1);
+    EXPECT_FALSE(is_part_there(in, out, settings, {2, 3}));
+}
+
 TEST(Parts, OfASourceThatChangesMeanwhileAreNone) {
     const std::string in = temporary("part_changes.tif"), out = temporary("part_of_both.exr");
     OIIO::ImageBuf image(OIIO::ImageSpec(300, 600, 1, OIIO::TypeUInt8));
