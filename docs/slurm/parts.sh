@@ -9,7 +9,7 @@
 # part.
 set -euo pipefail
 [[ $# -ge 4 && $1 =~ ^[1-9][0-9]*$ ]] || { echo "usage: parts.sh N IN SIZE OUT [OPTIONS OF ddt resize]" >&2; exit 2; }
-rm -f "$4.joined-of-$1" # the mark of a join before, see join.sbatch
+rm -f -- "$4.joined-of-$1" # the mark of a join before, see join.sbatch
 here=$(dirname "$(readlink -f "$0")")
 parts=$(sbatch --parsable --array="1-$1" ${CPUS:+--cpus-per-task="$CPUS"} ${GPUS:+--gpus="$GPUS"} "$here/part.sbatch" "$@")
 sbatch --parsable --requeue --job-name=ddt-join --dependency="afterok:$parts" \

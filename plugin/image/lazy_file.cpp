@@ -95,13 +95,17 @@ bool LazyFile::make_room(int threads, std::string& error) {
     return true;
 }
 
+std::string why_changed(const std::string& path) {
+    return "\"" + path + "\" was changed while it was read";
+}
+
 bool is_unchanged(const OIIO::ImageSpec& before, const OIIO::ImageSpec& now,
                   const std::string& path, std::string& error) {
     if (before.roi() == now.roi() && before.roi_full() == now.roi_full() &&
         before.format == now.format && before.channelformats == now.channelformats &&
         before.tile_width == now.tile_width && before.tile_height == now.tile_height)
         return true;
-    error = "\"" + path + "\" was changed while it was read";
+    error = why_changed(path);
     return false;
 }
 

@@ -49,6 +49,9 @@ private:
     std::unique_ptr<OIIO::ImageBuf> m_image;
 };
 
+/// The error that a file's name became another's, or its bytes others, before all were read.
+std::string why_changed(const std::string& path);
+
 /// Whether a file that is opened again has pixels where it had them, of the same types: another may
 /// have been given its name meanwhile. False with one line in `error`.
 bool is_unchanged(const OIIO::ImageSpec& before, const OIIO::ImageSpec& now,

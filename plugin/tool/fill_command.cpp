@@ -6,6 +6,7 @@
 #include "plugin/tool/command/filter_flag.h"
 #include "plugin/tool/command/progress.h"
 #include "plugin/tool/commands.h"
+#include "plugin/tool/file/file_state.h"
 #include "plugin/tool/file/fit_format.h"
 #include "plugin/tool/file/image_file.h"
 #include "plugin/tool/file/picture.h"
@@ -49,8 +50,8 @@ bool read_unassociated(const std::string& path, ImageFile& file, OIIO::ImageBuf&
     return false;
 }
 
-/// Write the filled image as the file has it: in its window, with the IDs that are not to be
-/// filled.
+/// Write the filled image as the file has it, all but its name: in its window, with the IDs that
+/// are not to be filled.
 bool write_filled(const OIIO::ImageBuf& filled, const OIIO::ImageSpec& spec,
                   const OIIO::ImageSpec& of_file, MixedIds& ids, ImageFile& file,
                   Failure& failure) {
@@ -67,7 +68,7 @@ bool write_filled(const OIIO::ImageBuf& filled, const OIIO::ImageSpec& spec,
     note_lost_ids(of_file, file.output().spec(), file.path());
     RowWriter writer(image, file, ids);
     writer.ready(image.yend());
-    return writer.finish(progress, failure) && file.commit(failure);
+    return writer.finish(progress, failure);
 }
 
 class FillCommand final : public Command {
@@ -98,44 +99,62 @@ public:
     ExitCode run(const std::vector<std::string>& values) override {
         if (!m_filter_error.empty())
             return fail(m_filter_error, exit_usage);
-        OIIO::ImageBuf image, filled;
-        Failure failure;
-        if (!open_image(values[0], image, failure.why))
-            return fail(unreadable(values[0], failure.why));
-        if (!check_image(image, image_name(values[0]), m_options, failure))
-            return fail(failure);
-        const Missing missing = m_missing == "alpha" ? Missing::alpha : Missing::nan;
-        if (missing == Missing::alpha && channels_of(image.spec(), image.nativespec()).alpha < 0)
-            return fail("\"" + values[0] + "\" has no alpha");
+        const FileState source(values[0]);
         ImageFile file;
-        Unassociated in_file;
-        if (!file.create(values[1], failure) ||
-            !read_unassociated(values[0], file, image, in_file, failure))
-            return fail(failure);
-        const OIIO::ImageBuf& shown = in_file ? in_file.image() : image;
-        OIIO::ImageSpec spec;
-        if (!plan_file(shown, values[1], file, spec, failure))
-            return fail(failure);
-        MixedIds ids(values[0], 0, image, spec);
-        if (ids && !ids.put_into(image, failure.why))
-            return fail(failure.why, code_of_message(failure.why));
-        Progress progress("filling");
-        m_options.progress = std::ref(progress);
-        if (!ddt::fill(filled, image, m_options, missing)) {
-            progress.hide();
-            failure.why = filled.geterror();
-            return fail(failure.why, code_of_message(failure.why));
-        }
-        if (in_file)
-            in_file.put(image, filled);
-        if (!write_filled(in_file ? in_file.image() : filled, spec, shown.nativespec(), ids, file,
-                          failure))
+        Failure failure;
+        if (!source.confirm(fill(values[0], values[1], file, failure), failure) ||
+            !file.commit(failure))
             return fail(failure);
         note_others(values[0]);
         return exit_done;
     }
 
 private:
+    /// Fill the image of one file into the other, all but its name.
+    bool fill(const std::string& in, const std::string& out, ImageFile& file,
+              Failure& failure) const {
+        OIIO::ImageBuf image, filled;
+        if (!open_image(in, image, failure.why)) {
+            failure = unreadable(in, failure.why);
+            return false;
+        }
+        if (!check_image(image, image_name(in), m_options, failure))
+            return false;
+        const Missing missing = m_missing == "alpha" ? Missing::alpha : Missing::nan;
+        if (missing == Missing::alpha && channels_of(image.spec(), image.nativespec()).alpha < 0) {
+            failure = {"\"" + in + "\" has no alpha"};
+            return false;
+        }
+        Unassociated in_file;
+        if (!file.create(out, failure) || !read_unassociated(in, file, image, in_file, failure))
+            return false;
+        const OIIO::ImageBuf& shown = in_file ? in_file.image() : image;
+        OIIO::ImageSpec spec;
+        if (!plan_file(shown, out, file, spec, failure))
+            return false;
+        MixedIds ids(in, 0, image, spec);
+        if ((ids && !ids.put_into(image, failure.why)) ||
+            !fill_pixels(image, missing, filled, failure.why)) {
+            failure.code = code_of_message(failure.why);
+            return false;
+        }
+        if (in_file)
+            in_file.put(image, filled);
+        return write_filled(in_file ? in_file.image() : filled, spec, shown.nativespec(), ids, file,
+                            failure);
+    }
+
+    bool fill_pixels(const OIIO::ImageBuf& image, Missing missing, OIIO::ImageBuf& filled,
+                     std::string& error) const {
+        Progress progress("filling");
+        Options options = m_options;
+        options.progress = std::ref(progress);
+        if (ddt::fill(filled, image, options, missing))
+            return true;
+        error = filled.geterror();
+        return false;
+    }
+
     Options m_options;
     std::string m_missing = "nan", m_filter_error;
 };

@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <new>
 
@@ -84,9 +83,7 @@ ExitCode finish_output(ExitCode code) {
     const int number = errno;
     if (code != exit_done || reader_has_gone())
         return code;
-    return fail("the standard output cannot be written" +
-                    (number ? std::string(": ") + std::strerror(number) : ""),
-                exit_resources);
+    return fail(why_not_printed(number), exit_resources);
 }
 
 } // namespace

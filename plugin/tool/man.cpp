@@ -22,8 +22,9 @@ constexpr Code codes[] = {
                   "line on standard error tells. No unfinished file is left."},
     {exit_usage, "The command line is wrong. Nothing was done, but frames of a sequence for which "
                  "it was right."},
-    {exit_resources, "Memory, disk or device were wanting, or failed: trying again, or on another "
-                     "machine, may help. No unfinished file is left."},
+    {exit_resources, "Memory, disk, network or device were wanting, or failed, or a file was "
+                     "changed while it was read: trying again, or on another machine, may help. No "
+                     "unfinished file is left."},
 };
 
 constexpr const char* by_signal =

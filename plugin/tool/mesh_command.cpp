@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cstdio>
 
 #include <OpenImageIO/strutil.h>
 
@@ -182,11 +181,10 @@ private:
     static void print(const MeshReport& report) {
         const Statistics& s = report.statistics;
         const double pixels = double(s.pixels);
-        std::printf(
-            "cost a pixel %.6g before, %.6g after; %.3f flips and %.2f evaluations a pixel, "
-            "%d iterations\n",
-            report.cost_start / pixels, report.cost / pixels, double(s.flips) / pixels,
-            double(s.evaluations) / pixels, s.iterations);
+        tell(format("cost a pixel {:.6g} before, {:.6g} after; {:.3f} flips and {:.2f} evaluations "
+                    "a pixel, {} iterations",
+                    report.cost_start / pixels, report.cost / pixels, double(s.flips) / pixels,
+                    double(s.evaluations) / pixels, s.iterations));
     }
 
     Options m_options;

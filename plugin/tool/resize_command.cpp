@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdio>
-
 #include "plugin/message/format.h"
 #include "plugin/tool/command/filter_flag.h"
 #include "plugin/tool/command/progress.h"
@@ -123,8 +121,8 @@ public:
             counts = run_frames(tasks, m_run, progress);
         }
         if (sequence)
-            std::printf("%zu frames: %d written, %d skipped, %d failed\n", tasks.size(),
-                        counts.written, counts.skipped, counts.failed);
+            tell(format("{} frames: {} written, {} skipped, {} failed", tasks.size(),
+                        counts.written, counts.skipped, counts.failed));
         return counts.code;
     }
 

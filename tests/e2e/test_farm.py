@@ -10,6 +10,20 @@ import OpenImageIO as oiio
 from support import BUILD, Case, environment
 
 DDT = os.path.join(BUILD, "bin", "ddt")
+SCRIPTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "docs", "slurm")
+
+# In place of Slurm's: runs the tasks at once, one after the other.
+SBATCH = """#!/bin/bash
+tasks=0
+while [[ $1 = -* ]]; do
+    case $1 in --array=*) tasks=${1#*=} ;; esac
+    shift
+done
+for ((i = ${tasks%-*}; i <= ${tasks#*-}; ++i)); do
+    SLURM_ARRAY_TASK_ID=$i bash "$@" || exit
+done >&2
+echo 1
+"""
 
 
 class Farm(Case):
@@ -295,6 +309,33 @@ class Parts(Farm):
         _, status, usage = os.wait4(pid, 0)
         self.assertEqual(status, 0)
         self.assertLess(usage.ru_maxrss, 256 << 10)
+
+
+class Scripts(Farm):
+    """Those of docs/slurm, on a Slurm that is none (tests/farm has one)."""
+
+    def test_names_that_begin_with_a_hyphen(self):
+        os.mkdir(self.path("bin"))
+        with open(self.path("bin/sbatch"), "w") as file:
+            file.write(SBATCH)
+        os.chmod(self.path("bin/sbatch"), 0o755)
+        os.symlink(DDT, self.path("bin/ddt"))
+        path = self.path("bin") + ":" + os.environ["PATH"]
+        self.succeed("oiiotool", "--pattern", "noise", "300x520", "3", "-d", "half", "-o", "in.exr")
+        os.rename(self.path("in.exr"), self.path("-in.exr"))
+        os.symlink("-in.exr", self.path("-in.0002.exr"))
+        self.ddt("resize", "--", "-in.exr", "200%", "one.exr")
+        before = sorted(os.listdir(self.folder))
+
+        for command, out in (
+                ([SCRIPTS + "/parts.sh", "3", "-in.exr", "200%", "-out.exr"], "-out.exr"),
+                (["sbatch", "--array=2-2", SCRIPTS + "/frames.sbatch", "-in.#.exr", "200%",
+                  "-out.#.exr"], "-out.0002.exr")):
+            done = self.attempt(*command, "--threads", "1", PATH=path)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assert_same("one.exr", out)
+            os.remove(self.path(out))
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
 
 
 if __name__ == "__main__":

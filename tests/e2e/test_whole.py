@@ -313,6 +313,17 @@ class Whole(Case):
             self.assertEqual(self.attempt("bash", "-o", "pipefail", "-c",
                                           f"'{DDT}' {command} | true").stderr, "")
 
+    def test_what_is_printed_beside_a_file_may_get_lost(self):
+        """That is said, and the file is there."""
+        self.succeed("cp", "photo.png", "in.0001.png")
+        for command, out in (("resize in.#.png 150% out.#.png", "out.0001.png"),
+                             ("mesh --verbose photo.png mesh.ply", "mesh.ply")):
+            for lost in "> /dev/full", ">&-":
+                done = self.attempt("sh", "-c", f"'{DDT}' {command} {lost}")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertIn("standard output cannot be written", done.stderr)
+                os.remove(self.path(out))
+
     def test_what_a_format_cannot_hold(self):
         """GIF's writer takes any size and writes another; JPEG's ends the program."""
         for name, size in (("out.gif", "66000x2"), ("out.jpg", "65501x2")):

@@ -2,7 +2,11 @@
 #include "plugin/tool/command/command.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
+
+#include <unistd.h>
 
 #include <OpenImageIO/argparse.h>
 #include <OpenImageIO/strutil.h>
@@ -176,6 +180,19 @@ ExitCode fail(const std::string& message, ExitCode code) {
 
 ExitCode fail(const Failure& failure) {
     return fail(failure.why, failure.code);
+}
+
+void tell(const std::string& message) {
+    // Not by the stream: what that keeps back fails once more at the end, when nobody knows whose
+    // it was.
+    // That a reader has seen enough is no fault.
+    if (dprintf(STDOUT_FILENO, "%s\n", message.c_str()) < 0 && errno != EPIPE)
+        note(why_not_printed(errno));
+}
+
+std::string why_not_printed(int number) {
+    return "the standard output cannot be written" +
+           (number ? std::string(": ") + std::strerror(number) : "");
 }
 
 Flag number_flag(const char* name, const char* value, const char* help, double low, double high,

@@ -53,6 +53,12 @@ void note(const std::string& message);
 ExitCode fail(const std::string& message, ExitCode code = exit_failed);
 ExitCode fail(const Failure& failure);
 
+/// A line on stdout about a result that is a file: where it cannot be printed that is said, and no
+/// failure.
+void tell(const std::string& message);
+/// That a write to stdout failed, with the error's number or 0.
+std::string why_not_printed(int number);
+
 /// Flags that hold a number from low to high, which their help tells, or are set when given.
 Flag number_flag(const char* name, const char* value, const char* help, double low, double high,
                  double& number);

@@ -20,8 +20,22 @@ ExitCode code_of_errno(int number) {
     case ENFILE:
     case EAGAIN:
     case EINTR:
+    case EBUSY:
+    case ENOLCK:
+    case ENODEV:
+    // Of a file system on a network:
     case ESTALE:
     case ETIMEDOUT:
+    case ENOTCONN:
+    case ECONNABORTED:
+    case ECONNRESET:
+    case ESHUTDOWN:
+    case EHOSTDOWN:
+    case EHOSTUNREACH:
+    case ENETDOWN:
+    case ENETUNREACH:
+    case EREMOTEIO:
+    case EKEYEXPIRED:
         return exit_resources;
     default:
         return exit_failed;

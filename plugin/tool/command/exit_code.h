@@ -11,7 +11,7 @@ enum ExitCode {
     exit_done = 0,
     exit_failed = 1,    ///< something cannot be read, made or written; trying again would not help
     exit_usage = 2,     ///< the command line is wrong
-    exit_resources = 3, ///< memory, disk or device are wanting; trying again may help
+    exit_resources = 3, ///< memory, disk, network or device are wanting; trying again may help
 };
 
 /// Why something was not done, in one line.
@@ -20,8 +20,8 @@ struct Failure {
     ExitCode code = exit_failed;
 };
 
-/// The code for a failed system call: exit_resources where it says that something ran out or a
-/// device failed.
+/// The code for a failed system call: exit_resources where it says that something ran out or is in
+/// use, or that a device or the way to it failed.
 ExitCode code_of_errno(int number);
 
 /// The failure that the exception which is being handled tells of.

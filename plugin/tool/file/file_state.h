@@ -6,26 +6,28 @@
 
 #include <sys/stat.h>
 
+#include "plugin/tool/command/exit_code.h"
+
 namespace ddt::tool {
 
 /// What changes with a file's bytes: which file has the name, its size and the times of its last
-/// changes. A file that is not there never counts as unchanged.
+/// changes. Readers do not notice: they go on with the bytes that they find.
 class FileState {
 public:
-    explicit FileState(const std::string& path)
-        : m_path(path), m_there(stat(path.c_str(), &m_state) == 0) {}
+    /// To be made before anything is read.
+    explicit FileState(const std::string& path);
 
-    bool is_unchanged() const {
-        const FileState now(m_path);
-        const struct stat &a = m_state, &b = now.m_state;
-        return m_there && now.m_there && a.st_dev == b.st_dev && a.st_ino == b.st_ino &&
-               a.st_size == b.st_size && same(a.st_mtim, b.st_mtim) && same(a.st_ctim, b.st_ctim);
-    }
+    /// Whether what was read until now is of one file. A name of no file says nothing of changes: a
+    /// pipe's times are those of reading it, and readers know names with a query.
+    bool is_unchanged() const;
+
+    /// What is to be said once all was read, and something was made of it or not: false with the
+    /// failure that the file was changed, if it was; else `made`, and `failure` as it is. A failure
+    /// that says to try again, or that the command line is wrong, stays as it is, too.
+    bool confirm(bool made, Failure& failure) const;
 
 private:
-    static bool same(const timespec& a, const timespec& b) {
-        return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec;
-    }
+    bool is_file() const { return m_there && S_ISREG(m_state.st_mode); }
 
     std::string m_path;
     struct stat m_state {};

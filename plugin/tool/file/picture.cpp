@@ -10,12 +10,14 @@
 #include <OpenImageIO/strutil.h>
 
 #include "plugin/image/file_tiles.h"
+#include "plugin/image/lazy_file.h"
 #include "plugin/image/metadata.h"
 #include "plugin/image/source.h"
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/command.h"
 #include "plugin/tool/file/cut_off.h"
+#include "plugin/tool/file/file_state.h"
 #include "plugin/tool/file/image_file.h"
 
 namespace ddt::tool {
@@ -125,12 +127,10 @@ bool begin_image(const std::string& path, int number, OIIO::ImageBuf& image, std
     return false;
 }
 
-bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error, int number,
+namespace {
+
+bool read_image(const std::string& path, OIIO::ImageBuf& image, std::string& error, int number,
                 const OIIO::ImageSpec* hints) {
-    if (path.empty()) { // OpenImageIO makes an image of it that is not there
-        error = "\"\" is no name of a file";
-        return false;
-    }
     if (!check_reader(path, number, error))
         return false;
     image.reset(path, number, 0, nullptr, hints);
@@ -140,6 +140,22 @@ bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& err
     if (image.read(number, 0, true, floats ? OIIO::TypeFloat : OIIO::TypeUnknown))
         return true;
     error = why_unreadable(image, path);
+    return false;
+}
+
+} // namespace
+
+bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error, int number,
+                const OIIO::ImageSpec* hints) {
+    if (path.empty()) { // OpenImageIO makes an image of it that is not there
+        error = "\"\" is no name of a file";
+        return false;
+    }
+    const FileState before(path);
+    const bool read = read_image(path, image, error, number, hints);
+    if (before.is_unchanged())
+        return read;
+    error = why_changed(path);
     return false;
 }
 

@@ -46,7 +46,7 @@ bool check_reader(const std::string& path, int number, std::string& error);
 bool begin_image(const std::string& path, int number, OIIO::ImageBuf& image, std::string& error);
 
 /// Read the image of this number from 0 in a file, its pixels included; hints: for its reader, or
-/// null. False with one line in `error`.
+/// null. False with one line in `error`, also if the file was changed meanwhile.
 bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& error, int number = 0,
                 const OIIO::ImageSpec* hints = nullptr);
 

@@ -24,16 +24,6 @@ constexpr size_t longest_name = 255;
 /// Bytes that are handed to the system at once: a C library's own few are a call for every row.
 constexpr size_t buffered = size_t(1) << 18;
 
-/// Where a name leads to; the last link's target need not exist.
-fs::path followed(fs::path path) {
-    std::error_code error;
-    for (int links = 0; links < 40 && fs::is_symlink(path, error); ++links) {
-        const fs::path target = fs::read_symlink(path, error);
-        path = target.is_absolute() ? target : path.parent_path() / target;
-    }
-    return path;
-}
-
 fs::path folder_of(const std::string& path) {
     const fs::path folder = fs::path(path).parent_path();
     return folder.empty() ? fs::path(".") : folder;
@@ -104,6 +94,15 @@ void remove_those_left(const fs::path& target, int after) {
 }
 
 } // namespace
+
+fs::path followed(fs::path path) {
+    std::error_code error;
+    for (int links = 0; links < 40 && fs::is_symlink(path, error); ++links) {
+        const fs::path target = fs::read_symlink(path, error);
+        path = target.is_absolute() ? target : path.parent_path() / target;
+    }
+    return path;
+}
 
 WholeFile::~WholeFile() {
     discard();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdio>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,10 @@
 #include "plugin/tool/file/attributes.h"
 
 namespace ddt::tool {
+
+/// The name of the file that a name leads to: that name itself unless it is one of a symbolic link,
+/// whose target need not exist. Links among its folders stay.
+std::filesystem::path followed(std::filesystem::path path);
 
 /// Write to file(), or to what temporary() names; then commit(). Until then what was there under
 /// the file's name stays there; without commit() it stays for good.

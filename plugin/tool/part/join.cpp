@@ -14,6 +14,7 @@
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/command.h"
+#include "plugin/tool/file/file_state.h"
 #include "plugin/tool/file/fit_format.h"
 #include "plugin/tool/file/image_file.h"
 #include "plugin/tool/file/picture.h"
@@ -25,7 +26,10 @@ namespace {
 
 /// A part's file, read from top to bottom, a row of tiles at a time.
 struct PartFile {
+    explicit PartFile(const std::string& file) : path(file), state(file) {}
+
     std::string path;
+    FileState state; ///< before its header was read, on which all that follows is planned
     PartHeader header;
     Rect window;
     OIIO::ImageSpec spec;    ///< channels in the whole's order
@@ -42,7 +46,7 @@ bool cannot_read(const PartFile& part, Failure& failure) {
     why = std::string(OIIO::Strutil::strip(why.substr(0, why.find('\n'))));
     failure = unreadable(part.path,
                          "cannot read \"" + part.path + "\"" + (why.empty() ? "" : ": " + why));
-    return false;
+    return part.state.confirm(false, failure);
 }
 
 bool is_allowed(const Rect& r) {
@@ -220,6 +224,9 @@ bool load(PartFile& part, int y, const Held& held, Failure& failure) {
         part.input = OIIO::ImageInput::open(part.path);
         if (!part.input)
             return cannot_read(part, failure);
+        // Of another file the header would be another: rows have room for what was planned.
+        if (!part.state.confirm(true, failure))
+            return false;
     }
     const OIIO::ImageSpec& spec = part.input->spec();
     const int height = spec.tile_height;
@@ -255,6 +262,12 @@ bool copy_rows(PartFile& part, const Rect& band, const Held& held, char* rows, F
         part.tiles = {};
     }
     return true;
+}
+
+/// Whether those that were joined are those that were found to belong together.
+bool are_unchanged(const std::vector<PartFile>& parts, Failure& failure) {
+    return std::all_of(parts.begin(), parts.end(),
+                       [&](const PartFile& part) { return part.state.confirm(true, failure); });
 }
 
 /// The whole's spec from a part's.
@@ -311,12 +324,10 @@ int rows_at_once(const OIIO::ImageSpec& file, size_t row, int part_rows) {
 
 bool join(const std::vector<std::string>& paths, const std::string& out,
           const std::function<bool(float)>& progress, Failure& failure) {
-    std::vector<PartFile> parts(paths.size());
-    for (size_t i = 0; i < paths.size(); ++i) {
-        parts[i].path = paths[i];
-        if (!read_header(parts[i], failure))
+    std::vector<PartFile> parts;
+    for (const std::string& path : paths)
+        if (!read_header(parts.emplace_back(path), failure))
             return false;
-    }
     const OIIO::ImageSpec spec = parts.back().spec;
     std::stable_sort(parts.begin(), parts.end(), [](const PartFile& a, const PartFile& b) {
         return a.header.part.index < b.header.part.index;
@@ -357,7 +368,7 @@ bool join(const std::vector<std::string>& paths, const std::string& out,
             return false;
         }
     }
-    if (!file.commit(failure))
+    if (!are_unchanged(parts, failure) || !file.commit(failure))
         return false;
     progress(1);
     return true;

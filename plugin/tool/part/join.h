@@ -11,9 +11,9 @@
 namespace ddt::tool {
 
 /// Join the files of `parts`, in any order, into `out`. Refuses parts that are missing, there
-/// twice, overlap or belong to another job. Memory: a row of the parts' tiles over the whole width,
-/// and another, or of the whole's own tiles up to 64 MiB, or 16 MiB of rows; 256 MiB in all for
-/// whole images up to a million pixels of half RGB wide.
+/// twice, overlap, belong to another job or are changed meanwhile. Memory: a row of the parts'
+/// tiles over the whole width, and another, or of the whole's own tiles up to 64 MiB, or 16 MiB of
+/// rows; 256 MiB in all for whole images up to a million pixels of half RGB wide.
 bool join(const std::vector<std::string>& parts, const std::string& out,
           const std::function<bool(float)>& progress, Failure& failure);
 

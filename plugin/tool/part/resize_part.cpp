@@ -313,6 +313,56 @@ struct PartJob {
     PartHeader header;
 };
 
+/// Write a part of what was planned into `file`, all but its name.
+bool write_part(const PartJob& job, const std::string& out, const ResizeSettings& settings,
+                const Part& part, ImageFile& file, const std::function<bool(float)>& progress,
+                Failure& failure) {
+    const OIIO::ImageBuf& image = job.image();
+    const Grid grid = job.grid();
+    const PartTiles tiles(grid, job.from, job.whole, part);
+    OIIO::ImageSpec spec = file_spec(job.whole, tiles.pixels());
+    job.header.write_to(spec);
+    if (!check_memory_of(tiles, job.whole, spec, failure) || !open_part(out, spec, file, failure))
+        return false;
+    MixedIds mixed(job.path, 0, image, file.output().spec());
+    PartSource source(job.path, image, job.from);
+    if (mixed && settings.options.holes != Holes::keep && !source.open_whole(mixed, failure))
+        return false;
+    StripWriter writer(job.whole, tiles.pixels(), spec.tile_height, file.output(), mixed);
+    for (int row = 0; row < tiles.rows(); ++row) {
+        Options options = settings.options;
+        options.progress = [&](float share) {
+            return progress((float(row) + share) / float(tiles.rows()));
+        };
+        const Rect shown = tiles.source(row);
+        const OIIO::ImageBuf* const pixels = source.strip(shown, failure);
+        if (!pixels)
+            return false;
+        std::string error;
+        if (!writer.strip(tiles.end(row), *pixels, shown, options, settings.threads, error)) {
+            failure = error.empty() ? file.failed() : Failure{error, code_of_message(error)};
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Whether the tile that was written last can be read, which it cannot where a file was cut off.
+bool has_last_tile(OIIO::ImageInput& file) {
+    const OIIO::ImageSpec& spec = file.spec();
+    if (spec.tile_width <= 0 || spec.width <= 0 || spec.height <= 0)
+        return false;
+    const auto last = [](int first, int size, int tile) {
+        return first + (size - 1) / tile * tile;
+    };
+    std::vector<char> pixels(spec.tile_bytes(true));
+    const bool read =
+        file.read_native_tile(0, 0, last(spec.x, spec.width, spec.tile_width),
+                              last(spec.y, spec.height, spec.tile_height), spec.z, pixels.data());
+    file.geterror(); // 3.x prints what nobody asked for
+    return read;
+}
+
 } // namespace
 
 bool is_part_there(const std::string& in, const std::string& out, const ResizeSettings& settings,
@@ -329,7 +379,7 @@ bool is_part_there(const std::string& in, const std::string& out, const ResizeSe
     PartJob job(in);
     Failure ignored; // whoever makes the part tells
     return job.plan(settings, part, ignored) && job.header.job == there.job &&
-           part.index == there.part.index && part.count == there.part.count;
+           part.index == there.part.index && part.count == there.part.count && has_last_tile(*file);
 }
 
 bool resize_part(const std::string& in, const std::string& out, const ResizeSettings& settings,
@@ -338,45 +388,13 @@ bool resize_part(const std::string& in, const std::string& out, const ResizeSett
     if (!check_place(in, out, failure))
         return false;
     PartJob job(in);
-    if (!job.plan(settings, part, failure))
-        return false;
-    const OIIO::ImageBuf& image = job.image();
-    const OIIO::ImageSpec &from = job.from, &whole = job.whole;
-    const Grid grid = job.grid();
-    const PartTiles tiles(grid, from, whole, part);
-    OIIO::ImageSpec spec = file_spec(whole, tiles.pixels());
-    job.header.write_to(spec);
     ImageFile file;
-    if (!check_memory_of(tiles, whole, spec, failure) || !open_part(out, spec, file, failure))
-        return false;
-    MixedIds mixed(in, 0, image, file.output().spec());
-    PartSource source(in, image, from);
-    if (mixed && settings.options.holes != Holes::keep && !source.open_whole(mixed, failure))
-        return false;
-    StripWriter writer(whole, tiles.pixels(), spec.tile_height, file.output(), mixed);
-    for (int row = 0; row < tiles.rows(); ++row) {
-        Options options = settings.options;
-        options.progress = [&](float share) {
-            return progress((float(row) + share) / float(tiles.rows()));
-        };
-        const Rect shown = tiles.source(row);
-        const OIIO::ImageBuf* const pixels = source.strip(shown, failure);
-        if (!pixels)
-            return false;
-        std::string error;
-        if (!writer.strip(tiles.end(row), *pixels, shown, options, settings.threads, error)) {
-            failure = error.empty() ? file.failed() : Failure{error, code_of_message(error)};
-            return false;
-        }
-    }
+    const bool made = job.plan(settings, part, failure) &&
+                      write_part(job, out, settings, part, file, progress, failure);
     // Or it would be of a source that there never was, and pass for one of the fingerprint's.
-    if (!job.state.is_unchanged()) {
-        failure = {"\"" + in + "\" was changed while it was read", exit_resources};
+    if (!job.state.confirm(made, failure) || !file.commit(failure))
         return false;
-    }
-    if (!file.commit(failure))
-        return false;
-    note_lost_ids(image.nativespec(), whole, out);
+    note_lost_ids(job.image().nativespec(), job.whole, out);
     note_others(in);
     return true;
 }

@@ -19,7 +19,7 @@ bool resize_part(const std::string& in, const std::string& out, const ResizeSett
                  Part part, const std::function<bool(float)>& progress, Failure& failure);
 
 /// Whether `out` is what resize_part() would write: the same part of the same result, of a source
-/// that has not changed (see fingerprint()).
+/// that has not changed (see fingerprint()); and not cut off.
 bool is_part_there(const std::string& in, const std::string& out, const ResizeSettings& settings,
                    Part part);
 

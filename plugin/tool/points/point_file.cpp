@@ -13,6 +13,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "plugin/message/format.h"
+#include "plugin/tool/file/file_state.h"
 
 namespace ddt::tool {
 
@@ -122,7 +123,9 @@ const Column* PointFile::find_meant(const std::string& name) const {
     return nullptr;
 }
 
-bool read_points(const std::string& path, PointFile& points, Failure& failure) {
+namespace {
+
+bool read_once(const std::string& path, PointFile& points, Failure& failure) {
     std::string text;
     if (!read_bytes(path, text)) {
         const int number = errno ? errno : EIO;
@@ -137,6 +140,13 @@ bool read_points(const std::string& path, PointFile& points, Failure& failure) {
         return true;
     failure = {"\"" + path + "\": " + error, exit_failed};
     return false;
+}
+
+} // namespace
+
+bool read_points(const std::string& path, PointFile& points, Failure& failure) {
+    const FileState before(path);
+    return before.confirm(read_once(path, points, failure), failure);
 }
 
 bool write_points(const std::string& path, const PointFile& points, Failure& failure) {

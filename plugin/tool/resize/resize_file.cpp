@@ -16,6 +16,7 @@
 #include "plugin/imagebuf/resample.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/command.h"
+#include "plugin/tool/file/file_state.h"
 #include "plugin/tool/file/fit_format.h"
 #include "plugin/tool/file/image_file.h"
 #include "plugin/tool/file/picture.h"
@@ -80,6 +81,36 @@ bool open_file(const std::string& path, std::vector<OIIO::ImageSpec>& specs, Ima
     return true;
 }
 
+/// Write the results into `file`, all but its name.
+bool write_results(const std::string& in, const std::string& out, const ResizeSettings& settings,
+                   ImageFile& file, const std::function<bool(float)>& progress, Failure& failure) {
+    auto source = std::make_unique<ArrivingImage>(in, 0);
+    if (!source->begin(failure))
+        return false;
+    // Before the file is open: writers complain by themselves when they get no pixels (PNG).
+    std::vector<OIIO::ImageSpec> specs(settings.all_images ? size_t(std::max(1, count_images(in)))
+                                                           : 1);
+    if (!plan_images(in, source->image, settings, specs, failure))
+        return false;
+    std::vector<OIIO::ImageSpec> fitting = specs;
+    if (!open_file(out, fitting, file, failure))
+        return false;
+    for (size_t i = 0; i < specs.size(); ++i) {
+        const auto share = [&](float of_image) {
+            return progress((float(i) + of_image) / float(specs.size()));
+        };
+        if (i > 0) {
+            source = std::make_unique<ArrivingImage>(in, int(i));
+            if (!source->begin(failure) || !file.open_next(failure))
+                return false;
+        }
+        if (!resize_image(*source, OIIO::get_roi(specs[i]), fitting[i], file, settings, share,
+                          failure))
+            return false;
+    }
+    return true;
+}
+
 /// Bytes that an image of this spec and its result take; 0 if that cannot be told.
 int64_t memory_of_pixels(OIIO::ImageSpec from, const std::string& in, const std::string& out,
                          const ResizeSettings& settings) {
@@ -102,31 +133,10 @@ int64_t memory_of_pixels(OIIO::ImageSpec from, const std::string& in, const std:
 
 bool resize_file(const std::string& in, const std::string& out, const ResizeSettings& settings,
                  const std::function<bool(float)>& progress, Failure& failure) {
-    auto source = std::make_unique<ArrivingImage>(in, 0);
-    if (!source->begin(failure))
-        return false;
-    // Before the file is open: writers complain by themselves when they get no pixels (PNG).
-    std::vector<OIIO::ImageSpec> specs(settings.all_images ? size_t(std::max(1, count_images(in)))
-                                                           : 1);
-    if (!plan_images(in, source->image, settings, specs, failure))
-        return false;
-    std::vector<OIIO::ImageSpec> fitting = specs;
+    const FileState source(in);
     ImageFile file;
-    if (!open_file(out, fitting, file, failure))
+    if (!source.confirm(write_results(in, out, settings, file, progress, failure), failure))
         return false;
-    for (size_t i = 0; i < specs.size(); ++i) {
-        const auto share = [&](float of_image) {
-            return progress((float(i) + of_image) / float(specs.size()));
-        };
-        if (i > 0) {
-            source = std::make_unique<ArrivingImage>(in, int(i));
-            if (!source->begin(failure) || !file.open_next(failure))
-                return false;
-        }
-        if (!resize_image(*source, OIIO::get_roi(specs[i]), fitting[i], file, settings, share,
-                          failure))
-            return false;
-    }
     const std::string type = file.output().spec().format.c_str();
     if (!file.commit(failure))
         return false;

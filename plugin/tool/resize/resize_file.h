@@ -11,7 +11,8 @@ namespace ddt::tool {
 
 /// Resize the first image of the file `in`, or all, into `out`, which appears when whole: what its
 /// format has room for (see fit_format.h), each channel in the image's own type where it can hold
-/// that. `progress` is called with the share done, one thread at a time.
+/// that. False also if `in` was changed meanwhile. `progress` is called with the share done, one
+/// thread at a time.
 bool resize_file(const std::string& in, const std::string& out, const ResizeSettings& settings,
                  const std::function<bool(float)>& progress, Failure& failure);
 

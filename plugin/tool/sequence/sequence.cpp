@@ -7,6 +7,7 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/tool/file/whole_file.h"
 #include "plugin/tool/sequence/frames.h"
 
 namespace ddt::tool {
@@ -50,12 +51,12 @@ bool check_name(const std::string& text, const FrameName& name, bool frames, boo
     return true;
 }
 
-/// Names by which files are told apart: that of the folder without links, which lead to one from
-/// many names, and the file's own.
+/// Names by which files are told apart: without links, which lead to one file, or one folder, from
+/// many names.
 class Names {
 public:
     std::string of(const std::string& path) {
-        const fs::path name(path);
+        const fs::path name = followed(path);
         const auto [known, is_new] = m_folders.try_emplace(name.parent_path().string());
         if (is_new) // looked at once: a file system on a network takes its time
             known->second = whole(name.parent_path());

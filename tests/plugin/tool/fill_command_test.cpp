@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fstream>
+#include <thread>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <OpenImageIO/imagebufalgo.h>
 #include <gtest/gtest.h>
@@ -29,6 +34,28 @@ TEST(FillCommand, WithoutAlphaNothingIsMissingByIt) {
     EXPECT_EQ(parse_and_run(*make_fill_command(), {in, out, "--missing", "alpha"}), exit_failed);
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "ddt: \"" + in + "\" has no alpha\n");
     EXPECT_FALSE(std::ifstream(out).good());
+}
+
+/// It is written into a pipe, which does not hold all of it, so that the change comes after the
+/// source was read and before its filled image is done.
+TEST(FillCommand, OfASourceThatChangesMeanwhileThereIsNone) {
+    const std::string in = temporary("changes.ppm"), out = temporary("pipe.ppm");
+    ImageBuf image(ImageSpec(1000, 700, 3, OIIO::TypeUInt8));
+    ASSERT_TRUE(image.write(in)) << image.geterror();
+    ASSERT_EQ(mkfifo(out.c_str(), 0600), 0);
+    size_t arrived = 0;
+    std::thread change([&] {
+        std::ifstream pipe(out, std::ios::binary); // waits for the writer
+        std::ofstream(in, std::ios::app).put('x');
+        while (pipe.get() != EOF)
+            ++arrived;
+    });
+    const Ran ran = run(make_fill_command(), {in, out});
+    close(open(out.c_str(), O_RDWR)); // where there was no writer
+    change.join();
+    EXPECT_EQ(ran.code, exit_resources);
+    EXPECT_EQ(ran.err, "ddt: \"" + in + "\" was changed while it was read\n");
+    EXPECT_GT(arrived, size_t(1) << 19);
 }
 
 TEST(FillCommand, FormatsWithoutWindowsGetTheDisplayWindow) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/command/exit_code.h"
 
+#include <cerrno>
 #include <new>
 #include <stdexcept>
 
@@ -27,6 +28,15 @@ TEST(ExitCodes, SizesThatNoVectorCanHaveAreOutOfMemory) {
     const Failure other = failure_of(std::runtime_error("no such reel"));
     EXPECT_EQ(other.why, "no such reel");
     EXPECT_EQ(other.code, exit_failed);
+}
+
+TEST(ExitCodes, AMountThatIsLostMayComeBack) {
+    for (const int number :
+         {ENOTCONN, ECONNABORTED, ECONNRESET, EHOSTDOWN, EHOSTUNREACH, ENETUNREACH, ENETDOWN,
+          EREMOTEIO, ESHUTDOWN, ESTALE, ETIMEDOUT, EBUSY, ENOLCK, ENODEV, EKEYEXPIRED})
+        EXPECT_EQ(code_of_errno(number), exit_resources) << number;
+    for (const int number : {0, ENOENT, EACCES, EPERM, EROFS, EISDIR, ENOTDIR, ELOOP, EINVAL})
+        EXPECT_EQ(code_of_errno(number), exit_failed) << number;
 }
 
 } // namespace

@@ -2,8 +2,13 @@
 #include "plugin/tool/file/picture.h"
 
 #include <climits>
+#include <cstring>
+#include <fstream>
 
+#include <OpenImageIO/strutil.h>
 #include <gtest/gtest.h>
+
+#include "tests/temporary.h"
 
 namespace ddt::tool {
 namespace {
@@ -26,6 +31,43 @@ TEST(Readable, AreWholeTilesOfTheFile) {
 
 TEST(Readable, GoNoFurtherThanTheImageWhereItsTilesDo) {
     EXPECT_TRUE((readable(file_of(INT_MAX, INT_MAX), {0, 20, 10, 30}) == Rect{-30, 7, 70, 87}));
+}
+
+constexpr const char* extension = ".growing";
+
+/// Reads black pixels of a file that has another byte after each row.
+class GrowingInput final : public OIIO::ImageInput {
+public:
+    const char* format_name() const override { return "growing"; }
+    bool open(const std::string& name, OIIO::ImageSpec& spec) override {
+        m_name = name;
+        m_spec = spec = OIIO::ImageSpec(4, 4, 1, OIIO::TypeUInt8);
+        return OIIO::Strutil::ends_with(name, extension); // any are tried where others fail
+    }
+    bool close() override { return true; }
+    bool read_native_scanline(int, int, int, int, void* data) override {
+        std::memset(data, 0, m_spec.scanline_bytes());
+        std::ofstream(m_name, std::ios::app).put('x');
+        return true;
+    }
+
+private:
+    std::string m_name;
+};
+
+TEST(OpenImage, OfAFileThatChangesMeanwhileThereIsNone) {
+    static const char* extensions[] = {extension + 1, nullptr};
+    OIIO::declare_imageio_format(
+        "growing", []() -> OIIO::ImageInput* { return new GrowingInput; }, extensions, nullptr,
+        nullptr, nullptr);
+    const std::string path = temporary(std::string("file") + extension);
+    std::ofstream(path).put('x');
+    OIIO::ImageBuf image;
+    std::string error;
+    EXPECT_FALSE(open_image(path, image, error));
+    EXPECT_GT(text_in(path).size(), 1u);
+    EXPECT_EQ(error, "\"" + path + "\" was changed while it was read");
+    EXPECT_EQ(unreadable(path, error).code, exit_resources);
 }
 
 } // namespace

@@ -134,6 +134,21 @@ TEST(Parts, AreThereIfTheyAreOfTheSameResult) {
     EXPECT_FALSE(is_there(part));
 }
 
+TEST(Parts, ThatWereCutOffAreNotThere) {
+    const std::string in = temporary("cut_source.exr"), out = temporary("cut_part.exr");
+    ASSERT_TRUE(OIIO::ImageBuf(OIIO::ImageSpec(300, 600, 1, OIIO::TypeHalf)).write(in));
+    ResizeSettings settings;
+    settings.size = "200%";
+    settings.threads = 1;
+    Failure failure;
+    ASSERT_TRUE(resize_part(
+        in, out, settings, {2, 3}, [](float) { return true; }, failure))
+        << failure.why;
+    ASSERT_TRUE(is_part_there(in, out, settings, {2, 3}));
+    std::filesystem::resize_file(out, std::filesystem::file_size(out) - 1);
+    EXPECT_FALSE(is_part_there(in, out, settings, {2, 3}));
+}
+
 TEST(Parts, OfASourceThatChangesMeanwhileAreNone) {
     const std::string in = temporary("part_changes.tif"), out = temporary("part_of_both.exr");
     OIIO::ImageBuf image(OIIO::ImageSpec(300, 600, 1, OIIO::TypeUInt8));
@@ -215,6 +230,54 @@ TEST(Join, RefusesHeadersThatDoNotFit) {
     EXPECT_TRUE(join({write_half(0, 3, whole, "half"), write_half(1, 3, whole, "half")}, out,
                      progress, failure))
         << failure.why;
+}
+
+/// Join two halves of a whole, the first of which is changed once progress tells of this share.
+Failure failure_of_changed(const Rect& whole, float share, const std::function<void()>& change) {
+    const std::string out = temporary("join_changed.exr"),
+                      window = std::to_string(whole.x0) + " 0 " + std::to_string(whole.x1) + " " +
+                               std::to_string(whole.y1);
+    const int middle = whole.y1 / 2;
+    const Rect upper{whole.x0, 0, whole.x1, middle}, lower{whole.x0, middle, whole.x1, whole.y1};
+    const std::vector<std::string> parts = {write_half(0, 3, window, "half", 2, "", &upper),
+                                            write_half(1, 3, window, "half", 2, "", &lower)};
+    bool changed = false;
+    const auto progress = [&](float now) {
+        if (!changed && now >= share) {
+            change();
+            changed = true;
+        }
+        return true;
+    };
+    Failure failure;
+    EXPECT_FALSE(join(parts, out, progress, failure));
+    EXPECT_TRUE(changed);
+    EXPECT_FALSE(std::filesystem::exists(out));
+    return failure;
+}
+
+TEST(Join, OfPartsThatChangeMeanwhileIsNone) {
+    const std::string first = temporary("half0.exr"), kept = temporary("kept.exr"),
+                      said = "\"" + first + "\" was changed while it was read";
+    // Before its pixels are read: by one that would need more memory for a row.
+    const auto replace = [&] {
+        std::filesystem::rename(first, kept);
+        const Rect larger{0, 0, 640, 320};
+        write_half(0, 4, "0 0 640 640", "half", 2, "", &larger);
+    };
+    const Failure replaced = failure_of_changed({0, 0, 32, 32}, 0, replace);
+    EXPECT_EQ(replaced.why, said);
+    EXPECT_EQ(replaced.code, exit_resources);
+    // After they were, of more than are written at once.
+    const auto append = [&] { std::ofstream(first, std::ios::app).put('x'); };
+    const Failure appended = failure_of_changed({0, 0, 2048, 2048}, 0.5f, append);
+    EXPECT_EQ(appended.why, said);
+    EXPECT_EQ(appended.code, exit_resources);
+    // Which cannot be read.
+    const auto cut_off = [&] { std::filesystem::resize_file(first, 100); };
+    const Failure cut = failure_of_changed({0, 0, 32, 32}, 0, cut_off);
+    EXPECT_EQ(cut.why, said);
+    EXPECT_EQ(cut.code, exit_resources);
 }
 
 TEST(Join, RefusesWindowsThatDoNotFillTheWhole) {

@@ -30,6 +30,27 @@ bool resized(const std::string& in, const std::string& size, const std::string& 
         in, out, settings, [](float) { return true; }, failure);
 }
 
+TEST(ResizeFile, OfASourceThatChangesMeanwhileThereIsNone) {
+    const std::string in = temporary("changes.tif"), out = temporary("of_both.exr");
+    ImageBuf image(ImageSpec(300, 600, 1, OIIO::TypeUInt8));
+    ASSERT_TRUE(image.write(in)) << image.geterror();
+    ResizeSettings settings;
+    settings.size = "200%";
+    bool changed = false;
+    const auto change = [&](float) {
+        if (!changed)
+            std::ofstream(in, std::ios::app).put('x');
+        return changed = true;
+    };
+    Failure failure;
+    EXPECT_FALSE(resize_file(in, out, settings, change, failure));
+    EXPECT_TRUE(changed);
+    EXPECT_EQ(failure.why, "\"" + in + "\" was changed while it was read");
+    EXPECT_EQ(failure.code, exit_resources);
+    EXPECT_FALSE(std::filesystem::exists(out));
+    EXPECT_TRUE(resize_file(in, out, settings, change, failure)) << failure.why;
+}
+
 /// Writers of later OpenImageIOs divide by alpha before they round, if they get floats, as from
 /// oiiotool.
 TEST(ResizeFile, WhatIsDividedByAlphaIsRoundedAfterwards) {

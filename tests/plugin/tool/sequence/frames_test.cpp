@@ -156,6 +156,46 @@ TEST(Frames, FilesAreToldApartWhateverTheirFoldersAreCalled) {
         << failure.why;
 }
 
+TEST(Frames, FilesAreToldApartWhateverLinksLeadToThem) {
+    const std::string folder = temporary("linked") + "/", other = temporary("linked too") + "/";
+    std::filesystem::create_directory(folder);
+    std::filesystem::create_directory(other);
+    for (const char* name : {"s.1", "s.2", "hold.1"})
+        std::ofstream(folder + name) << name;
+    const auto refused = [&](const std::string& in, const std::string& out) {
+        std::vector<FrameTask> tasks;
+        Failure failure;
+        if (list_tasks(folder + in, folder + out, "1-2", "", tasks, failure))
+            return std::string();
+        EXPECT_EQ(failure.code, exit_usage);
+        return failure.why;
+    };
+    const auto link = [&](const std::string& to, const std::string& name) {
+        std::filesystem::create_symlink(to, folder + name);
+    };
+    link("s.2", "o.1");
+    EXPECT_NE(refused("s.%d", "o.%d").find("another's source"), std::string::npos);
+    link("hold.1", "hold.2");
+    EXPECT_NE(refused("s.%d", "hold.%d").find("both become"), std::string::npos);
+    EXPECT_NE(refused("hold.%d", "hold.%d").find("both become"), std::string::npos);
+    // A held frame is a source like any other.
+    EXPECT_EQ(refused("hold.%d", "new.%d"), "");
+    // By way of a second link, and to what is not there yet.
+    link("../linked too/p.1", "p.1");
+    std::filesystem::create_symlink("../linked/s.2", other + "p.1");
+    EXPECT_NE(refused("s.%d", "p.%d").find("another's source"), std::string::npos);
+    link("none.1", "q.1");
+    link("none.1", "q.2");
+    EXPECT_NE(refused("s.%d", "q.%d").find("both become"), std::string::npos);
+    // The source is a link to what another becomes.
+    link("r.2", "t.1");
+    EXPECT_NE(refused("t.%d", "r.%d").find("another's source"), std::string::npos);
+    // One that leads to the frame's own source replaces that.
+    link("s.1", "own.1");
+    link("s.2", "own.2");
+    EXPECT_EQ(refused("s.%d", "own.%d"), "");
+}
+
 TEST(Frames, OnlyWhatIsDoneIsSaidToBeDone) {
     const std::vector<FrameTask> tasks = {{"first", ""}, {"second", ""}};
     FrameRun frames;
