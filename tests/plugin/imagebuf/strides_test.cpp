@@ -15,12 +15,12 @@ using images::value;
 using images::window;
 using OIIO::ImageBuf;
 
-constexpr int width = 14, height = 11, channels = 3, room = 5;
+constexpr int columns = 14, rows = 11, numbers = 3, room = 5;
 
 ImageBuf noise(bool holed) {
-    ImageBuf image = images::make(width, height, channels);
+    ImageBuf image = images::make(columns, rows, numbers);
     images::noise(image);
-    const float nan[channels] = {std::nanf(""), std::nanf(""), std::nanf("")};
+    const float nan[numbers] = {std::nanf(""), std::nanf(""), std::nanf("")};
     for (int x = 5; holed && x < 8; ++x)
         image.setpixel(x, 4, nan);
     return image;
@@ -28,13 +28,13 @@ ImageBuf noise(bool holed) {
 
 /// The same pixels in `memory`.
 ImageBuf with_room(const ImageBuf& image, std::vector<float>& memory) {
-    memory.assign(size_t(width * height * room), -7.0f);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            for (int c = 0; c < channels; ++c)
-                memory[size_t((y * width + x) * room + c)] = value(image, x, y, c);
+    memory.assign(size_t(columns * rows * room), -7.0f);
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x)
+            for (int c = 0; c < numbers; ++c)
+                memory[size_t((y * columns + x) * room + c)] = value(image, x, y, c);
     return ImageBuf(image.spec(), memory.data(), room * sizeof(float),
-                    width * room * sizeof(float));
+                    columns * room * sizeof(float));
 }
 
 struct Way {
@@ -89,8 +89,8 @@ TEST(Strides, FillingTakesThePixelsAlone) {
         ASSERT_TRUE(way.make(dst, src)) << way.name << dst.geterror();
         EXPECT_EQ(bytes(dst), bytes(expected)) << way.name;
     }
-    for (const auto& [w, h] : {std::pair{width, height}, {6, 33}, {40, 5}, {9, 7}, {28, 22}}) {
-        ImageBuf expected = images::make(w, h, channels), dst = images::make(w, h, channels);
+    for (const auto& [w, h] : {std::pair{columns, rows}, {6, 33}, {40, 5}, {9, 7}, {28, 22}}) {
+        ImageBuf expected = images::make(w, h, numbers), dst = images::make(w, h, numbers);
         ASSERT_TRUE(ddt::resize(expected, dense, filling())) << expected.geterror();
         ASSERT_TRUE(ddt::resize(dst, src, filling())) << dst.geterror();
         EXPECT_EQ(bytes(dst), bytes(expected)) << w << " x " << h;
