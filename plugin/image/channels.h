@@ -13,10 +13,8 @@ namespace ddt {
 
 /// The roles of an image's channels.
 struct Channels {
-    /// Colour that a colour space speaks of. Three: the channels named R, G, B (or red, green,
-    /// blue), else those of the layer that is the picture itself, else channels 0 to 2 unless one
-    /// of them is alpha, depth, of a vector or an ID. One: without these, a channel named as grey
-    /// (Y, L, I, luminance, gray, grey), or the only one that is none of those.
+    /// Colour that a colour space speaks of: find_colour() of those that are neither alpha, depth,
+    /// of a vector nor an ID.
     ColourLayout colour;
     int alpha = -1; ///< the alpha of the image's colour, or -1
     /// Where no names tell its colour: up to three channels in which edges are sought instead, the

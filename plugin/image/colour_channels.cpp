@@ -24,7 +24,7 @@ bool find_triple(const Layer& layer, int (&rgb)[3]) {
     return rgb[0] >= 0 && rgb[1] >= 0 && rgb[2] >= 0;
 }
 
-/// The higher, the likelier it is that of a layer's name and alpha the picture itself is there.
+/// The higher, the likelier it is by a layer's name that the picture itself is there.
 int rank_of(const Layer& layer) {
     if (layer.name.empty())
         return 4;
@@ -36,7 +36,7 @@ int rank_of(const Layer& layer) {
         return 3;
     if (std::any_of(pieces.begin(), pieces.end(), is_picture))
         return 2;
-    return layer.find({"A", "alpha"}) >= 0 ? 1 : 0;
+    return is_depth(layer.name) ? 0 : 1;
 }
 
 /// The layer whose red, green and blue are the image's, or null.
@@ -68,6 +68,8 @@ int find_only(int count, const MayBe& may_be) {
 std::vector<Quantity> quantities_of(const OIIO::ImageSpec& spec, const std::vector<Layer>& layers) {
     std::vector<Quantity> quantities(size_t(spec.nchannels), Quantity::other);
     for (const Layer& layer : layers) {
+        int rgb[3];
+        const bool is_colour = find_triple(layer, rgb);
         const bool xy = layer.find({"X"}) >= 0 && layer.find({"Y"}) >= 0;
         const bool uv = layer.find({"U"}) >= 0 && layer.find({"V"}) >= 0;
         for (size_t i = 0; i < layer.channels.size(); ++i) {
@@ -76,7 +78,7 @@ std::vector<Quantity> quantities_of(const OIIO::ImageSpec& spec, const std::vect
             if ((xy && is_any_of(component, {"X", "Y", "Z", "W"})) ||
                 (uv && is_any_of(component, {"U", "V", "W"})))
                 quantities[size_t(c)] = Quantity::vector;
-            else if (c == spec.z_channel || is_depth(spec.channel_name(c)))
+            else if (c == spec.z_channel || (!is_colour && is_depth(spec.channel_name(c))))
                 quantities[size_t(c)] = Quantity::depth;
         }
     }
@@ -87,17 +89,24 @@ ColourChannels find_colour(const OIIO::ImageSpec& spec, const std::vector<Layer>
                            const MayBe& may_be) {
     ColourChannels found;
     int(&channel)[3] = found.layout.channel;
-    if ((found.layer = find_layer(layers, may_be))) {
+    const int grey = find_channel(spec, {"Y", "L", "I", "luminance", "gray", "grey"});
+    const bool has_grey = grey >= 0 && may_be(grey);
+    found.layer = find_layer(layers, may_be);
+    if (found.layer && has_grey && !found.layer->name.empty())
+        found.layer = nullptr; // what is no layer's is the picture
+    if (found.layer) {
         find_triple(*found.layer, channel);
         found.layout.count = 3;
+        found.named = true;
+    } else if (has_grey) {
+        channel[0] = grey;
+        found.layout.count = 1;
         found.named = true;
     } else if (spec.nchannels >= 3 && may_be(0) && may_be(1) && may_be(2)) {
         std::iota(channel, channel + 3, 0);
         found.layout.count = 3;
     } else {
-        const int grey = find_channel(spec, {"Y", "L", "I", "luminance", "gray", "grey"});
-        found.named = grey >= 0 && may_be(grey);
-        channel[0] = found.named ? grey : find_only(spec.nchannels, may_be);
+        channel[0] = find_only(spec.nchannels, may_be);
         found.layout.count = channel[0] >= 0 ? 1 : 0;
     }
     return found;

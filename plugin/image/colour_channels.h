@@ -14,8 +14,8 @@ namespace ddt {
 enum class Quantity { vector, depth, other };
 
 /// One a channel. Vectors: X, Y, Z and W of a layer that has X and Y; U, V and W of one that has U
-/// and V. Depth: Z and what is called so, alone or as a layer, and the spec's z_channel, unless it
-/// is a vector's: OpenImageIO takes the Z of a normal for it.
+/// and V. Depth: Z and what is called so, alone or as a layer that has no red, green and blue, and
+/// the spec's z_channel, unless it is a vector's: OpenImageIO takes the Z of a normal for it.
 std::vector<Quantity> quantities_of(const OIIO::ImageSpec& spec, const std::vector<Layer>& layers);
 
 /// The image's colour.
@@ -25,17 +25,18 @@ struct ColourChannels {
     bool named = false;           ///< a name tells that it is colour or grey
 };
 
-/// Of the channels that may be colour: those named R, G, B (or red, green, blue), else such of a
-/// layer, else the first three, else the one that is named as grey or is alone; or none.
+/// Of the channels that may be colour: those named R, G, B (or red, green, blue), else the one that
+/// is named as grey, else red, green and blue of a layer, else the first three, else the one that
+/// is alone; or none.
 ///
 /// Of several layers it is the first that is called as programs call the picture itself (Combined,
 /// beauty, rgba, rgb, C, color, colour) by the last of its name's pieces, else by another (of
-/// views: "Combined.left"), else one with an alpha, else any.
+/// views: "Combined.left"), else any but depth. (An alpha tells nothing: mattes have one, too.)
 ColourChannels find_colour(const OIIO::ImageSpec& spec, const std::vector<Layer>& layers,
                            const std::function<bool(int channel)>& may_be);
 
-/// The alpha of colour in that layer (null: of none), or -1: where the spec's alpha is that of
-/// other colour, or an ID, it is the layer's own, if any.
+/// The alpha of colour in that layer (null: of none), or -1: the layer's own, else the spec's,
+/// unless that is of another layer's colour, or an ID.
 int alpha_of_colour(int alpha, const std::vector<Layer>& layers, const Layer* layer,
                     const std::function<bool(int channel)>& is_id);
 

@@ -25,7 +25,7 @@ struct Layer {
     std::vector<int> channels;           ///< positions in the image, ascending
     std::vector<std::string> components; ///< what stands after the last dot, one a channel
 
-    /// The same by the component.
+    /// The first channel of such a component, in any case, or -1; of names that come first, first.
     int find(std::initializer_list<const char*> names) const;
 };
 

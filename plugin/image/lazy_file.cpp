@@ -87,8 +87,8 @@ bool LazyFile::make_room(int threads, std::string& error) {
     const double bytes = bytes_needed(cached, std::max(usual_threads(), threads_for(threads)));
     if (bytes < std::ldexp(m_megabytes, 20))
         return true;
-    if (!check_memory(format("reading \"{}\" in tiles of {} x {} pixels", m_path, cached.tile_width,
-                             cached.tile_height),
+    if (!check_memory(format("reading \"{}\" in pieces of {} x {} pixels", m_path,
+                             cached.tile_width, cached.tile_height),
                       bytes, error))
         return false;
     m_cache->attribute("max_memory_MB", int(std::ldexp(bytes, -20)) + 1);

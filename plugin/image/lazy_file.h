@@ -33,10 +33,10 @@ public:
     LazyFile(const LazyFile&) = delete;
     LazyFile& operator=(const LazyFile&) = delete;
 
-    /// Let the cache keep what so many threads (0: the usual number) take of tiles as large as the
-    /// file's. To be called before they ask for pixels: OpenImageIO ends the program where a cache
-    /// holds far more than it may. False with one line in `error` if that is more memory than is
-    /// allowed: a file may claim tiles of any size.
+    /// Let the cache keep what so many threads (0: the usual number) take of the pieces in which it
+    /// reads the file, tiles or rows. To be called before they ask for pixels: OpenImageIO ends the
+    /// program where a cache holds far more than it may. False with one line in `error` if that is
+    /// more memory than is allowed: a file may claim tiles of any size.
     bool make_room(int threads, std::string& error);
 
     OIIO::ImageBuf& image() { return *m_image; }

@@ -59,14 +59,11 @@ RectD to_region(const Rect& pixels, const PixelScale& scale) {
 }
 
 Rect Windows::window_of(const Rect& defined) const {
-    Rect window = place.window;
-    if (defined.empty() || least.empty())
-        return window;
-    if (defined.x1 == least.x1)
-        window.x1 = least.x1;
-    if (defined.y0 == least.y0)
-        window.y0 = least.y0;
-    return window;
+    const Rect& window = place.window;
+    const bool is_window = defined.x0 == window.x0 && defined.y1 == window.y1 &&
+                           (defined.x1 == window.x1 || defined.x1 == least.x1) &&
+                           (defined.y0 == window.y0 || defined.y0 == least.y0);
+    return is_window && !defined.empty() && !least.empty() ? defined : window;
 }
 
 Rect Windows::needed(const Rect& box, Holes holes) const {

@@ -22,8 +22,8 @@ struct Windows {
     /// to all that the region touches.
     Rect least;
 
-    /// The window of an image that is said to be a part of `defined`. Sides that are neither of the
-    /// window nor of the least one count for nothing: hosts that say them do not mean pixels.
+    /// The window of an image that is said to be a part of `defined`: that, if each side is one of
+    /// the window or of the least one. Hosts that say others do not mean pixels, or a tile.
     Rect window_of(const Rect& defined) const;
     /// See host::needed(); of either window, as the image that tells which is not there yet.
     Rect needed(const Rect& box, Holes holes) const;

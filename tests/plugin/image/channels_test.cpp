@@ -50,7 +50,7 @@ TEST(Channels, GuideWithoutNamesOfColour) {
     EXPECT_EQ(guide_of({"Z", "m1", "m2", "m3", "m4"}), (Guide{1, 2, 3}));
     EXPECT_EQ(guide_of({"A", "id"}), Guide{});
     EXPECT_EQ(guide_of({"Z"}), Guide{0});
-    EXPECT_EQ(guide_of({"height"}), Guide{0});
+    EXPECT_EQ(guide_of({"height"}), Guide{});
     EXPECT_EQ(guide_of({"Y", "A", "Z"}), Guide{});
     EXPECT_EQ(guide_of({"a.R", "a.G", "a.B"}), Guide{});
 }

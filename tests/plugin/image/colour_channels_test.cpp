@@ -57,13 +57,28 @@ TEST(ColourChannels, AreBareOnesBeforeAnyLayers) {
 
 TEST(ColourChannels, AreOfTheFirstLayerOfTheLikeliestName) {
     EXPECT_EQ(colour_of(image_of({layer_of("a", "RGB"), layer_of("b", "RGB")})), "a.R a.G a.B -");
-    EXPECT_EQ(colour_of(image_of({layer_of("a", "RGB"), layer_of("b", "RGBA")})),
-              "b.R b.G b.B b.A");
+    EXPECT_EQ(colour_of(image_of({layer_of("main", "RGB"), layer_of("mattes", "RGBA")})),
+              "main.R main.G main.B -");
+    EXPECT_EQ(colour_of(image_of({layer_of("depth", "RGB"), layer_of("b", "RGB")})),
+              "b.R b.G b.B -");
+    EXPECT_EQ(colour_of(image_of({layer_of("depth", "RGB")})), "depth.R depth.G depth.B -");
     EXPECT_EQ(colour_of(image_of({layer_of("a", "RGBA"), layer_of("rgb.left", "RGB")})),
               "rgb.left.R rgb.left.G rgb.left.B -");
     EXPECT_EQ(colour_of(image_of({layer_of("C.left", "RGB"), layer_of("C", "RGB")})),
               "C.R C.G C.B -");
     EXPECT_EQ(colour_of(image_of({layer_of("a", "RG"), layer_of("b", "RGB")})), "b.R b.G b.B -");
+}
+
+TEST(ColourChannels, AreGreyBeforeALayers) {
+    EXPECT_EQ(colour_of(image_of({{"Y", "A"}, layer_of("mask", "RGBA")})), "Y A");
+    EXPECT_EQ(colour_of(image_of({layer_of("mask", "RGB"), {"Y", "Z"}})), "Y -");
+    EXPECT_EQ(colour_of(named({"Y", "BY", "RY"})), "Y -");
+}
+
+TEST(ColourChannels, AloneAreWhereEdgesAreSought) {
+    const ddt::Channels channels = ddt::channels_of(image_of({{"height"}, layer_of("P", "XYZ")}));
+    EXPECT_EQ(channels.colour.count, 1);
+    EXPECT_TRUE(channels.guide.empty());
 }
 
 TEST(ColourChannels, HaveTheAlphaOfNoOtherColour) {

@@ -113,7 +113,7 @@ TEST(LazyFile, TilesForWhichThereIsNoMemoryAreRefused) {
     OIIO::attribute("limits:imagesize_MB", 1000);
     EXPECT_FALSE(file.make_room(0, error));
     OIIO::attribute("limits:imagesize_MB", before);
-    EXPECT_NE(error.find("refused.tif\" in tiles of 1 x 1073741824 pixels would need 1024 MB; "
+    EXPECT_NE(error.find("refused.tif\" in pieces of 1 x 1073741824 pixels would need 1024 MB; "
                          "allowed are 1000 MB"),
               std::string::npos)
         << error;

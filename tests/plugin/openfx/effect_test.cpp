@@ -153,7 +153,7 @@ TEST_F(OpenFx, ARegionThatIsNotTheImagesCountsForNothing) {
     for (const std::optional<Rect>& defined :
          {std::optional<Rect>{}, std::optional<Rect>{{0, 0, 0, 0}},
           std::optional<Rect>{{0, 0, 101, 81}}, std::optional<Rect>{{0, 0, 30, 20}},
-          std::optional<Rect>{{0, 0, 51, 41}}}) {
+          std::optional<Rect>{{10, 0, 50, 40}}, std::optional<Rect>{{0, 0, 51, 41}}}) {
         open(natron, image);
         effect->source_region = {0, 0, 101, 81};
         effect->source_defined = defined;

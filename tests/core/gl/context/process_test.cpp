@@ -120,7 +120,6 @@ TEST_P(Process, TheEnvironmentNamesTheDeviceOfAutomaticJobs) {
     EXPECT_NE(result.error.find("osmesa"), std::string::npos) << result.error;
 }
 
-/// As far as one GPU tells, or none.
 // A software renderer's threads are the host's if it has a context first, and keep denormals as it
 // does: see GradientMean in shaders/surface.glsl. (Alone in its process, as ctest runs it; else
 // another test may have had one.)
@@ -142,6 +141,7 @@ TEST(Egl, AHostThatKeepsDenormalsChangesNoBit) {
     expect_same(Device::egl, steep, order, "steep rows");
 }
 
+/// As far as one GPU tells, or none.
 TEST(Egl, TheEnvironmentNamesOneOfSeveralGpus) {
     std::string why;
     if (!gl::make_egl_context(gl::Wanted::any, why))
