@@ -40,8 +40,10 @@ void add(inout GradientMean mean, ivec2 j, ivec2 k, vec4 dzj, vec4 dzk) {
 void result(GradientMean mean, out vec4 gx, out vec4 gy) {
     precise vec4 r = rsqrt(3, if_less(vec4(0.0), mean.weight, mean.weight, vec4(1.0)));
     precise vec4 reciprocal = r * r;
-    precise vec4 x = mean.base_x + mean.sum_x * reciprocal;
-    precise vec4 y = mean.base_y + mean.sum_y * reciprocal;
+    precise vec4 beside_x = mean.sum_x * reciprocal;
+    precise vec4 beside_y = mean.sum_y * reciprocal;
+    precise vec4 x = mean.base_x + without_denormals(beside_x);
+    precise vec4 y = mean.base_y + without_denormals(beside_y);
     gx = without_denormals(x);
     gy = without_denormals(y);
 }

@@ -184,8 +184,7 @@ ExitCode fail(const Failure& failure) {
 
 void tell(const std::string& message) {
     // Not by the stream: what that keeps back fails once more at the end, when nobody knows whose
-    // it was.
-    // That a reader has seen enough is no fault.
+    // it was. That a reader has seen enough is no fault.
     if (dprintf(STDOUT_FILENO, "%s\n", message.c_str()) < 0 && errno != EPIPE)
         note(why_not_printed(errno));
 }

@@ -11,7 +11,8 @@
 namespace ddt::tool {
 
 /// What changes with a file's bytes: which file has the name, its size and the times of its last
-/// changes. Readers do not notice: they go on with the bytes that they find.
+/// changes; not its rights, nor what other names it has. Readers do not notice changes: they go on
+/// with the bytes that they find.
 class FileState {
 public:
     /// To be made before anything is read.
@@ -20,6 +21,10 @@ public:
     /// Whether what was read until now is of one file. A name of no file says nothing of changes: a
     /// pipe's times are those of reading it, and readers know names with a query.
     bool is_unchanged() const;
+
+    /// The same of all that was to be read, if that is what was_read tells: a file that has gone
+    /// since is no reason to give up what was made of it.
+    bool is_of_one_file(bool was_read) const;
 
     /// What is to be said once all was read, and something was made of it or not: false with the
     /// failure that the file was changed, if it was; else `made`, and `failure` as it is. A failure

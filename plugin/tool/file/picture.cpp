@@ -153,7 +153,7 @@ bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& err
     }
     const FileState before(path);
     const bool read = read_image(path, image, error, number, hints);
-    if (before.is_unchanged())
+    if (before.is_of_one_file(read))
         return read;
     error = why_changed(path);
     return false;

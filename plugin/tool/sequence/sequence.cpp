@@ -52,13 +52,16 @@ bool check_name(const std::string& text, const FrameName& name, bool frames, boo
 }
 
 /// Names by which files are told apart: without links, which lead to one file, or one folder, from
-/// many names.
+/// many names. (What leads to a device is no file: many may.)
 class Names {
 public:
     std::string of(const std::string& path) {
-        const fs::path name = followed(path);
+        fs::path name = followed(path);
+        std::error_code ignored;
+        if (name != path && fs::is_other(name, ignored))
+            name = path;
         const auto [known, is_new] = m_folders.try_emplace(name.parent_path().string());
-        if (is_new) // looked at once: a file system on a network takes its time
+        if (is_new) // folders are looked at once: a file system on a network takes its time
             known->second = whole(name.parent_path());
         return (known->second / name.filename()).string();
     }
@@ -79,13 +82,15 @@ private:
 /// another's source.
 bool check_outputs(const std::vector<FrameTask>& tasks, Failure& failure) {
     std::map<std::string, std::string> source;
-    std::set<std::string> sources;
+    std::vector<std::string> sources; // one a task
     Names names;
     for (const FrameTask& task : tasks)
-        sources.insert(names.of(task.in));
-    for (const FrameTask& task : tasks) {
+        sources.push_back(names.of(task.in));
+    const std::set<std::string> all_sources(sources.begin(), sources.end());
+    for (size_t i = 0; i < tasks.size(); ++i) {
+        const FrameTask& task = tasks[i];
         const std::string out = names.of(task.out);
-        if (out != names.of(task.in) && sources.count(out) > 0)
+        if (out != sources[i] && all_sources.count(out) > 0)
             return refuse("\"" + task.in + "\" would become \"" + task.out +
                               "\", which is another's source",
                           failure);

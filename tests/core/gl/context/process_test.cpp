@@ -124,7 +124,7 @@ TEST_P(Process, TheEnvironmentNamesTheDeviceOfAutomaticJobs) {
 // does: see GradientMean in shaders/surface.glsl. (Alone in its process, as ctest runs it; else
 // another test may have had one.)
 TEST(Egl, AHostThatKeepsDenormalsChangesNoBit) {
-    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    const Environment software("LIBGL_ALWAYS_SOFTWARE", "1");
     std::string why;
     const auto host = gl::make_egl_context(gl::Wanted::any, why);
     if (!host)

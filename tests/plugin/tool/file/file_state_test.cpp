@@ -36,6 +36,27 @@ TEST_F(FileStates, OtherBytesAreAChangeEvenOfTheSameSizeAndTime) {
     EXPECT_FALSE(state.is_unchanged());
 }
 
+TEST_F(FileStates, LinksAndRightsAreNoChange) {
+    const FileState state(m_path);
+    const std::string link = temporary("state's link");
+    fs::create_hard_link(m_path, link);
+    EXPECT_TRUE(state.is_unchanged());
+    const FileState linked(m_path);
+    fs::remove(link);
+    EXPECT_TRUE(linked.is_unchanged());
+    fs::permissions(m_path, fs::perms::owner_read, fs::perm_options::remove);
+    EXPECT_TRUE(linked.is_unchanged());
+}
+
+TEST_F(FileStates, AFileThatGoesOnceItWasReadIsOne) {
+    const FileState state(m_path);
+    fs::remove(m_path);
+    EXPECT_TRUE(state.is_of_one_file(true));
+    EXPECT_FALSE(state.is_of_one_file(false));
+    std::ofstream(m_path) << "another";
+    EXPECT_FALSE(state.is_of_one_file(true));
+}
+
 TEST_F(FileStates, AnotherFileOfTheNameIsAChange) {
     const FileState state(m_path);
     const std::string other = temporary("other state");

@@ -190,6 +190,9 @@ TEST(Frames, FilesAreToldApartWhateverLinksLeadToThem) {
     // The source is a link to what another becomes.
     link("r.2", "t.1");
     EXPECT_NE(refused("t.%d", "r.%d").find("another's source"), std::string::npos);
+    link("/dev/null", "v.1");
+    link("/dev/null", "v.2");
+    EXPECT_EQ(refused("s.%d", "v.%d"), "");
     // One that leads to the frame's own source replaces that.
     link("s.1", "own.1");
     link("s.2", "own.2");
