@@ -18,7 +18,7 @@ namespace gl {
 
 namespace {
 
-constexpr size_t group = tin_group, most_groups = 65535; ///< in a dispatch's x
+constexpr size_t group = tin_group;
 
 // The shaders read these as they are.
 static_assert(sizeof(Tin::Vertex) == 12 && sizeof(Tin::Triangle) == 24 && sizeof(Tin::Edge) == 8 &&
@@ -150,7 +150,7 @@ DeviceTin::Counts DeviceTin::pass_there(const char* shader, size_t invocations, 
     m_gl.Uniform1i(3, m_by_gain);
     m_gl.Uniform1i(4, wide);
     const size_t groups = (invocations + group - 1) / group;
-    const size_t across = std::min(groups, most_groups);
+    const size_t across = std::min(groups, size_t(most_groups));
     m_gl.DispatchCompute(GLuint(across), GLuint((groups + across - 1) / across), 1);
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     Counts counts;

@@ -44,6 +44,9 @@ namespace ddt::gl {
 DDT_LAYOUTS(DDT_LAYOUT)
 #undef DDT_LAYOUT
 
+/// Groups of invocations along an axis of a dispatch: as many as OpenGL promises.
+constexpr int most_groups = 65535;
+
 /// The programs that were begun so far. To be used on the context's thread.
 class Programs {
 public:

@@ -22,10 +22,8 @@ constexpr size_t strip_bytes = size_t(16) << 20, bytes_under_way = 4 * strip_byt
 /// Rows that are handed to the sink at once.
 constexpr int rows_a_write = 32;
 
-/// Of a strip whose positions form a grid: so many groups of invocations OpenGL promises along each
-/// axis of a dispatch.
-constexpr int most_groups = 65535, most_columns = most_groups * sample_group_x,
-              most_rows = most_groups * sample_group_y;
+/// Of a strip whose positions form a grid.
+constexpr int most_columns = most_groups * sample_group_x, most_rows = most_groups * sample_group_y;
 
 /// A strip of so many rows has no more than strip_bytes, if it can.
 int strip_height(const Rect& reach, int channels) {

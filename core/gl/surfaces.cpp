@@ -298,7 +298,7 @@ size_t Surfaces::download(size_t count, const Travel& travel, SampleMemory& memo
 }
 
 void Surfaces::pack(size_t count, const Travel& travel, SampleMemory& memory) {
-    constexpr size_t most_groups = 4096; // which go on where there is more
+    constexpr size_t packing_groups = 4096; // which go on where there is more
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     m_gpu.programs->use("pack.comp", pack_macros(travel.back));
     if (travel.back == Travel::Back::codes) {
@@ -316,7 +316,7 @@ void Surfaces::pack(size_t count, const Travel& travel, SampleMemory& memory) {
     memory.results->bind(5);
     memory.packed->bind(6);
     const size_t words = packed_bytes(count, travel) / sizeof(uint32_t);
-    m_gl.DispatchCompute(GLuint(std::clamp<size_t>(words / list_group, 1, most_groups)), 1, 1);
+    m_gl.DispatchCompute(GLuint(std::clamp<size_t>(words / list_group, 1, packing_groups)), 1, 1);
 }
 
 } // namespace ddt::gl
