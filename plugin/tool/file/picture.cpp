@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 
 #include <OpenImageIO/filesystem.h>
@@ -108,6 +109,11 @@ std::string image_name(const std::string& path, int number) {
 }
 
 bool check_reader(const std::string& path, int number, std::string& error) {
+    std::error_code ignored;
+    if (std::filesystem::is_fifo(path, ignored)) { // opened again and again, it would wait for ever
+        error = cannot_read(path, "it is a pipe, and images are read from files alone");
+        return false;
+    }
     char begin[2] = {};
     std::ifstream(path, std::ios::binary).read(begin, sizeof begin);
     if (begin[0] != begin[1] || (begin[0] != 'I' && begin[0] != 'M')) // no TIFF

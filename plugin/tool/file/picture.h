@@ -36,8 +36,9 @@ std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path)
 std::string image_name(const std::string& path, int number = 0);
 
 /// False with one line in `error` if the image of a file makes its reader overrun its memory
-/// (plugin/image/metadata.h). To be asked before an ImageBuf without a cache is made of the file:
-/// that of OpenImageIO 2.5 reads pixels at once.
+/// (plugin/image/metadata.h), or the file is a pipe, for which readers would wait for ever. To be
+/// asked before an ImageBuf without a cache is made of the file: that of OpenImageIO 2.5 reads
+/// pixels at once.
 bool check_reader(const std::string& path, int number, std::string& error);
 
 /// Have an ImageBuf of the image of this number in a file, of which check_reader() was asked, know

@@ -262,6 +262,14 @@ bool open_part(const std::string& path, const OIIO::ImageSpec& spec, ImageFile& 
     return file.open(spec, failure);
 }
 
+/// Whether readers may be tried on the source: to be asked before there is a PartJob.
+bool check_source(const std::string& in, Failure& failure) {
+    if (check_reader(in, 0, failure.why))
+        return true;
+    failure.code = code_of_message(failure.why);
+    return false;
+}
+
 /// What a part is made from and belongs to.
 struct PartJob {
     explicit PartJob(const std::string& in)
@@ -270,8 +278,7 @@ struct PartJob {
     Grid grid() const { return Grid(rect_of(image().roi())); }
 
     bool plan(const ResizeSettings& settings, const Part& part, Failure& failure) {
-        if (!check_reader(path, 0, failure.why) ||
-            !begin_image(path, 0, file.image(), failure.why)) {
+        if (!begin_image(path, 0, file.image(), failure.why)) {
             failure.code = code_of_message(failure.why);
             return false;
         }
@@ -376,8 +383,10 @@ bool is_part_there(const std::string& in, const std::string& out, const ResizeSe
     }
     if (!there.read_from(file->spec()))
         return false;
-    PartJob job(in);
     Failure ignored; // whoever makes the part tells
+    if (!check_source(in, ignored))
+        return false;
+    PartJob job(in);
     return job.plan(settings, part, ignored) && job.header.job == there.job &&
            part.index == there.part.index && part.count == there.part.count && has_last_tile(*file);
 }
@@ -385,7 +394,7 @@ bool is_part_there(const std::string& in, const std::string& out, const ResizeSe
 bool resize_part(const std::string& in, const std::string& out, const ResizeSettings& settings,
                  Part part, const std::function<bool(float)>& progress, Failure& failure) {
     const EndsWithoutMemory or_the_cache_waits;
-    if (!check_place(in, out, failure))
+    if (!check_place(in, out, failure) || !check_source(in, failure))
         return false;
     PartJob job(in);
     ImageFile file;

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <fstream>
 
+#include <sys/stat.h>
+
 #include <OpenImageIO/strutil.h>
 #include <gtest/gtest.h>
 
@@ -54,6 +56,16 @@ public:
 private:
     std::string m_name;
 };
+
+TEST(OpenImage, OfAPipeThereIsNone) {
+    const std::string path = temporary("pipe.png");
+    ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+    OIIO::ImageBuf image;
+    std::string error;
+    EXPECT_FALSE(open_image(path, image, error));
+    EXPECT_NE(error.find(path), std::string::npos) << error;
+    EXPECT_NE(error.find("it is a pipe"), std::string::npos) << error;
+}
 
 TEST(OpenImage, OfAFileThatChangesMeanwhileThereIsNone) {
     static const char* extensions[] = {extension + 1, nullptr};
