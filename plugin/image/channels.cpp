@@ -78,7 +78,7 @@ Channels channels_of(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& native)
         channels.kinds.push_back(is_id(c)              ? Channel::nearest
                                  : c == channels.alpha ? Channel::alpha
                                                        : Channel::blend);
-    if (!found.named && found.layout.count != 1)
+    if (!found.layer && found.layout.count != 1)
         channels.guide = find_guide(channels.kinds, quantities);
     // Readers keep colour unassociated when asked to, and say so.
     if (found.layout.count && !spec.get_int_attribute("oiio:UnassociatedAlpha"))

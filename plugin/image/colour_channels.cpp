@@ -97,16 +97,11 @@ ColourChannels find_colour(const OIIO::ImageSpec& spec, const std::vector<Layer>
     if (found.layer) {
         find_triple(*found.layer, channel);
         found.layout.count = 3;
-        found.named = true;
-    } else if (has_grey) {
-        channel[0] = grey;
-        found.layout.count = 1;
-        found.named = true;
-    } else if (spec.nchannels >= 3 && may_be(0) && may_be(1) && may_be(2)) {
+    } else if (!has_grey && spec.nchannels >= 3 && may_be(0) && may_be(1) && may_be(2)) {
         std::iota(channel, channel + 3, 0);
         found.layout.count = 3;
     } else {
-        channel[0] = find_only(spec.nchannels, may_be);
+        channel[0] = has_grey ? grey : find_only(spec.nchannels, may_be);
         found.layout.count = channel[0] >= 0 ? 1 : 0;
     }
     return found;
@@ -114,17 +109,19 @@ ColourChannels find_colour(const OIIO::ImageSpec& spec, const std::vector<Layer>
 
 int alpha_of_colour(int alpha, const std::vector<Layer>& layers, const Layer* layer,
                     const std::function<bool(int channel)>& is_id) {
-    const auto home = std::find_if(layers.begin(), layers.end(), [&](const Layer& other) {
-        return std::binary_search(other.channels.begin(), other.channels.end(), alpha);
-    });
-    if (home == layers.end())
-        return -1;
-    int others[3];
-    const bool of_other = layer && layer != &*home && find_triple(*home, others);
-    const int own = layer ? layer->find({"A", "alpha"}) : -1;
-    if (layer && layer != &*home && own >= 0 && !is_id(own))
-        return own;
-    return of_other || is_id(alpha) ? -1 : alpha;
+    const auto has = [](const Layer& of, int c) {
+        return std::binary_search(of.channels.begin(), of.channels.end(), c);
+    };
+    if (alpha >= 0 && layer && !has(*layer, alpha)) {
+        const int own = layer->find({"A", "alpha"});
+        if (own >= 0 && !is_id(own))
+            return own;
+        int others[3];
+        for (const Layer& other : layers)
+            if (has(other, alpha) && find_triple(other, others))
+                return -1;
+    }
+    return alpha >= 0 && !is_id(alpha) ? alpha : -1;
 }
 
 } // namespace ddt

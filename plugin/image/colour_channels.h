@@ -22,7 +22,6 @@ std::vector<Quantity> quantities_of(const OIIO::ImageSpec& spec, const std::vect
 struct ColourChannels {
     ColourLayout layout;          ///< without its alpha
     const Layer* layer = nullptr; ///< where red, green and blue are, by their names
-    bool named = false;           ///< a name tells that it is colour or grey
 };
 
 /// Of the channels that may be colour: those named R, G, B (or red, green, blue), else the one that

@@ -40,8 +40,7 @@ public:
             "frame's number and, with --views, %V or %v in that of the view or its first letter. "
             "Without --frames the frames are those of which there is a file.",
             "Of a file with several images the first is resized; with --all-images each is, to "
-            "SIZE "
-            "of its own, where OUT's format has room for several (EXR's parts, TIFF's pages).",
+            "SIZE of its own, where OUT's format has room for several (EXR's parts, TIFF's pages).",
             "OUT appears under its name when it is whole; until then what was there stays there."};
         operands = {{"IN", "any image OpenImageIO reads"},
                     {"SIZE", "size of the result"},
