@@ -19,7 +19,7 @@ bool is_selected(int m, Edge e) {
     for (int k = 0; k < region_size; ++k) {
         int other = region[k];
         if (other >= 0 && is_of_part(drawn[other]) &&
-            comes_first(other, drawn[other], m, drawn[m]) && flippable(edge_at(other)))
+            draws_before(other, drawn[other], m, drawn[m]) && flippable(edge_at(other)))
             return false;
     }
     return true;

@@ -41,7 +41,7 @@ bool is_of_part(uint drawn) {
 }
 // Of two edges of a part: whether the other one, where it can be flipped, is selected rather than
 // m.
-bool comes_first(int other, uint other_drawn, int m, uint m_drawn) {
+bool draws_before(int other, uint other_drawn, int m, uint m_drawn) {
     return other_drawn > m_drawn || (other_drawn == m_drawn && other < m);
 }
 // Metropolis' u < exp(gain / t), with u = exp(-e).

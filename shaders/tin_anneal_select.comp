@@ -11,7 +11,7 @@ bool is_selected(int m) {
     for (int k = 0; k < wide_region_size; ++k) {
         int other = region[k];
         if (other >= 0 && is_of_part(drawn[other]) &&
-            comes_first(other, drawn[other], m, drawn[m]) && flippable(other))
+            draws_before(other, drawn[other], m, drawn[m]) && flippable(other))
             return false;
     }
     return true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A tile's guide as it travelled becomes floats, one invocation a pixel: undoes what encode_guide()
-// in core/gl/travel.cpp does.
+// in core/gl/transfer.cpp does.
 #include "lattice.glsl"
 
 layout(local_size_x = SURFACE_GROUP_X, local_size_y = SURFACE_GROUP_Y) in; // z: a tile

@@ -25,8 +25,8 @@ set_tests_properties(sanitize.build PROPERTIES LABELS all FIXTURES_SETUP sanitiz
 # takes its time in Mesa's compiler, and OSMesa where it is the same code with EGL.
 string(CONCAT sanitize_large
   "colour_fork|SameBits.EverySchemeAndCost|Check.EveryProgramIsChecked|Hardware[.]"
-  "|Travel.NumbersFitStorageBlocks|Process.AutomaticNeverPicks|Shaders.TheReferenceCompiler"
-  "|/(Faults|SelfCheck|TinCheck|TinOnDevice|SameBits|Shapes|Stages|Travel)[.].*osmesa")
+  "|Transfer.NumbersFitStorageBlocks|Process.AutomaticNeverPicks|Shaders.TheReferenceCompiler"
+  "|/(Faults|SelfCheck|TinCheck|TinOnDevice|SameBits|Shapes|Stages|Transfer)[.].*osmesa")
 add_test(NAME sanitize.run
   COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${sanitize_dir} --output-on-failure -j 2
     --exclude-regex ${sanitize_large})

@@ -40,6 +40,8 @@ namespace ddt {
     FLOAT(cost_slope_square, 0.04f)                                                                \
     /* The step of the usual guide. */                                                             \
     FLOAT(guide_unit, 0x1p-12f)                                                                    \
+    /* The most of it, below and above zero. */                                                    \
+    FLOAT(guide_limit, 1024.0f)                                                                    \
     /* What it is where alpha is 0: below all that shows. */                                       \
     FLOAT(guide_of_nothing, -0.5f)                                                                 \
     /* The gain of an edge that cannot be flipped. */                                              \

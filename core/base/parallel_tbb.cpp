@@ -11,7 +11,7 @@
 #include <tbb/task_arena.h>
 
 #include "core/base/control_groups.h"
-#include "core/base/ordered.h"
+#include "core/base/thread_sanitizer.h"
 
 namespace ddt {
 

@@ -10,7 +10,6 @@
 #include "core/enlarge/build_mesh.h"
 #include "core/guide/guide.h"
 #include "core/lattice/each_triangle.h"
-#include "core/tiles/tile_io.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/triangulate.h"
 #include "ddt/option_table.h"

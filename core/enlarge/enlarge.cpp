@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "core/base/guarded.h"
+#include "core/base/log.h"
 #include "core/base/progress.h"
 #include "core/base/stopwatch.h"
-#include "core/base/verbose.h"
 #include "core/enlarge/fill.h"
 #include "core/enlarge/thread_count.h"
 #include "core/enlarge/whole_source.h"

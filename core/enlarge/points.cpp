@@ -6,9 +6,9 @@
 
 #include "core/base/arith.h"
 #include "core/base/guarded.h"
-#include "core/base/verbose.h"
+#include "core/base/log.h"
 #include "core/gl/offload.h"
-#include "core/tiles/tile_io.h"
+#include "core/guide/guide.h"
 #include "core/tin/delaunay.h"
 #include "core/tin/step_grid.h"
 #include "core/tin/tin_mesh.h"

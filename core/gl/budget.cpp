@@ -7,8 +7,8 @@
 #include <unistd.h>
 
 #include "core/gl/context/failure.h"
-#include "core/gl/travel.h"
-#include "core/surface/net.h"
+#include "core/gl/transfer.h"
+#include "core/surface/control_net.h"
 #include "core/tiles/grid.h"
 
 namespace ddt::gl {
@@ -25,7 +25,7 @@ constexpr size_t hardware_budget = size_t(768) << 20, software_budget = size_t(2
 constexpr size_t share_of_machine = 16;
 
 /// Memory of the host for what is on its way there: of two batches, since one is read while the
-/// other travels. What is on its way back takes half as much (runner.cpp).
+/// other travels. What is on its way back takes half as much (work_on_gpu.cpp).
 constexpr size_t host_budget = size_t(128) << 20;
 
 /// Tiles of a batch, at most. Several batches, since the host reads the next and writes the one
@@ -54,7 +54,7 @@ SlotShape shape_for(const Rect& window) {
 size_t affordable_tiles(const Gpu& gpu, const SlotShape& shape, int groups,
                         const SurfaceOptions& options, int tiles, int meshes) {
     const auto slots = size_t(meshes); // a tile
-    // The tile's numbers as they travel, at most.
+    // The tile's numbers as they transfer, at most.
     const size_t numbers = Numbers().room(shape.pixels() * size_t(groups * group_size));
     const size_t a_tile =
         slots * (DeviceMesh::bytes(shape) + Surfaces::bytes(shape, size_t(groups), options)) +

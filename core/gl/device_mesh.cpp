@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/gl/travel.h"
+#include "core/gl/transfer.h"
 #include "core/gl/work_layout.h"
 
 namespace ddt::gl {

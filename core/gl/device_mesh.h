@@ -118,7 +118,7 @@ public:
     void dispatch_over_sites();
 
 private:
-    // The steps of triangulate(), in schemes.cpp.
+    // The steps of triangulate(), in device_mesh_schemes.cpp.
     void set_criterion(const Criterion& by);
     void find_contours();
     void prepare_lists(const std::vector<Reach>& reach);

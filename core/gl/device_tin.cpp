@@ -109,7 +109,7 @@ void DeviceTin::anneal(const MeshOptions& options, const Workspace& workspace,
         m_place_buffer->write(0, bytes_of(places), places.data());
         m_drawn_buffer = std::make_unique<Buffer>(m_gl, m_edges * sizeof(uint32_t));
     });
-    Chance chance{0, mixed(options.seed), 0, 0};
+    AnnealingUniforms chance{0, mixed(options.seed), 0, 0};
     const int iterations = options.max_iterations;
     for (int i = 0; i < iterations; ++i) {
         chance.salt = annealing_salt(chance.seed, i);
@@ -126,12 +126,12 @@ void DeviceTin::anneal(const MeshOptions& options, const Workspace& workspace,
 }
 
 DeviceTin::Counts DeviceTin::pass(const char* shader, size_t invocations, bool wide,
-                                  const Chance* chance) {
+                                  const AnnealingUniforms* chance) {
     return there([&] { return pass_there(shader, invocations, wide, chance); });
 }
 
 DeviceTin::Counts DeviceTin::pass_there(const char* shader, size_t invocations, bool wide,
-                                        const Chance* chance) {
+                                        const AnnealingUniforms* chance) {
     m_gpu.programs->use(shader, m_cost);
     const Buffer* const buffers[] = {&m_vertex_buffer, &m_triangle_buffer, &m_edge_buffer,
                                      &m_face_buffer,   &m_gain_buffer,     &m_mark_buffer,
@@ -141,7 +141,7 @@ DeviceTin::Counts DeviceTin::pass_there(const char* shader, size_t invocations, 
     if (chance) {
         m_place_buffer->bind(7);
         m_drawn_buffer->bind(4); // in place of the gains: OpenGL 4.3 promises eight blocks
-        set_chance(m_gl, *chance);
+        set_annealing_uniforms(m_gl, *chance);
     }
     m_count_buffer.clear();
     m_gl.Uniform1i(0, GLint(invocations));

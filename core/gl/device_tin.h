@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/gl/annealing_uniforms.h"
 #include "core/gl/buffer.h"
-#include "core/gl/chance.h"
 #include "core/gl/context/failure.h"
 #include "core/gl/context/gpu.h"
 #include "core/tin/face.h"
@@ -51,8 +51,9 @@ private:
         return m_gpu.thread.post(std::move(f)).get();
     }
     Counts pass(const char* shader, size_t invocations, bool wide = false,
-                const Chance* chance = nullptr);
-    Counts pass_there(const char* shader, size_t invocations, bool wide, const Chance* chance);
+                const AnnealingUniforms* chance = nullptr);
+    Counts pass_there(const char* shader, size_t invocations, bool wide,
+                      const AnnealingUniforms* chance);
     /// Without rules as one_round does.
     void flip_by(const std::optional<Rules>& rules, int iterations, const Workspace& workspace,
                  Statistics& statistics);

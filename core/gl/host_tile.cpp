@@ -3,6 +3,7 @@
 
 #include "core/base/arith.h"
 #include "core/guide/guide.h"
+#include "core/tiles/channel_groups.h"
 #include "core/tiles/tile_io.h"
 #include "core/triangulate/triangulate.h"
 

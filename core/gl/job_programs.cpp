@@ -5,7 +5,7 @@
 
 #include "core/gl/device_mesh.h"
 #include "core/surface/consistency/corrections.h"
-#include "core/surface/net.h"
+#include "core/surface/control_net.h"
 #include "core/triangulate/schemes.h"
 #include "ddt/names.h"
 
@@ -84,19 +84,19 @@ std::string unpack_macros(const Numbers& numbers) {
     return numbers.bytes == 1 ? "CODES_8" : numbers.bytes == 2 ? "CODES_16" : "";
 }
 
-std::string pack_macros(Travel::Back back) {
-    return back == Travel::Back::codes ? "CODES" : "HALFS";
+std::string pack_macros(Transfer::Download back) {
+    return back == Transfer::Download::codes ? "CODES" : "HALFS";
 }
 
-std::vector<JobProgram> job_programs(const Job& job, const Travel& travel) {
+std::vector<JobProgram> job_programs(const Job& job, const Transfer& transfer) {
     std::vector<JobProgram> all{{"unpack_guide.comp", ""},
-                                {"unpack.comp", unpack_macros(travel.there)}};
+                                {"unpack.comp", unpack_macros(transfer.upload)}};
     add_mesh(job.mesh, all);
     add_surface(job.surface, all);
     for (int mesh = 0; mesh < std::min(job.mesh.meshes, 2); ++mesh)
         all.push_back({"sample.comp", sample_macros(job.surface, job.channels, mesh)});
-    if (travel.packed())
-        all.push_back({"pack.comp", pack_macros(travel.back)});
+    if (transfer.packed())
+        all.push_back({"pack.comp", pack_macros(transfer.download)});
     return all;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/gl/travel.h"
+#include "core/gl/transfer.h"
 #include "core/triangulate/gain.h"
 #include "ddt/core.h"
 
@@ -19,13 +19,13 @@ std::string correct_macros(const SurfaceOptions& options);
 /// mesh: of several that are averaged, from 0 on.
 std::string sample_macros(const SurfaceOptions& options, int channels, int mesh);
 std::string unpack_macros(const Numbers& numbers);
-std::string pack_macros(Travel::Back back);
+std::string pack_macros(Transfer::Download back);
 
 struct JobProgram {
     std::string file, macros;
 };
 
 /// All that the job may use, and its check (SelfChecks), in the order in which they do.
-std::vector<JobProgram> job_programs(const Job& job, const Travel& travel);
+std::vector<JobProgram> job_programs(const Job& job, const Transfer& transfer);
 
 } // namespace ddt::gl

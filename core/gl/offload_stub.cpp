@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stands in for offload.cpp and runner.cpp where OpenGL's headers were missing when this was built.
+// Stands in for offload.cpp and work_on_gpu.cpp where OpenGL's headers were missing when this was
+// built.
 #include "core/gl/offload.h"
 #include "core/gl/requested_device.h"
 #include "ddt/names.h"

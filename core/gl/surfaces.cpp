@@ -9,8 +9,8 @@
 #include "core/gl/context/failure.h"
 #include "core/gl/job_programs.h"
 #include "core/surface/consistency/corrections.h"
+#include "core/surface/control_net.h"
 #include "core/surface/fitted/weights.h"
-#include "core/surface/net.h"
 
 namespace ddt::gl {
 
@@ -233,21 +233,21 @@ void Surfaces::reserve(std::unique_ptr<Buffer>& buffer, size_t bytes) {
 
 namespace {
 
-/// Room for results as they travel, in whole words.
-size_t packed_bytes(size_t numbers, const Travel& travel) {
-    return travel.packed() ? whole_words(numbers * travel.bytes_back()) : 0;
+/// Room for results as they transfer, in whole words.
+size_t packed_bytes(size_t numbers, const Transfer& transfer) {
+    return transfer.packed() ? whole_words(numbers * transfer.download_bytes()) : 0;
 }
 
 } // namespace
 
-void Surfaces::make_room(size_t coordinates, size_t numbers, const Travel& travel,
+void Surfaces::make_room(size_t coordinates, size_t numbers, const Transfer& transfer,
                          SampleMemory& memory) {
     reserve(memory.positions, coordinates * sizeof(int32_t));
     if (!memory.sent || memory.sent->bytes() < memory.positions->bytes())
         memory.sent = std::make_unique<HostBuffer>(m_gl, memory.positions->bytes());
     reserve(memory.results, numbers * sizeof(float));
-    if (travel.packed())
-        reserve(memory.packed, packed_bytes(numbers, travel));
+    if (transfer.packed())
+        reserve(memory.packed, packed_bytes(numbers, transfer));
 }
 
 void Surfaces::write_positions(const std::vector<int32_t>& positions, SampleMemory& memory) {
@@ -288,21 +288,21 @@ void Surfaces::sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int index,
     }
 }
 
-size_t Surfaces::download(size_t count, const Travel& travel, SampleMemory& memory,
+size_t Surfaces::download(size_t count, const Transfer& transfer, SampleMemory& memory,
                           HostBuffer& to) {
-    if (travel.packed())
-        pack(count, travel, memory);
-    const size_t bytes = count * travel.bytes_back();
-    to.download(m_gl, travel.packed() ? *memory.packed : *memory.results, bytes);
+    if (transfer.packed())
+        pack(count, transfer, memory);
+    const size_t bytes = count * transfer.download_bytes();
+    to.download(m_gl, transfer.packed() ? *memory.packed : *memory.results, bytes);
     return bytes;
 }
 
-void Surfaces::pack(size_t count, const Travel& travel, SampleMemory& memory) {
+void Surfaces::pack(size_t count, const Transfer& transfer, SampleMemory& memory) {
     constexpr size_t packing_groups = 4096; // which go on where there is more
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    m_gpu.programs->use("pack.comp", pack_macros(travel.back));
-    if (travel.back == Travel::Back::codes) {
-        const CodeTable& table = *travel.codes_back;
+    m_gpu.programs->use("pack.comp", pack_macros(transfer.download));
+    if (transfer.download == Transfer::Download::codes) {
+        const CodeTable& table = *transfer.download_codes;
         if (!m_code_table) {
             const size_t bytes = table.entries.size() * sizeof(uint32_t);
             m_code_table = std::make_unique<Buffer>(m_gl, bytes);
@@ -315,7 +315,7 @@ void Surfaces::pack(size_t count, const Travel& travel, SampleMemory& memory) {
     m_gl.Uniform1i(0, GLint(count));
     memory.results->bind(5);
     memory.packed->bind(6);
-    const size_t words = packed_bytes(count, travel) / sizeof(uint32_t);
+    const size_t words = packed_bytes(count, transfer) / sizeof(uint32_t);
     m_gl.DispatchCompute(GLuint(std::clamp<size_t>(words / list_group, 1, packing_groups)), 1, 1);
 }
 

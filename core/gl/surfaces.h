@@ -7,7 +7,7 @@
 
 #include "core/gl/device_mesh.h"
 #include "core/gl/host_buffer.h"
-#include "core/gl/travel.h"
+#include "core/gl/transfer.h"
 
 namespace ddt::gl {
 
@@ -69,7 +69,8 @@ public:
 
     /// Make room for so many coordinates of positions and numbers of results, of plans that are
     /// sampled before anything is downloaded, if there is none. Throws OutOfMemory.
-    void make_room(size_t coordinates, size_t numbers, const Travel& travel, SampleMemory& memory);
+    void make_room(size_t coordinates, size_t numbers, const Transfer& transfer,
+                   SampleMemory& memory);
     /// The positions that plans refer to, for which there must be room.
     void write_positions(const std::vector<int32_t>& positions, SampleMemory& memory);
     /// Dispatch the reading of the surface, for whose results there must be room: a float a channel
@@ -77,7 +78,7 @@ public:
     void sample(DeviceMesh& mesh, const SamplePlan& plan, const SampleMemory& memory);
     /// Have so many results, from the first on, copied to `to` as they travel: there when a Fence
     /// has passed. Returns the bytes.
-    size_t download(size_t count, const Travel& travel, SampleMemory& memory, HostBuffer& to);
+    size_t download(size_t count, const Transfer& transfer, SampleMemory& memory, HostBuffer& to);
 
 private:
     struct Group {
@@ -100,7 +101,7 @@ private:
     bool has_edges() const { return m_edges != nullptr; }
     void find_edges(DeviceMesh& mesh, const Group& group, int margin);
     void bend_edges(DeviceMesh& mesh, const Group& group, int margin);
-    void pack(size_t count, const Travel& travel, SampleMemory& memory);
+    void pack(size_t count, const Transfer& transfer, SampleMemory& memory);
     void bind_channels(int group) const;
     size_t tile_bytes() const; ///< of its numbers
     void reserve(std::unique_ptr<Buffer>& buffer, size_t bytes);
@@ -115,7 +116,7 @@ private:
     std::vector<Group> m_groups;
     Numbers m_expected;
     int m_channels = 0, m_meshes = 1;
-    std::unique_ptr<Buffer> m_numbers, m_codes; ///< as they travel; what codes stand for
+    std::unique_ptr<Buffer> m_numbers, m_codes; ///< as they transfer; what codes stand for
     std::unique_ptr<Buffer> m_code_table;       ///< CodeTable::entries
     std::unique_ptr<Buffer> m_table;            ///< FittedTable, if the surface is fitted
     std::unique_ptr<Buffer> m_edges; ///< by net_edges.comp, of the group that is corrected

@@ -36,11 +36,11 @@ DDT_INLINE float srgb_curve(float light) {
 }
 
 DDT_INLINE float guide_step(float v) {
-    const auto size = int32_t(bits_of(v) & 0x7fffffffu), most = int32_t(bits_of(1024.0f));
+    const auto size = int32_t(bits_of(v) & 0x7fffffffu), most = int32_t(bits_of(guide_limit));
     const float within = float_of(uint32_t(size < most ? size : most)); // NaN can be converted so
     // Conversion to int drops the fraction: halves go away from 0, alike on both sides of it.
-    const auto steps = int32_t(within * 4096.0f + 0.5f);
+    const auto steps = int32_t(within * (1.0f / guide_unit) + 0.5f);
     const int32_t negative = int32_t(bits_of(v)) >> 31; // -1 or 0
-    const float nearest = float((steps ^ negative) - negative) * (1.0f / 4096.0f);
+    const float nearest = float((steps ^ negative) - negative) * guide_unit;
     return float_of(choose(is_finite(v), bits_of(nearest), 0));
 }

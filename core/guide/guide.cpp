@@ -7,6 +7,7 @@
 #include "core/base/arith.h"
 #include "core/base/constants.h"
 #include "core/base/float_bits.h"
+#include "core/base/zero_small.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/guide/guide.cpp"
@@ -134,6 +135,10 @@ float srgb_curve(float light) {
 
 float guide_step(float v) {
     return scalar::guide_step(v);
+}
+
+void clean_guide(float* guide, size_t n) {
+    zero_unusual(guide, n, least_guide);
 }
 
 void make_guide(const GuideRecipe& recipe, const float* pixels, size_t count, int stride,

@@ -85,9 +85,8 @@ void find_crossing_triangles(const Lattice& lattice, int cx, int cy, const CellP
             locate(lattice, cx, cy, {exact(positions.x()[i]), exact(positions.y()[i])});
         float least[3]; // what a weight is of positions that belong to the triangle
         for (int k = 0; k < 3; ++k)
-            least[k] = tie_inside(corners.p[(k + 2) % 3] - corners.p[(k + 1) % 3])
-                           ? 0.0f
-                           : 1.0f / float(position_one);
+            least[k] =
+                tie_inside(corners.p[(k + 2) % 3] - corners.p[(k + 1) % 3]) ? 0.0f : position_unit;
         // On the rim, a tie may belong to a triangle that does not hold it.
         const uint64_t held =
             (find(CellPlanes(corners), least, positions) | uint64_t(1) << i) & left;

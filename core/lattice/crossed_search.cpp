@@ -69,7 +69,7 @@ struct Line {
 
 private:
     static HWY_INLINE VF least_step(hn::Mask<D> on_it) {
-        return hn::IfThenZeroElse(on_it, hn::Set(D(), 1.0f / float(position_one)));
+        return hn::IfThenZeroElse(on_it, hn::Set(D(), position_unit));
     }
 };
 

@@ -24,7 +24,8 @@
 //   first_edges      for walks round a vertex; fans: such walks for many vertices at once
 //   neighbours, row_reach    how far edges go from a part of the lattice, or from a row
 //   locate           the triangle of a position; crossed_cell: those of all positions in a crossed
-//                    cell; crossed_search: in many crossed cells at once
+//                    cell; crossed_search: in many crossed cells at once; crossed_rows: in those
+//                    of some rows, kept
 // site_lanes-inl.h, known_lanes-inl.h, every_second-inl.h: sites and edges as lanes of vectors;
 // quad-inl.h: the parallelogram round an edge, for scalars and lanes.
 #pragma once

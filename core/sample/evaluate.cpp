@@ -8,8 +8,8 @@
 
 #include "core/base/arith.h"
 #include "core/base/vectors/row_lanes.h"
-#include "core/sample/crossed.h"
-#include "core/sample/phases.h"
+#include "core/sample/evaluate_crossed.h"
+#include "core/sample/evaluate_phases.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/sample/evaluate.cpp"
@@ -77,11 +77,11 @@ struct BlockStore {
     }
 };
 
-/// Net::strict in every block, and whether all its lanes are.
+/// ControlNet::strict in every block, and whether all its lanes are.
 struct Strictness {
     Blocks lanes;
     bool all;
-    explicit HWY_INLINE Strictness(const Net& net)
+    explicit HWY_INLINE Strictness(const ControlNet& net)
         : lanes(in_every_block(net.strict)),
           all(net.strict[0] > 0 && net.strict[1] > 0 && net.strict[2] > 0 && net.strict[3] > 0) {}
 };
@@ -167,7 +167,8 @@ HWY_INLINE void evaluate_cell(const NetView& net, const Strictness& strict, cons
 }
 
 template <bool quadratic, bool soft>
-HWY_INLINE void evaluate_spans(const Net& whole, const LocatedRow& row, const BlockStore& out) {
+HWY_INLINE void evaluate_spans(const ControlNet& whole, const LocatedRow& row,
+                               const BlockStore& out) {
     const NetView net(whole);
     const Strictness strict(whole);
     for (const Span& span : row.spans)
@@ -226,8 +227,8 @@ HWY_INLINE void evaluate_range_in_rows(const NetView& net, const Strictness& str
 /// before what evaluate_phases() made and at the end of a row: there stands what is not the
 /// block's. What evaluate_crossed() makes comes last.
 template <bool quadratic, bool soft>
-HWY_INLINE void evaluate_ranges(const Net& whole, const Columns& columns, const LocatedBlock& block,
-                                BlockStore out) {
+HWY_INLINE void evaluate_ranges(const ControlNet& whole, const Columns& columns,
+                                const LocatedBlock& block, BlockStore out) {
     const bool one_group = out.whole;
     const int phases_end = block.phases ? columns.alike.end() : 0;
     size_t next_span[LocatedBlock::most_rows] = {};
@@ -252,16 +253,16 @@ HWY_INLINE void evaluate_ranges(const Net& whole, const Columns& columns, const 
     }
 }
 
-HWY_ATTR void evaluate(const Net& net, Surface surface, const LocatedRow& row,
-                       const GroupOutput& to) {
+HWY_ATTR void evaluate_row(const ControlNet& net, Surface surface, const LocatedRow& row,
+                           const GroupOutput& to) {
     const BlockStore out(to, 1);
     for_surface(net, surface, [&](auto quadratic, auto soft) HWY_ATTR {
         evaluate_spans<decltype(quadratic)::value, decltype(soft)::value>(net, row, out);
     });
 }
 
-HWY_ATTR void evaluate_rows(const Net& net, Surface surface, const Columns& columns,
-                            const LocatedBlock& block, const GroupOutput& to) {
+HWY_ATTR void evaluate_block(const ControlNet& net, Surface surface, const Columns& columns,
+                             const LocatedBlock& block, const GroupOutput& to) {
     const BlockStore out(to, block.count);
     for_surface(net, surface, [&](auto quadratic, auto soft) HWY_ATTR {
         evaluate_ranges<decltype(quadratic)::value, decltype(soft)::value>(net, columns, block,
@@ -269,7 +270,7 @@ HWY_ATTR void evaluate_rows(const Net& net, Surface surface, const Columns& colu
     });
 }
 
-HWY_ATTR void join_all(const float* last, size_t n, float share, float* mean) {
+HWY_ATTR void add_to_mean(const float* last, size_t n, float share, float* mean) {
     using Floats = Lanes<hn::ScalableTag<float>>;
     const size_t step = hn::Lanes(hn::ScalableTag<float>());
     size_t i = 0;
@@ -287,9 +288,9 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ddt {
 
-HWY_EXPORT(evaluate);
-HWY_EXPORT(evaluate_rows);
-HWY_EXPORT(join_all);
+HWY_EXPORT(evaluate_row);
+HWY_EXPORT(evaluate_block);
+HWY_EXPORT(add_to_mean);
 
 namespace {
 
@@ -319,8 +320,8 @@ int largest_vertex(const LocatedRow& row, const Span& span, int stride, int i) {
     return vertex[w[1] > w[0] ? (w[2] > w[1] ? 2 : 1) : (w[2] > w[0] ? 2 : 0)];
 }
 
-/// Copy Channel::nearest values over what evaluate() made of them.
-void copy_nearest(const Net& net, NearestMask nearest, int stride, const LocatedRow& row,
+/// Copy Channel::nearest values over what the vectors made of them.
+void copy_nearest(const ControlNet& net, NearestMask nearest, int stride, const LocatedRow& row,
                   const GroupOutput& to) {
     for (const Span& span : row.spans)
         for (int i = span.begin; i < span.end; ++i) {
@@ -334,24 +335,24 @@ void copy_nearest(const Net& net, NearestMask nearest, int stride, const Located
 
 } // namespace
 
-void evaluate_row(const Net& net, Surface surface, NearestMask nearest, const LocatedRow& row,
-                  const GroupOutput& to) {
-    HWY_DYNAMIC_DISPATCH(evaluate)(net, surface, row, to);
+void evaluate_row(const ControlNet& net, Surface surface, NearestMask nearest,
+                  const LocatedRow& row, const GroupOutput& to) {
+    HWY_DYNAMIC_DISPATCH(evaluate_row)(net, surface, row, to);
     if (nearest)
         copy_nearest(net, nearest, net.stride, row, to);
 }
 
-void evaluate_block(const Net& net, Surface surface, const Columns& columns,
+void evaluate_block(const ControlNet& net, Surface surface, const Columns& columns,
                     const LocatedBlock& block, const GroupOutput& to) {
     if (block.phases)
         evaluate_phases(net, surface, columns, block, to);
-    HWY_DYNAMIC_DISPATCH(evaluate_rows)(net, surface, columns, block, to);
+    HWY_DYNAMIC_DISPATCH(evaluate_block)(net, surface, columns, block, to);
     if (!block.crossed.cells.empty())
         evaluate_crossed(net, surface, columns, block, to);
 }
 
 void add_to_mean(const float* last, size_t n, float share, float* mean) {
-    HWY_DYNAMIC_DISPATCH(join_all)(last, n, share, mean);
+    HWY_DYNAMIC_DISPATCH(add_to_mean)(last, n, share, mean);
 }
 
 } // namespace ddt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sample/evaluate.h"
+#include "core/sample/locate_row.h"
 
 #include <algorithm>
 
@@ -10,8 +10,6 @@
 namespace ddt {
 
 namespace {
-
-constexpr float unit = 1.0f / float(position_one);
 
 /// Branch-free: the branch would be mispredicted.
 Span::Kind kind_of(Division division) {
@@ -68,9 +66,9 @@ public:
         do {
             // On the rim, a tie may belong to a triangle that does not hold it; no weight is
             // negative all the same.
-            w0[i] = float(w[0]) * unit;
-            w1[i] = float(w[1]) * unit;
-            w2[i] = float(w[2]) * unit;
+            w0[i] = float(w[0]) * position_unit;
+            w1[i] = float(w[1]) * position_unit;
+            w2[i] = float(w[2]) * position_unit;
             if (++i == end)
                 break;
             t.weights(m_points[i], w);
@@ -91,8 +89,8 @@ public:
         int i = begin;
         int32_t x = m_points[i].x - cx * position_one, y = m_points[i].y - cy * position_one;
         do {
-            w0[i] = float(x) * unit;
-            w1[i] = float(y) * unit;
+            w0[i] = float(x) * position_unit;
+            w1[i] = float(y) * position_unit;
             if (++i == end)
                 break;
             x = m_points[i].x - cx * position_one;
@@ -132,7 +130,7 @@ void Columns::find(const Point* points, int n, int width) {
         if (runs.empty() || runs.back().cell != cell)
             runs.push_back({cell, i, i});
         runs.back().end = i + 1;
-        x[size_t(i)] = float(points[i].x - cell * position_one) * unit;
+        x[size_t(i)] = float(points[i].x - cell * position_one) * position_unit;
     }
     find_alike();
 }
@@ -275,7 +273,7 @@ int locate_block(const Lattice& lattice, const Columns& columns, std::vector<Poi
     for (rows = 0; rows < std::min(n, LocatedBlock::most_rows); ++rows) {
         if (cell_of(y[rows], lattice.height()) != cy)
             break;
-        block.y[rows] = float(y[rows] - cy * position_one) * unit;
+        block.y[rows] = float(y[rows] - cy * position_one) * position_unit;
     }
     if (!find_ranges(lattice, columns, cy, block))
         return rows;

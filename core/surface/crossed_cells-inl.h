@@ -36,7 +36,7 @@ template <bool quadratic, bool soft>
 class CrossedCells {
 public:
     /// site: of the row's first corner, in column 0.
-    HWY_INLINE CrossedCells(const Net& net, int site, const PositionLanes& positions)
+    HWY_INLINE CrossedCells(const ControlNet& net, int site, const PositionLanes& positions)
         : m_net(net), m_strict(net.strict), m_site(site), m_stride(net.stride),
           m_positions(positions) {}
 

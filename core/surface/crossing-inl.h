@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a SIMD target's namespace: the surface at positions in a crossed cell.
-// Needs: crossed_cell.h, net.h, crossed_cell-inl.h, patch-inl.h, blocks-inl.h.
+// Needs: crossed_cell.h, control_net.h, crossed_cell-inl.h, patch-inl.h, blocks-inl.h.
 
 /// The blocks whose bits are set.
 HWY_INLINE hn::Mask<D> blocks_of(unsigned bits) {

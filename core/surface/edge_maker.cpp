@@ -8,7 +8,7 @@
 namespace ddt {
 
 void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
-                      Windowed windowed, int count, Net& net) {
+                      Windowed windowed, int count, ControlNet& net) {
     m_lattice = &lattice;
     m_reach.find(lattice);
     m_net = &net;
@@ -47,24 +47,24 @@ void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe
 }
 
 void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
-                      Net& net) {
+                      ControlNet& net) {
     begin(lattice, part, recipe, Windowed::none, net.count(), net);
 }
 
 void EdgeMaker::begin_edge_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
-                                Net& net) {
+                                ControlNet& net) {
     begin(lattice, part, recipe, Windowed::edges, net.count(), net);
 }
 
 void EdgeMaker::begin_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
-                           const GroupValues& values, Net& net) {
+                           const GroupValues& values, ControlNet& net) {
     m_values = values;
     m_value_rows = nullptr;
     begin(lattice, part, recipe, Windowed::all, values.count, net);
 }
 
 void EdgeMaker::begin_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
-                           ValueRows& values, Net& net) {
+                           ValueRows& values, ControlNet& net) {
     m_value_rows = &values;
     begin(lattice, part, recipe, Windowed::all, values.count(), net);
 }

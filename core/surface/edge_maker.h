@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What belongs to the edges of a control net: their bends e and softness q (see net.h).
+// What belongs to the edges of a control net: their bends e and softness q (see control_net.h).
 #pragma once
 
 #include "core/lattice/row_reach.h"
@@ -42,21 +42,21 @@ class EdgeMaker {
 public:
     /// Start on the edges of a net of the whole lattice whose ends both lie in `part`, a part of
     /// the lattice in pixels. What `recipe` has no need of stays as it is.
-    void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe, Net& net);
+    void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe, ControlNet& net);
     void begin(const Lattice& lattice, const Rect& part, bool bend, bool soft, float tau,
-               Net& net) {
+               ControlNet& net) {
         begin(lattice, part, EdgeRecipe{bend, soft, tau}, net);
     }
     /// The same where q and the gradients, which begin() keeps for all rows, are kept for some.
     void begin_edge_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
-                         Net& net);
+                         ControlNet& net);
     /// The same of a net of some rows, whose vertices are set to `values`, as they are needed, too.
     /// The values must stay where they are.
     void begin_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
-                    const GroupValues& values, Net& net);
+                    const GroupValues& values, ControlNet& net);
     /// The same of values that are made as they are needed.
     void begin_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
-                    ValueRows& values, Net& net);
+                    ValueRows& values, ControlNet& net);
 
     /// Make the edges with midpoints in row y of pixels or further up, as far as they are not made,
     /// in steps. Of a net of some rows, those that no triangle at or below row `keep` of cells has
@@ -80,7 +80,7 @@ public:
 
 private:
     void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
-               Windowed windowed, int count, Net& net);
+               Windowed windowed, int count, ControlNet& net);
     bool edges_windowed() const { return m_windowed != Windowed::none; }
     bool values_windowed() const { return m_windowed == Windowed::all; }
     void go_on(int y, int keep);
@@ -93,7 +93,7 @@ private:
     FanRows m_fans; ///< where no others keep them
     const Lattice* m_lattice = nullptr;
     RowReach m_reach;
-    Net* m_net = nullptr;
+    ControlNet* m_net = nullptr;
     Rect m_part;
     EdgeRecipe m_recipe;
     GroupValues m_values;              ///< of a net of some rows,

@@ -6,15 +6,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/surface/control_net.h"
 #include "core/surface/fan_rows.h"
 #include "core/surface/near_cells.h"
-#include "core/surface/net.h"
 
 namespace ddt {
 
 /// A net's vertices in a row of pixels, from column 0 on; those of the nearest row where there is
 /// none.
-inline const float* vertex_row(const Lattice& lattice, const Net& net, int y) {
+inline const float* vertex_row(const Lattice& lattice, const ControlNet& net, int y) {
     return net.vertex(lattice.vertex_site(0, std::clamp(y, 0, lattice.height() - 1)));
 }
 
@@ -40,12 +40,12 @@ struct EdgeScratch {
 
 /// Make the gradients at the vertices of rows y0 .. y1 - 1 of pixels; those of the row before y0
 /// were made last, if it is in the part.
-void make_gradients(const Lattice& lattice, const Rect& part, int y0, int y1, const Net& net,
+void make_gradients(const Lattice& lattice, const Rect& part, int y0, int y1, const ControlNet& net,
                     EdgeScratch& scratch);
 
 /// Make e, if `bend`, and q, if `soft`, of the edges with midpoints in rows y0 .. y1 - 1
 /// of the doubled lattice; those of the row before y0 were made last, if it is in the part.
 void make_edges(const Lattice& lattice, const Rect& part, int y0, int y1, bool bend, bool soft,
-                float reciprocal_tau, EdgeScratch& scratch, Net& net);
+                float reciprocal_tau, EdgeScratch& scratch, ControlNet& net);
 
 } // namespace ddt

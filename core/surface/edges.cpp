@@ -34,9 +34,9 @@ using DI = hn::RebindToSigned<D>;
 
 #include "core/surface/irregular_edges-inl.h"
 
-/// Weights of the flipped states (see net.h), 0 to 1/2, of edges at n pairs of sites of a row:
-/// those of the first, third, ... go to even[0], even[1], ... Edges that cannot be flipped have
-/// gains that are far below 0, and what vertices have is of no account.
+/// Weights of the flipped states (see control_net.h), 0 to 1/2, of edges at n pairs of sites of a
+/// row: those of the first, third, ... go to even[0], even[1], ... Edges that cannot be flipped
+/// have gains that are far below 0, and what vertices have is of no account.
 HWY_ATTR void soft_weights(const Site* sites, int n, float reciprocal_tau, float* even,
                            float* odd) {
     const auto weigh = [&](auto gain)
@@ -75,7 +75,7 @@ struct RegularRow {
     int count;                 ///< of channels
 
     /// Without bends there are no gradients.
-    RegularRow(const Lattice& lattice, const Net& net, const NearCells& cells, int y,
+    RegularRow(const Lattice& lattice, const ControlNet& net, const NearCells& cells, int y,
                const float* gradients_)
         : vertices{vertex_row(lattice, net, y - 1), vertex_row(lattice, net, y),
                    vertex_row(lattice, net, y + 1)},
@@ -131,7 +131,7 @@ struct RegularRow {
 /// far longer over one of all.
 template <EdgeKind kind, bool bend, bool soft, bool tame>
 HWY_NOINLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, int end, int y,
-                            EdgeScratch& scratch, Net& net) {
+                            EdgeScratch& scratch, ControlNet& net) {
     const int count = net.count();
     const int row = lattice.vertex_site(0, y), first = row + to_first<kind>(lattice);
     const float* weights = scratch.weights[in_odd_column(kind)].data();
@@ -168,7 +168,7 @@ HWY_NOINLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, i
 /// The edges with midpoints in row y of the doubled lattice.
 template <bool bend, bool soft, bool tame>
 HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y, EdgeScratch& scratch,
-                         Net& net) {
+                         ControlNet& net) {
     const int x0 = part.x0, x1 = part.x1, last = lattice.width() - 1, pixel_y = y / 2;
     if (y & 1) {
         make_kind<EdgeKind::vertical, bend, soft, tame>(lattice, x0, x1, 1, last, pixel_y, scratch,
@@ -184,7 +184,7 @@ HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y, EdgeSc
 
 template <bool bend, bool soft>
 HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y, EdgeScratch& scratch,
-                         Net& net) {
+                         ControlNet& net) {
     if (scratch.tame)
         make_row<bend, soft, true>(lattice, part, y, scratch, net);
     else
@@ -192,7 +192,7 @@ HWY_INLINE void make_row(const Lattice& lattice, const Rect& part, int y, EdgeSc
 }
 
 HWY_ATTR void make_edges(const Lattice& lattice, const Rect& part, int y0, int y1, bool bend,
-                         bool soft, float reciprocal_tau, EdgeScratch& scratch, Net& net) {
+                         bool soft, float reciprocal_tau, EdgeScratch& scratch, ControlNet& net) {
     if (y0 == 2 * part.y0)
         scratch.edge_cells.begin(lattice, part, part.y0);
     for (int y = y0; y < y1; ++y) {
@@ -221,7 +221,7 @@ namespace ddt {
 HWY_EXPORT(make_edges);
 
 void make_edges(const Lattice& lattice, const Rect& part, int y0, int y1, bool bend, bool soft,
-                float reciprocal_tau, EdgeScratch& scratch, Net& net) {
+                float reciprocal_tau, EdgeScratch& scratch, ControlNet& net) {
     HWY_DYNAMIC_DISPATCH(make_edges)
     (lattice, part, y0, y1, bend, soft, reciprocal_tau, scratch, net);
 }

@@ -7,7 +7,7 @@
 // tame: all values are tame (core/surface/tame.h), so the tests for inf and NaN are left out: the
 // same bits in fewer steps.
 
-/// Mean gradient at a vertex over the triangles round it (see net.h). Taken relative to the
+/// Mean gradient at a vertex over the triangles round it (see control_net.h). Taken relative to the
 /// first triangle's gradient, so that a plane comes back exactly.
 template <class T, bool tame>
 struct GradientMean {
@@ -113,7 +113,7 @@ DDT_INLINE GradientMean<T, tame> regular_mean(const Differences<T>& d, T nw, T n
     return mean;
 }
 
-/// e of the edge from i to j = i + (vx, vy) (see net.h).
+/// e of the edge from i to j = i + (vx, vy) (see control_net.h).
 template <bool tame, class T>
 DDT_INLINE T edge_bend(T gix, T giy, T gjx, T gjy, T zi, T zj, T vx, T vy) {
     const T zero = T(0.0f);
@@ -124,14 +124,14 @@ DDT_INLINE T edge_bend(T gix, T giy, T gjx, T gjy, T zi, T zj, T vx, T vy) {
     return tame ? e : if_less_equal(limit, T(largest_float), e, zero);
 }
 
-/// The weight w of the flipped state of a flippable edge with this gain (see net.h).
+/// The weight w of the flipped state of a flippable edge with this gain (see control_net.h).
 template <class T>
 DDT_INLINE T soft_weight(T gain, T reciprocal_tau) {
     const T zero = T(0.0f);
     return upper(zero, T(soft_share) * (T(1.0f) + lower(zero, gain) * reciprocal_tau));
 }
 
-/// q of an edge from i to j with apexes c and d, weight w (see net.h).
+/// q of an edge from i to j with apexes c and d, weight w (see control_net.h).
 template <bool tame, class T>
 DDT_INLINE T edge_softness(T w, T zi, T zj, T zc, T zd) {
     const T zero = T(0.0f);

@@ -94,7 +94,7 @@ struct RegularVertices {
     const float *down_above, *down_below;
     int count; ///< of channels
 
-    RegularVertices(const Lattice& lattice, const Net& net, const NearCells& cells, int y)
+    RegularVertices(const Lattice& lattice, const ControlNet& net, const NearCells& cells, int y)
         : above(vertex_row(lattice, net, y - 1)), here(vertex_row(lattice, net, y)),
           below(vertex_row(lattice, net, y + 1)), down_above(cells.above(y)),
           down_below(cells.below(y)), count(net.count()) {}
@@ -127,8 +127,8 @@ struct RegularVertices {
 };
 
 template <bool tame>
-HWY_INLINE void make_any(const Lattice& lattice, const Rect& part, int y0, int y1, const Net& net,
-                         EdgeScratch& scratch) {
+HWY_INLINE void make_any(const Lattice& lattice, const Rect& part, int y0, int y1,
+                         const ControlNet& net, EdgeScratch& scratch) {
     const int stride = lattice.stride(), last_x = lattice.width() - 1,
               last_y = lattice.height() - 1;
     if (y0 == part.y0)
@@ -176,7 +176,7 @@ HWY_INLINE void make_any(const Lattice& lattice, const Rect& part, int y0, int y
 }
 
 HWY_ATTR void make_gradients(const Lattice& lattice, const Rect& part, int y0, int y1,
-                             const Net& net, EdgeScratch& scratch) {
+                             const ControlNet& net, EdgeScratch& scratch) {
     if (scratch.tame)
         make_any<true>(lattice, part, y0, y1, net, scratch);
     else
@@ -192,7 +192,7 @@ namespace ddt {
 
 HWY_EXPORT(make_gradients);
 
-void make_gradients(const Lattice& lattice, const Rect& part, int y0, int y1, const Net& net,
+void make_gradients(const Lattice& lattice, const Rect& part, int y0, int y1, const ControlNet& net,
                     EdgeScratch& scratch) {
     HWY_DYNAMIC_DISPATCH(make_gradients)(lattice, part, y0, y1, net, scratch);
 }

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "core/surface/net.h"
+#include "core/surface/control_net.h"
 
 namespace ddt {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/surface/net.h"
+#include "core/surface/control_net.h"
 
 namespace ddt {
 

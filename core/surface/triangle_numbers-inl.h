@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a SIMD target's namespace: triangles that cross cells, a lane a triangle, of one
 // channel.
-// Needs: <algorithm>, <cstring>, crossed_cell.h, net.h, patch-inl.h, blocks-inl.h, row_lanes-inl.h.
+// Needs: <algorithm>, <cstring>, crossed_cell.h, control_net.h, patch-inl.h, blocks-inl.h,
+// row_lanes-inl.h.
 
 /// What triangles have, a number each.
 class TriangleNumbers {

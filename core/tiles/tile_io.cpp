@@ -6,7 +6,9 @@
 #include <cstring>
 #include <limits>
 
-#include "core/base/memory/zero_small.h"
+#include "core/base/zero_small.h"
+#include "core/guide/guide.h"
+#include "core/tiles/channel_groups.h"
 
 namespace ddt {
 
@@ -129,10 +131,6 @@ int lattice_height(const Tile& tile) {
     return std::max(tile.pixels.height(), 2);
 }
 
-void clean_guide(float* guide, size_t n) {
-    zero_unusual(guide, n, least_guide);
-}
-
 bool read_tile(Source& source, const Tile& tile, const Job& job, float* values, float* guide,
                int& width, int& height) {
     const Rect& r = tile.pixels;
@@ -154,34 +152,6 @@ bool read_tile(Source& source, const Tile& tile, const Job& job, std::vector<flo
     values.resize(pixels * size_t(job.channels));
     guide.resize(pixels);
     return read_tile(source, tile, job, values.data(), guide.data(), width, height);
-}
-
-int group_count(int channels) {
-    return (channels + group_size - 1) / group_size;
-}
-
-int channels_in_group(int channels, int group) {
-    return std::min(group_size, channels - group * group_size);
-}
-
-Channel kind_of(const Job& job, int channel) {
-    return size_t(channel) < job.kinds.size() ? job.kinds[size_t(channel)] : Channel::blend;
-}
-
-bool is_strict(const Job& job, int channel) {
-    return job.surface.consistency == 0 || kind_of(job, channel) == Channel::alpha;
-}
-
-bool any_nearest(const Job& job) {
-    return std::find(job.kinds.begin(), job.kinds.end(), Channel::nearest) != job.kinds.end();
-}
-
-NearestMask nearest_mask(const Job& job, int group) {
-    NearestMask mask = 0;
-    for (int c = 0; c < channels_in_group(job.channels, group); ++c)
-        if (kind_of(job, group * group_size + c) == Channel::nearest)
-            mask |= 1u << c;
-    return mask;
 }
 
 } // namespace ddt

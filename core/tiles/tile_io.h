@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/lattice/locate.h"
-#include "core/sample/evaluate.h"
 #include "core/tiles/grid.h"
 #include "ddt/core.h"
 
@@ -36,21 +35,16 @@ Point local(const Tile& tile, const Position& p);
 /// arithmetic in 32 bits.
 bool follows(const Point& a, const Point& b);
 
-/// Numbers nearer to zero than these become zero when a tile is read. So hardly anything that is
-/// computed from them comes near the denormal floats, which some devices keep and others take for
-/// zero: products with a weight by a large gradient, which shaders make zero themselves
-/// (without_denormals() in shaders/arith.glsl), and sums of them.
-constexpr float least_value = 0x1p-80f, least_guide = 0x1p-24f;
+/// Numbers nearer to zero than this become zero when a tile is read (and guides' than least_guide).
+/// So hardly anything that is computed from them comes near the denormal floats, which some devices
+/// keep and others take for zero: products with a weight by a large gradient, which shaders make
+/// zero themselves (without_denormals() in shaders/arith.glsl), and sums of them.
+constexpr float least_value = 0x1p-80f;
 
-/// Make what every guide must be of n of its numbers, a lattice's or points': those nearer to zero
-/// than least_guide become zero, and so do those that are not finite. Shaders branch by what is
-/// computed from them, and need not compare NaN as the CPU does.
-void clean_guide(float* guide, size_t n);
-
-/// Read the tile's pixels, its guide cleaned, small numbers zeroed as said above (but not in
-/// nearest channels). A picture one pixel wide or high is widened to two by repeating it: a lattice
-/// has at least 2 x 2; `width` and `height` receive its size. `values` and `guide` have room for as
-/// many pixels.
+/// Read the tile's pixels, its guide cleaned (clean_guide()), small numbers zeroed as said above
+/// (but not in nearest channels). A picture one pixel wide or high is widened to two by repeating
+/// it: a lattice has at least 2 x 2; `width` and `height` receive its size. `values` and `guide`
+/// have room for as many pixels.
 bool read_tile(Source& source, const Tile& tile, const Job& job, float* values, float* guide,
                int& width, int& height);
 /// The same into vectors that become as long as that.
@@ -59,18 +53,5 @@ bool read_tile(Source& source, const Tile& tile, const Job& job, std::vector<flo
 /// Size of the lattice that a tile's pixels become.
 int lattice_width(const Tile& tile);
 int lattice_height(const Tile& tile);
-
-/// Channels are worked on in groups of group_size.
-int group_count(int channels);
-int channels_in_group(int channels, int group);
-/// What a channel is; also those past Job::channels in the last group are something.
-Channel kind_of(const Job& job, int channel);
-/// Whether a channel keeps to the range of its triangles' vertices even with soft edges: alpha, and
-/// every channel whose vertices are the pixels themselves.
-bool is_strict(const Job& job, int channel);
-/// Whether any channel is Channel::nearest.
-bool any_nearest(const Job& job);
-/// Which channels of a job's group are Channel::nearest.
-NearestMask nearest_mask(const Job& job, int group);
 
 } // namespace ddt

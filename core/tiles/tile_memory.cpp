@@ -6,7 +6,7 @@
 #include <atomic>
 
 #include "core/guide/contour.h"
-#include "core/surface/net.h"
+#include "core/surface/control_net.h"
 #include "core/triangulate/start_gains.h"
 #include "ddt/job.h"
 

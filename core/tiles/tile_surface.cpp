@@ -6,7 +6,7 @@
 #include "core/base/arith.h"
 #include "core/surface/consistency/corrections.h"
 #include "core/surface/kept_rows.h"
-#include "core/tiles/tile_io.h"
+#include "core/tiles/channel_groups.h"
 
 namespace ddt {
 
@@ -79,7 +79,7 @@ void TileSurface::begin(const TileMesh& mesh, const Tile& tile, int cells, const
         is_corrected(surface) ? CorrectedRows::rows_ahead(mesh.lattice(), surface.consistency) : 0;
     m_fans.begin(mesh.lattice(), fan_rows(ahead, m_nets.size(), cells));
     for (int g = 0; g < int(m_nets.size()); ++g) {
-        Net& net = m_nets[size_t(g)];
+        ControlNet& net = m_nets[size_t(g)];
         set_strictness(g, net);
         if (is_fitted(surface)) {
             begin_fitted(g, values, part, cells);
@@ -106,7 +106,7 @@ EdgeRecipe TileSurface::recipe(int cells) {
     return recipe_of(m_job.surface, &m_fans, m_arena, cells);
 }
 
-void TileSurface::set_strictness(int group, Net& net) const {
+void TileSurface::set_strictness(int group, ControlNet& net) const {
     for (int c = 0; c < group_size; ++c)
         net.strict[c] = is_strict(m_job, group * group_size + c) ? 1.0f : 0.0f;
 }
@@ -119,7 +119,7 @@ void TileSurface::begin_corrected(int group, const float* values, const Rect& pa
     const bool alone = m_nets.size() == 1;
     if (!alone)
         correction.edges.arena = nullptr;
-    Net& net = m_nets[size_t(group)];
+    ControlNet& net = m_nets[size_t(group)];
     EdgeMaker& edges = m_edges[size_t(group)];
     const Lattice& lattice = m_mesh->lattice();
     m_rounds.begin(lattice, part, correction, group_values(values, group), net.strict);

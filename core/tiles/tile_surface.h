@@ -6,9 +6,9 @@
 
 #include "core/sample/evaluate.h"
 #include "core/surface/consistency/corrected_rows.h"
+#include "core/surface/control_net.h"
 #include "core/surface/edge_maker.h"
 #include "core/surface/fitted/fitted_maker.h"
-#include "core/surface/net.h"
 #include "core/tiles/tile_mesh.h"
 #include "ddt/core.h"
 
@@ -47,7 +47,7 @@ private:
     GroupValues group_values(const float* values, int group) const;
     GroupOutput group_output(int group, float* out, size_t row) const;
     EdgeRecipe recipe(int cells);
-    void set_strictness(int group, Net& net) const;
+    void set_strictness(int group, ControlNet& net) const;
     void begin_corrected(int group, const float* values, const Rect& part, int cells);
     void correct_all(int group);
     void begin_fitted(int group, const float* values, const Rect& part, int cells);
@@ -55,7 +55,7 @@ private:
     const Job& m_job;
     const TileMesh* m_mesh = nullptr;
     Arena* m_arena = nullptr;
-    std::vector<Net> m_nets; ///< one a group of channels
+    std::vector<ControlNet> m_nets; ///< one a group of channels
     std::vector<EdgeMaker> m_edges;
     std::vector<FittedMaker> m_fitted; ///< in their place
     CorrectedRows m_rounds;            ///< before them, where there are any

@@ -5,6 +5,7 @@
 
 #include "core/base/arith.h"
 #include "core/base/memory/stream_copy.h"
+#include "core/tiles/channel_groups.h"
 #include "core/tiles/tile_io.h"
 
 namespace ddt {

@@ -2,7 +2,7 @@
 // A job's tiles, worked on by the CPU's threads.
 #pragma once
 
-#include "core/base/memory/memory_node.h"
+#include "core/base/memory/numa_node.h"
 #include "core/tiles/job_state.h"
 #include "core/tiles/tiled_job.h"
 

@@ -4,6 +4,7 @@
 
 #include "core/lattice/region.h"
 #include "core/triangulate/gain.h"
+#include "core/triangulate/regions.h"
 #include "core/triangulate/schemes.h"
 
 namespace ddt {
@@ -70,12 +71,7 @@ private:
 
     /// Whether candidate m comes before n.
     bool comes_before(int m, int n) const {
-        if (m_rules.by_gain) {
-            const float a = m_mesh.gain(m), b = m_mesh.gain(n);
-            if (a != b)
-                return a > b;
-        }
-        return m < n;
+        return m_rules.by_gain ? goes_before(m_mesh, m, n) : m < n;
     }
 
     /// An untreated candidate in m's region that comes before m, or -1.

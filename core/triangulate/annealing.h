@@ -49,7 +49,7 @@ inline bool is_of_part(uint32_t drawn, uint32_t part) {
 
 /// Of two edges of a part: whether the other one, where it can be flipped, is selected rather than
 /// m.
-inline bool comes_first(int other, uint32_t other_drawn, int m, uint32_t m_drawn) {
+inline bool draws_before(int other, uint32_t other_drawn, int m, uint32_t m_drawn) {
     return other_drawn > m_drawn || (other_drawn == m_drawn && other < m);
 }
 
@@ -119,7 +119,7 @@ private:
             const uint32_t own = m_drawn[size_t(m)];
             const bool beaten = m_mesh.any_of_region(m, [&](int other) {
                 const uint32_t drawn = m_drawn[size_t(other)];
-                return is_of_part(drawn, part) && comes_first(other, drawn, m, own) &&
+                return is_of_part(drawn, part) && draws_before(other, drawn, m, own) &&
                        m_mesh.flippable(other);
             });
             if (!beaten)

@@ -107,12 +107,12 @@ private:
         return m_contour == 0 ? by_cost : by_cost + Floats(m_contour) * along();
     }
 
-    /// Whether all lanes are multiples of 2^-12 in -1024 to 1024.
+    /// Whether all lanes are multiples of guide_unit within -guide_limit to guide_limit.
     static HWY_INLINE bool in_steps(Floats z) {
         const D d;
-        const auto scaled = hn::Mul(z.v, hn::Set(d, 4096.0f));
+        const auto scaled = hn::Mul(z.v, hn::Set(d, 1.0f / guide_unit));
         const auto whole = hn::Eq(hn::Round(scaled), scaled);
-        const auto small = hn::Le(hn::Abs(z.v), hn::Set(d, 1024.0f));
+        const auto small = hn::Le(hn::Abs(z.v), hn::Set(d, guide_limit));
         return hn::AllTrue(d, hn::And(whole, small));
     }
 

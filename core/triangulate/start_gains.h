@@ -9,8 +9,8 @@ namespace ddt {
 /// Find the gains of all edges of a lattice that was just started; w.candidates receives those
 /// above min_gain. Adds to statistics.evaluations.
 ///
-/// False if an edge was flipped since the start, or the guide is not in steps of 2^-12 within -1024
-/// to 1024 (as guide_step() makes it): then no gain is what it should be.
+/// False if an edge was flipped since the start, or the guide is not in steps as guide_step() makes
+/// them: then no gain is what it should be.
 bool start_gains(Lattice& lattice, const Criterion& criterion, float min_gain, Workspace& w,
                  Statistics& statistics);
 

@@ -10,8 +10,8 @@
 #include <OpenImageIO/strutil.h>
 
 #include "core/base/one_line.h"
-#include "plugin/colour/builtin.h"
-#include "plugin/colour/carried.h"
+#include "plugin/colour/bundled_config.h"
+#include "plugin/colour/ocio_builtin_config.h"
 #include "plugin/message/format.h"
 
 namespace ddt {
@@ -46,10 +46,10 @@ bool configs(NamedBy by, std::vector<OCIO::ConstConfigRcPtr>& list, std::string&
         if (by == NamedBy::user)
             return true;
     }
-    list.push_back(carried_config());
+    list.push_back(bundled_config());
     // Last, so that OpenColorIO's version changes no bit of what is known without it.
     if (!path || !*path)
-        if (const auto builtin = builtin_config())
+        if (const auto builtin = ocio_builtin_config())
             list.push_back(builtin);
     return true;
 }
@@ -79,12 +79,12 @@ double exponent_of(const std::string& name) {
 
 /// The carried config's, or that config with one more space, of the given exponent.
 Space gamma_space(const std::string& name, double exponent) {
-    if (const auto known = carried_config()->getColorSpace(name.c_str()))
-        return {carried_config(), known};
+    if (const auto known = bundled_config()->getColorSpace(name.c_str()))
+        return {bundled_config(), known};
     auto space = OCIO::ColorSpace::Create();
     space->setName(name.c_str());
     space->setTransform(mirrored_power(exponent), OCIO::COLORSPACE_DIR_TO_REFERENCE);
-    auto config = carried_config()->createEditableCopy();
+    auto config = bundled_config()->createEditableCopy();
     config->addColorSpace(space);
     return {config, config->getColorSpace(name.c_str())};
 }

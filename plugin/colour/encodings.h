@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The encodings that need no config, for hosts that have none: the curves of the carried config
-// (carried.h), under its names and with the bits that OpenColorIO finds for them.
+// (bundled_config.h), under its names and with the bits that OpenColorIO finds for them.
 #pragma once
 
 #include <memory>

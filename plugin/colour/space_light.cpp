@@ -13,8 +13,8 @@
 #include <OpenImageIO/strutil.h>
 
 #include "core/base/one_line.h"
+#include "plugin/colour/colour_lock.h"
 #include "plugin/colour/config.h"
-#include "plugin/colour/fork.h"
 #include "plugin/message/format.h"
 
 namespace ddt {

@@ -7,7 +7,7 @@
 #include <OpenImageIO/sysutil.h>
 #include <OpenImageIO/timer.h>
 
-#include "core/base/verbose.h"
+#include "core/base/log.h"
 #include "plugin/image/cached_reads.h"
 #include "plugin/image/sink.h"
 #include "plugin/image/source.h"

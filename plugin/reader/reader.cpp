@@ -13,7 +13,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "core/base/guarded.h"
-#include "core/base/verbose.h"
+#include "core/base/log.h"
 #include "plugin/image/metadata.h"
 #include "plugin/image/reading.h"
 #include "plugin/image/windows.h"

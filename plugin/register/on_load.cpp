@@ -13,7 +13,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include "core/base/guarded.h"
-#include "core/base/verbose.h"
+#include "core/base/log.h"
 #include "plugin/register/hooks.h"
 #include "plugin/register/version.h"
 

@@ -65,7 +65,7 @@ inline std::vector<SurfaceOptions> surfaces_with(std::initializer_list<int> roun
 
 /// All edges of a part at once: see EdgeMaker.
 inline void make_edges(const Lattice& lattice, const Rect& part, bool bend, bool soft, float tau,
-                       EdgeMaker& edges, Net& net) {
+                       EdgeMaker& edges, ControlNet& net) {
     edges.begin(lattice, part, bend, soft, tau, net);
     edges.finish();
 }

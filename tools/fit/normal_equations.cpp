@@ -107,7 +107,7 @@ double fill(const Scene& scene, const Features& features, const Sample& s, Row& 
 }
 
 /// Whether what the weights make of a row is cut off to the display value.
-bool is_cut_off(const Row& row, double value, double display, const FittedWeights& weights) {
+bool is_truncated(const Row& row, double value, double display, const FittedWeights& weights) {
     const float* w = &weights.vertex[0][0];
     for (int i = 0; i < row.count; ++i)
         value += row.value[row.used[i]] * double(w[row.used[i]]);
@@ -152,7 +152,7 @@ void NormalEquations::add(const Scene& scene, double weight, unsigned every, uin
                 const double wanted = (bench::decode(display, scene.light) - value) * steep;
                 error += wanted * wanted;
                 ++count;
-                if (so_far && is_cut_off(row, value, display, *so_far)) {
+                if (so_far && is_truncated(row, value, display, *so_far)) {
                     row.clear();
                     continue;
                 }

@@ -82,7 +82,7 @@ void locate_samples(Scene& scene) {
 }
 
 /// Features of channel c, from the net whose edges were bent and the sums of a round's means.
-void find_features(Scene& scene, const SurfaceOptions& options, const Net& net,
+void find_features(Scene& scene, const SurfaceOptions& options, const ControlNet& net,
                    const Consistency& consistency, int c) {
     const Lattice& lattice = scene.lattice;
     const int width = lattice.width(), height = lattice.height();
@@ -158,7 +158,7 @@ bool make_scene(const std::string& file, int scale, bench::Light light, Scene& s
     find_kinds(scene, options.surface.soft);
     locate_samples(scene);
 
-    Net net;
+    ControlNet net;
     set_vertices(lattice, pixels.data(), colours, 0, colours, net);
     Consistency consistency;
     consistency.begin(lattice, net, options.surface.limit, true);

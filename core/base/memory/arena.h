@@ -79,7 +79,7 @@ private:
 /// An allocator of an arena, or, without one, of the heap, whose vectors leave new numbers as they
 /// are. Before Arena::clear() the vector is to be given up, or left to be assigned to.
 template <class T>
-struct InArena {
+struct ArenaAllocator {
     using value_type = T;
     using propagate_on_container_copy_assignment = std::true_type;
     using propagate_on_container_move_assignment = std::true_type;
@@ -87,9 +87,9 @@ struct InArena {
 
     Arena* arena = nullptr;
 
-    InArena(Arena* arena_ = nullptr) : arena(arena_) {}
+    ArenaAllocator(Arena* arena_ = nullptr) : arena(arena_) {}
     template <class U>
-    InArena(const InArena<U>& other) : arena(other.arena) {}
+    ArenaAllocator(const ArenaAllocator<U>& other) : arena(other.arena) {}
 
     T* allocate(size_t n) {
         static_assert(std::is_trivial_v<T> && alignof(T) <= Arena::line, "numbers");
@@ -103,12 +103,12 @@ struct InArena {
     void construct(U* p) {
         ::new (static_cast<void*>(p)) U;
     }
-    friend bool operator==(InArena a, InArena b) { return a.arena == b.arena; }
-    friend bool operator!=(InArena a, InArena b) { return a.arena != b.arena; }
+    friend bool operator==(ArenaAllocator a, ArenaAllocator b) { return a.arena == b.arena; }
+    friend bool operator!=(ArenaAllocator a, ArenaAllocator b) { return a.arena != b.arena; }
 };
 
 template <class T>
-using ArenaVector = std::vector<T, InArena<T>>;
+using ArenaVector = std::vector<T, ArenaAllocator<T>>;
 
 /// Add n numbers to the end.
 template <class T>

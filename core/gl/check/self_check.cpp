@@ -14,7 +14,7 @@
 #include "core/gl/budget.h"
 #include "core/gl/check/difference.h"
 #include "core/gl/check/tin_check.h"
-#include "core/gl/check/travel_check.h"
+#include "core/gl/check/transfer_check.h"
 #include "core/gl/context/failure.h"
 #include "core/gl/context/gpu.h"
 #include "core/gl/host_tile.h"
@@ -220,10 +220,10 @@ std::string result_differs(const Functions& gl, DeviceMesh& mesh, Surfaces& surf
     const size_t count = size_t(strip.plan.count) * size_t(job.channels);
     SampleMemory memory;
     HostBuffer results(gl, count * sizeof(float));
-    surfaces.make_room(strip.positions.size(), count, Travel(), memory);
+    surfaces.make_room(strip.positions.size(), count, Transfer(), memory);
     surfaces.write_positions(strip.positions, memory);
     surfaces.sample(mesh, strip.plan, memory);
-    surfaces.download(count, Travel(), memory, results);
+    surfaces.download(count, Transfer(), memory, results);
     finish(gl, "self-check");
     Bits bits(count);
     std::memcpy(bits.data(), results.data(), count * sizeof(float));
@@ -352,9 +352,9 @@ const std::string& SelfChecks::differs(Gpu& gpu, const std::string& key,
     return m_differences[key] = std::move(difference);
 }
 
-const std::string& SelfChecks::differs(Gpu& gpu, const Job& job, const Travel& travel) {
+const std::string& SelfChecks::differs(Gpu& gpu, const Job& job, const Transfer& transfer) {
     const std::string& there =
-        differs(gpu, travel_key_of(travel), [&] { return travel_differs(gpu, travel); });
+        differs(gpu, transfer_key_of(transfer), [&] { return transfer_differs(gpu, transfer); });
     if (!there.empty())
         return there;
     return differs(gpu, key_of(job), [&] { return differs_from_cpu(gpu, job); });

@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "core/gl/travel.h"
+#include "core/gl/transfer.h"
 #include "ddt/core.h"
 
 namespace ddt::gl {
@@ -27,8 +27,8 @@ std::string differs_from_cpu(Gpu& gpu, const Job& job);
 /// What came of the checks of a device, by the programs that were checked.
 class SelfChecks {
 public:
-    /// differs_from_cpu(), the first time that its programs are wanted, and travel_differs().
-    const std::string& differs(Gpu& gpu, const Job& job, const Travel& travel = {});
+    /// differs_from_cpu(), the first time that its programs are wanted, and transfer_differs().
+    const std::string& differs(Gpu& gpu, const Job& job, const Transfer& transfer = {});
     /// tin_differs_from_cpu() of core/gl/check/tin_check.h alike.
     const std::string& differs(Gpu& gpu, const MeshOptions& of_points);
     /// What `check` says, the first time that the key is wanted. Its buffers are FilledBuffers. A

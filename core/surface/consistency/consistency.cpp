@@ -96,7 +96,7 @@ HWY_INLINE void add_quadrants(const float* left, const float* right, int x0, int
 }
 
 template <bool quadratic, bool soft>
-HWY_INLINE void add_cells(const Lattice& lattice, const Net& net, int x0, int x1, int y,
+HWY_INLINE void add_cells(const Lattice& lattice, const ControlNet& net, int x0, int x1, int y,
                           const CrossedRows::Row& crossed, MeanScratch& scratch, float* upper,
                           float* lower) {
     const Division* divisions = lattice.divisions(y);
@@ -135,17 +135,17 @@ HWY_INLINE void add_cells(const Lattice& lattice, const Net& net, int x0, int x1
                         count, lower);
 }
 
-HWY_ATTR void add_means(const Lattice& lattice, Surface surface, const Net& net, int x0, int x1,
-                        int y, const CrossedRows::Row& crossed, MeanScratch& scratch, float* upper,
-                        float* lower) {
+HWY_ATTR void add_means(const Lattice& lattice, Surface surface, const ControlNet& net, int x0,
+                        int x1, int y, const CrossedRows::Row& crossed, MeanScratch& scratch,
+                        float* upper, float* lower) {
     for_surface(net, surface, [&](auto quadratic, auto soft) HWY_ATTR {
         add_cells<decltype(quadratic)::value, decltype(soft)::value>(
             lattice, net, x0, x1, y, crossed, scratch, upper, lower);
     });
 }
 
-HWY_ATTR void move_in_row(const float* z, int x0, int x1, int count, const NearRows& source,
-                          const float* sum, const LaneLimits& limits, float* moved) {
+HWY_ATTR void move_row(const float* z, int x0, int x1, int count, const NearRows& source,
+                       const float* sum, const LaneLimits& limits, float* moved) {
     const float* const rows[3] = {source.above, source.here, source.below};
     const ChannelLanes margin(limits.limit, count);
     const float lowest = limits.lowest;
@@ -168,7 +168,7 @@ HWY_AFTER_NAMESPACE();
 namespace ddt {
 
 HWY_EXPORT(add_means);
-HWY_EXPORT(move_in_row);
+HWY_EXPORT(move_row);
 
 const CellPositions& mean_positions() {
     static const CellPositions positions = [] {
@@ -180,8 +180,8 @@ const CellPositions& mean_positions() {
     return positions;
 }
 
-void add_means(const Lattice& lattice, Surface surface, const Net& net, const Rect& part, int y,
-               CrossedRows& crossed, MeanScratch& scratch, float* upper, float* lower) {
+void add_means(const Lattice& lattice, Surface surface, const ControlNet& net, const Rect& part,
+               int y, CrossedRows& crossed, MeanScratch& scratch, float* upper, float* lower) {
     const int x0 = std::max(part.x0 - 1, 0), x1 = std::min(part.x1, lattice.width() - 1);
     if (x0 < x1)
         HWY_DYNAMIC_DISPATCH(add_means)
@@ -196,9 +196,9 @@ LaneLimits::LaneLimits(const float* strict, float share, bool clipped)
     }
 }
 
-void move_row(const Lattice& lattice, const Net& net, int x0, int x1, int y, const NearRows& source,
-              const float* sum, const LaneLimits& limits, float* moved) {
-    HWY_DYNAMIC_DISPATCH(move_in_row)
+void move_row(const Lattice& lattice, const ControlNet& net, int x0, int x1, int y,
+              const NearRows& source, const float* sum, const LaneLimits& limits, float* moved) {
+    HWY_DYNAMIC_DISPATCH(move_row)
     (net.vertex(lattice.vertex_site(0, y)), x0, x1, net.count(), source, sum, limits, moved);
 }
 

@@ -9,8 +9,8 @@
 
 #include <vector>
 
-#include "core/surface/consistency/crossed_rows.h"
-#include "core/surface/net.h"
+#include "core/lattice/crossed_rows.h"
+#include "core/surface/control_net.h"
 #include "ddt/core.h"
 
 namespace ddt {
@@ -29,14 +29,14 @@ struct MeanScratch {
 
 /// Add what the cells of row y have, as far as the vertices of `part` need it, to the sums of
 /// quadrants' means of the vertices above them, and begin those of the vertices below with it,
-/// Net::count() floats each. The edges that cross the row must have been bent (for Surface::patch)
-/// and softened (where the net has soft edges), the divisions been found. `crossed` has begun with
-/// mean_positions().
-void add_means(const Lattice& lattice, Surface surface, const Net& net, const Rect& part, int y,
-               CrossedRows& crossed, MeanScratch& scratch, float* upper, float* lower);
+/// ControlNet::count() floats each. The edges that cross the row must have been bent (for
+/// Surface::patch) and softened (where the net has soft edges), the divisions been found. `crossed`
+/// has begun with mean_positions().
+void add_means(const Lattice& lattice, Surface surface, const ControlNet& net, const Rect& part,
+               int y, CrossedRows& crossed, MeanScratch& scratch, float* upper, float* lower);
 
 /// What find_limits() of consistency-inl.h is told: SurfaceOptions::limit in a net's lanes, 0 in
-/// strict ones (Net::strict), and its `lowest`, by SurfaceOptions::clipped.
+/// strict ones (ControlNet::strict), and its `lowest`, by SurfaceOptions::clipped.
 struct LaneLimits {
     LaneLimits() = default;
     LaneLimits(const float* strict, float share, bool clipped);
@@ -52,7 +52,7 @@ struct NearRows {
 
 /// Put where the vertices of a net in columns x0 .. x1 - 1 of row y go, none of which is on the
 /// rim, into `moved`, which is not the net's own. sum, moved: rows from column 0 on.
-void move_row(const Lattice& lattice, const Net& net, int x0, int x1, int y, const NearRows& source,
-              const float* sum, const LaneLimits& limits, float* moved);
+void move_row(const Lattice& lattice, const ControlNet& net, int x0, int x1, int y,
+              const NearRows& source, const float* sum, const LaneLimits& limits, float* moved);
 
 } // namespace ddt

@@ -5,7 +5,7 @@
 
 namespace ddt {
 
-void Consistency::begin(const Lattice& lattice, const Net& net, float limit, bool clipped) {
+void Consistency::begin(const Lattice& lattice, const ControlNet& net, float limit, bool clipped) {
     m_count = net.count();
     source.resize(lattice.vertices() * size_t(m_count));
     for (int y = 0; y < lattice.height(); ++y)
@@ -13,7 +13,7 @@ void Consistency::begin(const Lattice& lattice, const Net& net, float limit, boo
     m_limits = {net.strict, limit, clipped};
 }
 
-void Consistency::measure(const Lattice& lattice, Surface surface, const Net& net) {
+void Consistency::measure(const Lattice& lattice, Surface surface, const ControlNet& net) {
     sum.assign(source.size(), 0.0f);
     m_crossed.begin(lattice, mean_positions(), 1);
     for (int y = 0; y + 1 < lattice.height(); ++y) {
@@ -23,7 +23,7 @@ void Consistency::measure(const Lattice& lattice, Surface surface, const Net& ne
     }
 }
 
-void Consistency::correct(const Lattice& lattice, Surface surface, Net& net) {
+void Consistency::correct(const Lattice& lattice, Surface surface, ControlNet& net) {
     measure(lattice, surface, net);
     std::vector<float> moved(row_size(lattice));
     for (int y = 1; y + 1 < lattice.height(); ++y) {

@@ -14,15 +14,15 @@ class Consistency {
 public:
     /// Take the net's vertices as the source. limit: SurfaceOptions::limit; 0 in strict lanes.
     /// clipped: SurfaceOptions::clipped.
-    void begin(const Lattice& lattice, const Net& net, float limit, bool clipped = false);
+    void begin(const Lattice& lattice, const ControlNet& net, float limit, bool clipped = false);
 
     /// The first half of correct(): find the surface's means, and leave the vertices as they are.
-    void measure(const Lattice& lattice, Surface surface, const Net& net);
+    void measure(const Lattice& lattice, Surface surface, const ControlNet& net);
 
     /// One round.
-    void correct(const Lattice& lattice, Surface surface, Net& net);
+    void correct(const Lattice& lattice, Surface surface, ControlNet& net);
 
-    // Net::count() floats a pixel.
+    // ControlNet::count() floats a pixel.
     std::vector<float> source;
     std::vector<float> sum; ///< of the quadrants' means
 

@@ -26,7 +26,7 @@ class CorrectedRows : public ValueRows {
 public:
     /// Start on the vertices that the edges in `part`, a part of the lattice in pixels, are made
     /// from; others keep the source's values. `source`: the group's, which must stay where they
-    /// are. strict: Net::strict.
+    /// are. strict: ControlNet::strict.
     void begin(const Lattice& lattice, const Rect& part, const CorrectionRecipe& recipe,
                const GroupValues& source, const float* strict);
 

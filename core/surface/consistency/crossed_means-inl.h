@@ -16,7 +16,8 @@ template <bool quadratic, bool soft>
 class CrossedMeans {
 public:
     /// means: of column 0, `row` floats from one quadrant's to the next.
-    HWY_INLINE CrossedMeans(const Lattice& lattice, const Net& net, int y, float* means, size_t row)
+    HWY_INLINE CrossedMeans(const Lattice& lattice, const ControlNet& net, int y, float* means,
+                            size_t row)
         : m_net(net), m_site(lattice.vertex_site(0, y)), m_means(means), m_row(row),
           m_positions(mean_positions(), mean_position), m_cells(net, m_site, m_positions) {
         static_assert(quadrant_side * quadrant_side == PositionLanes::most, "one cell at a time");

@@ -14,8 +14,8 @@ namespace ddt {
 class MeanRows {
 public:
     /// Start on the vertices of `wanted`, a part of the lattice in pixels, of a surface through
-    /// `values`, which must stay where they are. strict: Net::strict. crossed: of all who take
-    /// means on the lattice; it has begun with mean_positions().
+    /// `values`, which must stay where they are. strict: ControlNet::strict. crossed: of all who
+    /// take means on the lattice; it has begun with mean_positions().
     void begin(const Lattice& lattice, const Rect& wanted, Surface surface,
                const EdgeRecipe& recipe, const GroupValues& values, const float* strict,
                CrossedRows& crossed);
@@ -28,7 +28,7 @@ public:
     /// of pixels and below stay.
     const float* row(int y, int keep);
 
-    const Net& net() const { return m_net; }
+    const ControlNet& net() const { return m_net; }
     /// The part of the lattice whose edges are made.
     const Rect& part() const { return m_edges.part(); }
 
@@ -45,7 +45,7 @@ private:
     const Lattice* m_lattice = nullptr;
     Rect m_wanted;
     Surface m_surface = Surface::patch;
-    Net m_net;
+    ControlNet m_net;
     EdgeMaker m_edges;
     CrossedRows* m_crossed = nullptr;
     MeanScratch m_scratch;

@@ -34,7 +34,7 @@ namespace HWY_NAMESPACE {
 template <EdgeKind kind>
 HWY_NOINLINE void bend_kind(const FittedSource& source, int x0, int x1, int y,
                             const IrregularBends& irregular, const RegularBends& regular,
-                            BendScratch& scratch, Net& net) {
+                            BendScratch& scratch, ControlNet& net) {
     const Lattice& lattice = source.lattice;
     constexpr int margin = RegularBends::margin;
     const bool inner = y >= margin && y + margin < lattice.height();
@@ -62,8 +62,9 @@ HWY_INLINE void load_edges(const Lattice& lattice, const Rect& part, int y, Bend
         }
 }
 
-HWY_ATTR void bend_row(const FittedSource& source, const Rect& part, int my, const IndexRows& index,
-                       const Net& plain_net, BendScratch& scratch, Net& net) {
+HWY_ATTR void bend_fitted(const FittedSource& source, const Rect& part, int my,
+                          const IndexRows& index, const ControlNet& plain_net, BendScratch& scratch,
+                          ControlNet& net) {
     const int x0 = part.x0, x1 = part.x1, y = my / 2;
     load_edges(source.lattice, part, my, scratch);
     const IrregularBends irregular(source, index, plain_net, net);
@@ -83,10 +84,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ddt {
 
-HWY_EXPORT(bend_row);
+HWY_EXPORT(bend_fitted);
 
 void bend_fitted(const FittedSource& source, const Rect& part, int y, const IndexRows& index,
-                 const Net& plain, BendScratch& scratch, Net& net) {
+                 const ControlNet& plain, BendScratch& scratch, ControlNet& net) {
     const Lattice& lattice = source.lattice;
     if (y == 2 * part.y0) {
         const size_t padded = size_t(lattice.width()) + edge_padding;
@@ -99,7 +100,7 @@ void bend_fitted(const FittedSource& source, const Rect& part, int y, const Inde
     }
     if (y % 2 == 0)
         scratch.cells.load_below(lattice, part, y / 2);
-    HWY_DYNAMIC_DISPATCH(bend_row)(source, part, y, index, plain, scratch, net);
+    HWY_DYNAMIC_DISPATCH(bend_fitted)(source, part, y, index, plain, scratch, net);
 }
 
 } // namespace ddt

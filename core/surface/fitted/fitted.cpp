@@ -36,8 +36,9 @@ HWY_INLINE T move_vertex(T limit, T cut, float lowest, T sum, Tap tap, T& index)
     return fitted_vertex(tap(0, 0), low, high, v, table);
 }
 
-HWY_ATTR void move_row(const FittedSource& source, int x0, int x1, int y, const LaneLimits& limits,
-                       const float* sum, float* index, Net& net) {
+HWY_ATTR void move_fitted(const FittedSource& source, int x0, int x1, int y,
+                          const LaneLimits& limits, const float* sum, float* index,
+                          ControlNet& net) {
     const Lattice& lattice = source.lattice;
     const int width = lattice.width(), height = lattice.height(), count = source.count;
     const ptrdiff_t row = ptrdiff_t(width) * count;
@@ -84,11 +85,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ddt {
 
-HWY_EXPORT(move_row);
+HWY_EXPORT(move_fitted);
 
 void move_fitted(const FittedSource& source, int x0, int x1, int y, const LaneLimits& limits,
-                 const float* sum, float* index, Net& net) {
-    HWY_DYNAMIC_DISPATCH(move_row)(source, x0, x1, y, limits, sum, index, net);
+                 const float* sum, float* index, ControlNet& net) {
+    HWY_DYNAMIC_DISPATCH(move_fitted)(source, x0, x1, y, limits, sum, index, net);
 }
 
 } // namespace ddt

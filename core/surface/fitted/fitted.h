@@ -12,9 +12,9 @@
 //
 // with a vertex' features f: the means over five rings of the 5x5 pixels round it, less its own,
 // and the step of one consistency round; an edge's f: the pixels along it, less its midpoint's
-// value, the plain bend e of net.h, and what the next pixels along it tell, within its rise; an
-// edge's g: combinations of 30 pixels that are 0 wherever the picture varies along one axis only,
-// so that an exactly horizontal, vertical or diagonal contour stays as even as it is.
+// value, the plain bend e of control_net.h, and what the next pixels along it tell, within its
+// rise; an edge's g: combinations of 30 pixels that are 0 wherever the picture varies along one
+// axis only, so that an exactly horizontal, vertical or diagonal contour stays as even as it is.
 //
 // t_0 = 1, the others rise from 0 to 1 between nodes of an index between 0, where there are but two
 // levels, and about 0.2, in texture: the mean of min(s - low, high - s) over the 5x5 pixels in
@@ -34,9 +34,9 @@
 #include <vector>
 
 #include "core/surface/consistency/consistency.h"
+#include "core/surface/control_net.h"
 #include "core/surface/fitted/weights.h"
 #include "core/surface/near_cells.h"
-#include "core/surface/net.h"
 
 namespace ddt {
 
@@ -54,7 +54,7 @@ struct FittedSource {
 /// Put where the vertices in columns x0 .. x1 - 1 of row y of pixels go into the net, those on the
 /// rim excepted, and their index into `index`; sum: of add_means(). Both rows begin with column 0.
 void move_fitted(const FittedSource& source, int x0, int x1, int y, const LaneLimits& limits,
-                 const float* sum, float* index, Net& net);
+                 const float* sum, float* index, ControlNet& net);
 
 /// The rows of indices of the vertices round an edge: row y at rows[y % count].
 struct IndexRows {
@@ -80,6 +80,6 @@ struct BendScratch {
 /// in pixels, into the net, made from `plain`'s and the finished mesh's gains. Those of the row
 /// before were made last, if it is in the part.
 void bend_fitted(const FittedSource& source, const Rect& part, int y, const IndexRows& index,
-                 const Net& plain, BendScratch& scratch, Net& net);
+                 const ControlNet& plain, BendScratch& scratch, ControlNet& net);
 
 } // namespace ddt

@@ -27,7 +27,7 @@ int most_index_rows(const RowReach& reach, int height) {
 } // namespace
 
 void FittedMaker::begin(const Lattice& lattice, const Rect& part, const FittedRecipe& recipe,
-                        const GroupValues& values, Net& net) {
+                        const GroupValues& values, ControlNet& net) {
     m_lattice = &lattice;
     m_reach.find(lattice);
     m_net = &net;

@@ -34,7 +34,7 @@ public:
     /// first edges must have been found; the values must stay where they are, and group_size floats
     /// after the last may be read.
     void begin(const Lattice& lattice, const Rect& part, const FittedRecipe& recipe,
-               const GroupValues& values, Net& net);
+               const GroupValues& values, ControlNet& net);
 
     /// As EdgeMaker's: the edges with midpoints in row y of pixels or further up.
     void to_row(int y, int keep);
@@ -55,7 +55,7 @@ private:
 
     const Lattice* m_lattice = nullptr;
     RowReach m_reach;
-    Net* m_net = nullptr;
+    ControlNet* m_net = nullptr;
     Rect m_part;
     Rect m_moved; ///< the vertices that the part's edges and their apexes are
     FittedRecipe m_recipe;

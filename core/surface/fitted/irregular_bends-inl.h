@@ -42,8 +42,8 @@ HWY_INLINE bool reaches_inside(const Edge& e, int mx, int my, int width, int hei
 
 class IrregularBends {
 public:
-    HWY_INLINE IrregularBends(const FittedSource& source, const IndexRows& index, const Net& plain,
-                              Net& net)
+    HWY_INLINE IrregularBends(const FittedSource& source, const IndexRows& index,
+                              const ControlNet& plain, ControlNet& net)
         : m_source(source), m_index(index), m_plain(plain), m_net(net),
           m_strict(PixelLanes::load(net.strict)) {}
 
@@ -87,7 +87,7 @@ public:
 private:
     const FittedSource& m_source;
     const IndexRows& m_index;
-    const Net& m_plain;
-    Net& m_net;
+    const ControlNet& m_plain;
+    ControlNet& m_net;
     const PixelLanes m_strict;
 };

@@ -32,8 +32,9 @@ class RegularBends {
 public:
     static constexpr int margin = 3;
 
-    HWY_INLINE RegularBends(const FittedSource& source, const IndexRows& index, const Net& plain,
-                            const BendScratch& scratch, const Net& net, int y)
+    HWY_INLINE RegularBends(const FittedSource& source, const IndexRows& index,
+                            const ControlNet& plain, const BendScratch& scratch,
+                            const ControlNet& net, int y)
         : m_here(source.at(0, y)), m_down{scratch.cells.above(y), scratch.cells.below(y)},
           m_index{index.at(0, y), index.at(0, y + 1)}, m_plain(plain), m_scratch(scratch),
           m_strict(net.strict, source.count), m_count(source.count),
@@ -87,7 +88,7 @@ private:
     const float* m_here;
     const float* m_down[2];
     const float* m_index[2];
-    const Net& m_plain;
+    const ControlNet& m_plain;
     const BendScratch& m_scratch;
     const ChannelLanes m_strict;
     const int m_count;

@@ -15,8 +15,8 @@
 #include <OpenImageIO/strutil.h>
 
 #include "plugin/message/format.h"
-#include "plugin/tool/file/cut_off.h"
 #include "plugin/tool/file/fit_format.h"
+#include "plugin/tool/file/truncated.h"
 
 namespace ddt::tool {
 
@@ -350,7 +350,7 @@ bool ImageFile::check_written(Failure& failure) {
     for (size_t i = 0; i < m_specs.size(); ++i) {
         if (i > 0 && !in->seek_subimage(int(i), 0))
             return refuse("what was written cannot be read back", code);
-        if (is_cut_off(temporary(), in->format_name(), int(i)))
+        if (is_truncated(temporary(), in->format_name(), int(i)))
             return refuse("what was written cannot be read back",
                           code_of_reading(temporary(), code));
         const OIIO::ImageSpec &asked = m_specs[i], &made = in->spec();

@@ -17,9 +17,9 @@
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/command.h"
-#include "plugin/tool/file/cut_off.h"
 #include "plugin/tool/file/file_state.h"
 #include "plugin/tool/file/image_file.h"
+#include "plugin/tool/file/truncated.h"
 
 namespace ddt::tool {
 
@@ -81,7 +81,7 @@ std::string cannot_read(const std::string& path, const std::string& why) {
 /// False with one line in `error` if a file of a format is cut off.
 bool check_whole(const std::string& path, const std::string& format, int number,
                  std::string& error) {
-    if (!is_cut_off(path, format, number))
+    if (!is_truncated(path, format, number))
         return true;
     error = cannot_read(path, "the file ends before its pixels do");
     return false;

@@ -42,7 +42,7 @@ std::string image_name(const std::string& path, int number = 0);
 bool check_reader(const std::string& path, int number, std::string& error);
 
 /// Have an ImageBuf of the image of this number in a file, of which check_reader() was asked, know
-/// its spec. False with one line in `error`, also if the file is cut off (cut_off.h), which its
+/// its spec. False with one line in `error`, also if the file is cut off (truncated.h), which its
 /// reader would not say.
 bool begin_image(const std::string& path, int number, OIIO::ImageBuf& image, std::string& error);
 

@@ -106,7 +106,7 @@ private:
         int results = 0;
         const auto flush = [&] {
             const size_t numbers = size_t(results) * channels;
-            m_surfaces.make_room(positions.size(), numbers, gl::Travel(), m_memory);
+            m_surfaces.make_room(positions.size(), numbers, gl::Transfer(), m_memory);
             m_surfaces.write_positions(positions, m_memory);
             if (!m_download || m_download->bytes() < numbers * sizeof(float))
                 m_download =
@@ -117,7 +117,7 @@ private:
                 m_surfaces.sample(m_mesh, s.plan, m_memory);
             end(timer);
             timer.begin(Stage::download);
-            m.downloaded += m_surfaces.download(numbers, gl::Travel(), m_memory, *m_download);
+            m.downloaded += m_surfaces.download(numbers, gl::Transfer(), m_memory, *m_download);
             end(timer);
             gl::finish(m_gpu.context->gl, "sampling");
             if (keep)

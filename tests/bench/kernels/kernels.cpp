@@ -40,7 +40,7 @@ struct Tile {
     Lattice start, mesh; ///< before and after the flips
     Workspace workspace;
     Statistics statistics;
-    Net net;
+    ControlNet net;
     EdgeMaker edges;
 
     Tile() {
@@ -143,7 +143,7 @@ BENCHMARK(find_cells);
 
 /// A source pixel, three channels.
 void make_edges_whole(benchmark::State& state) {
-    Net net = tile().net;
+    ControlNet net = tile().net;
     EdgeMaker edges;
     for (auto _ : state) {
         edges.begin(tile().mesh, {0, 0, side, side}, true, false, 0, net);

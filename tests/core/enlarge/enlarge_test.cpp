@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/arith.h"
+#include "core/guide/guide.h"
 #include "core/sample/evaluate.h"
 #include "core/surface/consistency/consistency_rounds.h"
 #include "core/tiles/tile_io.h"
@@ -155,7 +156,7 @@ std::vector<float> untiled(const TestSource& source, const Job& job, const Resiz
     Lattice lattice;
     Workspace workspace;
     Statistics statistics;
-    Net net;
+    ControlNet net;
     EdgeMaker edges;
     Search search;
     LocatedRow row;

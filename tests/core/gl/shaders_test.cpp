@@ -41,8 +41,8 @@ bool integers_only(const std::string& name, const gl::JobProgram& program) {
     return known.count(program.file) > 0 || known.count(name) > 0;
 }
 
-void add(const Job& job, const gl::Travel& travel, Variants& all) {
-    for (const gl::JobProgram& program : gl::job_programs(job, travel))
+void add(const Job& job, const gl::Transfer& transfer, Variants& all) {
+    for (const gl::JobProgram& program : gl::job_programs(job, transfer))
         all[gl::program_name(program.file, program.macros)] = program;
 }
 
@@ -78,14 +78,14 @@ void add_surfaces(Variants& all) {
                         }
 }
 
-void add_travel(Variants& all) {
-    using Back = gl::Travel::Back;
+void add_transfers(Variants& all) {
+    using Download = gl::Transfer::Download;
     for (const int bytes : {1, 2, 4})
-        for (const Back back : {Back::floats, Back::halfs, Back::codes}) {
-            gl::Travel travel;
-            travel.there.bytes = bytes;
-            travel.back = back;
-            add({}, travel, all);
+        for (const Back back : {Download::floats, Download::halfs, Download::codes}) {
+            gl::Transfer transfer;
+            transfer.upload.bytes = bytes;
+            transfer.download = back;
+            add({}, transfer, all);
         }
 }
 
@@ -107,7 +107,7 @@ Variants variants() {
     Variants all;
     add_meshes(all);
     add_surfaces(all);
-    add_travel(all);
+    add_transfers(all);
     add_points(all);
     return all;
 }

@@ -111,7 +111,7 @@ private:
     Surface m_surface;
     int m_channels;
     NearestMask m_nearest;
-    std::vector<Net> m_nets;
+    std::vector<ControlNet> m_nets;
     Search m_search;
     LocatedRow m_row;
 };

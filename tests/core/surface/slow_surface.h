@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The formulas of core/surface/net.h and of evaluation, one channel, one position at a time, on
-// triangles that were enumerated: no fans, no vectors, no rows. Call under DenormalsAreZero.
+// The formulas of core/surface/control_net.h and of evaluation, one channel, one position at a
+// time, on triangles that were enumerated: no fans, no vectors, no rows. Call under
+// DenormalsAreZero.
 #pragma once
 
 #include <cfloat>
 #include <map>
 
 #include "core/base/arith.h"
-#include "core/surface/net.h"
+#include "core/surface/control_net.h"
 #include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"
 

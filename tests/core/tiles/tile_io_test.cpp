@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 
+#include "core/guide/guide.h"
 #include "ddt/points.h"
 #include "tests/core/job_helpers.h"
 

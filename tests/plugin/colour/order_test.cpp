@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which config knows a name, with a stand-in for the one that comes with OpenColorIO 2.2 and later:
-// this program's builtin_config() is found before the library's.
-#include "plugin/colour/builtin.h"
+// this program's ocio_builtin_config() is found before the library's.
+#include "plugin/colour/ocio_builtin_config.h"
 
 #include <optional>
 #include <sstream>
@@ -13,7 +13,7 @@
 
 namespace ddt {
 
-OCIO_NAMESPACE::ConstConfigRcPtr builtin_config() {
+OCIO_NAMESPACE::ConstConfigRcPtr ocio_builtin_config() {
     std::istringstream text(R"(ocio_profile_version: 2
 luma: [0.5, 0.25, 0.25]
 roles: {default: raw, scene_linear: built-in linear}

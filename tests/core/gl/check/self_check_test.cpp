@@ -136,7 +136,7 @@ private:
 /// What is begun before it is used.
 std::set<std::string> expected_of(const Job& job) {
     std::set<std::string> all;
-    for (const gl::JobProgram& program : gl::job_programs(job, gl::Travel()))
+    for (const gl::JobProgram& program : gl::job_programs(job, gl::Transfer()))
         EXPECT_TRUE(all.insert(gl::program_name(program.file, program.macros)).second);
     return all;
 }

@@ -4,6 +4,7 @@
 #include "core/base/arith.h"
 #include "core/surface/consistency/consistency_rounds.h"
 #include "core/surface/edge_maker.h"
+#include "core/tiles/channel_groups.h"
 #include "core/tiles/tile_io.h"
 #include "core/triangulate/triangulate.h"
 
@@ -47,7 +48,7 @@ SurfaceStage cpu_surface(const std::vector<float>& guide, const std::vector<floa
     make_mesh(guide, width, height, job.mesh, lattice);
     lattice.find_divisions(lattice.all());
     lattice.find_first_edges(lattice.all());
-    Net net;
+    ControlNet net;
     set_vertices(lattice, values.data(), job.channels, 0, channels_in_group(job.channels, 0), net);
     for (int c = 0; c < group_size; ++c)
         net.strict[c] = is_strict(job, c) ? 1.0f : 0.0f;

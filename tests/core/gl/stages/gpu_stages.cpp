@@ -6,7 +6,7 @@
 #include "core/gl/budget.h"
 #include "core/gl/job_programs.h"
 #include "core/gl/strip.h"
-#include "core/surface/net.h"
+#include "core/surface/control_net.h"
 #include "core/triangulate/triangulate.h"
 
 namespace ddt::test {
@@ -145,10 +145,10 @@ std::vector<float> GpuStages::result(int out_width, int out_height) {
     std::vector<float> result(size_t(strip.plan.count) * size_t(m_job.channels));
     gl::SampleMemory memory;
     gl::HostBuffer results(result.size() * sizeof(float));
-    surfaces.make_room(strip.positions.size(), result.size(), gl::Travel(), memory);
+    surfaces.make_room(strip.positions.size(), result.size(), gl::Transfer(), memory);
     surfaces.write_positions(strip.positions, memory);
     surfaces.sample(m_mesh, strip.plan, memory);
-    surfaces.download(result.size(), gl::Travel(), memory, results);
+    surfaces.download(result.size(), gl::Transfer(), memory, results);
     gl::finish(m_gpu.context->gl, "sampling");
     std::memcpy(result.data(), results.data(), results.bytes());
     return result;

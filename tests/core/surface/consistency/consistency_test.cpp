@@ -21,7 +21,7 @@ std::vector<float> corrected(const Scene& scene, const std::vector<float>& value
                              int rounds, int count = 1) {
     const DenormalsAreZero zero;
     const Lattice& l = scene.lattice;
-    Net net;
+    ControlNet net;
     EdgeMaker edges;
     Consistency consistency;
     set_vertices(l, values.data(), count, 0, count, net);

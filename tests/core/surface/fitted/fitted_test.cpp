@@ -93,7 +93,7 @@ std::vector<NetValues> fitted(const Scene& scene, const std::vector<std::vector<
                               Setting setting) {
     const DenormalsAreZero zero;
     const Lattice& l = scene.lattice;
-    Net net;
+    ControlNet net;
     FittedMaker maker;
     std::fill_n(net.strict, group_size, setting.strict ? 1.0f : 0.0f);
     const auto count = int(channels.size());
@@ -124,7 +124,7 @@ NetValues slow(const Scene& scene, const std::vector<float>& values, Setting set
     const FittedTable& table = fitted_table();
     const Lattice& l = scene.lattice;
     const int w = l.width(), h = l.height();
-    Net net;
+    ControlNet net;
     EdgeMaker edges;
     Consistency consistency;
     set_vertices(l, values.data(), 1, 0, 1, net);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an annealing program is told.
+#pragma once
+
+#include <cstdint>
+
+#include "core/gl/context/functions.h"
+
+namespace ddt::gl {
+
+/// The uniforms of shaders/annealing.glsl.
+struct AnnealingUniforms {
+    uint64_t salt, seed; ///< annealing_salt() of the iteration; mixed
+    uint32_t part;       ///< below annealing_parts
+    float temperature;
+};
+
+/// Set them for the program in use.
+inline void set_annealing_uniforms(const Functions& gl, const AnnealingUniforms& chance) {
+    gl.Uniform2ui(5, GLuint(chance.salt), GLuint(chance.salt >> 32));
+    gl.Uniform2ui(6, GLuint(chance.seed), GLuint(chance.seed >> 32));
+    gl.Uniform1ui(7, chance.part);
+    gl.Uniform1f(9, chance.temperature);
+}
+
+} // namespace ddt::gl

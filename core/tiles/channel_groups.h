@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// A job's channels, and the groups in which they are worked on.
+#pragma once
+
+#include "core/sample/evaluate.h"
+#include "ddt/core.h"
+
+namespace ddt {
+
+/// Channels are worked on in groups of group_size.
+int group_count(int channels);
+int channels_in_group(int channels, int group);
+/// What a channel is; also those past Job::channels in the last group are something.
+Channel kind_of(const Job& job, int channel);
+/// Whether a channel keeps to the range of its triangles' vertices even with soft edges: alpha, and
+/// every channel whose vertices are the pixels themselves.
+bool is_strict(const Job& job, int channel);
+/// Whether any channel is Channel::nearest.
+bool any_nearest(const Job& job);
+/// Which channels of a job's group are Channel::nearest.
+NearestMask nearest_mask(const Job& job, int group);
+
+} // namespace ddt
