@@ -4,6 +4,7 @@
 
 #include "core/base/guarded.h"
 #include "core/base/log.h"
+#include "core/base/one_line.h"
 #include "core/base/progress.h"
 #include "core/base/stopwatch.h"
 #include "core/enlarge/fill.h"
@@ -47,7 +48,7 @@ bool check(const Job& job, const Mapping& mapping, std::string& error) {
     return false;
 }
 
-const char* describe(Outcome outcome) {
+std::string describe(Outcome outcome) {
     switch (outcome) {
     case Outcome::done:
         return "";
@@ -60,7 +61,7 @@ const char* describe(Outcome outcome) {
     case Outcome::bad_job:
         return "ddt: the job makes no sense";
     case Outcome::out_of_memory:
-        return "ddt: out of memory";
+        return with_prefix(out_of_memory);
     case Outcome::device_unavailable:
         return "ddt: the device is unavailable";
     }

@@ -15,6 +15,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include "core/base/one_line.h"
 #include "core/base/progress.h"
 #include "core/enlarge/build_mesh.h"
 #include "core/enlarge/fill.h"
@@ -242,7 +243,7 @@ ddt::Outcome make_mesh(Enlargement& work, const ddt::Tell& progress, ddt::Mesh& 
     if (ddt::build_mesh(guide.data(), window.width(), window.height(), work.mesh, mesh, nullptr,
                         &error, ddt::part_of(progress, filled, 1)))
         return ddt::Outcome::done;
-    const bool no_memory = error == "ddt: out of memory"; // of ddt/mesh.h
+    const bool no_memory = error == ddt::with_prefix(ddt::out_of_memory);
     return no_memory ? ddt::Outcome::out_of_memory : ddt::Outcome::bad_job;
 }
 
