@@ -85,6 +85,8 @@ Outcome work(const TiledJob& tiled, const Placement& placement, Statistics& stat
              std::string& failure) {
     const Job& job = tiled.job;
     JobState state(job, tiled.grid.count());
+    if (tiled.grid.count() == 0)
+        state.nothing_to_do();
     if (placement.gpu)
         failure = work_on_gpu(*placement.gpu, tiled, state, statistics);
     else
