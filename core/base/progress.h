@@ -21,6 +21,17 @@ inline Tell part_of(const Tell& whole, float from, float to) {
     };
 }
 
+/// `whole`, told the largest share so far: what is left of flips may grow again. Empty if `whole`
+/// is, which must stay where it is.
+inline Tell never_falling(const Tell& whole) {
+    if (!whole)
+        return {};
+    return [&whole, most = 0.0f](float share) mutable {
+        most = std::max(most, share);
+        return whole(most);
+    };
+}
+
 /// `whole` until it says false or throws; then false, and it is not called again, whichever thread
 /// asks. One thread at a time. Empty if `whole` is, which must stay where it is.
 inline Tell until_it_ends(const Tell& whole) {

@@ -49,7 +49,7 @@ bool list(const Lattice& lattice, Mesh& mesh, const Tell& progress) {
     return true;
 }
 
-/// False: cancelled.
+/// False: cancelled. What `progress` is told may fall.
 bool build(const float* guide, int width, int height, const MeshOptions& options, Mesh& mesh,
            MeshReport* report, const Tell& progress) {
     const DenormalsAreZero as_on_gpus;
@@ -104,7 +104,7 @@ bool build_mesh(const float* guide, int width, int height, const MeshOptions& op
                 const std::function<bool(float)>& progress) {
     return succeeds(error, [&](std::string& why) {
         if (check_mesh_size(width, height, why) && check_options(options, why) &&
-            !build(guide, width, height, options, mesh, report, progress))
+            !build(guide, width, height, options, mesh, report, never_falling(progress)))
             why = "ddt: cancelled";
         return why.empty();
     });

@@ -7,6 +7,7 @@
 #include "core/base/arith.h"
 #include "core/base/guarded.h"
 #include "core/base/log.h"
+#include "core/base/progress.h"
 #include "core/gl/offload.h"
 #include "core/guide/guide.h"
 #include "core/tin/delaunay.h"
@@ -119,13 +120,10 @@ bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, M
     if (!connect(tin, mesh.triangles, error))
         return false;
     bool going = true;
-    float most = 0; // what is left of flips may grow again
+    const Tell rising = never_falling(progress);
     Workspace workspace;
     if (progress)
-        workspace.progress = [&](float share) {
-            most = std::max(most, share);
-            return going = progress(most);
-        };
+        workspace.progress = [&](float share) { return going = rising(share); };
     MeshReport what;
     if (report)
         what.cost_start = total_cost(TinMesh(tin, options.cost));

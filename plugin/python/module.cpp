@@ -106,7 +106,7 @@ public:
     bool operator()(float share) {
         if (is_ending())
             wait_for_the_end();
-        m_share = std::max(m_share, share); // a mesh's falls now and then
+        m_share = share;
         m_untold = std::this_thread::get_id() != m_thread;
         return m_untold || ask();
     }
