@@ -61,8 +61,8 @@ struct PixelGrid {
 /// rounds points': pixels closer together show steps. `values` are `channels` floats per point,
 /// `pixels` as many per pixel, row by row. Pixels outside all triangles are left as they are;
 /// `inside`, one byte per pixel, tells where those are: 0 there, else not 0. A pixel on an edge
-/// belongs to one triangle, whichever order the triangles have. After a failure `pixels` and
-/// `inside` are as they were.
+/// belongs to one triangle, whichever order the triangles have. Of a grid without pixels both may
+/// be null. After a failure `pixels` and `inside` are as they were.
 bool draw(const PointMesh& mesh, const float* values, int channels, const PixelGrid& grid,
           float* pixels, uint8_t* inside, std::string* error = nullptr);
 
