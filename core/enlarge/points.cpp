@@ -36,6 +36,15 @@ bool choose(Device device, size_t points, const MeshOptions& options, Placement&
     return choose_device(job, points / as_if_threads, placement, error);
 }
 
+/// With nothing of what is for pixels alone, allowed or not.
+MeshOptions for_points(MeshOptions options) {
+    options.blur = 0;
+    options.contour = 0;
+    options.meshes = 1;
+    options.start = Start::flat;
+    return options;
+}
+
 void flip(Tin& tin, const MeshOptions& options, const Placement& placement, Workspace& workspace,
           Statistics& statistics) {
     statistics.device = Device::cpu;
@@ -99,10 +108,10 @@ bool delaunay_points(PointMesh& mesh, Ties ties, std::string& error, const Tell&
     return true;
 }
 
-bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, MeshReport* report,
-                     std::string& error, const Tell& progress, Device device) {
+bool optimise_points(PointMesh& mesh, const float* guide, const MeshOptions& given,
+                     MeshReport* report, std::string& error, const Tell& progress, Device device) {
     const DenormalsAreZero as_on_gpus;
-    options.contour = 0; // pixels alone have contours
+    const MeshOptions options = for_points(given);
     StepGrid grid;
     Placement placement;
     FilterOptions all;

@@ -16,7 +16,7 @@ namespace ddt {
 bool delaunay_points(PointMesh& mesh, Ties ties, std::string& error, const Tell& progress);
 
 /// optimise(). False with one line in `error`; throws std::bad_alloc and what `progress` throws.
-bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, MeshReport* report,
-                     std::string& error, const Tell& progress, Device device);
+bool optimise_points(PointMesh& mesh, const float* guide, const MeshOptions& given,
+                     MeshReport* report, std::string& error, const Tell& progress, Device device);
 
 } // namespace ddt

@@ -37,14 +37,14 @@ bool delaunay(PointMesh& mesh, std::string* error = nullptr,
               const std::function<bool(float)>& progress = {});
 
 /// Flip edges of the mesh's triangles, which together may have any shape, by options.scheme and
-/// options.cost (blur, contour, meshes and start mean nothing here). `guide`: one float per point,
-/// about 0 to 1; what is below 2^-24 or not finite counts as 0. Triangles come out with the
-/// orientation from x towards y. False also where the triangles are no triangulation: one without
-/// area, an edge of more than two; and where a `device` that is named cannot be had. lawson and
-/// look_ahead run on the CPU whatever is named, the others on GPUs too; no choice changes the
-/// result. `progress`: called now and then, maybe on another thread, with the share done, 0 to 1;
-/// it returns false to cancel, which is a failure; it may be empty. After a failure the mesh is as
-/// it was.
+/// options.cost (blur, contour, meshes and start may be anything and mean nothing here). `guide`:
+/// one float per point, about 0 to 1; what is below 2^-24 or not finite counts as 0. Triangles come
+/// out with the orientation from x towards y. False also where the triangles are no triangulation:
+/// one without area, an edge of more than two; and where a `device` that is named cannot be had.
+/// lawson and look_ahead run on the CPU whatever is named, the others on GPUs too; no choice
+/// changes the result. `progress`: called now and then, maybe on another thread, with the share
+/// done, 0 to 1; it returns false to cancel, which is a failure; it may be empty. After a failure
+/// the mesh is as it was.
 bool optimise(PointMesh& mesh, const float* guide, const MeshOptions& options,
               MeshReport* report = nullptr, std::string* error = nullptr,
               const std::function<bool(float)>& progress = {}, Device device = Device::automatic);

@@ -260,10 +260,14 @@ TEST(Optimise, SomeOptionsMeanNothing) {
         EXPECT_EQ(report.cost_start, wanted.cost_start) << what;
         EXPECT_EQ(report.cost, wanted.cost) << what;
     };
-    same("blur", [](MeshOptions& o) { o.blur = largest_blur; });
-    same("contour", [](MeshOptions& o) { o.contour = 5; });
-    same("meshes", [](MeshOptions& o) { o.meshes = most_meshes; });
-    same("start", [](MeshOptions& o) { o.start = Start::diagonal; });
+    for (const float blur : {largest_blur, 9.0f, std::nanf("")})
+        same("blur", [&](MeshOptions& o) { o.blur = blur; });
+    for (const float contour : {5.0f, -9.0f, std::nanf("")})
+        same("contour", [&](MeshOptions& o) { o.contour = contour; });
+    for (const int meshes : {most_meshes, 77})
+        same("meshes", [&](MeshOptions& o) { o.meshes = meshes; });
+    for (const Start start : {Start::diagonal, Start(9)})
+        same("start", [&](MeshOptions& o) { o.start = start; });
 }
 
 TEST(Optimise, RefusesWhatIsNoTriangulation) {
