@@ -101,7 +101,7 @@ bool check_mesh_size(int width, int height, std::string& error) {
 
 bool build_mesh(const float* guide, int width, int height, const MeshOptions& options, Mesh& mesh,
                 MeshReport* report, std::string* error,
-                const std::function<bool(float)>& progress) {
+                const std::function<bool(float)>& progress) noexcept {
     return succeeds(error, [&](std::string& why) {
         if (check_mesh_size(width, height, why) && check_options(options, why) &&
             !build(guide, width, height, options, mesh, report, never_falling(progress)))

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <utility>
 
 #include "core/base/guarded.h"
 #include "core/base/log.h"
@@ -138,7 +137,7 @@ Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, 
 } // namespace
 
 Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
-                std::string* error) {
+                std::string* error) noexcept {
     Outcome outcome = Outcome::bad_job;
     const Caught caught = guarded_call(error, [&] {
         std::string why;
@@ -150,7 +149,7 @@ Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& j
         if (outcome != Outcome::done && why.empty())
             why = describe(outcome);
         if (error)
-            *error = std::move(why);
+            *error = one_line(why);
     });
     switch (caught) {
     case Caught::nothing:

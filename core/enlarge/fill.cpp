@@ -209,7 +209,7 @@ bool fill_holes(const HoledImage& image, const uint8_t* missing, const MeshOptio
 
 bool fill_holes(float* values, int width, int height, int channels, const Channel* kinds,
                 const float* guide, const uint8_t* missing, const MeshOptions& options,
-                std::string* error, const std::function<bool(float)>& progress) {
+                std::string* error, const std::function<bool(float)>& progress) noexcept {
     return succeeds(error, [&](std::string& why) {
         if (width < 0 || height < 0 || channels < 1) {
             why = "ddt: width and height must be 0 or more, channels 1 or more";

@@ -150,13 +150,15 @@ bool optimise_points(PointMesh& mesh, const float* guide, const MeshOptions& giv
     return true;
 }
 
-bool delaunay(PointMesh& mesh, std::string* error, const std::function<bool(float)>& progress) {
+bool delaunay(PointMesh& mesh, std::string* error,
+              const std::function<bool(float)>& progress) noexcept {
     return succeeds(error,
                     [&](std::string& why) { return delaunay_points(mesh, {}, why, progress); });
 }
 
 bool optimise(PointMesh& mesh, const float* guide, const MeshOptions& options, MeshReport* report,
-              std::string* error, const std::function<bool(float)>& progress, Device device) {
+              std::string* error, const std::function<bool(float)>& progress,
+              Device device) noexcept {
     return succeeds(error, [&](std::string& why) {
         return optimise_points(mesh, guide, options, report, why, progress, device);
     });

@@ -139,9 +139,9 @@ enum class Outcome {
 
 /// Read the source tile by tile, triangulate, and write every output pixel the mapping gives.
 ///
-/// Never throws: what source, sink, mapping or progress throw is Outcome::out_of_memory or bad_job.
-/// They may use oneTBB themselves. `error`, when not null, receives one line if the outcome is not
-/// `done`. ddt/log.h tells the device, the iterations and where the time went.
+/// What source, sink, mapping or progress throw is Outcome::out_of_memory or bad_job. They may use
+/// oneTBB themselves. `error` is that of ddt/core.h. ddt/log.h tells the device, the iterations and
+/// where the time went.
 ///
 /// Memory beside what source and sink hold: up to 200 MiB for 40 threads or fewer and 6 MiB for
 /// each further one, all times MeshOptions::meshes, and 4 bytes for each 65536 pixels of the
@@ -152,11 +152,11 @@ enum class Outcome {
 /// on 12; with a mapping that is not separable() on up to 8 without corrections, and four fifths of
 /// them or more on up to 4 with corrections. Of more channels or larger results fewer work.
 Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
-                std::string* error = nullptr);
+                std::string* error = nullptr) noexcept;
 
 /// Give back the memory, up to 24 MiB, that a process keeps for its next enlarge() on the CPU: of
 /// two threads, if neither takes more than 12. It stays because to be given pages anew is a quarter
 /// of the time of a small picture. Thread-safe.
-void release_memory();
+void release_memory() noexcept;
 
 } // namespace ddt

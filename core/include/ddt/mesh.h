@@ -32,11 +32,11 @@ struct MeshReport {
 /// something more than a halo away.) Takes about 80 bytes per pixel meanwhile. `guide`: width x
 /// height floats, row by row, about 0 to 1; what is below 2^-24 or not finite counts as 0.
 /// `progress` is called from time to time with a rough share done, 0 to 1; it returns false to
-/// cancel; it may be empty. False, with one line in `error`, if the image has less than 2 x 2
-/// pixels or more than 2^28, an option is not allowed, memory runs out, or it was cancelled; `mesh`
-/// and `report` are then as they were. Never throws.
+/// cancel; it may be empty. False if the image has less than 2 x 2 pixels or more than 2^28, an
+/// option is not allowed, memory runs out, or it was cancelled; `mesh` and `report` are then as
+/// they were. `error` is that of ddt/core.h.
 bool build_mesh(const float* guide, int width, int height, const MeshOptions& options, Mesh& mesh,
                 MeshReport* report = nullptr, std::string* error = nullptr,
-                const std::function<bool(float)>& progress = {});
+                const std::function<bool(float)>& progress = {}) noexcept;
 
 } // namespace ddt

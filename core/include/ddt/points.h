@@ -4,9 +4,8 @@
 //
 // The costs and schemes are those of MeshOptions (ddt/options.h); lengths are measured in a unit in
 // which a mesh's triangles have the mean area 1/2, as those of an image have in pixels. Functions
-// return false with one line in `error`, when that is not null; nothing here throws. No buffer may
-// be null where nothing says that it may. Functions may be called from several threads at once for
-// different meshes.
+// return false where they fail; `error` is that of ddt/core.h. No buffer may be null where nothing
+// says that it may. Functions may be called from several threads at once for different meshes.
 #pragma once
 
 #include <array>
@@ -34,7 +33,7 @@ constexpr size_t most_points = size_t(1) << 27;
 /// three that are not on one line, or a position is not finite. `progress`: as for optimise().
 /// After a failure the mesh is as it was.
 bool delaunay(PointMesh& mesh, std::string* error = nullptr,
-              const std::function<bool(float)>& progress = {});
+              const std::function<bool(float)>& progress = {}) noexcept;
 
 /// Flip edges of the mesh's triangles, which together may have any shape, by options.scheme and
 /// options.cost (blur, contour, meshes and start may be anything and mean nothing here). `guide`:
@@ -47,7 +46,8 @@ bool delaunay(PointMesh& mesh, std::string* error = nullptr,
 /// the mesh is as it was.
 bool optimise(PointMesh& mesh, const float* guide, const MeshOptions& options,
               MeshReport* report = nullptr, std::string* error = nullptr,
-              const std::function<bool(float)>& progress = {}, Device device = Device::automatic);
+              const std::function<bool(float)>& progress = {},
+              Device device = Device::automatic) noexcept;
 
 /// Pixels laid over the plane: pixel (i, j) shows the point (x + i * step_x, y + j * step_y). A
 /// negative step_y is for files whose y goes upwards.
@@ -64,7 +64,7 @@ struct PixelGrid {
 /// belongs to one triangle, whichever order the triangles have. Of a grid without pixels both may
 /// be null. After a failure `pixels` and `inside` are as they were.
 bool draw(const PointMesh& mesh, const float* values, int channels, const PixelGrid& grid,
-          float* pixels, uint8_t* inside, std::string* error = nullptr);
+          float* pixels, uint8_t* inside, std::string* error = nullptr) noexcept;
 
 /// Fill the pixels of an image whose byte in `missing` is not 0: meshes of those near the holes are
 /// made, on all threads, their edges flipped by `options`, and holes interpolated over their
@@ -79,6 +79,7 @@ bool draw(const PointMesh& mesh, const float* values, int channels, const PixelG
 /// anything.
 bool fill_holes(float* values, int width, int height, int channels, const Channel* kinds,
                 const float* guide, const uint8_t* missing, const MeshOptions& options,
-                std::string* error = nullptr, const std::function<bool(float)>& progress = {});
+                std::string* error = nullptr,
+                const std::function<bool(float)>& progress = {}) noexcept;
 
 } // namespace ddt

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "core/enlarge/fill.h"
 #include "ddt/mesh.h"
@@ -74,6 +75,16 @@ private:
     Where m_where;
     Thrown m_what;
 };
+
+// Noexcept is a promise to callers, and what is not guarded whole would end the process.
+static_assert(noexcept(enlarge(std::declval<Source&>(), std::declval<Sink&>(),
+                               std::declval<const Mapping&>(), std::declval<const Job&>())));
+static_assert(noexcept(enlarge(nullptr, 0, 0, 0, nullptr, nullptr, 0, 0)));
+static_assert(noexcept(build_mesh(nullptr, 0, 0, {}, std::declval<Mesh&>())));
+static_assert(noexcept(delaunay(std::declval<PointMesh&>())));
+static_assert(noexcept(optimise(std::declval<PointMesh&>(), nullptr, {})));
+static_assert(noexcept(draw(std::declval<PointMesh&>(), nullptr, 0, {}, nullptr, nullptr)));
+static_assert(noexcept(fill_holes(nullptr, 0, 0, 0, nullptr, nullptr, nullptr, {})));
 
 void expect_line(const std::string& error) {
     EXPECT_EQ(error.rfind("ddt: ", 0), 0u) << error;
