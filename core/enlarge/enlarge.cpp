@@ -115,7 +115,7 @@ Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, 
         outcome = work({source, sink, mapping, job, grid, threads}, placement, statistics, failure);
     } else {
         float filled = 0; // share done by then: that of reading, where nothing is missing
-        Tell filling;
+        ProgressCallback filling;
         if (job.progress)
             filling = [&](float share) {
                 filled = share * share_of_filling;

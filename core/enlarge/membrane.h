@@ -20,6 +20,6 @@ namespace ddt {
 /// it, and pixels may be anything between.
 bool smooth_holes(const HoledImage& image, const std::vector<uint8_t>& filled,
                   const std::vector<uint8_t>& known, const std::vector<float>& guide,
-                  const Tell& progress = {});
+                  const ProgressCallback& progress = {});
 
 } // namespace ddt

@@ -67,7 +67,8 @@ void flip(Tin& tin, const MeshOptions& options, const Placement& placement, Work
 
 } // namespace
 
-bool delaunay_points(PointMesh& mesh, Ties ties, std::string& error, const Tell& progress) {
+bool delaunay_points(PointMesh& mesh, Ties ties, std::string& error,
+                     const ProgressCallback& progress) {
     const DenormalsAreZero as_on_gpus;
     StepGrid grid;
     if (!grid.fit(mesh.x, mesh.y, error))
@@ -109,7 +110,8 @@ bool delaunay_points(PointMesh& mesh, Ties ties, std::string& error, const Tell&
 }
 
 bool optimise_points(PointMesh& mesh, const float* guide, const MeshOptions& given,
-                     MeshReport* report, std::string& error, const Tell& progress, Device device) {
+                     MeshReport* report, std::string& error, const ProgressCallback& progress,
+                     Device device) {
     const DenormalsAreZero as_on_gpus;
     const MeshOptions options = for_points(given);
     StepGrid grid;
@@ -129,7 +131,8 @@ bool optimise_points(PointMesh& mesh, const float* guide, const MeshOptions& giv
     if (!connect(tin, mesh.triangles, error))
         return false;
     bool going = true;
-    const Tell rising = never_falling(progress);
+    // Not to be asked again by the CPU if a GPU fails after it was cancelled.
+    const ProgressCallback once = until_it_ends(progress), rising = never_falling(once);
     Workspace workspace;
     if (progress)
         workspace.progress = [&](float share) { return going = rising(share); };
@@ -150,15 +153,13 @@ bool optimise_points(PointMesh& mesh, const float* guide, const MeshOptions& giv
     return true;
 }
 
-bool delaunay(PointMesh& mesh, std::string* error,
-              const std::function<bool(float)>& progress) noexcept {
+bool delaunay(PointMesh& mesh, std::string* error, const ProgressCallback& progress) noexcept {
     return succeeds(error,
                     [&](std::string& why) { return delaunay_points(mesh, {}, why, progress); });
 }
 
 bool optimise(PointMesh& mesh, const float* guide, const MeshOptions& options, MeshReport* report,
-              std::string* error, const std::function<bool(float)>& progress,
-              Device device) noexcept {
+              std::string* error, const ProgressCallback& progress, Device device) noexcept {
     return succeeds(error, [&](std::string& why) {
         return optimise_points(mesh, guide, options, report, why, progress, device);
     });

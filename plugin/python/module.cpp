@@ -212,8 +212,8 @@ void read_guide(const Enlargement& work, std::vector<float>& guide) {
 
 /// Let the work have pixels of its own, in `memory`, in which what its filter says is filled. Not
 /// Outcome::done: with one line in `error`.
-ddt::Outcome fill_pixels(Enlargement& work, std::vector<char>& memory, const ddt::Tell& progress,
-                         std::string& error) {
+ddt::Outcome fill_pixels(Enlargement& work, std::vector<char>& memory,
+                         const ddt::ProgressCallback& progress, std::string& error) {
     const ddt::Rect& box = work.from.box;
     const auto channels = size_t(work.layout.channels), number = size_of(work.from.sample);
     memory.resize(box.area() * channels * number);
@@ -226,7 +226,7 @@ ddt::Outcome fill_pixels(Enlargement& work, std::vector<char>& memory, const ddt
 }
 
 /// On the CPU. Not Outcome::done: with one line in `error`.
-ddt::Outcome make_mesh(Enlargement& work, const ddt::Tell& progress, ddt::Mesh& mesh,
+ddt::Outcome make_mesh(Enlargement& work, const ddt::ProgressCallback& progress, ddt::Mesh& mesh,
                        std::string& error) {
     std::vector<char> memory;
     float filled = 0;
@@ -260,7 +260,7 @@ py::array mesh_of(const py::array& pixels, const std::string& sample, const std:
     ddt::Outcome outcome;
     {
         const Unlocked unlocked;
-        const ddt::Tell told = std::ref(watch);
+        const ddt::ProgressCallback told = std::ref(watch);
         outcome = make_mesh(work, told, mesh, error);
     }
     watch.finish(outcome == ddt::Outcome::done);

@@ -209,7 +209,7 @@ private:
     bool triangulate(PointFile& points, Progress& progress, Failure& failure) const {
         const std::vector<float> guide = guide_of(points, m_columns);
         const bool has_triangles = !points.mesh.triangles.empty();
-        const Tell whole = std::ref(progress);
+        const ProgressCallback whole = std::ref(progress);
         // Of points that are triangulated first, about the share of the time that this takes.
         const float first = has_triangles ? 0.0f : 0.25f;
         if (!has_triangles && delaunay(points.mesh, &failure.why, part_of(whole, 0, first)))

@@ -3,13 +3,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "ddt/code_table.h"
 #include "ddt/mapping.h"
 #include "ddt/options.h"
+#include "ddt/progress.h"
 
 namespace ddt {
 
@@ -126,12 +126,10 @@ struct Job {
     ///     each thread, for each pixel about the hole that it works on    | some 300 + 4 a channel
     ///     each thread, for each pixel of the box round that hole         | 2
     Holes holes = Holes::keep;
-    /// Called from time to time with the share done, which never falls and is 1 at the very end,
-    /// one thread at a time; return false to cancel. Not called again after that, nor after it
-    /// threw. Called when a tile of 256 x 256 source pixels is done, and on the CPU whenever some 4
-    /// million more numbers of a tile's result are written; little more is written once it said
-    /// false. May be empty.
-    std::function<bool(float)> progress;
+    /// Called with 1 at the very end; when a tile of 256 x 256 source pixels is done, and on the
+    /// CPU whenever some 4 million more numbers of a tile's result are written. Little more is
+    /// written once it said false.
+    ProgressCallback progress;
     Statistics* statistics = nullptr; ///< filled in when not null
 };
 

@@ -10,7 +10,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,10 +29,10 @@ constexpr size_t most_points = size_t(1) << 27;
 /// Make mesh.triangles: the Delaunay triangulation of the points, which covers their convex hull,
 /// by exact arithmetic, whatever shape they have together. Positions are rounded to 2^-29 of the
 /// points' extent or finer. Of points at one position the first is used. False if there are not
-/// three that are not on one line, or a position is not finite. `progress`: as for optimise().
-/// After a failure the mesh is as it was.
+/// three that are not on one line, or a position is not finite. After a failure the mesh is as it
+/// was.
 bool delaunay(PointMesh& mesh, std::string* error = nullptr,
-              const std::function<bool(float)>& progress = {}) noexcept;
+              const ProgressCallback& progress = {}) noexcept;
 
 /// Flip edges of the mesh's triangles, which together may have any shape, by options.scheme and
 /// options.cost (blur, contour, meshes and start may be anything and mean nothing here). `guide`:
@@ -41,13 +40,10 @@ bool delaunay(PointMesh& mesh, std::string* error = nullptr,
 /// out with the orientation from x towards y. False also where the triangles are no triangulation:
 /// one without area, an edge of more than two; and where a `device` that is named cannot be had.
 /// lawson and look_ahead run on the CPU whatever is named, the others on GPUs too; no choice
-/// changes the result. `progress`: called now and then, maybe on another thread, with the share
-/// done, 0 to 1; it returns false to cancel, which is a failure; it may be empty. After a failure
-/// the mesh is as it was.
+/// changes the result. After a failure the mesh is as it was.
 bool optimise(PointMesh& mesh, const float* guide, const MeshOptions& options,
               MeshReport* report = nullptr, std::string* error = nullptr,
-              const std::function<bool(float)>& progress = {},
-              Device device = Device::automatic) noexcept;
+              const ProgressCallback& progress = {}, Device device = Device::automatic) noexcept;
 
 /// Pixels laid over the plane: pixel (i, j) shows the point (x + i * step_x, y + j * step_y). A
 /// negative step_y is for files whose y goes upwards.
@@ -74,12 +70,10 @@ bool draw(const PointMesh& mesh, const float* values, int channels, const PixelG
 /// outermost pixels that are there, gets the value of the nearest. Infinities are no part of what
 /// others beside them give. `values`: `channels` floats per pixel; `kinds`: one per channel, or
 /// null if all are Channel::blend; `guide`: one float per pixel, not looked at where one is
-/// missing. Nothing is done if nothing is missing; false if all is, or where `progress`, called now
-/// and then with the share done, 0 to 1, returned false, which leaves the missing pixels as
-/// anything.
+/// missing. Nothing is done if nothing is missing; false if all is. Being cancelled leaves the
+/// missing pixels as anything.
 bool fill_holes(float* values, int width, int height, int channels, const Channel* kinds,
                 const float* guide, const uint8_t* missing, const MeshOptions& options,
-                std::string* error = nullptr,
-                const std::function<bool(float)>& progress = {}) noexcept;
+                std::string* error = nullptr, const ProgressCallback& progress = {}) noexcept;
 
 } // namespace ddt

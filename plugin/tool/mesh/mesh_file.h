@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstdio>
-#include <functional>
 #include <string>
 
 #include "ddt/mesh.h"
+#include "ddt/progress.h"
 #include "plugin/tool/command/exit_code.h"
 #include "plugin/tool/file/picture.h"
 
@@ -29,13 +29,13 @@ struct MeshStyle {
 /// to the right, y upwards, z towards the viewer, triangles counter-clockwise; PLY with colours of
 /// 8 bits and with alpha if the picture has it, OBJ with the widespread extension "v x y z r g b".
 using MeshWriter = bool (*)(std::FILE*, const Mesh&, const Picture&, const MeshStyle&,
-                            const std::function<bool(float)>& progress);
+                            const ProgressCallback& progress);
 bool write_svg(std::FILE*, const Mesh&, const Picture&, const MeshStyle&,
-               const std::function<bool(float)>& progress);
+               const ProgressCallback& progress);
 bool write_ply(std::FILE*, const Mesh&, const Picture&, const MeshStyle&,
-               const std::function<bool(float)>& progress);
+               const ProgressCallback& progress);
 bool write_obj(std::FILE*, const Mesh&, const Picture&, const MeshStyle&,
-               const std::function<bool(float)>& progress);
+               const ProgressCallback& progress);
 
 /// The writer for a file's extension, or null.
 MeshWriter writer_for(const std::string& path);
@@ -44,8 +44,7 @@ std::string wrong_mesh_name(const std::string& path);
 
 /// Write the file, whole or not at all.
 bool write_mesh(const std::string& path, const Mesh& mesh, const Picture& picture,
-                const MeshStyle& style, const std::function<bool(float)>& progress,
-                Failure& failure);
+                const MeshStyle& style, const ProgressCallback& progress, Failure& failure);
 
 /// A display value as 8 bits; NaN is 0.
 inline int byte_of(float v) {

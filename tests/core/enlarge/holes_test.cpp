@@ -47,8 +47,7 @@ ResizeMapping::Axis axis(int from, int size) {
 
 /// Twice as large.
 Outcome twice(Source& source, Holes holes, Device device, std::vector<float>& result,
-              std::string& error, const std::function<bool(float)>& progress = {},
-              int threads = 0) {
+              std::string& error, const ProgressCallback& progress = {}, int threads = 0) {
     Job job;
     job.window = {left, top, left + width, top + height};
     job.channels = channels;

@@ -152,7 +152,7 @@ TEST(Throwing, EndsTheWorkOfOtherThreadsToo) {
 struct CountedProgress {
     int last;
     std::atomic<int> calls{0};
-    Tell tell() {
+    ProgressCallback tell() {
         return [this](float) {
             if (++calls < last)
                 return true;
