@@ -8,7 +8,7 @@
 
 #include "core/base/parse_number.h"
 #include "core/base/progress.h"
-#include "ddt/mapping.h"
+#include "ddt/rect.h"
 #include "ddt/resize.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/filter_flag.h"
