@@ -147,8 +147,8 @@ private:
         for (size_t i = 0; i < m_size; ++i) {
             filled[i] = m_missing[i] && m_inside[i];
             known[i] = is_known(i);
-            if (filled[i] && m_image.guide_too)
-                m_image.guide[i] = m_surface[i];
+            if (filled[i] && m_image.filled_guide)
+                m_image.filled_guide[i] = m_surface[i];
         }
         return smooth_holes(m_image, filled, known, m_surface, progress);
     }
@@ -185,8 +185,8 @@ private:
                     return;
                 known[n] = 1;
                 std::copy_n(pixel(i), m_image.channels, pixel(n));
-                if (m_image.guide_too)
-                    m_image.guide[n] = m_image.guide[i];
+                if (m_image.filled_guide)
+                    m_image.filled_guide[n] = m_image.filled_guide[i];
                 queue.push_back(n);
             });
         }
@@ -223,8 +223,7 @@ bool fill_holes(float* values, int width, int height, int channels, const Channe
         }
         if (!check_options(options, why))
             return false;
-        const HoledImage image{values, const_cast<float*>(guide), width, height, channels, kinds,
-                               false};
+        const HoledImage image{values, guide, nullptr, width, height, channels, kinds};
         return fill_holes(image, missing, options, Device::automatic, progress, nullptr, why);
     });
 }

@@ -16,11 +16,11 @@ constexpr float share_of_filling = 0.5f;
 
 /// A whole image in memory. `kinds` may be null: all channels are Channel::blend.
 struct HoledImage {
-    float* values; ///< `channels` interleaved floats per pixel
-    float* guide;  ///< one float per pixel
+    float* values;       ///< `channels` interleaved floats per pixel
+    const float* guide;  ///< one float per pixel
+    float* filled_guide; ///< `guide`, to be filled as if it were a channel; null: not filled
     int width, height, channels;
     const Channel* kinds;
-    bool guide_too;  ///< fill the guide as if it were a channel; else it is left as it is
     int threads = 0; ///< that share the work, which has the same bits for any number; 0: all
 };
 

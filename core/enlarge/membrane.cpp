@@ -145,8 +145,8 @@ bool smooth_holes(const HoledImage& image, const std::vector<uint8_t>& filled,
         if (!image.kinds || image.kinds[c] != Channel::nearest)
             planes.push_back(
                 {image.values + c, image.channels, ptrdiff_t(image.channels) * image.width});
-    if (image.guide_too)
-        planes.push_back({image.guide, 1, image.width});
+    if (image.filled_guide)
+        planes.push_back({image.filled_guide, 1, image.width});
     return sweep(knots, planes, image, progress);
 }
 

@@ -49,11 +49,11 @@ Outcome WholeSource::fill(Source& source, const Job& job, int threads,
         return state.outcome();
     const HoledImage image{m_values.data(),
                            m_guide.data(),
+                           m_guide.data(),
                            m_window.width(),
                            m_window.height(),
                            job.channels,
                            job.kinds.empty() ? nullptr : job.kinds.data(),
-                           true,
                            threads};
     bool cancelled = false;
     ProgressCallback telling;

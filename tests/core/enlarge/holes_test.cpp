@@ -325,7 +325,7 @@ TEST(SmoothHoles, TakesStreaksAndLeavesEdgesAndRanges) {
             guide.push_back(step + noise);
         }
     values = guide;
-    HoledImage image{values.data(), guide.data(), side, side, 1, nullptr, false, 1};
+    HoledImage image{values.data(), guide.data(), nullptr, side, side, 1, nullptr, 1};
     smooth_holes(image, filled, known, guide);
     double rough = 0, was = 0;
     for (int y = 3; y < side - 3; ++y)

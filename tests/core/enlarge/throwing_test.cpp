@@ -176,7 +176,7 @@ TEST(Throwing, ProgressIsNotCalledAgain) {
     for (const int last : {1, 2, 3, 30, 300}) {
         CountedProgress filling{last};
         std::vector<float> values = source.values(), guide = source.guide();
-        const HoledImage image{values.data(), guide.data(), 600, 600, 1, nullptr, true, 4};
+        const HoledImage image{values.data(), guide.data(), guide.data(), 600, 600, 1, nullptr, 4};
         std::string error;
         EXPECT_THROW(
             fill_holes(image, missing.data(), {}, Device::cpu, filling.tell(), nullptr, error),
