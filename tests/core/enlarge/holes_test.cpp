@@ -99,8 +99,8 @@ TEST(JobHoles, AreFilledAsFillHolesDoesAndTheMeshSeesThemSo) {
         Plain filled = holed;
         std::string error;
         ASSERT_TRUE(fill_missing(
-            {filled.values.data(), filled.guide.data(), width, height, channels,
-             std::vector{Channel::blend, Channel::nearest, Channel::alpha}.data(), true},
+            {filled.values.data(), filled.guide.data(), filled.guide.data(), width, height,
+             channels, std::vector{Channel::blend, Channel::nearest, Channel::alpha}.data()},
             holes, MeshOptions(), Device::cpu, {}, nullptr, error))
             << error;
         for (size_t i = 0; i < filled.guide.size(); ++i) {
@@ -220,8 +220,9 @@ TEST(FillHoles, HasTheSameBitsByAnyNumberOfThreads) {
         std::vector<float> guide = values;
         std::string error;
         MeshReport report;
-        ASSERT_TRUE(fill_holes({values.data(), guide.data(), side, side, 1, nullptr, true, threads},
-                               missing.data(), plain_mesh(), Device::cpu, {}, &report, error))
+        ASSERT_TRUE(
+            fill_holes({values.data(), guide.data(), guide.data(), side, side, 1, nullptr, threads},
+                       missing.data(), plain_mesh(), Device::cpu, {}, &report, error))
             << error;
         for (size_t i = 0; i < values.size(); ++i)
             EXPECT_TRUE(missing[i] ? values[i] >= 0 && values[i] <= 1.2f : values[i] == whole[i]);

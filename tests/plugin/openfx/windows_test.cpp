@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "plugin/host/buffer.h"
+
 namespace ddt::ofx {
 namespace {
 
