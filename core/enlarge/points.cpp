@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "core/base/guarded.h"
 #include "core/base/log.h"
 #include "core/gl/offload.h"

@@ -10,6 +10,7 @@
 
 #include "core/base/arith.h"
 #include "core/base/float_bits.h"
+#include "core/base/float_mode.h"
 #include "core/base/stopwatch.h"
 #include "core/gl/budget.h"
 #include "core/gl/check/difference.h"

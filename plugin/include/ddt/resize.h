@@ -80,7 +80,8 @@ enum class Missing {
 /// of the pixels about them, as Job::holes of ddt/job.h says, whatever options.holes; edges are
 /// sought under options.light, values are interpolated as they are. A pixel that lacks some
 /// channels keeps the others; channels of IDs are copied from the nearest vertex. A failure
-/// if no pixel is there; not if none is missing.
+/// if no pixel is there; not if none is missing. A dst that wraps its caller's memory keeps it, and
+/// its spec: it has src's size and channels, or else this is a failure.
 bool fill(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options = {},
           Missing missing = Missing::nan);
 
