@@ -29,7 +29,7 @@ constexpr Code codes[] = {
 
 constexpr const char* by_signal =
     "As a shell sees it: ended by signal N. No unfinished file is left, but by KILL (N is 9) or a "
-    "crash: a hidden one, which the next run that writes the same OUT removes.";
+    "crash: a hidden one, which the next run of the same user that writes the same OUT removes.";
 
 /// Text as man(7) takes it: backslashes and hyphens escaped, no line that starts with a control
 /// character.
