@@ -31,7 +31,8 @@
 // is one.
 //
 // Result. A function of the source's pixels, windows and metadata and of the options alone: it has
-// the same bits for any number of threads, and a part (roi) is a crop of the whole.
+// the same bits for any number of threads, and a part (roi) is a crop of the whole; where an axis
+// shrinks, within 2^25 pixels from the origin (docs/limits.md).
 #pragma once
 
 #include <functional>

@@ -5,9 +5,13 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/strutil.h>
@@ -82,6 +86,17 @@ std::string written_name(const Column& column) {
     return name;
 }
 
+/// Whether a file is a device that has no end, as far as one can tell: one that is no terminal.
+bool is_endless(const std::string& path) {
+    if (std::error_code ignored; !std::filesystem::is_character_file(path, ignored))
+        return false;
+    const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
+    const bool endless = descriptor >= 0 && !isatty(descriptor);
+    if (descriptor >= 0)
+        close(descriptor);
+    return endless;
+}
+
 /// The bytes of a file. False with errno if they cannot be read.
 bool read_bytes(const std::string& path, std::string& bytes) {
     errno = 0;
@@ -126,6 +141,10 @@ const Column* PointFile::find_meant(const std::string& name) const {
 namespace {
 
 bool read_once(const std::string& path, PointFile& points, Failure& failure) {
+    if (is_endless(path)) {
+        failure = {"\"" + path + "\": it is a device; allowed are files, pipes and terminals"};
+        return false;
+    }
     std::string text;
     if (!read_bytes(path, text)) {
         const int number = errno ? errno : EIO;

@@ -7,6 +7,7 @@
 #include "plugin/tool/commands.h"
 #include "plugin/tool/file/picture.h"
 #include "plugin/tool/man.h"
+#include "plugin/tool/plugin_file.h"
 #include "tests/plugin/tool/run_command.h"
 #include "tests/temporary.h"
 
@@ -74,6 +75,12 @@ TEST(Commands, TheManualPageHasThemAll) {
             EXPECT_NE(page.find(for_man(flag.name)), std::string::npos) << flag.name;
     }
     EXPECT_NE(page.find(".SH EXIT STATUS"), std::string::npos);
+    const std::string help = overview(commands);
+    for (const char* variable : {"DDT_DEVICE", "DDT_EGL_DEVICE", "DDT_VERBOSE", "OCIO",
+                                 plugin_path_variable, "OPENIMAGEIO_OPTIONS"}) {
+        EXPECT_NE(page.find(std::string(".TP\n.B ") + variable + "\n"), std::string::npos) << page;
+        EXPECT_NE(help.find(std::string("\n  ") + variable + "\n"), std::string::npos) << help;
+    }
     // No line of text that man(7) would take for a macro.
     for (size_t at = page.find('\n'); at + 1 < page.size(); at = page.find('\n', at + 1))
         EXPECT_NE(page[at + 1], '\'');

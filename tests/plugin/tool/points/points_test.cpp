@@ -5,6 +5,11 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <thread>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/strutil.h>
@@ -449,6 +454,42 @@ TEST(OnPoints, PlyIsKnownByItsFirstLine) {
     EXPECT_EQ(points.mesh.y, std::vector<double>{4});
     ASSERT_TRUE(read_points(write_file("ply.txt", "ply x y\n1 2 3\n"), points, failure));
     EXPECT_EQ(points.columns[0].name, "ply");
+}
+
+TEST(OnPoints, DevicesWithoutAnEndAreRefused) {
+    const std::string zero = temporary("zero.ply");
+    std::filesystem::create_symlink("/dev/zero", zero);
+    for (const bool mesh : {false, true}) {
+        const Ran ran = run(mesh ? make_mesh_command() : make_scatter_command(),
+                            {zero, temporary(mesh ? "zero_mesh.ply" : "zero.exr")});
+        EXPECT_EQ(ran.code, exit_failed);
+        EXPECT_EQ(ran.err, "ddt: \"" + zero +
+                               "\": it is a device; allowed are files, pipes and terminals\n");
+    }
+}
+
+TEST(OnPoints, ComeFromPipesAndTerminalsToo) {
+    const std::string text = "x,y,z\n1,2,3\n", pipe = temporary("points.csv");
+    PointFile points;
+    Failure failure;
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    std::thread writer([&] { std::ofstream(pipe) << text; });
+    EXPECT_TRUE(read_points(pipe, points, failure)) << failure.why;
+    writer.join();
+    EXPECT_EQ(points.mesh.y, std::vector<double>{2});
+
+    const int keyboard = posix_openpt(O_RDWR | O_NOCTTY);
+    if (keyboard < 0 || grantpt(keyboard) != 0 || unlockpt(keyboard) != 0)
+        GTEST_SKIP() << "there are no terminals here";
+    const std::string terminal = ptsname(keyboard);
+    const int held = open(terminal.c_str(), O_RDWR | O_NOCTTY); // or what is typed gets lost
+    ASSERT_GE(held, 0);
+    const std::string typed = text + "\x04"; // the end of what is typed
+    ASSERT_EQ(write(keyboard, typed.data(), typed.size()), ssize_t(typed.size()));
+    EXPECT_TRUE(read_points(terminal, points, failure)) << failure.why;
+    EXPECT_EQ(points.mesh.y, std::vector<double>{2});
+    close(held);
+    close(keyboard);
 }
 
 TEST(ScatterOfAMesh, BringsThePictureBack) {
