@@ -107,7 +107,7 @@ bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, M
     FilterOptions all;
     all.mesh = options;
     all.device = device;
-    if (!check_options(all, error) || !grid.fit(mesh.x, mesh.y, error) ||
+    if (!check_options(all, error) || !grid.fit(mesh, error) ||
         !choose(device, mesh.x.size(), options, placement, error))
         return false;
     Tin tin;

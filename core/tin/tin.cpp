@@ -109,6 +109,15 @@ bool check_vertices(const std::vector<std::array<int32_t, 3>>& triangles, size_t
     return true;
 }
 
+std::vector<uint8_t> corners_of(const std::vector<std::array<int32_t, 3>>& triangles,
+                                size_t vertices) {
+    std::vector<uint8_t> is_corner(vertices, 0);
+    for (const auto& triangle : triangles)
+        for (const int32_t v : triangle)
+            is_corner[size_t(v)] = 1;
+    return is_corner;
+}
+
 bool connect(Tin& tin, const std::vector<std::array<int32_t, 3>>& triangles, std::string& error) {
     if (!check_vertices(triangles, tin.vertices.size(), error) ||
         !list_triangles(tin, triangles, error))

@@ -8,6 +8,7 @@
 
 #include "core/base/parse_number.h"
 #include "core/base/progress.h"
+#include "core/tin/tin.h"
 #include "ddt/mapping.h"
 #include "ddt/resize.h"
 #include "plugin/message/format.h"
@@ -16,15 +17,11 @@
 #include "plugin/tool/commands.h"
 #include "plugin/tool/points/point_file.h"
 #include "plugin/tool/points/point_image.h"
+#include "plugin/tool/points/window.h"
 
 namespace ddt::tool {
 
 namespace {
-
-/// A part of the plane.
-struct Window {
-    double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-};
 
 /// "X0,Y0,X1,Y1", the corners of a window that is not empty.
 bool parse_corners(const std::string& text, Window& window) {
@@ -97,7 +94,7 @@ public:
             "among them; there red, green, blue and alpha may be called R, G, B and A. Of points "
             "at one place, or closer together than 2^-29 of what all span, the first is taken. "
             "Points with a value that is no number (nan) are left out, and triangles that have "
-            "such a corner. The image spans the points' box, the y axis upwards.",
+            "such a corner. The image spans the triangles' box, the y axis upwards.",
             "Its channels are red, green, blue and alpha where the file has them, else z, else all "
             "columns. An alpha channel is added where there is none; channels that OUT's format "
             "has no room for are left out. Red, green and blue of points are taken as not "
@@ -111,7 +108,8 @@ public:
             {"--size", "WxH", "size of the image; a 0 keeps the shape (default: 1024x0)",
              [this](const std::string& text) { return parse_image_size(text, m_width, m_height); },
              "WxH, Wx0 and 0xH", ""},
-            {"--window", "X0,Y0,X1,Y1", "the part of the plane to show (default: the points' box)",
+            {"--window", "X0,Y0,X1,Y1",
+             "the part of the plane to show (default: the triangles' box)",
              [this](const std::string& text) {
                  return m_has_window = parse_corners(text, m_window);
              },
@@ -226,10 +224,7 @@ private:
 
     /// Say how many points are no corner of a triangle that they were to be triangulated to.
     static void note_merged(const PointMesh& mesh, Progress& progress) {
-        std::vector<uint8_t> is_corner(mesh.x.size(), 0);
-        for (const auto& triangle : mesh.triangles)
-            for (const int32_t corner : triangle)
-                is_corner[size_t(corner)] = 1;
+        const std::vector<uint8_t> is_corner = corners_of(mesh.triangles, mesh.x.size());
         const auto merged = std::count(is_corner.begin(), is_corner.end(), uint8_t(0));
         if (merged == 0)
             return;
@@ -239,13 +234,7 @@ private:
                     merged, mesh.x.size()));
     }
 
-    Window box(const PointMesh& mesh) const {
-        if (m_has_window)
-            return m_window;
-        const auto x = std::minmax_element(mesh.x.begin(), mesh.x.end());
-        const auto y = std::minmax_element(mesh.y.begin(), mesh.y.end());
-        return {*x.first, *y.first, *x.second, *y.second};
-    }
+    Window box(const PointMesh& mesh) const { return m_has_window ? m_window : window_of(mesh); }
 
     /// Pixels whose outer borders are the window's.
     bool plan(const PointMesh& mesh, PixelGrid& g, Failure& failure) const {

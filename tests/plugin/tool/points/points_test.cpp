@@ -344,6 +344,27 @@ TEST(ScatterOfAMesh, LeavesOutTrianglesWithACornerThatHasNoNumber) {
     }
 }
 
+TEST(ScatterOfAMesh, VerticesThatNoTriangleUsesDoNotCount) {
+    const auto image = [](const char* name, const std::string& last, const char* count) {
+        const std::string in = write_file(
+            std::string(name) + ".ply",
+            std::string("ply\nformat ascii 1.0\nelement vertex ") + count +
+                "\nproperty double x\nproperty double y\nproperty float z\nelement face 2\n"
+                "property list uchar int vertex_indices\nend_header\n500000 5000000 1\n"
+                "500000.002 5000000 2\n500000 5000000.002 3\n500000.002 5000000.002 4\n" +
+                last + "3 0 1 2\n3 1 3 2\n");
+        const std::string out = temporary(std::string(name) + ".exr");
+        const Ran ran = run(make_scatter_command(), {in, out, "--size", "8x8"});
+        EXPECT_EQ(ran.code, exit_done) << ran.err;
+        EXPECT_EQ(run(make_mesh_command(), {in, temporary("again.ply")}).code, exit_done);
+        return load(out);
+    };
+    const OIIO::ImageBuf wanted = image("square", "", "4"), far = image("far", "0 0 0\n", "5");
+    const auto difference = OIIO::ImageBufAlgo::compare(far, wanted, 0, 0);
+    EXPECT_EQ(difference.maxerror, 0);
+    EXPECT_NEAR(wanted.getchannel(4, 4, 0, 1), 2.4f, 0.2f);
+}
+
 TEST(OnPoints, ScatterKeepsTheShapeOfAnyBox) {
     const std::string in = write_file("long.csv", "x,y,z\n0,0,1\n1,0,2\n1,20000,3\n0,20000,5\n");
     for (const auto& [size, width, height] :
