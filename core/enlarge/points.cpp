@@ -82,7 +82,8 @@ bool delaunay_points(PointMesh& mesh, Ties ties, std::string& error, const Tell&
             guide.push_back(ties.guide[i]);
     }
     if (!spans_plane(points)) {
-        error = "ddt: triangles need 3 points that are not on one line";
+        error = "ddt: triangles need 3 points that are not on one line or too flat beside their "
+                "extent";
         return false;
     }
     std::vector<std::array<int32_t, 3>> triangles;

@@ -37,7 +37,7 @@ bool list_triangles(Tin& tin, const std::vector<std::array<int32_t, 3>>& triangl
         while (before(at(1), at(0)) || before(at(2), at(0)))
             std::rotate(t.begin(), t.begin() + 1, t.end());
         if (area == 0) {
-            error = fault(tin.triangles.size(), "has no area");
+            error = fault(tin.triangles.size(), "has no area, or too little beside what all span");
             return false;
         }
         doubled_area += double(area);

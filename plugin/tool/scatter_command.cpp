@@ -15,6 +15,7 @@
 #include "plugin/tool/command/filter_flag.h"
 #include "plugin/tool/command/progress.h"
 #include "plugin/tool/commands.h"
+#include "plugin/tool/points/coarse_axis.h"
 #include "plugin/tool/points/point_file.h"
 #include "plugin/tool/points/point_image.h"
 #include "plugin/tool/points/window.h"
@@ -92,9 +93,10 @@ public:
             "over the triangles. Outside them pixels are empty: 0, alpha 0.",
             "POINTS is a PLY file or text (CSV, XYZ) whose first line names the columns, x and y "
             "among them; there red, green, blue and alpha may be called R, G, B and A. Of points "
-            "at one place, or closer together than 2^-29 of what all span, the first is taken. "
-            "Points with a value that is no number (nan) are left out, and triangles that have "
-            "such a corner. The image spans the triangles' box, the y axis upwards.",
+            "at one place, or closer together than 2^-29 of what all span along the longer axis, "
+            "the first is taken. Points with a value that is no number (nan) are left out, and "
+            "triangles that have such a corner. The image spans the triangles' box, the y axis "
+            "upwards.",
             "Its channels are red, green, blue and alpha where the file has them, else z, else all "
             "columns. An alpha channel is added where there is none; channels that OUT's format "
             "has no room for are left out. Red, green and blue of points are taken as not "
@@ -212,6 +214,8 @@ private:
         const float first = has_triangles ? 0.0f : 0.25f;
         if (!has_triangles && delaunay(points.mesh, &failure.why, part_of(whole, 0, first)))
             note_merged(points.mesh, progress);
+        if (!points.mesh.triangles.empty())
+            note_coarse_axis(points.mesh, progress);
         if (!points.mesh.triangles.empty() &&
             optimise(points.mesh, guide.data(), m_options.mesh, nullptr, &failure.why,
                      part_of(whole, first, 1), m_options.device)) {
@@ -232,6 +236,14 @@ private:
         note(format("{} of {} points are left out: they lie where others do, or too close to "
                     "them beside what all span",
                     merged, mesh.x.size()));
+    }
+
+    static void note_coarse_axis(const PointMesh& mesh, Progress& progress) {
+        const std::string said = note_on_coarse_axis(mesh);
+        if (said.empty())
+            return;
+        progress.hide();
+        note(said);
     }
 
     Window box(const PointMesh& mesh) const { return m_has_window ? m_window : window_of(mesh); }

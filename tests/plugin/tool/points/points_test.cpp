@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <sstream>
 
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/strutil.h>
@@ -459,6 +460,25 @@ TEST(OnPoints, ScatterSaysWhichPointsAreLeftOut) {
     EXPECT_EQ(said("0,0,5\n"), "ddt: 1 of 5 points are left out: they lie where others do, or too "
                                "close to them beside what all span\n");
     EXPECT_EQ(said("0,1e12,1\n1e12,0,1\n").substr(0, 34), "ddt: 3 of 6 points are left out: t");
+}
+
+TEST(OnPoints, AnAxisThatSpansTooLittleIsTold) {
+    const auto said = [&](double x, double y) {
+        std::ostringstream text;
+        text << "x,y,z\n0,0,1\n" << x << ",0,1\n0," << y << ",1\n" << x << ',' << y << ",1\n";
+        const std::string in = write_file("axes.csv", text.str()), out = temporary("axes.exr"),
+                          mesh = temporary("axes.ply");
+        const Ran ran = run(make_scatter_command(), {in, out, "--size", "4x4", "--mesh", mesh});
+        EXPECT_EQ(ran.code, exit_done) << ran.err;
+        EXPECT_EQ(run(make_mesh_command(), {mesh, mesh}).err, ran.err);
+        return ran.err;
+    };
+    EXPECT_EQ(said(8192, 1), "");
+    EXPECT_EQ(said(1, 8192), "");
+    EXPECT_EQ(said(1e9, 10), "ddt: x spans 1e+09 and y 10: along y only 11 positions are told "
+                             "apart; have both span about as much\n");
+    EXPECT_EQ(said(1, 16384), "ddt: x spans 1 and y 16384: along x only 32769 positions are told "
+                              "apart; have both span about as much\n");
 }
 
 TEST(OnPoints, PlyIsKnownByItsFirstLine) {
