@@ -68,14 +68,18 @@ void drop_unknown(PointFile& points, const std::vector<const Column*>& columns) 
     int32_t next = 0;
     for (size_t i = 0; i < count; ++i)
         place[i] = keep[i] ? next++ : -1;
-    std::vector<std::array<int32_t, 3>> triangles;
-    for (std::array<int32_t, 3> t : points.mesh.triangles) {
+    size_t left = 0; // of the triangles
+    for (size_t i = 0; i < points.mesh.triangles.size(); ++i) {
+        std::array<int32_t, 3> t = points.mesh.triangles[i];
         for (int32_t& v : t)
             v = size_t(v) < count ? place[size_t(v)] : v; // others are for optimise() to refuse
-        if (*std::min_element(t.begin(), t.end()) >= 0)
-            triangles.push_back(t);
+        if (*std::min_element(t.begin(), t.end()) < 0)
+            continue;
+        points.mesh.triangles[left] = t;
+        points.faces[left++] = points.faces[i];
     }
-    points.mesh.triangles = std::move(triangles);
+    points.mesh.triangles.resize(left);
+    points.faces.resize(left);
     squeeze(points.mesh.x);
     squeeze(points.mesh.y);
     for (Column& column : points.columns)
@@ -143,7 +147,8 @@ public:
         PointFile points;
         Failure failure;
         if (read_points(values[0], points, failure) && prepare(points, failure) &&
-            triangulate(points, progress, failure) && write_both(points, values[1], failure))
+            triangulate(points, values[0], progress, failure) &&
+            write_both(points, values[1], failure))
             return exit_done;
         progress.hide();
         return fail(failure);
@@ -206,7 +211,8 @@ private:
         return true;
     }
 
-    bool triangulate(PointFile& points, Progress& progress, Failure& failure) const {
+    bool triangulate(PointFile& points, const std::string& path, Progress& progress,
+                     Failure& failure) const {
         const std::vector<float> guide = guide_of(points, m_columns);
         const bool has_triangles = !points.mesh.triangles.empty();
         const Tell whole = std::ref(progress);
@@ -222,7 +228,7 @@ private:
             progress(1);
             return true;
         }
-        failure.code = code_of_message(failure.why);
+        failure = {fault_in(path, points, failure.why), code_of_message(failure.why)};
         return false;
     }
 

@@ -33,7 +33,7 @@ bool optimise_file(const std::string& in, const std::string& out, const MeshOpti
         note(said);
     const std::vector<float> guide = guide_of(points, columns);
     if (!optimise(points.mesh, guide.data(), options, &report, &failure.why, progress, device)) {
-        failure.code = code_of_message(failure.why);
+        failure = {fault_in(in, points, failure.why), code_of_message(failure.why)};
         return false;
     }
     return write_points(out, points, failure);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -147,6 +148,19 @@ bool read_once(const std::string& path, PointFile& points, Failure& failure) {
 bool read_points(const std::string& path, PointFile& points, Failure& failure) {
     const FileState before(path);
     return before.confirm(read_once(path, points, failure), failure);
+}
+
+std::string fault_in(const std::string& path, const PointFile& points, const std::string& why) {
+    const auto begins = [&](const char* text) { return OIIO::Strutil::starts_with(why, text); };
+    if (!begins("ddt: triangle") && !begins("ddt: the points"))
+        return why;
+    unsigned long triangle = 0;
+    int end = 0;
+    const std::string name = "\"" + path + "\": ";
+    if (std::sscanf(why.c_str(), "ddt: triangle %lu%n", &triangle, &end) == 1 &&
+        triangle < points.faces.size())
+        return name + format("face {}", points.faces[triangle]) + why.substr(size_t(end));
+    return name + why.substr(std::strlen("ddt: "));
 }
 
 bool write_points(const std::string& path, const PointFile& points, Failure& failure) {

@@ -188,18 +188,100 @@ TEST(Ply, RefusesNonsense) {
                                    "property float y\nelement face 1\n"
                                    "property list uchar uint vertex_indices\nend_header\n0 0\n";
     for (const char* face : {"3 0 0 4294967295", "3 0 0 134217728"})
-        EXPECT_EQ(error_of(with_faces + face), "a face has a vertex that there is not") << face;
+        EXPECT_EQ(error_of(with_faces + face), "face 0 has a vertex that there is not") << face;
     for (const char* face : {"3 0 0 -1", "3 0 0 4294967296", "3 0 0 0.5", "256 0 0 0"})
         EXPECT_EQ(error_of(with_faces + face),
                   "face 0 ends too early or holds what is no number of its type")
             << face;
     std::string floats = with_faces;
     floats.replace(floats.find("uchar uint"), 10, "uchar float");
-    EXPECT_EQ(error_of(floats + "3 0 0 0.5"), "a face has a vertex that there is not");
+    EXPECT_EQ(error_of(floats + "3 0 0 0.5"), "face 0 has a vertex that there is not");
     EXPECT_EQ(error_of("ply\nelement vertex 1\nend_header\n"),
               "the PLY header has no line \"format\"");
     EXPECT_EQ(error_of("ply\nformat ascii 2.0\nend_header\n"),
               "not a line of a PLY header: \"format ascii 2.0\"");
+}
+
+/// A mesh of one face after a triangle far below it, as text.
+std::string with_face(const std::string& vertices, const std::string& face) {
+    const auto count = std::count(vertices.begin(), vertices.end(), '\n');
+    return "ply\nformat ascii 1.0\nelement vertex " + std::to_string(count + 3) +
+           "\nproperty double x\nproperty double y\nproperty float z\nelement face 2\n"
+           "property list uchar int vertex_indices\nend_header\n" +
+           vertices + "0 -9 0\n1 -9 0\n0 -8 0\n3 " + std::to_string(count) + ' ' +
+           std::to_string(count + 1) + ' ' + std::to_string(count + 2) + '\n' + face + '\n';
+}
+
+/// Twice the area of the face's triangles, of which each must have some.
+double area_of_face(const PointFile& points) {
+    double sum = 0;
+    for (size_t i = 1; i < points.mesh.triangles.size(); ++i) {
+        const auto& t = points.mesh.triangles[i];
+        const auto x = [&](size_t k) { return points.mesh.x[size_t(t[k])]; };
+        const auto y = [&](size_t k) { return points.mesh.y[size_t(t[k])]; };
+        const double area = (x(1) - x(0)) * (y(2) - y(0)) - (x(2) - x(0)) * (y(1) - y(0));
+        EXPECT_NE(area, 0);
+        sum += std::fabs(area);
+    }
+    return sum;
+}
+
+TEST(Ply, PolygonsAreTrianglesWhereverTheirCornersBegin) {
+    struct Case {
+        std::string corners;
+        double area; ///< twice
+    };
+    for (const Case& c :
+         {Case{"0 0 0\n2 0 0\n4 0 0\n4 4 1\n0 4 0\n", 32},        // a node on a side
+          Case{"4 0 0\n1 1 0\n0 4 1\n0 0 0\n", 8},                // a reflex corner
+          Case{"0 0 0\n3 0 0\n3 3 0\n2 1 0\n1 3 0\n0 3 0\n", 14}, // two
+          Case{"0 0 0\n1 0 0\n2 0 0\n3 0 0\n0 3 0\n", 9},         // two nodes on a side
+          Case{"0 0 0\n1 0 0\n2 0 0\n3 0 0\n3 1 0\n3 2 0\n3 3 0\n2 3 0\n1 3 0\n0 3 0\n"
+               "0 2 0\n0 1 0\n",
+               18}}) {
+        const auto n = std::count(c.corners.begin(), c.corners.end(), '\n');
+        for (const bool reversed : {false, true})
+            for (std::ptrdiff_t first = 0; first < n; ++first) {
+                std::string face = std::to_string(n);
+                for (std::ptrdiff_t k = 0; k < n; ++k)
+                    face += ' ' + std::to_string((first + (reversed ? n - k : k)) % n);
+                PointFile points;
+                std::string error;
+                ASSERT_TRUE(read_ply(with_face(c.corners, face), points, error)) << error;
+                ASSERT_EQ(points.mesh.triangles.size(), size_t(n) - 1);
+                EXPECT_EQ(points.faces, [&] {
+                    std::vector<uint32_t> faces(size_t(n) - 1, 1);
+                    faces[0] = 0;
+                    return faces;
+                }());
+                EXPECT_EQ(area_of_face(points), c.area) << face;
+                const std::vector<float> guide(points.mesh.x.size(), 0.0f);
+                EXPECT_TRUE(optimise(points.mesh, guide.data(), {}, nullptr, &error)) << error;
+            }
+    }
+}
+
+TEST(Ply, FansThatLieSideBySideStay) {
+    PointFile points;
+    std::string error;
+    ASSERT_TRUE(
+        read_ply(with_face("0 0 0\n4 0 0\n5 3 0\n4 4 1\n0 4 0\n", "5 0 1 2 3 4"), points, error));
+    const std::vector<std::array<int32_t, 3>> fan{{5, 6, 7}, {0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
+    EXPECT_EQ(points.mesh.triangles, fan);
+}
+
+TEST(Ply, FaultsNameTheFileAndTheFace) {
+    const std::string out = temporary("fault.exr");
+    for (const auto& [corners, face, fault] :
+         {std::tuple("0 0 0\n4 0 0\n4 4 0\n0 4 0\n", "4 0 2 1 3", // crosses itself
+                     "face 1 lies over another at one of its edges"),
+          std::tuple("0 0 0\n1 0 0\n2 0 0\n3 0 0\n", "4 0 1 2 3",
+                     "face 1 has no area, or too little beside what all span")}) {
+        const std::string in = write_file("fault.ply", with_face(corners, face)),
+                          told = "ddt: \"" + in + "\": " + fault + "\n";
+        EXPECT_EQ(run(make_scatter_command(), {in, out}).err, told);
+        EXPECT_EQ(run(make_mesh_command(), {in, temporary("out.ply")}).err, told);
+    }
 }
 
 TEST(Ply, WhatIsWrittenReadsTheSame) {
@@ -337,7 +419,8 @@ TEST(ScatterOfAMesh, LeavesOutTrianglesWithACornerThatHasNoNumber) {
         }
     for (const auto& [faces, told] :
          {std::pair("3 0 1 4\n3 0 4 3\n", "no triangle has numbers at its three points"),
-          std::pair("3 1 2 5\n3 1 5 99\n", "has the vertex 99; there are 0 to 4")}) {
+          std::pair("3 1 2 5\n3 1 5 99\n",
+                    "wrong.ply\": face 1 has the vertex 99; there are 0 to 4")}) {
         const std::string wrong = write_file("wrong.ply", header + vertices + faces);
         const Ran failed = run(make_scatter_command(), {wrong, out});
         EXPECT_EQ(failed.code, exit_failed);
