@@ -30,8 +30,9 @@ public:
             "programs: a pixel "
             "a unit, y upwards, colours as displayed, flat unless --height is given.",
             "A mesh that is there already, a PLY file of any points, keeps its points; its "
-            "edges are flipped so that they follow its colours, or else its z, or else all "
-            "its numbers. The mesh written has every number that the points had, in its "
+            "edges are flipped so that they follow its colours, or else its z, or else the "
+            "sum of all its numbers (of more than three each as a share of its range). The mesh "
+            "written has every number that the points had, in its "
             "type (x and y are double); what faces had beside their corners, other elements and "
             "comments are left out, and polygons are triangles."};
         operands = {

@@ -72,8 +72,9 @@ bool write_points(WholeFile& file, const PointFile& points, Failure& failure);
 /// there; else z; else all.
 std::vector<const Column*> usual_columns(const PointFile& points);
 
-/// The columns' mean over the first up to three that are not alpha, from 0 at the least to 1 at the
-/// largest: what edges are sought in. Points with a NaN in one of the columns have none.
+/// The sum of the columns that are not alpha, of more than three each as a share of its range, from
+/// 0 at the least to 1 at the largest: what edges are sought in. Points with a NaN in one of the
+/// columns have none.
 std::vector<float> guide_of(const PointFile& points, const std::vector<const Column*>& columns);
 
 } // namespace ddt::tool

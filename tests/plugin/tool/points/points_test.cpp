@@ -340,6 +340,19 @@ TEST(PointFile, GuidesAreNumbersWhateverTheValuesAre) {
     }
 }
 
+TEST(PointFile, GuidesAreOfAllColumns) {
+    PointFile points;
+    points.mesh = {{0, 1, 0, 1}, {0, 0, 1, 1}, {}};
+    const Column x{"nx", "float", 1, {0, 0, 0, 0}}, y{"ny", "float", 1, {1, 1, 1, 1}},
+        z{"nz", "float", 1, {0, 0, 0.25, 0}}, quality{"quality", "float", 1, {0, 1000, 0, NAN}},
+        alpha{"alpha", "float", 1, {0, 0, 0, 9}};
+    using Guide = std::vector<float>;
+    EXPECT_EQ(guide_of(points, {&x, &y, &z, &quality}), (Guide{0, 1, 1, 0}));
+    // Up to three are taken as they are, and alpha is none of them.
+    EXPECT_EQ(guide_of(points, {&x, &y, &z, &alpha}), (Guide{0, 0, 1, 0}));
+    EXPECT_EQ(guide_of(points, {&y, &z, &quality}), (Guide{0, 1, 0.25f / 1000, 0}));
+}
+
 /// A square of 4 x 4 with z = x + 10 y in its corners and middle, as text.
 const char* const plane = "x,y,z,weight\n0,0,0,1\n4,0,4,2\n0,4,40,3\n4,4,44,4\n2,2,22,nan\n";
 
