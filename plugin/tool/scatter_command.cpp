@@ -51,7 +51,8 @@ bool parse_image_size(const std::string& text, int& width, int& height) {
 }
 
 /// Leave out the points that lack a number in one of the columns, and triangles with such a corner.
-void drop_unknown(PointFile& points, const std::vector<const Column*>& columns) {
+/// Returns how many points those were.
+size_t drop_unknown(PointFile& points, const std::vector<const Column*>& columns) {
     const size_t count = points.mesh.x.size();
     std::vector<uint8_t> keep(count, 1);
     for (const Column* column : columns)
@@ -84,6 +85,7 @@ void drop_unknown(PointFile& points, const std::vector<const Column*>& columns) 
     squeeze(points.mesh.y);
     for (Column& column : points.columns)
         squeeze(column.values);
+    return count - points.mesh.x.size();
 }
 
 class ScatterCommand final : public Command {
@@ -187,11 +189,26 @@ private:
         return false;
     }
 
+    /// Those of the columns that become channels.
+    std::string joined_names(const char* between) const {
+        std::vector<std::string> names;
+        for (const Column* column : m_columns)
+            names.push_back(column->name);
+        return OIIO::Strutil::join(names, between);
+    }
+
     bool prepare(PointFile& points, Failure& failure) {
         if (!choose_columns(points, failure))
             return false;
         const bool has_triangles = !points.mesh.triangles.empty();
-        drop_unknown(points, m_columns);
+        const size_t count = points.mesh.x.size(), dropped = drop_unknown(points, m_columns);
+        if (points.mesh.x.empty()) {
+            failure.why = "no point has a number in " + joined_names(" and in ");
+            return false;
+        }
+        if (dropped > 0)
+            note(format("{} of {} points are left out: they have no number in {}", dropped, count,
+                        joined_names(" or in ")));
         if (has_triangles && points.mesh.triangles.empty()) {
             failure.why = "no triangle has numbers at its three points";
             return false;

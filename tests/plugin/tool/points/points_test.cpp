@@ -508,7 +508,10 @@ TEST(OnPoints, ScatterSaysWhatIsWrong) {
                "not on one line"},
           Case{{write_file("nan.csv", "x,y,z\n0,0,nan\n1,1,nan\n2,3,nan\n"), out},
                exit_failed,
-               "points"}}) {
+               "no point has a number in z"},
+          Case{{write_file("nans.csv", "x,y,u,v\n0,0,nan,1\n1,1,1,nan\n2,3,nan,1\n"), out},
+               exit_failed,
+               "no point has a number in u and in v"}}) {
         const Ran ran = run(make_scatter_command(), c.args);
         EXPECT_EQ(ran.code, c.code) << c.told;
         EXPECT_NE(ran.err.find(c.told), std::string::npos) << ran.err;
@@ -555,6 +558,7 @@ TEST(OnPoints, ScatterSaysWhichPointsAreLeftOut) {
     EXPECT_EQ(said(""), "");
     EXPECT_EQ(said("0,0,5\n"), "ddt: 1 of 5 points are left out: they lie where others do, or too "
                                "close to them beside what all span\n");
+    EXPECT_EQ(said("5,5,nan\n"), "ddt: 1 of 5 points are left out: they have no number in z\n");
     EXPECT_EQ(said("0,1e12,1\n1e12,0,1\n").substr(0, 34), "ddt: 3 of 6 points are left out: t");
 }
 
