@@ -562,6 +562,18 @@ TEST(OnPoints, ScatterSaysWhichPointsAreLeftOut) {
     EXPECT_EQ(said("0,1e12,1\n1e12,0,1\n").substr(0, 34), "ddt: 3 of 6 points are left out: t");
 }
 
+TEST(OnPoints, AnEmptyImageIsTold) {
+    const std::string in = write_file("plane.csv", plane), out = temporary("empty.exr");
+    const Ran beside =
+        run(make_scatter_command(), {in, out, "--size", "8x8", "--window", "5,0,6,4"});
+    EXPECT_EQ(beside.code, exit_done);
+    EXPECT_EQ(beside.err, "ddt: \"" + out +
+                              "\" is empty: no pixel lies on a triangle; they span "
+                              "0,0,4,4\n");
+    EXPECT_EQ(run(make_scatter_command(), {in, out, "--size", "8x8", "--window", "3,3,9,9"}).err,
+              "");
+}
+
 TEST(OnPoints, AnAxisThatSpansTooLittleIsTold) {
     const auto said = [&](double x, double y) {
         std::ostringstream text;
