@@ -98,11 +98,11 @@ public:
             "flipped until they run along the values' own edges; values are interpolated linearly "
             "over the triangles. Outside them pixels are empty: 0, alpha 0.",
             "POINTS is a PLY file or text (CSV, XYZ) whose first line names the columns, x and y "
-            "among them; there red, green, blue and alpha may be called R, G, B and A. Of points "
-            "at one place, or closer together than 2^-29 of what all span along the longer axis, "
-            "the first is taken. Points with a value that is no number (nan) are left out, and "
-            "triangles that have such a corner. The image spans the triangles' box, the y axis "
-            "upwards.",
+            "among them, perhaps after # or //; there red, green, blue and alpha may be called R, "
+            "G, B and A, and the cell of a value may be empty. Of points at one place, or closer "
+            "together than 2^-29 of what all span along the longer axis, the first is taken. "
+            "Points with a value that is no number (nan, or empty) are left out, and triangles "
+            "that have such a corner. The image spans the triangles' box, the y axis upwards.",
             "Its channels are red, green, blue and alpha where the file has them, else z, else all "
             "columns. An alpha channel is added where there is none; channels that OUT's format "
             "has no room for are left out. Red, green and blue of points are taken as not "

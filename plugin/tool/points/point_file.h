@@ -42,12 +42,13 @@ struct PointFile {
 
 /// Read PLY (text or binary, in either order of bytes; polygons become triangles, fans where these
 /// lie side by side), known by its name or first line, or else text: a line that names the columns,
-/// x and y among them, then a line a point; between columns commas, semicolons, tabs or spaces;
-/// empty lines and lines that begin with # are passed over, but for a first line that names columns
-/// after a #. In a text, red, green and blue that are all whole numbers from 0 to 255, some above
-/// 1, are bytes, and so is alpha, by itself; there they may be called R, G, B and A, and alpha A
-/// without them. False with a failure that names file and line, from 1, or vertex or face, as PLY
-/// counts them from 0; also where a position is not finite.
+/// x and y among them, then a line a point; between columns commas, semicolons, tabs or spaces, and
+/// between commas or semicolons perhaps nothing: a value that is a NaN, or, at the end of all
+/// lines, no column; empty lines and lines that begin with # or // are passed over, but for a first
+/// line that names columns after these. In a text, red, green and blue that are all whole numbers
+/// from 0 to 255, some above 1, are bytes, and so is alpha, by itself; there they may be called R,
+/// G, B and A, and alpha A without them. False with a failure that names file and line, from 1, or
+/// vertex or face, as PLY counts them from 0; also where a position is not finite.
 bool read_points(const std::string& path, PointFile& points, Failure& failure);
 
 /// What delaunay() or optimise() said of the points of a file, with its name, and the face for the

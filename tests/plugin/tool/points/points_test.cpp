@@ -42,8 +42,10 @@ std::string table_error(const std::string& text) {
 
 TEST(PointTable, SeparatorsAndComments) {
     for (const char* text :
-         {"x,y,z\n1,2,3\n4,5,6\n", "# X Y Z\n1 2 3\n\n# more\n4\t5  6\n", "x;y;z\r\n1;2;3\r\n4;5;6",
-          "x,y,z\r1,2,3\r4,5,6\r", "# of 2010, by hand; more\n#\nx,y,z\n1,2,3\n#\n4,5,6\n",
+         {"x,y,z\n1,2,3\n4,5,6\n", "//X Y Z\n1 2 3\n//4 4 4\n4 5 6\n", "x,y,z,\n1,2,3,\n4,5,6,\n",
+          "x;y;z;;\r\n1;2;3; ;\r\n4;5;6;;\r\n", "# X Y Z\n1 2 3\n\n# more\n4\t5  6\n",
+          "x;y;z\r\n1;2;3\r\n4;5;6", "x,y,z\r1,2,3\r4,5,6\r",
+          "# of 2010, by hand; more\n#\nx,y,z\n1,2,3\n#\n4,5,6\n",
           "\"z\", \"x\",\"y\"\n3, 1, 2\n6,4,5\n", "\xEF\xBB\xBFx,y,z\n1,2,3\n4,5,6\n"}) {
         PointFile points;
         std::string error;
@@ -54,6 +56,23 @@ TEST(PointTable, SeparatorsAndComments) {
         EXPECT_EQ(points.columns[0].name, "z");
         EXPECT_EQ(points.columns[0].values, (std::vector<double>{3, 6}));
     }
+}
+
+TEST(PointTable, EmptyCellsAreNoNumbers) {
+    PointFile points;
+    std::string error;
+    ASSERT_TRUE(read_table("x,y,z,,red,green,blue,\n9,1,,7,255,0,0,\n5,6,7,,,,,\n", points, error))
+        << error;
+    EXPECT_EQ(points.mesh.x, (std::vector<double>{9, 5}));
+    ASSERT_EQ(points.columns.size(), 5u); // a column of numbers without a name is one
+    EXPECT_TRUE(std::isnan(points.columns[0].values[0]));
+    EXPECT_EQ(points.columns[0].values[1], 7);
+    EXPECT_EQ(points.columns[1].values[0], 7);
+    EXPECT_EQ(points.columns[2].scale, 255);
+    for (size_t k = 1; k < 5; ++k)
+        EXPECT_TRUE(std::isnan(points.columns[k].values[1])) << k;
+    EXPECT_EQ(table_error("x,y,z\n,1,2\n"), "line 2: \"\" is no number");
+    EXPECT_EQ(table_error("x,y,z\n1,2,3,\n"), "line 2: there are 4 columns, not 3");
 }
 
 TEST(PointTable, SaysWhichLineIsWrong) {
