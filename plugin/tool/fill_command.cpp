@@ -93,7 +93,8 @@ public:
                         m_missing),
             filter_flag(
                 "how to flip edges, as the filter's name and options: ddt,scheme=lawson,cost=jnd",
-                m_options, m_filter_error),
+                m_options, m_filter_error, nullptr,
+                {"light", "cost", "iterations", "scheme", "seed", "holes", "device"}),
         };
     }
 

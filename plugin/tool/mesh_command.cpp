@@ -41,7 +41,9 @@ public:
         flags = {
             filter_flag("how to triangulate, as the filter's name and options: "
                         "ddt,scheme=lawson,cost=scf",
-                        m_options, m_filter_error, &m_filter),
+                        m_options, m_filter_error, &m_filter,
+                        {"light", "cost", "blur", "contour", "min_gain", "iterations", "scheme",
+                         "seed", "start", "holes", "device"}),
             choice_flag("--cost", cost_names(), "the cost of an edge, as in --filter ddt,cost=...",
                         m_cost),
             {"--scheme", "NAME", "which edges flip, as in --filter ddt,scheme=...",
@@ -72,6 +74,8 @@ public:
         std::string wrong;
         if (!with_flags(wrong))
             return fail(wrong, exit_usage);
+        if (!check_light_name(m_options, wrong))
+            return fail(wrong, code_of_message(wrong));
         if (is_point_mesh(values[0]))
             return run_on_points(values);
         if (!writer_for(values[1]))

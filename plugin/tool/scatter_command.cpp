@@ -131,7 +131,8 @@ public:
              "names of columns", ""},
             filter_flag(
                 "how to flip edges, as the filter's name and options: ddt,scheme=lawson,cost=jnd",
-                m_options, m_filter_error),
+                m_options, m_filter_error, nullptr,
+                {"cost", "min_gain", "iterations", "scheme", "seed", "device"}),
             {"--mesh", "FILE", "write the triangles too, a PLY file",
              [this](const std::string& text) {
                  m_mesh_path = text;
@@ -145,6 +146,8 @@ public:
     ExitCode run(const std::vector<std::string>& values) override {
         if (!m_filter_error.empty())
             return fail(m_filter_error, exit_usage);
+        if (std::string wrong; !check_light_name(m_options, wrong))
+            return fail(wrong, code_of_message(wrong));
         Progress progress("triangulating", progress_mode(m_progress));
         PointFile points;
         Failure failure;
