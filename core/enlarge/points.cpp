@@ -82,7 +82,8 @@ bool delaunay_points(PointMesh& mesh, Ties ties, std::string& error, const Tell&
             guide.push_back(ties.guide[i]);
     }
     if (!spans_plane(points)) {
-        error = "ddt: triangles need 3 points that are not on one line";
+        error = "ddt: triangles need 3 points that are not on one line or too flat beside their "
+                "extent";
         return false;
     }
     std::vector<std::array<int32_t, 3>> triangles;
@@ -107,7 +108,7 @@ bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, M
     FilterOptions all;
     all.mesh = options;
     all.device = device;
-    if (!check_options(all, error) || !grid.fit(mesh.x, mesh.y, error) ||
+    if (!check_options(all, error) || !grid.fit(mesh, error) ||
         !choose(device, mesh.x.size(), options, placement, error))
         return false;
     Tin tin;

@@ -115,15 +115,13 @@ bool each_pixel(const PointMesh& mesh, const PixelGrid& grid, uint8_t* inside, s
         return false;
     }
     StepGrid steps;
-    if (!steps.fit(mesh.x, mesh.y, error))
+    if (!steps.fit(mesh, error))
         return false;
     const PixelAxis columns(grid.x, grid.step_x, grid.width,
                             [&](double x) { return steps.step_x(x); });
     const PixelAxis rows(grid.y, grid.step_y, grid.height,
                          [&](double y) { return steps.step_y(y); });
     const size_t size = size_t(grid.width) * size_t(grid.height);
-    if (!check_vertices(mesh.triangles, mesh.x.size(), error))
-        return false;
     std::fill_n(inside, size, uint8_t(0));
     constexpr uint8_t touched = 1, owned_by_one = 2;
     for (const auto& t : mesh.triangles) {

@@ -26,6 +26,7 @@ struct Picture {
     bool has_alpha = false;
     std::vector<Colour> colours; ///< grey as three equal; without colour, the guide's channel
     std::vector<float> guide;
+    std::vector<float> heights; ///< a pixel, in a mesh that is lifted (mesh/heights.h); or none
 };
 
 /// One line that says why the image of a file cannot be read; said: by OpenImageIO, or nothing.
