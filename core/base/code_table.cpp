@@ -52,7 +52,7 @@ namespace ddt {
 
 HWY_EXPORT(encode_all);
 
-void CodeTable::encode(const float* x, uint8_t* codes, size_t n) const {
+void CodeTable::encode(const float* x, uint8_t* codes, size_t n) const noexcept {
     HWY_DYNAMIC_DISPATCH(encode_all)(*this, x, codes, n);
 }
 

@@ -20,4 +20,7 @@ constexpr char message_prefix[] = "ddt: ";
 std::string with_prefix(const std::string& message);
 std::string without_prefix(const std::string& message);
 
+/// What is said where memory ran out.
+constexpr char out_of_memory[] = "out of memory";
+
 } // namespace ddt

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Progress of work that is a part of other work.
+// Callbacks that progress passes on its way to the caller's.
 #pragma once
 
 #include <algorithm>
-#include <functional>
+
+#include "ddt/progress.h"
 
 namespace ddt {
 
-/// What tells progress: a share done, 0 to 1, is given to it, and false returned to cancel. May be
-/// empty.
-using Tell = std::function<bool(float)>;
-
 /// For work that is the part of the whole from the share `from` to the share `to`. Empty if `whole`
 /// is, which must stay where it is.
-inline Tell part_of(const Tell& whole, float from, float to) {
+inline ProgressCallback part_of(const ProgressCallback& whole, float from, float to) {
     if (!whole)
         return {};
     return [&whole, from, to](float share) {
@@ -21,9 +18,20 @@ inline Tell part_of(const Tell& whole, float from, float to) {
     };
 }
 
+/// `whole`, told the largest share so far: what is left of flips may grow again. Empty if `whole`
+/// is, which must stay where it is.
+inline ProgressCallback never_falling(const ProgressCallback& whole) {
+    if (!whole)
+        return {};
+    return [&whole, most = 0.0f](float share) mutable {
+        most = std::max(most, share);
+        return whole(most);
+    };
+}
+
 /// `whole` until it says false or throws; then false, and it is not called again, whichever thread
 /// asks. One thread at a time. Empty if `whole` is, which must stay where it is.
-inline Tell until_it_ends(const Tell& whole) {
+inline ProgressCallback until_it_ends(const ProgressCallback& whole) {
     if (!whole)
         return {};
     return [&whole, going = true](float share) mutable {

@@ -8,7 +8,7 @@ namespace ddt {
 
 Outcome enlarge(const float* src, int width, int height, int channels, const float* guide,
                 float* dst, int dst_width, int dst_height, const SurfaceOptions& surface,
-                const MeshOptions& mesh, int threads, std::string* error) {
+                const MeshOptions& mesh, int threads, std::string* error) noexcept {
     if (dst_width < width || dst_height < height || !src || !dst) {
         set_error(error, "ddt: the output must not be smaller than the input, nor a buffer null");
         return Outcome::bad_job;

@@ -29,7 +29,7 @@ constexpr float start_begins = 0.05f, flips_begin = 0.3f, list_begins = 0.55f;
 constexpr int rows_at_once = 64;
 
 /// False: cancelled.
-bool list(const Lattice& lattice, Mesh& mesh, const Tell& progress) {
+bool list(const Lattice& lattice, Mesh& mesh, const ProgressCallback& progress) {
     const int stride = lattice.stride();
     const auto vertex = [&](int site) {
         return int32_t(site / stride / 2 * lattice.width() + site % stride / 2);
@@ -49,11 +49,11 @@ bool list(const Lattice& lattice, Mesh& mesh, const Tell& progress) {
     return true;
 }
 
-/// False: cancelled.
+/// False: cancelled. What `progress` is told may fall.
 bool build(const float* guide, int width, int height, const MeshOptions& options, Mesh& mesh,
-           MeshReport* report, const Tell& progress) {
+           MeshReport* report, const ProgressCallback& progress) {
     const DenormalsAreZero as_on_gpus;
-    const Tell flips = part_of(progress, flips_begin, list_begins);
+    const ProgressCallback flips = part_of(progress, flips_begin, list_begins);
     const auto go_on = [&](float share) { return !progress || progress(share); };
     Lattice lattice;
     Workspace workspace;
@@ -100,11 +100,10 @@ bool check_mesh_size(int width, int height, std::string& error) {
 }
 
 bool build_mesh(const float* guide, int width, int height, const MeshOptions& options, Mesh& mesh,
-                MeshReport* report, std::string* error,
-                const std::function<bool(float)>& progress) {
+                MeshReport* report, std::string* error, const ProgressCallback& progress) noexcept {
     return succeeds(error, [&](std::string& why) {
         if (check_mesh_size(width, height, why) && check_options(options, why) &&
-            !build(guide, width, height, options, mesh, report, progress))
+            !build(guide, width, height, options, mesh, report, never_falling(progress)))
             why = "ddt: cancelled";
         return why.empty();
     });

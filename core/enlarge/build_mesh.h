@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// build_mesh() of ddt/core.h: what it refuses.
+// build_mesh() of ddt/mesh.h: what it refuses.
 #pragma once
 
 #include <string>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <utility>
 
 #include "core/base/guarded.h"
 #include "core/base/log.h"
+#include "core/base/one_line.h"
 #include "core/base/progress.h"
 #include "core/base/stopwatch.h"
 #include "core/enlarge/fill.h"
@@ -47,7 +47,7 @@ bool check(const Job& job, const Mapping& mapping, std::string& error) {
     return false;
 }
 
-const char* describe(Outcome outcome) {
+std::string describe(Outcome outcome) {
     switch (outcome) {
     case Outcome::done:
         return "";
@@ -60,7 +60,7 @@ const char* describe(Outcome outcome) {
     case Outcome::bad_job:
         return "ddt: the job makes no sense";
     case Outcome::out_of_memory:
-        return "ddt: out of memory";
+        return with_prefix(out_of_memory);
     case Outcome::device_unavailable:
         return "ddt: the device is unavailable";
     }
@@ -84,6 +84,8 @@ Outcome work(const TiledJob& tiled, const Placement& placement, Statistics& stat
              std::string& failure) {
     const Job& job = tiled.job;
     JobState state(job, tiled.grid.count());
+    if (tiled.grid.count() == 0)
+        state.nothing_to_do();
     if (placement.gpu)
         failure = work_on_gpu(*placement.gpu, tiled, state, statistics);
     else
@@ -113,7 +115,7 @@ Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, 
         outcome = work({source, sink, mapping, job, grid, threads}, placement, statistics, failure);
     } else {
         float filled = 0; // share done by then: that of reading, where nothing is missing
-        Tell filling;
+        ProgressCallback filling;
         if (job.progress)
             filling = [&](float share) {
                 filled = share * share_of_filling;
@@ -135,7 +137,7 @@ Outcome run(Source& source, Sink& sink, const Mapping& mapping, const Job& job, 
 } // namespace
 
 Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
-                std::string* error) {
+                std::string* error) noexcept {
     Outcome outcome = Outcome::bad_job;
     const Caught caught = guarded_call(error, [&] {
         std::string why;
@@ -147,7 +149,7 @@ Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& j
         if (outcome != Outcome::done && why.empty())
             why = describe(outcome);
         if (error)
-            *error = std::move(why);
+            *error = one_line(why);
     });
     switch (caught) {
     case Caught::nothing:

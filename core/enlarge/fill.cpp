@@ -27,7 +27,7 @@ constexpr float mesh_time = 150, smoothing_time = 7;
 /// Progress of tasks that run side by side, in one rising share.
 class SharedProgress {
 public:
-    SharedProgress(Tell whole, float all) : m_whole(std::move(whole)), m_all(all) {}
+    SharedProgress(ProgressCallback whole, float all) : m_whole(std::move(whole)), m_all(all) {}
 
     /// Tell that so much more is done. False once it was cancelled. May throw.
     bool add(float done) {
@@ -37,7 +37,7 @@ public:
     }
 
 private:
-    const Tell m_whole;
+    const ProgressCallback m_whole;
     const float m_all;
     std::mutex m_mutex;
     float m_done = 0;
@@ -48,9 +48,9 @@ public:
     Filler(const HoledImage& image, const uint8_t* missing)
         : m_image(image), m_missing(missing), m_size(size_t(image.width) * size_t(image.height)) {}
 
-    bool fill(const MeshOptions& options, Device device, const Tell& told, MeshReport* report,
-              std::string& error) {
-        const Tell progress = until_it_ends(told);
+    bool fill(const MeshOptions& options, Device device, const ProgressCallback& told,
+              MeshReport* report, std::string& error) {
+        const ProgressCallback progress = until_it_ends(told);
         const auto count = size_t(std::count_if(m_missing, m_missing + m_size, is_set));
         if (count == 0)
             return true;
@@ -80,7 +80,7 @@ public:
     }
 
 private:
-    static bool tell(const Tell& progress, float share, std::string& error) {
+    static bool tell(const ProgressCallback& progress, float share, std::string& error) {
         const bool going = !progress || progress(share);
         if (!going)
             error = "ddt: cancelled";
@@ -108,7 +108,7 @@ private:
             const DenormalsAreZero mode; // whichever thread this is
             const size_t own = order[size_t(k)];
             float told = 0;
-            const Tell tell = [&](float share) {
+            const ProgressCallback tell = [&](float share) {
                 const float more = (share - told) * float(groups[own].rim);
                 told = share;
                 return going && shared.add(more);
@@ -142,13 +142,13 @@ private:
         return sum;
     }
 
-    bool smooth(const Tell& progress) {
+    bool smooth(const ProgressCallback& progress) {
         std::vector<uint8_t> filled(m_size), known(m_size);
         for (size_t i = 0; i < m_size; ++i) {
             filled[i] = m_missing[i] && m_inside[i];
             known[i] = is_known(i);
-            if (filled[i] && m_image.guide_too)
-                m_image.guide[i] = m_surface[i];
+            if (filled[i] && m_image.filled_guide)
+                m_image.filled_guide[i] = m_surface[i];
         }
         return smooth_holes(m_image, filled, known, m_surface, progress);
     }
@@ -185,8 +185,8 @@ private:
                     return;
                 known[n] = 1;
                 std::copy_n(pixel(i), m_image.channels, pixel(n));
-                if (m_image.guide_too)
-                    m_image.guide[n] = m_image.guide[i];
+                if (m_image.filled_guide)
+                    m_image.filled_guide[n] = m_image.filled_guide[i];
                 queue.push_back(n);
             });
         }
@@ -202,14 +202,15 @@ private:
 } // namespace
 
 bool fill_holes(const HoledImage& image, const uint8_t* missing, const MeshOptions& options,
-                Device device, const Tell& progress, MeshReport* report, std::string& error) {
+                Device device, const ProgressCallback& progress, MeshReport* report,
+                std::string& error) {
     const DenormalsAreZero as_on_gpus;
     return Filler(image, missing).fill(options, device, progress, report, error);
 }
 
 bool fill_holes(float* values, int width, int height, int channels, const Channel* kinds,
                 const float* guide, const uint8_t* missing, const MeshOptions& options,
-                std::string* error, const std::function<bool(float)>& progress) {
+                std::string* error, const ProgressCallback& progress) noexcept {
     return succeeds(error, [&](std::string& why) {
         if (width < 0 || height < 0 || channels < 1) {
             why = "ddt: width and height must be 0 or more, channels 1 or more";
@@ -222,8 +223,7 @@ bool fill_holes(float* values, int width, int height, int channels, const Channe
         }
         if (!check_options(options, why))
             return false;
-        const HoledImage image{values, const_cast<float*>(guide), width, height, channels, kinds,
-                               false};
+        const HoledImage image{values, guide, nullptr, width, height, channels, kinds};
         return fill_holes(image, missing, options, Device::automatic, progress, nullptr, why);
     });
 }

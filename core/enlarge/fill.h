@@ -16,11 +16,11 @@ constexpr float share_of_filling = 0.5f;
 
 /// A whole image in memory. `kinds` may be null: all channels are Channel::blend.
 struct HoledImage {
-    float* values; ///< `channels` interleaved floats per pixel
-    float* guide;  ///< one float per pixel
+    float* values;       ///< `channels` interleaved floats per pixel
+    const float* guide;  ///< one float per pixel
+    float* filled_guide; ///< `guide`, to be filled as if it were a channel; null: not filled
     int width, height, channels;
     const Channel* kinds;
-    bool guide_too;  ///< fill the guide as if it were a channel; else it is left as it is
     int threads = 0; ///< that share the work, which has the same bits for any number; 0: all
 };
 
@@ -31,13 +31,14 @@ bool find_missing(const HoledImage& image, Holes holes, std::vector<uint8_t>& mi
 /// fill_holes() of ddt/points.h. `report`, when not null, as optimise() fills it in, if a mesh is
 /// made. May throw.
 bool fill_holes(const HoledImage& image, const uint8_t* missing, const MeshOptions& options,
-                Device device, const Tell& progress, MeshReport* report, std::string& error);
+                Device device, const ProgressCallback& progress, MeshReport* report,
+                std::string& error);
 
 /// Find and fill what is missing; a pixel that lacks some channels keeps the others. Edges flip by
 /// the cost's own min_gain, and by Scheme::look_ahead where the scheme is one_round, which is meant
 /// for pictures. `progress` is not called if nothing is missing. False with one line in `error`;
 /// then pixels that are missing may be anything. May throw.
 bool fill_missing(const HoledImage& image, Holes holes, const MeshOptions& options, Device device,
-                  const Tell& progress, MeshReport* report, std::string& error);
+                  const ProgressCallback& progress, MeshReport* report, std::string& error);
 
 } // namespace ddt

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ddt/mapping.h"
+#include "ddt/rect.h"
 
 namespace ddt {
 

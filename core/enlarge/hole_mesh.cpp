@@ -107,7 +107,7 @@ bool HoleMesh::spans_plane() const {
     return false;
 }
 
-bool HoleMesh::make(const MeshOptions& options, Device device, const Tell& progress,
+bool HoleMesh::make(const MeshOptions& options, Device device, const ProgressCallback& progress,
                     MeshReport* report, std::string& error) {
     if (m_mesh.x.size() > most_points) {
         error = "ddt: more than " + std::to_string(most_points) + " pixels lie about a hole";

@@ -22,8 +22,8 @@ public:
 
     /// Triangulate and flip edges. Nothing is made, and fill() does nothing, where the pixels lie
     /// on one line. False with one line in `error`. May throw.
-    bool make(const MeshOptions& options, Device device, const Tell& progress, MeshReport* report,
-              std::string& error);
+    bool make(const MeshOptions& options, Device device, const ProgressCallback& progress,
+              MeshReport* report, std::string& error);
 
     /// Give those of the group's pixels that a triangle covers their values, in `surface` that of
     /// the guide, and a 1 in `inside`; the last two are whole images. Nothing else is written, and

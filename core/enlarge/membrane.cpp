@@ -96,7 +96,7 @@ void smooth(const Knot& knot, const Plane& plane) {
 /// do, two rows behind: a row needs of the sweep before it that it is past the next row, and no
 /// more. All planes at once: the knots are what takes long to fetch. False: cancelled.
 bool sweep(const std::vector<Knot>& knots, const std::vector<Plane>& planes,
-           const HoledImage& image, const Tell& progress) {
+           const HoledImage& image, const ProgressCallback& progress) {
     const int height = image.height;
     std::vector<size_t> first(size_t(height) + 1, knots.size()); // knot of each row
     for (size_t k = knots.size(); k-- > 0;)
@@ -136,7 +136,7 @@ bool sweep(const std::vector<Knot>& knots, const std::vector<Plane>& planes,
 
 bool smooth_holes(const HoledImage& image, const std::vector<uint8_t>& filled,
                   const std::vector<uint8_t>& known, const std::vector<float>& guide,
-                  const Tell& progress) {
+                  const ProgressCallback& progress) {
     const std::vector<Knot> knots = list_knots(image, filled, known, guide);
     if (knots.empty())
         return true;
@@ -145,8 +145,8 @@ bool smooth_holes(const HoledImage& image, const std::vector<uint8_t>& filled,
         if (!image.kinds || image.kinds[c] != Channel::nearest)
             planes.push_back(
                 {image.values + c, image.channels, ptrdiff_t(image.channels) * image.width});
-    if (image.guide_too)
-        planes.push_back({image.guide, 1, image.width});
+    if (image.filled_guide)
+        planes.push_back({image.filled_guide, 1, image.width});
     return sweep(knots, planes, image, progress);
 }
 

@@ -15,11 +15,11 @@ namespace ddt {
 /// about them, channel by channel: the weighted mean of the four neighbours that are `known` (not
 /// 0), where a neighbour counts the less the more `guide` changes on the way, so that edges which
 /// the mesh has led across the hole stay. Never outside the range of what the mesh had made;
-/// IDs, and what is not finite, stay. `guide` is smoothed alike at the end if
-/// image.guide_too. The same bits for any number of image.threads. False: `progress` cancelled
-/// it, and pixels may be anything between.
+/// IDs, and what is not finite, stay. image.filled_guide, if there is one, is smoothed alike at the
+/// end. The same bits for any number of image.threads. False: `progress` cancelled it, and pixels
+/// may be anything between.
 bool smooth_holes(const HoledImage& image, const std::vector<uint8_t>& filled,
                   const std::vector<uint8_t>& known, const std::vector<float>& guide,
-                  const Tell& progress = {});
+                  const ProgressCallback& progress = {});
 
 } // namespace ddt

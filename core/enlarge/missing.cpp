@@ -48,7 +48,7 @@ bool find_missing(const HoledImage& image, Holes holes, std::vector<uint8_t>& mi
 }
 
 bool fill_missing(const HoledImage& image, Holes holes, const MeshOptions& options, Device device,
-                  const Tell& progress, MeshReport* report, std::string& error) {
+                  const ProgressCallback& progress, MeshReport* report, std::string& error) {
     const DenormalsAreZero as_on_gpus;
     std::vector<uint8_t> missing;
     if (!find_missing(image, holes, missing))

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "core/base/float_mode.h"
 #include "core/base/guarded.h"
 #include "core/base/log.h"
+#include "core/base/progress.h"
 #include "core/gl/offload.h"
 #include "core/guide/guide.h"
 #include "core/tin/delaunay.h"
@@ -35,6 +37,15 @@ bool choose(Device device, size_t points, const MeshOptions& options, Placement&
     return choose_device(job, points / as_if_threads, placement, error);
 }
 
+/// With nothing of what is for pixels alone, allowed or not.
+MeshOptions for_points(MeshOptions options) {
+    options.blur = 0;
+    options.contour = 0;
+    options.meshes = 1;
+    options.start = Start::flat;
+    return options;
+}
+
 void flip(Tin& tin, const MeshOptions& options, const Placement& placement, Workspace& workspace,
           Statistics& statistics) {
     statistics.device = Device::cpu;
@@ -57,7 +68,8 @@ void flip(Tin& tin, const MeshOptions& options, const Placement& placement, Work
 
 } // namespace
 
-bool delaunay_points(PointMesh& mesh, Ties ties, std::string& error, const Tell& progress) {
+bool delaunay_points(PointMesh& mesh, Ties ties, std::string& error,
+                     const ProgressCallback& progress) {
     const DenormalsAreZero as_on_gpus;
     StepGrid grid;
     if (!grid.fit(mesh.x, mesh.y, error))
@@ -99,10 +111,11 @@ bool delaunay_points(PointMesh& mesh, Ties ties, std::string& error, const Tell&
     return true;
 }
 
-bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, MeshReport* report,
-                     std::string& error, const Tell& progress, Device device) {
+bool optimise_points(PointMesh& mesh, const float* guide, const MeshOptions& given,
+                     MeshReport* report, std::string& error, const ProgressCallback& progress,
+                     Device device) {
     const DenormalsAreZero as_on_gpus;
-    options.contour = 0; // pixels alone have contours
+    const MeshOptions options = for_points(given);
     StepGrid grid;
     Placement placement;
     FilterOptions all;
@@ -120,13 +133,11 @@ bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, M
     if (!connect(tin, mesh.triangles, error))
         return false;
     bool going = true;
-    float most = 0; // what is left of flips may grow again
+    // Not to be asked again by the CPU if a GPU fails after it was cancelled.
+    const ProgressCallback once = until_it_ends(progress), rising = never_falling(once);
     Workspace workspace;
     if (progress)
-        workspace.progress = [&](float share) {
-            most = std::max(most, share);
-            return going = progress(most);
-        };
+        workspace.progress = [&](float share) { return going = rising(share); };
     MeshReport what;
     if (report)
         what.cost_start = total_cost(TinMesh(tin, options.cost));
@@ -144,13 +155,13 @@ bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, M
     return true;
 }
 
-bool delaunay(PointMesh& mesh, std::string* error, const std::function<bool(float)>& progress) {
+bool delaunay(PointMesh& mesh, std::string* error, const ProgressCallback& progress) noexcept {
     return succeeds(error,
                     [&](std::string& why) { return delaunay_points(mesh, {}, why, progress); });
 }
 
 bool optimise(PointMesh& mesh, const float* guide, const MeshOptions& options, MeshReport* report,
-              std::string* error, const std::function<bool(float)>& progress, Device device) {
+              std::string* error, const ProgressCallback& progress, Device device) noexcept {
     return succeeds(error, [&](std::string& why) {
         return optimise_points(mesh, guide, options, report, why, progress, device);
     });

@@ -13,10 +13,12 @@ namespace ddt {
 
 /// delaunay(); ties.guide: a number a point of the mesh. False with one line in `error`; throws
 /// std::bad_alloc and what `progress` throws.
-bool delaunay_points(PointMesh& mesh, Ties ties, std::string& error, const Tell& progress);
+bool delaunay_points(PointMesh& mesh, Ties ties, std::string& error,
+                     const ProgressCallback& progress);
 
 /// optimise(). False with one line in `error`; throws std::bad_alloc and what `progress` throws.
-bool optimise_points(PointMesh& mesh, const float* guide, MeshOptions options, MeshReport* report,
-                     std::string& error, const Tell& progress, Device device);
+bool optimise_points(PointMesh& mesh, const float* guide, const MeshOptions& given,
+                     MeshReport* report, std::string& error, const ProgressCallback& progress,
+                     Device device);
 
 } // namespace ddt

@@ -19,8 +19,8 @@ constexpr float filling_begins = 0.02f;
 
 } // namespace
 
-Outcome WholeSource::fill(Source& source, const Job& job, int threads, const Tell& progress,
-                          std::string& error) {
+Outcome WholeSource::fill(Source& source, const Job& job, int threads,
+                          const ProgressCallback& progress, std::string& error) {
     m_window = job.window;
     m_channels = size_t(job.channels);
     if (m_window.area() > size_t(std::numeric_limits<int>::max())) {
@@ -49,14 +49,14 @@ Outcome WholeSource::fill(Source& source, const Job& job, int threads, const Tel
         return state.outcome();
     const HoledImage image{m_values.data(),
                            m_guide.data(),
+                           m_guide.data(),
                            m_window.width(),
                            m_window.height(),
                            job.channels,
                            job.kinds.empty() ? nullptr : job.kinds.data(),
-                           true,
                            threads};
     bool cancelled = false;
-    Tell telling;
+    ProgressCallback telling;
     if (progress)
         telling = [&](float share) {
             return !(cancelled = !progress(filling_begins + (1 - filling_begins) * share));

@@ -16,7 +16,7 @@ public:
     /// Read the job's window of `source` on so many threads and fill what is missing, as Job::holes
     /// says; `progress` in place of the job's own, not called if nothing is missing. Not
     /// Outcome::done: with one line in `error`, or none if the source failed or it was cancelled.
-    Outcome fill(Source& source, const Job& job, int threads, const Tell& progress,
+    Outcome fill(Source& source, const Job& job, int threads, const ProgressCallback& progress,
                  std::string& error);
     bool read(const Rect& r, float* values, float* guide) override;
 

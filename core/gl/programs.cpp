@@ -4,6 +4,7 @@
 #include <charconv>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "core/base/constants.h"
 #include "core/base/stopwatch.h"

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "core/base/arith.h"
 #include "core/base/constants.h"
@@ -143,7 +145,7 @@ void clean_guide(float* guide, size_t n) {
 }
 
 void make_guide(const GuideRecipe& recipe, const float* pixels, size_t count, int stride,
-                float* guide) {
+                float* guide) noexcept {
     const DenormalsAreZero whatever_the_caller_has;
     HWY_DYNAMIC_DISPATCH(make_guide)(recipe, pixels, count, size_t(stride), guide);
 }

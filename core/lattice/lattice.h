@@ -40,7 +40,7 @@
 #include "core/base/arith.h"
 #include "core/base/float_bits.h"
 #include "core/base/memory/large_pages.h"
-#include "ddt/mapping.h"
+#include "ddt/rect.h"
 
 namespace ddt {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/lattice/lattice.h"
-#include "ddt/mapping.h"
+#include "ddt/rect.h"
 
 namespace ddt {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ddt/option_table.h"
 
+#include <utility>
+
 #include "core/base/parse_number.h"
 #include "core/options/values.h"
 #include "ddt/names.h"

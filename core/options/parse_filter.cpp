@@ -5,6 +5,7 @@
 #include <limits>
 #include <locale>
 #include <sstream>
+#include <utility>
 
 #include "core/base/float_mode.h"
 #include "core/base/parse_number.h"

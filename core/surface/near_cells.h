@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/lattice/lattice.h"
-#include "ddt/mapping.h"
+#include "ddt/rect.h"
 
 namespace ddt {
 

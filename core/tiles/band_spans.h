@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/tiles/grid.h"
+#include "ddt/mapping.h"
 
 namespace ddt {
 

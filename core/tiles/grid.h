@@ -7,7 +7,7 @@
 // travel (tests/bench/halo.cpp; docs/quality.md).
 #pragma once
 
-#include "ddt/core.h"
+#include "ddt/rect.h"
 
 namespace ddt {
 

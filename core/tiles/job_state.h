@@ -65,11 +65,17 @@ public:
         tell(++m_done == m_next_row.size() ? 1.0f : std::min(share(), below_one));
     }
 
+    /// To be called of a job that has no tile: nothing else tells that it is done.
+    void nothing_to_do() {
+        if (m_job.progress)
+            tell(1);
+    }
+
 private:
     /// Shares are added up in whole numbers, so that they never fall.
     static constexpr int64_t units_of_tile = int64_t(1) << 20;
-    /// Nothing but the last tile's end is told as 1, whatever floats make of a share: others may
-    /// have reported all that they wrote.
+    /// Of tiles nothing but the last one's end is told as 1, whatever floats make of a share:
+    /// others may have reported all that they wrote.
     static constexpr float below_one = 0x1.fffffep-1f;
     /// What is written of a tile that is not done.
     struct Part {

@@ -6,7 +6,7 @@
 #include <mutex>
 
 #include "core/tiles/tile_mesh.h"
-#include "ddt/mapping.h"
+#include "ddt/rect.h"
 
 namespace ddt {
 

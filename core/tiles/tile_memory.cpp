@@ -107,7 +107,7 @@ KeptMemory::~KeptMemory() {
         idle.keep(m_memory);
 }
 
-void release_memory() {
+void release_memory() noexcept {
     idle.release();
 }
 

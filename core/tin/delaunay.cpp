@@ -53,7 +53,7 @@ public:
         : m_points(points), m_ties(ties), m_next(points.size(), -1), m_previous(points.size(), -1),
           m_rim(points.size(), -1), m_at_angle(size_t(std::sqrt(double(points.size()))) + 1, -1) {}
 
-    bool triangulate(const Tell& progress) {
+    bool triangulate(const ProgressCallback& progress) {
         constexpr size_t told_each = 1024;
         const std::vector<int32_t> order = outwards();
         for (size_t i = begin(order); i < order.size(); ++i) {
@@ -272,7 +272,7 @@ private:
 } // namespace
 
 bool find_delaunay(const std::vector<Steps>& points, std::vector<std::array<int32_t, 3>>& triangles,
-                   Ties ties, const Tell& progress) {
+                   Ties ties, const ProgressCallback& progress) {
     Sweep sweep(points, ties);
     if (!sweep.triangulate(progress))
         return false;

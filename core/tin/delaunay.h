@@ -24,6 +24,6 @@ struct Ties {
 /// there a million. False: `progress`, told the share of points that have their triangles,
 /// cancelled it.
 bool find_delaunay(const std::vector<Steps>& points, std::vector<std::array<int32_t, 3>>& triangles,
-                   Ties ties = {}, const Tell& progress = {});
+                   Ties ties = {}, const ProgressCallback& progress = {});
 
 } // namespace ddt

@@ -6,7 +6,7 @@
 namespace ddt {
 
 bool draw(const PointMesh& mesh, const float* values, int channels, const PixelGrid& grid,
-          float* pixels, uint8_t* inside, std::string* error) {
+          float* pixels, uint8_t* inside, std::string* error) noexcept {
     const DenormalsAreZero as_on_gpus;
     return succeeds(error, [&](std::string& why) {
         if (channels < 1) {

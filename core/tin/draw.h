@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/tin/step_grid.h"
@@ -117,11 +118,15 @@ bool each_pixel(const PointMesh& mesh, const PixelGrid& grid, uint8_t* inside, s
     StepGrid steps;
     if (!steps.fit(mesh, error))
         return false;
+    if (!check_vertices(mesh.triangles, mesh.x.size(), error))
+        return false;
+    const size_t size = size_t(grid.width) * size_t(grid.height);
+    if (size == 0)
+        return true;
     const PixelAxis columns(grid.x, grid.step_x, grid.width,
                             [&](double x) { return steps.step_x(x); });
     const PixelAxis rows(grid.y, grid.step_y, grid.height,
                          [&](double y) { return steps.step_y(y); });
-    const size_t size = size_t(grid.width) * size_t(grid.height);
     std::fill_n(inside, size, uint8_t(0));
     constexpr uint8_t touched = 1, owned_by_one = 2;
     for (const auto& t : mesh.triangles) {

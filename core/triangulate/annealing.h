@@ -141,7 +141,7 @@ void annealing(Mesh& mesh, const Criterion& criterion, float min_gain, int itera
                uint32_t seed, Workspace& w, Statistics& statistics) {
     // The random iterations take nearly all the time; only they are reported.
     const auto settle = [&] {
-        std::function<bool(float)> silent;
+        ProgressCallback silent;
         w.progress.swap(silent);
         one_round(mesh, criterion, min_gain, iterations, w, statistics);
         w.progress.swap(silent);

@@ -2,12 +2,11 @@
 // Flipping edges until the mesh follows the guide.
 #pragma once
 
-#include <functional>
-
 #include "core/base/memory/arena.h"
 #include "core/cost/criterion.h"
 #include "core/lattice/lattice.h"
 #include "ddt/core.h"
+#include "ddt/progress.h"
 
 namespace ddt {
 
@@ -17,13 +16,13 @@ struct Workspace {
         int site;    ///< a candidate that was not the best of its region,
         int blocker; ///< and a better one in it
     };
-    ArenaVector<int> dirty;              ///< edges to evaluate in this iteration
-    ArenaVector<int> flippable;          ///< those of them that can be flipped
-    ArenaVector<int> candidates;         ///< edges to look at in this iteration's selection
-    ArenaVector<int> selected;           ///< edges to flip
-    ArenaVector<Blocked> blocked;        ///< candidates that wait
-    ArenaVector<Blocked> again;          ///< those whose blockers are evaluated again
-    std::function<bool(float)> progress; ///< see go_on(); may be empty
+    ArenaVector<int> dirty;         ///< edges to evaluate in this iteration
+    ArenaVector<int> flippable;     ///< those of them that can be flipped
+    ArenaVector<int> candidates;    ///< edges to look at in this iteration's selection
+    ArenaVector<int> selected;      ///< edges to flip
+    ArenaVector<Blocked> blocked;   ///< candidates that wait
+    ArenaVector<Blocked> again;     ///< those whose blockers are evaluated again
+    ProgressCallback progress;      ///< see go_on(); may be empty
     int origin_x = 0, origin_y = 0; ///< the lattice's first pixel in the image: chance is drawn by
                                     ///< an edge's place in the image, whatever tile it is in
 

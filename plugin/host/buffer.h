@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "ddt/core.h"
+#include "ddt/rect.h"
 
 namespace ddt::host {
 

@@ -9,6 +9,7 @@
 
 #include "ddt/core.h"
 #include "ddt/guide.h"
+#include "ddt/progress.h"
 #include "plugin/colour/layout.h"
 #include "plugin/colour/light.h"
 #include "plugin/host/buffer.h"
@@ -55,7 +56,7 @@ struct Enlargement {
     Device device = Device::automatic;
     Holes holes = Holes::keep; ///< not keep: from.box holds the whole window
     int threads = 0;           ///< see Job::threads; threads_within() of the program's own limit
-    std::function<bool(float)> progress; ///< see Job::progress
+    ProgressCallback progress; ///< see Job::progress
     Statistics* statistics = nullptr;
 };
 

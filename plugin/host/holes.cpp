@@ -106,7 +106,7 @@ Outcome fill_copy(const Enlargement& work, const Job& job, std::string& error) {
         error = line;
         return Outcome::device_unavailable;
     }
-    const Tell progress = until_it_ends(work.progress);
+    const ProgressCallback progress = until_it_ends(work.progress);
     UnconvertedSource source(work);
     WholeSource filled;
     Outcome outcome = filled.fill(source, job, threads_for(job.threads),

@@ -8,7 +8,6 @@
 
 #include "core/tiles/cuts.h"
 #include "core/tiles/tile_io.h"
-#include "plugin/host/buffer.h"
 
 namespace ddt::host {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "ddt/mapping.h"
+#include "ddt/rect.h"
 
 namespace ddt {
 

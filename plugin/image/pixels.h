@@ -6,7 +6,7 @@
 
 #include <OpenImageIO/imagebuf.h>
 
-#include "ddt/core.h"
+#include "ddt/rect.h"
 
 namespace ddt {
 

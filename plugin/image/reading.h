@@ -7,7 +7,7 @@
 
 #include <OpenImageIO/imagebuf.h>
 
-#include "core/guide/guide.h"
+#include "ddt/guide.h"
 #include "ddt/resize.h"
 #include "plugin/colour/light.h"
 #include "plugin/image/channels.h"

@@ -11,6 +11,7 @@
 
 #include "core/base/control_groups.h"
 #include "core/base/memory/large_pages.h"
+#include "core/base/one_line.h"
 #include "plugin/message/format.h"
 
 namespace ddt {
@@ -198,7 +199,7 @@ bool take_memory(OIIO::ImageBuf& image, const OIIO::ImageSpec& spec, std::string
         return true;
     image.geterror(); // 3.x prints what nobody asked for
     image.clear();
-    error = "out of memory";
+    error = out_of_memory;
     return false;
 }
 
@@ -226,7 +227,7 @@ bool prepare(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int
         if (!allocate(dst, src, roi, flags, error))
             return false;
     } else if (!OIIO::ImageBufAlgo::IBAprep(roi, &dst, &src, flags) || !dst.localpixels()) {
-        error = dst.has_error() ? dst.geterror() : "out of memory";
+        error = dst.has_error() ? dst.geterror() : out_of_memory;
         return false;
     }
     roi.chend = std::min(roi.chend, std::min(src.nchannels(), dst.nchannels()));

@@ -8,6 +8,7 @@
 #include <OpenImageIO/imagebufalgo.h>
 
 #include "core/base/guarded.h"
+#include "core/base/one_line.h"
 #include "plugin/image/cached_reads.h"
 #include "plugin/image/ids.h"
 #include "plugin/image/windows.h"
@@ -37,7 +38,7 @@ bool guarded(OIIO::ImageBuf& dst, Body&& body) noexcept {
             OIIO::ImageBufAlgo::zero(dst, touched);
         if (!pending)
             dst.geterror(); // OpenImageIO's own words for it
-        set_error(&error, error.empty() ? "out of memory" : std::string(error).c_str());
+        set_error(&error, error.empty() ? out_of_memory : std::string(error).c_str());
         set_error(dst, error);
     });
     return done;

@@ -77,9 +77,9 @@ bool fill_image(const OIIO::ImageBuf& src, const Options& options, Holes holes, 
         return false;
     const Channels roles = channels_of(src.spec(), src.nativespec());
     std::vector<float> guide(window.area());
-    const HoledImage image{values.data(),   guide.data(),          window.width(),
-                           window.height(), int(channels),         roles.kinds.data(),
-                           false,           thread_count(nthreads)};
+    const HoledImage image{values.data(),      guide.data(),          nullptr,
+                           window.width(),     window.height(),       int(channels),
+                           roles.kinds.data(), thread_count(nthreads)};
     std::vector<uint8_t> missing;
     if (!find_missing(image, holes, missing))
         return true;

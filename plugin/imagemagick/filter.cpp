@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/guarded.h"
+#include "core/base/one_line.h"
 #include "core/base/parse_number.h"
 #include "plugin/host/request.h"
 #include "plugin/imagemagick/api.h"
@@ -159,7 +160,8 @@ size_t ddtImage(Image** images, const int argc, const char** argv, ExceptionInfo
             enlarge_list(images, request, exception);
     });
     if (caught != ddt::Caught::nothing)
-        complain(exception, ResourceLimitError, error.empty() ? "ddt: out of memory" : error);
+        complain(exception, ResourceLimitError,
+                 error.empty() ? ddt::with_prefix(ddt::out_of_memory) : error);
     else if (!understood)
         complain(exception, OptionError, error);
     return MagickImageFilterSignature;

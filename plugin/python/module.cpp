@@ -15,6 +15,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include "core/base/one_line.h"
 #include "core/base/progress.h"
 #include "core/enlarge/build_mesh.h"
 #include "core/enlarge/fill.h"
@@ -105,7 +106,7 @@ public:
     bool operator()(float share) {
         if (is_ending())
             wait_for_the_end();
-        m_share = std::max(m_share, share); // a mesh's falls now and then
+        m_share = share;
         m_untold = std::this_thread::get_id() != m_thread;
         return m_untold || ask();
     }
@@ -211,8 +212,8 @@ void read_guide(const Enlargement& work, std::vector<float>& guide) {
 
 /// Let the work have pixels of its own, in `memory`, in which what its filter says is filled. Not
 /// Outcome::done: with one line in `error`.
-ddt::Outcome fill_pixels(Enlargement& work, std::vector<char>& memory, const ddt::Tell& progress,
-                         std::string& error) {
+ddt::Outcome fill_pixels(Enlargement& work, std::vector<char>& memory,
+                         const ddt::ProgressCallback& progress, std::string& error) {
     const ddt::Rect& box = work.from.box;
     const auto channels = size_t(work.layout.channels), number = size_of(work.from.sample);
     memory.resize(box.area() * channels * number);
@@ -225,7 +226,7 @@ ddt::Outcome fill_pixels(Enlargement& work, std::vector<char>& memory, const ddt
 }
 
 /// On the CPU. Not Outcome::done: with one line in `error`.
-ddt::Outcome make_mesh(Enlargement& work, const ddt::Tell& progress, ddt::Mesh& mesh,
+ddt::Outcome make_mesh(Enlargement& work, const ddt::ProgressCallback& progress, ddt::Mesh& mesh,
                        std::string& error) {
     std::vector<char> memory;
     float filled = 0;
@@ -242,7 +243,7 @@ ddt::Outcome make_mesh(Enlargement& work, const ddt::Tell& progress, ddt::Mesh& 
     if (ddt::build_mesh(guide.data(), window.width(), window.height(), work.mesh, mesh, nullptr,
                         &error, ddt::part_of(progress, filled, 1)))
         return ddt::Outcome::done;
-    const bool no_memory = error == "ddt: out of memory"; // of ddt/mesh.h
+    const bool no_memory = error == ddt::with_prefix(ddt::out_of_memory);
     return no_memory ? ddt::Outcome::out_of_memory : ddt::Outcome::bad_job;
 }
 
@@ -259,7 +260,7 @@ py::array mesh_of(const py::array& pixels, const std::string& sample, const std:
     ddt::Outcome outcome;
     {
         const Unlocked unlocked;
-        const ddt::Tell told = std::ref(watch);
+        const ddt::ProgressCallback told = std::ref(watch);
         outcome = make_mesh(work, told, mesh, error);
     }
     watch.finish(outcome == ddt::Outcome::done);

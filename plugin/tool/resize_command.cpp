@@ -98,8 +98,7 @@ public:
             return fail(failure.why, exit_usage);
 
         m_settings.threads = share_threads(m_threads);
-        m_run.run = [this](const FrameTask& task, const std::function<bool(float)>& progress,
-                           Failure& why) {
+        m_run.run = [this](const FrameTask& task, const ProgressCallback& progress, Failure& why) {
             const bool done =
                 m_part.count > 0 ? resize_part(task.in, task.out, m_settings, m_part, progress, why)
                                  : resize_file(task.in, task.out, m_settings, progress, why);

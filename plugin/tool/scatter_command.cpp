@@ -9,7 +9,7 @@
 #include "core/base/parse_number.h"
 #include "core/base/progress.h"
 #include "core/tin/tin.h"
-#include "ddt/mapping.h"
+#include "ddt/rect.h"
 #include "ddt/resize.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/filter_flag.h"
@@ -235,7 +235,7 @@ private:
                      Failure& failure) const {
         const std::vector<float> guide = guide_of(points, m_columns);
         const bool has_triangles = !points.mesh.triangles.empty();
-        const Tell whole = std::ref(progress);
+        const ProgressCallback whole = std::ref(progress);
         // Of points that are triangulated first, about the share of the time that this takes.
         const float first = has_triangles ? 0.0f : 0.25f;
         if (!has_triangles && delaunay(points.mesh, &failure.why, part_of(whole, 0, first)))

@@ -232,9 +232,10 @@ private:
     const Bits m_picture = picture(1);
 };
 
-class BitsSink final : public Sink {
+/// Writes one channel to memory that is there.
+class PlaneSink final : public Sink {
 public:
-    explicit BitsSink(Bits& bits) : m_bits(bits) {}
+    explicit PlaneSink(Bits& bits) : m_bits(bits) {}
     bool write(const Rect& r, float* values) override {
         for (int y = r.y0; y < r.y1; ++y, values += r.width())
             std::copy_n(values, r.width(), &m_bits[size_t(y * scale * width + r.x0)]);
@@ -250,7 +251,7 @@ TEST(Allocation, AJobWithHolesKnowsThatItIsMemory) {
     HoledSource source;
     fail_at_every_request(
         [&](Bits& result, std::string& error) {
-            BitsSink sink(result);
+            PlaneSink sink(result);
             Job job;
             job.window = {0, 0, width, height};
             job.holes = Holes::fill;

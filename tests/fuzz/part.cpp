@@ -118,7 +118,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     const std::string out = temporary("whole.exr");
     std::filesystem::remove(out);
     tool::Failure failure;
-    const std::function<bool(float)> progress = [](float) { return true; };
+    const ProgressCallback progress = [](float) { return true; };
     if (tool::join(paths, out, progress, failure)) {
         const auto whole = OIIO::ImageInput::open(out);
         require(bool(whole), "what was joined can be read");

@@ -35,7 +35,7 @@ struct CodeTable {
 
     /// Codes of n numbers, by the widest vectors this machine has, of a table that is filled. NaN
     /// and what is not above 0 give 0.
-    void encode(const float* x, uint8_t* codes, size_t n) const;
+    void encode(const float* x, uint8_t* codes, size_t n) const noexcept;
 };
 
 } // namespace ddt

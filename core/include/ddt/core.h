@@ -9,8 +9,14 @@
 // The result is a function of the pixels and of these options alone: it has the same bits for
 // every number of threads, every instruction set, every device, every part of the output asked for.
 //
-// Nothing here throws; functions that can fail say so by what they return, and describe why. All
-// functions may be called from several threads at once, with different destinations.
+// Functions that work on pictures and meshes are noexcept: that they failed they say by what they
+// return. Others throw nothing but std::bad_alloc, and that only where it is said. `error` receives
+// why something failed in one line, "ddt: ...", without line end; it is empty where there was no
+// memory for the line. Where it is a pointer it may be null, and success empties the text; where it
+// is a reference success leaves the text as it is. A thread must not be cancelled (pthread_cancel)
+// while it works here: what is noexcept cannot be unwound, and the process would be aborted.
+//
+// All functions may be called from several threads at once, with different destinations.
 #pragma once
 
 #include <string>
@@ -29,6 +35,7 @@ namespace ddt {
 /// ddt-linear and ddt-sharp come from parse_filter() of ddt/option_table.h.
 Outcome enlarge(const float* src, int width, int height, int channels, const float* guide,
                 float* dst, int dst_width, int dst_height, const SurfaceOptions& surface = {},
-                const MeshOptions& mesh = {}, int threads = 0, std::string* error = nullptr);
+                const MeshOptions& mesh = {}, int threads = 0,
+                std::string* error = nullptr) noexcept;
 
 } // namespace ddt

@@ -11,11 +11,11 @@ namespace ddt {
 /// Describe in one line where `job` would be worked on: "cpu", or "egl: llvmpipe (...), OpenGL 4.5
 /// ...". Opens a GPU as the job itself would; of the job its device, options, threads and window
 /// count. False if the device that it names, or DDT_DEVICE, cannot be had; the line then says why.
-/// Does not throw; safe to call from several threads at once.
+/// Safe to call from several threads at once.
 bool describe_device(const Job& job, std::string& line) noexcept;
 
 /// Whether a job of this device may begin as far as names go: false if DDT_DEVICE counts for it and
-/// is no device's name; the line then says so. Opens nothing. Does not throw.
+/// is no device's name; the line then says so. Opens nothing.
 bool check_device(Device device, std::string& line) noexcept;
 
 } // namespace ddt

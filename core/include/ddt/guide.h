@@ -33,6 +33,6 @@ struct GuideRecipe {
 /// The guide of `count` pixels of `stride` floats each: from -1024.5 to 1024. A luminance that is
 /// not finite counts as 0, such an alpha as 1. Safe to call from several threads at once.
 void make_guide(const GuideRecipe& recipe, const float* pixels, size_t count, int stride,
-                float* guide);
+                float* guide) noexcept;
 
 } // namespace ddt

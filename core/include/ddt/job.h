@@ -3,13 +3,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "ddt/code_table.h"
 #include "ddt/mapping.h"
 #include "ddt/options.h"
+#include "ddt/progress.h"
 
 namespace ddt {
 
@@ -33,16 +33,17 @@ public:
     /// what edges are sought in, about 0 to 1 from black to white, below 0 where nothing is;
     /// make_guide() of ddt/guide.h makes the usual one. Values of magnitude below 2^-80 count as 0,
     /// but Channel::nearest, and so does a guide's below 2^-24: little that is computed from
-    /// others is near the denormal floats, which devices treat in different ways. So they do NaN
-    /// where edges are chosen: what is not finite in a guide counts as 0 too. Return false to end
-    /// the work (an error the source itself keeps).
+    /// others is near the denormal floats, which devices treat in different ways. A guide value
+    /// that is not finite counts as 0 too. Return false to end the work (an error the source itself
+    /// keeps).
     virtual bool read(const Rect& r, float* values, float* guide) = 0;
 
     /// Where every number is one of 256 or 65536 codes, the floats that they stand for, in order;
     /// else nothing, as which any other number of floats counts. Asked once, before anything is
     /// read, for devices to which numbers travel far: they are then read by read_codes().
     virtual std::vector<float> codes() { return {}; }
-    /// As read(), with the codes of the values: bytes, or 16-bit numbers where there are 65536.
+    /// As read(), with the codes of the values in `codes`: a uint8_t each where codes() has 256,
+    /// and a uint16_t where it has 65536.
     virtual bool read_codes(const Rect& /*r*/, void* /*codes*/, float* /*guide*/) { return false; }
 };
 
@@ -66,7 +67,8 @@ public:
     /// The table, which must stay, whose codes write_packed() takes, a byte each; before halfs.
     /// Null, or one without entries: none.
     virtual const CodeTable* takes_codes() const { return nullptr; }
-    /// As write(), of what is taken; some devices call it in place of write().
+    /// As write(); some devices call it in its place, of a sink that takes one or the other.
+    /// `numbers`: one byte each, codes of takes_codes()'s table, if there is one, else binary16.
     virtual bool write_packed(const Rect& /*r*/, const void* /*numbers*/) { return false; }
 };
 
@@ -110,20 +112,24 @@ struct Job {
     /// Unless keep, the whole window is read first, and kept. Pixels in which a channel that is not
     /// Channel::nearest is NaN, and by fill_alpha those whose Channel::alpha is 0, are filled as by
     /// fill_holes() of ddt/points.h, with `mesh` (but the cost's own min_gain, and look_ahead in
-    /// place of one_round); a pixel that lacks some channels keeps the others. Takes 4 bytes a
-    /// pixel for each channel and 14 more, some 50 for each missing pixel (and 4 for each channel
-    /// of one that lacks only some), and for each thread some 300 and 4 for each channel for each
-    /// pixel about the hole it works on, and 2 for each of the box round it (small holes count
-    /// together, by blocks of 64 x 64, and large ones where they are thin in pieces). A failure if
-    /// all pixels are missing, the image has more than 2^31 - 1, or more than 2^27 lie about one
-    /// hole.
+    /// place of one_round); a pixel that lacks some channels keeps the others. A failure if all
+    /// pixels are missing, the image has more than 2^31 - 1, or more than 2^27 lie about one hole.
+    ///
+    /// Memory, where small holes count together, by blocks of 64 x 64, and large ones in pieces
+    /// where they are thin:
+    ///
+    ///     of                                                             | bytes
+    ///     ---------------------------------------------------------------|---------------------
+    ///     each pixel                                                     | 14 + 4 a channel
+    ///     each missing pixel                                             | some 50
+    ///     each missing pixel that has some channels                      | 4 a channel more
+    ///     each thread, for each pixel about the hole that it works on    | some 300 + 4 a channel
+    ///     each thread, for each pixel of the box round that hole         | 2
     Holes holes = Holes::keep;
-    /// Called from time to time with the share done, which never falls and is 1 at the very end,
-    /// one thread at a time; return false to cancel. Not called again after that, nor after it
-    /// threw. Called when a tile of 256 x 256 source pixels is done, and on the CPU whenever some 4
-    /// million more numbers of a tile's result are written; little more is written once it said
-    /// false. May be empty.
-    std::function<bool(float)> progress;
+    /// Called with 1 at the very end; when a tile of 256 x 256 source pixels is done, and on the
+    /// CPU whenever some 4 million more numbers of a tile's result are written. Little more is
+    /// written once it said false.
+    ProgressCallback progress;
     Statistics* statistics = nullptr; ///< filled in when not null
 };
 
@@ -139,24 +145,34 @@ enum class Outcome {
 
 /// Read the source tile by tile, triangulate, and write every output pixel the mapping gives.
 ///
-/// Never throws: what source, sink, mapping or progress throw is Outcome::out_of_memory or bad_job.
-/// They may use oneTBB themselves. `error`, when not null, receives one line if the outcome is not
-/// `done`. ddt/log.h tells the device, the iterations and where the time went.
+/// What source, sink, mapping or progress throw is Outcome::out_of_memory or bad_job. They may use
+/// oneTBB themselves. `error` is that of ddt/core.h. ddt/log.h tells the device, the iterations and
+/// where the time went.
 ///
-/// Memory beside what source and sink hold: up to 200 MiB for 40 threads or fewer and 6 MiB for
-/// each further one, all times MeshOptions::meshes, and 4 bytes for each 65536 pixels of the
-/// source; one thread works whatever it takes, as with hundreds of channels. Of up to 4 channels a
-/// tile's mesh takes 3.8 to 5 MiB, and a thread 1.3 to 4, or up to 5.1 with corrections and a
-/// mapping that is not separable(); as many tiles are there at once as have room. So all threads
-/// work on up to 4 channels up to 8 times the size, and without corrections on 10, or up to 4 times
-/// on 12; with a mapping that is not separable() on up to 8 without corrections, and four fifths of
-/// them or more on up to 4 with corrections. Of more channels or larger results fewer work.
+/// Memory beside what source and sink hold:
+///
+///     of                              | at most
+///     --------------------------------|-----------------------------------
+///     40 threads or fewer             | 200 MiB, times MeshOptions::meshes
+///     each further thread             | 6 MiB, times MeshOptions::meshes
+///     each 65536 pixels of the source | 4 bytes
+///
+/// Of up to 4 channels a tile's mesh takes 3.8 to 5 MiB of it, and a thread 1.3 to 4, or up to 5.1
+/// with corrections and a mapping that is not separable(). As many threads work as have room, one
+/// whatever it takes, as with hundreds of channels; and as many tiles are there at once. All work
+/// where there are no more channels than these; of more, or of larger results, fewer do.
+///
+///     mapping         | enlarges up to | channels | with corrections
+///     ----------------|----------------|----------|---------------------------------------
+///     separable()     | 4 times        | 12       | 4
+///     separable()     | 8 times        | 10       | 4
+///     not separable() | 2 times        | 8        | 4, on four fifths of the threads or more
 Outcome enlarge(Source& source, Sink& sink, const Mapping& mapping, const Job& job,
-                std::string* error = nullptr);
+                std::string* error = nullptr) noexcept;
 
 /// Give back the memory, up to 24 MiB, that a process keeps for its next enlarge() on the CPU: of
 /// two threads, if neither takes more than 12. It stays because to be given pages anew is a quarter
 /// of the time of a small picture. Thread-safe.
-void release_memory();
+void release_memory() noexcept;
 
 } // namespace ddt

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,12 +30,11 @@ struct MeshReport {
 /// it tile by tile: the same mesh but for edges, less than one in a million, that depend on
 /// something more than a halo away.) Takes about 80 bytes per pixel meanwhile. `guide`: width x
 /// height floats, row by row, about 0 to 1; what is below 2^-24 or not finite counts as 0.
-/// `progress` is called from time to time with a rough share done, 0 to 1; it returns false to
-/// cancel; it may be empty. False, with one line in `error`, if the image has less than 2 x 2
-/// pixels or more than 2^28, an option is not allowed, memory runs out, or it was cancelled; `mesh`
-/// and `report` are then as they were. Never throws.
+/// `progress` is told rough shares. False if the image has less than 2 x 2 pixels or more than
+/// 2^28, an option is not allowed, memory runs out, or it was cancelled; `mesh` and `report` are
+/// then as they were. `error` is that of ddt/core.h.
 bool build_mesh(const float* guide, int width, int height, const MeshOptions& options, Mesh& mesh,
                 MeshReport* report = nullptr, std::string* error = nullptr,
-                const std::function<bool(float)>& progress = {});
+                const ProgressCallback& progress = {}) noexcept;
 
 } // namespace ddt

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The names of filters, costs, schemes, starts, devices and so on, as options, tables and tools
-// spell them. The functions are safe to call from several threads at once.
+// spell them. The functions are safe to call from several threads at once. Those that return a
+// std::string or several may throw std::bad_alloc.
 #pragma once
 
 #include <string>

@@ -8,7 +8,8 @@
 // and its man page, `ddt info`, the reader's query and the parameters of hosts; a test says which
 // line README.md lacks.
 //
-// The functions are safe to call from several threads at once.
+// The functions are safe to call from several threads at once. They may throw std::bad_alloc; what
+// they were to set is then as it was.
 #pragma once
 
 #include <cstdint>
@@ -94,8 +95,8 @@ std::string filter_help(std::string_view name);
 ///     min_gain  the cost's own ("auto") unless the cost is abn and the scheme one-round
 ///     contour   0 unless the cost is abn and the scheme one-round
 ///     fitted    0 unless the filter is ddt-sharp, `clipped` 1, the cost abn and `consistency` 2
-/// On failure false with one line in `error` that names the option and lists what is allowed, and
-/// `options` unchanged.
+/// On failure false with a line in `error` (see ddt/core.h) that names the option and lists what is
+/// allowed, and `options` unchanged.
 bool parse_filter(std::string_view spec, FilterOptions& options, std::string& error);
 
 /// Parse "key=value" and set this option and no other. On failure as parse_filter().

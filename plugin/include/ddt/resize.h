@@ -35,14 +35,13 @@
 // shrinks, within 2^25 pixels from the origin (docs/limits.md).
 #pragma once
 
-#include <functional>
-
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 
 #include "ddt/core.h"
 #include "ddt/names.h"
 #include "ddt/option_table.h"
+#include "ddt/progress.h"
 
 namespace ddt {
 
@@ -51,9 +50,8 @@ namespace ddt {
 /// `clipped` is set by itself for a dst of uint8 or uint16; `fitted` does not follow. A colour
 /// space in `light` must be in the OCIO config.
 struct Options : FilterOptions {
-    /// Called now and then with the share done (0..1), one thread at a time; return false to
-    /// cancel, which is a failure. Not called for what is OpenImageIO's own work or a copy.
-    std::function<bool(float)> progress;
+    /// Not called for what is OpenImageIO's own work or a copy.
+    ProgressCallback progress;
     Statistics* statistics = nullptr; ///< filled in when not null and a mesh was made
 };
 

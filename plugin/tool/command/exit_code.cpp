@@ -2,12 +2,53 @@
 #include "plugin/tool/command/exit_code.h"
 
 #include <cerrno>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <stdexcept>
 #include <system_error>
 
+#include "core/base/one_line.h"
+
 namespace ddt::tool {
+
+namespace {
+
+/// Whether the quote there may be the first of two.
+bool opens(const std::string& message, size_t at) {
+    const auto is_one_of = [](const char* some, char c) { return std::strchr(some, c) != nullptr; };
+    return is_one_of(" (", message[at - 1]) && at + 1 < message.size() &&
+           !is_one_of(" :,;)", message[at + 1]);
+}
+
+/// Where the text in double quotes that begins at `open` ends: at the last quote before another
+/// such text begins, as names of files may have quotes within. npos if nothing ends it.
+size_t end_of_quoted(const std::string& message, size_t open) {
+    size_t end = std::string::npos;
+    for (size_t at = open; (at = message.find('"', at + 1)) != std::string::npos;) {
+        if (!opens(message, at))
+            end = at;
+        else if (end != std::string::npos)
+            break;
+    }
+    return end;
+}
+
+/// The message without what is in double quotes: names, which may say anything.
+std::string without_names(const std::string& message) {
+    std::string rest;
+    size_t from = 0;
+    for (size_t open; (open = message.find('"', from)) != std::string::npos;) {
+        const size_t end = end_of_quoted(message, open);
+        if (end == std::string::npos)
+            break;
+        rest.append(message, from, open - from);
+        from = end + 1;
+    }
+    return rest.append(message, from);
+}
+
+} // namespace
 
 ExitCode code_of_errno(int number) {
     switch (number) {
@@ -46,9 +87,9 @@ Failure thrown() {
     try {
         throw;
     } catch (const std::bad_alloc&) {
-        return {"out of memory", exit_resources};
+        return {out_of_memory, exit_resources};
     } catch (const std::length_error&) { // of a size that no vector can have
-        return {"out of memory", exit_resources};
+        return {out_of_memory, exit_resources};
     } catch (const std::system_error& e) {
         const int number = e.code().value();
         return {number == EAGAIN ? "no more threads can be started" : e.what(),
@@ -64,11 +105,12 @@ ExitCode code_of_message(const std::string& message) {
     // OpenImageIO's writers: a full disk; of OpenEXR's threads, of zlib's compress() and of what a
     // reader was thrown: there are no more, or no memory; of ours: a file that another took the
     // place of.
+    const std::string told = without_names(message);
     for (const char* said :
-         {"out of memory", "this machine's memory", " is unavailable: ", "Write error at ",
+         {out_of_memory, "this machine's memory", " is unavailable: ", "Write error at ",
           "Write error: wrote", "std::bad_alloc", "Data compression (zlib) failed",
           "Resource temporarily unavailable", "was changed while it was read"})
-        if (message.find(said) != std::string::npos)
+        if (told.find(said) != std::string::npos)
             return exit_resources;
     return exit_failed;
 }

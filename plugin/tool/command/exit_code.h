@@ -27,7 +27,8 @@ ExitCode code_of_errno(int number);
 /// The failure that the exception which is being handled tells of.
 Failure thrown();
 
-/// The code for a failure of the library, which tells it by a text alone.
+/// The code for a failure of the library, which tells it by a text alone: by what this says beside
+/// the names it has in double quotes.
 ExitCode code_of_message(const std::string& message);
 
 } // namespace ddt::tool

@@ -10,6 +10,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/strutil.h>
 
+#include "core/guide/guide.h"
 #include "plugin/image/file_tiles.h"
 #include "plugin/image/lazy_file.h"
 #include "plugin/image/metadata.h"

@@ -9,7 +9,7 @@
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imageio.h>
 
-#include "ddt/core.h"
+#include "ddt/rect.h"
 
 namespace ddt::tool {
 

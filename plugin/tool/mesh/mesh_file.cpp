@@ -21,8 +21,7 @@ std::string wrong_mesh_name(const std::string& path) {
 }
 
 bool write_mesh(const std::string& path, const Mesh& mesh, const Picture& picture,
-                const MeshStyle& style, const std::function<bool(float)>& progress,
-                Failure& failure) {
+                const MeshStyle& style, const ProgressCallback& progress, Failure& failure) {
     const MeshWriter write = writer_for(path);
     if (!write) {
         failure = {wrong_mesh_name(path), exit_usage};

@@ -4,11 +4,11 @@
 
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <limits>
 #include <string>
 
 #include "ddt/mesh.h"
+#include "ddt/progress.h"
 #include "plugin/tool/command/exit_code.h"
 #include "plugin/tool/file/picture.h"
 
@@ -31,13 +31,13 @@ struct MeshStyle {
 /// to the right, y upwards, z towards the viewer, triangles counter-clockwise; PLY with colours of
 /// 8 bits and with alpha if the picture has it, OBJ with the widespread extension "v x y z r g b".
 using MeshWriter = bool (*)(std::FILE*, const Mesh&, const Picture&, const MeshStyle&,
-                            const std::function<bool(float)>& progress);
+                            const ProgressCallback& progress);
 bool write_svg(std::FILE*, const Mesh&, const Picture&, const MeshStyle&,
-               const std::function<bool(float)>& progress);
+               const ProgressCallback& progress);
 bool write_ply(std::FILE*, const Mesh&, const Picture&, const MeshStyle&,
-               const std::function<bool(float)>& progress);
+               const ProgressCallback& progress);
 bool write_obj(std::FILE*, const Mesh&, const Picture&, const MeshStyle&,
-               const std::function<bool(float)>& progress);
+               const ProgressCallback& progress);
 
 /// The writer for a file's extension, or null.
 MeshWriter writer_for(const std::string& path);
@@ -46,8 +46,7 @@ std::string wrong_mesh_name(const std::string& path);
 
 /// Write the file, whole or not at all.
 bool write_mesh(const std::string& path, const Mesh& mesh, const Picture& picture,
-                const MeshStyle& style, const std::function<bool(float)>& progress,
-                Failure& failure);
+                const MeshStyle& style, const ProgressCallback& progress, Failure& failure);
 
 /// A vertex's z: 0 for all without heights, and where it would not be finite.
 inline float lift(const Picture& picture, size_t vertex, const MeshStyle& style) {

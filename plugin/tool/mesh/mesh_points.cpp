@@ -14,7 +14,7 @@ bool is_point_mesh(const std::string& path) {
 }
 
 bool optimise_file(const std::string& in, const std::string& out, const MeshOptions& options,
-                   Device device, MeshReport& report, const std::function<bool(float)>& progress,
+                   Device device, MeshReport& report, const ProgressCallback& progress,
                    Failure& failure) {
     if (!is_point_mesh(out)) {
         failure = {"\"" + out + "\" is not allowed; of a mesh, allowed are names that end in .ply",

@@ -4,7 +4,7 @@
 namespace ddt::tool {
 
 bool write_obj(std::FILE* file, const Mesh& mesh, const Picture& picture, const MeshStyle& style,
-               const std::function<bool(float)>& progress) {
+               const ProgressCallback& progress) {
     std::fprintf(file, "# vertex: x y z red green blue\no mesh\n");
     for (int y = 0; y < mesh.height; ++y) {
         for (int x = 0; x < mesh.width; ++x) {

@@ -36,7 +36,7 @@ private:
 } // namespace
 
 bool write_ply(std::FILE* file, const Mesh& mesh, const Picture& picture, const MeshStyle& style,
-               const std::function<bool(float)>& progress) {
+               const ProgressCallback& progress) {
     std::fprintf(file,
                  "ply\nformat binary_little_endian 1.0\n"
                  "element vertex %zu\nproperty float x\nproperty float y\nproperty float z\n"

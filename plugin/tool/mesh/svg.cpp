@@ -124,7 +124,7 @@ private:
 } // namespace
 
 bool write_svg(std::FILE* file, const Mesh& mesh, const Picture& picture, const MeshStyle& style,
-               const std::function<bool(float)>& progress) {
+               const ProgressCallback& progress) {
     const int w = mesh.width - 1, h = mesh.height - 1;
     // Crisp edges: smoothed ones of neighbours would let the background through between them.
     std::fprintf(file,

@@ -325,7 +325,7 @@ int rows_at_once(const OIIO::ImageSpec& file, size_t row, int part_rows) {
 } // namespace
 
 bool join(const std::vector<std::string>& paths, const std::string& out,
-          const std::function<bool(float)>& progress, Failure& failure) {
+          const ProgressCallback& progress, Failure& failure) {
     std::vector<PartFile> parts;
     for (const std::string& path : paths)
         if (!read_header(parts.emplace_back(path), failure))

@@ -2,10 +2,10 @@
 // The whole from its parts.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "ddt/progress.h"
 #include "plugin/tool/command/exit_code.h"
 
 namespace ddt::tool {
@@ -15,6 +15,6 @@ namespace ddt::tool {
 /// tiles over the whole width, and another, or of the whole's own tiles up to 64 MiB, or 16 MiB of
 /// rows; 256 MiB in all for whole images up to a million pixels of half RGB wide.
 bool join(const std::vector<std::string>& parts, const std::string& out,
-          const std::function<bool(float)>& progress, Failure& failure);
+          const ProgressCallback& progress, Failure& failure);
 
 } // namespace ddt::tool

@@ -7,7 +7,7 @@
 
 #include <OpenImageIO/imageio.h>
 
-#include "ddt/core.h"
+#include "ddt/rect.h"
 #include "plugin/tool/part/part.h"
 
 namespace ddt::tool {

@@ -314,7 +314,7 @@ struct PartJob {
 
 /// Write a part of what was planned into `file`, all but its name.
 bool write_part(const PartJob& job, const std::string& out, const ResizeSettings& settings,
-                const Part& part, ImageFile& file, const std::function<bool(float)>& progress,
+                const Part& part, ImageFile& file, const ProgressCallback& progress,
                 Failure& failure) {
     const OIIO::ImageBuf& image = job.image();
     const Grid grid = job.grid();
@@ -386,7 +386,7 @@ bool is_part_there(const std::string& in, const std::string& out, const ResizeSe
 }
 
 bool resize_part(const std::string& in, const std::string& out, const ResizeSettings& settings,
-                 Part part, const std::function<bool(float)>& progress, Failure& failure) {
+                 Part part, const ProgressCallback& progress, Failure& failure) {
     const EndsWithoutMemory or_the_cache_waits;
     if (!check_place(in, out, failure) || !check_reader(in, 0, failure))
         return false;

@@ -2,9 +2,9 @@
 // A part of a result, made and written by itself.
 #pragma once
 
-#include <functional>
 #include <string>
 
+#include "ddt/progress.h"
 #include "plugin/tool/part/part.h"
 #include "plugin/tool/resize/plan_result.h"
 
@@ -16,7 +16,7 @@ namespace ddt::tool {
 /// be had singly, no more of it is read than the part needs. Both axes must grow or stay. `out`
 /// must not be the file `in`, of which the other parts are made.
 bool resize_part(const std::string& in, const std::string& out, const ResizeSettings& settings,
-                 Part part, const std::function<bool(float)>& progress, Failure& failure);
+                 Part part, const ProgressCallback& progress, Failure& failure);
 
 /// Whether `out` is what resize_part() would write: the same part of the same result, of a source
 /// that has not changed (see fingerprint()); and not cut off.

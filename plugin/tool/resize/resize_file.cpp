@@ -83,7 +83,7 @@ bool open_file(const std::string& path, std::vector<OIIO::ImageSpec>& specs, Ima
 
 /// Write the results into `file`, all but its name.
 bool write_results(const std::string& in, const std::string& out, const ResizeSettings& settings,
-                   ImageFile& file, const std::function<bool(float)>& progress, Failure& failure) {
+                   ImageFile& file, const ProgressCallback& progress, Failure& failure) {
     auto source = std::make_unique<ArrivingImage>(in, 0);
     if (!source->begin(failure))
         return false;
@@ -132,7 +132,7 @@ int64_t memory_of_pixels(OIIO::ImageSpec from, const std::string& in, const std:
 } // namespace
 
 bool resize_file(const std::string& in, const std::string& out, const ResizeSettings& settings,
-                 const std::function<bool(float)>& progress, Failure& failure) {
+                 const ProgressCallback& progress, Failure& failure) {
     const FileState source(in);
     ImageFile file;
     if (!source.confirm(write_results(in, out, settings, file, progress, failure), failure))

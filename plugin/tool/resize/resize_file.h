@@ -2,9 +2,9 @@
 // `ddt resize` of one file.
 #pragma once
 
-#include <functional>
 #include <string>
 
+#include "ddt/progress.h"
 #include "plugin/tool/resize/plan_result.h"
 
 namespace ddt::tool {
@@ -14,7 +14,7 @@ namespace ddt::tool {
 /// that. False also if `in` was changed meanwhile. `progress` is called with the share done, one
 /// thread at a time.
 bool resize_file(const std::string& in, const std::string& out, const ResizeSettings& settings,
-                 const std::function<bool(float)>& progress, Failure& failure);
+                 const ProgressCallback& progress, Failure& failure);
 
 /// Bytes that resize_file() takes at its peak, about; 0 if that cannot be told.
 int64_t memory_to_resize(const std::string& in, const std::string& out,

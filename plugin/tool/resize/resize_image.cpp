@@ -73,7 +73,7 @@ bool hold_result(OIIO::ImageSpec spec, ImageFile& file, OIIO::ImageBuf& result, 
 /// Resize the pixels `made` into the result, and let it be written strip by strip.
 bool resize_strips(OIIO::ImageBuf& result, const OIIO::ImageBuf& image, const OIIO::ROI& made,
                    RowReader& reader, RowWriter& writer, const ResizeSettings& settings,
-                   const std::function<bool(float)>& progress, Failure& failure) {
+                   const ProgressCallback& progress, Failure& failure) {
     int begin = made.ybegin;
     for (const int end : strip_ends(image.spec(), result.spec(), made, settings)) {
         if (end <= begin)
@@ -106,8 +106,8 @@ bool resize_strips(OIIO::ImageBuf& result, const OIIO::ImageBuf& image, const OI
 } // namespace
 
 bool resize_image(ArrivingImage& source, const OIIO::ROI& wanted, const OIIO::ImageSpec& spec,
-                  ImageFile& file, const ResizeSettings& settings,
-                  const std::function<bool(float)>& progress, Failure& failure) {
+                  ImageFile& file, const ResizeSettings& settings, const ProgressCallback& progress,
+                  Failure& failure) {
     OIIO::ImageBuf& image = source.image;
     OIIO::ImageBuf result;
     if (!hold_result(spec, file, result, failure))

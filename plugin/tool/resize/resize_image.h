@@ -2,11 +2,11 @@
 // One image of a file into one of another, read and written while it is resized.
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include <OpenImageIO/imagebuf.h>
 
+#include "ddt/progress.h"
 #include "plugin/tool/file/image_file.h"
 #include "plugin/tool/resize/plan_result.h"
 #include "plugin/tool/resize/row_reader.h"
@@ -33,7 +33,7 @@ struct ArrivingImage {
 /// Resize an image into the one that the file is open for, which has this spec. wanted: the pixels
 /// that the result would have in a file with room for all.
 bool resize_image(ArrivingImage& source, const OIIO::ROI& wanted, const OIIO::ImageSpec& spec,
-                  ImageFile& file, const ResizeSettings& settings,
-                  const std::function<bool(float)>& progress, Failure& failure);
+                  ImageFile& file, const ResizeSettings& settings, const ProgressCallback& progress,
+                  Failure& failure);
 
 } // namespace ddt::tool

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/one_line.h"
 #include "plugin/image/file_tiles.h"
 #include "plugin/image/lazy_file.h"
 #include "plugin/image/metadata.h"
@@ -77,7 +78,7 @@ void RowReader::work() {
     for (int y = m_spec.y, next = y; y < end; y = next) {
         next = y + std::min(rows, end - y);
         bool done = false;
-        std::string error = "out of memory";
+        std::string error = out_of_memory;
         try {
             done = read(y, next, error);
         } catch (const std::exception&) { // it is that

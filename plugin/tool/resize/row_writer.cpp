@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/one_line.h"
 #include "plugin/image/file_tiles.h"
 
 namespace ddt::tool {
@@ -66,7 +67,7 @@ void RowWriter::work() {
         const int end = writable();
         lock.unlock();
         bool written = false;
-        Failure failure{"out of memory", exit_resources};
+        Failure failure{out_of_memory, exit_resources};
         try {
             written = write(m_done, end);
             if (!written)

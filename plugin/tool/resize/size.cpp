@@ -3,7 +3,7 @@
 
 #include <charconv>
 
-#include "ddt/mapping.h"
+#include "ddt/rect.h"
 #include "plugin/message/format.h"
 
 namespace ddt::tool {

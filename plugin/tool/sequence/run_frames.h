@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ddt/progress.h"
 #include "plugin/tool/command/exit_code.h"
 #include "plugin/tool/command/progress.h"
 
@@ -21,7 +22,7 @@ struct FrameRun {
     bool skip_existing = false; ///< leave out those whose `out` is there
     bool keep_going = false;    ///< go on with the others after one failed
     /// One frame. Called from several threads at once.
-    std::function<bool(const FrameTask&, const std::function<bool(float)>& progress, Failure&)> run;
+    std::function<bool(const FrameTask&, const ProgressCallback& progress, Failure&)> run;
     /// Whether what is there is what `run` would write; null: it is. Called from several threads at
     /// once.
     std::function<bool(const FrameTask&)> is_made;

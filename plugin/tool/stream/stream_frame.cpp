@@ -11,7 +11,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "core/base/parse_number.h"
-#include "ddt/mapping.h"
+#include "ddt/rect.h"
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 

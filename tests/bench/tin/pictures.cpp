@@ -112,14 +112,14 @@ std::vector<float> push_pull(const Picture& picture, const std::vector<uint8_t>&
 
 std::vector<uint8_t> missing_pixels(const Picture& picture, bool blocks) {
     std::vector<uint8_t> missing(picture.size(), 0);
-    Numbers numbers(blocks ? 2 : 1);
+    test::Random random(blocks ? 2 : 1);
     constexpr int side = 20, spacing = 64;
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
             const int u = x % spacing - (spacing - side) / 2,
                       v = y % spacing - (spacing - side) / 2;
             missing[size_t(y) * size_t(picture.width) + size_t(x)] =
-                blocks ? u >= 0 && u < side && v >= 0 && v < side : numbers.share() < 0.1;
+                blocks ? u >= 0 && u < side && v >= 0 && v < side : share_of(random) < 0.1;
         }
     return missing;
 }
@@ -138,12 +138,12 @@ bool print_pictures(const std::vector<Way>& ways, const std::vector<std::string>
             return false;
         PointMesh mesh;
         std::vector<float> values, guide;
-        Numbers numbers(5);
+        test::Random random(5);
         for (int y = 0; y < picture.height; ++y)
             for (int x = 0; x < picture.width; ++x) {
                 const bool corner =
                     (x == 0 || x == picture.width - 1) && (y == 0 || y == picture.height - 1);
-                if (numbers.share() >= share && !corner)
+                if (share_of(random) >= share && !corner)
                     continue;
                 const size_t i = size_t(y) * size_t(picture.width) + size_t(x);
                 mesh.x.push_back(x);

@@ -11,13 +11,6 @@
 
 namespace ddt::bench {
 
-uint64_t Numbers::next() {
-    uint64_t x = m_state += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-}
-
 std::vector<Way> ways_of(const std::string& scheme) {
     std::vector<Way> ways;
     const auto add = [&](const std::string& name, const std::string& with,
@@ -95,10 +88,10 @@ bool print_functions(const std::vector<Way>& ways, int sets) {
                     PointMesh mesh{{-margin, 1 + margin, -margin, 1 + margin},
                                    {-margin, -margin, 1 + margin, 1 + margin},
                                    {}};
-                    Numbers numbers(uint64_t(set) * 7919 + uint64_t(count));
+                    test::Random random(uint64_t(set) * 7919 + uint64_t(count));
                     while (int(mesh.x.size()) < count) {
-                        mesh.x.push_back(numbers.share() * (1 + 2 * margin) - margin);
-                        mesh.y.push_back(numbers.share() * (1 + 2 * margin) - margin);
+                        mesh.x.push_back(share_of(random) * (1 + 2 * margin) - margin);
+                        mesh.y.push_back(share_of(random) * (1 + 2 * margin) - margin);
                     }
                     std::string error;
                     if (!delaunay(mesh, &error))
@@ -125,11 +118,11 @@ bool print_time(const std::string& scheme, const std::vector<int>& counts) {
                 "gains", "iterations");
     for (const int count : counts) {
         PointMesh mesh;
-        Numbers numbers{uint64_t(count)};
+        test::Random random{uint64_t(count)};
         std::vector<float> guide;
         for (int i = 0; i < count; ++i) {
-            mesh.x.push_back(numbers.share());
-            mesh.y.push_back(numbers.share());
+            mesh.x.push_back(share_of(random));
+            mesh.y.push_back(share_of(random));
             guide.push_back(float(test_functions()[0].value(mesh.x.back(), mesh.y.back())));
         }
         std::string error;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ddt/points.h"
+#include "tests/core/random.h"
 
 namespace ddt::bench {
 
@@ -18,16 +19,10 @@ struct Way {
 /// Delaunay, then every cost by `scheme`.
 std::vector<Way> ways_of(const std::string& scheme);
 
-/// Whole numbers below `count`, the same everywhere (SplitMix64).
-class Numbers {
-public:
-    explicit Numbers(uint64_t seed) : m_state(seed) {}
-    uint64_t next();
-    double share() { return double(next() >> 11) / double(uint64_t(1) << 53); }
-
-private:
-    uint64_t m_state;
-};
+/// A random number from 0 to below 1, of as many bits as a double has.
+inline double share_of(test::Random& random) {
+    return double(random.bits() >> 11) / double(uint64_t(1) << 53);
+}
 
 /// RMS and largest error of the test functions from 33, 100 and 1000 points.
 bool print_functions(const std::vector<Way>& ways, int sets);

@@ -45,9 +45,14 @@ TEST(Verbose, ACallbackTakesTheLines) {
 }
 
 TEST(Verbose, WhatACallbackThrowsIsDropped) {
-    set_log([](const char*) { throw 1; });
+    int calls = 0;
+    set_log([&](const char*) {
+        ++calls;
+        throw 1;
+    });
     say("ddt: a line");
     set_log({});
+    EXPECT_EQ(calls, 1);
 }
 
 } // namespace

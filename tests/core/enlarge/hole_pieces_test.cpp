@@ -130,8 +130,8 @@ std::vector<float> filled(const Holed& holed, const std::vector<HoleGroup>& grou
     std::vector<uint8_t> inside(values.size());
     MeshOptions start; // which edges flip depends on their order too
     start.max_iterations = 0;
-    const HoledImage image{values.data(), guide.data(), holed.width, holed.height, 1,
-                           nullptr,       false};
+    const HoledImage image{values.data(), guide.data(), nullptr, holed.width, holed.height, 1,
+                           nullptr};
     for (const HoleGroup& group : groups) {
         std::string error;
         HoleMesh mesh(image, holed.missing.data(), group);

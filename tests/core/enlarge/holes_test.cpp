@@ -47,8 +47,7 @@ ResizeMapping::Axis axis(int from, int size) {
 
 /// Twice as large.
 Outcome twice(Source& source, Holes holes, Device device, std::vector<float>& result,
-              std::string& error, const std::function<bool(float)>& progress = {},
-              int threads = 0) {
+              std::string& error, const ProgressCallback& progress = {}, int threads = 0) {
     Job job;
     job.window = {left, top, left + width, top + height};
     job.channels = channels;
@@ -326,7 +325,7 @@ TEST(SmoothHoles, TakesStreaksAndLeavesEdgesAndRanges) {
             guide.push_back(step + noise);
         }
     values = guide;
-    HoledImage image{values.data(), guide.data(), side, side, 1, nullptr, false, 1};
+    HoledImage image{values.data(), guide.data(), nullptr, side, side, 1, nullptr, 1};
     smooth_holes(image, filled, known, guide);
     double rough = 0, was = 0;
     for (int y = 3; y < side - 3; ++y)

@@ -6,8 +6,10 @@
 #include <atomic>
 #include <cstdlib>
 #include <new>
+#include <utility>
 
 #include "core/tiles/tile_worker.h"
+#include "ddt/points.h"
 #include "tests/core/gathering.h"
 #include "tests/core/helpers.h"
 #include "tests/core/job_helpers.h"
@@ -315,6 +317,18 @@ TEST(Memory, SomeThreadsTakeWhatIsPromisedForAll) {
     const Rect window{0, 0, 1024, 1024}, to{0, 0, 1025, 1025};
     for (const char* filter : {"ddt", "ddt-sharp"})
         EXPECT_LE(peak_of(job_of(filter, window, 3, threads), to, to), 200 * mib) << filter;
+}
+
+// However long the other side of the grid is.
+TEST(Memory, OfDrawingNoPixelsIsThatOfAMesh) {
+    const PointMesh mesh{{0, 2, 0}, {0, 0, 2}, {{0, 1, 2}}};
+    const float values[3] = {};
+    for (const auto& [width, height] : {std::pair{1 << 20, 0}, std::pair{0, 1 << 20}}) {
+        const int64_t before = heap_now;
+        heap_peak = before;
+        EXPECT_TRUE(draw(mesh, values, 1, {0, 0, 1, 1, width, height}, nullptr, nullptr));
+        EXPECT_LT(heap_peak - before, 1 << 16);
+    }
 }
 
 } // namespace

@@ -111,6 +111,29 @@ TEST(Outcomes, ProgressRisesToOneAndIsNeverCalledTwiceAtOnce) {
     }
 }
 
+TEST(Outcomes, ProgressIsOneAtTheEndAlsoWhereNothingIsWanted) {
+    TestSource source({0, 0, 20, 20}, 1, 13);
+    const Rect to{0, 0, 40, 40};
+    TestSink sink(to, 1);
+    const auto nothing = mapping_of(source.window(), to, {7, 7, 7, 20});
+    for (const Holes holes : {Holes::keep, Holes::fill}) {
+        Job job = job_of(source, 1);
+        job.holes = holes;
+        std::vector<float> shares;
+        job.progress = [&](float share) {
+            shares.push_back(share);
+            return share < 1;
+        };
+        EXPECT_EQ(enlarge(source, sink, nothing, job), Outcome::cancelled);
+        ASSERT_FALSE(shares.empty());
+        EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+        EXPECT_EQ(shares.back(), 1.0f);
+        job.progress = [](float) { return true; };
+        EXPECT_EQ(enlarge(source, sink, nothing, job), Outcome::done);
+    }
+    EXPECT_EQ(sink.writes, 0);
+}
+
 TEST(Outcomes, ProgressCanCancel) {
     TestSource source({0, 0, 600, 530}, 1, 17, Kind::flat);
     const Rect out{0, 0, 600, 530};

@@ -10,20 +10,10 @@
 #include "ddt/names.h"
 #include "tests/core/helpers.h"
 #include "tests/core/plain.h"
+#include "tests/core/random_points.h"
 
 namespace ddt::test {
 namespace {
-
-/// `count` points in a square of 1000 x 1000.
-PointMesh random_points(int count, uint64_t seed) {
-    Random random(seed);
-    PointMesh mesh;
-    for (int i = 0; i < count; ++i) {
-        mesh.x.push_back(random.below(1000000) * 1e-3);
-        mesh.y.push_back(random.below(1000000) * 1e-3);
-    }
-    return mesh;
-}
 
 /// The circle through a, b, c holds no other point. In long double; cases too near to tell pass.
 bool is_delaunay(const PointMesh& mesh) {
@@ -67,88 +57,6 @@ std::string failure_of(PointMesh mesh) {
     std::string error;
     EXPECT_FALSE(delaunay(mesh, &error));
     return error;
-}
-
-TEST(StepGrid, ThePointsSpanHalfOfTheStepsThereAreOrMore) {
-    for (const double extent : {1.0, 1.0000001, 1.9999999, 2.0, 3.0, 1e-30, 1e30})
-        for (const bool turned : {false, true}) {
-            const std::vector<double> along{-0.25 * extent, 0.75 * extent}, across{0, 0.1 * extent};
-            StepGrid grid;
-            std::string error;
-            ASSERT_TRUE(grid.fit(turned ? across : along, turned ? along : across, error)) << error;
-            const double x = turned ? 0.1 * extent : 0.75 * extent,
-                         y = turned ? 0.75 * extent : 0.1 * extent;
-            const Steps last = grid.steps(x, y);
-            EXPECT_GE(std::max(last.x, last.y), most_steps / 2) << extent;
-            EXPECT_LE(std::max(last.x, last.y), most_steps) << extent;
-        }
-}
-
-/// A lattice of 2 mm in the middle of a country, its diagonals all alike, and a ridge across them.
-PointMesh survey(std::vector<float>& guide) {
-    constexpr int side = 12;
-    PointMesh mesh;
-    guide.clear();
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) {
-            const int v = int(mesh.x.size());
-            mesh.x.push_back(500000 + x / 512.0);
-            mesh.y.push_back(5000000 + y / 512.0);
-            guide.push_back(x + y == side ? 1.0f : 0.0f);
-            if (x + 1 < side && y + 1 < side)
-                for (const std::array<int32_t, 3>& t :
-                     {std::array{v, v + 1, v + side + 1}, std::array{v, v + side + 1, v + side}})
-                    mesh.triangles.push_back(t);
-        }
-    return mesh;
-}
-
-TEST(StepGrid, PointsThatNoTriangleUsesTakeNoSteps) {
-    std::vector<float> guide;
-    const PointMesh mesh = survey(guide);
-    PointMesh plain = mesh, far = mesh;
-    far.x.push_back(0);
-    far.y.push_back(0);
-    guide.push_back(0);
-    std::string error;
-    for (const char* scheme : {"one-round", "lawson", "annealing"}) {
-        MeshOptions options;
-        ASSERT_TRUE(find_scheme(scheme, options));
-        plain.triangles = far.triangles = mesh.triangles;
-        MeshReport report;
-        ASSERT_TRUE(optimise(plain, guide.data(), options, &report, &error, {}, Device::cpu) &&
-                    optimise(far, guide.data(), options, nullptr, &error, {}, Device::cpu))
-            << error;
-        EXPECT_GT(report.statistics.flips, 0);
-        EXPECT_EQ(far.triangles, plain.triangles) << scheme;
-    }
-    const PixelGrid grid{500000, 5000000, 1 / 1024.0, 1 / 1024.0, 24, 24};
-    std::vector<float> wanted(24 * 24), drawn(24 * 24);
-    std::vector<uint8_t> inside(24 * 24);
-    ASSERT_TRUE(draw(plain, guide.data(), 1, grid, wanted.data(), inside.data()));
-    ASSERT_TRUE(draw(far, guide.data(), 1, grid, drawn.data(), inside.data()));
-    EXPECT_EQ(drawn, wanted);
-    EXPECT_GT(std::count(inside.begin(), inside.end(), uint8_t(0)), 0);
-    EXPECT_LT(std::count(inside.begin(), inside.end(), uint8_t(0)), 24 * 24 / 4);
-}
-
-/// Of points that lie together one is a corner; the others, which no triangle uses, hold the grid.
-TEST(StepGrid, AMeshThatDelaunayMadeKeepsItsGrid) {
-    PointMesh mesh = random_points(50, 5);
-    // The first of each two is a corner; the other lies farther out, by less than a step, so that
-    // all span a power of two and the corners less.
-    mesh.x.insert(mesh.x.end(), {-1, -1 - 1e-7, 1023 - 5e-8, 1023 + 1e-7});
-    mesh.y.insert(mesh.y.end(), {0, 0, 999, 999});
-    StepGrid all, of_mesh;
-    std::string error;
-    ASSERT_TRUE(all.fit(mesh.x, mesh.y, error) && delaunay(mesh, &error)) << error;
-    ASSERT_TRUE(of_mesh.fit(mesh, error)) << error;
-    const std::vector<uint8_t> is_corner = corners_of(mesh.triangles, mesh.x.size());
-    EXPECT_EQ(std::count(is_corner.begin(), is_corner.end(), uint8_t(0)), 2);
-    for (size_t i = 0; i < mesh.x.size(); ++i) {
-        const Steps a = all.steps(mesh.x[i], mesh.y[i]), b = of_mesh.steps(mesh.x[i], mesh.y[i]);
-        EXPECT_TRUE(a.x == b.x && a.y == b.y) << i;
-    }
 }
 
 TEST(Delaunay, CirclesThroughTrianglesAreEmpty) {
@@ -327,10 +235,14 @@ TEST(Optimise, SomeOptionsMeanNothing) {
         EXPECT_EQ(report.cost_start, wanted.cost_start) << what;
         EXPECT_EQ(report.cost, wanted.cost) << what;
     };
-    same("blur", [](MeshOptions& o) { o.blur = largest_blur; });
-    same("contour", [](MeshOptions& o) { o.contour = 5; });
-    same("meshes", [](MeshOptions& o) { o.meshes = most_meshes; });
-    same("start", [](MeshOptions& o) { o.start = Start::diagonal; });
+    for (const float blur : {largest_blur, 9.0f, std::nanf("")})
+        same("blur", [&](MeshOptions& o) { o.blur = blur; });
+    for (const float contour : {5.0f, -9.0f, std::nanf("")})
+        same("contour", [&](MeshOptions& o) { o.contour = contour; });
+    for (const int meshes : {most_meshes, 77})
+        same("meshes", [&](MeshOptions& o) { o.meshes = meshes; });
+    for (const Start start : {Start::diagonal, Start(9)})
+        same("start", [&](MeshOptions& o) { o.start = start; });
 }
 
 TEST(Optimise, RefusesWhatIsNoTriangulation) {
@@ -378,75 +290,6 @@ TEST(Delaunay, CanBeCancelledWhileFlipping) {
     }
 }
 
-TEST(Draw, APlaneStaysAPlaneAndEveryPixelHasOneTriangle) {
-    PointMesh mesh{{0, 8, 8, 0, 4}, {0, 0, 8, 8, 4}, {{0, 1, 4}, {1, 4, 2}, {2, 3, 4}, {3, 0, 4}}};
-    const auto plane = [](double x, double y) { return float(0.25 * x - 0.5 * y + 3); };
-    std::vector<float> values;
-    for (size_t i = 0; i < 5; ++i)
-        values.push_back(plane(mesh.x[i], mesh.y[i]));
-    // Pixels beyond the square on both sides, on its rim, its diagonals and its middle.
-    const PixelGrid grid{-1, 9, 0.5, -0.5, 21, 21};
-    std::vector<float> pixels(21 * 21, -7.0f);
-    std::vector<uint8_t> inside(21 * 21);
-    ASSERT_TRUE(draw(mesh, values.data(), 1, grid, pixels.data(), inside.data()));
-    for (int j = 0; j < 21; ++j)
-        for (int i = 0; i < 21; ++i) {
-            const double x = -1 + 0.5 * i, y = 9 - 0.5 * j;
-            const bool in = x >= 0 && x <= 8 && y >= 0 && y <= 8;
-            ASSERT_EQ(inside[size_t(21 * j + i)] != 0, in) << x << " " << y;
-            ASSERT_NEAR(pixels[size_t(21 * j + i)], in ? plane(x, y) : -7.0f, 1e-5);
-        }
-    std::vector<float> again(21 * 21, -7.0f);
-    std::reverse(mesh.triangles.begin(), mesh.triangles.end());
-    ASSERT_TRUE(draw(mesh, values.data(), 1, grid, again.data(), inside.data()));
-    EXPECT_EQ(pixels, again);
-}
-
-TEST(Draw, ATriangleWithoutAreaShowsNothing) {
-    // The first and the last lie on a row of pixels, one a line and one a point.
-    const PointMesh mesh{{0, 4, 0, 2}, {0, 0, 4, 0}, {{0, 3, 1}, {0, 1, 2}, {3, 3, 3}, {1, 3, 0}}};
-    const std::vector<float> values = {1, 1, 1, 1};
-    const PixelGrid grid{0, 0, 1, 1, 6, 2};
-    std::vector<float> pixels(12, -7.0f);
-    std::vector<uint8_t> inside(12);
-    ASSERT_TRUE(draw(mesh, values.data(), 1, grid, pixels.data(), inside.data()));
-    EXPECT_EQ(pixels, (std::vector<float>{1, 1, 1, 1, 1, -7, 1, 1, 1, 1, -7, -7}));
-}
-
-TEST(Draw, NothingIsDrawnOfAMeshThatIsNone) {
-    PointMesh mesh{{0, 2, 0, 2}, {0, 0, 2, 2}, {{0, 1, 2}, {1, 3, 2}}};
-    const std::vector<float> values = {1, 1, 1, 1};
-    for (const int32_t wrong : {-1, 4}) {
-        mesh.triangles[1][1] = wrong;
-        std::vector<float> pixels(9, -7.0f);
-        std::vector<uint8_t> inside(9, 5);
-        std::string error;
-        EXPECT_FALSE(
-            draw(mesh, values.data(), 1, {0, 0, 1, 1, 3, 3}, pixels.data(), inside.data(), &error));
-        EXPECT_EQ(error,
-                  "ddt: triangle 1 has the vertex " + std::to_string(wrong) + "; there are 0 to 3");
-        EXPECT_EQ(pixels, std::vector<float>(9, -7.0f));
-        EXPECT_EQ(inside, std::vector<uint8_t>(9, 5));
-    }
-}
-
-TEST(Draw, WhatHasNoWeightIsNotLookedAt) {
-    const float infinity = std::numeric_limits<float>::infinity();
-    PointMesh mesh;
-    mesh.x = {0, 2, 0, 2};
-    mesh.y = {0, 0, 2, 2};
-    const std::vector<float> values = {1, 2, 4, infinity};
-    for (const auto& triangles : {std::vector<std::array<int32_t, 3>>{{0, 1, 2}, {1, 3, 2}},
-                                  std::vector<std::array<int32_t, 3>>{{1, 3, 2}, {0, 1, 2}}}) {
-        mesh.triangles = triangles;
-        std::vector<float> pixels(9);
-        std::vector<uint8_t> inside(9);
-        ASSERT_TRUE(draw(mesh, values.data(), 1, {0, 0, 1, 1, 3, 3}, pixels.data(), inside.data()));
-        EXPECT_EQ(pixels,
-                  (std::vector<float>{1, 1.5f, 2, 2.5f, 3, infinity, 4, infinity, infinity}));
-    }
-}
-
 // A road, two kilometres long and six metres wide.
 TEST(Delaunay, OfANarrowBandLeavesNoPointOut) {
     PointMesh road;
@@ -469,36 +312,6 @@ TEST(Delaunay, CanBeCancelled) {
     EXPECT_FALSE(delaunay(mesh, &error, [](float share) { return share < 0.5f; }));
     EXPECT_EQ(error, "ddt: cancelled");
     EXPECT_EQ(mesh.triangles, (std::vector<std::array<int32_t, 3>>{{0, 1, 2}}));
-}
-
-TEST(Draw, SizesThatCannotBe) {
-    PointMesh mesh;
-    mesh.x = {0, 2, 0};
-    mesh.y = {0, 0, 2};
-    mesh.triangles = {{0, 1, 2}};
-    const std::vector<float> values(3);
-    float pixel = 7;
-    uint8_t inside = 7;
-    const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
-    for (const PixelGrid& grid :
-         {PixelGrid{0, 0, 1, 1, -1, 1}, PixelGrid{0, 0, 1, 1, 1, -5}, PixelGrid{0, 0, 0, 1, 1, 1},
-          PixelGrid{0, 0, 1, nan, 1, 1}, PixelGrid{nan, 0, 1, 1, 1, 1},
-          PixelGrid{0, -inf, 1, 1, 1, 1}, PixelGrid{1e308, 0, 1e308, 1, 1, 1}}) {
-        std::string error;
-        EXPECT_FALSE(draw(mesh, values.data(), 1, grid, &pixel, &inside, &error));
-        EXPECT_NE(error, "");
-    }
-    EXPECT_FALSE(draw(mesh, values.data(), 0, {0, 0, 1, 1, 1, 1}, &pixel, &inside));
-    const uint8_t missing = 1;
-    for (const auto& [width, height, channels] :
-         {std::array{-5, 5, 1}, std::array{5, -5, 1}, std::array{1, 1, 0}}) {
-        std::string error;
-        EXPECT_FALSE(
-            fill_holes(&pixel, width, height, channels, nullptr, &pixel, &missing, {}, &error));
-        EXPECT_NE(error, "");
-    }
-    EXPECT_EQ(pixel, 7);
-    EXPECT_EQ(inside, 7);
 }
 
 TEST(Points, AnnealingHasRoomForTheLargestSteps) {
@@ -594,6 +407,19 @@ TEST(FillHoles, AtTheRimTakesTheNearestPixel) {
             missing[size_t(first + i * step)] = 0;
         expect_nearest(missing);
     }
+}
+
+TEST(FillHoles, SizesThatCannotBe) {
+    float pixel = 7;
+    const uint8_t missing = 1;
+    for (const auto& [width, height, channels] :
+         {std::array{-5, 5, 1}, std::array{5, -5, 1}, std::array{1, 1, 0}}) {
+        std::string error;
+        EXPECT_FALSE(
+            fill_holes(&pixel, width, height, channels, nullptr, &pixel, &missing, {}, &error));
+        EXPECT_NE(error, "");
+    }
+    EXPECT_EQ(pixel, 7);
 }
 
 TEST(FillHoles, SaysWhatIsWrong) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "core/enlarge/fill.h"
 #include "ddt/mesh.h"
@@ -75,6 +76,16 @@ private:
     Thrown m_what;
 };
 
+// Noexcept is a promise to callers, and what is not guarded whole would end the process.
+static_assert(noexcept(enlarge(std::declval<Source&>(), std::declval<Sink&>(),
+                               std::declval<const Mapping&>(), std::declval<const Job&>())));
+static_assert(noexcept(enlarge(nullptr, 0, 0, 0, nullptr, nullptr, 0, 0)));
+static_assert(noexcept(build_mesh(nullptr, 0, 0, {}, std::declval<Mesh&>())));
+static_assert(noexcept(delaunay(std::declval<PointMesh&>())));
+static_assert(noexcept(optimise(std::declval<PointMesh&>(), nullptr, {})));
+static_assert(noexcept(draw(std::declval<PointMesh&>(), nullptr, 0, {}, nullptr, nullptr)));
+static_assert(noexcept(fill_holes(nullptr, 0, 0, 0, nullptr, nullptr, nullptr, {})));
+
 void expect_line(const std::string& error) {
     EXPECT_EQ(error.rfind("ddt: ", 0), 0u) << error;
     EXPECT_EQ(error.find('\n'), std::string::npos) << error;
@@ -141,7 +152,7 @@ TEST(Throwing, EndsTheWorkOfOtherThreadsToo) {
 struct CountedProgress {
     int last;
     std::atomic<int> calls{0};
-    Tell tell() {
+    ProgressCallback tell() {
         return [this](float) {
             if (++calls < last)
                 return true;
@@ -165,7 +176,7 @@ TEST(Throwing, ProgressIsNotCalledAgain) {
     for (const int last : {1, 2, 3, 30, 300}) {
         CountedProgress filling{last};
         std::vector<float> values = source.values(), guide = source.guide();
-        const HoledImage image{values.data(), guide.data(), 600, 600, 1, nullptr, true, 4};
+        const HoledImage image{values.data(), guide.data(), guide.data(), 600, 600, 1, nullptr, 4};
         std::string error;
         EXPECT_THROW(
             fill_holes(image, missing.data(), {}, Device::cpu, filling.tell(), nullptr, error),

@@ -22,7 +22,7 @@ void expect_rows(SurfaceReader& reader, const std::vector<int32_t>& x,
     }
 }
 
-TEST(Blocks, HaveTheBitsOfRows) {
+TEST(EvaluatePhases, BlocksHaveTheBitsOfRows) {
     on_each_target([] {
         each_scene([](const Scene& scene, Random& random) {
             const Lattice& l = scene.lattice;
@@ -49,7 +49,7 @@ TEST(Blocks, HaveTheBitsOfRows) {
     });
 }
 
-TEST(Blocks, OfPositionsThatLieAlikeInCellsHaveTheBitsOfRows) {
+TEST(EvaluatePhases, BlocksOfPositionsThatLieAlikeInCellsHaveTheBitsOfRows) {
     on_each_target([] {
         Random random(5);
         constexpr int few = 70;

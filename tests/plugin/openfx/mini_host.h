@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "ddt/mapping.h"
+#include "ddt/rect.h"
 #include "plugin/openfx/abi.h"
 
 namespace mini {

@@ -30,6 +30,22 @@ TEST(ExitCodes, SizesThatNoVectorCanHaveAreOutOfMemory) {
     EXPECT_EQ(other.code, exit_failed);
 }
 
+TEST(ExitCodes, WhatAFileIsCalledIsNotWhatHappenedToIt) {
+    for (const char* message :
+         {R"("out of memory.png": Permission denied)", R"(cannot write "std::bad_alloc": why)",
+          R"("no "out of memory" here.png": Permission denied)",
+          R"("no" out of memory.png": Permission denied)", R"("out of memory ": Permission denied)",
+          R"("no "out of memory.png": Permission denied)", R"(no reader for "a out of memory ")",
+          R"("a.png" and ("out of memory.png") differ)"})
+        EXPECT_EQ(code_of_message(message), exit_failed) << message;
+    for (const char* message : {R"(out of memory)", R"("a.png": out of memory)",
+                                R"(cannot write "a"b.png": out of memory)",
+                                R"("a.png": device egl is unavailable: no "libEGL.so")",
+                                R"("a.png" was changed while it was read, as was "b.png")",
+                                R"(a quote " alone: out of memory)"})
+        EXPECT_EQ(code_of_message(message), exit_resources) << message;
+}
+
 TEST(ExitCodes, AMountThatIsLostMayComeBack) {
     for (const int number :
          {ENOTCONN, ECONNABORTED, ECONNRESET, EHOSTDOWN, EHOSTUNREACH, ENETUNREACH, ENETDOWN,

@@ -199,7 +199,7 @@ TEST(Parts, DoNotTakeThePlaceOfTheirSource) {
 TEST(Join, RefusesHeadersThatDoNotFit) {
     const std::string whole = "0 0 32 32", out = temporary("whole.exr");
     std::filesystem::remove(out);
-    const std::function<bool(float)> progress = [](float) { return true; };
+    const ProgressCallback progress = [](float) { return true; };
     const auto failure_of = [&](const std::string& a, const std::string& b) {
         Failure failure;
         EXPECT_FALSE(join({a, b}, out, progress, failure));

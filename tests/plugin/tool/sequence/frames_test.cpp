@@ -203,8 +203,7 @@ TEST(Frames, FilesAreToldApartWhateverLinksLeadToThem) {
 TEST(Frames, OnlyWhatIsDoneIsSaidToBeDone) {
     const std::vector<FrameTask> tasks = {{"first", ""}, {"second", ""}};
     FrameRun frames;
-    frames.run = [](const FrameTask& task, const std::function<bool(float)>& progress,
-                    Failure& failure) {
+    frames.run = [](const FrameTask& task, const ProgressCallback& progress, Failure& failure) {
         progress(1);
         failure.why = "second fails";
         return task.in == "first";
@@ -230,7 +229,7 @@ TEST(Frames, OnesThatAreThereAreLeftOutIfTheyAreWhatWouldBeMade) {
     FrameRun frames;
     frames.skip_existing = true;
     std::vector<std::string> run;
-    frames.run = [&](const FrameTask& task, const std::function<bool(float)>&, Failure&) {
+    frames.run = [&](const FrameTask& task, const ProgressCallback&, Failure&) {
         run.push_back(task.in);
         return true;
     };
@@ -259,7 +258,7 @@ TEST(Frames, WhatIsThrownWhileMemoryIsCountedIsNoEnd) {
     frames.jobs = 3;
     frames.keep_going = true;
     frames.memory_of = [](const FrameTask&) -> int64_t { throw std::runtime_error("no threads"); };
-    frames.run = [](const FrameTask&, const std::function<bool(float)>&, Failure&) { return true; };
+    frames.run = [](const FrameTask&, const ProgressCallback&, Failure&) { return true; };
     Progress progress("frames", ProgressMode::none);
     EXPECT_EQ(run_frames(tasks, frames, progress).written, 8);
 }
@@ -278,7 +277,7 @@ TEST(Frames, OneThatIsWaitedForKeepsNoOther) {
                       std::future_status::ready;
         return 0;
     };
-    frames.run = [&](const FrameTask& task, const std::function<bool(float)>& progress, Failure&) {
+    frames.run = [&](const FrameTask& task, const ProgressCallback& progress, Failure&) {
         progress(0.5f);
         if (task.in != "slow" && ++done == 3)
             others_done.set_value();
@@ -295,7 +294,7 @@ int most_at_once(int64_t memory) {
     frames.jobs = 4;
     std::atomic<int> now{0}, most{0};
     frames.memory_of = [&](const FrameTask&) { return memory; };
-    frames.run = [&](const FrameTask&, const std::function<bool(float)>&, Failure&) {
+    frames.run = [&](const FrameTask&, const ProgressCallback&, Failure&) {
         const int here = ++now;
         for (int before = most; here > before && !most.compare_exchange_weak(before, here);) {
         }
@@ -320,8 +319,7 @@ TEST(Frames, TheCodeIsThatOfWantIfOneFailedForIt) {
     for (const bool first : {false, true}) {
         FrameRun frames;
         frames.keep_going = true;
-        frames.run = [&](const FrameTask& task, const std::function<bool(float)>&,
-                         Failure& failure) {
+        frames.run = [&](const FrameTask& task, const ProgressCallback&, Failure& failure) {
             failure = {task.in, (task.in == "first") == first ? exit_resources : exit_failed};
             return task.in == "third";
         };
