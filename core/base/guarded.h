@@ -35,10 +35,10 @@ Caught guarded_call(std::string* error, F&& f) noexcept {
         f();
         return Caught::nothing;
     } catch (const std::bad_alloc&) {
-        set_error(error, out_of_memory);
+        set_error(error, out_of_memory_text);
         return Caught::out_of_memory;
     } catch (const std::length_error&) { // of a size that no vector can have
-        set_error(error, out_of_memory);
+        set_error(error, out_of_memory_text);
         return Caught::out_of_memory;
     } catch (const std::exception& e) {
         set_error(error, e.what());
