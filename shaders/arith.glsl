@@ -51,7 +51,7 @@ vec4 upper(vec4 a, vec4 b) {
 }
 
 // Denormal floats as 0, which the CPU makes of them by itself (DenormalsAreZero in
-// core/base/arith.h). For products of what may be of any size: elsewhere least_value of
+// core/base/float_mode.h). For products of what may be of any size: elsewhere least_value of
 // core/tiles/tile_io.h keeps what is computed away from them.
 vec4 without_denormals(vec4 v) {
     return if_less(abs(v), vec4(uintBitsToFloat(0x00800000u)), vec4(0.0), v);

@@ -5,8 +5,8 @@ struct Counts {
     uint evaluated, candidates, selected, blocked, dirty, rounds;
 };
 layout(std430, binding = 7) ACCESS buffer Work {
-    // Groups of indirect dispatches, (x, tiles, 1) each: three an iteration.
-    uint arguments[9 * (MAX_ITERATIONS + 2)];
+    // Groups of indirect dispatches, (x, tiles, 1) each: one a step of an iteration.
+    uint arguments[ARGUMENT_WORDS * ITERATION_STEPS * (MAX_ITERATIONS + 2)];
     // Four a tile: how far edges beyond its left, upper, right and lower side go (reach.glsl).
     uint reach[4 * MAX_TILES];
     Counts counts[]; // iteration * tiles + tile; `dirty` is what the iteration evaluates

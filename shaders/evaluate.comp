@@ -64,7 +64,7 @@ void main() {
         own_base = atomicAdd(counts[c].candidates, own_count);
         // The next step also looks at those that wait.
         uint visits = own_base + own_count + counts[counts_of(first_iteration - 1, tile)].blocked;
-        atomicMax(arguments[arguments_of(first_iteration, 1)], groups_for(visits));
+        atomicMax(arguments[arguments_of(first_iteration, STEP_SELECT)], groups_for(visits));
     }
     barrier();
     append_list(tile);

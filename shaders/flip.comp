@@ -28,7 +28,7 @@ void main() {
     barrier();
     if (gl_LocalInvocationIndex == 0 && own_count > 0) {
         own_base = atomicAdd(counts[counts_of(first_iteration + 1, tile)].dirty, own_count);
-        atomicMax(arguments[arguments_of(first_iteration + 1, 0)],
+        atomicMax(arguments[arguments_of(first_iteration + 1, STEP_EVALUATE)],
                   groups_for(own_base + own_count));
     }
     keep_reach(tile);

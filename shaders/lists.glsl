@@ -25,9 +25,9 @@ int counts_of(int iteration, int tile) {
     return iteration * tiles + tile;
 }
 
-// Where the arguments of an iteration's dispatches are: evaluate, select, flip.
+// Where the arguments of a step's dispatch are. C++ twin: core/gl/work_layout.h.
 int arguments_of(int iteration, int step) {
-    return 9 * iteration + 3 * step;
+    return ARGUMENT_WORDS * (ITERATION_STEPS * iteration + step);
 }
 // Groups that go over so many entries.
 uint groups_for(uint entries) {

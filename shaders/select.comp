@@ -50,7 +50,7 @@ void main() {
         int c = counts_of(first_iteration, tile);
         if (own_count > 0) {
             own_base = atomicAdd(counts[c].selected, own_count);
-            atomicMax(arguments[arguments_of(first_iteration, 2)],
+            atomicMax(arguments[arguments_of(first_iteration, STEP_FLIP)],
                       groups_for(own_base + own_count));
         }
         if (own_blocked > 0)

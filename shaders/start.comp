@@ -122,7 +122,8 @@ void main() {
         int c = counts_of(first_iteration, tile);
         atomicAdd(counts[c].evaluated, evaluated);
         own_base = atomicAdd(counts[c].candidates, own_count);
-        atomicMax(arguments[arguments_of(first_iteration, 1)], groups_for(own_base + own_count));
+        atomicMax(arguments[arguments_of(first_iteration, STEP_SELECT)],
+                  groups_for(own_base + own_count));
     }
     barrier();
     append_list(tile);

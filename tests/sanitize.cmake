@@ -26,7 +26,7 @@ set_tests_properties(sanitize.build PROPERTIES LABELS all FIXTURES_SETUP sanitiz
 string(CONCAT sanitize_large
   "colour_fork|SameBits.EverySchemeAndCost|Check.EveryProgramIsChecked|Hardware[.]"
   "|Transfer.NumbersFitStorageBlocks|Process.AutomaticNeverPicks|Shaders.TheReferenceCompiler"
-  "|/(Faults|SelfCheck|TinCheck|TinOnDevice|SameBits|Shapes|Stages|Transfer)[.].*osmesa")
+  "|/(Faults|JobCheck|SelfChecks|TinCheck|TinOnDevice|SameBits|Shapes|Stages|Transfer)[.].*osmesa")
 add_test(NAME sanitize.run
   COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${sanitize_dir} --output-on-failure -j 2
     --exclude-regex ${sanitize_large})

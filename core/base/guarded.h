@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The boundary of the library: no exception passes it, and within it floats are rounded to nearest.
+// The boundary of the library: no exception passes it, and within it floats are as DefaultFloats
+// has them.
 #pragma once
 
 #include <exception>
@@ -7,8 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/base/float_mode.h"
 #include "core/base/one_line.h"
-#include "core/base/rounding.h"
 
 namespace ddt {
 
@@ -29,15 +30,15 @@ inline void set_error(std::string* error, const char* what) noexcept {
 /// Call f(). What it throws, of whatever type, ends here as one line in *error.
 template <class F>
 Caught guarded_call(std::string* error, F&& f) noexcept {
-    const RoundsToNearest always;
+    const DefaultFloats always;
     try {
         f();
         return Caught::nothing;
     } catch (const std::bad_alloc&) {
-        set_error(error, out_of_memory);
+        set_error(error, out_of_memory_text);
         return Caught::out_of_memory;
     } catch (const std::length_error&) { // of a size that no vector can have
-        set_error(error, out_of_memory);
+        set_error(error, out_of_memory_text);
         return Caught::out_of_memory;
     } catch (const std::exception& e) {
         set_error(error, e.what());

@@ -21,6 +21,6 @@ std::string with_prefix(const std::string& message);
 std::string without_prefix(const std::string& message);
 
 /// What is said where memory ran out.
-constexpr char out_of_memory[] = "out of memory";
+constexpr char out_of_memory_text[] = "out of memory";
 
 } // namespace ddt

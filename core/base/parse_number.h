@@ -8,7 +8,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "core/base/rounding.h"
+#include "core/base/float_mode.h"
 
 namespace ddt {
 
@@ -28,7 +28,7 @@ bool is_subnormal(Real n) {
 /// others.
 template <class Number>
 bool parse_number(std::string_view text, Number low, Number high, Number& number) {
-    const RoundsToNearest always;
+    const DefaultFloats always;
     Number n{};
     const char* end = text.data() + text.size();
     const auto parsed = std::from_chars(text.data(), end, n);

@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "ddt/core.h"
 
 namespace ddt {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "core/base/guarded.h"
 #include "core/base/progress.h"
 #include "core/enlarge/build_mesh.h"

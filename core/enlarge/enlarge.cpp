@@ -60,7 +60,7 @@ std::string describe(Outcome outcome) {
     case Outcome::bad_job:
         return "ddt: the job makes no sense";
     case Outcome::out_of_memory:
-        return with_prefix(out_of_memory);
+        return with_prefix(out_of_memory_text);
     case Outcome::device_unavailable:
         return "ddt: the device is unavailable";
     }

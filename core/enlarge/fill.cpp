@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "core/base/guarded.h"
 #include "core/base/parallel.h"
 #include "core/enlarge/fill.h"

@@ -9,7 +9,7 @@
 #include <mutex>
 #include <thread>
 
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "core/base/parallel.h"
 
 namespace ddt {

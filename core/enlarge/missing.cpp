@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "core/enlarge/fill.h"
 
 namespace ddt {

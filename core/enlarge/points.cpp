@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "core/base/guarded.h"
 #include "core/base/log.h"
 #include "core/base/progress.h"
@@ -94,7 +94,8 @@ bool delaunay_points(PointMesh& mesh, Ties ties, std::string& error,
             guide.push_back(ties.guide[i]);
     }
     if (!spans_plane(points)) {
-        error = "ddt: triangles need 3 points that are not on one line";
+        error = "ddt: triangles need 3 points that are not on one line or too flat beside their "
+                "extent";
         return false;
     }
     std::vector<std::array<int32_t, 3>> triangles;
@@ -120,7 +121,7 @@ bool optimise_points(PointMesh& mesh, const float* guide, const MeshOptions& giv
     FilterOptions all;
     all.mesh = options;
     all.device = device;
-    if (!check_options(all, error) || !grid.fit(mesh.x, mesh.y, error) ||
+    if (!check_options(all, error) || !grid.fit(mesh, error) ||
         !choose(device, mesh.x.size(), options, placement, error))
         return false;
     Tin tin;

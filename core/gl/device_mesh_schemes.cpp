@@ -71,7 +71,7 @@ void DeviceMesh::find_contours() {
 void DeviceMesh::prepare_lists(const std::vector<Reach>& reach) {
     std::vector<GLuint> head(counts_offset / sizeof(GLuint), 1);
     std::memcpy(&head[reach_offset / sizeof(GLuint)], reach.data(), reach.size() * sizeof(Reach));
-    for (size_t i = 0; i < reach_offset / sizeof(GLuint); i += 3) {
+    for (size_t i = 0; i < reach_offset / sizeof(GLuint); i += argument_words) {
         head[i] = 0;
         head[i + 1] = GLuint(m_tiles);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/host_tile.h"
 
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "core/guide/guide.h"
 #include "core/tiles/channel_groups.h"
 #include "core/tiles/tile_io.h"

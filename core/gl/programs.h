@@ -12,12 +12,18 @@
 
 namespace ddt::gl {
 
-/// Sizes that dispatches and shaders must agree on: a constexpr here, a macro in every shader.
+/// Numbers that dispatches and shaders must agree on: a constexpr here, a macro in every shader.
 #define DDT_LAYOUTS(LAYOUT)                                                                        \
     /* Tiles that one dispatch can hold. */                                                        \
     LAYOUT(MAX_TILES, max_tiles, 64)                                                               \
     /* Largest value of MeshOptions::max_iterations. */                                            \
     LAYOUT(MAX_ITERATIONS, max_iterations, most_iterations)                                        \
+    /* Steps of an iteration of one_round, each a dispatch, and words of its arguments. */          \
+    LAYOUT(STEP_EVALUATE, step_evaluate, 0)                                                        \
+    LAYOUT(STEP_SELECT, step_select, 1)                                                            \
+    LAYOUT(STEP_FLIP, step_flip, 2)                                                                \
+    LAYOUT(ITERATION_STEPS, iteration_steps, 3)                                                    \
+    LAYOUT(ARGUMENT_WORDS, argument_words, 3)                                                      \
     /* Words of a tile's progress in accept_reject.comp. */                                        \
     LAYOUT(PROGRESS_SIZE, progress_size, 9)                                                        \
     /* What the first is in the end, and where a round accepted none, which cannot be. */          \

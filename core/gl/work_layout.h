@@ -6,13 +6,11 @@
 
 namespace ddt::gl {
 
-/// Groups of an iteration's dispatches.
-enum class Step { evaluate, select, flip, count };
-struct Arguments {
-    GLuint x, y, z;
-};
+/// What one of an iteration's dispatches does.
+enum class Step { evaluate = step_evaluate, select = step_select, flip = step_flip };
+/// Where its arguments are: groups in x, y, z. Twin: arguments_of() in shaders/lists.glsl.
 constexpr size_t arguments_of(int iteration, Step step) {
-    return sizeof(Arguments) * (size_t(iteration) * size_t(Step::count) + size_t(step));
+    return sizeof(GLuint) * size_t(argument_words * (iteration_steps * iteration + int(step)));
 }
 
 constexpr size_t reach_offset = arguments_of(most_iterations + 2, Step::evaluate);

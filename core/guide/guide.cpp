@@ -9,6 +9,7 @@
 #include "core/base/arith.h"
 #include "core/base/constants.h"
 #include "core/base/float_bits.h"
+#include "core/base/float_mode.h"
 #include "core/base/zero_small.h"
 
 #undef HWY_TARGET_INCLUDE

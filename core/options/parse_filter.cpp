@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "core/base/float_mode.h"
 #include "core/base/parse_number.h"
 #include "core/options/values.h"
 #include "ddt/names.h"
@@ -36,6 +37,7 @@ bool underflows(std::string_view text) {
 
 /// Says why `item`, "key=value", cannot be.
 std::string refusal(const Option& option, std::string_view item) {
+    const DefaultFloats always;
     std::string line = "ddt: option " + quoted(item) + " is not allowed; allowed for " +
                        option.key + " are " + option.allowed();
     const std::string_view value = item.substr(item.find('=') + 1);
@@ -117,6 +119,7 @@ std::string default_text(const Option& option, std::string_view filter) {
 }
 
 bool check_options(const FilterOptions& options, std::string& error) {
+    const DefaultFloats always; // a NaN shall not trap
     if (options.surface.kind > Surface::patch) {
         error = "ddt: SurfaceOptions::kind must be linear or patch";
         return false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/tiles/tile_mesh.h"
 
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "core/lattice/neighbours.h"
 #include "core/surface/consistency/corrections.h"
 

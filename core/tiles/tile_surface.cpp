@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "core/surface/consistency/corrections.h"
 #include "core/surface/kept_rows.h"
 #include "core/tiles/channel_groups.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "core/base/memory/stream_copy.h"
 #include "core/tiles/channel_groups.h"
 #include "core/tiles/tile_io.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/tin/draw.h"
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "core/base/guarded.h"
 
 namespace ddt {

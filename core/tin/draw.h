@@ -116,7 +116,7 @@ bool each_pixel(const PointMesh& mesh, const PixelGrid& grid, uint8_t* inside, s
         return false;
     }
     StepGrid steps;
-    if (!steps.fit(mesh.x, mesh.y, error))
+    if (!steps.fit(mesh, error))
         return false;
     if (!check_vertices(mesh.triangles, mesh.x.size(), error))
         return false;

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ddt/points.h"
 
 namespace ddt {
 
-bool StepGrid::fit(const std::vector<double>& x, const std::vector<double>& y, std::string& error) {
+namespace {
+
+bool check_points(const std::vector<double>& x, const std::vector<double>& y, std::string& error) {
     if (x.size() != y.size() || x.empty() || x.size() > most_points) {
         error = "ddt: a mesh has 1 to " + std::to_string(most_points) + " points, as many x as y";
         return false;
@@ -18,22 +21,67 @@ bool StepGrid::fit(const std::vector<double>& x, const std::vector<double>& y, s
             error = "ddt: point " + std::to_string(i) + " has a position that is not finite";
             return false;
         }
-    const auto range_x = std::minmax_element(x.begin(), x.end());
-    const auto range_y = std::minmax_element(y.begin(), y.end());
-    m_x = *range_x.first;
-    m_y = *range_y.first;
-    const double extent = std::max(*range_x.second - m_x, *range_y.second - m_y);
+    return true;
+}
+
+/// The smallest coordinates and the larger of both extents.
+struct Box {
+    double x, y, extent;
+};
+
+/// Of the points i of which counts(i) is true: one at least.
+template <class Counts>
+Box box_of(const std::vector<double>& x, const std::vector<double>& y, Counts&& counts) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double left = infinity, right = -infinity, low = infinity, high = -infinity;
+    for (size_t i = 0; i < x.size(); ++i) {
+        if (!counts(i))
+            continue;
+        left = std::min(left, x[i]);
+        right = std::max(right, x[i]);
+        low = std::min(low, y[i]);
+        high = std::max(high, y[i]);
+    }
+    return {left, low, std::max(right - left, high - low)};
+}
+
+} // namespace
+
+bool StepGrid::fit(const std::vector<double>& x, const std::vector<double>& y, std::string& error) {
+    if (!check_points(x, y, error))
+        return false;
+    const Box box = box_of(x, y, [](size_t) { return true; });
+    return cover(box.x, box.y, box.extent, error);
+}
+
+bool StepGrid::fit(const PointMesh& mesh, std::string& error) {
+    if (!check_points(mesh.x, mesh.y, error) ||
+        !check_vertices(mesh.triangles, mesh.x.size(), error))
+        return false;
+    if (mesh.triangles.empty())
+        return fit(mesh.x, mesh.y, error);
+    const std::vector<uint8_t> is_corner = corners_of(mesh.triangles, mesh.x.size());
+    const Box all = box_of(mesh.x, mesh.y, [](size_t) { return true; });
+    const Box corners = box_of(mesh.x, mesh.y, [&](size_t i) { return is_corner[i] != 0; });
+    const Box& box = all.extent / 4 > corners.extent ? corners : all;
+    return cover(box.x, box.y, box.extent, error);
+}
+
+bool StepGrid::cover(double x, double y, double extent, std::string& error) {
     if (!std::isfinite(extent)) {
         error = "ddt: the points' positions are too far apart; x and y may span 1.7e308 at most";
         return false;
     }
     // The extent is then from 2^29 steps to most_steps.
-    m_scale = extent > 0 ? std::ldexp(1.0, 29 - std::ilogb(extent)) : 1;
-    if (!std::isfinite(m_scale)) {
+    const double scale = extent > 0 ? std::ldexp(1.0, 29 - std::ilogb(extent)) : 1;
+    if (!std::isfinite(scale)) {
         error =
             "ddt: the points' positions are too close together; x or y must span 6e-300 or more";
         return false;
     }
+    m_x = x;
+    m_y = y;
+    m_scale = scale;
     return true;
 }
 

@@ -38,7 +38,7 @@ bool list_triangles(Tin& tin, const std::vector<std::array<int32_t, 3>>& triangl
         while (before(at(1), at(0)) || before(at(2), at(0)))
             std::rotate(t.begin(), t.begin() + 1, t.end());
         if (area == 0) {
-            error = fault(tin.triangles.size(), "has no area");
+            error = fault(tin.triangles.size(), "has no area, or too little beside what all span");
             return false;
         }
         doubled_area += double(area);
@@ -108,6 +108,15 @@ bool check_vertices(const std::vector<std::array<int32_t, 3>>& triangles, size_t
                 return false;
             }
     return true;
+}
+
+std::vector<uint8_t> corners_of(const std::vector<std::array<int32_t, 3>>& triangles,
+                                size_t vertices) {
+    std::vector<uint8_t> is_corner(vertices, 0);
+    for (const auto& triangle : triangles)
+        for (const int32_t v : triangle)
+            is_corner[size_t(v)] = 1;
+    return is_corner;
 }
 
 bool connect(Tin& tin, const std::vector<std::array<int32_t, 3>>& triangles, std::string& error) {

@@ -90,6 +90,10 @@ struct TinQuad {
 bool check_vertices(const std::vector<std::array<int32_t, 3>>& triangles, size_t vertices,
                     std::string& error);
 
+/// A 1 for each of so many vertices that is a corner of a triangle, else a 0.
+std::vector<uint8_t> corners_of(const std::vector<std::array<int32_t, 3>>& triangles,
+                                size_t vertices);
+
 /// Make triangles' edges and `pixel`. `triangles` are of vertices of tin.vertices, which are in
 /// 0 to most_steps; either way round. Each edge runs from its end with the smaller address (row by
 /// row) to the other. False with one line in `error` if a vertex index is out of range, a triangle

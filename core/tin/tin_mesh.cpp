@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/base/float_mode.h"
 #include "core/triangulate/run_scheme.h"
 
 namespace ddt {

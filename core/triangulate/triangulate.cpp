@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/float_mode.h"
 #include "core/cost/cost.h"
 #include "core/triangulate/run_scheme.h"
 

@@ -199,7 +199,7 @@ bool take_memory(OIIO::ImageBuf& image, const OIIO::ImageSpec& spec, std::string
         return true;
     image.geterror(); // 3.x prints what nobody asked for
     image.clear();
-    error = out_of_memory;
+    error = out_of_memory_text;
     return false;
 }
 
@@ -227,7 +227,7 @@ bool prepare(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int
         if (!allocate(dst, src, roi, flags, error))
             return false;
     } else if (!OIIO::ImageBufAlgo::IBAprep(roi, &dst, &src, flags) || !dst.localpixels()) {
-        error = dst.has_error() ? dst.geterror() : out_of_memory;
+        error = dst.has_error() ? dst.geterror() : out_of_memory_text;
         return false;
     }
     roi.chend = std::min(roi.chend, std::min(src.nchannels(), dst.nchannels()));

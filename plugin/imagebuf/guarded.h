@@ -38,7 +38,7 @@ bool guarded(OIIO::ImageBuf& dst, Body&& body) noexcept {
             OIIO::ImageBufAlgo::zero(dst, touched);
         if (!pending)
             dst.geterror(); // OpenImageIO's own words for it
-        set_error(&error, error.empty() ? out_of_memory : std::string(error).c_str());
+        set_error(&error, error.empty() ? out_of_memory_text : std::string(error).c_str());
         set_error(dst, error);
     });
     return done;

@@ -38,6 +38,21 @@ bool put_filled(const OIIO::ImageBuf& src, const float* values, OIIO::ImageBuf& 
     return true;
 }
 
+/// Into memory that is its caller's.
+bool copy_into(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, std::string& error) {
+    const OIIO::ROI to = dst.roi(), from = src.roi();
+    if (to.width() != from.width() || to.height() != from.height() ||
+        dst.nchannels() != src.nchannels()) {
+        error = format("the destination's memory is of {} x {} pixels of {} channels; needed are "
+                       "{} x {} of {}",
+                       to.width(), to.height(), dst.nchannels(), from.width(), from.height(),
+                       src.nchannels());
+        return false;
+    }
+    return copy_moved(dst, src, to, to.xbegin - from.xbegin, to.ybegin - from.ybegin, Beyond::edge,
+                      error);
+}
+
 } // namespace
 
 OIIO::TypeDesc type_between(const OIIO::ImageBuf& src) {
@@ -94,8 +109,12 @@ bool copy_filled(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& 
                  Holes holes, int nthreads, std::string& error) {
     OIIO::ImageBuf filled;
     const OIIO::TypeDesc type = src.spec().format;
-    return fill_image(src, options, holes, type, filled, nthreads, error) &&
-           copy_whole(dst, filled.initialized() ? filled : src, type, error);
+    if (!fill_image(src, options, holes, type, filled, nthreads, error))
+        return false;
+    const OIIO::ImageBuf& result = filled.initialized() ? filled : src;
+    if (dst.storage() == OIIO::ImageBuf::APPBUFFER)
+        return copy_into(dst, result, error);
+    return copy_whole(dst, result, type, error);
 }
 
 bool fill(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options, Missing missing) {

@@ -161,7 +161,7 @@ size_t ddtImage(Image** images, const int argc, const char** argv, ExceptionInfo
     });
     if (caught != ddt::Caught::nothing)
         complain(exception, ResourceLimitError,
-                 error.empty() ? ddt::with_prefix(ddt::out_of_memory) : error);
+                 error.empty() ? ddt::with_prefix(ddt::out_of_memory_text) : error);
     else if (!understood)
         complain(exception, OptionError, error);
     return MagickImageFilterSignature;

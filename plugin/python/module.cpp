@@ -243,7 +243,7 @@ ddt::Outcome make_mesh(Enlargement& work, const ddt::ProgressCallback& progress,
     if (ddt::build_mesh(guide.data(), window.width(), window.height(), work.mesh, mesh, nullptr,
                         &error, ddt::part_of(progress, filled, 1)))
         return ddt::Outcome::done;
-    const bool no_memory = error == ddt::with_prefix(ddt::out_of_memory);
+    const bool no_memory = error == ddt::with_prefix(ddt::out_of_memory_text);
     return no_memory ? ddt::Outcome::out_of_memory : ddt::Outcome::bad_job;
 }
 

@@ -87,12 +87,14 @@ public:
         operands = {{"IN", "any image OpenImageIO reads"}, {"OUT", "any image OpenImageIO writes"}};
         flags = {
             choice_flag("--missing", {"nan", "alpha"},
-                        "what is missing besides pixels with a NaN: nothing (nan, the default), or "
-                        "those whose alpha is 0",
+                        "what is missing besides pixels with a NaN: nothing (nan), or those whose "
+                        "alpha is 0 (default: nan; with the filter's holes=fill-alpha alpha, where "
+                        "the image has one)",
                         m_missing),
             filter_flag(
                 "how to flip edges, as the filter's name and options: ddt,scheme=lawson,cost=jnd",
-                m_options, m_filter_error),
+                m_options, m_filter_error, nullptr,
+                {"light", "cost", "iterations", "scheme", "seed", "holes", "device"}),
         };
     }
 
@@ -120,11 +122,12 @@ private:
         }
         if (!check_image(image, image_name(in), m_options, failure))
             return false;
-        const Missing missing = m_missing == "alpha" ? Missing::alpha : Missing::nan;
-        if (missing == Missing::alpha && channels_of(image.spec(), image.nativespec()).alpha < 0) {
+        if (m_missing == "alpha" && channels_of(image.spec(), image.nativespec()).alpha < 0) {
             failure = {"\"" + in + "\" has no alpha"};
             return false;
         }
+        const bool by_filter = m_missing.empty() && m_options.holes == Holes::fill_alpha;
+        const Missing missing = m_missing == "alpha" || by_filter ? Missing::alpha : Missing::nan;
         Unassociated in_file;
         if (!file.create(out, failure) || !read_unassociated(in, file, image, in_file, failure))
             return false;
@@ -156,7 +159,7 @@ private:
     }
 
     Options m_options;
-    std::string m_missing = "nan", m_filter_error;
+    std::string m_missing, m_filter_error;
 };
 
 } // namespace

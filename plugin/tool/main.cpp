@@ -75,6 +75,12 @@ bool reader_has_gone() {
     return poll(&out, 1, 0) == 1 && (out.revents & POLLERR) != 0;
 }
 
+/// Why a write failed of which nobody kept the error's number: what a byte more is told, which
+/// comes after what is incomplete anyway. 0 if that one arrives.
+int error_of_output() {
+    return write(STDOUT_FILENO, "\n", 1) < 0 ? errno : 0;
+}
+
 /// What was printed must have arrived. The first failure counts.
 ExitCode finish_output(ExitCode code) {
     errno = 0;
@@ -83,7 +89,7 @@ ExitCode finish_output(ExitCode code) {
     const int number = errno;
     if (code != exit_done || reader_has_gone())
         return code;
-    return fail(why_not_printed(number), exit_resources);
+    return fail(why_not_printed(number ? number : error_of_output()), exit_resources);
 }
 
 } // namespace

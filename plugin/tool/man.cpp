@@ -3,8 +3,10 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "ddt/names.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/filter_flag.h"
+#include "plugin/tool/plugin_file.h"
 
 namespace ddt::tool {
 
@@ -29,7 +31,31 @@ constexpr Code codes[] = {
 
 constexpr const char* by_signal =
     "As a shell sees it: ended by signal N. No unfinished file is left, but by KILL (N is 9) or a "
-    "crash: a hidden one, which the next run that writes the same OUT removes.";
+    "crash: a hidden one, which the next run of the same user that writes the same OUT removes.";
+
+struct Variable {
+    const char* name;
+    std::string meaning;
+};
+/// What of the environment ddt itself or the libraries below it look at, and users may want to set.
+std::vector<Variable> variables() {
+    return {
+        {"DDT_DEVICE", format("The device where --filter names none: {}.",
+                              OIIO::Strutil::join(device_names(), ", "))},
+        {"DDT_EGL_DEVICE",
+         "The number of the GPU to use, from 0 among those that EGL lists. Unless "
+         "set, the first that opens."},
+        {"DDT_VERBOSE", "What is neither empty nor begins with 0 (no counts as on, too): lines on "
+                        "standard error tell which device worked, and why another did not."},
+        {"OCIO", "OpenColorIO's config, which names colour spaces. Unless set, one that is built "
+                 "in."},
+        {plugin_path_variable,
+         "Folders, with colons between them, in which OpenImageIO looks for plugins: for those of "
+         "more file formats, and, in other programs, for these filters, which ddt has without."},
+        {"OPENIMAGEIO_OPTIONS", "Attributes of OpenImageIO, such as limits:imagesize_MB=1024, the "
+                                "most that an image may take."},
+    };
+}
 
 /// Text as man(7) takes it: backslashes and hyphens escaped, no line that starts with a control
 /// character.
@@ -69,6 +95,9 @@ std::string man_page(const std::vector<std::unique_ptr<Command>>& commands) {
     for (const Code& code : codes)
         page += format(".TP\n.B {}\n{}\n", int(code.code), escaped(code.meaning));
     page += format(".TP\n.B 128 + N\n{}\n", escaped(by_signal));
+    page += ".SH ENVIRONMENT\n";
+    for (const Variable& variable : variables())
+        page += format(".TP\n.B {}\n{}\n", variable.name, escaped(variable.meaning));
     page += ".SH SEE ALSO\n.BR oiiotool (1)\n";
     return page;
 }
@@ -81,6 +110,10 @@ std::string overview(const std::vector<std::unique_ptr<Command>>& commands) {
     for (const Code& code : codes)
         text += format("  {}  {}\n", int(code.code), OIIO::Strutil::wordwrap(code.meaning, 76, 5));
     text += format("  128 + N  {}\n", OIIO::Strutil::wordwrap(by_signal, 76, 11));
+    text += "\nenvironment:\n";
+    for (const Variable& variable : variables())
+        text += format("  {}\n     {}\n", variable.name,
+                       OIIO::Strutil::wordwrap(variable.meaning, 76, 5));
     return text;
 }
 

@@ -10,6 +10,7 @@
 #include "plugin/tool/command/filter_flag.h"
 #include "plugin/tool/command/progress.h"
 #include "plugin/tool/commands.h"
+#include "plugin/tool/mesh/heights.h"
 #include "plugin/tool/mesh/mesh_file.h"
 #include "plugin/tool/mesh/mesh_points.h"
 
@@ -26,21 +27,26 @@ public:
             "The image's pixels are the vertices; there are two triangles for every four "
             "neighbouring pixels. The whole image is triangulated at once, on the CPU whatever "
             "device the filter names; with its holes=fill missing pixels are filled first.",
-            "SVG is a vector picture of the image. PLY (binary) and OBJ are for 3D "
-            "programs: a pixel "
-            "a unit, y upwards, colours as displayed, flat unless --height is given.",
-            "A mesh that is there already, a PLY file of any points, keeps its points; its "
-            "edges are flipped so that they follow its colours, or else its z, or else all "
-            "its numbers. The mesh written has every number that the points had, in its "
-            "type (x and y are double); what faces had beside their corners, other elements and "
-            "comments are left out, and polygons are triangles."};
+            "SVG is a vector picture of the image. PLY (binary) and OBJ are for 3D programs: a "
+            "pixel a unit, y upwards, colours as displayed, flat unless --height is given. Heights "
+            "are the file's own numbers, without a curve and whatever alpha is, rounded to floats: "
+            "Z times those of a terrain in floats, and Z for white, 255 or 65535, of whole "
+            "numbers. What is not finite is 0.",
+            "A mesh that is there already, a PLY file of any points, keeps its points; its edges "
+            "are flipped so that they follow its colours, or else its z, or else the sum of all "
+            "its numbers (of more than three each as a share of its range). The mesh written has "
+            "every number that the points had, in its type (x and y are double); what faces had "
+            "beside their corners, other elements and comments are left out, and polygons are "
+            "triangles."};
         operands = {
             {"IN", "any image OpenImageIO reads, or a mesh: a name that ends in .ply"},
             {"OUT", "the mesh: a name that ends in .svg, .ply or .obj; of a mesh, in .ply"}};
         flags = {
             filter_flag("how to triangulate, as the filter's name and options: "
                         "ddt,scheme=lawson,cost=scf",
-                        m_options, m_filter_error, &m_filter),
+                        m_options, m_filter_error, &m_filter,
+                        {"light", "cost", "blur", "contour", "min_gain", "iterations", "scheme",
+                         "seed", "start", "holes", "device"}),
             choice_flag("--cost", cost_names(), "the cost of an edge, as in --filter ddt,cost=...",
                         m_cost),
             {"--scheme", "NAME", "which edges flip, as in --filter ddt,scheme=...",
@@ -59,7 +65,8 @@ public:
             only_for({".ply", ".obj"},
                      number_flag(
                          "--height", "Z",
-                         "PLY, OBJ: lift an image's vertices by their luminance, white by Z pixels",
+                         "PLY, OBJ: lift an image's vertices, by Z times the number that the file "
+                         "has there: of one channel its own, of colour the luminance",
                          -1e6, 1e6, m_style.height)),
             switch_flag("--verbose", "print the mesh's cost and what was done", m_verbose),
         };
@@ -71,6 +78,8 @@ public:
         std::string wrong;
         if (!with_flags(wrong))
             return fail(wrong, exit_usage);
+        if (!check_light_name(m_options, wrong))
+            return fail(wrong, code_of_message(wrong));
         if (is_point_mesh(values[0]))
             return run_on_points(values);
         if (!writer_for(values[1]))
@@ -85,7 +94,7 @@ public:
                                           : Fill::gradient;
         if (m_style.fill == Fill::none && m_style.lines == 0)
             m_style.lines = 0.1;
-        OIIO::ImageBuf image;
+        OIIO::ImageBuf image, filled;
         Picture picture;
         Mesh mesh;
         MeshReport report;
@@ -96,7 +105,12 @@ public:
         if (!check_memory(
                 format("triangulating {} x {} pixels", image.spec().width, image.spec().height),
                 bytes_a_pixel * double(image.spec().image_pixels()), error) ||
-            !fill_missing_pixels(image, error) || !read_picture(image, m_options, picture, error) ||
+            !fill_missing_pixels(image, filled, error))
+            return fail(error, code_of_message(error));
+        const OIIO::ImageBuf& shown = filled.initialized() ? filled : image;
+        if (!read_picture(shown, m_options, picture, error) ||
+            (m_style.height != 0 &&
+             !read_heights(values[0], image, shown, picture.heights, error)) ||
             !triangulate(picture, mesh, report, error))
             return fail(error, code_of_message(error));
         if (m_verbose)
@@ -157,20 +171,16 @@ private:
             print(report);
         return exit_done;
     }
-    /// By the filter's holes=.
-    bool fill_missing_pixels(OIIO::ImageBuf& image, std::string& error) const {
-        OIIO::ImageBuf filled;
+    /// By the filter's holes=; leaves `filled` uninitialised where nothing is missing.
+    bool fill_missing_pixels(const OIIO::ImageBuf& image, OIIO::ImageBuf& filled,
+                             std::string& error) const {
         Options options = m_options;
         options.device = Device::cpu;
         Progress progress("filling");
         options.progress = std::ref(progress);
         constexpr int all_threads = 0;
-        if (!fill_image(image, options, m_options.holes, image.spec().format, filled, all_threads,
-                        error))
-            return false;
-        if (filled.initialized())
-            image = std::move(filled);
-        return true;
+        return fill_image(image, options, m_options.holes, image.spec().format, filled, all_threads,
+                          error);
     }
     bool triangulate(const Picture& picture, Mesh& mesh, MeshReport& report,
                      std::string& error) const {

@@ -13,16 +13,10 @@
 namespace ddt::tool {
 namespace {
 
-#if OIIO_VERSION >= OIIO_MAKE_VERSION(3, 0, 0)
-constexpr const char* variable = "OPENIMAGEIO_PLUGIN_PATH";
-#else
-constexpr const char* variable = "OIIO_LIBRARY_PATH";
-#endif
-
 /// The first file of the plugin's name; empty if there is none.
 std::string find_plugin() {
     std::vector<std::string> folders;
-    if (const char* path = std::getenv(variable))
+    if (const char* path = std::getenv(plugin_path_variable))
         OIIO::Strutil::split(path, folders, ":");
     const std::string self = OIIO::Filesystem::parent_path(OIIO::Sysutil::this_program_path());
     folders.push_back(self + "/../plugins");
@@ -38,7 +32,7 @@ std::string find_plugin() {
 std::vector<std::string> describe_plugin() {
     const std::string file = find_plugin();
     if (file.empty())
-        return {std::string("not found; is it in a folder of $") + variable + "?"};
+        return {std::string("not found; is it in a folder of $") + plugin_path_variable + "?"};
     std::vector<std::string> lines;
     void* plugin = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     auto* redirects =

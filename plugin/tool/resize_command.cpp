@@ -37,8 +37,9 @@ public:
             "Sizes are oiiotool's: 640x480; 0x480 keeps the shape; 640x480+10-20 moves the origin; "
             "50%, 50%x75%; 2.5 is a factor. They are those of the display window.",
             "Sequences: IN and OUT with # (four digits), ### (three) or %04d in place of the "
-            "frame's number and, with --views, %V or %v in that of the view or its first letter. "
-            "Without --frames the frames are those of which there is a file.",
+            "frame's number, in the last part of a path, and, with --views, %V or %v in place of "
+            "the view or its first letter, in folders too. Without --frames the frames are those "
+            "of which there is a file.",
             "Of a file with several images the first is resized; with --all-images each is, to "
             "SIZE of its own, where OUT's format has room for several (EXR's parts, TIFF's pages).",
             "OUT appears under its name when it is whole; until then what was there stays there."};

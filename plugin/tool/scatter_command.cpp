@@ -8,23 +8,21 @@
 
 #include "core/base/parse_number.h"
 #include "core/base/progress.h"
+#include "core/tin/tin.h"
 #include "ddt/rect.h"
 #include "ddt/resize.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/filter_flag.h"
 #include "plugin/tool/command/progress.h"
 #include "plugin/tool/commands.h"
+#include "plugin/tool/points/coarse_axis.h"
 #include "plugin/tool/points/point_file.h"
 #include "plugin/tool/points/point_image.h"
+#include "plugin/tool/points/window.h"
 
 namespace ddt::tool {
 
 namespace {
-
-/// A part of the plane.
-struct Window {
-    double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-};
 
 /// "X0,Y0,X1,Y1", the corners of a window that is not empty.
 bool parse_corners(const std::string& text, Window& window) {
@@ -53,7 +51,8 @@ bool parse_image_size(const std::string& text, int& width, int& height) {
 }
 
 /// Leave out the points that lack a number in one of the columns, and triangles with such a corner.
-void drop_unknown(PointFile& points, const std::vector<const Column*>& columns) {
+/// Returns how many points those were.
+size_t drop_unknown(PointFile& points, const std::vector<const Column*>& columns) {
     const size_t count = points.mesh.x.size();
     std::vector<uint8_t> keep(count, 1);
     for (const Column* column : columns)
@@ -70,18 +69,23 @@ void drop_unknown(PointFile& points, const std::vector<const Column*>& columns) 
     int32_t next = 0;
     for (size_t i = 0; i < count; ++i)
         place[i] = keep[i] ? next++ : -1;
-    std::vector<std::array<int32_t, 3>> triangles;
-    for (std::array<int32_t, 3> t : points.mesh.triangles) {
+    size_t left = 0; // of the triangles
+    for (size_t i = 0; i < points.mesh.triangles.size(); ++i) {
+        std::array<int32_t, 3> t = points.mesh.triangles[i];
         for (int32_t& v : t)
             v = size_t(v) < count ? place[size_t(v)] : v; // others are for optimise() to refuse
-        if (*std::min_element(t.begin(), t.end()) >= 0)
-            triangles.push_back(t);
+        if (*std::min_element(t.begin(), t.end()) < 0)
+            continue;
+        points.mesh.triangles[left] = t;
+        points.faces[left++] = points.faces[i];
     }
-    points.mesh.triangles = std::move(triangles);
+    points.mesh.triangles.resize(left);
+    points.faces.resize(left);
     squeeze(points.mesh.x);
     squeeze(points.mesh.y);
     for (Column& column : points.columns)
         squeeze(column.values);
+    return count - points.mesh.x.size();
 }
 
 class ScatterCommand final : public Command {
@@ -94,10 +98,11 @@ public:
             "flipped until they run along the values' own edges; values are interpolated linearly "
             "over the triangles. Outside them pixels are empty: 0, alpha 0.",
             "POINTS is a PLY file or text (CSV, XYZ) whose first line names the columns, x and y "
-            "among them; there red, green, blue and alpha may be called R, G, B and A. Of points "
-            "at one place, or closer together than 2^-29 of what all span, the first is taken. "
-            "Points with a value that is no number (nan) are left out, and triangles that have "
-            "such a corner. The image spans the points' box, the y axis upwards.",
+            "among them, perhaps after # or //; there red, green, blue and alpha may be called R, "
+            "G, B and A, and the cell of a value may be empty. Of points at one place, or closer "
+            "together than 2^-29 of what all span along the longer axis, the first is taken. "
+            "Points with a value that is no number (nan, or empty) are left out, and triangles "
+            "that have such a corner. The image spans the triangles' box, the y axis upwards.",
             "Its channels are red, green, blue and alpha where the file has them, else z, else all "
             "columns. An alpha channel is added where there is none; channels that OUT's format "
             "has no room for are left out. Red, green and blue of points are taken as not "
@@ -111,7 +116,8 @@ public:
             {"--size", "WxH", "size of the image; a 0 keeps the shape (default: 1024x0)",
              [this](const std::string& text) { return parse_image_size(text, m_width, m_height); },
              "WxH, Wx0 and 0xH", ""},
-            {"--window", "X0,Y0,X1,Y1", "the part of the plane to show (default: the points' box)",
+            {"--window", "X0,Y0,X1,Y1",
+             "the part of the plane to show (default: the triangles' box)",
              [this](const std::string& text) {
                  return m_has_window = parse_corners(text, m_window);
              },
@@ -125,7 +131,8 @@ public:
              "names of columns", ""},
             filter_flag(
                 "how to flip edges, as the filter's name and options: ddt,scheme=lawson,cost=jnd",
-                m_options, m_filter_error),
+                m_options, m_filter_error, nullptr,
+                {"cost", "min_gain", "iterations", "scheme", "seed", "device"}),
             {"--mesh", "FILE", "write the triangles too, a PLY file",
              [this](const std::string& text) {
                  m_mesh_path = text;
@@ -139,11 +146,14 @@ public:
     ExitCode run(const std::vector<std::string>& values) override {
         if (!m_filter_error.empty())
             return fail(m_filter_error, exit_usage);
+        if (std::string wrong; !check_light_name(m_options, wrong))
+            return fail(wrong, code_of_message(wrong));
         Progress progress("triangulating", progress_mode(m_progress));
         PointFile points;
         Failure failure;
         if (read_points(values[0], points, failure) && prepare(points, failure) &&
-            triangulate(points, progress, failure) && write_both(points, values[1], failure))
+            triangulate(points, values[0], progress, failure) &&
+            write_both(points, values[1], failure))
             return exit_done;
         progress.hide();
         return fail(failure);
@@ -182,11 +192,26 @@ private:
         return false;
     }
 
+    /// Those of the columns that become channels.
+    std::string joined_names(const char* between) const {
+        std::vector<std::string> names;
+        for (const Column* column : m_columns)
+            names.push_back(column->name);
+        return OIIO::Strutil::join(names, between);
+    }
+
     bool prepare(PointFile& points, Failure& failure) {
         if (!choose_columns(points, failure))
             return false;
         const bool has_triangles = !points.mesh.triangles.empty();
-        drop_unknown(points, m_columns);
+        const size_t count = points.mesh.x.size(), dropped = drop_unknown(points, m_columns);
+        if (points.mesh.x.empty()) {
+            failure.why = "no point has a number in " + joined_names(" and in ");
+            return false;
+        }
+        if (dropped > 0)
+            note(format("{} of {} points are left out: they have no number in {}", dropped, count,
+                        joined_names(" or in ")));
         if (has_triangles && points.mesh.triangles.empty()) {
             failure.why = "no triangle has numbers at its three points";
             return false;
@@ -206,7 +231,8 @@ private:
         return true;
     }
 
-    bool triangulate(PointFile& points, Progress& progress, Failure& failure) const {
+    bool triangulate(PointFile& points, const std::string& path, Progress& progress,
+                     Failure& failure) const {
         const std::vector<float> guide = guide_of(points, m_columns);
         const bool has_triangles = !points.mesh.triangles.empty();
         const ProgressCallback whole = std::ref(progress);
@@ -214,22 +240,21 @@ private:
         const float first = has_triangles ? 0.0f : 0.25f;
         if (!has_triangles && delaunay(points.mesh, &failure.why, part_of(whole, 0, first)))
             note_merged(points.mesh, progress);
+        if (!points.mesh.triangles.empty())
+            note_coarse_axis(points.mesh, progress);
         if (!points.mesh.triangles.empty() &&
             optimise(points.mesh, guide.data(), m_options.mesh, nullptr, &failure.why,
                      part_of(whole, first, 1), m_options.device)) {
             progress(1);
             return true;
         }
-        failure.code = code_of_message(failure.why);
+        failure = {fault_in(path, points, failure.why), code_of_message(failure.why)};
         return false;
     }
 
     /// Say how many points are no corner of a triangle that they were to be triangulated to.
     static void note_merged(const PointMesh& mesh, Progress& progress) {
-        std::vector<uint8_t> is_corner(mesh.x.size(), 0);
-        for (const auto& triangle : mesh.triangles)
-            for (const int32_t corner : triangle)
-                is_corner[size_t(corner)] = 1;
+        const std::vector<uint8_t> is_corner = corners_of(mesh.triangles, mesh.x.size());
         const auto merged = std::count(is_corner.begin(), is_corner.end(), uint8_t(0));
         if (merged == 0)
             return;
@@ -239,13 +264,15 @@ private:
                     merged, mesh.x.size()));
     }
 
-    Window box(const PointMesh& mesh) const {
-        if (m_has_window)
-            return m_window;
-        const auto x = std::minmax_element(mesh.x.begin(), mesh.x.end());
-        const auto y = std::minmax_element(mesh.y.begin(), mesh.y.end());
-        return {*x.first, *y.first, *x.second, *y.second};
+    static void note_coarse_axis(const PointMesh& mesh, Progress& progress) {
+        const std::string said = note_on_coarse_axis(mesh);
+        if (said.empty())
+            return;
+        progress.hide();
+        note(said);
     }
+
+    Window box(const PointMesh& mesh) const { return m_has_window ? m_window : window_of(mesh); }
 
     /// Pixels whose outer borders are the window's.
     bool plan(const PointMesh& mesh, PixelGrid& g, Failure& failure) const {

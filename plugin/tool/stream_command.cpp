@@ -98,7 +98,7 @@ private:
                 if (result == ReadResult::failed)
                     verdict.fail(n, error, code_of_message(error));
             } catch (const std::bad_alloc&) {
-                verdict.fail(n, out_of_memory, exit_resources);
+                verdict.fail(n, out_of_memory_text, exit_resources);
             }
             if (result != ReadResult::frame || !read.put(std::move(frame)))
                 break;
@@ -138,7 +138,7 @@ private:
                 return Outcome::bad_job;
             }
         } catch (const std::bad_alloc&) {
-            error = with_prefix(out_of_memory);
+            error = with_prefix(out_of_memory_text);
             return Outcome::out_of_memory;
         }
         work.to = large.buffer();

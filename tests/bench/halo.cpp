@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <set>
 
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "core/guide/guide.h"
 #include "core/lattice/lattice.h"
 #include "core/triangulate/triangulate.h"

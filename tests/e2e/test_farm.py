@@ -314,13 +314,16 @@ class Parts(Farm):
 class Scripts(Farm):
     """Those of docs/slurm, on a Slurm that is none (tests/farm has one)."""
 
-    def test_names_that_begin_with_a_hyphen(self):
+    def setUp(self):
+        super().setUp()
         os.mkdir(self.path("bin"))
         with open(self.path("bin/sbatch"), "w") as file:
             file.write(SBATCH)
         os.chmod(self.path("bin/sbatch"), 0o755)
         os.symlink(DDT, self.path("bin/ddt"))
-        path = self.path("bin") + ":" + os.environ["PATH"]
+        self.programs = self.path("bin") + ":" + os.environ["PATH"]
+
+    def test_names_that_begin_with_a_hyphen(self):
         self.succeed("oiiotool", "--pattern", "noise", "300x520", "3", "-d", "half", "-o", "in.exr")
         os.rename(self.path("in.exr"), self.path("-in.exr"))
         os.symlink("-in.exr", self.path("-in.0002.exr"))
@@ -331,11 +334,20 @@ class Scripts(Farm):
                 ([SCRIPTS + "/parts.sh", "3", "-in.exr", "200%", "-out.exr"], "-out.exr"),
                 (["sbatch", "--array=2-2", SCRIPTS + "/frames.sbatch", "-in.#.exr", "200%",
                   "-out.#.exr"], "-out.0002.exr")):
-            done = self.attempt(*command, "--threads", "1", PATH=path)
+            done = self.attempt(*command, "--threads", "1", PATH=self.programs)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assert_same("one.exr", out)
             os.remove(self.path(out))
         self.assertEqual(sorted(os.listdir(self.folder)), before)
+
+    def test_a_first_frame_that_is_no_number(self):
+        for first in "abc", " 2", "1e3", "-", "1 2", "9999999999", "a[$(touch made)]":
+            done = self.attempt("sbatch", "--array=2-2", SCRIPTS + "/frames.sbatch", "in.#.png",
+                                "200%", "out.#.png", PATH=self.programs, FIRST=first)
+            self.assertEqual((done.returncode, done.stderr), (
+                2, f'frames.sbatch: FIRST="{first}" is not allowed; allowed are whole numbers such '
+                   'as 1000 and -5\n'))
+        self.assertNotIn("made", os.listdir(self.folder))
 
 
 if __name__ == "__main__":

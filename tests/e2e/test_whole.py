@@ -309,7 +309,8 @@ class Whole(Case):
         for command in ("compare --csv photo.png photo.png", "info", "--help", "compare --help"):
             done = self.attempt("sh", "-c", f"'{DDT}' {command} > /dev/full")
             self.assertEqual(done.returncode, 3, command)
-            self.assertIn("standard output cannot be written", done.stderr)
+            self.assertEqual(done.stderr, "ddt: the standard output cannot be written: "
+                                          "No space left on device\n")
             self.assertEqual(self.attempt("bash", "-o", "pipefail", "-c",
                                           f"'{DDT}' {command} | true").stderr, "")
 

@@ -2,9 +2,10 @@
 """ddt-oiiotool: what the plugin path alone does not cover."""
 
 import os
+import shutil
 import unittest
 
-from support import WRAPPER, Case
+from support import PLUGINS, WRAPPER, Case
 
 
 class Wrapper(Case):
@@ -45,6 +46,22 @@ class Wrapper(Case):
     def test_other_preloads_stay(self):
         text = self.succeed(WRAPPER, "--tool", "env", plugin=False, LD_PRELOAD="libm.so.6")
         self.assertIn("LD_PRELOAD=libm.so.6\n", text)
+
+    def test_another_build_in_the_path(self):
+        """Is left out, or OpenImageIO would say that there are two; what else is there stays."""
+        plugin = os.path.join(PLUGINS, "ddt.imageio.so")
+        for folder in "another build", "with others", "*":
+            os.mkdir(self.path(folder))
+            shutil.copy(plugin, self.path(folder))
+        shutil.copy(plugin, self.path("with others/more.imageio.so"))
+        alone, others, star = (self.path(name) for name in ("another build", "with others", "*"))
+        path = f"{alone}:/no folder::{others}:{star}"
+        text = self.succeed(WRAPPER, "--tool", "env", plugin=False, OIIO_LIBRARY_PATH=path,
+                            OPENIMAGEIO_PLUGIN_PATH=path)
+        for name in "OIIO_LIBRARY_PATH", "OPENIMAGEIO_PLUGIN_PATH":
+            self.assertIn(f"{name}={os.path.realpath(PLUGINS)}:/no folder::{others}\n", text)
+        self.succeed(WRAPPER, "photo.png", "--resize:filter=ddt", "200%", "-o", "out.png",
+                     plugin=False, OIIO_LIBRARY_PATH=alone, OPENIMAGEIO_PLUGIN_PATH=alone)
 
     def test_bad_tools(self):
         self.fail_with(WRAPPER, "--tool", "nosuchprogram", says=("nosuchprogram",), plugin=False)

@@ -15,9 +15,11 @@ trap 'rm -rf "$scratch"' EXIT
 mkdir -p -m 755 "$scratch/prefix"
 mkdir -m 700 "$scratch/prefix/share"
 (umask 077 && cmake --install "$build_dir" --prefix "$scratch/prefix" >/dev/null &&
-    DESTDIR=$scratch/staged cmake --install "$build_dir" --prefix /opt/ddt >/dev/null)
-private=$(cd "$scratch" && find prefix staged -type d ! -perm 755 | LC_ALL=C sort | xargs)
-[ "$private" = "prefix/share staged staged/opt" ] || { echo "FAILED: private folders: $private"; exit 1; }
+    cmake --install "$build_dir" --prefix "$scratch/new/deep/prefix" >/dev/null &&
+    DESTDIR=$scratch/staged cmake --install "$build_dir" --prefix /usr >/dev/null)
+[ -L "$scratch/staged/etc/profile.d/oiio-ddt.sh" ]
+private=$(cd "$scratch" && find prefix new staged -type d ! -perm 755 | LC_ALL=C sort | xargs)
+[ "$private" = prefix/share ] || { echo "FAILED: private folders: $private"; exit 1; }
 # The folder of libraries and the build type are in some names; the list is without either.
 (cd "$scratch/prefix" && find . -type f -printf '%P\n') |
     sed -e 's,^lib/[a-z0-9_]*-linux-gnu/,lib/,' -e 's,targets-[a-z]*\.cmake,targets-TYPE.cmake,' |

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/float_mode.h"
 #include "core/guide/guide.h"
 #include "core/lattice/locate.h"
 #include "core/surface/consistency/consistency_rounds.h"

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <vector>
 
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "core/gl/check/difference.h"
 #include "core/gl/context/failure.h"
 #include "core/gl/context/gpu.h"

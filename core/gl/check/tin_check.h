@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a device keeps the promise of the same bits on meshes of points. Twin: self_check.h.
+// Whether a device keeps the promise of the same bits on meshes of points. Twin: job_check.h.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether numbers are the same when they come from, or to, a device. Twin: self_check.h.
+// Whether numbers are the same when they come from, or to, a device. Twin: job_check.h.
 #pragma once
 
 #include <string>

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "core/gl/check/self_check.h"
+#include "core/gl/check/self_checks.h"
 #include "core/gl/context/context.h"
 #include "core/gl/context/thread.h"
 #include "core/gl/programs.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/context/thread.h"
 
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 
 namespace ddt::gl {
 

@@ -28,9 +28,9 @@ constexpr size_t most_points = size_t(1) << 27;
 
 /// Make mesh.triangles: the Delaunay triangulation of the points, which covers their convex hull,
 /// by exact arithmetic, whatever shape they have together. Positions are rounded to 2^-29 of the
-/// points' extent or finer. Of points at one position the first is used. False if there are not
-/// three that are not on one line, or a position is not finite. After a failure the mesh is as it
-/// was.
+/// points' extent, the larger of both axes', or finer. Of points at one position the first is used.
+/// False if there are not three that are then not on one line, or a position is not finite. After a
+/// failure the mesh is as it was.
 bool delaunay(PointMesh& mesh, std::string* error = nullptr,
               const ProgressCallback& progress = {}) noexcept;
 
@@ -40,7 +40,9 @@ bool delaunay(PointMesh& mesh, std::string* error = nullptr,
 /// out with the orientation from x towards y. False also where the triangles are no triangulation:
 /// one without area, an edge of more than two; and where a `device` that is named cannot be had.
 /// lawson and look_ahead run on the CPU whatever is named, the others on GPUs too; no choice
-/// changes the result. After a failure the mesh is as it was.
+/// changes the result. Positions are rounded as delaunay() does; where all points span more than
+/// four times what the triangles' corners do, to 2^-29 of what these span. After a failure the mesh
+/// is as it was.
 bool optimise(PointMesh& mesh, const float* guide, const MeshOptions& options,
               MeshReport* report = nullptr, std::string* error = nullptr,
               const ProgressCallback& progress = {}, Device device = Device::automatic) noexcept;
@@ -53,7 +55,7 @@ struct PixelGrid {
     int width = 0, height = 0;
 };
 
-/// Interpolate linearly over the mesh's triangles, at positions that are rounded as delaunay()
+/// Interpolate linearly over the mesh's triangles, at positions that are rounded as optimise()
 /// rounds points': pixels closer together show steps. `values` are `channels` floats per point,
 /// `pixels` as many per pixel, row by row. Pixels outside all triangles are left as they are;
 /// `inside`, one byte per pixel, tells where those are: 0 there, else not 0. A pixel on an edge

@@ -31,7 +31,8 @@
 // is one.
 //
 // Result. A function of the source's pixels, windows and metadata and of the options alone: it has
-// the same bits for any number of threads, and a part (roi) is a crop of the whole.
+// the same bits for any number of threads, and a part (roi) is a crop of the whole; where an axis
+// shrinks, within 2^25 pixels from the origin (docs/limits.md).
 #pragma once
 
 #include <OpenImageIO/imagebuf.h>
@@ -78,7 +79,8 @@ enum class Missing {
 /// of the pixels about them, as Job::holes of ddt/job.h says, whatever options.holes; edges are
 /// sought under options.light, values are interpolated as they are. A pixel that lacks some
 /// channels keeps the others; channels of IDs are copied from the nearest vertex. A failure
-/// if no pixel is there; not if none is missing.
+/// if no pixel is there; not if none is missing. A dst that wraps its caller's memory keeps it, and
+/// its spec: it has src's size and channels, or else this is a failure.
 bool fill(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options& options = {},
           Missing missing = Missing::nan);
 

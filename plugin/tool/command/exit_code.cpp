@@ -87,9 +87,9 @@ Failure thrown() {
     try {
         throw;
     } catch (const std::bad_alloc&) {
-        return {out_of_memory, exit_resources};
+        return {out_of_memory_text, exit_resources};
     } catch (const std::length_error&) { // of a size that no vector can have
-        return {out_of_memory, exit_resources};
+        return {out_of_memory_text, exit_resources};
     } catch (const std::system_error& e) {
         const int number = e.code().value();
         return {number == EAGAIN ? "no more threads can be started" : e.what(),
@@ -107,7 +107,7 @@ ExitCode code_of_message(const std::string& message) {
     // place of.
     const std::string told = without_names(message);
     for (const char* said :
-         {out_of_memory, "this machine's memory", " is unavailable: ", "Write error at ",
+         {out_of_memory_text, "this machine's memory", " is unavailable: ", "Write error at ",
           "Write error: wrote", "std::bad_alloc", "Data compression (zlib) failed",
           "Resource temporarily unavailable", "was changed while it was read"})
         if (told.find(said) != std::string::npos)

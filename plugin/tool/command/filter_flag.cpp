@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/command/filter_flag.h"
 
+#include <algorithm>
+
 #include <OpenImageIO/strutil.h>
 
 #include "ddt/names.h"
 #include "ddt/option_table.h"
+#include "plugin/image/reading.h"
 #include "plugin/message/format.h"
 
 namespace ddt::tool {
@@ -29,7 +32,8 @@ std::string defaults_of(const Option& option) {
 
 } // namespace
 
-Flag filter_flag(const char* help, Options& options, std::string& error, std::string* given) {
+Flag filter_flag(const char* help, Options& options, std::string& error, std::string* given,
+                 const std::vector<std::string>& counting) {
     return {"--filter",
             "SPEC",
             help,
@@ -41,7 +45,7 @@ Flag filter_flag(const char* help, Options& options, std::string& error, std::st
                 return true;
             },
             "",
-            filter_notes()};
+            filter_notes(counting)};
 }
 
 std::vector<Entry> filter_entries() {
@@ -58,12 +62,27 @@ std::vector<Entry> filter_entries() {
     return entries;
 }
 
-std::string filter_notes() {
+bool check_light_name(const Options& options, std::string& error) {
+    const OIIO::ImageSpec none;
+    return check_light(none, none, options, error);
+}
+
+std::string filter_notes(const std::vector<std::string>& counting) {
     constexpr int columns = 80, indent = 14;
-    std::string text = "Filters and options (SPEC is a filter's name, or ddt,key=value,...):\n";
-    for (const Entry& entry : filter_entries())
+    const auto counts = [&](const Entry& entry) {
+        return counting.empty() || std::any_of(counting.begin(), counting.end(),
+                                               [&](auto& key) { return entry.term == key + "="; });
+    };
+    std::string text =
+        counting.empty() ? "Filters and options (SPEC is a filter's name, or ddt,key=value,...):\n"
+                         : "Options (SPEC is a filter's name, or ddt,key=value,...; others than "
+                           "these\nchange nothing here):\n";
+    for (const Entry& entry : filter_entries()) {
+        if (!counts(entry))
+            continue;
         text += format("  {:<11} {}\n", entry.term,
                        OIIO::Strutil::wordwrap(entry.meaning, columns - 2, indent));
+    }
     return text;
 }
 

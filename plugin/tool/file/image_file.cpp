@@ -317,8 +317,15 @@ Failure ImageFile::failed() const {
     why = with_its_name(why.substr(0, why.find('\n')));
     const bool of_stream = m_whole.file() && std::ferror(m_whole.file());
     ExitCode code = of_stream ? exit_resources : code_of_message(why);
-    if (code == exit_failed && m_whole.file()) // writers may not say why
-        code = code_of_errno(m_whole.write_error());
+    if (m_whole.file() && (code == exit_failed || why.empty())) { // writers may not say why
+        const int number = m_whole.write_error();
+        // Others than these tell of the asking, as that nobody goes back in a pipe.
+        if (code_of_errno(number) == exit_resources) {
+            code = exit_resources;
+            if (why.empty())
+                why = std::strerror(number);
+        }
+    }
     if (code == exit_failed) // as where there are no more descriptors
         code = code_of_reading(temporary());
     return {"cannot write \"" + m_path + "\"" + (why.empty() ? "" : ": " + why), code};

@@ -109,10 +109,27 @@ std::string image_name(const std::string& path, int number) {
     return number > 0 ? format("{}, image {}", name, number + 1) : name;
 }
 
-bool check_reader(const std::string& path, int number, std::string& error) {
+namespace {
+
+/// What a file is of which readers would never be done, or null: a pipe they open again and again,
+/// and some devices (/dev/zero) have no end.
+const char* endless_kind(const std::string& path) {
     std::error_code ignored;
-    if (std::filesystem::is_fifo(path, ignored)) { // opened again and again, it would wait for ever
-        error = cannot_read(path, "it is a pipe, and images are read from files alone");
+    switch (std::filesystem::status(path, ignored).type()) {
+    case std::filesystem::file_type::fifo:
+        return "a pipe";
+    case std::filesystem::file_type::character:
+        return "a device";
+    default:
+        return nullptr;
+    }
+}
+
+} // namespace
+
+bool check_reader(const std::string& path, int number, std::string& error) {
+    if (const char* kind = endless_kind(path)) {
+        error = cannot_read(path, format("it is {}, and images are read from files alone", kind));
         return false;
     }
     char begin[2] = {};
@@ -124,6 +141,13 @@ bool check_reader(const std::string& path, int number, std::string& error) {
     if (!input || !overruns_memory(input->spec(number)))
         return true;
     error = cannot_read(path, why_overrun);
+    return false;
+}
+
+bool check_reader(const std::string& path, int number, Failure& failure) {
+    if (check_reader(path, number, failure.why))
+        return true;
+    failure.code = code_of_message(failure.why);
     return false;
 }
 

@@ -26,6 +26,7 @@ struct Picture {
     bool has_alpha = false;
     std::vector<Colour> colours; ///< grey as three equal; without colour, the guide's channel
     std::vector<float> guide;
+    std::vector<float> heights; ///< a pixel, in a mesh that is lifted (mesh/heights.h); or none
 };
 
 /// One line that says why the image of a file cannot be read; said: by OpenImageIO, or nothing.
@@ -36,10 +37,11 @@ std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path)
 std::string image_name(const std::string& path, int number = 0);
 
 /// False with one line in `error` if the image of a file makes its reader overrun its memory
-/// (plugin/image/metadata.h), or the file is a pipe, for which readers would wait for ever. To be
-/// asked before an ImageBuf without a cache is made of the file: that of OpenImageIO 2.5 reads
-/// pixels at once.
+/// (plugin/image/metadata.h), or the file is a pipe or a character device, with which readers would
+/// never be done. To be asked before a reader is tried on a file, and before an ImageBuf without a
+/// cache is made of it: that of OpenImageIO 2.5 reads pixels at once.
 bool check_reader(const std::string& path, int number, std::string& error);
+bool check_reader(const std::string& path, int number, Failure& failure);
 
 /// Have an ImageBuf of the image of this number in a file, of which check_reader() was asked, know
 /// its spec. False with one line in `error`, also if the file is cut off (truncated.h), which its

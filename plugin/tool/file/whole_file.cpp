@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "plugin/message/format.h"
 #include "plugin/tool/file/unfinished.h"
 
 namespace ddt::tool {
@@ -138,6 +139,16 @@ bool WholeFile::refuse_folder(const char* how, int number, Failure& failure) con
     return false;
 }
 
+bool WholeFile::refuse_taken(Failure& failure) const {
+    failure = {format("cannot write \"{}\": the names of unfinished files, \"{}\" to \"{}\", are "
+                      "taken; allowed are {} runs at a time, and what another user's left is for "
+                      "that user to remove",
+                      m_path, temporary_name(m_target, 0),
+                      temporary_name(m_target, most_writers - 1), most_writers),
+               exit_resources};
+    return false;
+}
+
 /// Whether the file that is there may be written and, where its folder lets only owners do that,
 /// have another take its place: the system would say so only in the end. (Who has the right by a
 /// capability is not known here.)
@@ -187,7 +198,7 @@ bool WholeFile::open_temporary() {
         if (errno != 0)
             return false;
     }
-    errno = EAGAIN;
+    errno = EEXIST;
     return false;
 }
 
@@ -216,6 +227,8 @@ bool WholeFile::open(const std::string& path, Failure& failure) {
         if (open_temporary())
             m_listed = list_unfinished(m_temporary);
     }
+    if (!m_file && !m_direct && errno == EEXIST)
+        return refuse_taken(failure);
     if (!m_file)
         return !m_direct && is_of_the_folder(errno)
                    ? refuse_folder("cannot be written", errno, failure)

@@ -63,6 +63,7 @@ private:
     bool take(int descriptor);
     bool refuse(int number, Failure& failure) const;
     bool refuse_folder(const char* how, int number, Failure& failure) const;
+    bool refuse_taken(Failure& failure) const;
     bool check_replaceable(Failure& failure) const;
     bool take_after(const struct stat& there, const Attributes& attributes) const;
     void unlist();

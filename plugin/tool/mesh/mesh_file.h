@@ -2,7 +2,9 @@
 // Writing a mesh to a file.
 #pragma once
 
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string>
 
 #include "ddt/mesh.h"
@@ -18,7 +20,7 @@ enum class Fill { flat, gradient, none };
 struct MeshStyle {
     Fill fill = Fill::gradient;
     double lines = 0;  ///< SVG: width of the edges drawn over the triangles, in pixels; 0: none
-    double height = 0; ///< PLY, OBJ: z of a white pixel; z is the guide times this
+    double height = 0; ///< PLY, OBJ: z of a white pixel; z is picture.heights times this
 };
 
 /// Writes a mesh with the picture's colours. Calls progress with the share done.
@@ -45,6 +47,12 @@ std::string wrong_mesh_name(const std::string& path);
 /// Write the file, whole or not at all.
 bool write_mesh(const std::string& path, const Mesh& mesh, const Picture& picture,
                 const MeshStyle& style, const ProgressCallback& progress, Failure& failure);
+
+/// A vertex's z: 0 for all without heights, and where it would not be finite.
+inline float lift(const Picture& picture, size_t vertex, const MeshStyle& style) {
+    const double z = picture.heights.empty() ? 0 : double(picture.heights[vertex]) * style.height;
+    return std::fabs(z) <= double(std::numeric_limits<float>::max()) ? float(z) : 0.0f;
+}
 
 /// A display value as 8 bits; NaN is 0.
 inline int byte_of(float v) {

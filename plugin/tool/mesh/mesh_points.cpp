@@ -3,6 +3,8 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/tool/command/command.h"
+#include "plugin/tool/points/coarse_axis.h"
 #include "plugin/tool/points/point_file.h"
 
 namespace ddt::tool {
@@ -27,9 +29,11 @@ bool optimise_file(const std::string& in, const std::string& out, const MeshOpti
         failure.why = "\"" + in + "\" has no " + (columns.empty() ? "values" : "triangles");
         return false;
     }
+    if (const std::string said = note_on_coarse_axis(points.mesh); !said.empty())
+        note(said);
     const std::vector<float> guide = guide_of(points, columns);
     if (!optimise(points.mesh, guide.data(), options, &report, &failure.why, progress, device)) {
-        failure.code = code_of_message(failure.why);
+        failure = {fault_in(in, points, failure.why), code_of_message(failure.why)};
         return false;
     }
     return write_points(out, points, failure);

@@ -10,8 +10,9 @@ bool write_obj(std::FILE* file, const Mesh& mesh, const Picture& picture, const 
         for (int x = 0; x < mesh.width; ++x) {
             const size_t i = size_t(y) * size_t(mesh.width) + size_t(x);
             const Colour& c = picture.colours[i];
-            std::fprintf(file, "v %d %d %.6g %.6g %.6g %.6g\n", x, mesh.height - 1 - y,
-                         double(picture.guide[i]) * style.height, double(byte_of(c.red)) / 255,
+            // As many digits as a float has.
+            std::fprintf(file, "v %d %d %.9g %.6g %.6g %.6g\n", x, mesh.height - 1 - y,
+                         double(lift(picture, i, style)), double(byte_of(c.red)) / 255,
                          double(byte_of(c.green)) / 255, double(byte_of(c.blue)) / 255);
         }
         if (!progress(0.5f * float(y) / float(mesh.height)))

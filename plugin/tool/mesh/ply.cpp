@@ -51,7 +51,7 @@ bool write_ply(std::FILE* file, const Mesh& mesh, const Picture& picture, const 
             const Colour& c = picture.colours[i];
             record.number(float(x));
             record.number(float(mesh.height - 1 - y));
-            record.number(float(double(picture.guide[i]) * style.height));
+            record.number(lift(picture, i, style));
             for (const float v : {c.red, c.green, c.blue})
                 record.byte(byte_of(v));
             if (picture.has_alpha)

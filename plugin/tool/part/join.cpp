@@ -80,6 +80,8 @@ bool order_channels(PartFile& part, Failure& failure) {
 }
 
 bool read_header(PartFile& part, Failure& failure) {
+    if (!check_reader(part.path, 0, failure))
+        return false;
     part.input = OIIO::ImageInput::open(part.path);
     if (!part.input)
         return cannot_read(part, failure);

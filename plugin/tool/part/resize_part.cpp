@@ -262,15 +262,7 @@ bool open_part(const std::string& path, const OIIO::ImageSpec& spec, ImageFile& 
     return file.open(spec, failure);
 }
 
-/// Whether readers may be tried on the source: to be asked before there is a PartJob.
-bool check_source(const std::string& in, Failure& failure) {
-    if (check_reader(in, 0, failure.why))
-        return true;
-    failure.code = code_of_message(failure.why);
-    return false;
-}
-
-/// What a part is made from and belongs to.
+/// What a part is made from and belongs to. check_reader() is to be asked of the source before.
 struct PartJob {
     explicit PartJob(const std::string& in)
         : path(in), state(in), file(in, 0, {cache_megabytes, true}) {}
@@ -376,6 +368,9 @@ bool is_part_there(const std::string& in, const std::string& out, const ResizeSe
                    Part part) {
     const EndsWithoutMemory or_the_cache_waits;
     PartHeader there;
+    Failure ignored; // whoever makes the part tells
+    if (!check_reader(out, 0, ignored))
+        return false;
     const auto file = OIIO::ImageInput::open(out);
     if (!file) {
         OIIO::geterror(); // 3.x prints what nobody asked for
@@ -383,8 +378,7 @@ bool is_part_there(const std::string& in, const std::string& out, const ResizeSe
     }
     if (!there.read_from(file->spec()))
         return false;
-    Failure ignored; // whoever makes the part tells
-    if (!check_source(in, ignored))
+    if (!check_reader(in, 0, ignored))
         return false;
     PartJob job(in);
     return job.plan(settings, part, ignored) && job.header.job == there.job &&
@@ -394,7 +388,7 @@ bool is_part_there(const std::string& in, const std::string& out, const ResizeSe
 bool resize_part(const std::string& in, const std::string& out, const ResizeSettings& settings,
                  Part part, const ProgressCallback& progress, Failure& failure) {
     const EndsWithoutMemory or_the_cache_waits;
-    if (!check_place(in, out, failure) || !check_source(in, failure))
+    if (!check_place(in, out, failure) || !check_reader(in, 0, failure))
         return false;
     PartJob job(in);
     ImageFile file;

@@ -4,10 +4,15 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/strutil.h>
@@ -82,6 +87,17 @@ std::string written_name(const Column& column) {
     return name;
 }
 
+/// Whether a file is a device that has no end, as far as one can tell: one that is no terminal.
+bool is_endless(const std::string& path) {
+    if (std::error_code ignored; !std::filesystem::is_character_file(path, ignored))
+        return false;
+    const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
+    const bool endless = descriptor >= 0 && !isatty(descriptor);
+    if (descriptor >= 0)
+        close(descriptor);
+    return endless;
+}
+
 /// The bytes of a file. False with errno if they cannot be read.
 bool read_bytes(const std::string& path, std::string& bytes) {
     errno = 0;
@@ -126,6 +142,10 @@ const Column* PointFile::find_meant(const std::string& name) const {
 namespace {
 
 bool read_once(const std::string& path, PointFile& points, Failure& failure) {
+    if (is_endless(path)) {
+        failure = {"\"" + path + "\": it is a device; allowed are files, pipes and terminals"};
+        return false;
+    }
     std::string text;
     if (!read_bytes(path, text)) {
         const int number = errno ? errno : EIO;
@@ -147,6 +167,19 @@ bool read_once(const std::string& path, PointFile& points, Failure& failure) {
 bool read_points(const std::string& path, PointFile& points, Failure& failure) {
     const FileState before(path);
     return before.confirm(read_once(path, points, failure), failure);
+}
+
+std::string fault_in(const std::string& path, const PointFile& points, const std::string& why) {
+    const auto begins = [&](const char* text) { return OIIO::Strutil::starts_with(why, text); };
+    if (!begins("ddt: triangle") && !begins("ddt: the points"))
+        return why;
+    unsigned long triangle = 0;
+    int end = 0;
+    const std::string name = "\"" + path + "\": ";
+    if (std::sscanf(why.c_str(), "ddt: triangle %lu%n", &triangle, &end) == 1 &&
+        triangle < points.faces.size())
+        return name + format("face {}", points.faces[triangle]) + why.substr(size_t(end));
+    return name + why.substr(std::strlen("ddt: "));
 }
 
 bool write_points(const std::string& path, const PointFile& points, Failure& failure) {
@@ -197,29 +230,59 @@ std::vector<const Column*> usual_columns(const PointFile& points) {
     return columns;
 }
 
+namespace {
+
+/// The range of the numbers that are finite, as what makes 0 to 1 of them.
+class Range {
+public:
+    template <class Numbers>
+    explicit Range(const Numbers& numbers) {
+        double high = -INFINITY;
+        for (const double v : numbers)
+            if (std::isfinite(v)) {
+                m_low = std::min(m_low, v);
+                high = std::max(high, v);
+            }
+        m_scale = high > m_low ? 1 / (high - m_low) : 0;
+    }
+    double share(double v) const { return (v - m_low) * m_scale; }
+
+private:
+    double m_low = INFINITY, m_scale = 0;
+};
+
+/// As floats, whose sums and quotients are finite.
+std::vector<double> floats_of(const Column& column) {
+    std::vector<double> values;
+    values.reserve(column.values.size());
+    for (const double v : column.values)
+        values.push_back(double(float(v)));
+    return values;
+}
+
+} // namespace
+
 std::vector<float> guide_of(const PointFile& points, const std::vector<const Column*>& columns) {
     std::vector<const Column*> parts;
     for (const Column* column : columns)
-        if (!column->is_alpha() && parts.size() < 3)
+        if (!column->is_alpha())
             parts.push_back(column);
     if (parts.empty())
         parts = columns;
-    const size_t count = points.mesh.x.size();
-    std::vector<double> mean(count, 0);
-    for (const Column* column : parts)
-        for (size_t i = 0; i < count; ++i)
-            mean[i] += double(float(column->values[i])); // whose sums and quotients are finite
-    double low = INFINITY, high = -INFINITY;
-    for (const double v : mean)
-        if (std::isfinite(v)) {
-            low = std::min(low, v);
-            high = std::max(high, v);
-        }
-    const double scale = high > low ? 1 / (high - low) : 0;
-    std::vector<float> guide(count, 0.0f);
-    for (size_t i = 0; i < count; ++i)
-        if (std::isfinite(mean[i]))
-            guide[i] = float((mean[i] - low) * scale);
+    // Up to three are one quantity's, a colour or a vector. More are not.
+    const bool unlike = parts.size() > 3;
+    std::vector<double> sum(points.mesh.x.size(), 0);
+    for (const Column* column : parts) {
+        const std::vector<double> values = floats_of(*column);
+        const Range range(values);
+        for (size_t i = 0; i < sum.size(); ++i)
+            sum[i] += unlike ? range.share(values[i]) : values[i];
+    }
+    const Range range(sum);
+    std::vector<float> guide(sum.size(), 0.0f);
+    for (size_t i = 0; i < sum.size(); ++i)
+        if (std::isfinite(sum[i]))
+            guide[i] = float(range.share(sum[i]));
     return guide;
 }
 

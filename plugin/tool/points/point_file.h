@@ -29,7 +29,8 @@ inline constexpr const char* colour_columns[][2] = {
     {"red", "R"}, {"green", "G"}, {"blue", "B"}, {"alpha", "A"}};
 
 struct PointFile {
-    PointMesh mesh; ///< with the file's triangles, if it has any
+    PointMesh mesh;              ///< with the file's triangles, if it has any
+    std::vector<uint32_t> faces; ///< of which of the file's faces each of its triangles is
     std::vector<Column> columns;
 
     /// The column of that name, or null.
@@ -39,15 +40,20 @@ struct PointFile {
     const Column* find_meant(const std::string& name) const;
 };
 
-/// Read PLY (text or binary, in either order of bytes; polygons become fans of triangles), known by
-/// its name or first line, or else text: a line that names the columns, x and y among them, then a
-/// line a point; between columns commas, semicolons, tabs or spaces; empty lines and lines that
-/// begin with # are passed over, but for a first line that names columns after a #. In a text, red,
-/// green and blue that are all whole numbers from 0 to 255, some above 1, are bytes, and so is
-/// alpha, by itself; there they may be called R, G, B and A, and alpha A without them.
-/// False with a failure that names file and line, from 1, or vertex or face, as PLY counts them
-/// from 0; also where a position is not finite.
+/// Read PLY (text or binary, in either order of bytes; polygons become triangles, fans where these
+/// lie side by side), known by its name or first line, or else text: a line that names the columns,
+/// x and y among them, then a line a point; between columns commas, semicolons, tabs or spaces, and
+/// between commas or semicolons perhaps nothing: a value that is a NaN, or, at the end of all
+/// lines, no column; empty lines and lines that begin with # or // are passed over, but for a first
+/// line that names columns after these. In a text, red, green and blue that are all whole numbers
+/// from 0 to 255, some above 1, are bytes, and so is alpha, by itself; there they may be called R,
+/// G, B and A, and alpha A without them. False with a failure that names file and line, from 1, or
+/// vertex or face, as PLY counts them from 0; also where a position is not finite.
 bool read_points(const std::string& path, PointFile& points, Failure& failure);
+
+/// What delaunay() or optimise() said of the points of a file, with its name, and the face for the
+/// triangle. What is not about the points stays as it is.
+std::string fault_in(const std::string& path, const PointFile& points, const std::string& why);
 
 /// The number that all of a word is, as C reads it ("1e3", "nan", "0x10"), or none.
 std::optional<double> number_in(const std::string& word);
@@ -67,8 +73,9 @@ bool write_points(WholeFile& file, const PointFile& points, Failure& failure);
 /// there; else z; else all.
 std::vector<const Column*> usual_columns(const PointFile& points);
 
-/// The columns' mean over the first up to three that are not alpha, from 0 at the least to 1 at the
-/// largest: what edges are sought in. Points with a NaN in one of the columns have none.
+/// The sum of the columns that are not alpha, of more than three each as a share of its range, from
+/// 0 at the least to 1 at the largest: what edges are sought in. Points with a NaN in one of the
+/// columns have none.
 std::vector<float> guide_of(const PointFile& points, const std::vector<const Column*>& columns);
 
 } // namespace ddt::tool

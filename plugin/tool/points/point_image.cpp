@@ -7,10 +7,12 @@
 
 #include "plugin/colour/colour_pixels.h"
 #include "plugin/colour/encodings.h"
+#include "plugin/message/format.h"
 #include "plugin/tool/command/command.h"
 #include "plugin/tool/file/fit_format.h"
 #include "plugin/tool/file/image_file.h"
 #include "plugin/tool/file/picture.h"
+#include "plugin/tool/points/window.h"
 
 namespace ddt::tool {
 
@@ -111,6 +113,13 @@ bool write_point_image(const PointFile& points, const std::vector<const Column*>
               &failure.why)) {
         failure.code = code_of_message(failure.why);
         return false;
+    }
+    if (std::count(inside.begin(), inside.end(), uint8_t(0)) == std::ptrdiff_t(inside.size())) {
+        const Window w = window_of(points.mesh);
+        note(format(
+            "\"{}\" is empty: no pixel lies on a triangle; they span {:.12g},{:.12g},{:.12g},"
+            "{:.12g}",
+            path, w.x0, w.y0, w.x1, w.y1));
     }
     if (linear)
         make_linear(columns, drawn, pixels);

@@ -11,6 +11,7 @@
 
 #include "plugin/message/format.h"
 #include "plugin/tool/points/point_file.h"
+#include "plugin/tool/points/polygons.h"
 
 namespace ddt::tool {
 
@@ -130,6 +131,7 @@ public:
             error = m_error;
             return false;
         }
+        mend_fans(m_points);
         return true;
     }
 
@@ -218,13 +220,13 @@ private:
                 return wrong("the file ends before its " + element.name + " elements do");
             if (element.name == "vertex" && !prepare_points(element))
                 return false;
-            for (size_t i = 0; i < element.count; ++i)
+            for (m_item = 0; m_item < element.count; ++m_item)
                 for (size_t p = 0; p < element.properties.size(); ++p)
                     if (!read_value(body, element, p))
                         return m_error.empty()
                                    ? wrong(format("{} {} ends too early or holds what is no number "
                                                   "of its type",
-                                                  element.name, i))
+                                                  element.name, m_item))
                                    : false;
         }
         return m_points.mesh.x.empty() ? wrong("there are no points") : true;
@@ -297,18 +299,21 @@ private:
             if (!v)
                 return false;
             if (corners && !(*v >= 0 && *v < double(most_points) && *v == std::floor(*v)))
-                return wrong("a face has a vertex that there is not");
+                return wrong(format("face {} has a vertex that there is not", m_item));
             if (corners)
                 list.push_back(int32_t(*v));
         }
-        for (size_t i = 2; i < list.size(); ++i)
+        for (size_t i = 2; i < list.size(); ++i) {
             m_points.mesh.triangles.push_back({list[0], list[i - 1], list[i]});
+            m_points.faces.push_back(uint32_t(m_item));
+        }
         return true;
     }
 
     const std::string& m_text;
     PointFile& m_points;
     size_t m_at = 0;
+    size_t m_item = 0; ///< of the element that is read
     Encoding m_encoding = Encoding::text;
     bool m_has_format = false;
     std::vector<Element> m_elements;

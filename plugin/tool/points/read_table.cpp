@@ -2,7 +2,9 @@
 // Points as text: comma-separated values, XYZ files with a header.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <iterator>
+#include <optional>
 
 #include <OpenImageIO/strutil.h>
 
@@ -104,6 +106,25 @@ void find_bytes(PointFile& points) {
             take_as_bytes(columns);
 }
 
+/// The line without the # or // that makes it a comment, or nothing if it is none.
+std::optional<std::string> comment_in(const std::string& line) {
+    for (const char* mark : {"#", "//"})
+        if (OIIO::Strutil::starts_with(line, mark))
+            return std::string(OIIO::Strutil::strip(line.substr(std::strlen(mark))));
+    return {};
+}
+
+/// Remove the columns that separators at the end of every line make: the last ones without a name
+/// and a number.
+void drop_empty_columns(PointFile& points) {
+    const auto is_empty = [](const Column& column) {
+        return column.name.empty() && std::all_of(column.values.begin(), column.values.end(),
+                                                  [](double v) { return std::isnan(v); });
+    };
+    while (!points.columns.empty() && is_empty(points.columns.back()))
+        points.columns.pop_back();
+}
+
 /// Fills in the points of a text, line by line.
 class TableReader {
 public:
@@ -144,12 +165,14 @@ bool TableReader::read_row(const std::string& line, std::string& error) {
         return false;
     }
     for (size_t k = 0; k < cells.size(); ++k) {
-        const std::optional<double> number = number_in(cells[k]);
+        const bool is_value = m_place[k] >= 0;
+        const std::optional<double> number =
+            cells[k].empty() && is_value ? std::nan("") : number_in(cells[k]);
         if (!number) {
             error = format("\"{}\" is no number", cells[k]);
             return false;
         }
-        if (m_place[k] < 0 && !std::isfinite(*number)) {
+        if (!is_value && !std::isfinite(*number)) {
             error = "a position that is not finite";
             return false;
         }
@@ -174,9 +197,9 @@ bool read_table(const std::string& text, PointFile& points, std::string& error) 
         const size_t end = std::min(text.find(line_end, at), text.size());
         std::string line(OIIO::Strutil::strip(text.substr(at, end - at)));
         at = end + 1;
-        const bool comment = !line.empty() && line[0] == '#';
+        const std::optional<std::string> comment = comment_in(line);
         if (comment) // which may hold the names
-            line = reader.has_names() ? "" : std::string(OIIO::Strutil::strip(line.substr(1)));
+            line = reader.has_names() ? "" : *comment;
         if (line.empty())
             continue;
         std::string fault;
@@ -193,6 +216,7 @@ bool read_table(const std::string& text, PointFile& points, std::string& error) 
     }
     if (points.mesh.x.empty())
         error = "there are no points";
+    drop_empty_columns(points);
     find_bytes(points);
     return !points.mesh.x.empty();
 }

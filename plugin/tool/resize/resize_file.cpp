@@ -149,6 +149,8 @@ bool resize_file(const std::string& in, const std::string& out, const ResizeSett
 
 int64_t memory_to_resize(const std::string& in, const std::string& out,
                          const ResizeSettings& settings) {
+    if (Failure ignored; !check_reader(in, 0, ignored))
+        return 0;
     const auto file = OIIO::ImageInput::open(in);
     int64_t most = 0; // of the images, which follow one another
     for (int i = 0; file && file->seek_subimage(i, 0) && (i == 0 || settings.all_images); ++i) {

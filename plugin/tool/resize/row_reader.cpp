@@ -78,7 +78,7 @@ void RowReader::work() {
     for (int y = m_spec.y, next = y; y < end; y = next) {
         next = y + std::min(rows, end - y);
         bool done = false;
-        std::string error = out_of_memory;
+        std::string error = out_of_memory_text;
         try {
             done = read(y, next, error);
         } catch (const std::exception&) { // it is that

@@ -67,7 +67,7 @@ void RowWriter::work() {
         const int end = writable();
         lock.unlock();
         bool written = false;
-        Failure failure{out_of_memory, exit_resources};
+        Failure failure{out_of_memory_text, exit_resources};
         try {
             written = write(m_done, end);
             if (!written)

@@ -39,9 +39,10 @@ bool check_name(const std::string& text, const FrameName& name, bool frames, boo
                 Failure& failure) {
     if (name.has_frame() != frames)
         return refuse("\"" + text + "\" " +
-                          (frames ? "has no place for the frame; allowed are names such as "
-                                    "in.#.exr and in.%04d.exr"
-                                  : "needs frames; give --frames, or an input with them"),
+                          (frames
+                               ? "has no place for the frame in its last part, the "
+                                 "file's name; allowed are names such as in.#.exr and in.%04d.exr"
+                               : "needs frames; give --frames, or an input with them"),
                       failure);
     if (name.has_view() != views)
         return refuse("\"" + text + "\" " +

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <ctime>
 
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "core/triangulate/triangulate.h"
 #include "ddt/names.h"
 #include "growth.h"

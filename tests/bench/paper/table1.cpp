@@ -8,7 +8,7 @@
 #include <map>
 #include <thread>
 
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "core/gl/offload.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/triangulate.h"

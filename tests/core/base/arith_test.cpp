@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/arith.h"
+#include "core/base/float_mode.h"
 
 #include <cfloat>
 #include <cmath>

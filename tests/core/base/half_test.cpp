@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "tests/core/helpers.h"
 
 namespace ddt::test {

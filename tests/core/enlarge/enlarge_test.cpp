@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "core/guide/guide.h"
 #include "core/sample/evaluate.h"
 #include "core/surface/consistency/consistency_rounds.h"

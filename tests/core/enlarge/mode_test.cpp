@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a host has set for floating point neither changes a bit nor is changed.
-#include <cfenv>
 #include <cmath>
 
-#include "core/base/arith.h"
 #include "core/base/codes.h"
 #include "core/base/half.h"
 #include "tests/core/helpers.h"
+#include "tests/core/host_floats.h"
 #include "tests/core/job_helpers.h"
 #include "tests/fnv.h"
 
@@ -87,39 +86,34 @@ std::vector<float> result_of_holes() {
     return sink.values();
 }
 
-class HostsMode : public testing::Test {
-protected:
-    void TearDown() override { std::fesetround(FE_TONEAREST); }
-};
-
-TEST_F(HostsMode, NeitherMattersNorChanges) {
-    for (const bool one_by_one : {false, true})
-        for (const SurfaceOptions& surface : surfaces_with({0, 1})) {
-            const std::vector<float> usual = result(surface, one_by_one);
-            std::fesetround(FE_UPWARD);
-            const std::vector<float> upward = result(surface, one_by_one);
-            EXPECT_EQ(std::fegetround(), FE_UPWARD);
-            std::fesetround(FE_TONEAREST);
-            EXPECT_EQ(fnv(usual), fnv(upward));
-            const DenormalsAreZero as_some_hosts;
-            EXPECT_EQ(fnv(usual), fnv(result(surface, one_by_one)));
+/// Whether a result is the same however the host has floats computed, and the host's mode is what
+/// it was.
+template <class Result>
+void expect_no_difference(Result&& result) {
+    const uint64_t usual = fnv(result());
+    for (const HostMode& mode : host_modes()) {
+        std::vector<float> other;
+        bool unchanged = false;
+        {
+            const HostFloats host(mode);
+            other = result();
+            unchanged = host.unchanged();
         }
+        EXPECT_TRUE(unchanged) << mode.rounding << ' ' << mode.control;
+        EXPECT_EQ(fnv(other), usual) << mode.rounding << ' ' << mode.control;
+    }
 }
 
-TEST_F(HostsMode, NorDoesItOfWhatComesBeforeAndAfter) {
+TEST(HostsMode, NeitherMattersNorChanges) {
+    for (const bool one_by_one : {false, true})
+        for (const SurfaceOptions& surface : surfaces_with({0, 1}))
+            expect_no_difference([&] { return result(surface, one_by_one); });
+}
+
+TEST(HostsMode, NorDoesItOfWhatComesBeforeAndAfter) {
     for (auto* const result :
-         {result_of_buffers, result_of_bytes, result_of_halfs, result_of_holes}) {
-        const std::vector<float> usual = result();
-        for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
-            std::fesetround(mode);
-            const std::vector<float> other = result();
-            EXPECT_EQ(std::fegetround(), mode);
-            std::fesetround(FE_TONEAREST);
-            EXPECT_EQ(fnv(usual), fnv(other)) << mode;
-        }
-        const DenormalsAreZero as_some_hosts;
-        EXPECT_EQ(fnv(usual), fnv(result()));
-    }
+         {result_of_buffers, result_of_bytes, result_of_halfs, result_of_holes})
+        expect_no_difference(result);
 }
 
 } // namespace

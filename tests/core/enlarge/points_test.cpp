@@ -10,20 +10,10 @@
 #include "ddt/names.h"
 #include "tests/core/helpers.h"
 #include "tests/core/plain.h"
+#include "tests/core/random_points.h"
 
 namespace ddt::test {
 namespace {
-
-/// `count` points in a square of 1000 x 1000.
-PointMesh random_points(int count, uint64_t seed) {
-    Random random(seed);
-    PointMesh mesh;
-    for (int i = 0; i < count; ++i) {
-        mesh.x.push_back(random.below(1000000) * 1e-3);
-        mesh.y.push_back(random.below(1000000) * 1e-3);
-    }
-    return mesh;
-}
 
 /// The circle through a, b, c holds no other point. In long double; cases too near to tell pass.
 bool is_delaunay(const PointMesh& mesh) {
@@ -128,11 +118,11 @@ TEST(Delaunay, SaysWhatIsWrong) {
         line.x.push_back(3 * i);
         line.y.push_back(2 * i);
     }
-    EXPECT_EQ(failure_of(line), "ddt: triangles need 3 points that are not on one line");
-    EXPECT_EQ(failure_of({{1, 2}, {5, 3}, {}}),
-              "ddt: triangles need 3 points that are not on one line");
-    EXPECT_EQ(failure_of({{7, 7, 7}, {5, 5, 5}, {}}),
-              "ddt: triangles need 3 points that are not on one line");
+    for (const PointMesh& flat :
+         {line, PointMesh{{1, 2}, {5, 3}, {}}, PointMesh{{7, 7, 7}, {5, 5, 5}, {}},
+          PointMesh{{0, 1e9, 2e9}, {0, 0.1, 0}, {}}})
+        EXPECT_EQ(failure_of(flat), "ddt: triangles need 3 points that are not on one line or too "
+                                    "flat beside their extent");
     EXPECT_NE(failure_of({}).find("1 to"), std::string::npos);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(failure_of({{0, 1, nan}, {0, 1, 5}, {}}),
@@ -269,7 +259,8 @@ TEST(Optimise, RefusesWhatIsNoTriangulation) {
     EXPECT_EQ(failure({}), "ddt: there are no triangles");
     EXPECT_EQ(failure({{0, 1, 2}, {0, 1, 5}}),
               "ddt: triangle 1 has the vertex 5; there are 0 to 4");
-    EXPECT_EQ(failure({{0, 1, 4}}), "ddt: triangle 0 has no area");
+    EXPECT_EQ(failure({{0, 1, 4}}),
+              "ddt: triangle 0 has no area, or too little beside what all span");
     EXPECT_EQ(failure({{0, 1, 2}, {0, 1, 3}}), "ddt: triangle 1 lies over another at one of its "
                                                "edges");
     PointMesh mesh{{0, 4, 0}, {0, 0, 4}, {{0, 1, 2}}};

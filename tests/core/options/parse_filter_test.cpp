@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cfenv>
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "core/gl/offload.h"
 #include "ddt/core.h"
 #include "ddt/names.h"
 #include "ddt/option_table.h"
+#include "tests/core/host_floats.h"
 
 namespace {
 
@@ -181,12 +181,27 @@ TEST(Options, ParsedAlikeHoweverTheHostRounds) {
     ddt::FilterOptions usual, other;
     std::string error;
     ASSERT_TRUE(ddt::parse_filter("ddt-sharp,soft=0.1", usual, error)) << error;
-    std::fesetround(FE_DOWNWARD);
-    const bool parsed = ddt::parse_filter("ddt-sharp,soft=0.1", other, error);
-    std::fesetround(FE_TONEAREST);
-    ASSERT_TRUE(parsed) << error;
-    EXPECT_EQ(other.surface.soft, 0.1f);
-    EXPECT_EQ(other.mesh.blur, usual.mesh.blur);
+    std::string usual_refusal, refusal;
+    EXPECT_FALSE(ddt::parse_filter("ddt,limit=1e50", other, usual_refusal));
+    for (const ddt::test::HostMode& mode : ddt::test::host_modes()) {
+        bool parsed = false, no_number = false, checked = false;
+        {
+            const ddt::test::HostFloats host(mode);
+            parsed = ddt::parse_filter("ddt-sharp,soft=0.1", other, error);
+            ddt::FilterOptions scratch;
+            no_number = ddt::parse_filter("ddt,limit=nan", scratch, error);
+            scratch.mesh.blur = std::numeric_limits<float>::quiet_NaN();
+            checked = ddt::check_options(scratch, error);
+            ddt::parse_filter("ddt,limit=1e50", scratch, refusal);
+        }
+        ASSERT_TRUE(parsed);
+        EXPECT_FALSE(no_number);
+        EXPECT_FALSE(checked);
+        EXPECT_EQ(refusal, usual_refusal);
+        EXPECT_EQ(other.surface.soft, 0.1f);
+        EXPECT_EQ(other.mesh.blur, usual.mesh.blur);
+        EXPECT_EQ(other.mesh.contour, usual.mesh.contour);
+    }
 }
 
 TEST(Options, SubnormalNumbersAreRefused) {

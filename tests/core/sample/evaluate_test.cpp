@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cfloat>
 
+#include "core/base/float_mode.h"
 #include "core/triangulate/triangulate.h"
 #include "tests/core/sample/surface_reader.h"
 

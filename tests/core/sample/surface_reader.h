@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/base/float_mode.h"
 #include "core/sample/evaluate.h"
 #include "tests/core/helpers.h"
 #include "tests/core/surface/slow_surface.h"

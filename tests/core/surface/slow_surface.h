@@ -8,6 +8,7 @@
 #include <map>
 
 #include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "core/surface/control_net.h"
 #include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"

@@ -219,6 +219,33 @@ TEST(HolesOption, Warps) {
     }
 }
 
+TEST(Fill, WritesIntoItsCallersMemory) {
+    const ImageBuf src = holed(false);
+    ImageBuf filled;
+    ASSERT_TRUE(ddt::fill(filled, src)) << filled.geterror();
+    for (const OIIO::TypeDesc& type : {OIIO::TypeFloat, OIIO::TypeHalf}) {
+        const OIIO::ImageSpec spec(width, height, channels, type);
+        std::vector<unsigned char> memory(spec.image_bytes(), 9);
+        ImageBuf dst(spec, memory.data());
+        ASSERT_TRUE(ddt::fill(dst, src)) << dst.geterror();
+        EXPECT_EQ(dst.storage(), ImageBuf::APPBUFFER);
+        const ImageBuf wanted = filled.copy(type);
+        EXPECT_EQ(memory, bytes(wanted));
+    }
+    // In place.
+    std::vector<unsigned char> memory = bytes(src);
+    ImageBuf own(OIIO::ImageSpec(width, height, channels, OIIO::TypeFloat), memory.data());
+    ASSERT_TRUE(ddt::fill(own, own)) << own.geterror();
+    EXPECT_EQ(memory, bytes(filled));
+    // Of another size there is no room.
+    std::vector<float> small(5 * 5 * channels, 9.0f);
+    ImageBuf other(OIIO::ImageSpec(5, 5, channels, OIIO::TypeFloat), small.data());
+    EXPECT_FALSE(ddt::fill(other, src));
+    EXPECT_NE(other.geterror().find("5 x 5 pixels of 4 channels; needed are 40 x 30 of 4"),
+              std::string::npos);
+    EXPECT_EQ(small, std::vector<float>(small.size(), 9.0f));
+}
+
 TEST(HolesOption, SaysWhatCannotBe) {
     ImageBuf src = images::make(8, 8, 1), dst;
     images::fill(src, [](int, int, int) { return nan; });

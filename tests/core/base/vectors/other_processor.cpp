@@ -3,7 +3,7 @@
 // compiles, without a warning, is the test.
 #undef __SSE2__
 #undef __aarch64__
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 
 /// To be called by nobody.
 float half_of_other_processor(float x);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/core/gl/stages/cpu_stages.h"
 
-#include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "core/surface/consistency/consistency_rounds.h"
 #include "core/surface/edge_maker.h"
 #include "core/tiles/channel_groups.h"

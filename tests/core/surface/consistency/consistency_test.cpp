@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/surface/consistency/consistency_rounds.h"
 
+#include "core/base/float_mode.h"
 #include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"
 #include "tests/core/surface/slow_surface.h"

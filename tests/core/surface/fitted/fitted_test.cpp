@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/base/float_mode.h"
 #include "core/surface/consistency/consistency_rounds.h"
 #include "core/surface/fitted/scalar.h"
 #include "core/triangulate/triangulate.h"

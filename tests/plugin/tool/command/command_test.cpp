@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <fstream>
+
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <gtest/gtest.h>
 
+#include "ddt/option_table.h"
 #include "plugin/tool/command/progress.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/file/picture.h"
 #include "plugin/tool/man.h"
+#include "plugin/tool/plugin_file.h"
 #include "tests/plugin/tool/run_command.h"
 #include "tests/temporary.h"
 
@@ -74,6 +79,12 @@ TEST(Commands, TheManualPageHasThemAll) {
             EXPECT_NE(page.find(for_man(flag.name)), std::string::npos) << flag.name;
     }
     EXPECT_NE(page.find(".SH EXIT STATUS"), std::string::npos);
+    const std::string help = overview(commands);
+    for (const char* variable : {"DDT_DEVICE", "DDT_EGL_DEVICE", "DDT_VERBOSE", "OCIO",
+                                 plugin_path_variable, "OPENIMAGEIO_OPTIONS"}) {
+        EXPECT_NE(page.find(std::string(".TP\n.B ") + variable + "\n"), std::string::npos) << page;
+        EXPECT_NE(help.find(std::string("\n  ") + variable + "\n"), std::string::npos) << help;
+    }
     // No line of text that man(7) would take for a macro.
     for (size_t at = page.find('\n'); at + 1 < page.size(); at = page.find('\n', at + 1))
         EXPECT_NE(page[at + 1], '\'');
@@ -108,6 +119,46 @@ TEST(Commands, WrongUsageIsExitCode2AndTellsWhatIsAllowed) {
     const Ran ran = run(make_resize_command(), {scene, "big", temporary("a.png")});
     EXPECT_EQ(ran.code, exit_usage);
     EXPECT_NE(ran.err.find("W%xH%"), std::string::npos) << ran.err;
+}
+
+TEST(Commands, HelpListsTheOptionsThatCount) {
+    const auto listed = [](std::unique_ptr<Command> command) {
+        const Ran ran = run(std::move(command), {"--help"});
+        EXPECT_EQ(ran.code, exit_done);
+        std::string keys;
+        for (const Option& option : option_table())
+            if (ran.out.find(std::string("\n  ") + option.key + "= ") != std::string::npos)
+                keys += std::string(option.key) + ' ';
+        return keys;
+    };
+    std::string all;
+    for (const Option& option : option_table())
+        all += std::string(option.key) + ' ';
+    EXPECT_EQ(listed(make_resize_command()), all);
+    EXPECT_EQ(listed(make_scatter_command()), "cost min_gain iterations scheme seed device ");
+    EXPECT_EQ(listed(make_fill_command()), "light cost iterations scheme seed holes device ");
+    EXPECT_EQ(listed(make_mesh_command()),
+              "light cost blur contour min_gain iterations scheme seed start holes device ");
+}
+
+TEST(Commands, LightThatThereIsNotIsRefusedByThoseThatHaveNoUseForIt) {
+    const std::string points = temporary("light.csv"), out = temporary("light.exr"),
+                      mesh = temporary("light.ply");
+    std::ofstream(points) << "x,y,z\n0,0,1\n1,0,2\n0,1,3\n";
+    for (const char* light : {"auto", "encoded", "sRGB"})
+        EXPECT_EQ(run(make_scatter_command(), {points, out, "--size", "4x4", "--mesh", mesh,
+                                               "--filter", std::string("ddt,light=") + light})
+                      .code,
+                  exit_done);
+    const std::vector<std::string> wrong{"--filter", "ddt,light=NoSuchSpace"};
+    std::filesystem::remove(out);
+    const Ran scattered = run(make_scatter_command(), {points, out, wrong[0], wrong[1]}),
+              flipped = run(make_mesh_command(), {mesh, out, wrong[0], wrong[1]});
+    for (const Ran& ran : {scattered, flipped}) {
+        EXPECT_EQ(ran.code, exit_failed);
+        EXPECT_NE(ran.err.find("\"NoSuchSpace\""), std::string::npos) << ran.err;
+    }
+    EXPECT_FALSE(std::filesystem::exists(out));
 }
 
 TEST(Commands, AfterTwoHyphensAllIsOperands) {

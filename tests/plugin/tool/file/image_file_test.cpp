@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <climits>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -60,6 +61,23 @@ TEST(ImageFile, OfFitsMayBeWide) {
     ASSERT_TRUE(file.begin(path, spec, failure)) << failure.why;
     ASSERT_TRUE(file.write_rows(0, 8, OIIO::TypeUInt8, pixels.data()));
     EXPECT_TRUE(file.commit(failure)) << failure.why;
+}
+
+TEST(ImageFile, WhyAWriterFailedIsToldWhereItDoesNotSayIt) {
+    const std::string path = temporary("large.fits");
+    const OIIO::ImageSpec spec(64, 64, 3, OIIO::TypeFloat);
+    const std::vector<float> pixels(64 * 64 * 3, 0.5f);
+    ImageFile file;
+    Failure failure;
+    std::signal(SIGXFSZ, SIG_IGN);
+    ASSERT_TRUE(file.begin(path, spec, failure)) << failure.why;
+    {
+        const test::ResourceLimit small(RLIMIT_FSIZE, 16384);
+        EXPECT_FALSE(file.write_rows(0, 64, OIIO::TypeFloat, pixels.data()));
+        failure = file.failed();
+    }
+    EXPECT_EQ(failure.why, "cannot write \"" + path + "\": " + std::strerror(EFBIG));
+    EXPECT_EQ(failure.code, exit_resources);
 }
 
 /// What was written to a pipe so far.

@@ -135,6 +135,19 @@ TEST_F(WholeFiles, WhatSomebodyElseLeftIsNot) {
     }
 }
 
+TEST_F(WholeFiles, NamesThatAreAllTakenAreTold) {
+    const auto name = [&](int i) { return path(".out.ddt-" + std::to_string(i) + ".exr"); };
+    for (int i = 0; i < 100; ++i)
+        fs::create_symlink("somebody's", name(i));
+    EXPECT_FALSE(write(path("out.exr"), "whole"));
+    EXPECT_EQ(m_failure.code, exit_resources);
+    for (const std::string& told : {path("out.exr"), name(0), name(99)})
+        EXPECT_NE(m_failure.why.find('"' + told + '"'), std::string::npos) << m_failure.why;
+    EXPECT_EQ(files(), 100u);
+    fs::remove(name(99));
+    EXPECT_TRUE(write(path("out.exr"), "whole")) << m_failure.why;
+}
+
 TEST_F(WholeFiles, AreNoMoreReadableMeanwhileThanWhatTheyReplace) {
     const std::string out = path("out.exr");
     const auto rights = [](const std::string& of) { return fs::status(of).permissions(); };

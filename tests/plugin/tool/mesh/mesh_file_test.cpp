@@ -140,6 +140,7 @@ protected:
             const float v = 2 * x > y + 9 ? 0.8f : 0.1f;
             m_picture.colours.push_back({v, float(x) / w, float(y) / h, 0.5f});
             m_picture.guide.push_back(v);
+            m_picture.heights.push_back(1000.0f * v + 0.123456f * float(x));
         }
         EXPECT_TRUE(build_mesh(m_picture.guide.data(), w, h, {}, m_mesh));
     }
@@ -166,7 +167,7 @@ protected:
             const Colour& c = m_picture.colours[i];
             EXPECT_EQ(v.x, double(i % w));
             EXPECT_EQ(v.y, double(h - 1 - int(i) / w));
-            EXPECT_NEAR(v.z, double(m_picture.guide[i]) * height, 1e-4);
+            EXPECT_EQ(float(v.z), float(double(m_picture.heights[i]) * height)) << i;
             EXPECT_EQ(v.red, byte_of(c.red));
             EXPECT_EQ(v.green, byte_of(c.green));
             EXPECT_EQ(v.blue, byte_of(c.blue));
@@ -197,6 +198,24 @@ TEST_F(MeshFile, Ply) {
     check(contents, -3);
     for (const Vertex& v : contents.vertices)
         EXPECT_EQ(v.alpha, 128);
+}
+
+TEST_F(MeshFile, HeightsThatAreNotFiniteAreNone) {
+    const float infinity = std::numeric_limits<float>::infinity();
+    m_picture.heights[0] = std::nanf("");
+    m_picture.heights[1] = -infinity;
+    m_picture.heights[2] = std::numeric_limits<float>::max();
+    MeshStyle style;
+    style.height = 25;
+    for (const Contents& contents :
+         {read_obj(write(".obj", style)), read_ply(write(".ply", style))}) {
+        for (size_t i = 0; i < 3; ++i)
+            EXPECT_EQ(contents.vertices[i].z, 0) << i;
+        EXPECT_NE(contents.vertices[3].z, 0);
+    }
+    m_picture.heights.clear();
+    for (const Vertex& v : read_ply(write(".ply", style)).vertices)
+        EXPECT_EQ(v.z, 0);
 }
 
 TEST_F(MeshFile, SvgInAllFills) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/part/part.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -230,6 +231,21 @@ TEST(Join, RefusesHeadersThatDoNotFit) {
     EXPECT_TRUE(join({write_half(0, 3, whole, "half"), write_half(1, 3, whole, "half")}, out,
                      progress, failure))
         << failure.why;
+}
+
+TEST(Parts, ArePipesAndDevicesNever) {
+    const std::string pipe = temporary("part_pipe.exr"), device = temporary("part_device.exr");
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    std::filesystem::create_symlink("/dev/zero", device);
+    const auto progress = [](float) { return true; };
+    for (const std::string& path : {pipe, device}) {
+        Failure failure;
+        EXPECT_FALSE(join({path}, temporary("of_none.exr"), progress, failure));
+        EXPECT_EQ(failure.code, exit_failed);
+        EXPECT_EQ(failure.why.rfind("cannot read \"" + path + "\": it is a ", 0), 0u)
+            << failure.why;
+        EXPECT_FALSE(is_part_there(temporary("none.exr"), path, {}, {1, 2}));
+    }
 }
 
 /// Join two halves of a whole, the first of which is changed once progress tells of this share.

@@ -5,6 +5,12 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <sstream>
+#include <thread>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/strutil.h>
@@ -41,8 +47,10 @@ std::string table_error(const std::string& text) {
 
 TEST(PointTable, SeparatorsAndComments) {
     for (const char* text :
-         {"x,y,z\n1,2,3\n4,5,6\n", "# X Y Z\n1 2 3\n\n# more\n4\t5  6\n", "x;y;z\r\n1;2;3\r\n4;5;6",
-          "x,y,z\r1,2,3\r4,5,6\r", "# of 2010, by hand; more\n#\nx,y,z\n1,2,3\n#\n4,5,6\n",
+         {"x,y,z\n1,2,3\n4,5,6\n", "//X Y Z\n1 2 3\n//4 4 4\n4 5 6\n", "x,y,z,\n1,2,3,\n4,5,6,\n",
+          "x;y;z;;\r\n1;2;3; ;\r\n4;5;6;;\r\n", "# X Y Z\n1 2 3\n\n# more\n4\t5  6\n",
+          "x;y;z\r\n1;2;3\r\n4;5;6", "x,y,z\r1,2,3\r4,5,6\r",
+          "# of 2010, by hand; more\n#\nx,y,z\n1,2,3\n#\n4,5,6\n",
           "\"z\", \"x\",\"y\"\n3, 1, 2\n6,4,5\n", "\xEF\xBB\xBFx,y,z\n1,2,3\n4,5,6\n"}) {
         PointFile points;
         std::string error;
@@ -53,6 +61,23 @@ TEST(PointTable, SeparatorsAndComments) {
         EXPECT_EQ(points.columns[0].name, "z");
         EXPECT_EQ(points.columns[0].values, (std::vector<double>{3, 6}));
     }
+}
+
+TEST(PointTable, EmptyCellsAreNoNumbers) {
+    PointFile points;
+    std::string error;
+    ASSERT_TRUE(read_table("x,y,z,,red,green,blue,\n9,1,,7,255,0,0,\n5,6,7,,,,,\n", points, error))
+        << error;
+    EXPECT_EQ(points.mesh.x, (std::vector<double>{9, 5}));
+    ASSERT_EQ(points.columns.size(), 5u); // a column of numbers without a name is one
+    EXPECT_TRUE(std::isnan(points.columns[0].values[0]));
+    EXPECT_EQ(points.columns[0].values[1], 7);
+    EXPECT_EQ(points.columns[1].values[0], 7);
+    EXPECT_EQ(points.columns[2].scale, 255);
+    for (size_t k = 1; k < 5; ++k)
+        EXPECT_TRUE(std::isnan(points.columns[k].values[1])) << k;
+    EXPECT_EQ(table_error("x,y,z\n,1,2\n"), "line 2: \"\" is no number");
+    EXPECT_EQ(table_error("x,y,z\n1,2,3,\n"), "line 2: there are 4 columns, not 3");
 }
 
 TEST(PointTable, SaysWhichLineIsWrong) {
@@ -187,18 +212,100 @@ TEST(Ply, RefusesNonsense) {
                                    "property float y\nelement face 1\n"
                                    "property list uchar uint vertex_indices\nend_header\n0 0\n";
     for (const char* face : {"3 0 0 4294967295", "3 0 0 134217728"})
-        EXPECT_EQ(error_of(with_faces + face), "a face has a vertex that there is not") << face;
+        EXPECT_EQ(error_of(with_faces + face), "face 0 has a vertex that there is not") << face;
     for (const char* face : {"3 0 0 -1", "3 0 0 4294967296", "3 0 0 0.5", "256 0 0 0"})
         EXPECT_EQ(error_of(with_faces + face),
                   "face 0 ends too early or holds what is no number of its type")
             << face;
     std::string floats = with_faces;
     floats.replace(floats.find("uchar uint"), 10, "uchar float");
-    EXPECT_EQ(error_of(floats + "3 0 0 0.5"), "a face has a vertex that there is not");
+    EXPECT_EQ(error_of(floats + "3 0 0 0.5"), "face 0 has a vertex that there is not");
     EXPECT_EQ(error_of("ply\nelement vertex 1\nend_header\n"),
               "the PLY header has no line \"format\"");
     EXPECT_EQ(error_of("ply\nformat ascii 2.0\nend_header\n"),
               "not a line of a PLY header: \"format ascii 2.0\"");
+}
+
+/// A mesh of one face after a triangle far below it, as text.
+std::string with_face(const std::string& vertices, const std::string& face) {
+    const auto count = std::count(vertices.begin(), vertices.end(), '\n');
+    return "ply\nformat ascii 1.0\nelement vertex " + std::to_string(count + 3) +
+           "\nproperty double x\nproperty double y\nproperty float z\nelement face 2\n"
+           "property list uchar int vertex_indices\nend_header\n" +
+           vertices + "0 -9 0\n1 -9 0\n0 -8 0\n3 " + std::to_string(count) + ' ' +
+           std::to_string(count + 1) + ' ' + std::to_string(count + 2) + '\n' + face + '\n';
+}
+
+/// Twice the area of the face's triangles, of which each must have some.
+double area_of_face(const PointFile& points) {
+    double sum = 0;
+    for (size_t i = 1; i < points.mesh.triangles.size(); ++i) {
+        const auto& t = points.mesh.triangles[i];
+        const auto x = [&](size_t k) { return points.mesh.x[size_t(t[k])]; };
+        const auto y = [&](size_t k) { return points.mesh.y[size_t(t[k])]; };
+        const double area = (x(1) - x(0)) * (y(2) - y(0)) - (x(2) - x(0)) * (y(1) - y(0));
+        EXPECT_NE(area, 0);
+        sum += std::fabs(area);
+    }
+    return sum;
+}
+
+TEST(Ply, PolygonsAreTrianglesWhereverTheirCornersBegin) {
+    struct Case {
+        std::string corners;
+        double area; ///< twice
+    };
+    for (const Case& c :
+         {Case{"0 0 0\n2 0 0\n4 0 0\n4 4 1\n0 4 0\n", 32},        // a node on a side
+          Case{"4 0 0\n1 1 0\n0 4 1\n0 0 0\n", 8},                // a reflex corner
+          Case{"0 0 0\n3 0 0\n3 3 0\n2 1 0\n1 3 0\n0 3 0\n", 14}, // two
+          Case{"0 0 0\n1 0 0\n2 0 0\n3 0 0\n0 3 0\n", 9},         // two nodes on a side
+          Case{"0 0 0\n1 0 0\n2 0 0\n3 0 0\n3 1 0\n3 2 0\n3 3 0\n2 3 0\n1 3 0\n0 3 0\n"
+               "0 2 0\n0 1 0\n",
+               18}}) {
+        const auto n = std::count(c.corners.begin(), c.corners.end(), '\n');
+        for (const bool reversed : {false, true})
+            for (std::ptrdiff_t first = 0; first < n; ++first) {
+                std::string face = std::to_string(n);
+                for (std::ptrdiff_t k = 0; k < n; ++k)
+                    face += ' ' + std::to_string((first + (reversed ? n - k : k)) % n);
+                PointFile points;
+                std::string error;
+                ASSERT_TRUE(read_ply(with_face(c.corners, face), points, error)) << error;
+                ASSERT_EQ(points.mesh.triangles.size(), size_t(n) - 1);
+                EXPECT_EQ(points.faces, [&] {
+                    std::vector<uint32_t> faces(size_t(n) - 1, 1);
+                    faces[0] = 0;
+                    return faces;
+                }());
+                EXPECT_EQ(area_of_face(points), c.area) << face;
+                const std::vector<float> guide(points.mesh.x.size(), 0.0f);
+                EXPECT_TRUE(optimise(points.mesh, guide.data(), {}, nullptr, &error)) << error;
+            }
+    }
+}
+
+TEST(Ply, FansThatLieSideBySideStay) {
+    PointFile points;
+    std::string error;
+    ASSERT_TRUE(
+        read_ply(with_face("0 0 0\n4 0 0\n5 3 0\n4 4 1\n0 4 0\n", "5 0 1 2 3 4"), points, error));
+    const std::vector<std::array<int32_t, 3>> fan{{5, 6, 7}, {0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
+    EXPECT_EQ(points.mesh.triangles, fan);
+}
+
+TEST(Ply, FaultsNameTheFileAndTheFace) {
+    const std::string out = temporary("fault.exr");
+    for (const auto& [corners, face, fault] :
+         {std::tuple("0 0 0\n4 0 0\n4 4 0\n0 4 0\n", "4 0 2 1 3", // crosses itself
+                     "face 1 lies over another at one of its edges"),
+          std::tuple("0 0 0\n1 0 0\n2 0 0\n3 0 0\n", "4 0 1 2 3",
+                     "face 1 has no area, or too little beside what all span")}) {
+        const std::string in = write_file("fault.ply", with_face(corners, face)),
+                          told = "ddt: \"" + in + "\": " + fault + "\n";
+        EXPECT_EQ(run(make_scatter_command(), {in, out}).err, told);
+        EXPECT_EQ(run(make_mesh_command(), {in, temporary("out.ply")}).err, told);
+    }
 }
 
 TEST(Ply, WhatIsWrittenReadsTheSame) {
@@ -255,6 +362,19 @@ TEST(PointFile, GuidesAreNumbersWhateverTheValuesAre) {
         for (const float v : guide_of(points, {&column}))
             EXPECT_TRUE(v >= 0 && v <= 1) << v;
     }
+}
+
+TEST(PointFile, GuidesAreOfAllColumns) {
+    PointFile points;
+    points.mesh = {{0, 1, 0, 1}, {0, 0, 1, 1}, {}};
+    const Column x{"nx", "float", 1, {0, 0, 0, 0}}, y{"ny", "float", 1, {1, 1, 1, 1}},
+        z{"nz", "float", 1, {0, 0, 0.25, 0}}, quality{"quality", "float", 1, {0, 1000, 0, NAN}},
+        alpha{"alpha", "float", 1, {0, 0, 0, 9}};
+    using Guide = std::vector<float>;
+    EXPECT_EQ(guide_of(points, {&x, &y, &z, &quality}), (Guide{0, 1, 1, 0}));
+    // Up to three are taken as they are, and alpha is none of them.
+    EXPECT_EQ(guide_of(points, {&x, &y, &z, &alpha}), (Guide{0, 0, 1, 0}));
+    EXPECT_EQ(guide_of(points, {&y, &z, &quality}), (Guide{0, 1, 0.25f / 1000, 0}));
 }
 
 /// A square of 4 x 4 with z = x + 10 y in its corners and middle, as text.
@@ -336,12 +456,34 @@ TEST(ScatterOfAMesh, LeavesOutTrianglesWithACornerThatHasNoNumber) {
         }
     for (const auto& [faces, told] :
          {std::pair("3 0 1 4\n3 0 4 3\n", "no triangle has numbers at its three points"),
-          std::pair("3 1 2 5\n3 1 5 99\n", "has the vertex 99; there are 0 to 4")}) {
+          std::pair("3 1 2 5\n3 1 5 99\n",
+                    "wrong.ply\": face 1 has the vertex 99; there are 0 to 4")}) {
         const std::string wrong = write_file("wrong.ply", header + vertices + faces);
         const Ran failed = run(make_scatter_command(), {wrong, out});
         EXPECT_EQ(failed.code, exit_failed);
         EXPECT_NE(failed.err.find(told), std::string::npos) << failed.err;
     }
+}
+
+TEST(ScatterOfAMesh, VerticesThatNoTriangleUsesDoNotCount) {
+    const auto image = [](const char* name, const std::string& last, const char* count) {
+        const std::string in = write_file(
+            std::string(name) + ".ply",
+            std::string("ply\nformat ascii 1.0\nelement vertex ") + count +
+                "\nproperty double x\nproperty double y\nproperty float z\nelement face 2\n"
+                "property list uchar int vertex_indices\nend_header\n500000 5000000 1\n"
+                "500000.002 5000000 2\n500000 5000000.002 3\n500000.002 5000000.002 4\n" +
+                last + "3 0 1 2\n3 1 3 2\n");
+        const std::string out = temporary(std::string(name) + ".exr");
+        const Ran ran = run(make_scatter_command(), {in, out, "--size", "8x8"});
+        EXPECT_EQ(ran.code, exit_done) << ran.err;
+        EXPECT_EQ(run(make_mesh_command(), {in, temporary("again.ply")}).code, exit_done);
+        return load(out);
+    };
+    const OIIO::ImageBuf wanted = image("square", "", "4"), far = image("far", "0 0 0\n", "5");
+    const auto difference = OIIO::ImageBufAlgo::compare(far, wanted, 0, 0);
+    EXPECT_EQ(difference.maxerror, 0);
+    EXPECT_NEAR(wanted.getchannel(4, 4, 0, 1), 2.4f, 0.2f);
 }
 
 TEST(OnPoints, ScatterKeepsTheShapeOfAnyBox) {
@@ -390,7 +532,10 @@ TEST(OnPoints, ScatterSaysWhatIsWrong) {
                "not on one line"},
           Case{{write_file("nan.csv", "x,y,z\n0,0,nan\n1,1,nan\n2,3,nan\n"), out},
                exit_failed,
-               "points"}}) {
+               "no point has a number in z"},
+          Case{{write_file("nans.csv", "x,y,u,v\n0,0,nan,1\n1,1,1,nan\n2,3,nan,1\n"), out},
+               exit_failed,
+               "no point has a number in u and in v"}}) {
         const Ran ran = run(make_scatter_command(), c.args);
         EXPECT_EQ(ran.code, c.code) << c.told;
         EXPECT_NE(ran.err.find(c.told), std::string::npos) << ran.err;
@@ -437,7 +582,39 @@ TEST(OnPoints, ScatterSaysWhichPointsAreLeftOut) {
     EXPECT_EQ(said(""), "");
     EXPECT_EQ(said("0,0,5\n"), "ddt: 1 of 5 points are left out: they lie where others do, or too "
                                "close to them beside what all span\n");
+    EXPECT_EQ(said("5,5,nan\n"), "ddt: 1 of 5 points are left out: they have no number in z\n");
     EXPECT_EQ(said("0,1e12,1\n1e12,0,1\n").substr(0, 34), "ddt: 3 of 6 points are left out: t");
+}
+
+TEST(OnPoints, AnEmptyImageIsTold) {
+    const std::string in = write_file("plane.csv", plane), out = temporary("empty.exr");
+    const Ran beside =
+        run(make_scatter_command(), {in, out, "--size", "8x8", "--window", "5,0,6,4"});
+    EXPECT_EQ(beside.code, exit_done);
+    EXPECT_EQ(beside.err, "ddt: \"" + out +
+                              "\" is empty: no pixel lies on a triangle; they span "
+                              "0,0,4,4\n");
+    EXPECT_EQ(run(make_scatter_command(), {in, out, "--size", "8x8", "--window", "3,3,9,9"}).err,
+              "");
+}
+
+TEST(OnPoints, AnAxisThatSpansTooLittleIsTold) {
+    const auto said = [&](double x, double y) {
+        std::ostringstream text;
+        text << "x,y,z\n0,0,1\n" << x << ",0,1\n0," << y << ",1\n" << x << ',' << y << ",1\n";
+        const std::string in = write_file("axes.csv", text.str()), out = temporary("axes.exr"),
+                          mesh = temporary("axes.ply");
+        const Ran ran = run(make_scatter_command(), {in, out, "--size", "4x4", "--mesh", mesh});
+        EXPECT_EQ(ran.code, exit_done) << ran.err;
+        EXPECT_EQ(run(make_mesh_command(), {mesh, mesh}).err, ran.err);
+        return ran.err;
+    };
+    EXPECT_EQ(said(8192, 1), "");
+    EXPECT_EQ(said(1, 8192), "");
+    EXPECT_EQ(said(1e9, 10), "ddt: x spans 1e+09 and y 10: along y only 11 positions are told "
+                             "apart; have both span about as much\n");
+    EXPECT_EQ(said(1, 16384), "ddt: x spans 1 and y 16384: along x only 32769 positions are told "
+                              "apart; have both span about as much\n");
 }
 
 TEST(OnPoints, PlyIsKnownByItsFirstLine) {
@@ -449,6 +626,42 @@ TEST(OnPoints, PlyIsKnownByItsFirstLine) {
     EXPECT_EQ(points.mesh.y, std::vector<double>{4});
     ASSERT_TRUE(read_points(write_file("ply.txt", "ply x y\n1 2 3\n"), points, failure));
     EXPECT_EQ(points.columns[0].name, "ply");
+}
+
+TEST(OnPoints, DevicesWithoutAnEndAreRefused) {
+    const std::string zero = temporary("zero.ply");
+    std::filesystem::create_symlink("/dev/zero", zero);
+    for (const bool mesh : {false, true}) {
+        const Ran ran = run(mesh ? make_mesh_command() : make_scatter_command(),
+                            {zero, temporary(mesh ? "zero_mesh.ply" : "zero.exr")});
+        EXPECT_EQ(ran.code, exit_failed);
+        EXPECT_EQ(ran.err, "ddt: \"" + zero +
+                               "\": it is a device; allowed are files, pipes and terminals\n");
+    }
+}
+
+TEST(OnPoints, ComeFromPipesAndTerminalsToo) {
+    const std::string text = "x,y,z\n1,2,3\n", pipe = temporary("points.csv");
+    PointFile points;
+    Failure failure;
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    std::thread writer([&] { std::ofstream(pipe) << text; });
+    EXPECT_TRUE(read_points(pipe, points, failure)) << failure.why;
+    writer.join();
+    EXPECT_EQ(points.mesh.y, std::vector<double>{2});
+
+    const int keyboard = posix_openpt(O_RDWR | O_NOCTTY);
+    if (keyboard < 0 || grantpt(keyboard) != 0 || unlockpt(keyboard) != 0)
+        GTEST_SKIP() << "there are no terminals here";
+    const std::string terminal = ptsname(keyboard);
+    const int held = open(terminal.c_str(), O_RDWR | O_NOCTTY); // or what is typed gets lost
+    ASSERT_GE(held, 0);
+    const std::string typed = text + "\x04"; // the end of what is typed
+    ASSERT_EQ(write(keyboard, typed.data(), typed.size()), ssize_t(typed.size()));
+    EXPECT_TRUE(read_points(terminal, points, failure)) << failure.why;
+    EXPECT_EQ(points.mesh.y, std::vector<double>{2});
+    close(held);
+    close(keyboard);
 }
 
 TEST(ScatterOfAMesh, BringsThePictureBack) {

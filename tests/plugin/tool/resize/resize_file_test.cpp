@@ -330,6 +330,7 @@ TEST(MemoryToResize, CountsBothImagesInTheTypesTheyAreHeldIn) {
     EXPECT_EQ(memory_to_resize(several, temporary("memory2.exr"), settings),
               halfs - 2 * (numbers + large) + 16 * 8 * (5 * 4 + 4 * 5 * 4 + 4));
     EXPECT_EQ(memory_to_resize(temporary("none.exr"), temporary("memory2.exr"), settings), 0);
+    EXPECT_EQ(memory_to_resize("/dev/zero", temporary("memory2.exr"), settings), 0);
 }
 
 TEST(ResizeFile, WhatHasNoFlatPixelsIsRefusedForGood) {

@@ -114,6 +114,7 @@ TEST(Frames, TasksOfACommandLine) {
     };
     for (const Case& c : {Case{"i.exr", "o.#.exr", "1-2", "", "no place for the frame", exit_usage},
                           Case{"i.#.exr", "o.exr", "1-2", "", "no place for the frame", exit_usage},
+                          Case{"f.#/i.exr", "o.#.exr", "1-2", "", "in its last part", exit_usage},
                           Case{"i@2x.png", "o.png", "", "", "no file \"i@2x.png\"", exit_usage},
                           Case{"i.#.exr", "o.#.exr", "1-", "", "1-100x2", exit_usage},
                           Case{"i.%V.exr", "o.%V.exr", "", "", "--views", exit_usage},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/gl/check/self_check.h"
+#include "core/gl/check/job_check.h"
 
 #include <climits>
 #include <cstring>
@@ -10,12 +10,9 @@
 
 #include "core/base/arith.h"
 #include "core/base/float_bits.h"
-#include "core/base/stopwatch.h"
+#include "core/base/float_mode.h"
 #include "core/gl/budget.h"
 #include "core/gl/check/difference.h"
-#include "core/gl/check/tin_check.h"
-#include "core/gl/check/transfer_check.h"
-#include "core/gl/context/failure.h"
 #include "core/gl/context/gpu.h"
 #include "core/gl/host_tile.h"
 #include "core/gl/strip.h"
@@ -278,26 +275,9 @@ std::string scheme_key_of(const MeshOptions& mesh) {
                                               : "one_round";
 }
 
-/// Two jobs of one key use the same programs, and the same branches of those that make or choose
-/// edges or correct vertices.
-std::string key_of(const Job& job) {
-    const MeshOptions& mesh = job.mesh;
-    std::string key = scheme_key_of(mesh) + ' ' + cost_name(mesh.cost);
-    key += mesh.start != Start::flat && DeviceMesh::knows(mesh) ? " diagonal" : "";
-    key += mesh.max_iterations == 0 ? " still" : "";
-    key += mesh.contour > 0 ? " contour" : "";
-    key += job.surface.kind == Surface::linear ? " linear" : " patch";
-    key += job.surface.soft > 0 ? " soft" : "";
-    key += job.surface.consistency > 0 ? " consistency" : "";
-    key += is_fitted(job.surface) ? " fitted" : "";
-    key += job.surface.consistency > 0 && job.surface.clipped ? " clipped" : "";
-    key += mesh.meshes > 1 ? " meshes" : "";
-    return key + (job.channels % group_size == 0 ? " whole groups" : "");
-}
-
-} // namespace
-
-Job check_job(const Job& job) {
+/// The job that is checked in place of `job`. `clipped` and `start` are the job's own: where others
+/// differ in them alone, each is checked.
+Job job_to_check(const Job& job) {
     Job check;
     check.window = window;
     check.channels = job.channels % group_size == 0 ? group_size : group_size + 1;
@@ -323,46 +303,26 @@ Job check_job(const Job& job) {
     return check;
 }
 
-std::string differs_from_cpu(Gpu& gpu, const Job& wanted) {
-    const Job job = check_job(wanted);
-    return difference_of(gpu.context->renderer, key_of(wanted), differs(gpu, job, on_cpu(job)));
+} // namespace
+
+std::string job_differs_from_cpu(Gpu& gpu, const Job& wanted) {
+    const Job job = job_to_check(wanted);
+    return difference_of(gpu.context->renderer, job_key_of(wanted), differs(gpu, job, on_cpu(job)));
 }
 
-const std::string& SelfChecks::differs(Gpu& gpu, const std::string& key,
-                                       const std::function<std::string()>& check) {
-    static const std::string unchecked;
-    if (gpu.context->tested && !tested_too)
-        return unchecked;
-    const auto known = m_differences.find(key);
-    if (known != m_differences.end())
-        return known->second;
-    const Stopwatch watch;
-    const FilledBuffers filled;
-    std::string difference;
-    try {
-        difference = check();
-    } catch (const OutOfMemory&) {
-        throw; // there may be some for the next job
-    } catch (const ContextLost&) {
-        throw; // nothing is asked of the device again
-    } catch (const Failure& e) {
-        difference = e.what(); // as of a program that does not compile, which takes its time
-    }
-    m_milliseconds += watch.milliseconds();
-    return m_differences[key] = std::move(difference);
-}
-
-const std::string& SelfChecks::differs(Gpu& gpu, const Job& job, const Transfer& transfer) {
-    const std::string& there =
-        differs(gpu, transfer_key_of(transfer), [&] { return transfer_differs(gpu, transfer); });
-    if (!there.empty())
-        return there;
-    return differs(gpu, key_of(job), [&] { return differs_from_cpu(gpu, job); });
-}
-
-const std::string& SelfChecks::differs(Gpu& gpu, const MeshOptions& of_points) {
-    return differs(gpu, tin_key_of(of_points),
-                   [&] { return tin_differs_from_cpu(gpu, of_points); });
+std::string job_key_of(const Job& job) {
+    const MeshOptions& mesh = job.mesh;
+    std::string key = scheme_key_of(mesh) + ' ' + cost_name(mesh.cost);
+    key += mesh.start != Start::flat && DeviceMesh::knows(mesh) ? " diagonal" : "";
+    key += mesh.max_iterations == 0 ? " still" : "";
+    key += mesh.contour > 0 ? " contour" : "";
+    key += job.surface.kind == Surface::linear ? " linear" : " patch";
+    key += job.surface.soft > 0 ? " soft" : "";
+    key += job.surface.consistency > 0 ? " consistency" : "";
+    key += is_fitted(job.surface) ? " fitted" : "";
+    key += job.surface.consistency > 0 && job.surface.clipped ? " clipped" : "";
+    key += mesh.meshes > 1 ? " meshes" : "";
+    return key + (job.channels % group_size == 0 ? " whole groups" : "");
 }
 
 } // namespace ddt::gl

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every program is checked before it is used, and a check that fails is heeded. Software renderers
-// are checked here as hardware is elsewhere.
-#include "core/gl/check/self_check.h"
-
+// Every program of a job is checked before it is used, and a check that fails is heeded. Software
+// renderers are checked here as hardware is elsewhere.
 #include <algorithm>
 #include <optional>
 #include <set>
 #include <utility>
 
-#include "core/gl/context/failure.h"
 #include "core/gl/context/faults.h"
 #include "core/gl/context/gpu.h"
 #include "core/gl/job_programs.h"
@@ -102,7 +99,7 @@ std::vector<Order> orders() {
     return all;
 }
 
-class SelfCheck : public OnDevice {
+class JobCheck : public OnDevice {
 protected:
     void SetUp() override {
         OnDevice::SetUp();
@@ -110,8 +107,6 @@ protected:
     }
     void TearDown() override {
         gl::change_constant("", "", "");
-        gl::arm(gl::Fault::allocation, 0);
-        gl::arm(gl::Fault::shader, 0);
         gl::forget_devices();
     }
 
@@ -141,7 +136,7 @@ std::set<std::string> expected_of(const Job& job) {
     return all;
 }
 
-TEST_P(SelfCheck, EveryProgramIsCheckedBeforeItIsUsedAndAWrongOneIsNot) {
+TEST_P(JobCheck, EveryProgramIsCheckedBeforeItIsUsedAndAWrongOneIsNot) {
     std::set<std::string> proved;
     for (const int channels : {3, 4}) {
         const Picture picture = make_picture(Content::photo, 24, 20, channels, 4);
@@ -202,7 +197,7 @@ void APIENTRY dispatch_some(GLuint x, GLuint y, GLuint z) {
 }
 
 // What repeats a dispatch until all is done would repeat it for ever.
-TEST_P(SelfCheck, ADeviceOnWhichADispatchDoesNothingIsNotUsed) {
+TEST_P(JobCheck, ADeviceOnWhichADispatchDoesNothingIsNotUsed) {
     const Picture picture = make_picture(Content::photo, 24, 20, 3, 4);
     Order order;
     order.out_width = 60;
@@ -243,7 +238,7 @@ void APIENTRY get_shader(GLuint shader, GLenum what, GLint* answer) {
 }
 
 // Drivers compile one beside the other only as long as nobody waits for one.
-TEST_P(SelfCheck, AllProgramsAreBegunBeforeOneIsWaitedFor) {
+TEST_P(JobCheck, AllProgramsAreBegunBeforeOneIsWaitedFor) {
     gl::Gpu& device = fresh_device();
     device.thread
         .post([&] {
@@ -268,7 +263,7 @@ TEST_P(SelfCheck, AllProgramsAreBegunBeforeOneIsWaitedFor) {
 }
 
 // What one of the paper's schemes proves of its program another may have no use for.
-TEST_P(SelfCheck, SchemesThatTakeOtherBranchesAreCheckedEach) {
+TEST_P(JobCheck, SchemesThatTakeOtherBranchesAreCheckedEach) {
     gl::Gpu& device = fresh_device();
     Job job = plain_job();
     const auto check = [&] {
@@ -289,7 +284,7 @@ TEST_P(SelfCheck, SchemesThatTakeOtherBranchesAreCheckedEach) {
 }
 
 // Of what is not cut off a check proves nothing for what is, nor the other way round.
-TEST_P(SelfCheck, VerticesThatAreClippedAreCheckedApart) {
+TEST_P(JobCheck, VerticesThatAreClippedAreCheckedApart) {
     const Picture picture = make_picture(Content::photo, 24, 20, 3, 4);
     Order order;
     order.out_width = 60;
@@ -318,7 +313,7 @@ TEST_P(SelfCheck, VerticesThatAreClippedAreCheckedApart) {
 }
 
 // The same of how cells are divided at first.
-TEST_P(SelfCheck, DiagonalStartsAreCheckedApart) {
+TEST_P(JobCheck, DiagonalStartsAreCheckedApart) {
     const Picture picture = make_picture(Content::photo, 24, 20, 3, 4);
     Order order;
     order.out_width = 60;
@@ -340,33 +335,8 @@ TEST_P(SelfCheck, DiagonalStartsAreCheckedApart) {
         }
 }
 
-TEST_P(SelfCheck, AFailureIsRememberedUnlessTheNextJobMayHaveMoreMemory) {
-    gl::Gpu& device = fresh_device();
-    const auto check = [&] {
-        return device.thread.post([&] { return device.checks.differs(device, plain_job()); });
-    };
-    gl::arm(gl::Fault::allocation, 1);
-    EXPECT_THROW(check().get(), gl::OutOfMemory);
-    gl::arm(gl::Fault::allocation, 0);
-    gl::arm(gl::Fault::shader, 1);
-    EXPECT_NE(check().get().find("glCompileShader"), std::string::npos);
-    EXPECT_NE(check().get().find("glCompileShader"), std::string::npos);
-    EXPECT_EQ(gl::chances(gl::Fault::shader), 1) << "compiled again";
-    gl::arm(gl::Fault::shader, 0);
-}
-
-TEST_P(SelfCheck, SoftwareIsNotCheckedUnlessAskedTo) {
-    gl::Gpu& device = fresh_device();
-    if (!device.context->software)
-        GTEST_SKIP() << device.context->renderer << " is hardware";
-    device.checks.tested_too = false;
-    device.thread.post([&] { EXPECT_EQ(device.checks.differs(device, Job()), ""); }).get();
-    EXPECT_EQ(programs_of(device), std::set<std::string>());
-    EXPECT_EQ(device.checks.milliseconds(), 0.0);
-}
-
 // On one device: what is checked is the same code on all, and compiles for most of the time.
-INSTANTIATE_TEST_SUITE_P(Devices, SelfCheck, testing::Values(Device::egl), device_name);
+INSTANTIATE_TEST_SUITE_P(Devices, JobCheck, testing::Values(Device::egl), device_name);
 
 } // namespace
 } // namespace ddt::test
