@@ -47,7 +47,7 @@ int entry(const char* action, const void* handle, Properties in, Properties out)
     const Caught caught = guarded_call(nullptr, [&] {
         status = act(action ? action : "", static_cast<Effect>(const_cast<void*>(handle)), in, out);
     });
-    return caught == Caught::out_of_memory ? out_of_memory_text
+    return caught == Caught::out_of_memory ? out_of_memory
            : caught == Caught::nothing     ? status
                                            : failed;
 }

@@ -165,7 +165,7 @@ int render_part(Effect effect, const SourceClip& source, const Image& from, cons
     // The host does not look at what is left of a render that it stopped: that is no failure.
     const bool stopped = outcome == Outcome::cancelled && !watch.closed();
     return outcome == Outcome::done || stopped ? int(ok)
-           : outcome == Outcome::out_of_memory ? int(out_of_memory_text)
+           : outcome == Outcome::out_of_memory ? int(out_of_memory)
                                                : int(failed);
 }
 
