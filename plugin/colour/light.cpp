@@ -42,6 +42,24 @@ std::vector<Triple> probes() {
     return list;
 }
 
+/// Whether colours of 0 to 1 come back to within a hundredth: where OpenColorIO's inverses are
+/// steep, as those of HLG and PQ near black, they do to within half of that; from a rendering they
+/// do not by far.
+bool come_back(const Light::Exact& to_light, const Light::Exact& from_light) {
+    constexpr int steps = 8;
+    std::vector<float> colours;
+    for (int r = 0; r <= steps; ++r)
+        for (int g = 0; g <= steps; ++g)
+            for (int b = 0; b <= steps; ++b)
+                for (const int v : {r, g, b})
+                    colours.push_back(float(v) / float(steps));
+    std::vector<float> back = colours;
+    to_light(back.data(), back.size() / 3);
+    from_light(back.data(), back.size() / 3);
+    return std::equal(back.begin(), back.end(), colours.begin(),
+                      [](float a, float b) { return std::fabs(a - b) <= 0.01f; });
+}
+
 } // namespace
 
 Light Light::linear(const std::array<float, 3>& luma) {
@@ -60,11 +78,17 @@ bool Light::is_none(const Exact& exact) {
     });
 }
 
-Light Light::whole(Exact to_light, Exact from_light, const std::array<float, 3>& luma) {
+Light Light::converting(Exact to_light, Exact from_light, const std::array<float, 3>& luma) {
     Light light = linear(luma);
     light.m_to_light = std::move(to_light);
     light.m_from_light = std::move(from_light);
     light.m_keeps_unit = false;
+    return light;
+}
+
+Light Light::whole(Exact to_light, Exact from_light, const std::array<float, 3>& luma) {
+    Light light = converting(std::move(to_light), std::move(from_light), luma);
+    light.m_comes_back = come_back(light.m_to_light, light.m_from_light);
     return light;
 }
 
@@ -73,7 +97,7 @@ bool Light::curves(Exact to_light, Exact from_light, const std::array<float, 3>&
     auto to_curves = std::make_shared<Curves>(), from_curves = std::make_shared<Curves>();
     if (!make_curves(to_light, *to_curves) || !make_curves(from_light, *from_curves))
         return false;
-    light = whole(std::move(to_light), std::move(from_light), luma);
+    light = converting(std::move(to_light), std::move(from_light), luma);
     light.m_to_curves = to_curves;
     light.m_from_curves = from_curves;
     auto codes = std::make_shared<CodeTable>();

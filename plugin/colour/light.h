@@ -27,7 +27,7 @@ public:
     /// False if the conversions are not a curve a channel, or none that the tables follow closely.
     static bool curves(Exact to_light, Exact from_light, const std::array<float, 3>& luma,
                        Light& light);
-    /// Pixel by pixel through the conversions given.
+    /// Pixel by pixel through the conversions given, whether or not comes_back().
     static Light whole(Exact to_light, Exact from_light, const std::array<float, 3>& luma);
     /// True if a conversion changes nothing.
     static bool is_none(const Exact& exact);
@@ -40,8 +40,14 @@ public:
     /// True if 0 and 1 of each channel are 0 and 1 in linear light too.
     bool keeps_unit() const { return m_keeps_unit; }
 
-    /// Convert `count` packed RGB triples in place. There and back gives the numbers again to
-    /// within 2^-20 of them or better. Numbers that are not finite stay what they are.
+    /// False if colours of 0 to 1 become others by more than a hundredth on the way there and back:
+    /// they are not to be converted. (A rendering cuts colours off.)
+    bool comes_back() const { return m_comes_back; }
+
+    /// Convert `count` packed RGB triples in place. There and back gives the numbers again: by
+    /// curves to within 2^-20 of them or better, where they have an inverse (a table of a config's
+    /// cuts off what is beyond its ends); else as exactly as OpenColorIO's conversions undo one
+    /// another. Numbers that are not finite stay what they are.
     void to_light(float* rgb, size_t count) const;
     void from_light(float* rgb, size_t count) const;
 
@@ -58,6 +64,8 @@ private:
         std::array<Curve, 3> channel;
         bool same = false; ///< all three are the first
     };
+    /// Of conversions that are not tabled yet.
+    static Light converting(Exact to_light, Exact from_light, const std::array<float, 3>& luma);
     static bool make_curves(const Exact& exact, Curves& curves);
     static void apply(const Exact& exact, const Curves* curves, float* rgb, size_t count);
     static void apply_alike(const Exact& exact, const Curves& curves, float* values, size_t count);
@@ -65,6 +73,7 @@ private:
 
     bool m_known = false;
     bool m_keeps_unit = true;
+    bool m_comes_back = true;
     std::array<float, 3> m_luma{luminance_weights[0], luminance_weights[1], luminance_weights[2]};
     Exact m_to_light, m_from_light;
     std::shared_ptr<const Curves> m_to_curves, m_from_curves; ///< null: not a curve a channel

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <list>
 #include <mutex>
@@ -12,69 +11,18 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "core/base/log.h"
 #include "core/base/one_line.h"
 #include "plugin/colour/colour_lock.h"
 #include "plugin/colour/config.h"
+#include "plugin/colour/own_light.h"
+#include "plugin/colour/processor.h"
 #include "plugin/message/format.h"
 
 namespace ddt {
 namespace {
 
 namespace OCIO = OCIO_NAMESPACE;
-using Matrix = std::array<double, 9>; // row by row
-using Triple = std::array<float, 3>;
-
-void run(const OCIO::ConstCPUProcessorRcPtr& processor, float* rgb, size_t count) {
-    OCIO::PackedImageDesc pixels(rgb, long(count), 1, 3);
-    processor->apply(pixels);
-}
-
-Triple run(const OCIO::ConstCPUProcessorRcPtr& processor, Triple rgb) {
-    run(processor, rgb.data(), 1);
-    return rgb;
-}
-
-// Lossless: no approximations of pow, so that machines agree as far as their libm does.
-OCIO::ConstCPUProcessorRcPtr processor_of(const OCIO::ConstConfigRcPtr& config,
-                                          const OCIO::ConstTransformRcPtr& transform,
-                                          OCIO::TransformDirection direction) {
-    return config->getProcessor(transform, direction)
-        ->getOptimizedCPUProcessor(OCIO::BIT_DEPTH_F32, OCIO::BIT_DEPTH_F32,
-                                   OCIO::OPTIMIZATION_LOSSLESS);
-}
-
-double determinant(const Matrix& m) {
-    return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
-           m[2] * (m[3] * m[7] - m[4] * m[6]);
-}
-
-/// The matrix that an otherwise separable conversion ends with: what it makes of pure red, green
-/// and blue, above black. The unit matrix when it has no such meaning or is all but that.
-Matrix primaries(const OCIO::ConstCPUProcessorRcPtr& processor) {
-    const Matrix unit{1, 0, 0, 0, 1, 0, 0, 0, 1};
-    const Triple black = run(processor, {0, 0, 0});
-    Matrix m{};
-    for (int c = 0; c < 3; ++c) {
-        Triple pure{0, 0, 0};
-        pure[c] = 1;
-        const Triple out = run(processor, pure);
-        for (int r = 0; r < 3; ++r)
-            m[3 * r + c] = double(out[r]) - double(black[r]);
-    }
-    const bool is_unit = std::equal(m.begin(), m.end(), unit.begin(),
-                                    [](double a, double b) { return std::fabs(a - b) <= 1e-6; });
-    const double det = determinant(m);
-    return is_unit || !std::isfinite(det) || std::fabs(det) < 1e-9 ? unit : m;
-}
-
-OCIO::MatrixTransformRcPtr matrix_transform(const Matrix& m, OCIO::TransformDirection direction) {
-    auto transform = OCIO::MatrixTransform::Create();
-    const double m44[16] = {m[0], m[1], m[2], 0, m[3], m[4], m[5], 0,
-                            m[6], m[7], m[8], 0, 0,    0,    0,    1};
-    transform->setMatrix(m44);
-    transform->setDirection(direction);
-    return transform;
-}
 
 Light::Exact exact(const OCIO::ConstConfigRcPtr& config, const OCIO::ConstTransformRcPtr& transform,
                    OCIO::TransformDirection direction) {
@@ -82,40 +30,53 @@ Light::Exact exact(const OCIO::ConstConfigRcPtr& config, const OCIO::ConstTransf
     return [processor](float* rgb, size_t count) { run(processor, rgb, count); };
 }
 
-/// Throws OCIO::Exception.
-Light light_of(const Space& found) {
-    if (!found.space || found.space->isData())
-        return {};
-    const auto linear = found.config->getColorSpace(OCIO::ROLE_SCENE_LINEAR);
-    if (!linear)
-        return {};
-    auto to_linear = OCIO::ColorSpaceTransform::Create();
-    to_linear->setSrc(found.space->getName());
-    to_linear->setDst(linear->getName());
+WayToLight way_to_scene_linear(const Space& found) {
+    auto transform = OCIO::ColorSpaceTransform::Create();
+    transform->setSrc(found.space->getName());
+    transform->setDst(found.config->getColorSpace(OCIO::ROLE_SCENE_LINEAR)->getName());
+    WayToLight way{transform, {}};
+    found.config->getDefaultLumaCoefs(way.luma.data());
+    return way;
+}
+
+/// The light that a way leads to, or that of the primaries it starts from.
+Light light_by(const WayToLight& way, const OCIO::ConstConfigRcPtr& config) {
     const Matrix matrix =
-        primaries(processor_of(found.config, to_linear, OCIO::TRANSFORM_DIR_FORWARD));
+        primaries(processor_of(config, way.transform, OCIO::TRANSFORM_DIR_FORWARD));
     auto to_light = OCIO::GroupTransform::Create();
-    to_light->appendTransform(to_linear);
+    to_light->appendTransform(way.transform->createEditableCopy());
     to_light->appendTransform(matrix_transform(matrix, OCIO::TRANSFORM_DIR_INVERSE));
 
-    double luma[3];
-    found.config->getDefaultLumaCoefs(luma);
+    const std::array<double, 3>& luma = way.luma;
     std::array<float, 3> own_luma;
     for (size_t c = 0; c < 3; ++c)
         own_luma[c] =
             float(luma[0] * matrix[c] + luma[1] * matrix[3 + c] + luma[2] * matrix[6 + c]);
 
-    const auto forward = exact(found.config, to_light, OCIO::TRANSFORM_DIR_FORWARD);
+    const auto forward = exact(config, to_light, OCIO::TRANSFORM_DIR_FORWARD);
     if (Light::is_none(forward))
         return Light::linear(own_luma);
     Light light;
-    if (Light::curves(forward, exact(found.config, to_light, OCIO::TRANSFORM_DIR_INVERSE), own_luma,
+    if (Light::curves(forward, exact(config, to_light, OCIO::TRANSFORM_DIR_INVERSE), own_luma,
                       light))
         return light;
     // Nothing gained by leaving the matrix out, and the light is then the config's own.
-    return Light::whole(exact(found.config, to_linear, OCIO::TRANSFORM_DIR_FORWARD),
-                        exact(found.config, to_linear, OCIO::TRANSFORM_DIR_INVERSE),
+    return Light::whole(exact(config, way.transform, OCIO::TRANSFORM_DIR_FORWARD),
+                        exact(config, way.transform, OCIO::TRANSFORM_DIR_INVERSE),
                         {float(luma[0]), float(luma[1]), float(luma[2])});
+}
+
+/// Throws OCIO::Exception.
+Light light_of(const Space& found) {
+    if (!found.space || found.space->isData() ||
+        !found.config->getColorSpace(OCIO::ROLE_SCENE_LINEAR))
+        return {};
+    if (!is_tone_mapped(found)) {
+        Light light = light_by(way_to_scene_linear(found), found.config);
+        if (light.comes_back())
+            return light;
+    }
+    return light_by(own_light(found), found.config);
 }
 
 /// $OCIO, the space, and whether an image names it.
@@ -173,6 +134,16 @@ std::shared_ptr<const Light> find_light(const std::string& option, const std::st
             return nullptr;
         }
         auto light = std::make_shared<const Light>(light_of(space));
+        if (!light->comes_back() && !by_image) {
+            error = "light=" + name +
+                    ": the OCIO config's way from this space to linear light and back changes "
+                    "colours; allowed are auto, encoded, and spaces whose colours come back";
+            return nullptr;
+        }
+        if (!light->comes_back())
+            say("ddt: colour space \"%s\": the OCIO config's way to linear light and back changes "
+                "colours; the numbers are used as they are",
+                name.c_str());
         known->add(key, light);
         return light;
     } catch (const OCIO::Exception& e) {

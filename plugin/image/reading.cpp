@@ -85,13 +85,14 @@ bool plan_reading(const OIIO::ImageBuf& src, const Options& options, const OIIO:
         if (found)
             light = found;
     }
+    const bool as_it_is = encoded || !light->comes_back();
     // Numbers that are not converted are looked at as they are when they are an encoding, or
     // integers of which nobody says: those mostly are one, also where a host holds a file's
     // integers as floats.
-    const bool linear = light->known() ? !(encoded && light->converts())
+    const bool linear = light->known() ? !(as_it_is && light->converts())
                                        : spec.format.is_floating_point() && !of_integers(src);
     reading.guide = recipe(reading.channels, *light, linear);
-    if (!encoded)
+    if (!as_it_is)
         reading.light = *light;
     // IDs are neither NaN nor to be interpolated.
     const bool fill = options.holes != Holes::keep && !reading.channels.raw;

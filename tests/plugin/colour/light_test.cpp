@@ -72,6 +72,63 @@ colorspaces:
         return path;
     }
 
+    /// A config with displays, whose view transforms, the first of which counts, are given. Its
+    /// luma is none of CIE's, which tells whose light a display's is.
+    static std::string write_displays(const std::string& view_transforms) {
+        static int count = 0;
+        const std::string path = ddt::temporary("displays" + std::to_string(++count) + ".ocio");
+        std::ofstream(path) << R"(ocio_profile_version: 2
+luma: [0.5, 0.25, 0.25]
+roles: {default: raw, scene_linear: ACES2065-1}
+displays:
+  none:
+    - !<View> {name: raw, colorspace: raw}
+)" + view_transforms + R"(
+display_colorspaces:
+  - !<ColorSpace>
+    name: XYZ
+  - !<ColorSpace>
+    name: sRGB - Display
+    from_display_reference: !<BuiltinTransform> {style: DISPLAY - CIE-XYZ-D65_to_sRGB}
+  - !<ColorSpace>
+    name: PQ - Display
+    from_display_reference: !<BuiltinTransform> {style: DISPLAY - CIE-XYZ-D65_to_REC.2100-PQ}
+colorspaces:
+  - !<ColorSpace>
+    name: ACES2065-1
+  - !<ColorSpace>
+    name: raw
+    isdata: true
+  - !<ColorSpace>
+    name: ACEScc
+    to_scene_reference: !<BuiltinTransform> {style: ACEScc_to_ACES2065-1}
+)";
+        return path;
+    }
+
+    /// The widest that colours of 0 to 1 come back from.
+    static float lost(const ddt::Light& l) {
+        float worst = 0;
+        for (int i = 0; i < 17 * 17 * 17; ++i) {
+            const float colour[3] = {float(i % 17) / 16, float(i / 17 % 17) / 16,
+                                     float(i / 289) / 16};
+            float v[3] = {colour[0], colour[1], colour[2]};
+            l.to_light(v, 1);
+            l.from_light(v, 1);
+            for (int c = 0; c < 3; ++c)
+                worst = std::max(worst, std::fabs(v[c] - colour[c]));
+        }
+        return worst;
+    }
+
+    static constexpr const char* tone_mapping = R"(view_transforms:
+  - !<ViewTransform>
+    name: tone mapping
+    from_scene_reference: !<BuiltinTransform> {style: ACES-OUTPUT - ACES2065-1_to_CIE-XYZ-D65 - SDR-VIDEO_1.0}
+  - !<ViewTransform>
+    name: plain
+    from_scene_reference: !<BuiltinTransform> {style: UTILITY - ACES-AP0_to_CIE-XYZ-D65_BFD})";
+
 private:
     const ddt::Environment m_none_named{"OCIO", std::nullopt};
 };
@@ -311,6 +368,111 @@ TEST_F(LightTest, LogarithmicSpaceComesBack) {
     EXPECT_TRUE(std::isnan(v[5]));
     log->from_light(v, 2);
     EXPECT_TRUE(std::isfinite(v[0]));
+}
+
+// PQ's numbers went through what ACES makes of 100 nits, and came back with its brightest.
+TEST_F(LightTest, ADisplaysIsNotToneMapped) {
+    const std::string gone = R"(view_transforms:
+  - !<ViewTransform>
+    name: gone
+    from_scene_reference: !<FileTransform> {src: nowhere.cube})";
+    for (const std::string& transforms : {std::string(tone_mapping), std::string(), gone}) {
+        const ddt::Environment ocio("OCIO", write_displays(transforms));
+        for (const char* option : {"auto", "PQ - Display"}) {
+            const auto pq = light("PQ - Display", option);
+            // SMPTE ST 2084: 100 and 1000 nits.
+            EXPECT_NEAR(to(*pq, 0.751827f, 0.508078f, 0)[0] / to(*pq, 0, 0.508078f, 1)[1], 10,
+                        0.01);
+            EXPECT_LT(lost(*pq), 2e-6f);
+            EXPECT_NEAR(pq->luma()[1], 0.678f, 1e-3f); // of Rec. 2020's green
+        }
+        const auto srgb = light("sRGB - Display");
+        EXPECT_NEAR(to(*srgb, 0.5f, 0, 1)[0], 0.2140411f, 1e-5f);
+        EXPECT_NEAR(to(*srgb, 0.5f, 0, 1)[1], 0, 1e-6f);
+        EXPECT_NEAR(srgb->luma()[0], 0.2126f, 1e-4f);
+        EXPECT_TRUE(srgb->alike());
+        EXPECT_FALSE(light("XYZ")->converts());
+        EXPECT_EQ(light("XYZ")->luma()[1], 1.0f);
+    }
+}
+
+TEST_F(LightTest, ADisplaysIsSceneLinearWhereThatIsTheSame) {
+    const std::string path =
+        write_displays("default_view_transform: plain\n" + std::string(tone_mapping));
+    const ddt::Environment ocio("OCIO", path);
+    const auto srgb = light("sRGB - Display");
+    EXPECT_NEAR(to(*srgb, 0.5f, 0, 1)[0], 0.2140411f, 1e-5f);
+    // The config's luma of AP0, 0.5 of what is red there.
+    EXPECT_NEAR(srgb->luma()[0], 0.5 * 0.4397 + 0.25 * 0.0898 + 0.25 * 0.0175, 1e-3);
+}
+
+// ACEScc has no colours that are negative in AP0.
+TEST_F(LightTest, PrimariesThatCutColoursOffAreLeftOut) {
+    const ddt::Environment ocio("OCIO", write_displays(tone_mapping));
+    const auto cc = light("ACEScc");
+    EXPECT_LT(lost(*cc), 2e-6f);
+    const auto& luma = cc->luma(); // of AP1 in AP0, whose whites are the same
+    EXPECT_NEAR(luma[0], 0.5 * 0.6955 + 0.25 * 0.0448 - 0.25 * 0.0055, 1e-3);
+    EXPECT_NEAR(luma[0] + luma[1] + luma[2], 1, 1e-4);
+}
+
+class LossyTest : public LightTest {
+protected:
+    /// A picture of one colour that the space "cut" has no light for, enlarged.
+    static float enlarged(const std::string& option, std::string& error) {
+        auto src = images::make(4, 4, 3, OIIO::TypeFloat);
+        images::fill(src, [](int, int, int c) { return c == 0 ? 0.9f : 0.5f; });
+        src.specmod().attribute("oiio:ColorSpace", "cut");
+        ddt::Options options;
+        options.light = option;
+        OIIO::ImageBuf dst;
+        if (!ddt::resize(dst, src, options, OIIO::ROI(0, 8, 0, 8, 0, 1))) {
+            error = dst.geterror();
+            return -1;
+        }
+        return images::value(dst, 4, 4, 0);
+    }
+
+private:
+    static std::string write() {
+        const std::string path = ddt::temporary("lossy.ocio");
+        std::ofstream(path) << R"(ocio_profile_version: 2
+roles: {default: raw, scene_linear: linear}
+displays:
+  none:
+    - !<View> {name: raw, colorspace: raw}
+colorspaces:
+  - !<ColorSpace>
+    name: linear
+  - !<ColorSpace>
+    name: raw
+    isdata: true
+  - !<ColorSpace>
+    name: cut
+    to_scene_reference: !<GroupTransform>
+      children:
+        - !<MatrixTransform> {matrix: [0.6, 0.3, 0.1, 0, 0.1, 0.8, 0.1, 0, 0.1, 0.1, 0.8, 0, 0, 0, 0, 1]}
+        - !<RangeTransform> {min_in_value: 0, min_out_value: 0, max_in_value: 0.7, max_out_value: 0.7}
+        - !<ExponentTransform> {value: 2.2}
+)";
+        return path;
+    }
+    const ddt::Environment m_ocio{"OCIO", write()};
+};
+
+TEST_F(LossyTest, ColoursThatDoNotComeBackAreNotConverted) {
+    EXPECT_FALSE(light("cut")->comes_back());
+    EXPECT_TRUE(ddt::Light::whole([](float*, size_t) {}, [](float*, size_t) {}, {}).comes_back());
+    std::string error;
+    EXPECT_NEAR(enlarged("auto", error), 0.9f, 1e-6f) << error;
+    EXPECT_NEAR(enlarged("encoded", error), 0.9f, 1e-6f) << error;
+}
+
+TEST_F(LossyTest, ColoursThatDoNotComeBackAreAnErrorByName) {
+    EXPECT_NE(error_of("", "cut").find("light=cut: "), std::string::npos);
+    std::string error;
+    EXPECT_EQ(enlarged("cut", error), -1);
+    EXPECT_NE(error.find("auto, encoded"), std::string::npos) << error;
 }
 
 // What it is for: the middle between black and white is half the light, code 188 of 255.
