@@ -2,6 +2,7 @@
 #include "plugin/image/channels.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <string>
 
 #include "plugin/image/colour_channels.h"
@@ -35,18 +36,26 @@ std::vector<bool> find_ids(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& n
     return ids;
 }
 
-/// The first channels in which edges are sought where nothing is called colour: those that blend,
-/// of depth only where there is nothing else.
+/// The first channels in which edges are sought where nothing is called colour: inks and then their
+/// black, else those that blend, of depth only where there is nothing else.
 std::vector<int> find_guide(const std::vector<Channel>& kinds,
                             const std::vector<Quantity>& quantities) {
-    std::vector<int> guide, depth;
-    for (size_t c = 0; c < kinds.size(); ++c)
-        if (kinds[c] == Channel::blend)
-            (quantities[c] == Quantity::depth ? depth : guide).push_back(int(c));
-    if (guide.empty() && !depth.empty())
-        return {depth.front()};
-    guide.resize(std::min<size_t>(guide.size(), 3));
-    return guide;
+    const auto first = [&](size_t most, std::initializer_list<Quantity> wanted) {
+        std::vector<int> found;
+        for (size_t c = 0; c < kinds.size() && found.size() < most; ++c)
+            if (kinds[c] == Channel::blend &&
+                std::find(wanted.begin(), wanted.end(), quantities[c]) != wanted.end())
+                found.push_back(int(c));
+        return found;
+    };
+    std::vector<int> guide = first(3, {Quantity::ink});
+    if (!guide.empty()) {
+        const std::vector<int> black = first(1, {Quantity::black});
+        guide.insert(guide.end(), black.begin(), black.end());
+        return guide;
+    }
+    guide = first(3, {Quantity::vector, Quantity::other});
+    return guide.empty() ? first(1, {Quantity::depth}) : guide;
 }
 
 } // namespace
@@ -56,8 +65,13 @@ bool is_id_type(OIIO::TypeDesc type) {
 }
 
 int alpha_of(const OIIO::ImageSpec& spec) {
-    return spec.alpha_channel < spec.nchannels ? std::max(spec.alpha_channel, -1)
-                                               : find_channel(spec, {"A", "alpha"});
+    const int said = std::max(spec.alpha_channel, -1);
+    const auto may_be = [&] {
+        const Quantity quantity = quantities_of(spec, layers_of(spec))[size_t(said)];
+        return quantity != Quantity::ink && quantity != Quantity::black;
+    };
+    return said < 0 || (said < spec.nchannels && may_be()) ? said
+                                                           : find_channel(spec, {"A", "alpha"});
 }
 
 Channels channels_of(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& native) {
@@ -89,7 +103,7 @@ Channels channels_of(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& native)
 ColourLayout shown_colour(const Channels& channels) {
     ColourLayout shown = channels.colour;
     if (shown.count == 0 && !channels.guide.empty()) {
-        shown.count = channels.guide.size() == 3 ? 3 : 1;
+        shown.count = channels.guide.size() >= 3 ? 3 : 1;
         std::copy_n(channels.guide.begin(), shown.count, shown.channel);
     }
     return shown;

@@ -16,6 +16,21 @@ bool is_depth(const std::string& name) {
                        [](const std::string& piece) { return is_any_of(piece, {"depth"}); });
 }
 
+/// Cyan, magenta, yellow and, if there is one, black of a layer; none without the first three.
+std::vector<int> inks_of(const OIIO::ImageSpec& spec, const Layer& layer) {
+    // Printers may have given the four other names.
+    if (layer.name.empty() && layer.channels.size() >= 4 &&
+        is_any_of(spec.get_string_attribute("oiio:ColorSpace"), {"CMYK"}))
+        return {layer.channels.begin(), layer.channels.begin() + 4};
+    std::vector<int> inks{layer.find({"C", "cyan"}), layer.find({"M", "magenta"}),
+                          layer.find({"Y", "yellow"})};
+    if (std::find(inks.begin(), inks.end(), -1) != inks.end())
+        return {};
+    if (const int black = layer.find({"K", "black"}); black >= 0)
+        inks.push_back(black);
+    return inks;
+}
+
 /// Set `rgb` to a layer's red, green and blue; false without all three.
 bool find_triple(const Layer& layer, int (&rgb)[3]) {
     rgb[0] = layer.find({"R", "red"});
@@ -72,11 +87,14 @@ std::vector<Quantity> quantities_of(const OIIO::ImageSpec& spec, const std::vect
         const bool is_colour = find_triple(layer, rgb);
         const bool xy = layer.find({"X"}) >= 0 && layer.find({"Y"}) >= 0;
         const bool uv = layer.find({"U"}) >= 0 && layer.find({"V"}) >= 0;
+        const std::vector<int> inks = is_colour ? std::vector<int>() : inks_of(spec, layer);
         for (size_t i = 0; i < layer.channels.size(); ++i) {
             const std::string& component = layer.components[i];
             const int c = layer.channels[i];
-            if ((xy && is_any_of(component, {"X", "Y", "Z", "W"})) ||
-                (uv && is_any_of(component, {"U", "V", "W"})))
+            if (const auto ink = std::find(inks.begin(), inks.end(), c); ink != inks.end())
+                quantities[size_t(c)] = ink - inks.begin() < 3 ? Quantity::ink : Quantity::black;
+            else if ((xy && is_any_of(component, {"X", "Y", "Z", "W"})) ||
+                     (uv && is_any_of(component, {"U", "V", "W"})))
                 quantities[size_t(c)] = Quantity::vector;
             else if (c == spec.z_channel || (!is_colour && is_depth(spec.channel_name(c))))
                 quantities[size_t(c)] = Quantity::depth;
@@ -101,7 +119,9 @@ ColourChannels find_colour(const OIIO::ImageSpec& spec, const std::vector<Layer>
         std::iota(channel, channel + 3, 0);
         found.layout.count = 3;
     } else {
-        channel[0] = has_grey ? grey : find_only(spec.nchannels, may_be);
+        const auto all = quantities_of(spec, layers);
+        const bool inks = std::count(all.begin(), all.end(), Quantity::ink) > 0;
+        channel[0] = has_grey ? grey : inks ? -1 : find_only(spec.nchannels, may_be);
         found.layout.count = channel[0] >= 0 ? 1 : 0;
     }
     return found;

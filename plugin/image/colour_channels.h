@@ -11,11 +11,13 @@
 namespace ddt {
 
 /// What a channel's name tells of it.
-enum class Quantity { vector, depth, other };
+enum class Quantity { vector, depth, ink, black, other };
 
-/// One a channel. Vectors: X, Y, Z and W of a layer that has X and Y; U, V and W of one that has U
-/// and V. Depth: Z and what is called so, alone or as a layer that has no red, green and blue, and
-/// the spec's z_channel, unless it is a vector's: OpenImageIO takes the Z of a normal for it.
+/// One a channel. Inks: C, M and Y (or cyan and so on) of a layer that has the three, and its K is
+/// black; of an image whose colour space is CMYK the first four that are no layer's. Vectors: X, Y,
+/// Z and W of a layer that has X and Y; U, V and W of one that has U and V. Depth: Z and what is
+/// called so, alone or as a layer that has no red, green and blue, and the spec's z_channel, unless
+/// it is a vector's: OpenImageIO takes the Z of a normal for it.
 std::vector<Quantity> quantities_of(const OIIO::ImageSpec& spec, const std::vector<Layer>& layers);
 
 /// The image's colour.
@@ -26,7 +28,7 @@ struct ColourChannels {
 
 /// Of the channels that may be colour: those named R, G, B (or red, green, blue), else the one that
 /// is named as grey, else red, green and blue of a layer, else the first three, else the one that
-/// is alone; or none.
+/// is alone (beside inks none is); or none.
 ///
 /// Of several layers it is the first that is called as programs call the picture itself (Combined,
 /// beauty, rgba, rgb, C, color, colour) by the last of its name's pieces, else by another (of

@@ -38,11 +38,15 @@ GuideRecipe recipe(const Channels& channels, const Light& light, bool linear) {
     // Any of them may be where an edge is. Weights are alike, but not the same: what one channel
     // gains where another loses as much, as two mattes side by side, is an edge too.
     static constexpr float shares[3][3] = {{1.0f}, {0.6f, 0.4f}, {0.45f, 0.33f, 0.22f}};
-    const size_t count = channels.guide.size();
+    const size_t count = std::min<size_t>(channels.guide.size(), 3);
     for (size_t k = 0; k < count; ++k) {
         guide.channel[k] = channels.guide[k];
         guide.weight[k] = shares[count - 1][k];
     }
+    // Black takes alpha's place, with its share of a half: it covers what is beneath, too. An
+    // alpha's edges are also those of the inks that are multiplied by it.
+    if (channels.guide.size() > count)
+        guide.alpha = channels.guide.back();
     return guide;
 }
 

@@ -53,6 +53,9 @@ TEST(Channels, GuideWithoutNamesOfColour) {
     EXPECT_EQ(guide_of({"height"}), Guide{});
     EXPECT_EQ(guide_of({"Y", "A", "Z"}), Guide{});
     EXPECT_EQ(guide_of({"a.R", "a.G", "a.B"}), Guide{});
+    EXPECT_EQ(guide_of({"C", "M", "Y", "K"}), (Guide{0, 1, 2, 3}));
+    EXPECT_EQ(guide_of({"C", "K", "M", "Y", "gold"}), (Guide{0, 2, 3, 1}));
+    EXPECT_EQ(guide_of({"C", "M", "Y"}), (Guide{0, 1, 2}));
 }
 
 TEST(Channels, ShownAreColourOrTheGuide) {
@@ -63,6 +66,7 @@ TEST(Channels, ShownAreColourOrTheGuide) {
     EXPECT_EQ(shown({"A", "B", "G", "R"}), (std::vector<int>{3, 2, 1}));
     EXPECT_EQ(shown({"Z", "X", "Y"}), (std::vector<int>{0, 1, 2}));
     EXPECT_EQ(shown({"Z", "u", "v"}), std::vector<int>{1});
+    EXPECT_EQ(shown({"C", "M", "Y", "K"}), (std::vector<int>{0, 1, 2}));
     EXPECT_EQ(shown({"id"}), std::vector<int>{});
 }
 
@@ -82,6 +86,25 @@ TEST(Channels, AlphaThatIsNotThereIsFoundByItsName) {
     }
     spec.channelnames[3] = "mask";
     EXPECT_EQ(ddt::alpha_of(spec), -1);
+}
+
+// OpenImageIO's reader of TIFF takes the fourth channel for alpha.
+TEST(Channels, BlackIsNoAlpha) {
+    const auto alpha_of = [](std::vector<std::string> names, const char* space = "") {
+        ImageSpec spec = named(std::move(names));
+        spec.alpha_channel = 3;
+        spec.attribute("oiio:ColorSpace", space);
+        const auto channels = ddt::channels_of(spec);
+        EXPECT_EQ(channels.alpha, ddt::alpha_of(spec));
+        const auto& kinds = channels.kinds;
+        EXPECT_EQ(std::count(kinds.begin(), kinds.end(), ddt::Channel::alpha), channels.alpha >= 0);
+        return channels.alpha;
+    };
+    EXPECT_EQ(alpha_of({"C", "M", "Y", "K"}), -1);
+    EXPECT_EQ(alpha_of({"cyan", "magenta", "yellow", "black", "A"}), 4);
+    EXPECT_EQ(alpha_of({"1", "2", "3", "4"}, "CMYK"), -1);
+    EXPECT_EQ(alpha_of({"1", "2", "3", "4"}), 3);
+    EXPECT_EQ(alpha_of({"R", "G", "B", "A"}, "CMYK"), 3);
 }
 
 TEST(Channels, IntegersAreIds) {

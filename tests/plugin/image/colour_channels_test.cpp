@@ -98,6 +98,18 @@ TEST(ColourChannels, AreNoVectors) {
     EXPECT_EQ(colour_of(named({"N.X", "N.Y", "Y"})), "Y -");
 }
 
+TEST(ColourChannels, AreNoInks) {
+    EXPECT_EQ(colour_of(named({"C", "M", "Y", "K"})), "-");
+    EXPECT_EQ(colour_of(named({"C", "M", "Y", "K", "A"})), "A");
+    EXPECT_EQ(colour_of(named({"C", "M", "Y", "K", "gold"})), "-");
+    EXPECT_EQ(colour_of(named({"C", "Y"})), "Y -");
+    EXPECT_EQ(colour_of(image_of({{"R", "G", "B"}, layer_of("plate", "CMYK")})), "R G B -");
+    OIIO::ImageSpec unnamed = named({"1", "2", "3", "4"});
+    EXPECT_EQ(colour_of(unnamed), "1 2 3 -");
+    unnamed.attribute("oiio:ColorSpace", "CMYK");
+    EXPECT_EQ(colour_of(unnamed), "-");
+}
+
 TEST(ColourChannels, DepthIsNoPartOfAVector) {
     const auto quantities = [](const std::vector<std::string>& names) {
         const OIIO::ImageSpec spec = named(names);
