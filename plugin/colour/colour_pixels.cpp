@@ -18,8 +18,10 @@ void find_cover(const Light& light, float alpha, const float* rgb, float* cover)
         std::fill_n(cover, 3, 1.0f);
         return;
     }
-    const float brightest = std::max(rgb[0], std::max(rgb[1], rgb[2]));
-    const float of_all = std::max(alpha, std::min(brightest, 1.0f));
+    float of_all = alpha;
+    for (int k = 0; k < 3; ++k)
+        if (std::isfinite(rgb[k])) // one bad number must not spoil the others
+            of_all = std::max(of_all, std::min(rgb[k], 1.0f));
     for (int k = 0; k < 3; ++k) {
         // What a filter that rings leaves of a colour is glow of its own, the other way.
         const float own = std::max(of_all, std::min(-rgb[k], 1.0f));

@@ -106,6 +106,21 @@ TEST(Alpha, GlowSurvivesEnlarging) {
     EXPECT_EQ(value(dst, 0, 0, 0), 0.0f);
 }
 
+TEST(Alpha, ABadNumberSpoilsNoOtherChannel) {
+    for (const float bad : {std::nanf(""), INFINITY, -INFINITY})
+        for (int spoilt = 0; spoilt < 3; ++spoilt) {
+            auto src = srgb_image(8);
+            images::fill(src, [&](int x, int y, int c) {
+                return c == 3 ? 0.01f : c == spoilt && x == 4 && y == 4 ? bad : 0.5f;
+            });
+            const auto dst = images::enlarged(src, 16, 16);
+            for (int i = 0; i < 256; ++i)
+                for (const int c : {(spoilt + 1) % 3, (spoilt + 2) % 3})
+                    ASSERT_NEAR(value(dst, i % 16, i / 16, c), 0.5f, 1e-5f)
+                        << bad << " in " << spoilt << " at " << i;
+        }
+}
+
 TEST(Alpha, OneColourKeepsItUnderAnyAlpha) {
     auto src = srgb_image(16);
     const float colour[3] = {0.8f, 0.4f, 0.1f};
