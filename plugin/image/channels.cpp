@@ -54,7 +54,7 @@ std::vector<int> find_guide(const std::vector<Channel>& kinds,
         guide.insert(guide.end(), black.begin(), black.end());
         return guide;
     }
-    guide = first(3, {Quantity::vector, Quantity::other});
+    guide = first(3, {Quantity::vector, Quantity::slope, Quantity::other});
     return guide.empty() ? first(1, {Quantity::depth}) : guide;
 }
 
@@ -68,7 +68,8 @@ int alpha_of(const OIIO::ImageSpec& spec) {
     const int said = std::max(spec.alpha_channel, -1);
     const auto may_be = [&] {
         const Quantity quantity = quantities_of(spec, layers_of(spec))[size_t(said)];
-        return quantity != Quantity::ink && quantity != Quantity::black;
+        return quantity != Quantity::slope && quantity != Quantity::ink &&
+               quantity != Quantity::black;
     };
     return said < 0 || (said < spec.nchannels && may_be()) ? said
                                                            : find_channel(spec, {"A", "alpha"});

@@ -14,7 +14,7 @@ namespace ddt {
 /// The roles of an image's channels.
 struct Channels {
     /// Colour that a colour space speaks of: find_colour() of those that are neither alpha, depth,
-    /// an ink, of a vector nor an ID.
+    /// an ink, of a vector, a slope nor an ID.
     ColourLayout colour;
     int alpha = -1; ///< the alpha of the image's colour, or -1
     /// Where no names tell its colour: up to three channels in which edges are sought instead, the
@@ -30,7 +30,7 @@ bool is_id_type(OIIO::TypeDesc type);
 
 /// The image's alpha as its spec has it, or -1. Where the spec names a channel that there is not,
 /// as OpenImageIO's reader of GIF does (2.4.7: 4 of 4), or the black of CMYK, as that of TIFF does,
-/// it is the one by the name of A or alpha.
+/// or a slope, as maketx does, it is the one by the name of A or alpha.
 int alpha_of(const OIIO::ImageSpec& spec);
 
 /// `native` is of the file the pixels were read from: channels of 32-bit integers there are IDs,

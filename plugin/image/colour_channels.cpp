@@ -16,6 +16,11 @@ bool is_depth(const std::string& name) {
                        [](const std::string& piece) { return is_any_of(piece, {"depth"}); });
 }
 
+/// Whether the channel is one that OpenImageIO's maketexture.cpp makes of a bump map.
+bool is_slope(const std::string& name) {
+    return is_any_of(name, {"b0_h", "b1_dhds", "b2_dhdt", "b3_dhds2", "b4_dhdt2", "b5_dh2dsdt"});
+}
+
 /// Cyan, magenta, yellow and, if there is one, black of a layer; none without the first three.
 std::vector<int> inks_of(const OIIO::ImageSpec& spec, const Layer& layer) {
     // Printers may have given the four other names.
@@ -93,6 +98,8 @@ std::vector<Quantity> quantities_of(const OIIO::ImageSpec& spec, const std::vect
             const int c = layer.channels[i];
             if (const auto ink = std::find(inks.begin(), inks.end(), c); ink != inks.end())
                 quantities[size_t(c)] = ink - inks.begin() < 3 ? Quantity::ink : Quantity::black;
+            else if (is_slope(component))
+                quantities[size_t(c)] = Quantity::slope;
             else if ((xy && is_any_of(component, {"X", "Y", "Z", "W"})) ||
                      (uv && is_any_of(component, {"U", "V", "W"})))
                 quantities[size_t(c)] = Quantity::vector;

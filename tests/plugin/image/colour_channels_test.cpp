@@ -98,6 +98,17 @@ TEST(ColourChannels, AreNoVectors) {
     EXPECT_EQ(colour_of(named({"N.X", "N.Y", "Y"})), "Y -");
 }
 
+// maketx --bumpslopes enlarges them with the colour space of the picture that they were made of,
+// and with its alpha.
+TEST(ColourChannels, AreNoSlopes) {
+    OIIO::ImageSpec spec =
+        named({"b0_h", "b1_dhds", "b2_dhdt", "b3_dhds2", "b4_dhdt2", "b5_dh2dsdt"});
+    spec.alpha_channel = 3;
+    EXPECT_EQ(colour_of(spec), "-");
+    EXPECT_EQ(ddt::channels_of(spec).guide, (std::vector<int>{0, 1, 2}));
+    EXPECT_EQ(colour_of(named({"b0_h"})), "-");
+}
+
 TEST(ColourChannels, AreNoInks) {
     EXPECT_EQ(colour_of(named({"C", "M", "Y", "K"})), "-");
     EXPECT_EQ(colour_of(named({"C", "M", "Y", "K", "A"})), "A");
