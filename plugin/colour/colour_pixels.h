@@ -32,10 +32,11 @@ GuideRecipe guide_recipe(const Light& light, const ColourLayout& layout, bool li
 ///
 /// Colour that is associated with an alpha is divided by it for the conversion and multiplied
 /// again after it. Glow, colour brighter than its alpha (up to alpha 0), counts as full light of
-/// as much coverage as it is bright: so it converts there and back to itself and fades in and out
-/// without a seam. A channel that is negative by more than that does so by itself. Where 0 and 1 of
-/// an encoding are not 0 and 1 in linear light (logarithmic ones), or it is no curve a channel,
-/// colour is converted as it is.
+/// as much coverage as the brightest channel, up to 1: so it converts there and back to itself, and
+/// where its channels change together it fades in and out without a seam. Where one glows alone,
+/// what covers the others changes with it, and leaves a rim in them. A channel that is negative by
+/// more than that does so by itself. Where 0 and 1 of an encoding are not 0 and 1 in linear light
+/// (logarithmic ones), or it is no curve a channel, colour is converted as it is.
 void to_light(const Light& light, const ColourLayout& layout, float* pixels, size_t count,
               int stride);
 /// The way back.
