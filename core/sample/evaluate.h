@@ -15,7 +15,6 @@
 //                           (evaluate_crossed.cpp), over what evaluate_phases() left there
 #pragma once
 
-#include "core/base/vectors/row_lanes.h"
 #include "core/sample/locate_row.h"
 #include "core/surface/control_net.h"
 
@@ -23,9 +22,6 @@ namespace ddt {
 
 /// Which channels of a group are Channel::nearest, one bit each.
 using NearestMask = unsigned;
-
-/// Floats beyond the end of its row that evaluate_row() may write.
-constexpr int row_padding = most_lanes;
 
 /// Where a group's values go: `count` channels of position i of row r to
 /// out[r * row + i * channels + first_channel] and on.

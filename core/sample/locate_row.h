@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// The triangles or plain cells that positions lie in: of a row, or of a block of rows within one row
-// of cells (evaluate.h says which serves when).
+// The triangles or plain cells that positions lie in: of a row, or of a block of rows within one
+// row of cells (evaluate.h says which serves when).
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "core/base/vectors/row_lanes.h"
 #include "core/lattice/crossed_cell.h"
 #include "core/lattice/crossed_rows.h"
 #include "core/lattice/locate.h"
 
 namespace ddt {
+
+/// Floats beyond the end of a row of positions that may be read or written.
+constexpr int row_padding = most_lanes;
 
 /// A run of neighbouring positions of a row that lie in one triangle, or in one cell that is
 /// divided by its own diagonal: most are.

@@ -81,10 +81,10 @@ void add_surfaces(Variants& all) {
 void add_transfers(Variants& all) {
     using Download = gl::Transfer::Download;
     for (const int bytes : {1, 2, 4})
-        for (const Back back : {Download::floats, Download::halfs, Download::codes}) {
+        for (const Download download : {Download::floats, Download::halfs, Download::codes}) {
             gl::Transfer transfer;
             transfer.upload.bytes = bytes;
-            transfer.download = back;
+            transfer.download = download;
             add({}, transfer, all);
         }
 }
