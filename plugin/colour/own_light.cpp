@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "plugin/colour/processor.h"
 
@@ -67,13 +68,13 @@ OCIO::GroupTransformRcPtr steps_to_reference(const Space& found) {
 /// The shares in luminance of what `to_reference` makes the space's reference of.
 std::array<double, 3> luma_of(const Space& found, const OCIO::GroupTransformRcPtr& to_reference) {
     std::array<double, 3> shares{0, 1, 0}, luma{};
-    const auto config = with_reference(found);
+    const auto with = with_reference(found);
     if (!is_display(found)) {
-        to_reference->appendTransform(config.to_linear);
+        to_reference->appendTransform(with.to_linear);
         found.config->getDefaultLumaCoefs(shares.data());
     }
     const Matrix m =
-        primaries(processor_of(config.config, to_reference, OCIO::TRANSFORM_DIR_FORWARD));
+        primaries(processor_of(with.config, to_reference, OCIO::TRANSFORM_DIR_FORWARD));
     for (size_t c = 0; c < 3; ++c)
         luma[c] = shares[0] * m[c] + shares[1] * m[3 + c] + shares[2] * m[6 + c];
     return luma;
