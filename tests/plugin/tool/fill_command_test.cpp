@@ -41,22 +41,26 @@ TEST(FillCommand, TheFiltersHolesSayWhatIsMissing) {
     ImageBuf image(ImageSpec(8, 8, 4, OIIO::TypeFloat));
     OIIO::ImageBufAlgo::fill(image, {0.5f, 0.25f, 0.125f, 1.0f});
     image.setpixel(3, 4, {0, 0, 0, 0});
-    const std::string in = temporary("clear.exr"), out = temporary("clear_filled.exr");
+    const std::string in = temporary("clear.exr");
     ASSERT_TRUE(image.write(in)) << image.geterror();
     struct Case {
         std::vector<std::string> flags;
         float alpha;
     };
-    for (const Case& c : {Case{{}, 0}, Case{{"--filter", "ddt,holes=fill"}, 0},
-                          Case{{"--filter", "ddt,holes=fill-alpha"}, 1},
-                          Case{{"--filter", "ddt,holes=fill-alpha", "--missing", "nan"}, 0},
-                          Case{{"--filter", "ddt", "--missing", "alpha"}, 1}}) {
+    const Case cases[] = {{{}, 0},
+                          {{"--filter", "ddt,holes=fill"}, 0},
+                          {{"--filter", "ddt,holes=fill-alpha"}, 1},
+                          {{"--filter", "ddt,holes=fill-alpha", "--missing", "nan"}, 0},
+                          {{"--filter", "ddt", "--missing", "alpha"}, 1}};
+    for (const Case& c : cases) {
+        // Names of their own: OpenImageIO keeps what it read.
+        const std::string out = temporary("clear" + std::to_string(&c - cases) + ".exr");
         std::vector<std::string> arguments{in, out};
         arguments.insert(arguments.end(), c.flags.begin(), c.flags.end());
         ASSERT_EQ(parse_and_run(*make_fill_command(), arguments), exit_done);
         EXPECT_EQ(ImageBuf(out).getchannel(3, 4, 0, 3), c.alpha);
     }
-    const std::string opaque = file_of_several_types();
+    const std::string opaque = file_of_several_types(), out = temporary("opaque.exr");
     EXPECT_EQ(
         parse_and_run(*make_fill_command(), {opaque, out, "--filter", "ddt,holes=fill-alpha"}),
         exit_done);
