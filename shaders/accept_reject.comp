@@ -13,16 +13,17 @@
 
 layout(local_size_x = FINISH_GROUP) in; // x: a tile
 
-layout(location = 5) uniform bool by_gain;
-layout(location = 6) uniform int wide_iterations;
-layout(location = 9) uniform ivec2 progress; // x: where in `mark` a tile's is kept; y: most_turns
+layout(location = AT_BY_GAIN) uniform bool by_gain;
+layout(location = AT_WIDE_ITERATIONS) uniform int wide_iterations;
+// x: where in `mark` a tile's is kept; y: most_turns
+layout(location = AT_PROGRESS) uniform ivec2 progress;
 
 #include "comes_before.glsl"
 
 // `from` is the list of dirty edges here, `to` that of selected ones.
 
 // What the scheme knows of an edge. A dirty edge's iteration is of no interest.
-layout(std430, binding = 2) ACCESS buffer Marks { uint mark[]; }; // a site
+layout(std430, binding = BIND_MARKS) ACCESS buffer Marks { uint mark[]; }; // a site
 const uint idle = 0, dirty = MARK_DIRTY, untreated = 2, accepted = 3, rejected = 4;
 
 shared uint evaluated, n_dirty, n_candidates, n_selected, n_waiting;

@@ -5,7 +5,7 @@
 
 layout(local_size_x = GAINS_GROUP_X, local_size_y = GAINS_GROUP_Y) in; // a site; z: a tile
 
-layout(std430, binding = 5) writeonly buffer Drawn { uint drawn[]; }; // a site
+layout(std430, binding = BIND_DRAWN) writeonly buffer Drawn { uint drawn[]; }; // a site
 
 void main() {
     int m = edge_of_invocation();

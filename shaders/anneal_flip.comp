@@ -7,7 +7,7 @@
 
 layout(local_size_x = GAINS_GROUP_X, local_size_y = GAINS_GROUP_Y) in; // a site; z: a tile
 
-layout(std430, binding = 6) readonly buffer Decided { uint decided[]; };
+layout(std430, binding = BIND_DECIDED) readonly buffer Decided { uint decided[]; };
 
 shared uint flips;
 

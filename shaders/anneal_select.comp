@@ -8,8 +8,9 @@
 
 layout(local_size_x = GAINS_GROUP_X, local_size_y = GAINS_GROUP_Y) in; // a site; z: a tile
 
-layout(std430, binding = 5) readonly buffer Drawn { uint drawn[]; };       // a site
-layout(std430, binding = 6) writeonly buffer Decided { uint decided[]; };  // a site: 1 flips
+layout(std430, binding = BIND_DRAWN) readonly buffer Drawn { uint drawn[]; }; // a site
+// A site: 1 flips.
+layout(std430, binding = BIND_DECIDED) writeonly buffer Decided { uint decided[]; };
 
 shared uint evaluated;
 

@@ -3,10 +3,10 @@
 // mixed(), exponential() and Annealing in core/triangulate/annealing.h.
 //
 // Numbers of 64 bits: x the low half, y the high one.
-layout(location = 5) uniform uvec2 salt; // annealing_salt() of the iteration
-layout(location = 6) uniform uvec2 seed; // mixed
-layout(location = 7) uniform uint part;
-layout(location = 9) uniform float temperature;
+layout(location = AT_SALT) uniform uvec2 salt; // annealing_salt() of the iteration
+layout(location = AT_SEED) uniform uvec2 seed; // mixed
+layout(location = AT_PART) uniform uint part;
+layout(location = AT_TEMPERATURE) uniform float temperature;
 
 uvec2 product(uvec2 a, uvec2 b) {
     uint high, low;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // 8-bit codes of floats by a table. C++ twin: core/base/code_table.cpp; see ddt/code_table.h.
 
-layout(std430, binding = 4) readonly buffer CodeTable { uint entries[]; };
+layout(std430, binding = BIND_CODE_TABLE) readonly buffer CodeTable { uint entries[]; };
 
-layout(location = 1) uniform uvec4 code_table; // shift, first; lowest and top as their bits
+// Shift, first; lowest and top as their bits.
+layout(location = AT_CODE_TABLE) uniform uvec4 code_table;
 
 // The code of the float of these bits. By its bits alone: what devices make of NaN is their own.
 uint code_of(uint bits) {

@@ -6,10 +6,12 @@
 #ifndef CONTOUR_ACCESS
 #define CONTOUR_ACCESS readonly
 #endif
-layout(std430, binding = 2) CONTOUR_ACCESS buffer ContourWords { uint contour_words[]; };
+layout(std430, binding = BIND_CONTOURS) CONTOUR_ACCESS buffer ContourWords {
+    uint contour_words[];
+};
 
 #ifdef CONTOURS
-layout(location = 8) uniform float contour_weight; // times contour_unit
+layout(location = AT_CONTOUR_WEIGHT) uniform float contour_weight; // times contour_unit
 
 // xx, yy, xy of the cells that meet at the midpoint m of a flippable edge along v.
 ivec3 contours_at(int m, ivec2 v) {

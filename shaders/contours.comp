@@ -7,7 +7,7 @@
 
 layout(local_size_x = START_GROUP_X, local_size_y = START_GROUP_Y) in; // z: a tile
 
-layout(std430, binding = 5) readonly buffer Guide { float guide[]; };
+layout(std430, binding = BIND_GUIDE) readonly buffer Guide { float guide[]; };
 
 const int group_width = START_GROUP_X, group_height = START_GROUP_Y, reach_ = 3;
 const int near_width = group_width + 2 * reach_, near_height = group_height + 2 * reach_;

@@ -14,17 +14,18 @@
 
 layout(local_size_x = SURFACE_GROUP_X, local_size_y = SURFACE_GROUP_Y) in; // z: a tile
 
-layout(std430, binding = 4) readonly buffer Source { uvec4 source[]; };
-layout(std430, binding = 5) writeonly buffer Corrected { uvec4 corrected_value[]; };
+layout(std430, binding = BIND_SOURCE) readonly buffer Source { uvec4 source[]; };
+layout(std430, binding = BIND_CORRECTED) writeonly buffer Corrected { uvec4 corrected_value[]; };
 
 // FITTED: vertices go where their features' weights say (C++ twin: move_fitted() in
 // core/surface/fitted/fitted.cpp).
 #ifdef FITTED
-layout(std430, binding = 6) readonly buffer Bends { vec4 bends[]; }; // a site; at vertices indices
+// A site; at vertices indices.
+layout(std430, binding = BIND_BENDS) readonly buffer Bends { vec4 bends[]; };
 #endif
 
-layout(location = 2) uniform vec4 limit;
-layout(location = 3) uniform float lowest;
+layout(location = AT_LIMIT) uniform vec4 limit;
+layout(location = AT_LOWEST) uniform float lowest;
 
 vec4 source_at(ivec2 p) {
     return uintBitsToFloat(source[pixel_of(p)]);

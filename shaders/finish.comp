@@ -12,7 +12,7 @@ layout(local_size_x = FINISH_GROUP) in; // x: a tile
 
 shared uint evaluated, n_dirty, n_candidates, n_selected, n_blocked;
 
-layout(location = 5) uniform int iterations_a_dispatch; // even
+layout(location = AT_ITERATIONS_A_DISPATCH) uniform int iterations_a_dispatch; // even
 
 // Which of the two lists the iteration's dirty edges are in; its candidates are in the other one,
 // the selected in this one again, then what is dirty next in the other.

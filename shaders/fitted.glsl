@@ -2,7 +2,7 @@
 // What fitted vertices and bends share. C++ twins: core/surface/fitted/features-inl.h, and
 // weights.h, which says what the numbers mean. After net.glsl.
 
-layout(std140, binding = 1) uniform Fitted {
+layout(std140, binding = BIND_FITTED) uniform Fitted {
     vec4 fitted_node;
     float node_scale, index_epsilon, gain_scale, bend_limit;
     float black_scale, white_scale, bound_limit, unused;

@@ -7,8 +7,9 @@
 
 layout(local_size_x = GAINS_GROUP_X, local_size_y = GAINS_GROUP_Y) in; // z: a tile
 
-layout(std430, binding = 3) readonly buffer Gains { float gain[]; }; // a site
-layout(std430, binding = 6) buffer Bends { vec4 bends[]; };          // a site; at vertices indices
+layout(std430, binding = BIND_GAINS) readonly buffer Gains { float gain[]; }; // a site
+// A site; at vertices indices.
+layout(std430, binding = BIND_BENDS) buffer Bends { vec4 bends[]; };
 
 void main() {
     int s = edge_of_invocation();

@@ -7,15 +7,16 @@
 
 layout(local_size_x = SURFACE_GROUP_X, local_size_y = SURFACE_GROUP_Y) in; // z: a tile
 
-layout(std430, binding = 1) readonly buffer Values { uvec4 value[]; };      // a pixel
-layout(std430, binding = 2) writeonly buffer Gradients { vec4 gradient[]; }; // two a pixel: x, y
+layout(std430, binding = BIND_VALUES) readonly buffer Values { uvec4 value[]; }; // a pixel
+// Two a pixel: x, y.
+layout(std430, binding = BIND_GRADIENTS) writeonly buffer Gradients { vec4 gradient[]; };
 
 vec4 value_at(int pixel) {
     return uintBitsToFloat(value[pixel]);
 }
 
 #ifdef FITTED
-layout(std430, binding = 5) writeonly buffer Bends { vec4 index_at[]; }; // a site
+layout(std430, binding = BIND_BENDS) writeonly buffer Bends { vec4 index_at[]; }; // a site
 
 int first_pixel;
 

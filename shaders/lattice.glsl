@@ -13,7 +13,7 @@
 #define STRIDE stride
 #endif
 
-layout(std140, binding = 0) uniform Batch {
+layout(std140, binding = BIND_BATCH) uniform Batch {
     int stride;
     int slot_sites;
     int slot_width;  // pixels in a row of a slot
@@ -23,7 +23,7 @@ layout(std140, binding = 0) uniform Batch {
     ivec4 served[MAX_TILES]; // first and last pixels about the positions a tile serves
 };
 
-layout(std430, binding = 0) ACCESS buffer Sites {
+layout(std430, binding = BIND_SITES) ACCESS buffer Sites {
     // An edge: the bytes v.x v.y left.x left.y, right.x right.y and its stamp (touch.glsl). A
     // vertex: the guide's bits, and the key of one of its edges.
     uvec2 site[];

@@ -11,15 +11,15 @@
 #include "lattice.glsl"
 #include "counts.glsl"
 
-layout(std430, binding = 1) ACCESS buffer Gains { float gain[]; }; // a site
-layout(std430, binding = 3) ACCESS buffer From { int from[]; };
-layout(std430, binding = 4) ACCESS buffer To { int to[]; };
+layout(std430, binding = BIND_GAINS) ACCESS buffer Gains { float gain[]; }; // a site
+layout(std430, binding = BIND_FROM) ACCESS buffer From { int from[]; };
+layout(std430, binding = BIND_TO) ACCESS buffer To { int to[]; };
 
-layout(location = 0) uniform int tiles;
-layout(location = 1) uniform int list_size;
-layout(location = 2) uniform int first_iteration;
-layout(location = 3) uniform int last_iteration;
-layout(location = 4) uniform float min_gain;
+layout(location = AT_TILES) uniform int tiles;
+layout(location = AT_LIST_SIZE) uniform int list_size;
+layout(location = AT_FIRST_ITERATION) uniform int first_iteration;
+layout(location = AT_LAST_ITERATION) uniform int last_iteration;
+layout(location = AT_MIN_GAIN) uniform float min_gain;
 
 int counts_of(int iteration, int tile) {
     return iteration * tiles + tile;

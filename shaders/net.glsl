@@ -4,16 +4,19 @@
 #include "lattice.glsl"
 #include "surface.glsl"
 
-layout(std430, binding = 1) readonly buffer Values { uvec4 value[]; };      // a pixel
+layout(std430, binding = BIND_VALUES) readonly buffer Values { uvec4 value[]; }; // a pixel
 #if defined(STORED_EDGES)
-layout(std430, binding = 2) readonly buffer Edges { vec4 stored_edge[]; }; // edge_numbers a site
+// edge_numbers a site
+layout(std430, binding = BIND_GRADIENTS) readonly buffer Edges { vec4 stored_edge[]; };
 #elif defined(STORED_BENDS)
-layout(std430, binding = 2) readonly buffer Bends { vec4 stored_bend[]; }; // a site: fitted ones
+// Fitted ones, a site.
+layout(std430, binding = BIND_GRADIENTS) readonly buffer Bends { vec4 stored_bend[]; };
 #else
-layout(std430, binding = 2) readonly buffer Gradients { vec4 gradient[]; }; // two a pixel: x, y
+// Two a pixel: x, y.
+layout(std430, binding = BIND_GRADIENTS) readonly buffer Gradients { vec4 gradient[]; };
 #endif
 #ifndef STORED_EDGES
-layout(std430, binding = 3) readonly buffer Gains { float gain[]; };        // a site
+layout(std430, binding = BIND_GAINS) readonly buffer Gains { float gain[]; }; // a site
 #endif
 
 #if defined(QUADRATIC) && defined(SOFT)
@@ -22,8 +25,8 @@ const int edge_numbers = 2; // of an edge: its bend, its softness
 const int edge_numbers = 1;
 #endif
 
-layout(location = 0) uniform float reciprocal_tau;
-layout(location = 1) uniform vec4 strict;
+layout(location = AT_RECIPROCAL_TAU) uniform float reciprocal_tau;
+layout(location = AT_STRICT) uniform vec4 strict;
 
 int first_site, first_pixel; // of the tile; to be set before anything below is called
 

@@ -6,7 +6,7 @@
 
 layout(local_size_x = GAINS_GROUP_X, local_size_y = GAINS_GROUP_Y) in; // z: a tile
 
-layout(std430, binding = 4) writeonly buffer Edges { vec4 edges[]; };
+layout(std430, binding = BIND_MADE_EDGES) writeonly buffer Edges { vec4 edges[]; };
 
 void main() {
     int s = edge_of_invocation();

@@ -13,10 +13,10 @@ const int in_word = 4;
 
 layout(local_size_x = LIST_GROUP) in;
 
-layout(std430, binding = 5) readonly buffer Results { uint result[]; };
-layout(std430, binding = 6) writeonly buffer Packed { uint packed_[]; };
+layout(std430, binding = BIND_RESULTS) readonly buffer Results { uint result[]; };
+layout(std430, binding = BIND_PACKED) writeonly buffer Packed { uint packed_[]; };
 
-layout(location = 0) uniform int count; // of results
+layout(location = AT_COUNT) uniform int count; // of results
 
 void main() {
     int all = int(gl_NumWorkGroups.x * gl_WorkGroupSize.x);

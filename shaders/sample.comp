@@ -6,28 +6,31 @@
 layout(local_size_x = SAMPLE_GROUP_X, local_size_y = SAMPLE_GROUP_Y) in;
 
 // A separable mapping: the x of the columns, then the y of the rows; else x, y of each position.
-layout(std430, binding = 4) readonly buffer Positions { int position[]; };
+layout(std430, binding = BIND_POSITIONS) readonly buffer Positions { int position[]; };
 // MEAN: the results hold the mean of other meshes' surfaces, to be made that of one more.
 #if defined(MEAN) && defined(WHOLE_GROUPS)
-layout(std430, binding = 5) buffer Result { uvec4 pixels[]; };
+layout(std430, binding = BIND_RESULTS) buffer Result { uvec4 pixels[]; };
 #elif defined(MEAN)
-layout(std430, binding = 5) buffer Result { uint pixels[]; };
+layout(std430, binding = BIND_RESULTS) buffer Result { uint pixels[]; };
 #elif defined(WHOLE_GROUPS)
 // channels / group_size a pixel
-layout(std430, binding = 5) writeonly buffer Result { uvec4 pixels[]; };
+layout(std430, binding = BIND_RESULTS) writeonly buffer Result { uvec4 pixels[]; };
 #else
-layout(std430, binding = 5) writeonly buffer Result { uint pixels[]; }; // `channels` a pixel
+// `channels` a pixel
+layout(std430, binding = BIND_RESULTS) writeonly buffer Result { uint pixels[]; };
 #endif
-layout(std430, binding = 6) readonly buffer Source { uvec4 source[]; }; // as it was read
+layout(std430, binding = BIND_SOURCE) readonly buffer Source { uvec4 source[]; }; // as it was read
 
-layout(location = 2) uniform int tile;
-layout(location = 3) uniform bool separable;
-layout(location = 4) uniform ivec3 size;     // columns and rows of invocations, positions in all
-layout(location = 5) uniform ivec2 first;    // separable: of the first column and row in `position`
-layout(location = 6) uniform ivec3 channels; // in a pixel; first and count of this group
-layout(location = 7) uniform uint nearest;   // a bit a channel
-layout(location = 8) uniform int first_result;
-layout(location = 9) uniform float share; // MEAN: of this mesh in the mean
+layout(location = AT_TILE) uniform int tile;
+layout(location = AT_SEPARABLE) uniform bool separable;
+// Columns and rows of invocations, positions in all.
+layout(location = AT_SIZE) uniform ivec3 size;
+// Separable: of the first column and row in `position`.
+layout(location = AT_FIRST) uniform ivec2 first;
+layout(location = AT_CHANNELS) uniform ivec3 channels; // in a pixel; first and count of this group
+layout(location = AT_NEAREST) uniform uint nearest;    // a bit a channel
+layout(location = AT_FIRST_RESULT) uniform int first_result;
+layout(location = AT_SHARE) uniform float share; // MEAN: of this mesh in the mean
 
 void main() {
     int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);

@@ -4,7 +4,7 @@
 #include "counts.glsl"
 
 // How far about what the tile serves, in edges' lengths, results are needed.
-layout(location = 9) uniform int margin;
+layout(location = AT_MARGIN) uniform int margin;
 
 // Whether p is no further off than that many edges go.
 bool is_within(int tile, ivec2 p, int edges) {

@@ -21,10 +21,10 @@ layout(local_size_x = START_GROUP_X, local_size_y = START_GROUP_Y) in; // z: a t
 const int own_most = group_width * group_height * 3;
 #include "append.glsl"
 
-layout(std430, binding = 5) readonly buffer Guide { float guide[]; };
+layout(std430, binding = BIND_GUIDE) readonly buffer Guide { float guide[]; };
 
-layout(location = 5) uniform bool flat_start;
-layout(location = 6) uniform bool with_gains;
+layout(location = AT_FLAT_START) uniform bool flat_start;
+layout(location = AT_WITH_GAINS) uniform bool with_gains;
 
 shared uint evaluated;
 

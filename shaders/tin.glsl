@@ -8,23 +8,28 @@
 
 layout(local_size_x = TIN_GROUP) in;
 
-layout(std430, binding = 0) readonly buffer Vertices { int vertices[]; }; // x, y, the guide's bits
-layout(std430, binding = 1) buffer Triangles { int triangles[]; }; // three vertices, three edges
-layout(std430, binding = 2) buffer Edges { ivec2 edges[]; };      // left, right; -1: none
-layout(std430, binding = 3) buffer Faces { vec4 faces[]; };       // of triangles
+// x, y, the guide's bits.
+layout(std430, binding = BIND_TIN_VERTICES) readonly buffer Vertices { int vertices[]; };
+// Three vertices, three edges.
+layout(std430, binding = BIND_TIN_TRIANGLES) buffer Triangles { int triangles[]; };
+// The triangles on the left and right; -1: none.
+layout(std430, binding = BIND_TIN_EDGES) buffer Edges { ivec2 edges[]; };
+layout(std430, binding = BIND_TIN_FACES) buffer Faces { vec4 faces[]; }; // of triangles
 #ifdef DRAWN // what a program of annealing does with these, which has no use for gains
-layout(std430, binding = 4) DRAWN buffer Drawn { uint drawn[]; }; // an edge
+layout(std430, binding = BIND_TIN_DRAWN) DRAWN buffer Drawn { uint drawn[]; }; // an edge
 #else
-layout(std430, binding = 4) buffer Gains { float gain[]; };
+layout(std430, binding = BIND_TIN_GAINS) buffer Gains { float gain[]; };
 #endif
-layout(std430, binding = 5) buffer Marks { uint mark[]; };
-layout(std430, binding = 6) buffer Counts { uint evaluated, candidates, waiting, flipped; };
+layout(std430, binding = BIND_TIN_MARKS) buffer Marks { uint mark[]; };
+layout(std430, binding = BIND_TIN_COUNTS) buffer Counts {
+    uint evaluated, candidates, waiting, flipped;
+};
 
-layout(location = 0) uniform int count; // invocations wanted
-layout(location = 1) uniform float pixel;
-layout(location = 2) uniform float min_gain;
-layout(location = 3) uniform bool by_gain;
-layout(location = 4) uniform bool wide;
+layout(location = AT_COUNT) uniform int count; // invocations wanted
+layout(location = AT_PIXEL) uniform float pixel;
+layout(location = AT_MIN_GAIN) uniform float min_gain;
+layout(location = AT_BY_GAIN) uniform bool by_gain;
+layout(location = AT_WIDE) uniform bool wide;
 
 // What is known of an edge. A winner is an edge accepted in this round, which others may still take
 // for untreated.

@@ -4,7 +4,8 @@
 #include "tin.glsl"
 #include "annealing.glsl"
 
-layout(std430, binding = 7) readonly buffer Places { uvec2 places[]; }; // of edges: x, y
+// Of edges: x, y.
+layout(std430, binding = BIND_TIN_PLACES) readonly buffer Places { uvec2 places[]; };
 
 void main() {
     int m = own_index();

@@ -6,12 +6,14 @@
 
 layout(local_size_x = SURFACE_GROUP_X, local_size_y = SURFACE_GROUP_Y) in; // z: a slot
 
-layout(std430, binding = 1) writeonly buffer Values { uvec4 value[]; }; // a pixel
-layout(std430, binding = 4) readonly buffer Numbers { uint numbers[]; }; // a tile after the other
-layout(std430, binding = 5) readonly buffer Codes { uint floats[]; };
+layout(std430, binding = BIND_VALUES) writeonly buffer Values { uvec4 value[]; }; // a pixel
+// A tile after the other.
+layout(std430, binding = BIND_NUMBERS) readonly buffer Numbers { uint numbers[]; };
+layout(std430, binding = BIND_CODES) readonly buffer Codes { uint floats[]; };
 
-layout(location = 6) uniform ivec3 channels; // in a pixel; first and count of this group
-layout(location = 9) uniform ivec2 layout_;  // slots a tile takes; words its numbers have room in
+layout(location = AT_CHANNELS) uniform ivec3 channels; // in a pixel; first and count of this group
+// Slots a tile takes; words its numbers have room in.
+layout(location = AT_LAYOUT) uniform ivec2 layout_;
 
 uint number_at(int word, int i) {
 #if defined(CODES_8)

@@ -6,8 +6,8 @@
 layout(local_size_x = SURFACE_GROUP_X, local_size_y = SURFACE_GROUP_Y) in; // z: a tile
 
 // A slot after the other: whether these are steps; then the guide, rows without gaps.
-layout(std430, binding = 4) readonly buffer Encoded { uint encoded[]; };
-layout(std430, binding = 5) writeonly buffer Guide { uint guide[]; };
+layout(std430, binding = BIND_ENCODED) readonly buffer Encoded { uint encoded[]; };
+layout(std430, binding = BIND_GUIDE) writeonly buffer Guide { uint guide[]; };
 
 void main() {
     int slot = int(gl_GlobalInvocationID.z);

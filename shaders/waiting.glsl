@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Candidates that wait for a better one in their region, and what wakes them. After lists.glsl.
 
-layout(std430, binding = 5) ACCESS buffer BlockedEven { ivec2 blocked_even[]; };
-layout(std430, binding = 6) ACCESS buffer BlockedOdd { ivec2 blocked_odd[]; }; // (site, blocker)
+// (site, blocker)
+layout(std430, binding = BIND_BLOCKED_EVEN) ACCESS buffer BlockedEven { ivec2 blocked_even[]; };
+layout(std430, binding = BIND_BLOCKED_ODD) ACCESS buffer BlockedOdd { ivec2 blocked_odd[]; };
 
 // What an iteration leaves waiting is read by the next: two lists in turn.
 ivec2 blocked_at(int iteration, int i) {

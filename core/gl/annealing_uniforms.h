@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/gl/context/functions.h"
+#include "core/gl/program_interface.h"
 
 namespace ddt::gl {
 
@@ -17,10 +18,10 @@ struct AnnealingUniforms {
 
 /// Set them for the program in use.
 inline void set_annealing_uniforms(const Functions& gl, const AnnealingUniforms& chance) {
-    gl.Uniform2ui(5, GLuint(chance.salt), GLuint(chance.salt >> 32));
-    gl.Uniform2ui(6, GLuint(chance.seed), GLuint(chance.seed >> 32));
-    gl.Uniform1ui(7, chance.part);
-    gl.Uniform1f(9, chance.temperature);
+    gl.Uniform2ui(at_salt, GLuint(chance.salt), GLuint(chance.salt >> 32));
+    gl.Uniform2ui(at_seed, GLuint(chance.seed), GLuint(chance.seed >> 32));
+    gl.Uniform1ui(at_part, chance.part);
+    gl.Uniform1f(at_temperature, chance.temperature);
 }
 
 } // namespace ddt::gl

@@ -86,12 +86,12 @@ Buffer::~Buffer() {
     m_gl.DeleteBuffers(1, &m_name);
 }
 
-void Buffer::bind(GLuint storage_binding) const {
-    m_gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, storage_binding, m_name);
+void Buffer::bind(Binding binding) const {
+    m_gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, GLuint(binding), m_name);
 }
 
-void Buffer::bind_uniform(GLuint binding) const {
-    m_gl.BindBufferBase(GL_UNIFORM_BUFFER, binding, m_name);
+void Buffer::bind_uniform(UniformBinding binding) const {
+    m_gl.BindBufferBase(GL_UNIFORM_BUFFER, GLuint(binding), m_name);
 }
 
 void Buffer::write(size_t offset, size_t bytes, const void* data) const {

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "core/gl/context/functions.h"
+#include "core/gl/program_interface.h"
 
 namespace ddt::gl {
 
@@ -23,8 +24,8 @@ public:
     size_t bytes() const { return m_bytes; }
     GLuint name() const { return m_name; }
 
-    void bind(GLuint storage_binding) const;
-    void bind_uniform(GLuint binding) const;
+    void bind(Binding binding) const;
+    void bind_uniform(UniformBinding binding) const;
     /// Throws Failure if what goes there finds no memory on the way.
     void write(size_t offset, size_t bytes, const void* data) const;
     /// Read, also what shaders wrote. Waits, as finish() does, for all that was asked of the

@@ -72,8 +72,8 @@ size_t DeviceMesh::write_guide(int slot, const HostBuffer& from, size_t at, size
 void DeviceMesh::unpack_guides() {
     m_gpu.programs->use("unpack_guide.comp");
     bind();
-    m_encoded.bind(4);
-    m_guide.bind(5);
+    m_encoded.bind(Binding::encoded);
+    m_guide.bind(Binding::guide);
     dispatch_over(m_shape.width, m_shape.height, surface_group_x, surface_group_y);
     barrier();
 }
@@ -104,9 +104,9 @@ void DeviceMesh::read_gains(int slot, float* gains) {
 }
 
 void DeviceMesh::bind() const {
-    m_batch.bind_uniform(0);
-    m_sites.bind(0);
-    m_work.bind(7);
+    m_batch.bind_uniform(UniformBinding::batch);
+    m_sites.bind(Binding::sites);
+    m_work.bind(Binding::work);
 }
 
 void DeviceMesh::barrier(bool with_arguments) {

@@ -61,8 +61,8 @@ void DeviceMesh::set_criterion(const Criterion& by) {
 
 void DeviceMesh::find_contours() {
     m_gpu.programs->use("contours.comp");
-    m_contours.bind(2);
-    m_guide.bind(5);
+    m_contours.bind(Binding::contours);
+    m_guide.bind(Binding::guide);
     // An invocation a cell.
     dispatch_over(m_shape.width - 1, m_shape.height - 1, start_group_x, start_group_y);
     barrier();
@@ -82,21 +82,21 @@ void DeviceMesh::prepare_lists(const std::vector<Reach>& reach) {
 }
 
 void DeviceMesh::bind_lists() {
-    m_sites.bind(0);
-    m_gain.bind(1);
-    m_contours.bind(2);
-    m_from->bind(3);
-    m_to->bind(4);
-    m_blocked_even.bind(5);
-    m_blocked_odd.bind(6);
-    m_work.bind(7);
+    m_sites.bind(Binding::sites);
+    m_gain.bind(Binding::gains);
+    m_contours.bind(Binding::contours);
+    m_from->bind(Binding::from);
+    m_to->bind(Binding::to);
+    m_blocked_even.bind(Binding::blocked_even);
+    m_blocked_odd.bind(Binding::blocked_odd);
+    m_work.bind(Binding::work);
 }
 
 void DeviceMesh::start(const MeshOptions& options) {
     use("start.comp", 1, 1, m_criterion);
-    m_gl.Uniform1i(5, options.start == Start::flat);
-    m_gl.Uniform1i(6, m_iterations > 0);
-    m_guide.bind(5);
+    m_gl.Uniform1i(at_flat_start, options.start == Start::flat);
+    m_gl.Uniform1i(at_with_gains, m_iterations > 0);
+    m_guide.bind(Binding::guide);
     dispatch_over(m_shape.width, m_shape.height, start_group_x, start_group_y);
     barrier(true);
     m_gains_known = false;
@@ -124,7 +124,7 @@ void DeviceMesh::one_round() {
               some = m_iterations_a_dispatch > 0 ? m_iterations_a_dispatch : usual;
     for (int i = dispatched + 1; i <= m_iterations + 1; i += some) { // one more: the gains
         use("finish.comp", i, m_iterations, m_criterion);
-        m_gl.Uniform1i(5, some);
+        m_gl.Uniform1i(at_iterations_a_dispatch, some);
         m_gl.DispatchCompute(GLuint(m_tiles), 1, 1);
         barrier();
     }
@@ -146,14 +146,14 @@ void DeviceMesh::accept_reject(const Rules& rules) {
             m_gl, (marks + size_t(progress_size) * size_t(m_capacity)) * word);
     m_marks->clear();
     bind_lists();
-    m_marks->bind(2);
+    m_marks->bind(Binding::marks);
     use("accept_reject.comp", 1, m_iterations, m_criterion);
-    m_gl.Uniform1i(5, rules.by_gain);
-    m_gl.Uniform1i(6, rules.wide_iterations);
+    m_gl.Uniform1i(at_by_gain, rules.by_gain);
+    m_gl.Uniform1i(at_wide_iterations, rules.wide_iterations);
     // llvmpipe's loops turn 65535 times a dispatch. Drivers of hardware take a dispatch of seconds
     // for one that hangs: so many turns are half of one where each waits for memory, for a
     // microsecond.
-    m_gl.Uniform2i(9, GLint(marks), m_gpu.context->short_loops ? 40000 : 500000);
+    m_gl.Uniform2i(at_progress, GLint(marks), m_gpu.context->short_loops ? 40000 : 500000);
     std::vector<uint32_t> progress(size_t(progress_size) * size_t(m_tiles));
     const auto goes_on = [&] {
         const std::vector<uint32_t> before = progress;
@@ -194,8 +194,8 @@ void DeviceMesh::annealing(const MeshOptions& options) {
 
 void DeviceMesh::anneal(uint64_t salt, uint64_t seed, float temperature) {
     // What others need of these two buffers they write first.
-    m_blocked_even.bind(5); // numbers drawn
-    m_blocked_odd.bind(6);  // edges that flip
+    m_blocked_even.bind(Binding::drawn);
+    m_blocked_odd.bind(Binding::decided);
     const auto dispatch = [&] {
         dispatch_over_sites();
         barrier();
@@ -229,13 +229,13 @@ void DeviceMesh::find_gains(const Criterion& by) {
 void DeviceMesh::use(const char* shader, int first_iteration, int last_iteration,
                      const std::string& defines) {
     m_gpu.programs->use(shader, defines);
-    m_gl.Uniform1i(0, m_tiles);
-    m_gl.Uniform1i(1, GLint(m_shape.edges()));
-    m_gl.Uniform1i(2, first_iteration);
-    m_gl.Uniform1i(3, last_iteration);
-    m_gl.Uniform1f(4, m_min_gain);
+    m_gl.Uniform1i(at_tiles, m_tiles);
+    m_gl.Uniform1i(at_list_size, GLint(m_shape.edges()));
+    m_gl.Uniform1i(at_first_iteration, first_iteration);
+    m_gl.Uniform1i(at_last_iteration, last_iteration);
+    m_gl.Uniform1f(at_min_gain, m_min_gain);
     if (defines.find("CONTOURS") != std::string::npos)
-        m_gl.Uniform1f(8, m_contour_weight);
+        m_gl.Uniform1f(at_contour_weight, m_contour_weight);
 }
 
 } // namespace ddt::gl

@@ -130,25 +130,31 @@ DeviceTin::Counts DeviceTin::pass(const char* shader, size_t invocations, bool w
     return there([&] { return pass_there(shader, invocations, wide, chance); });
 }
 
+void DeviceTin::bind() const {
+    m_vertex_buffer.bind(Binding::tin_vertices);
+    m_triangle_buffer.bind(Binding::tin_triangles);
+    m_edge_buffer.bind(Binding::tin_edges);
+    m_face_buffer.bind(Binding::tin_faces);
+    m_gain_buffer.bind(Binding::tin_gains);
+    m_mark_buffer.bind(Binding::tin_marks);
+    m_count_buffer.bind(Binding::tin_counts);
+}
+
 DeviceTin::Counts DeviceTin::pass_there(const char* shader, size_t invocations, bool wide,
                                         const AnnealingUniforms* chance) {
     m_gpu.programs->use(shader, m_cost);
-    const Buffer* const buffers[] = {&m_vertex_buffer, &m_triangle_buffer, &m_edge_buffer,
-                                     &m_face_buffer,   &m_gain_buffer,     &m_mark_buffer,
-                                     &m_count_buffer};
-    for (GLuint i = 0; i < std::size(buffers); ++i)
-        buffers[i]->bind(i);
+    bind();
     if (chance) {
-        m_place_buffer->bind(7);
-        m_drawn_buffer->bind(4); // in place of the gains: OpenGL 4.3 promises eight blocks
+        m_place_buffer->bind(Binding::tin_places);
+        m_drawn_buffer->bind(Binding::tin_drawn);
         set_annealing_uniforms(m_gl, *chance);
     }
     m_count_buffer.clear();
-    m_gl.Uniform1i(0, GLint(invocations));
-    m_gl.Uniform1f(1, m_pixel);
-    m_gl.Uniform1f(2, m_min_gain);
-    m_gl.Uniform1i(3, m_by_gain);
-    m_gl.Uniform1i(4, wide);
+    m_gl.Uniform1i(at_count, GLint(invocations));
+    m_gl.Uniform1f(at_pixel, m_pixel);
+    m_gl.Uniform1f(at_min_gain, m_min_gain);
+    m_gl.Uniform1i(at_by_gain, m_by_gain);
+    m_gl.Uniform1i(at_wide, wide);
     const size_t groups = (invocations + group - 1) / group;
     const size_t across = std::min(groups, size_t(most_groups));
     m_gl.DispatchCompute(GLuint(across), GLuint((groups + across - 1) / across), 1);

@@ -54,6 +54,8 @@ private:
                 const AnnealingUniforms* chance = nullptr);
     Counts pass_there(const char* shader, size_t invocations, bool wide,
                       const AnnealingUniforms* chance);
+    /// What every program of shaders/tin.glsl needs, but for annealing.
+    void bind() const;
     /// Without rules as one_round does.
     void flip_by(const std::optional<Rules>& rules, int iterations, const Workspace& workspace,
                  Statistics& statistics);

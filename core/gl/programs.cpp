@@ -10,6 +10,7 @@
 #include "core/base/stopwatch.h"
 #include "core/gl/context/failure.h"
 #include "core/gl/context/faults.h"
+#include "core/gl/program_interface.h"
 #include "core/gl/shader_text.h"
 #include "ddt/options.h"
 
@@ -83,6 +84,13 @@ std::string assembled(const std::string& text, const std::string& defines) {
 #define DDT_LAYOUT(NAME, name, value) out += define(#NAME, std::to_string(name));
     DDT_LAYOUTS(DDT_LAYOUT)
 #undef DDT_LAYOUT
+#define DDT_LOCATION(NAME, name) out += define(#NAME, std::to_string(name));
+    DDT_LOCATIONS(DDT_LOCATION)
+#undef DDT_LOCATION
+#define DDT_BINDING(NAME, name, value) out += define(#NAME, std::to_string(value));
+    DDT_BINDINGS(DDT_BINDING)
+    DDT_UNIFORM_BINDINGS(DDT_BINDING)
+#undef DDT_BINDING
     std::istringstream names(defines);
     for (std::string name; names >> name;)
         out += define(name.c_str(), "");

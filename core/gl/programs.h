@@ -18,7 +18,7 @@ namespace ddt::gl {
     LAYOUT(MAX_TILES, max_tiles, 64)                                                               \
     /* Largest value of MeshOptions::max_iterations. */                                            \
     LAYOUT(MAX_ITERATIONS, max_iterations, most_iterations)                                        \
-    /* Steps of an iteration of one_round, each a dispatch, and words of its arguments. */          \
+    /* Steps of an iteration of one_round, each a dispatch, and words of its arguments. */         \
     LAYOUT(STEP_EVALUATE, step_evaluate, 0)                                                        \
     LAYOUT(STEP_SELECT, step_select, 1)                                                            \
     LAYOUT(STEP_FLIP, step_flip, 2)                                                                \

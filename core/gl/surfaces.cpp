@@ -110,13 +110,13 @@ size_t Surfaces::write_numbers(int tile, const TileSize& size, const HostBuffer&
 void Surfaces::unpack(DeviceMesh& mesh) {
     m_gpu.programs->use("unpack.comp", unpack_macros(m_expected));
     mesh.bind();
-    m_numbers->bind(4);
+    m_numbers->bind(Binding::numbers);
     if (m_codes)
-        m_codes->bind(5);
-    m_gl.Uniform2i(9, m_meshes, GLint(tile_bytes() / sizeof(GLuint)));
+        m_codes->bind(Binding::codes);
+    m_gl.Uniform2i(at_layout, m_meshes, GLint(tile_bytes() / sizeof(GLuint)));
     for (size_t g = 0; g < m_groups.size(); ++g) {
         m_groups[g].values = m_groups[g].source.get();
-        m_groups[g].values->bind(1);
+        m_groups[g].values->bind(Binding::values);
         bind_channels(int(g));
         mesh.dispatch_over(m_shape.width, m_shape.height, surface_group_x, surface_group_y);
     }
@@ -126,7 +126,7 @@ void Surfaces::unpack(DeviceMesh& mesh) {
 /// The uniform of which channels of a pixel are a group's.
 void Surfaces::bind_channels(int group) const {
     const int first = group * group_size;
-    m_gl.Uniform3i(6, m_channels, first, std::min(group_size, m_channels - first));
+    m_gl.Uniform3i(at_channels, m_channels, first, std::min(group_size, m_channels - first));
 }
 
 void Surfaces::make(DeviceMesh& mesh, const Criterion& by) {
@@ -155,9 +155,9 @@ void Surfaces::find_gradients(DeviceMesh& mesh, const Group& group, int margin) 
         return;
     m_gpu.programs->use("gradients.comp", gradient_macros(m_options));
     mesh.bind();
-    group.values->bind(1);
-    group.gradients->bind(2);
-    m_gl.Uniform1i(9, margin);
+    group.values->bind(Binding::values);
+    group.gradients->bind(Binding::gradients);
+    m_gl.Uniform1i(at_margin, margin);
     mesh.dispatch_over(m_shape.width, m_shape.height, surface_group_x, surface_group_y);
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
@@ -169,21 +169,20 @@ void Surfaces::bind_net(const DeviceMesh& mesh, int group) {
 
 void Surfaces::bind_net(const DeviceMesh& mesh, const Group& group, const Buffer& edges) {
     mesh.bind();
-    group.values->bind(1);
-    edges.bind(2);
-    mesh.gains().bind(3);
-    m_gl.Uniform1f(0, m_options.soft > 0 ? 1.0f / m_options.soft : 0.0f);
+    group.values->bind(Binding::values);
+    edges.bind(Binding::gradients);
+    mesh.gains().bind(Binding::gains);
+    m_gl.Uniform1f(at_reciprocal_tau, m_options.soft > 0 ? 1.0f / m_options.soft : 0.0f);
     const unsigned strict = group.kinds.strict;
-    m_gl.Uniform4f(1, lane(strict, 0), lane(strict, 1), lane(strict, 2), lane(strict, 3));
+    m_gl.Uniform4f(at_strict, lane(strict, 0), lane(strict, 1), lane(strict, 2), lane(strict, 3));
 }
 
 void Surfaces::fit(DeviceMesh& mesh, Group& group) {
     // As in a last round; bends are wanted of edges of triangles that are read.
-    m_table->bind_uniform(1);
-    group.bends->bind(5);
+    m_table->bind_uniform(UniformBinding::fitted);
+    group.bends->bind(Binding::bends);
     find_gradients(mesh, group, 3);
     find_edges(mesh, group, 3);
-    group.bends->bind(6);
     bend_edges(mesh, group, 1);
     correct(mesh, group, 0, 2);
 }
@@ -193,8 +192,8 @@ void Surfaces::find_edges(DeviceMesh& mesh, const Group& group, int margin) {
         return;
     m_gpu.programs->use("net_edges.comp", surface_macros(m_options));
     bind_net(mesh, group, *group.gradients);
-    m_edges->bind(4);
-    m_gl.Uniform1i(9, margin);
+    m_edges->bind(Binding::made_edges);
+    m_gl.Uniform1i(at_margin, margin);
     mesh.dispatch_over_sites();
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
@@ -202,7 +201,7 @@ void Surfaces::find_edges(DeviceMesh& mesh, const Group& group, int margin) {
 void Surfaces::bend_edges(DeviceMesh& mesh, const Group& group, int margin) {
     m_gpu.programs->use("fitted_bends.comp", bend_macros(m_options));
     bind_net(mesh, group, *m_edges);
-    m_gl.Uniform1i(9, margin);
+    m_gl.Uniform1i(at_margin, margin);
     mesh.dispatch_over_sites();
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
@@ -211,12 +210,12 @@ void Surfaces::correct(DeviceMesh& mesh, Group& group, int round, int margin) {
     const Buffer* to = group.corrected[round & 1].get();
     m_gpu.programs->use("correct.comp", correct_macros(m_options));
     bind_net(mesh, group, has_edges() ? *m_edges : *group.gradients);
-    group.source->bind(4);
-    to->bind(5);
+    group.source->bind(Binding::source);
+    to->bind(Binding::corrected);
     const auto limit = [&](int i) { return lane(~group.kinds.strict, i) * m_options.limit; };
-    m_gl.Uniform4f(2, limit(0), limit(1), limit(2), limit(3));
-    m_gl.Uniform1f(3, m_options.clipped ? -FLT_MAX : 0.0f);
-    m_gl.Uniform1i(9, margin);
+    m_gl.Uniform4f(at_limit, limit(0), limit(1), limit(2), limit(3));
+    m_gl.Uniform1f(at_lowest, m_options.clipped ? -FLT_MAX : 0.0f);
+    m_gl.Uniform1i(at_margin, margin);
     mesh.dispatch_over(m_shape.width, m_shape.height, surface_group_x, surface_group_y);
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     group.values = to;
@@ -266,23 +265,23 @@ void Surfaces::sample(DeviceMesh& mesh, const SamplePlan& plan, const SampleMemo
 void Surfaces::sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int index,
                            const SampleMemory& memory) {
     m_gpu.programs->use("sample.comp", sample_macros(m_options, m_channels, index));
-    m_gl.Uniform1i(2, plan.slot + index);
-    m_gl.Uniform1i(3, plan.separable);
-    m_gl.Uniform3i(4, plan.columns, plan.rows, plan.count);
-    m_gl.Uniform2i(5, plan.first_x, plan.first_y);
-    m_gl.Uniform1i(8, plan.first_result);
+    m_gl.Uniform1i(at_tile, plan.slot + index);
+    m_gl.Uniform1i(at_separable, plan.separable);
+    m_gl.Uniform3i(at_size, plan.columns, plan.rows, plan.count);
+    m_gl.Uniform2i(at_first, plan.first_x, plan.first_y);
+    m_gl.Uniform1i(at_first_result, plan.first_result);
     if (index > 0) {
-        m_gl.Uniform1f(9, 1.0f / float(index + 1));
+        m_gl.Uniform1f(at_share, 1.0f / float(index + 1));
         m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
     for (size_t g = 0; g < m_groups.size(); ++g) {
         const Group& group = m_groups[g];
         bind_net(mesh, group, edges_of(group));
-        memory.positions->bind(4);
-        memory.results->bind(5);
-        group.source->bind(6);
+        memory.positions->bind(Binding::positions);
+        memory.results->bind(Binding::results);
+        group.source->bind(Binding::source);
         bind_channels(int(g));
-        m_gl.Uniform1ui(7, group.kinds.nearest);
+        m_gl.Uniform1ui(at_nearest, group.kinds.nearest);
         m_gl.DispatchCompute(groups(plan.columns, sample_group_x),
                              groups(plan.rows, sample_group_y), 1);
     }
@@ -308,13 +307,13 @@ void Surfaces::pack(size_t count, const Transfer& transfer, SampleMemory& memory
             m_code_table = std::make_unique<Buffer>(m_gl, bytes);
             m_code_table->write(0, bytes, table.entries.data());
         }
-        m_code_table->bind(4);
-        m_gl.Uniform4ui(1, GLuint(table.shift), table.first, bits_of(table.lowest),
+        m_code_table->bind(Binding::code_table);
+        m_gl.Uniform4ui(at_code_table, GLuint(table.shift), table.first, bits_of(table.lowest),
                         bits_of(table.top));
     }
-    m_gl.Uniform1i(0, GLint(count));
-    memory.results->bind(5);
-    memory.packed->bind(6);
+    m_gl.Uniform1i(at_count, GLint(count));
+    memory.results->bind(Binding::results);
+    memory.packed->bind(Binding::packed);
     const size_t words = packed_bytes(count, transfer) / sizeof(uint32_t);
     m_gl.DispatchCompute(GLuint(std::clamp<size_t>(words / list_group, 1, packing_groups)), 1, 1);
 }

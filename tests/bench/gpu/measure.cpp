@@ -230,8 +230,8 @@ double copy_bandwidth(gl::Gpu& gpu) {
     // A kernel, as what is measured are kernels: drivers copy otherwise, some far slower.
     static const char* const text = R"(
 layout(local_size_x = 256) in;
-layout(std430, binding = 0) readonly buffer From { uvec4 from[]; };
-layout(std430, binding = 1) writeonly buffer To { uvec4 to[]; };
+layout(std430, binding = BIND_FROM) readonly buffer From { uvec4 from[]; };
+layout(std430, binding = BIND_TO) writeonly buffer To { uvec4 to[]; };
 void main() {
     uint all = 256 * gl_NumWorkGroups.x;
     for (uint i = gl_GlobalInvocationID.x; i < from.length(); i += all)
@@ -249,8 +249,8 @@ void main() {
             for (int i = 0; i < 5; ++i) {
                 gl::StageTimer timer(gl, true);
                 gl.UseProgram(program);
-                from.bind(0);
-                to.bind(1);
+                from.bind(gl::Binding::from);
+                to.bind(gl::Binding::to);
                 timer.begin(Stage::sample);
                 gl.DispatchCompute(4096, 1, 1);
                 timer.end();

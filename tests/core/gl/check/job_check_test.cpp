@@ -9,6 +9,7 @@
 #include "core/gl/context/faults.h"
 #include "core/gl/context/gpu.h"
 #include "core/gl/job_programs.h"
+#include "core/gl/program_interface.h"
 #include "core/surface/consistency/corrections.h"
 #include "ddt/names.h"
 #include "tests/core/gl/devices.h"
@@ -171,9 +172,7 @@ TEST_P(JobCheck, EveryProgramIsCheckedBeforeItIsUsedAndAWrongOneIsNot) {
     EXPECT_GE(proved.size(), 7 * cost_names().size() + 6 + 1 + 2 + 2 + 2 + 1 + 3 + 4 + 2 + 16);
 }
 
-// A program is known by what it alone is told: accept_reject.comp most_turns, of software and of
-// hardware.
-constexpr GLint most_turns[] = {40000, 500000};
+// A program is known by what it alone is told: accept_reject.comp of its progress.
 int g_dropped;
 bool g_dropping;
 PFNGLUSEPROGRAMPROC g_use_program;
@@ -186,7 +185,7 @@ void APIENTRY use_program(GLuint program) {
 }
 
 void APIENTRY uniform_2i(GLint location, GLint x, GLint y) {
-    g_dropping |= y == most_turns[0] || y == most_turns[1];
+    g_dropping |= location == gl::at_progress;
     g_uniform_2i(location, x, y);
 }
 

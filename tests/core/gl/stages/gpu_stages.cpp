@@ -19,8 +19,8 @@ const char* const edges_comp = R"(
 
 layout(local_size_x = 8, local_size_y = 8) in; // a site
 
-layout(std430, binding = 4) writeonly buffer Bends { vec4 bends[]; };
-layout(std430, binding = 5) writeonly buffer Softness { vec4 softnesses[]; };
+layout(std430, binding = BIND_BENDS) writeonly buffer Bends { vec4 bends[]; };
+layout(std430, binding = BIND_MADE_EDGES) writeonly buffer Softness { vec4 softnesses[]; };
 
 void main() {
     ivec2 m = ivec2(gl_GlobalInvocationID.xy);
@@ -108,8 +108,8 @@ SurfaceStage GpuStages::surface(int rounds) {
                                        gl::assembled(edges_comp, defines));
     gl.UseProgram(program);
     surfaces.bind_net(m_mesh, 0);
-    bends.bind(4);
-    softness.bind(5);
+    bends.bind(gl::Binding::bends);
+    softness.bind(gl::Binding::made_edges);
     m_mesh.dispatch_over(2 * m_shape.width - 1, 2 * m_shape.height - 1, 8, 8);
     gl::finish(gl, "edges");
     gl.DeleteProgram(program);
