@@ -65,15 +65,15 @@ TEST(ImageFile, OfFitsMayBeWide) {
 
 TEST(ImageFile, WhyAWriterFailedIsToldWhereItDoesNotSayIt) {
     const std::string path = temporary("large.fits");
-    const OIIO::ImageSpec spec(64, 64, 3, OIIO::TypeFloat);
-    const std::vector<float> pixels(64 * 64 * 3, 0.5f);
+    const OIIO::ImageSpec spec(1024, 16, 3, OIIO::TypeFloat); // rows too large for a buffer
+    const std::vector<float> pixels(1024 * 16 * 3, 0.5f);
     ImageFile file;
     Failure failure;
     std::signal(SIGXFSZ, SIG_IGN);
     ASSERT_TRUE(file.begin(path, spec, failure)) << failure.why;
     {
-        const test::ResourceLimit small(RLIMIT_FSIZE, 16384);
-        EXPECT_FALSE(file.write_rows(0, 64, OIIO::TypeFloat, pixels.data()));
+        const test::ResourceLimit small(RLIMIT_FSIZE, 2880); // the header
+        EXPECT_FALSE(file.write_rows(0, 16, OIIO::TypeFloat, pixels.data()));
         failure = file.failed();
     }
     EXPECT_EQ(failure.why, "cannot write \"" + path + "\": " + std::strerror(EFBIG));
