@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The control net over the meshes. Its edges are made where they are read, or STORED_EDGES: were
-// made by net_edges.comp. C++ twin: core/surface/control_net.h. QUADRATIC, SOFT: edges bend, are soft.
+// made by net_edges.comp. C++ twin: core/surface/control_net.h. QUADRATIC, SOFT: edges bend, are
+// soft.
 #include "lattice.glsl"
 #include "surface.glsl"
 

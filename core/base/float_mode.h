@@ -13,45 +13,61 @@ namespace ddt {
 
 /// While it lives, this thread computes as every thread begins: it rounds to nearest, keeps
 /// denormals and traps nothing. A host may have set the processor's registers by hand, of which
-/// std::fegetround() need not know: on x86-64 glibc's asks the x87 alone. Does nothing, and takes
-/// next to no time, where nothing is to be changed.
+/// std::fegetround() need not know: on x86-64 glibc's asks the x87 alone, and std::fesetround()
+/// sets both. Takes next to no time where nothing is to be changed. On processors other than
+/// x86-64 and AArch64 it sees to rounding alone.
 class DefaultFloats {
 public:
     DefaultFloats() : m_rounding(std::fegetround()) {
-        if (m_rounding != FE_TONEAREST)
-            std::fesetround(FE_TONEAREST);
 #if defined(__SSE2__)
-        // But for what has happened, the lowest six bits.
         m_saved = _mm_getcsr();
-        if ((m_saved & ~0x3fu) != 0x1f80u)
-            _mm_setcsr(0x1f80u);
 #elif defined(__aarch64__)
         asm volatile("mrs %0, fpcr" : "=r"(m_saved));
-        if (m_saved != 0)
-            asm volatile("msr fpcr, %0" ::"r"(uint64_t(0)));
-#endif
-    }
-    ~DefaultFloats() {
-#if defined(__SSE2__)
-        if ((m_saved & ~0x3fu) != 0x1f80u)
-            _mm_setcsr(m_saved);
-#elif defined(__aarch64__)
-        if (m_saved != 0)
-            asm volatile("msr fpcr, %0" ::"r"(m_saved));
 #endif
         if (m_rounding != FE_TONEAREST)
+            std::fesetround(FE_TONEAREST);
+        if (!is_default()) {
+#if defined(__SSE2__)
+            _mm_setcsr(default_mode);
+#elif defined(__aarch64__)
+            asm volatile("msr fpcr, %0" ::"r"(default_mode));
+#endif
+        }
+    }
+    ~DefaultFloats() {
+        if (m_rounding != FE_TONEAREST)
             std::fesetround(m_rounding);
+        if (m_rounding != FE_TONEAREST || !is_default()) {
+#if defined(__SSE2__)
+            _mm_setcsr(m_saved);
+#elif defined(__aarch64__)
+            asm volatile("msr fpcr, %0" ::"r"(m_saved));
+#endif
+        }
     }
     DefaultFloats(const DefaultFloats&) = delete;
     DefaultFloats& operator=(const DefaultFloats&) = delete;
 
 private:
-    int m_rounding;
 #if defined(__SSE2__)
+    static constexpr unsigned default_mode = 0x1f80;
+    /// But for what has happened, the lowest six bits.
+    bool is_default() const {
+        return (m_saved & ~0x3fu) == default_mode;
+    }
     unsigned m_saved;
 #elif defined(__aarch64__)
+    static constexpr uint64_t default_mode = 0;
+    bool is_default() const {
+        return m_saved == default_mode;
+    }
     uint64_t m_saved;
+#else
+    static bool is_default() {
+        return true;
+    }
 #endif
+    int m_rounding;
 };
 
 /// While it lives, this thread treats denormal floats as zero, as GPUs do, rounds to nearest and

@@ -18,7 +18,7 @@ constexpr float share_of_filling = 0.5f;
 struct HoledImage {
     float* values;       ///< `channels` interleaved floats per pixel
     const float* guide;  ///< one float per pixel
-    float* filled_guide; ///< `guide`, to be filled as if it were a channel; null: not filled
+    float* filled_guide; ///< `guide` itself, to be filled like a channel; null: it is not
     int width, height, channels;
     const Channel* kinds;
     int threads = 0; ///< that share the work, which has the same bits for any number; 0: all

@@ -111,27 +111,41 @@ bool delaunay_points(PointMesh& mesh, Ties ties, std::string& error,
     return true;
 }
 
+/// Make a mesh of its triangles on its grid. On that of all points where the corners' own is too
+/// fine: so it is of a mesh that was made with points far away and lost their triangles, others of
+/// which turn over where they are no longer rounded as they were then.
+bool connect_points(const PointMesh& mesh, Tin& tin, std::string& error) {
+    StepGrid grid;
+    if (!grid.fit(mesh, error))
+        return false;
+    tin.vertices = vertices_of(grid, mesh.x, mesh.y);
+    if (connect(tin, mesh.triangles, error))
+        return true;
+    std::string of_all;
+    tin = {};
+    if (!grid.fit(mesh.x, mesh.y, of_all))
+        return false;
+    tin.vertices = vertices_of(grid, mesh.x, mesh.y);
+    return connect(tin, mesh.triangles, of_all);
+}
+
 bool optimise_points(PointMesh& mesh, const float* guide, const MeshOptions& given,
                      MeshReport* report, std::string& error, const ProgressCallback& progress,
                      Device device) {
     const DenormalsAreZero as_on_gpus;
     const MeshOptions options = for_points(given);
-    StepGrid grid;
     Placement placement;
     FilterOptions all;
     all.mesh = options;
     all.device = device;
-    if (!check_options(all, error) || !grid.fit(mesh, error) ||
-        !choose(device, mesh.x.size(), options, placement, error))
-        return false;
     Tin tin;
-    tin.vertices = vertices_of(grid, mesh.x, mesh.y);
+    if (!check_options(all, error) || !choose(device, mesh.x.size(), options, placement, error) ||
+        !connect_points(mesh, tin, error))
+        return false;
     for (size_t i = 0; i < tin.vertices.size(); ++i) {
         tin.vertices[i].guide = guide[i];
         clean_guide(&tin.vertices[i].guide, 1);
     }
-    if (!connect(tin, mesh.triangles, error))
-        return false;
     bool going = true;
     // Not to be asked again by the CPU if a GPU fails after it was cancelled.
     const ProgressCallback once = until_it_ends(progress), rising = never_falling(once);

@@ -54,7 +54,7 @@ SlotShape shape_for(const Rect& window) {
 size_t affordable_tiles(const Gpu& gpu, const SlotShape& shape, int groups,
                         const SurfaceOptions& options, int tiles, int meshes) {
     const auto slots = size_t(meshes); // a tile
-    // The tile's numbers as they transfer, at most.
+    // The tile's numbers as they travel, at most.
     const size_t numbers = Numbers().room(shape.pixels() * size_t(groups * group_size));
     const size_t a_tile =
         slots * (DeviceMesh::bytes(shape) + Surfaces::bytes(shape, size_t(groups), options)) +

@@ -17,7 +17,7 @@ namespace ddt::gl {
 struct HostTile {
     Tile tile;
     TileSize size;
-    /// What is uploaded: first the guides where with_guides(), as they transfer, a mesh after the
+    /// What is uploaded: first the guides where with_guides(), as they travel, a mesh after the
     /// other; then the numbers of the tile's pixels, rows without gaps.
     std::unique_ptr<HostBuffer> memory;
     std::vector<size_t> guide_bytes;

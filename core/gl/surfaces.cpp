@@ -232,7 +232,7 @@ void Surfaces::reserve(std::unique_ptr<Buffer>& buffer, size_t bytes) {
 
 namespace {
 
-/// Room for results as they transfer, in whole words.
+/// Room for results as they travel, in whole words.
 size_t packed_bytes(size_t numbers, const Transfer& transfer) {
     return transfer.packed() ? whole_words(numbers * transfer.download_bytes()) : 0;
 }

@@ -116,7 +116,7 @@ private:
     std::vector<Group> m_groups;
     Numbers m_expected;
     int m_channels = 0, m_meshes = 1;
-    std::unique_ptr<Buffer> m_numbers, m_codes; ///< as they transfer; what codes stand for
+    std::unique_ptr<Buffer> m_numbers, m_codes; ///< as they travel; what codes stand for
     std::unique_ptr<Buffer> m_code_table;       ///< CodeTable::entries
     std::unique_ptr<Buffer> m_table;            ///< FittedTable, if the surface is fitted
     std::unique_ptr<Buffer> m_edges; ///< by net_edges.comp, of the group that is corrected

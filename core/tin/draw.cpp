@@ -7,8 +7,8 @@ namespace ddt {
 
 bool draw(const PointMesh& mesh, const float* values, int channels, const PixelGrid& grid,
           float* pixels, uint8_t* inside, std::string* error) noexcept {
-    const DenormalsAreZero as_on_gpus;
     return succeeds(error, [&](std::string& why) {
+        const DenormalsAreZero as_on_gpus;
         if (channels < 1) {
             why = "ddt: there must be at least 1 channel";
             return false;

@@ -118,8 +118,6 @@ bool each_pixel(const PointMesh& mesh, const PixelGrid& grid, uint8_t* inside, s
     StepGrid steps;
     if (!steps.fit(mesh, error))
         return false;
-    if (!check_vertices(mesh.triangles, mesh.x.size(), error))
-        return false;
     const size_t size = size_t(grid.width) * size_t(grid.height);
     if (size == 0)
         return true;

@@ -24,6 +24,9 @@ inline std::vector<HostMode> host_modes() {
     // is invalid, overflows or is divided by zero trapped.
     for (const unsigned control : {0x3f80u, 0x5f80u, 0x7f80u, 0x9fc0u, 0x1900u})
         all.push_back({FE_TONEAREST, control});
+    // The x87 otherwise than the register.
+    all.push_back({FE_UPWARD, 0x1f80u});
+    all.push_back({FE_UPWARD, 0x3f80u});
 #endif
     return all;
 }

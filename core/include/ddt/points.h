@@ -41,8 +41,8 @@ bool delaunay(PointMesh& mesh, std::string* error = nullptr,
 /// one without area, an edge of more than two; and where a `device` that is named cannot be had.
 /// lawson and look_ahead run on the CPU whatever is named, the others on GPUs too; no choice
 /// changes the result. Positions are rounded as delaunay() does; where all points span more than
-/// four times what the triangles' corners do, to 2^-29 of what these span. After a failure the mesh
-/// is as it was.
+/// four times what the triangles' corners do, to 2^-29 of what these span, unless they lie over one
+/// another so. After a failure the mesh is as it was.
 bool optimise(PointMesh& mesh, const float* guide, const MeshOptions& options,
               MeshReport* report = nullptr, std::string* error = nullptr,
               const ProgressCallback& progress = {}, Device device = Device::automatic) noexcept;

@@ -13,7 +13,7 @@
 namespace ddt {
 namespace {
 
-TEST(Verbose, IsAnythingSetThatDoesNotBeginWithZero) {
+TEST(Log, IsAnythingSetThatDoesNotBeginWithZero) {
     const Environment unset("DDT_VERBOSE", std::nullopt);
     EXPECT_FALSE(verbose());
     for (const char* no : {"", "0", "00"}) {
@@ -26,7 +26,7 @@ TEST(Verbose, IsAnythingSetThatDoesNotBeginWithZero) {
     }
 }
 
-TEST(Verbose, ACallbackTakesTheLines) {
+TEST(Log, ACallbackTakesTheLines) {
     const Environment unset("DDT_VERBOSE", std::nullopt);
     std::vector<std::string> lines;
     set_log([&](const char* line) { lines.emplace_back(line); });
@@ -44,7 +44,7 @@ TEST(Verbose, ACallbackTakesTheLines) {
     EXPECT_EQ(lines.back(), "ddt: a driver failed");
 }
 
-TEST(Verbose, WhatACallbackThrowsIsDropped) {
+TEST(Log, WhatACallbackThrowsIsDropped) {
     int calls = 0;
     set_log([&](const char*) {
         ++calls;

@@ -3,10 +3,14 @@
 #include <cmath>
 
 #include "core/base/codes.h"
+#include "core/base/float_bits.h"
 #include "core/base/half.h"
+#include "ddt/mesh.h"
+#include "ddt/points.h"
 #include "tests/core/helpers.h"
 #include "tests/core/host_floats.h"
 #include "tests/core/job_helpers.h"
+#include "tests/core/random_points.h"
 #include "tests/fnv.h"
 
 namespace ddt::test {
@@ -86,6 +90,45 @@ std::vector<float> result_of_holes() {
     return sink.values();
 }
 
+/// Points are triangulated, their mesh is flipped, and drawn with values of which some are
+/// denormals.
+std::vector<float> result_of_points() {
+    PointMesh mesh = random_points(60, 15);
+    std::vector<float> values;
+    Random random(16);
+    for (size_t i = 0; i < mesh.x.size(); ++i)
+        values.push_back(i % 3 == 0 ? 1e-40f : random.unit());
+    EXPECT_TRUE(delaunay(mesh));
+    EXPECT_TRUE(optimise(mesh, values.data(), {}, nullptr, nullptr, {}, Device::cpu));
+    std::vector<float> drawn(50 * 50, -1.0f);
+    std::vector<uint8_t> inside(drawn.size());
+    EXPECT_TRUE(draw(mesh, values.data(), 1, {0, 0, 20, 20, 50, 50}, drawn.data(), inside.data()));
+    return drawn;
+}
+std::vector<float> result_of_mesh() {
+    std::vector<float> guide;
+    Random random(17);
+    for (int i = 0; i < 30 * 20; ++i)
+        guide.push_back(random.unit());
+    Mesh mesh;
+    EXPECT_TRUE(build_mesh(guide.data(), 30, 20, {}, mesh));
+    std::vector<float> vertices;
+    for (const auto& t : mesh.triangles)
+        vertices.insert(vertices.end(), t.begin(), t.end());
+    return vertices;
+}
+
+TEST(Draw, DenormalsAreZero) {
+    const PointMesh mesh{{0, 4, 0}, {0, 0, 4}, {{0, 1, 2}}};
+    const float values[] = {1e-40f, 1e-40f, 1e-38f};
+    float drawn[16];
+    uint8_t inside[16];
+    ASSERT_TRUE(draw(mesh, values, 1, {0, 0, 1, 1, 4, 4}, drawn, inside));
+    for (int i = 0; i < 16; ++i)
+        if (inside[i])
+            EXPECT_EQ(bits_of(drawn[i]), 0u) << i;
+}
+
 /// Whether a result is the same however the host has floats computed, and the host's mode is what
 /// it was.
 template <class Result>
@@ -111,8 +154,8 @@ TEST(HostsMode, NeitherMattersNorChanges) {
 }
 
 TEST(HostsMode, NorDoesItOfWhatComesBeforeAndAfter) {
-    for (auto* const result :
-         {result_of_buffers, result_of_bytes, result_of_halfs, result_of_holes})
+    for (auto* const result : {result_of_buffers, result_of_bytes, result_of_halfs, result_of_holes,
+                               result_of_points, result_of_mesh})
         expect_no_difference(result);
 }
 

@@ -98,5 +98,30 @@ TEST(StepGrid, AMeshThatDelaunayMadeKeepsItsGrid) {
     }
 }
 
+/// A usual clean-up. Points that lay within a step of each other as the mesh was made turn some
+/// triangles over on the corners' own, finer grid.
+TEST(StepGrid, AMeshThatLostItsFarTrianglesKeepsTheGridThatItWasMadeOn) {
+    Random random(7);
+    PointMesh mesh;
+    for (int i = 0; i < 1500; ++i) {
+        mesh.x.push_back(500000 + random.below(1 << 24) * 0x1p-24);
+        mesh.y.push_back(5000000 + random.below(1 << 24) * 0x1p-24);
+    }
+    mesh.x.push_back(0);
+    mesh.y.push_back(0);
+    std::string error;
+    ASSERT_TRUE(delaunay(mesh, &error)) << error;
+    const auto far = int32_t(mesh.x.size()) - 1;
+    const auto has_far = [&](const std::array<int32_t, 3>& t) {
+        return std::find(t.begin(), t.end(), far) != t.end();
+    };
+    auto& triangles = mesh.triangles;
+    const size_t all = triangles.size();
+    triangles.erase(std::remove_if(triangles.begin(), triangles.end(), has_far), triangles.end());
+    ASSERT_LT(triangles.size(), all);
+    const std::vector<float> guide(mesh.x.size());
+    EXPECT_TRUE(optimise(mesh, guide.data(), {}, nullptr, &error, {}, Device::cpu)) << error;
+}
+
 } // namespace
 } // namespace ddt::test
