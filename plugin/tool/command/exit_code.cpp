@@ -6,7 +6,9 @@
 #include <exception>
 #include <new>
 #include <stdexcept>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "core/base/one_line.h"
 
@@ -34,9 +36,32 @@ size_t end_of_quoted(const std::string& message, size_t open) {
     return end;
 }
 
-/// The message without what is in double quotes: names, which may say anything.
+/// Whether a text says that something is wanting.
+bool tells_of_want(const std::string& text) {
+    // Of the library: memory that ran out, images that another machine may have memory for (see
+    // check_size in plugin/image/windows.h), devices that this one has not; of libtiff and of
+    // OpenImageIO's writers: a full disk; of OpenEXR's threads, of zlib's compress() and of what a
+    // reader was thrown: there are no more, or no memory; of ours: a file that another took the
+    // place of.
+    for (const char* said :
+         {out_of_memory_text, "this machine's memory", " is unavailable: ", "Write error at ",
+          "Write error: wrote", "std::bad_alloc", "Data compression (zlib) failed",
+          "Resource temporarily unavailable", "was changed while it was read"})
+        if (text.find(said) != std::string::npos)
+            return true;
+    return false;
+}
+
+void erase_all(std::string& text, const std::string& part) {
+    for (size_t at = 0; (at = text.find(part, at)) != std::string::npos;)
+        text.erase(at, part.size());
+}
+
+/// The message without what is in double quotes: names, which may say anything. One that misleads
+/// does not stay without quotes either, as the readers of WebP and FITS repeat it.
 std::string without_names(const std::string& message) {
     std::string rest;
+    std::vector<std::string> misleading;
     size_t from = 0;
     for (size_t open; (open = message.find('"', from)) != std::string::npos;) {
         const size_t end = end_of_quoted(message, open);
@@ -44,8 +69,13 @@ std::string without_names(const std::string& message) {
             break;
         rest.append(message, from, open - from);
         from = end + 1;
+        if (const std::string name = message.substr(open + 1, end - open - 1); tells_of_want(name))
+            misleading.push_back(name);
     }
-    return rest.append(message, from);
+    rest.append(message, from);
+    for (const std::string& name : misleading)
+        erase_all(rest, name);
+    return rest;
 }
 
 } // namespace
@@ -100,19 +130,7 @@ Failure thrown() {
 }
 
 ExitCode code_of_message(const std::string& message) {
-    // Of the library: memory that ran out, images that another machine may have memory for (see
-    // check_size in plugin/image/windows.h), devices that this one has not; of libtiff and of
-    // OpenImageIO's writers: a full disk; of OpenEXR's threads, of zlib's compress() and of what a
-    // reader was thrown: there are no more, or no memory; of ours: a file that another took the
-    // place of.
-    const std::string told = without_names(message);
-    for (const char* said :
-         {out_of_memory_text, "this machine's memory", " is unavailable: ", "Write error at ",
-          "Write error: wrote", "std::bad_alloc", "Data compression (zlib) failed",
-          "Resource temporarily unavailable", "was changed while it was read"})
-        if (told.find(said) != std::string::npos)
-            return exit_resources;
-    return exit_failed;
+    return tells_of_want(without_names(message)) ? exit_resources : exit_failed;
 }
 
 } // namespace ddt::tool

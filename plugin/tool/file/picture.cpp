@@ -218,10 +218,7 @@ OIIO::ImageSpec spec_of_file(const OIIO::ImageBuf& image) {
 }
 
 Failure unreadable(const std::string& path, const std::string& error) {
-    // A name that reads as a reason is none; the readers of WebP and FITS tell it without quotes.
-    const bool misleads = code_of_message(path) != exit_failed;
-    const ExitCode code =
-        code_of_message(misleads ? OIIO::Strutil::replace(error, path, "", true) : error);
+    const ExitCode code = code_of_message(error);
     return {error, code == exit_failed ? code_of_reading(path) : code};
 }
 

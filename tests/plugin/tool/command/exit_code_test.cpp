@@ -36,13 +36,15 @@ TEST(ExitCodes, WhatAFileIsCalledIsNotWhatHappenedToIt) {
           R"("no "out of memory" here.png": Permission denied)",
           R"("no" out of memory.png": Permission denied)", R"("out of memory ": Permission denied)",
           R"("no "out of memory.png": Permission denied)", R"(no reader for "a out of memory ")",
-          R"("a.png" and ("out of memory.png") differ)"})
+          R"("a.png" and ("out of memory.png") differ)",
+          R"("out of memory.webp": out of memory.webp is not a WebP image file)"})
         EXPECT_EQ(code_of_message(message), exit_failed) << message;
-    for (const char* message : {R"(out of memory)", R"("a.png": out of memory)",
-                                R"(cannot write "a"b.png": out of memory)",
-                                R"("a.png": device egl is unavailable: no "libEGL.so")",
-                                R"("a.png" was changed while it was read, as was "b.png")",
-                                R"(a quote " alone: out of memory)"})
+    for (const char* message :
+         {R"(out of memory)", R"("a.png": out of memory)", R"("m": out of memory)",
+          R"("out of memory.png": std::bad_alloc)", R"(cannot write "a"b.png": out of memory)",
+          R"("a.png": device egl is unavailable: no "libEGL.so")",
+          R"("a.png" was changed while it was read, as was "b.png")",
+          R"(a quote " alone: out of memory)"})
         EXPECT_EQ(code_of_message(message), exit_resources) << message;
 }
 

@@ -88,12 +88,5 @@ TEST(OpenImage, OfAFileThatChangesMeanwhileThereIsNone) {
     EXPECT_EQ(unreadable(path, error).code, exit_resources);
 }
 
-TEST(Unreadable, TheNameIsNoReason) {
-    const std::string named = "out of memory.webp", other = "m.webp";
-    EXPECT_EQ(unreadable(named, named + " is not a WebP image file").code, exit_failed);
-    EXPECT_EQ(unreadable(named, named + ": std::bad_alloc").code, exit_resources);
-    EXPECT_EQ(unreadable(other, other + ": out of memory").code, exit_resources);
-}
-
 } // namespace
 } // namespace ddt::tool
