@@ -21,7 +21,7 @@ namespace OCIO = OCIO_NAMESPACE;
 using OIIO::Strutil::iequals;
 using OIIO::Strutil::istarts_with;
 
-/// The config $OCIO names; the carried one is not among them. Throws OCIO::Exception.
+/// The config $OCIO names; the bundled one is not among them. Throws OCIO::Exception.
 OCIO::ConstConfigRcPtr user_config(const std::string& path) {
     static auto* read = new std::map<std::string, OCIO::ConstConfigRcPtr>;
     auto& config = (*read)[path];
@@ -77,7 +77,7 @@ double exponent_of(const std::string& name) {
     return good && exponent >= 0.1 && exponent <= 10 ? exponent : 0;
 }
 
-/// The carried config's, or that config with one more space, of the given exponent.
+/// The bundled config's, or that config with one more space, of the given exponent.
 Space gamma_space(const std::string& name, double exponent) {
     if (const auto known = bundled_config()->getColorSpace(name.c_str()))
         return {bundled_config(), known};
@@ -116,7 +116,7 @@ bool find_space(const std::string& name, NamedBy by, Space& found, std::string& 
     found = {};
     for (const auto& config : list)
         if (auto space = space_in(config, name)) {
-            // Without the role the config has no light to blend in; the carried one has.
+            // Without the role the config has no light to blend in; the bundled one has.
             if (by == NamedBy::image && !space->isData() &&
                 !config->getColorSpace(OCIO::ROLE_SCENE_LINEAR))
                 continue;

@@ -19,7 +19,7 @@ struct Space {
 
 /// Who chose the name of a colour space.
 enum class NamedBy {
-    image, ///< metadata: a name nobody knows is no error, and the carried config is asked too, also
+    image, ///< metadata: a name nobody knows is no error, and the bundled config is asked too, also
            ///< where $OCIO's knows the name but has no role scene_linear
     user,  ///< the name must be known; where $OCIO is set, by that config
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The encodings that need no config, for hosts that have none: the curves of the carried config
+// The encodings that need no config, for hosts that have none: the curves of the bundled config
 // (bundled_config.h), under its names and with the bits that OpenColorIO finds for them.
 #pragma once
 

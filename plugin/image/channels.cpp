@@ -48,12 +48,14 @@ std::vector<int> find_guide(const std::vector<Channel>& kinds,
                 found.push_back(int(c));
         return found;
     };
-    std::vector<int> guide = first(3, {Quantity::ink});
-    if (!guide.empty()) {
-        const std::vector<int> black = first(1, {Quantity::black});
-        guide.insert(guide.end(), black.begin(), black.end());
-        return guide;
+    std::vector<int> guide;
+    for (const Quantity ink :
+         {Quantity::cyan, Quantity::magenta, Quantity::yellow, Quantity::black}) {
+        const std::vector<int> found = first(1, {ink});
+        guide.insert(guide.end(), found.begin(), found.end());
     }
+    if (!guide.empty())
+        return guide;
     guide = first(3, {Quantity::vector, Quantity::slope, Quantity::other});
     return guide.empty() ? first(1, {Quantity::depth}) : guide;
 }
@@ -68,8 +70,7 @@ int alpha_of(const OIIO::ImageSpec& spec) {
     const int said = std::max(spec.alpha_channel, -1);
     const auto may_be = [&] {
         const Quantity quantity = quantities_of(spec, layers_of(spec))[size_t(said)];
-        return quantity != Quantity::slope && quantity != Quantity::ink &&
-               quantity != Quantity::black;
+        return quantity != Quantity::slope && !is_ink(quantity);
     };
     return said < 0 || (said < spec.nchannels && may_be()) ? said
                                                            : find_channel(spec, {"A", "alpha"});

@@ -97,7 +97,7 @@ std::vector<Quantity> quantities_of(const OIIO::ImageSpec& spec, const std::vect
             const std::string& component = layer.components[i];
             const int c = layer.channels[i];
             if (const auto ink = std::find(inks.begin(), inks.end(), c); ink != inks.end())
-                quantities[size_t(c)] = ink - inks.begin() < 3 ? Quantity::ink : Quantity::black;
+                quantities[size_t(c)] = Quantity(int(Quantity::cyan) + int(ink - inks.begin()));
             else if (is_slope(component))
                 quantities[size_t(c)] = Quantity::slope;
             else if ((xy && is_any_of(component, {"X", "Y", "Z", "W"})) ||
@@ -127,7 +127,7 @@ ColourChannels find_colour(const OIIO::ImageSpec& spec, const std::vector<Layer>
         found.layout.count = 3;
     } else {
         const auto all = quantities_of(spec, layers);
-        const bool inks = std::count(all.begin(), all.end(), Quantity::ink) > 0;
+        const bool inks = std::any_of(all.begin(), all.end(), is_ink);
         channel[0] = has_grey ? grey : inks ? -1 : find_only(spec.nchannels, may_be);
         found.layout.count = channel[0] >= 0 ? 1 : 0;
     }

@@ -11,14 +11,19 @@
 namespace ddt {
 
 /// What a channel's name tells of it.
-enum class Quantity { vector, slope, depth, ink, black, other };
+enum class Quantity { vector, slope, depth, cyan, magenta, yellow, black, other };
+
+/// Whether it is one of a printer's, black among them.
+constexpr bool is_ink(Quantity quantity) {
+    return quantity >= Quantity::cyan && quantity <= Quantity::black;
+}
 
 /// One a channel. Slopes: a height and its derivatives, as maketx --bumpslopes names them. Inks: C,
-/// M and Y (or cyan and so on) of a layer that has the three, and its K is black; of an image whose
-/// colour space is CMYK the first four that are no layer's. Vectors: X, Y, Z and W of a layer that
-/// has X and Y; U, V and W of one that has U and V. Depth: Z and what is called so, alone or as a
-/// layer that has no red, green and blue, and the spec's z_channel, unless it is a vector's:
-/// OpenImageIO takes the Z of a normal for it.
+/// M and Y (or cyan and so on) of a layer that has the three, and its K; of an image whose colour
+/// space is CMYK the first four that are no layer's, in this order. Vectors: X, Y, Z and W of a
+/// layer that has X and Y; U, V and W of one that has U and V. Depth: Z and what is called so,
+/// alone or as a layer that has no red, green and blue, and the spec's z_channel, unless it is a
+/// vector's: OpenImageIO takes the Z of a normal for it.
 std::vector<Quantity> quantities_of(const OIIO::ImageSpec& spec, const std::vector<Layer>& layers);
 
 /// The image's colour.

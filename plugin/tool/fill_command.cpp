@@ -36,9 +36,8 @@ bool plan_file(const OIIO::ImageBuf& image, const std::string& path, ImageFile& 
 /// `image` becomes associated floats.
 bool read_unassociated(const std::string& path, ImageFile& file, OIIO::ImageBuf& image,
                        Unassociated& in_file, Failure& failure) {
-    const std::string format(image.file_format_name());
-    if (format != file.output().format_name() || !keeps_unassociated(format) ||
-        image.spec().alpha_channel < 0)
+    if (std::string(image.file_format_name()) != file.output().format_name() ||
+        !may_be_unassociated(image))
         return true;
     if (!in_file.read(path, failure.why)) {
         failure = unreadable(path, failure.why);

@@ -78,8 +78,6 @@ public:
         std::string wrong;
         if (!with_flags(wrong))
             return fail(wrong, exit_usage);
-        if (!check_light_name(m_options, wrong))
-            return fail(wrong, code_of_message(wrong));
         if (is_point_mesh(values[0]))
             return run_on_points(values);
         if (!writer_for(values[1]))
@@ -89,6 +87,8 @@ public:
                 return fail(format("{} is for names that end in {}; \"{}\" is none", given.flag,
                                    OIIO::Strutil::join(given.kinds, " or "), values[1]),
                             exit_usage);
+        if (!check_light_name(m_options, wrong))
+            return fail(wrong, code_of_message(wrong));
         m_style.fill = m_fill == "flat"   ? Fill::flat
                        : m_fill == "none" ? Fill::none
                                           : Fill::gradient;
@@ -107,11 +107,15 @@ public:
                 bytes_a_pixel * double(image.spec().image_pixels()), error) ||
             !fill_missing_pixels(image, filled, error))
             return fail(error, code_of_message(error));
+        const bool lifted = m_style.height != 0;
+        if (filled.initialized() && !lifted)
+            image.clear();
         const OIIO::ImageBuf& shown = filled.initialized() ? filled : image;
         if (!read_picture(shown, m_options, picture, error) ||
-            (m_style.height != 0 &&
-             !read_heights(values[0], image, shown, picture.heights, error)) ||
-            !triangulate(picture, mesh, report, error))
+            (lifted && !read_heights(values[0], image, shown, picture.heights, error)))
+            return fail(error, code_of_message(error));
+        image.clear(), filled.clear();
+        if (!triangulate(picture, mesh, report, error))
             return fail(error, code_of_message(error));
         if (m_verbose)
             print(report);
@@ -157,6 +161,9 @@ private:
                                "but for its edges",
                                m_given.front().flag, values[0]),
                         exit_usage);
+        std::string wrong;
+        if (!check_light_name(m_options, wrong))
+            return fail(wrong, code_of_message(wrong));
         MeshReport report;
         Failure failure;
         {

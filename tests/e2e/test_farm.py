@@ -345,8 +345,8 @@ class Scripts(Farm):
             done = self.attempt("sbatch", "--array=2-2", SCRIPTS + "/frames.sbatch", "in.#.png",
                                 "200%", "out.#.png", PATH=self.programs, FIRST=first)
             self.assertEqual((done.returncode, done.stderr), (
-                2, f'frames.sbatch: FIRST="{first}" is not allowed; allowed are whole numbers such '
-                   'as 1000 and -5\n'))
+                2, f'frames.sbatch: FIRST="{first}" is not allowed; allowed are whole numbers '
+                   'of up to nine digits, such as 1000 and -5\n'))
         self.assertNotIn("made", os.listdir(self.folder))
 
 

@@ -17,9 +17,11 @@ constexpr const char* asked = "oiio:UnassociatedAlpha";
 
 } // namespace
 
-bool keeps_unassociated(const std::string& format) {
+bool may_be_unassociated(const OIIO::ImageBuf& image) {
     // JPEG 2000 does without saying so; other formats with both kinds are associated when written.
-    return format == "png" || format == "targa" || format == "tiff";
+    const std::string format(image.file_format_name());
+    return image.spec().alpha_channel >= 0 &&
+           (format == "png" || format == "targa" || format == "tiff");
 }
 
 bool Unassociated::read(const std::string& path, std::string& error) {

@@ -8,9 +8,9 @@
 
 namespace ddt::tool {
 
-/// Whether OpenImageIO reads and writes files of this format unassociated where it is asked to, and
-/// says so.
-bool keeps_unassociated(const std::string& format);
+/// Whether an image has alpha and was read from a file of a format that OpenImageIO reads and
+/// writes unassociated where it is asked to, and says so.
+bool may_be_unassociated(const OIIO::ImageBuf& image);
 
 /// An image as such a file has it. Readers round the products with alpha to the file's type; from
 /// here on they are floats, and what nobody changes keeps its numbers.

@@ -11,11 +11,10 @@ namespace ddt::tool {
 
 namespace {
 
+/// Where no channel is shown as colour, as in an image of alpha alone, the first counts.
 float height_of(const ColourLayout& shown, const float* pixel) {
-    if (shown.count == 0)
-        return 0;
-    if (shown.count == 1)
-        return pixel[shown.channel[0]];
+    if (shown.count < 3)
+        return pixel[shown.count ? shown.channel[0] : 0];
     double luminance = 0; // of white exactly 1
     for (int k = 0; k < 3; ++k)
         luminance += double(luminance_weights[k]) * double(pixel[shown.channel[k]]);
@@ -27,7 +26,7 @@ float height_of(const ColourLayout& shown, const float* pixel) {
 bool read_heights(const std::string& path, const OIIO::ImageBuf& image,
                   const OIIO::ImageBuf& filled, std::vector<float>& heights, std::string& error) {
     Unassociated in_file;
-    if (image.spec().alpha_channel >= 0 && !in_file.read(path, error))
+    if (may_be_unassociated(image) && !in_file.read(path, error))
         return false;
     if (in_file && in_file.image().roi() != image.roi()) {
         error = "\"" + path + "\" was changed while it was read";

@@ -121,8 +121,8 @@ void drop_empty_columns(PointFile& points) {
         return column.name.empty() && std::all_of(column.values.begin(), column.values.end(),
                                                   [](double v) { return std::isnan(v); });
     };
-    while (!points.columns.empty() && is_empty(points.columns.back()))
-        points.columns.pop_back();
+    auto& columns = points.columns;
+    columns.erase(std::remove_if(columns.begin(), columns.end(), is_empty), columns.end());
 }
 
 /// Fills in the points of a text, line by line.

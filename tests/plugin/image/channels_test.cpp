@@ -55,6 +55,7 @@ TEST(Channels, GuideWithoutNamesOfColour) {
     EXPECT_EQ(guide_of({"a.R", "a.G", "a.B"}), Guide{});
     EXPECT_EQ(guide_of({"C", "M", "Y", "K"}), (Guide{0, 1, 2, 3}));
     EXPECT_EQ(guide_of({"C", "K", "M", "Y", "gold"}), (Guide{0, 2, 3, 1}));
+    EXPECT_EQ(guide_of({"Y", "C", "K", "M"}), (Guide{1, 3, 0, 2})); // as an EXR has them
     EXPECT_EQ(guide_of({"C", "M", "Y"}), (Guide{0, 1, 2}));
 }
 

@@ -143,7 +143,7 @@ TEST(Commands, HelpListsTheOptionsThatCount) {
 
 TEST(Commands, LightThatThereIsNotIsRefusedByThoseThatHaveNoUseForIt) {
     const std::string points = temporary("light.csv"), out = temporary("light.exr"),
-                      mesh = temporary("light.ply");
+                      mesh = temporary("light.ply"), flipped_to = temporary("flipped.ply");
     std::ofstream(points) << "x,y,z\n0,0,1\n1,0,2\n0,1,3\n";
     for (const char* light : {"auto", "encoded", "sRGB"})
         EXPECT_EQ(run(make_scatter_command(), {points, out, "--size", "4x4", "--mesh", mesh,
@@ -153,7 +153,7 @@ TEST(Commands, LightThatThereIsNotIsRefusedByThoseThatHaveNoUseForIt) {
     const std::vector<std::string> wrong{"--filter", "ddt,light=NoSuchSpace"};
     std::filesystem::remove(out);
     const Ran scattered = run(make_scatter_command(), {points, out, wrong[0], wrong[1]}),
-              flipped = run(make_mesh_command(), {mesh, out, wrong[0], wrong[1]});
+              flipped = run(make_mesh_command(), {mesh, flipped_to, wrong[0], wrong[1]});
     for (const Ran& ran : {scattered, flipped}) {
         EXPECT_EQ(ran.code, exit_failed);
         EXPECT_NE(ran.err.find("\"NoSuchSpace\""), std::string::npos) << ran.err;

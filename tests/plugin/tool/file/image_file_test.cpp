@@ -69,13 +69,14 @@ TEST(ImageFile, WhyAWriterFailedIsToldWhereItDoesNotSayIt) {
     const std::vector<float> pixels(1024 * 16 * 3, 0.5f);
     ImageFile file;
     Failure failure;
-    std::signal(SIGXFSZ, SIG_IGN);
     ASSERT_TRUE(file.begin(path, spec, failure)) << failure.why;
+    auto* const before = std::signal(SIGXFSZ, SIG_IGN);
     {
         const test::ResourceLimit small(RLIMIT_FSIZE, 2880); // the header
         EXPECT_FALSE(file.write_rows(0, 16, OIIO::TypeFloat, pixels.data()));
         failure = file.failed();
     }
+    std::signal(SIGXFSZ, before);
     EXPECT_EQ(failure.why, "cannot write \"" + path + "\": " + std::strerror(EFBIG));
     EXPECT_EQ(failure.code, exit_resources);
 }

@@ -95,7 +95,7 @@ private:
 
 constexpr Kind all_kinds[] = {{false, false}, {false, true}, {true, false}, {true, true}};
 
-TEST(CutOff, IsATiffThatLacksAByteOfAnything) {
+TEST(Truncated, IsATiffThatLacksAByteOfAnything) {
     for (const Kind kind : all_kinds)
         for (const int images : {1, 3}) {
             const SmallTiff tiff(kind, images);
@@ -108,7 +108,7 @@ TEST(CutOff, IsATiffThatLacksAByteOfAnything) {
         }
 }
 
-TEST(CutOff, IsNoTiffWhoseLastStripIsCountedAsWhole) {
+TEST(Truncated, IsNoTiffWhoseLastStripIsCountedAsWhole) {
     for (const Kind kind : all_kinds) {
         SmallTiff tiff(kind, 1, 1);
         const size_t height_at = (kind.big_tiff ? 24 + 20 + 12 : 10 + 12 + 8);
@@ -118,7 +118,7 @@ TEST(CutOff, IsNoTiffWhoseLastStripIsCountedAsWhole) {
     }
 }
 
-TEST(CutOff, IsNoTiffThatEndsWithItsDirectory) {
+TEST(Truncated, IsNoTiffThatEndsWithItsDirectory) {
     const int width = 8, height = 12, pixels = width * height;
     std::string bytes("II*\0", 4);
     const auto put = [&](int n, int size) {
@@ -143,7 +143,7 @@ TEST(CutOff, IsNoTiffThatEndsWithItsDirectory) {
     EXPECT_TRUE(is_truncated(path, "tiff", 0));
 }
 
-TEST(CutOff, IsNoTiffThatMakesNoSense) {
+TEST(Truncated, IsNoTiffThatMakesNoSense) {
     std::mt19937 random(1);
     for (int i = 0; i < 4000; ++i) {
         SmallTiff tiff(all_kinds[i % 4], 3, i % 3 ? 8 : 1);
@@ -176,7 +176,7 @@ std::vector<std::string> what_is_said(const std::string& path) {
     return said;
 }
 
-TEST(CutOff, IsWhatNoCommandReads) {
+TEST(Truncated, IsWhatNoCommandReads) {
     const SmallTiff tiff({false, false}, 1, 1);
     for (const std::string& said : what_is_said(tiff.file(tiff.size())))
         EXPECT_EQ(said, "");
@@ -200,7 +200,7 @@ std::string written(const std::string& name, OIIO::ImageSpec spec, int images = 
 }
 
 /// Not cut off, but as bad.
-TEST(CutOff, NoCommandReadsWhatOverrunsMemory) {
+TEST(Truncated, NoCommandReadsWhatOverrunsMemory) {
     OIIO::ImageSpec spec(20, 10, 4, OIIO::TypeUInt8);
     spec.channelnames = {"C", "M", "Y", "K"};
     spec.attribute("tiff:ColorSpace", "CMYK");
@@ -217,7 +217,7 @@ TEST(CutOff, NoCommandReadsWhatOverrunsMemory) {
     }
 }
 
-TEST(CutOff, IsNothingThatIsWhole) {
+TEST(Truncated, IsNothingThatIsWhole) {
     for (const char* compression : {"none", "zip", "lzw", "packbits"})
         for (const int tile : {0, 16})
             for (const char* planes : {"contig", "separate"})
@@ -235,7 +235,7 @@ TEST(CutOff, IsNothingThatIsWhole) {
 }
 
 // Whether lines are filled up to words is not known.
-TEST(CutOff, IsADpxOfFewerBytesThanItSays) {
+TEST(Truncated, IsADpxOfFewerBytesThanItSays) {
     constexpr int line = 50 * 3 * 2;
     for (const int bits : {10, 12, 16}) {
         OIIO::ImageSpec spec(50, 40, 3, OIIO::TypeUInt16);

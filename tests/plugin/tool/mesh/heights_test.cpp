@@ -47,7 +47,7 @@ std::vector<double> lifted(const std::string& in, const char* height,
 }
 
 TEST(Heights, OfOneChannelAreItsOwnNumbers) {
-    for (const char* name : {"Y", "Z", "height"}) {
+    for (const char* name : {"Y", "Z", "height", "A"}) {
         ImageSpec spec(1, 1, 1, OIIO::TypeFloat);
         spec.channelnames = {name};
         const std::vector<float> metres{-120, 0, 300.125f, 2500, 8848.86f, NAN};
