@@ -58,12 +58,13 @@ bool StepGrid::fit(const PointMesh& mesh, std::string& error) {
     if (!check_points(mesh.x, mesh.y, error) ||
         !check_vertices(mesh.triangles, mesh.x.size(), error))
         return false;
-    if (mesh.triangles.empty())
-        return fit(mesh.x, mesh.y, error);
-    const std::vector<uint8_t> is_corner = corners_of(mesh.triangles, mesh.x.size());
-    const Box all = box_of(mesh.x, mesh.y, [](size_t) { return true; });
-    const Box corners = box_of(mesh.x, mesh.y, [&](size_t i) { return is_corner[i] != 0; });
-    const Box& box = all.extent / 4 > corners.extent ? corners : all;
+    Box box = box_of(mesh.x, mesh.y, [](size_t) { return true; });
+    if (!mesh.triangles.empty()) {
+        const std::vector<uint8_t> is_corner = corners_of(mesh.triangles, mesh.x.size());
+        const Box corners = box_of(mesh.x, mesh.y, [&](size_t i) { return is_corner[i] != 0; });
+        if (box.extent / 4 > corners.extent)
+            box = corners;
+    }
     return cover(box.x, box.y, box.extent, error);
 }
 

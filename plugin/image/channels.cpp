@@ -60,6 +60,14 @@ std::vector<int> find_guide(const std::vector<Channel>& kinds,
     return guide.empty() ? first(1, {Quantity::depth}) : guide;
 }
 
+int alpha_among(const OIIO::ImageSpec& spec, const std::vector<Quantity>& quantities) {
+    const int said = std::max(spec.alpha_channel, -1);
+    const auto may_be = [](Quantity q) { return q != Quantity::slope && !is_ink(q); };
+    return said < 0 || (said < spec.nchannels && may_be(quantities[size_t(said)]))
+               ? said
+               : find_channel(spec, {"A", "alpha"});
+}
+
 } // namespace
 
 bool is_id_type(OIIO::TypeDesc type) {
@@ -67,13 +75,7 @@ bool is_id_type(OIIO::TypeDesc type) {
 }
 
 int alpha_of(const OIIO::ImageSpec& spec) {
-    const int said = std::max(spec.alpha_channel, -1);
-    const auto may_be = [&] {
-        const Quantity quantity = quantities_of(spec, layers_of(spec))[size_t(said)];
-        return quantity != Quantity::slope && !is_ink(quantity);
-    };
-    return said < 0 || (said < spec.nchannels && may_be()) ? said
-                                                           : find_channel(spec, {"A", "alpha"});
+    return alpha_among(spec, quantities_of(spec, layers_of(spec)));
 }
 
 Channels channels_of(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& native) {
@@ -81,8 +83,8 @@ Channels channels_of(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& native)
     const std::vector<bool> ids = find_ids(spec, native, layers);
     const std::vector<Quantity> quantities = quantities_of(spec, layers);
     const auto is_id = [&](int c) { return bool(ids[size_t(c)]); };
-    const int alpha = alpha_of(spec);
-    const ColourChannels found = find_colour(spec, layers, [&](int c) {
+    const int alpha = alpha_among(spec, quantities);
+    const ColourChannels found = find_colour(spec, layers, quantities, [&](int c) {
         return c != alpha && !is_id(c) && quantities[size_t(c)] == Quantity::other;
     });
 

@@ -111,7 +111,7 @@ std::vector<Quantity> quantities_of(const OIIO::ImageSpec& spec, const std::vect
 }
 
 ColourChannels find_colour(const OIIO::ImageSpec& spec, const std::vector<Layer>& layers,
-                           const MayBe& may_be) {
+                           const std::vector<Quantity>& quantities, const MayBe& may_be) {
     ColourChannels found;
     int(&channel)[3] = found.layout.channel;
     const int grey = find_channel(spec, {"Y", "L", "I", "luminance", "gray", "grey"});
@@ -126,8 +126,7 @@ ColourChannels find_colour(const OIIO::ImageSpec& spec, const std::vector<Layer>
         std::iota(channel, channel + 3, 0);
         found.layout.count = 3;
     } else {
-        const auto all = quantities_of(spec, layers);
-        const bool inks = std::any_of(all.begin(), all.end(), is_ink);
+        const bool inks = std::any_of(quantities.begin(), quantities.end(), is_ink);
         channel[0] = has_grey ? grey : inks ? -1 : find_only(spec.nchannels, may_be);
         found.layout.count = channel[0] >= 0 ? 1 : 0;
     }

@@ -40,6 +40,7 @@ struct ColourChannels {
 /// beauty, rgba, rgb, C, color, colour) by the last of its name's pieces, else by another (of
 /// views: "Combined.left"), else any but depth. (An alpha tells nothing: mattes have one, too.)
 ColourChannels find_colour(const OIIO::ImageSpec& spec, const std::vector<Layer>& layers,
+                           const std::vector<Quantity>& quantities,
                            const std::function<bool(int channel)>& may_be);
 
 /// The alpha of colour in that layer (null: of none), or -1: the layer's own, else the spec's,

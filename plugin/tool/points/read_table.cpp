@@ -114,8 +114,7 @@ std::optional<std::string> comment_in(const std::string& line) {
     return {};
 }
 
-/// Remove the columns that separators at the end of every line make: the last ones without a name
-/// and a number.
+/// Remove the columns without a name and a number: separators at every line's end make such.
 void drop_empty_columns(PointFile& points) {
     const auto is_empty = [](const Column& column) {
         return column.name.empty() && std::all_of(column.values.begin(), column.values.end(),
