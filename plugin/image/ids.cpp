@@ -10,6 +10,7 @@
 #include <OpenImageIO/imagecache.h>
 
 #include "plugin/image/channels.h"
+#include "plugin/image/memory.h"
 #include "plugin/image/pixels.h"
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"

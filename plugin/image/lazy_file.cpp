@@ -8,8 +8,8 @@
 
 #include "core/base/parallel.h"
 #include "core/tiles/grid.h"
-#include "plugin/image/metadata.h"
-#include "plugin/image/windows.h"
+#include "plugin/image/memory.h"
+#include "plugin/image/oiio_defects.h"
 #include "plugin/message/format.h"
 
 namespace ddt {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "plugin/imagebuf/copy.h"
+
 #include <algorithm>
 #include <cstring>
 #include <vector>
 
+#include "plugin/image/memory.h"
 #include "plugin/image/pixels.h"
 #include "plugin/image/windows.h"
-#include "plugin/imagebuf/resample.h"
 
 namespace ddt {
 

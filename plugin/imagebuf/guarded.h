@@ -11,8 +11,8 @@
 #include "core/base/one_line.h"
 #include "plugin/image/cached_reads.h"
 #include "plugin/image/ids.h"
-#include "plugin/image/windows.h"
-#include "plugin/imagebuf/resample.h"
+#include "plugin/image/prepare.h"
+#include "plugin/imagebuf/copy.h"
 #include "plugin/message/format.h"
 
 namespace ddt {

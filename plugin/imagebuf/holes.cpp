@@ -4,12 +4,14 @@
 #include <cstring>
 
 #include "core/enlarge/fill.h"
+#include "plugin/image/memory.h"
 #include "plugin/image/pixels.h"
 #include "plugin/image/reading.h"
 #include "plugin/image/source.h"
 #include "plugin/image/windows.h"
+#include "plugin/imagebuf/copy.h"
 #include "plugin/imagebuf/guarded.h"
-#include "plugin/imagebuf/resample.h"
+#include "plugin/imagebuf/thread_count.h"
 
 namespace ddt {
 

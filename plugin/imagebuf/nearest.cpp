@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "plugin/imagebuf/nearest.h"
+
 #include <cstring>
 #include <vector>
 
@@ -6,7 +8,6 @@
 #include "plugin/image/channels.h"
 #include "plugin/image/pixels.h"
 #include "plugin/image/windows.h"
-#include "plugin/imagebuf/resample.h"
 
 namespace ddt {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ddt/resize.h"
+#include "plugin/imagebuf/resize.h"
 
 #include <algorithm>
 
@@ -9,10 +9,15 @@
 #include "core/base/progress.h"
 #include "core/enlarge/fill.h"
 #include "plugin/image/channels.h"
+#include "plugin/image/memory.h"
+#include "plugin/image/prepare.h"
 #include "plugin/image/reading.h"
 #include "plugin/image/windows.h"
+#include "plugin/imagebuf/by_oiio.h"
+#include "plugin/imagebuf/copy.h"
 #include "plugin/imagebuf/guarded.h"
 #include "plugin/imagebuf/holes.h"
+#include "plugin/imagebuf/nearest.h"
 #include "plugin/imagebuf/resample.h"
 #include "plugin/message/format.h"
 

@@ -5,8 +5,12 @@
 #include <OpenImageIO/strutil.h>
 
 #include "ddt/resize.h"
+#include "plugin/image/memory.h"
+#include "plugin/image/prepare.h"
 #include "plugin/image/reading.h"
 #include "plugin/image/windows.h"
+#include "plugin/imagebuf/by_oiio.h"
+#include "plugin/imagebuf/copy.h"
 #include "plugin/imagebuf/guarded.h"
 #include "plugin/imagebuf/holes.h"
 #include "plugin/imagebuf/matrix.h"

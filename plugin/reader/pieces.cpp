@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "core/tiles/cuts.h"
+#include "plugin/image/memory.h"
 #include "plugin/image/windows.h"
 
 namespace ddt {

@@ -14,7 +14,9 @@
 
 #include "core/base/guarded.h"
 #include "core/base/log.h"
+#include "plugin/image/memory.h"
 #include "plugin/image/metadata.h"
+#include "plugin/image/oiio_defects.h"
 #include "plugin/image/reading.h"
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"

@@ -3,8 +3,8 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/image/memory.h"
 #include "plugin/image/own_tasks.h"
-#include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 
 namespace ddt {

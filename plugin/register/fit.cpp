@@ -6,12 +6,13 @@
 #include <OpenImageIO/Imath.h>
 #include <OpenImageIO/imagebufalgo_util.h>
 
+#include "plugin/image/memory.h"
 #include "plugin/image/reading.h"
 #include "plugin/image/windows.h"
+#include "plugin/imagebuf/by_oiio.h"
 #include "plugin/imagebuf/guarded.h"
 #include "plugin/imagebuf/holes.h"
 #include "plugin/imagebuf/matrix.h"
-#include "plugin/imagebuf/resample.h"
 
 namespace ddt {
 

@@ -17,7 +17,7 @@
 #include "metrics/ssim.h"
 #include "metrics/uiqi.h"
 #include "plugin/image/channels.h"
-#include "plugin/image/windows.h"
+#include "plugin/image/memory.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/progress.h"
 #include "plugin/tool/commands.h"

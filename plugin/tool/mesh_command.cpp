@@ -4,7 +4,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "core/options/values.h"
-#include "plugin/image/windows.h"
+#include "plugin/image/memory.h"
 #include "plugin/imagebuf/holes.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/filter_flag.h"

@@ -8,7 +8,7 @@
 #include <OpenImageIO/sysutil.h>
 
 #include "core/base/parallel.h"
-#include "plugin/imagebuf/resample.h"
+#include "plugin/imagebuf/thread_count.h"
 #include "plugin/tool/command/command.h"
 
 namespace ddt::tool {

@@ -7,7 +7,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "plugin/image/channels.h"
-#include "plugin/image/metadata.h"
+#include "plugin/image/oiio_defects.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/command.h"
 

@@ -6,7 +6,7 @@
 
 #include <OpenImageIO/imagebufalgo.h>
 
-#include "plugin/image/windows.h"
+#include "plugin/image/memory.h"
 #include "plugin/tool/file/picture.h"
 
 namespace ddt::tool {

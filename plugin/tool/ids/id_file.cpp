@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "plugin/image/file_tiles.h"
-#include "plugin/image/windows.h"
+#include "plugin/image/memory.h"
 #include "plugin/tool/file/picture.h"
 
 namespace ddt::tool {

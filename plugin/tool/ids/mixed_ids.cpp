@@ -5,9 +5,10 @@
 #include <cstring>
 
 #include "plugin/image/channels.h"
+#include "plugin/image/memory.h"
 #include "plugin/image/pixels.h"
 #include "plugin/image/windows.h"
-#include "plugin/imagebuf/resample.h"
+#include "plugin/imagebuf/resize.h"
 #include "plugin/message/format.h"
 
 namespace ddt::tool {

@@ -13,6 +13,7 @@
 #include "core/tiles/grid.h"
 #include "plugin/image/channels.h"
 #include "plugin/image/lazy_file.h"
+#include "plugin/image/memory.h"
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/file/file_state.h"

@@ -4,9 +4,8 @@
 #include <cmath>
 
 #include "plugin/image/metadata.h"
+#include "plugin/image/prepare.h"
 #include "plugin/image/reading.h"
-#include "plugin/image/windows.h"
-#include "plugin/imagebuf/resample.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/resize/size.h"
 

@@ -6,8 +6,9 @@
 #include <OpenImageIO/imagebufalgo.h>
 
 #include "core/tiles/grid.h"
+#include "plugin/image/memory.h"
 #include "plugin/image/windows.h"
-#include "plugin/imagebuf/resample.h"
+#include "plugin/imagebuf/resize.h"
 #include "plugin/tool/file/picture.h"
 #include "plugin/tool/ids/lost_ids.h"
 #include "plugin/tool/ids/mixed_ids.h"

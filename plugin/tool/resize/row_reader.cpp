@@ -7,8 +7,8 @@
 #include "core/base/one_line.h"
 #include "plugin/image/file_tiles.h"
 #include "plugin/image/lazy_file.h"
-#include "plugin/image/metadata.h"
-#include "plugin/image/windows.h"
+#include "plugin/image/memory.h"
+#include "plugin/image/oiio_defects.h"
 #include "plugin/tool/file/image_file.h"
 #include "plugin/tool/file/picture.h"
 

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <thread>
 
-#include "plugin/image/windows.h"
+#include "plugin/image/memory.h"
 #include "plugin/tool/command/command.h"
 
 namespace ddt::tool {

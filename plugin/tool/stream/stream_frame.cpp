@@ -12,7 +12,7 @@
 
 #include "core/base/parse_number.h"
 #include "ddt/rect.h"
-#include "plugin/image/windows.h"
+#include "plugin/image/memory.h"
 #include "plugin/message/format.h"
 
 namespace ddt::tool {

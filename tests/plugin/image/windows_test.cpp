@@ -106,20 +106,6 @@ TEST(Windows, RoiBeyondTheDestinationWritesNothing) {
         EXPECT_EQ(value(dst, x, 3), 0.0f);
 }
 
-TEST(Windows, SizesAreChecked) {
-    std::string error;
-    EXPECT_TRUE(ddt::check_size(window(0, 4096, 0, 4096), 4, OIIO::TypeFloat, error)) << error;
-    EXPECT_FALSE(ddt::check_size(window(0, 1000000, 0, 1000000), 4, OIIO::TypeFloat, error));
-    EXPECT_NE(error.find("1000000 x 1000000"), std::string::npos) << error;
-    EXPECT_NE(error.find("limits:imagesize_MB"), std::string::npos) << error;
-    EXPECT_FALSE(ddt::check_size(window(0, 1 << 30, 0, 1), 1, OIIO::TypeUInt8, error));
-    EXPECT_FALSE(ddt::check_size(window(-2147483647, 2147483647, 0, 1), 1, OIIO::TypeUInt8, error));
-    // 64 MB a channel.
-    EXPECT_FALSE(ddt::check_size(window(0, 4096, 0, 4096), 1 << 20, OIIO::TypeFloat, error));
-    EXPECT_FALSE(ddt::check_size(window(5, 5, 0, 1), 1, OIIO::TypeUInt8, error));
-    EXPECT_FALSE(ddt::check_size(window(9, 5, 0, 1), 1, OIIO::TypeUInt8, error));
-}
-
 // Fourfold: pixels 10 to 69 of 100 are shown by 40 to 279, and by any that they touch.
 TEST(Windows, WhatShowsThePartOfASourceThatIsThere) {
     const auto part = make(window(10, 70, 5, 45), window(0, 100, 0, 80), 1);
@@ -138,30 +124,6 @@ TEST(Windows, WhatShowsThePartOfASourceThatIsThere) {
     const auto before = make(window(-40, -10, 5, 45), window(0, 100, 0, 80), 1);
     EXPECT_EQ(ddt::cut_to_data(before.spec(), make(105, 320, 1).spec(), wide),
               window(-50, -10, 20, 180));
-}
-
-TEST(Windows, OfADestinationAreChecked) {
-    const auto src = plane(window(0, 10, 0, 10), window(0, 10, 0, 10));
-    auto dst = make(40, 40, 1);
-    dst.specmod().x = dst.specmod().full_x = 2147483600;
-    EXPECT_FALSE(ddt::resize(dst, src));
-    EXPECT_NE(dst.geterror().find("the destination's data window"), std::string::npos);
-}
-
-// Flat images may lie at any z.
-TEST(Windows, AnyZ) {
-    const auto src = plane(window(0, 10, 0, 10), window(0, 10, 0, 10));
-    const auto wanted = images::enlarged(src, 40, 40);
-    auto moved = src;
-    moved.specmod().z = moved.specmod().full_z = 3;
-    ImageBuf dst;
-    ASSERT_TRUE(ddt::resize(dst, moved, {}, ROI(0, 40, 0, 40, 5, 6))) << dst.geterror();
-    EXPECT_EQ(dst.spec().z, 5);
-    EXPECT_EQ(images::bytes(dst), images::bytes(wanted));
-    auto given = make(40, 40, 1);
-    given.specmod().z = given.specmod().full_z = 2;
-    ASSERT_TRUE(ddt::resize(given, src)) << given.geterror();
-    ASSERT_TRUE(ddt::resize(given, src, {}, ROI(0, 40, 0, 40, 0, 1))); // misses it
 }
 
 } // namespace

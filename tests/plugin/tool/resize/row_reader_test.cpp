@@ -8,7 +8,7 @@
 #include <OpenImageIO/imagebufalgo.h>
 #include <gtest/gtest.h>
 
-#include "plugin/imagebuf/resample.h"
+#include "plugin/imagebuf/resize.h"
 #include "plugin/tool/file/picture.h"
 #include "tests/temporary.h"
 
