@@ -47,4 +47,9 @@ ResizeMapping::Axis y_axis(const OIIO::ImageSpec& src, const OIIO::ImageSpec& ds
             src.y,      src.y + src.height, roi.ybegin, roi.yend};
 }
 
+ResizeMapping mapping_of(const OIIO::ImageSpec& src, const OIIO::ImageSpec& dst,
+                         const OIIO::ROI& roi) {
+    return {x_axis(src, dst, roi), y_axis(src, dst, roi)};
+}
+
 } // namespace ddt

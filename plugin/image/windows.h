@@ -22,5 +22,8 @@ ResizeMapping::Axis x_axis(const OIIO::ImageSpec& src, const OIIO::ImageSpec& ds
                            const OIIO::ROI& roi);
 ResizeMapping::Axis y_axis(const OIIO::ImageSpec& src, const OIIO::ImageSpec& dst,
                            const OIIO::ROI& roi);
+/// Along both axes.
+ResizeMapping mapping_of(const OIIO::ImageSpec& src, const OIIO::ImageSpec& dst,
+                         const OIIO::ROI& roi);
 
 } // namespace ddt

@@ -68,7 +68,7 @@ bool enlarge_then_shrink(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const O
     OIIO::ImageBuf between;
     if (!make_image(between, spec, error))
         return false;
-    const ResizeMapping mapping(x_axis(src.spec(), spec, part), y_axis(src.spec(), spec, part));
+    const ResizeMapping mapping = mapping_of(src.spec(), spec, part);
     Options of_between = options;
     of_between.surface.clipped |= cuts_off(dst.spec().format);
     return resample(between, src, mapping, part, of_between, nthreads, error) &&
@@ -142,8 +142,7 @@ bool resize_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& given, Arrival* a
         return false;
     touched = roi;
     if (enlarges(from, to)) {
-        const ResizeMapping mapping(x_axis(given.spec(), dst.spec(), roi),
-                                    y_axis(given.spec(), dst.spec(), roi));
+        const ResizeMapping mapping = mapping_of(given.spec(), dst.spec(), roi);
         return resample(dst, given, mapping, roi, options, nthreads, error, arrival);
     }
     if (arrival && !arrival->wait_for(given.roi().yend, error))
