@@ -104,24 +104,31 @@ bool check_outputs(const std::vector<FrameTask>& tasks, Failure& failure) {
     return true;
 }
 
+/// Whether a folder that there is not has a # in its name, meant for a frame's number.
+bool is_numbered_folder(const std::string& in) {
+    const fs::path folder = fs::path(in).parent_path();
+    std::error_code ignored;
+    return folder.string().find('#') != std::string::npos && !fs::exists(folder, ignored);
+}
+
 } // namespace
 
 bool is_sequence(const std::string& in, const std::string& frames, const std::string& views) {
     const FrameName name(in);
     std::error_code ignored;
-    return !frames.empty() || !views.empty() ||
+    return !frames.empty() || !views.empty() || is_numbered_folder(in) ||
            ((name.has_frame() || name.has_view()) && !fs::exists(in, ignored));
 }
 
 bool list_tasks(const std::string& in, const std::string& out, const std::string& frames,
                 const std::string& views, std::vector<FrameTask>& tasks, Failure& failure) {
     const FrameName from(in), to(out);
-    const bool numbered = !frames.empty() || from.has_frame();
-    if (!check_name(in, from, numbered, !views.empty(), failure))
-        return false;
-    if (!check_name(out, to, numbered, !views.empty(), failure)) {
+    const bool in_folder = is_numbered_folder(in);
+    const bool numbered = !frames.empty() || from.has_frame() || in_folder;
+    const bool is_right = check_name(in, from, numbered, !views.empty(), failure);
+    if (!is_right || !check_name(out, to, numbered, !views.empty(), failure)) {
         // It may have been meant as a name like any other, such as photo@2x.png.
-        if (frames.empty() && views.empty())
+        if (frames.empty() && views.empty() && (is_right || in_folder))
             failure.why = "there is no file \"" + in + "\"; of its frames, " + failure.why;
         return false;
     }

@@ -11,7 +11,8 @@
 namespace ddt::tool {
 
 /// Whether names are those of sequences: frames or views are given, or `in` has a place for a
-/// frame's number and is no file's name as it stands.
+/// frame's number and is no file's name as it stands. (In a folder's name, too, where list_tasks()
+/// tells that there is none.)
 bool is_sequence(const std::string& in, const std::string& frames, const std::string& views);
 
 /// The files of the frames and views, frame by frame. `frames` empty: those of which there is a

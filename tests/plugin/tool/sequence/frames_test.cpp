@@ -115,6 +115,8 @@ TEST(Frames, TasksOfACommandLine) {
     for (const Case& c : {Case{"i.exr", "o.#.exr", "1-2", "", "no place for the frame", exit_usage},
                           Case{"i.#.exr", "o.exr", "1-2", "", "no place for the frame", exit_usage},
                           Case{"f.#/i.exr", "o.#.exr", "1-2", "", "in its last part", exit_usage},
+                          Case{"f.#/i.exr", "o.exr", "", "", "no file \"f.#/i.exr\"", exit_usage},
+                          Case{"f.#/i.exr", "o.exr", "", "", "in its last part", exit_usage},
                           Case{"i@2x.png", "o.png", "", "", "no file \"i@2x.png\"", exit_usage},
                           Case{"i.#.exr", "o.#.exr", "1-", "", "1-100x2", exit_usage},
                           Case{"i.%V.exr", "o.%V.exr", "", "", "--views", exit_usage},
@@ -130,6 +132,13 @@ TEST(Frames, TasksOfACommandLine) {
         EXPECT_NE(failure.why.find(c.said), std::string::npos) << failure.why;
         EXPECT_EQ(failure.code, c.code);
     }
+}
+
+TEST(Frames, AFolderThatIsThereMayHaveAnyName) {
+    const std::string folder = temporary("a#folder");
+    EXPECT_TRUE(is_sequence(folder + "/i.exr", "", ""));
+    std::filesystem::create_directory(folder);
+    EXPECT_FALSE(is_sequence(folder + "/i.exr", "", ""));
 }
 
 TEST(Frames, FilesAreToldApartWhateverTheirFoldersAreCalled) {
