@@ -21,6 +21,8 @@
 #include "plugin/message/format.h"
 #include "plugin/tool/command/progress.h"
 #include "plugin/tool/commands.h"
+#include "plugin/tool/file/open_image.h"
+#include "plugin/tool/file/other_images.h"
 #include "plugin/tool/file/picture.h"
 
 namespace ddt::tool {

@@ -6,14 +6,15 @@
 #include "plugin/tool/command/filter_flag.h"
 #include "plugin/tool/command/progress.h"
 #include "plugin/tool/commands.h"
+#include "plugin/tool/file/check_image.h"
 #include "plugin/tool/file/file_state.h"
 #include "plugin/tool/file/fit_format.h"
 #include "plugin/tool/file/image_file.h"
-#include "plugin/tool/file/picture.h"
+#include "plugin/tool/file/open_image.h"
+#include "plugin/tool/file/other_images.h"
 #include "plugin/tool/file/unassociated.h"
 #include "plugin/tool/ids/lost_ids.h"
 #include "plugin/tool/ids/mixed_ids.h"
-#include "plugin/tool/resize/plan_result.h"
 #include "plugin/tool/resize/row_writer.h"
 
 namespace ddt::tool {

@@ -10,6 +10,8 @@
 #include "plugin/tool/command/filter_flag.h"
 #include "plugin/tool/command/progress.h"
 #include "plugin/tool/commands.h"
+#include "plugin/tool/file/open_image.h"
+#include "plugin/tool/file/other_images.h"
 #include "plugin/tool/mesh/heights.h"
 #include "plugin/tool/mesh/mesh_file.h"
 #include "plugin/tool/mesh/mesh_points.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/file/unassociated.h"
+#include "plugin/tool/file/open_image.h"
 
 #include <cstring>
 #include <vector>
@@ -7,7 +8,6 @@
 #include <OpenImageIO/imagebufalgo.h>
 
 #include "plugin/image/memory.h"
-#include "plugin/tool/file/picture.h"
 
 namespace ddt::tool {
 

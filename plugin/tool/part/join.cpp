@@ -17,7 +17,7 @@
 #include "plugin/tool/file/file_state.h"
 #include "plugin/tool/file/fit_format.h"
 #include "plugin/tool/file/image_file.h"
-#include "plugin/tool/file/picture.h"
+#include "plugin/tool/file/open_image.h"
 #include "plugin/tool/part/part_header.h"
 
 namespace ddt::tool {

@@ -9,9 +9,9 @@
 #include "plugin/colour/encodings.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/command.h"
+#include "plugin/tool/file/check_image.h"
 #include "plugin/tool/file/fit_format.h"
 #include "plugin/tool/file/image_file.h"
-#include "plugin/tool/file/picture.h"
 #include "plugin/tool/points/window.h"
 
 namespace ddt::tool {

@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "plugin/image/metadata.h"
-#include "plugin/image/prepare.h"
-#include "plugin/image/reading.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/resize/size.h"
 
@@ -48,15 +46,6 @@ Failure too_far(const OIIO::ImageSpec& from, const Size& size) {
 }
 
 } // namespace
-
-bool check_image(const OIIO::ImageBuf& image, const std::string& name, const Options& options,
-                 Failure& failure) {
-    if (check_source(image, failure.why) && check_options_of(image, options, failure.why))
-        return true;
-    failure.why = name + ": " + failure.why;
-    failure.code = code_of_message(failure.why);
-    return false;
-}
 
 bool plan_result(const OIIO::ImageSpec& from, const ResizeSettings& settings, OIIO::ImageSpec& spec,
                  Failure& failure) {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imageio.h>
 
 #include "ddt/resize.h"
 #include "plugin/tool/command/exit_code.h"
@@ -20,16 +20,11 @@ struct ResizeSettings {
     bool all_images = false; ///< of a file, one after another; not its first alone
 };
 
-/// False with a failure, which begins with the name (image_name() of file/picture.h), unless the
-/// image is one that can be worked on with these options.
-bool check_image(const OIIO::ImageBuf& image, const std::string& name, const Options& options,
-                 Failure& failure);
-
-/// What an image of spec `from`, which check_image() found right, becomes: the windows that
-/// oiiotool makes. The size is the display window's; the data window is scaled along with it, its
-/// origin rounded down, its size up. Where a size does not change, the origin does not either.
-/// False with a failure if the size is not allowed, or the data window would leave the coordinates
-/// that are allowed.
+/// What an image of spec `from`, which check_image() of file/check_image.h found right, becomes:
+/// the windows that oiiotool makes. The size is the display window's; the data window is scaled
+/// along with it, its origin rounded down, its size up. Where a size does not change, the origin
+/// does not either. False with a failure if the size is not allowed, or the data window would leave
+/// the coordinates that are allowed.
 bool plan_result(const OIIO::ImageSpec& from, const ResizeSettings& settings,
                  OIIO::ImageSpec& result, Failure& failure);
 

@@ -16,10 +16,12 @@
 #include "plugin/imagebuf/resize.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/command.h"
+#include "plugin/tool/file/check_image.h"
 #include "plugin/tool/file/file_state.h"
 #include "plugin/tool/file/fit_format.h"
 #include "plugin/tool/file/image_file.h"
-#include "plugin/tool/file/picture.h"
+#include "plugin/tool/file/open_image.h"
+#include "plugin/tool/file/other_images.h"
 #include "plugin/tool/ids/mixed_ids.h"
 #include "plugin/tool/resize/resize_image.h"
 

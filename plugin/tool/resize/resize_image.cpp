@@ -9,7 +9,7 @@
 #include "plugin/image/memory.h"
 #include "plugin/image/windows.h"
 #include "plugin/imagebuf/resize.h"
-#include "plugin/tool/file/picture.h"
+#include "plugin/tool/file/check_image.h"
 #include "plugin/tool/ids/lost_ids.h"
 #include "plugin/tool/ids/mixed_ids.h"
 #include "plugin/tool/resize/row_writer.h"

@@ -10,7 +10,8 @@
 #include "plugin/image/memory.h"
 #include "plugin/image/oiio_defects.h"
 #include "plugin/tool/file/image_file.h"
-#include "plugin/tool/file/picture.h"
+#include "plugin/tool/file/open_image.h"
+#include "plugin/tool/file/read_native.h"
 
 namespace ddt::tool {
 

@@ -25,8 +25,8 @@ public:
     RowReader& operator=(const RowReader&) = delete;
 
     /// Begin to read into `image`, which must outlive this: its spec and its memory are there
-    /// afterwards, as open_image() of picture.h makes them. Begins also with what is no flat image
-    /// with pixels: check_source() is to refuse that. False with one line in `error`.
+    /// afterwards, as open_image() of file/open_image.h makes them. Begins also with what is no
+    /// flat image with pixels: check_source() is to refuse that. False with one line in `error`.
     bool begin(const std::string& path, OIIO::ImageBuf& image, std::string& error, int number = 0);
 
     bool wait_for(int end, std::string& error) override;

@@ -9,6 +9,7 @@
 #include "ddt/option_table.h"
 #include "plugin/tool/command/progress.h"
 #include "plugin/tool/commands.h"
+#include "plugin/tool/file/open_image.h"
 #include "plugin/tool/file/picture.h"
 #include "plugin/tool/man.h"
 #include "plugin/tool/plugin_file.h"

@@ -18,7 +18,7 @@
 
 #include <OpenImageIO/imagebufalgo.h>
 
-#include "plugin/tool/file/picture.h"
+#include "plugin/tool/file/open_image.h"
 #include "plugin/tool/part/join.h"
 #include "tests/resource_limit.h"
 #include "tests/temporary.h"

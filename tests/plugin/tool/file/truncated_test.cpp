@@ -12,7 +12,7 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
-#include "plugin/tool/file/picture.h"
+#include "plugin/tool/file/open_image.h"
 #include "plugin/tool/part/resize_part.h"
 #include "plugin/tool/resize/resize_file.h"
 #include "tests/temporary.h"

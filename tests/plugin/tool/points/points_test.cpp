@@ -17,7 +17,7 @@
 #include <gtest/gtest.h>
 
 #include "plugin/tool/commands.h"
-#include "plugin/tool/file/picture.h"
+#include "plugin/tool/file/open_image.h"
 #include "plugin/tool/points/point_file.h"
 #include "tests/plugin/tool/run_command.h"
 #include "tests/temporary.h"

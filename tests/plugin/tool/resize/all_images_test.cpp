@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "plugin/tool/commands.h"
-#include "plugin/tool/file/picture.h"
+#include "plugin/tool/file/other_images.h"
 #include "plugin/tool/resize/resize_file.h"
 #include "tests/plugin/tool/run_command.h"
 #include "tests/plugin/tool/several_types.h"

@@ -8,7 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "plugin/tool/commands.h"
-#include "plugin/tool/file/picture.h"
+#include "plugin/tool/file/open_image.h"
+#include "plugin/tool/file/other_images.h"
 #include "plugin/tool/part/join.h"
 #include "plugin/tool/part/resize_part.h"
 #include "tests/environment.h"

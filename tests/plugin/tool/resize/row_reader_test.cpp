@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/file/open_image.h"
 #include "plugin/tool/resize/row_reader.h"
 
 #include <atomic>
@@ -9,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "plugin/imagebuf/resize.h"
-#include "plugin/tool/file/picture.h"
 #include "tests/temporary.h"
 
 namespace ddt::tool {

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/tool/file/other_images.h"
+
+#include <algorithm>
+
+#include <OpenImageIO/imageio.h>
+
+#include "plugin/message/format.h"
+#include "plugin/tool/command/command.h"
+
+namespace ddt::tool {
+
+namespace {
+
+// 3.x prints errors that nobody asked for.
+
+/// `look` at a file; nothing where it cannot be opened.
+template <class Look>
+void look_at(const std::string& path, Look&& look) {
+    if (const auto input = OIIO::ImageInput::open(path))
+        look(*input);
+    else
+        OIIO::geterror();
+}
+
+int count_images(OIIO::ImageInput& input) {
+    int images = std::max(1, input.spec().get_int_attribute("oiio:subimages", 1));
+    while (input.seek_subimage(images, 0))
+        ++images;
+    input.geterror();
+    return images;
+}
+
+void note_levels(OIIO::ImageInput& input, const std::string& path) {
+    if (input.seek_subimage(0, 1))
+        note(format("\"{}\" has MIP levels; the largest alone was taken", path));
+    input.geterror();
+}
+
+} // namespace
+
+int count_images(const std::string& path) {
+    int images = 0;
+    look_at(path, [&](OIIO::ImageInput& input) { images = count_images(input); });
+    return images;
+}
+
+void note_others(const std::string& path, const std::string& how_to_have_all) {
+    look_at(path, [&](OIIO::ImageInput& input) {
+        if (const int images = count_images(input); images > 1)
+            note(format("\"{}\" has {} images; the first alone was taken{}", path, images,
+                        how_to_have_all.empty() ? "" : " (all: " + how_to_have_all + ")"));
+        note_levels(input, path);
+    });
+}
+
+void note_levels(const std::string& path) {
+    look_at(path, [&](OIIO::ImageInput& input) { note_levels(input, path); });
+}
+
+} // namespace ddt::tool

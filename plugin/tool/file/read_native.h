@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pixels as a file has them.
+#pragma once
+
+#include <OpenImageIO/imageio.h>
+
+#include "ddt/rect.h"
+
+namespace ddt::tool {
+
+/// Read channels [chbegin, chend) of pixels of the image that the input is at as they are, without
+/// gaps: whole tiles where it has them, else whole rows. False with a line in input.geterror().
+bool read_native(OIIO::ImageInput& input, const Rect& r, int chbegin, int chend, void* to);
+/// All channels.
+bool read_native(OIIO::ImageInput& input, const Rect& r, void* to);
+
+/// [r.x0, r.x1) x [r.y0, r.y1) cut to the file's pixels and extended to what read_native() reads.
+Rect readable(const OIIO::ImageSpec& file, const Rect& r);
+
+} // namespace ddt::tool
