@@ -19,6 +19,7 @@
 #include "plugin/tool/points/point_file.h"
 #include "plugin/tool/points/point_image.h"
 #include "plugin/tool/points/window.h"
+#include "plugin/tool/points/write_points.h"
 
 namespace ddt::tool {
 

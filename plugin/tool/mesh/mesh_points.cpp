@@ -6,6 +6,7 @@
 #include "plugin/tool/command/command.h"
 #include "plugin/tool/points/coarse_axis.h"
 #include "plugin/tool/points/point_file.h"
+#include "plugin/tool/points/write_points.h"
 
 namespace ddt::tool {
 

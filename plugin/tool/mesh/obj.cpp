@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/mesh/mesh_file.h"
+#include "plugin/tool/mesh/writing_progress.h"
 
 namespace ddt::tool {
 
@@ -15,14 +16,14 @@ bool write_obj(std::FILE* file, const Mesh& mesh, const Picture& picture, const 
                          double(lift(picture, i, style)), double(byte_of(c.red)) / 255,
                          double(byte_of(c.green)) / 255, double(byte_of(c.blue)) / 255);
         }
-        if (!progress(0.5f * float(y) / float(mesh.height)))
+        if (!tell_row(mesh, y, progress))
             return false;
     }
     size_t n = 0;
     for (const auto& t : mesh.triangles) {
         // Counted from 1. With y upwards the other way round is counter-clockwise.
         std::fprintf(file, "f %d %d %d\n", t[0] + 1, t[2] + 1, t[1] + 1);
-        if (++n % 65536 == 0 && !progress(0.5f + 0.5f * float(n) / float(mesh.triangles.size())))
+        if (!tell_triangle(mesh, ++n, progress))
             return false;
     }
     return true;

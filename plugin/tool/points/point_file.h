@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files of points with values, and of meshes of them.
+// Reading files of points with values, and of meshes of them.
 #pragma once
 
 #include <optional>
@@ -8,25 +8,9 @@
 
 #include "ddt/points.h"
 #include "plugin/tool/command/exit_code.h"
-#include "plugin/tool/file/whole_file.h"
+#include "plugin/tool/points/columns.h"
 
 namespace ddt::tool {
-
-/// Numbers of points beside their x and y. `scale` is what a whole unit is in the file: 255 and
-/// 65535 for colours that are bytes and words, else 1; values are divided by it.
-struct Column {
-    std::string name, type; ///< as PLY calls them: "red", "uchar"
-    double scale = 1;
-    std::vector<double> values; ///< which hold every type's numbers
-
-    bool is_colour() const { return name == "red" || name == "green" || name == "blue"; }
-    bool is_alpha() const { return name == "alpha"; }
-};
-
-/// Columns that are colour and its alpha, and their letters: an image's channels, and what a text
-/// may call them.
-inline constexpr const char* colour_columns[][2] = {
-    {"red", "R"}, {"green", "G"}, {"blue", "B"}, {"alpha", "A"}};
 
 struct PointFile {
     PointMesh mesh;              ///< with the file's triangles, if it has any
@@ -61,21 +45,5 @@ std::optional<double> number_in(const std::string& word);
 /// The two readers of it.
 bool read_ply(const std::string& text, PointFile& points, std::string& error);
 bool read_table(const std::string& text, PointFile& points, std::string& error);
-
-/// Write a binary PLY (little endian) with x and y as double, the columns in their types, and the
-/// triangles.
-bool write_points(const std::string& path, const PointFile& points, Failure& failure);
-/// The same into an open file, which is still to be committed. False with a failure if the system
-/// did not take all of it.
-bool write_points(WholeFile& file, const PointFile& points, Failure& failure);
-
-/// The columns a command works on when nothing names them: red, green and blue, and alpha if it is
-/// there; else z; else all.
-std::vector<const Column*> usual_columns(const PointFile& points);
-
-/// The sum of the columns that are not alpha, of more than three each as a share of its range, from
-/// 0 at the least to 1 at the largest: what edges are sought in. Points with a NaN in one of the
-/// columns have none.
-std::vector<float> guide_of(const PointFile& points, const std::vector<const Column*>& columns);
 
 } // namespace ddt::tool

@@ -10,6 +10,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "plugin/message/format.h"
+#include "plugin/tool/points/ply_types.h"
 #include "plugin/tool/points/point_file.h"
 #include "plugin/tool/points/polygons.h"
 
@@ -17,42 +18,10 @@ namespace ddt::tool {
 
 namespace {
 
-enum class Number { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
-struct NumberName {
-    const char *name, *other;
-    Number number;
-    size_t bytes;
-};
-constexpr NumberName number_names[] = {
-    {"char", "int8", Number::int8, 1},        {"uchar", "uint8", Number::uint8, 1},
-    {"short", "int16", Number::int16, 2},     {"ushort", "uint16", Number::uint16, 2},
-    {"int", "int32", Number::int32, 4},       {"uint", "uint32", Number::uint32, 4},
-    {"float", "float32", Number::float32, 4}, {"double", "float64", Number::float64, 8},
-};
-
-/// Whether a type of whole numbers has this one. Floats have all: rounded, and infinite beyond.
-bool has_room(const NumberName& type, double v) {
-    if (type.number == Number::float32 || type.number == Number::float64)
-        return true;
-    const bool is_signed =
-        type.number == Number::int8 || type.number == Number::int16 || type.number == Number::int32;
-    const double codes = std::ldexp(1.0, int(type.bytes) * 8);
-    const double low = is_signed ? -codes / 2 : 0;
-    return v == std::floor(v) && v >= low && v < low + codes;
-}
-
-const NumberName* find_number(const std::string& name) {
-    for (const NumberName& n : number_names)
-        if (name == n.name || name == n.other)
-            return &n;
-    return nullptr;
-}
-
 struct Property {
     std::string name;
-    const NumberName* number = nullptr;
-    const NumberName* length = nullptr; ///< of a list, else null
+    const PlyType* number = nullptr;
+    const PlyType* length = nullptr; ///< of a list, else null
 };
 struct Element {
     std::string name;
@@ -69,12 +38,12 @@ public:
         : m_text(text), m_at(at), m_encoding(encoding) {}
 
     /// The next number; none at the end, or where there is something else.
-    std::optional<double> next(const NumberName& as) {
+    std::optional<double> next(const PlyType& as) {
         return m_encoding == Encoding::text ? next_word(as) : next_bytes(as);
     }
 
 private:
-    std::optional<double> next_word(const NumberName& as) {
+    std::optional<double> next_word(const PlyType& as) {
         const char* blanks = " \t\r\n";
         m_at = std::min(m_text.find_first_not_of(blanks, m_at), m_text.size());
         const size_t end = std::min(m_text.find_first_of(blanks, m_at), m_text.size());
@@ -88,7 +57,7 @@ private:
         std::memcpy(&v, bytes, sizeof v);
         return double(v);
     }
-    std::optional<double> next_bytes(const NumberName& as) {
+    std::optional<double> next_bytes(const PlyType& as) {
         if (m_text.size() - m_at < as.bytes)
             return {};
         const bool swap = (m_encoding == Encoding::big) == OIIO::littleendian();
@@ -97,21 +66,21 @@ private:
             bytes[swap ? as.bytes - 1 - k : k] = static_cast<unsigned char>(m_text[m_at + k]);
         m_at += as.bytes;
         switch (as.number) {
-        case Number::int8:
+        case PlyNumber::int8:
             return as_number<int8_t>(bytes);
-        case Number::uint8:
+        case PlyNumber::uint8:
             return as_number<uint8_t>(bytes);
-        case Number::int16:
+        case PlyNumber::int16:
             return as_number<int16_t>(bytes);
-        case Number::uint16:
+        case PlyNumber::uint16:
             return as_number<uint16_t>(bytes);
-        case Number::int32:
+        case PlyNumber::int32:
             return as_number<int32_t>(bytes);
-        case Number::uint32:
+        case PlyNumber::uint32:
             return as_number<uint32_t>(bytes);
-        case Number::float32:
+        case PlyNumber::float32:
             return as_number<float>(bytes);
-        case Number::float64:
+        case PlyNumber::float64:
             return as_number<double>(bytes);
         }
         return {};
@@ -197,12 +166,12 @@ private:
         words >> type;
         if (type == "list") {
             words >> type;
-            property.length = find_number(type);
+            property.length = find_ply_type(type);
             if (!property.length)
                 return false;
             words >> type;
         }
-        property.number = find_number(type);
+        property.number = find_ply_type(type);
         words >> property.name;
         if (!property.number || words.fail() || m_elements.empty())
             return false;
@@ -254,9 +223,9 @@ private:
             }
             Column column{p.name, p.number->name, 1, {}};
             const bool colour = column.is_colour() || column.is_alpha();
-            if (colour && p.number->number == Number::uint8)
+            if (colour && p.number->number == PlyNumber::uint8)
                 column.scale = 255;
-            if (colour && p.number->number == Number::uint16)
+            if (colour && p.number->number == PlyNumber::uint16)
                 column.scale = 65535;
             column.values.reserve(element.count);
             m_points.columns.push_back(std::move(column));

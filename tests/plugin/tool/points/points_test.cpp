@@ -19,6 +19,7 @@
 #include "plugin/tool/commands.h"
 #include "plugin/tool/file/open_image.h"
 #include "plugin/tool/points/point_file.h"
+#include "plugin/tool/points/write_points.h"
 #include "tests/plugin/tool/run_command.h"
 #include "tests/temporary.h"
 
