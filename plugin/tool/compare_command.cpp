@@ -104,6 +104,62 @@ std::string windows_of(const OIIO::ImageSpec& spec) {
            window(spec.full_width, spec.full_height, spec.full_x, spec.full_y);
 }
 
+/// One of the two images.
+struct Looked {
+    Picture picture;
+    std::vector<uint8_t> not_finite; ///< of each pixel
+    OIIO::ImageSpec spec;
+};
+
+bool look_at(const std::string& path, Looked& looked, Failure& failure) {
+    OIIO::ImageBuf image;
+    std::string error;
+    if (!open_image(path, image, error)) {
+        failure = unreadable(path, error);
+        return false;
+    }
+    if (!check_memory(format("comparing {} x {} pixels", image.spec().width, image.spec().height),
+                      bytes_a_pixel * double(image.spec().image_pixels()), error) ||
+        !read_picture(image, {}, looked.picture, error)) {
+        failure = {error, code_of_message(error)};
+        return false;
+    }
+    looked.spec = image.spec();
+    looked.not_finite = find_not_finite(image);
+    note_not_compared(image, path);
+    note_others(path);
+    return true;
+}
+
+std::string size_of(const Picture& p) {
+    return std::to_string(p.width) + " x " + std::to_string(p.height);
+}
+
+/// Whether there is a pixel of one image for each of the other.
+bool check_windows(const Looked& a, const Looked& b, Failure& failure) {
+    if (a.picture.width != b.picture.width || a.picture.height != b.picture.height)
+        failure = {"the images are of different size: " + size_of(a.picture) + " and " +
+                   size_of(b.picture)};
+    else if (place_of(a.spec) != place_of(b.spec))
+        failure = {"the images lie at different places, data window in display window: " +
+                   windows_of(a.spec) + " and " + windows_of(b.spec)};
+    else
+        return true;
+    return false;
+}
+
+/// Make pixels black in both images that are not finite in one. Returns how many those are.
+size_t blacken(const Looked& a, const Looked& b, metrics::Image& image_a, metrics::Image& image_b) {
+    size_t count = 0;
+    for (size_t i = 0; i < a.not_finite.size(); ++i)
+        if (a.not_finite[i] || b.not_finite[i]) {
+            ++count;
+            for (size_t k = 0; k < 3; ++k)
+                image_a.channels[k].values[i] = image_b.channels[k].values[i] = 0;
+        }
+    return count;
+}
+
 struct Metric {
     const char* name;
     double (*value)(const metrics::Image& a, const metrics::Image& b, const metrics::Plane& ya,
@@ -146,50 +202,20 @@ public:
     }
 
     ExitCode run(const std::vector<std::string>& values) override {
-        Picture pictures[2];
-        std::vector<uint8_t> not_finite[2];
-        OIIO::ImageSpec specs[2];
-        std::string error;
-        for (size_t k = 0; k < 2; ++k) {
-            OIIO::ImageBuf image;
-            if (!open_image(values[k], image, error))
-                return fail(unreadable(values[k], error));
-            if (!check_memory(
-                    format("comparing {} x {} pixels", image.spec().width, image.spec().height),
-                    bytes_a_pixel * double(image.spec().image_pixels()), error) ||
-                !read_picture(image, {}, pictures[k], error))
-                return fail(error, code_of_message(error));
-            specs[k] = image.spec();
-            not_finite[k] = find_not_finite(image);
-            note_not_compared(image, values[k]);
-            note_others(values[k]);
-        }
-        if (pictures[0].width != pictures[1].width || pictures[0].height != pictures[1].height)
-            return fail("the images are of different size: " + size_of(pictures[0]) + " and " +
-                        size_of(pictures[1]));
-        if (place_of(specs[0]) != place_of(specs[1]))
-            return fail("the images lie at different places, data window in display window: " +
-                        windows_of(specs[0]) + " and " + windows_of(specs[1]));
-        Image a = image_of(pictures[0]), b = image_of(pictures[1]);
-        size_t left_out = 0;
-        for (size_t i = 0; i < not_finite[0].size(); ++i)
-            if (not_finite[0][i] || not_finite[1][i]) {
-                ++left_out;
-                for (size_t k = 0; k < 3; ++k)
-                    a.channels[k].values[i] = b.channels[k].values[i] = 0;
-            }
-        if (left_out > 0)
+        Looked a, b;
+        Failure failure;
+        if (!look_at(values[0], a, failure) || !look_at(values[1], b, failure) ||
+            !check_windows(a, b, failure))
+            return fail(failure);
+        Image image_a = image_of(a.picture), image_b = image_of(b.picture);
+        if (const size_t left_out = blacken(a, b, image_a, image_b); left_out > 0)
             note(format("{} of the pixels are not finite in one image, and taken for black in both",
                         left_out));
-        print(a, b);
+        print(image_a, image_b);
         return exit_done;
     }
 
 private:
-    static std::string size_of(const Picture& p) {
-        return std::to_string(p.width) + " x " + std::to_string(p.height);
-    }
-
     void print(const Image& a, const Image& b) const {
         const Plane ya = luma(a), yb = luma(b);
         constexpr size_t count = std::size(all_metrics);

@@ -80,53 +80,13 @@ public:
         std::string wrong;
         if (!with_flags(wrong))
             return fail(wrong, exit_usage);
-        if (is_point_mesh(values[0]))
-            return run_on_points(values);
-        if (!writer_for(values[1]))
-            return fail(wrong_mesh_name(values[1]), exit_usage);
-        for (const Given& given : m_given)
-            if (!is_of(given.kinds, values[1]))
-                return fail(format("{} is for names that end in {}; \"{}\" is none", given.flag,
-                                   OIIO::Strutil::join(given.kinds, " or "), values[1]),
-                            exit_usage);
+        const bool of_points = is_point_mesh(values[0]);
+        if (!(of_points ? check_points_flags(values[0], wrong)
+                        : check_image_flags(values[1], wrong)))
+            return fail(wrong, exit_usage);
         if (!check_light_name(m_options, wrong))
             return fail(wrong, code_of_message(wrong));
-        m_style.fill = m_fill == "flat"   ? Fill::flat
-                       : m_fill == "none" ? Fill::none
-                                          : Fill::gradient;
-        if (m_style.fill == Fill::none && m_style.lines == 0)
-            m_style.lines = 0.1;
-        OIIO::ImageBuf image, filled;
-        Picture picture;
-        Mesh mesh;
-        MeshReport report;
-        std::string error;
-        if (!open_image(values[0], image, error))
-            return fail(unreadable(values[0], error));
-        constexpr double bytes_a_pixel = 100; // about
-        if (!check_memory(
-                format("triangulating {} x {} pixels", image.spec().width, image.spec().height),
-                bytes_a_pixel * double(image.spec().image_pixels()), error) ||
-            !fill_missing_pixels(image, filled, error))
-            return fail(error, code_of_message(error));
-        const bool lifted = m_style.height != 0;
-        if (filled.initialized() && !lifted)
-            image.clear();
-        const OIIO::ImageBuf& shown = filled.initialized() ? filled : image;
-        if (!read_picture(shown, m_options, picture, error) ||
-            (lifted && !read_heights(values[0], image, shown, picture.heights, error)))
-            return fail(error, code_of_message(error));
-        image.clear(), filled.clear();
-        if (!triangulate(picture, mesh, report, error))
-            return fail(error, code_of_message(error));
-        if (m_verbose)
-            print(report);
-        Progress progress("writing");
-        Failure failure;
-        if (!write_mesh(values[1], mesh, picture, m_style, std::ref(progress), failure))
-            return fail(failure);
-        note_others(values[0]);
-        return exit_done;
+        return of_points ? run_on_points(values) : run_on_image(values);
     }
 
 private:
@@ -157,15 +117,30 @@ private:
             items += ",scheme=" + m_scheme;
         return items.empty() || parse_filter(m_filter + items, m_options, wrong);
     }
+    /// Whether those that were given are for what `in` is, a mesh.
+    bool check_points_flags(const std::string& in, std::string& wrong) const {
+        if (m_given.empty())
+            return true;
+        wrong = format("{} is for images; \"{}\" is a mesh already, which stays as it is but for "
+                       "its edges",
+                       m_given.front().flag, in);
+        return false;
+    }
+    /// Whether an image's mesh can be written under that name, with what was given.
+    bool check_image_flags(const std::string& out, std::string& wrong) const {
+        if (!writer_for(out)) {
+            wrong = wrong_mesh_name(out);
+            return false;
+        }
+        for (const Given& given : m_given)
+            if (!is_of(given.kinds, out)) {
+                wrong = format("{} is for names that end in {}; \"{}\" is none", given.flag,
+                               OIIO::Strutil::join(given.kinds, " or "), out);
+                return false;
+            }
+        return true;
+    }
     ExitCode run_on_points(const std::vector<std::string>& values) const {
-        if (!m_given.empty())
-            return fail(format("{} is for images; \"{}\" is a mesh already, which stays as it is "
-                               "but for its edges",
-                               m_given.front().flag, values[0]),
-                        exit_usage);
-        std::string wrong;
-        if (!check_light_name(m_options, wrong))
-            return fail(wrong, code_of_message(wrong));
         MeshReport report;
         Failure failure;
         {
@@ -179,6 +154,60 @@ private:
         if (m_verbose)
             print(report);
         return exit_done;
+    }
+    ExitCode run_on_image(const std::vector<std::string>& values) const {
+        Picture picture;
+        Mesh mesh;
+        MeshReport report;
+        Failure failure;
+        if (!read(values[0], picture, failure))
+            return fail(failure);
+        if (std::string error; !triangulate(picture, mesh, report, error))
+            return fail(error, code_of_message(error));
+        if (m_verbose)
+            print(report);
+        Progress progress("writing");
+        if (!write_mesh(values[1], mesh, picture, style(), std::ref(progress), failure))
+            return fail(failure);
+        note_others(values[0]);
+        return exit_done;
+    }
+    /// With the edges where nothing else is drawn.
+    MeshStyle style() const {
+        MeshStyle drawn = m_style;
+        drawn.fill = m_fill == "flat" ? Fill::flat : m_fill == "none" ? Fill::none : Fill::gradient;
+        if (drawn.fill == Fill::none && drawn.lines == 0)
+            drawn.lines = 0.1;
+        return drawn;
+    }
+    /// The image of a file without its holes, and its heights, if it is lifted.
+    bool read(const std::string& in, Picture& picture, Failure& failure) const {
+        OIIO::ImageBuf image, filled;
+        std::string error;
+        if (!open_image(in, image, error)) {
+            failure = unreadable(in, error);
+            return false;
+        }
+        constexpr double bytes_a_pixel = 100; // about
+        const bool is_read =
+            check_memory(
+                format("triangulating {} x {} pixels", image.spec().width, image.spec().height),
+                bytes_a_pixel * double(image.spec().image_pixels()), error) &&
+            fill_missing_pixels(image, filled, error) && look_at(in, image, filled, picture, error);
+        if (!is_read)
+            failure = {error, code_of_message(error)};
+        return is_read;
+    }
+    /// `filled`: the image with pixels changed, or uninitialised. An image that nothing more is
+    /// asked of is cleared first: a picture takes memory, too.
+    bool look_at(const std::string& in, OIIO::ImageBuf& image, const OIIO::ImageBuf& filled,
+                 Picture& picture, std::string& error) const {
+        const bool lifted = m_style.height != 0;
+        if (filled.initialized() && !lifted)
+            image.clear();
+        const OIIO::ImageBuf& shown = filled.initialized() ? filled : image;
+        return read_picture(shown, m_options, picture, error) &&
+               (!lifted || read_heights(in, image, shown, picture.heights, error));
     }
     /// By the filter's holes=; leaves `filled` uninitialised where nothing is missing.
     bool fill_missing_pixels(const OIIO::ImageBuf& image, OIIO::ImageBuf& filled,
