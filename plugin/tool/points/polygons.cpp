@@ -85,7 +85,9 @@ void mend_fans(PointFile& points) {
     constexpr size_t most_corners = 255;
     StepGrid grid;
     std::string ignored; // whoever works on the mesh says it
-    if (points.mesh.triangles.empty() || !grid.fit(points.mesh, ignored))
+    // Of triangles alone, as most files are, there is nothing to mend.
+    if (std::adjacent_find(points.faces.begin(), points.faces.end()) == points.faces.end() ||
+        !grid.fit(points.mesh, ignored))
         return;
     const auto corner = [&](int32_t v) {
         return Corner{v, grid.steps(points.mesh.x[size_t(v)], points.mesh.y[size_t(v)])};
