@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -16,6 +15,8 @@
 #include "plugin/tool/command/progress.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/points/coarse_axis.h"
+#include "plugin/tool/points/drop_unknown.h"
+#include "plugin/tool/points/plan_grid.h"
 #include "plugin/tool/points/point_file.h"
 #include "plugin/tool/points/point_image.h"
 #include "plugin/tool/points/window.h"
@@ -51,42 +52,11 @@ bool parse_image_size(const std::string& text, int& width, int& height) {
     return true;
 }
 
-/// Leave out the points that lack a number in one of the columns, and triangles with such a corner.
-/// Returns how many points those were.
-size_t drop_unknown(PointFile& points, const std::vector<const Column*>& columns) {
-    const size_t count = points.mesh.x.size();
-    std::vector<uint8_t> keep(count, 1);
+std::string joined_names(const std::vector<const Column*>& columns, const char* between) {
+    std::vector<std::string> names;
     for (const Column* column : columns)
-        for (size_t i = 0; i < count; ++i)
-            keep[i] &= uint8_t(!std::isnan(column->values[i]));
-    const auto squeeze = [&](auto& numbers) {
-        size_t to = 0;
-        for (size_t i = 0; i < count; ++i)
-            if (keep[i])
-                numbers[to++] = numbers[i];
-        numbers.resize(to);
-    };
-    std::vector<int32_t> place(count); // among those that stay
-    int32_t next = 0;
-    for (size_t i = 0; i < count; ++i)
-        place[i] = keep[i] ? next++ : -1;
-    size_t left = 0; // of the triangles
-    for (size_t i = 0; i < points.mesh.triangles.size(); ++i) {
-        std::array<int32_t, 3> t = points.mesh.triangles[i];
-        for (int32_t& v : t)
-            v = size_t(v) < count ? place[size_t(v)] : v; // others are for optimise() to refuse
-        if (*std::min_element(t.begin(), t.end()) < 0)
-            continue;
-        points.mesh.triangles[left] = t;
-        points.faces[left++] = points.faces[i];
-    }
-    points.mesh.triangles.resize(left);
-    points.faces.resize(left);
-    squeeze(points.mesh.x);
-    squeeze(points.mesh.y);
-    for (Column& column : points.columns)
-        squeeze(column.values);
-    return count - points.mesh.x.size();
+        names.push_back(column->name);
+    return OIIO::Strutil::join(names, between);
 }
 
 class ScatterCommand final : public Command {
@@ -170,17 +140,18 @@ private:
         }
         for (const std::string& channel : m_channels) {
             m_columns.push_back(points.find_meant(channel));
-            if (m_columns.back())
-                continue;
-            std::vector<std::string> names;
-            for (const Column& column : points.columns)
-                names.push_back(column.name);
-            failure = {format("there is no column \"{}\"; there are {}", channel,
-                              OIIO::Strutil::join(names, ", ")),
-                       exit_usage};
-            return false;
+            if (!m_columns.back()) {
+                failure = {format("there is no column \"{}\"; there are {}", channel,
+                                  joined_names(all_columns(points), ", ")),
+                           exit_usage};
+                return false;
+            }
         }
-        // With the alpha that is added where there is none.
+        return check_channel_names(failure);
+    }
+
+    /// Whether each is another, the alpha that is added where there is none included.
+    bool check_channel_names(Failure& failure) const {
         std::vector<std::string> names = channel_names(m_columns);
         std::sort(names.begin(), names.end());
         const auto twin = std::adjacent_find(names.begin(), names.end());
@@ -193,26 +164,18 @@ private:
         return false;
     }
 
-    /// Those of the columns that become channels.
-    std::string joined_names(const char* between) const {
-        std::vector<std::string> names;
-        for (const Column* column : m_columns)
-            names.push_back(column->name);
-        return OIIO::Strutil::join(names, between);
-    }
-
     bool prepare(PointFile& points, Failure& failure) {
         if (!choose_columns(points, failure))
             return false;
         const bool has_triangles = !points.mesh.triangles.empty();
         const size_t count = points.mesh.x.size(), dropped = drop_unknown(points, m_columns);
         if (points.mesh.x.empty()) {
-            failure.why = "no point has a number in " + joined_names(" and in ");
+            failure.why = "no point has a number in " + joined_names(m_columns, " and in ");
             return false;
         }
         if (dropped > 0)
             note(format("{} of {} points are left out: they have no number in {}", dropped, count,
-                        joined_names(" or in ")));
+                        joined_names(m_columns, " or in ")));
         if (has_triangles && points.mesh.triangles.empty()) {
             failure.why = "no triangle has numbers at its three points";
             return false;
@@ -273,31 +236,6 @@ private:
         note(said);
     }
 
-    Window box(const PointMesh& mesh) const { return m_has_window ? m_window : window_of(mesh); }
-
-    /// Pixels whose outer borders are the window's.
-    bool plan(const PointMesh& mesh, PixelGrid& g, Failure& failure) const {
-        const Window w = box(mesh);
-        const double across = w.x1 - w.x0, down = w.y1 - w.y0;
-        // A side that is left open keeps the window's shape.
-        const double width = m_width > 0 ? m_width : std::max(m_height * (across / down), 1.0);
-        const double height = m_height > 0 ? m_height : std::max(m_width * (down / across), 1.0);
-        if (!(width <= largest_side && height <= largest_side)) {
-            failure = {format("the image would be {:.0f} x {:.0f} pixels; sides are allowed up to "
-                              "{}: give both of --size, or another --window",
-                              width, height, largest_side),
-                       exit_usage};
-            return false;
-        }
-        g.width = int(std::lround(width));
-        g.height = int(std::lround(height));
-        g.step_x = across / g.width;
-        g.step_y = m_y_down ? down / g.height : -down / g.height;
-        g.x = w.x0 + 0.5 * g.step_x;
-        g.y = (m_y_down ? w.y0 : w.y1) + 0.5 * g.step_y;
-        return true;
-    }
-
     /// The image and the mesh, if it is wanted. Neither replaces what was there before all of the
     /// mesh has been written.
     bool write_both(const PointFile& points, const std::string& path, Failure& failure) const {
@@ -309,8 +247,9 @@ private:
     }
 
     bool write(const PointFile& points, const std::string& path, Failure& failure) const {
+        const Window window = m_has_window ? m_window : window_of(points.mesh);
         PixelGrid grid;
-        return plan(points.mesh, grid, failure) &&
+        return plan_grid(window, m_width, m_height, m_y_down, grid, failure) &&
                write_point_image(points, m_columns, grid, path, failure);
     }
 

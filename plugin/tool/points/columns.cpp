@@ -8,9 +8,16 @@
 
 namespace ddt::tool {
 
-std::vector<const Column*> usual_columns(const PointFile& points) {
+std::vector<const Column*> all_columns(const PointFile& points) {
     std::vector<const Column*> columns;
+    for (const Column& column : points.columns)
+        columns.push_back(&column);
+    return columns;
+}
+
+std::vector<const Column*> usual_columns(const PointFile& points) {
     if (points.find("red") && points.find("green") && points.find("blue")) {
+        std::vector<const Column*> columns;
         for (const auto& [name, letter] : colour_columns)
             if (const Column* column = points.find(name))
                 columns.push_back(column);
@@ -18,9 +25,7 @@ std::vector<const Column*> usual_columns(const PointFile& points) {
     }
     if (const Column* z = points.find("z"))
         return {z};
-    for (const Column& column : points.columns)
-        columns.push_back(&column);
-    return columns;
+    return all_columns(points);
 }
 
 namespace {

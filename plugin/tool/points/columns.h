@@ -25,6 +25,8 @@ struct Column {
 inline constexpr const char* colour_columns[][2] = {
     {"red", "R"}, {"green", "G"}, {"blue", "B"}, {"alpha", "A"}};
 
+std::vector<const Column*> all_columns(const PointFile& points);
+
 /// The columns a command works on when nothing names them: red, green and blue, and alpha if it is
 /// there; else z; else all.
 std::vector<const Column*> usual_columns(const PointFile& points);
