@@ -189,14 +189,18 @@ public:
         name = "compare";
         summary = "Print how alike two images are";
         paragraphs = {
-            "Values as displayed, 0 to 255; transparent pixels over white. PSNR is over red, green "
-            "and blue, the others are of luma. Equal images have psnr and snr inf, mse and gmsd 0, "
-            "the others 1. The first image is the reference. Data windows of one size are "
-            "compared, which must lie at the same place of their display windows. A pixel that is "
-            "not finite in one of them counts as black in both. Images of IDs (32-bit integers) "
-            "alone are refused; beside colour IDs and depth are not looked at, nor are other "
-            "layers; without colour the first channel is. What has colour but an alpha of 0 is "
-            "transparent. OpenImageIO's idiff tells whether numbers are equal."};
+            "Values as displayed (sRGB), 0 to 255; transparent pixels over white. PSNR is over "
+            "red, green and blue, the others are of luma. Equal images of one format and colour "
+            "space have psnr and snr inf, mse and gmsd 0, the others 1. Colours are compared, not "
+            "codes: they are brought from the space that an image names (PNM's is Rec709) to "
+            "sRGB, and taken as they are where it names none, so the same codes in another format "
+            "may be other colours, or be rounded otherwise. The first image is the reference. "
+            "Data windows of one size are compared, which must lie at the same place of their "
+            "display windows. A pixel that is not finite in one of them counts as black in both. "
+            "Images of IDs (32-bit integers) alone are refused; beside colour IDs and depth are "
+            "not looked at, nor are other layers; without colour the first channel is. What has "
+            "colour but an alpha of 0 is transparent. OpenImageIO's idiff tells whether numbers "
+            "are equal."};
         operands = {{"A", "the reference"}, {"B", "an image of the same size and place"}};
         flags = {switch_flag("--csv", "print as comma-separated values", m_csv)};
     }

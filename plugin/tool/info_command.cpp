@@ -6,11 +6,11 @@
 #include <OpenImageIO/strutil.h>
 
 #include "core/base/one_line.h"
-#include "core/base/parallel.h"
 #include "ddt/devices.h"
 #include "ddt/names.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/filter_flag.h"
+#include "plugin/tool/command/threads.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/plugin_file.h"
 
@@ -38,7 +38,7 @@ public:
             line("plugin", text);
         const char* config = std::getenv("OCIO");
         line("OCIO config", describe_config(config));
-        const int threads = usual_threads();
+        const int threads = planned_threads(0);
         line("cpu", format("{} thread{}", threads, threads == 1 ? "" : "s"));
         for (const Device device : {Device::egl, Device::osmesa})
             line(device_name(device), describe_device(device));

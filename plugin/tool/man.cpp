@@ -54,6 +54,9 @@ std::vector<Variable> variables() {
          "more file formats, and, in other programs, for these filters, which ddt has without."},
         {"OPENIMAGEIO_OPTIONS", "Attributes of OpenImageIO, such as limits:imagesize_MB=1024, the "
                                 "most that an image may take."},
+        {"OPENIMAGEIO_THREADS",
+         "How many threads resize, fill and join use where no --threads says so; ddt info tells "
+         "the number. Unless set, or 0, all cores, in a container its quota."},
     };
 }
 

@@ -34,12 +34,13 @@ public:
             "are the file's own numbers, without a curve and whatever alpha is, rounded to floats: "
             "Z times those of a terrain in floats, and Z for white, 255 or 65535, of whole "
             "numbers. What is not finite is 0.",
-            "A mesh that is there already, a PLY file of any points, keeps its points; its edges "
-            "are flipped so that they follow its colours, or else its z, or else the sum of all "
-            "its numbers (of more than three each as a share of its range). The mesh written has "
-            "every number that the points had, in its type (x and y are double); what faces had "
-            "beside their corners, other elements and comments are left out, and polygons are "
-            "triangles."};
+            "A mesh that is there already, a PLY file of any points with faces, keeps its points; "
+            "its edges are flipped so that they follow its colours, or else its z, or else the sum "
+            "of all its numbers (of more than three each as a share of its range). The mesh "
+            "written has every number that the points had, in its type (x and y are double); what "
+            "faces had beside their corners, other elements and comments are left out, and "
+            "polygons are triangles. Points without faces are triangulated by ddt scatter IN "
+            "image.exr --mesh OUT."};
         operands = {
             {"IN", "any image OpenImageIO reads, or a mesh: a name that ends in .ply"},
             {"OUT", "the mesh: a name that ends in .svg, .ply or .obj; of a mesh, in .ply"}};

@@ -30,12 +30,14 @@ public:
         paragraphs = {
             "The same pixels as oiiotool IN --resize:filter=ddt SIZE -o OUT with the plugin; of "
             "ddt-sharp and 8 or 16 bits that OUT keeps those of oiiotool --native. Channels keep "
-            "their types, and images their tiles, where OUT's format has them. A --type or "
-            "--compression that OUT cannot "
-            "have, such as half in PNG and jpeg in a TIFF of other pixels than RGB of 8 bits, is "
-            "said on standard error, with what is written in its place.",
-            "Sizes are oiiotool's: 640x480; 0x480 keeps the shape; 640x480+10-20 moves the origin; "
-            "50%, 50%x75%; 2.5 is a factor. They are those of the display window.",
+            "their types, and images their tiles, where OUT's format has them. A --type that OUT "
+            "cannot have, such as half in PNG, and a --compression that its format has, but not "
+            "for these pixels, such as jpeg in a TIFF of others than RGB of 8 bits, is said on "
+            "standard error, with what is written in its place. A --compression that the format "
+            "does not have is refused.",
+            "Sizes are written as oiiotool's, but not by corners: 640x480; 0x480 keeps the shape; "
+            "640x480+10-20 moves the origin; 50%, 50%x75%; 2.5 is a factor. They are those of the "
+            "display window.",
             "Sequences: IN and OUT with # (four digits), ### (three) or %04d in place of the "
             "frame's number, in the last part of a path, and, with --views, %V or %v in place of "
             "the view or its first letter, in folders too. Without --frames the frames are those "

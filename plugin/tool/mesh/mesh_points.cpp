@@ -26,8 +26,14 @@ bool optimise_file(const std::string& in, const std::string& out, const MeshOpti
     if (!read_points(in, points, failure))
         return false;
     const std::vector<const Column*> columns = usual_columns(points);
-    if (points.mesh.triangles.empty() || columns.empty()) {
-        failure.why = "\"" + in + "\" has no " + (columns.empty() ? "values" : "triangles");
+    if (columns.empty()) {
+        failure.why = "\"" + in + "\" has no values";
+        return false;
+    }
+    if (points.mesh.triangles.empty()) {
+        failure.why = "\"" + in +
+                      "\" has no triangles; of points alone, ddt scatter POINTS image.exr --mesh "
+                      "OUT makes them";
         return false;
     }
     if (const std::string said = note_on_coarse_axis(points.mesh); !said.empty())

@@ -11,10 +11,11 @@
 namespace ddt::tool {
 
 /// Resize the share of the file `in` that makes a part, and write that to `out`, tile row by tile
-/// row of the source. Takes memory for one of these rows, and 256 MiB, or more for a source in
-/// large tiles or long rows (LazyFile::make_room()). If the source is in tiles, or in rows that can
-/// be had singly, no more of it is read than the part needs. Both axes must grow or stay. `out`
-/// must not be the file `in`, of which the other parts are made.
+/// row of the source. Takes memory for one of these rows, for 192 MiB of source pixels (in memory
+/// some 1.4 times that; more for a source in large tiles or long rows, LazyFile::make_room()), and
+/// for enlarging what ddt/job.h says. If the source is in tiles, or in rows that can be had singly,
+/// no more of it is read than the part needs. Both axes must grow or stay. `out` must not be the
+/// file `in`, of which the other parts are made.
 bool resize_part(const std::string& in, const std::string& out, const ResizeSettings& settings,
                  Part part, const ProgressCallback& progress, Failure& failure);
 

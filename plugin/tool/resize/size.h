@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oiiotool's grammar of sizes.
+// oiiotool's grammar of sizes, without that by corners.
 #pragma once
 
 #include <string>
@@ -21,7 +21,8 @@ constexpr const char* allowed_sizes =
 ///     50%   50%x75%    of the size, rounded to whole pixels
 ///     2.5              the factor
 ///
-/// False for anything else, and for a size that is not positive or beyond 2^24.
+/// False for anything else, two corners (0,0,639,479) too, and for a size that is not positive or
+/// beyond 2^24.
 bool parse_size(const std::string& text, const Size& from, Size& to);
 
 /// Whether `text` is a size, for an image of some size.

@@ -39,6 +39,17 @@ TEST_F(Threads, AskedForAreThoseOfOpenImageIOToo) {
     EXPECT_EQ(attribute("exr_threads"), 5);
 }
 
+TEST_F(Threads, PlannedAreThoseOfAJobWhichChangeNothing) {
+    for (const int attribute_threads : {1, attribute("threads")})
+        for (const int wanted : {0, 1}) {
+            OIIO::attribute("threads", attribute_threads);
+            const int exr = attribute("exr_threads"), planned = planned_threads(wanted);
+            EXPECT_EQ(attribute("threads"), attribute_threads);
+            EXPECT_EQ(attribute("exr_threads"), exr);
+            EXPECT_EQ(planned, share_threads(wanted));
+        }
+}
+
 TEST_F(Threads, MoreThanThereAreCoresWork) {
     const int cores = usual_threads(), many = cores + 14;
     ASSERT_EQ(share_threads(many), many);

@@ -746,6 +746,23 @@ TEST(MeshOfPoints, EdgesFollowTheValues) {
     EXPECT_EQ(run(make_mesh_command(), {write_file("bad.ply", "ply\n"), out}).code, exit_failed);
 }
 
+TEST(MeshOfPoints, PointsAloneGetTheirTrianglesByScatter) {
+    const std::string in =
+        write_file("alone.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                                "property float y\nproperty float z\nend_header\n"
+                                "0 0 1\n1 0 2\n0 1 3\n");
+    const std::string made = temporary("made.ply");
+    const Ran ran = run(make_mesh_command(), {in, temporary("out.ply")});
+    EXPECT_EQ(ran.code, exit_failed);
+    EXPECT_NE(ran.err.find("ddt scatter POINTS image.exr --mesh OUT"), std::string::npos)
+        << ran.err;
+    ASSERT_EQ(
+        run(make_scatter_command(), {in, temporary("image.exr"), "--size", "8x8", "--mesh", made})
+            .code,
+        exit_done);
+    EXPECT_EQ(run(make_mesh_command(), {made, temporary("out.ply")}).code, exit_done);
+}
+
 TEST(MeshOfPoints, FlagsOfOtherFilesAreRefused) {
     OIIO::ImageBuf image(OIIO::ImageSpec(4, 4, 3, OIIO::TypeUInt8));
     const std::string picture = temporary("flags.png"), ply = temporary("flags.ply");
