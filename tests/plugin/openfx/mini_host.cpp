@@ -111,6 +111,9 @@ int clip_get_image(ofx::Clip clip, double, const ofx::RectD*, ofx::Properties* p
     auto& behind = *reinterpret_cast<ClipBehind*>(clip);
     Effect& effect = *behind.effect;
     Picture& picture = behind.name == "Source" ? effect.source : effect.output;
+    const int status = behind.name == "Source" ? effect.source_status : effect.output_status;
+    if (status != ofx::ok)
+        return status;
     if (picture.bytes.empty())
         return ofx::failed;
     auto* image = new Properties;

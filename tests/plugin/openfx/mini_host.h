@@ -117,8 +117,9 @@ public:
     std::map<std::string, Param> params;
     std::vector<std::string> param_order;
     Picture source, output;
-    ddt::ofx::RectD source_region{};    ///< canonical
-    int region_status = ddt::ofx::ok;   ///< of asking for it
+    ddt::ofx::RectD source_region{};                                ///< canonical
+    int region_status = ddt::ofx::ok;                               ///< of asking for it
+    int source_status = ddt::ofx::ok, output_status = ddt::ofx::ok; ///< of asking for the images
     std::optional<Rect> source_defined; ///< what the source's image says it is a part of
     double aspect = 1;
     std::atomic<int> abort_after{-1}; ///< calls of abort() until it says yes; -1: never
