@@ -20,8 +20,8 @@ int SourceClip::find(Effect effect, Properties in) {
     at_full_scale = {aspect > 0 ? 1 / aspect : 1, 1};
     scale = {at_full_scale.x * get(in, "OfxImageEffectPropRenderScale", 1.0, 0),
              at_full_scale.y * get(in, "OfxImageEffectPropRenderScale", 1.0, 1)};
-    settings = settings_at(effect, time);
-    return ok;
+    const int had = settings_at(effect, time, settings);
+    return had == ok ? had : failure(had);
 }
 
 Windows SourceClip::windows() const {

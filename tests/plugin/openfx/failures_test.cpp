@@ -71,6 +71,31 @@ TEST_F(OpenFxFailures, ARegionThatCouldNotBeHadIsNotBlack) {
     EXPECT_EQ(statuses_of_regions(), std::vector<int>(3, ddt::ofx::reply_default));
 }
 
+/// Another filter, or another size, would go into a film as if it were the user's.
+TEST_F(OpenFxFailures, AValueThatCouldNotBeHadIsNotTheInitialOne) {
+    for (const char* name : {"scale", "width", "filter", "light", "premultiplication", "meshes"})
+        for (const int error : {int(ddt::ofx::failed), errors[0], errors[1], errors[2]}) {
+            SCOPED_TRACE(std::string(name) + " " + std::to_string(error));
+            open_with_output();
+            effect->params.at(name).status = error;
+            expect_failure(ddt::ofx::failure(error));
+            EXPECT_EQ(statuses_of_regions(), std::vector<int>(3, ddt::ofx::failure(error)));
+        }
+}
+
+/// A parameter that the host refused to define, or lost.
+TEST_F(OpenFxFailures, AParameterThatIsNotThereIsTheInitialOne) {
+    open_with_output();
+    ASSERT_EQ(render_all(), ddt::ofx::ok);
+    const std::vector<char> usual = effect->output.bytes;
+    for (const char* name : {"scale", "width", "filter", "meshes"}) {
+        effect->params.erase(name);
+        effect->output.allocate();
+        EXPECT_EQ(render_all(), ddt::ofx::ok) << name;
+        EXPECT_EQ(effect->output.bytes, usual) << name;
+    }
+}
+
 TEST(OpenFxFailure, OfMemoryIsToldApart) {
     EXPECT_EQ(ddt::ofx::failure(ddt::ofx::out_of_memory), 8);
     for (const int error : {1, 3, 9, 14})

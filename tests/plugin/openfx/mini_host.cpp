@@ -174,6 +174,8 @@ int get_handle(ofx::ParamSet set, const char* name, ofx::Param* param, ofx::Prop
 // The value goes where the variable argument points to.
 int value_at_time(ofx::Param p, double time, ...) {
     const Param& param = *reinterpret_cast<Param*>(p);
+    if (param.status != ofx::ok)
+        return param.status;
     std::va_list arguments;
     va_start(arguments, time);
     if (param.type == "OfxParamTypeDouble")

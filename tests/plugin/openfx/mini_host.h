@@ -92,6 +92,7 @@ struct Param {
     std::string type;
     Properties properties;
     double value = 0;
+    int status = ddt::ofx::ok; ///< of asking for the value
 };
 
 /// A description or an instance.
