@@ -96,6 +96,26 @@ TEST_F(OpenFxFailures, AParameterThatIsNotThereIsTheInitialOne) {
     }
 }
 
+/// It is the user's wish alone that stops the work.
+TEST_F(OpenFxFailures, ABarThatFailsIsLeftAloneAndTheWorkGoesOn) {
+    open_with_output(900, 900); // 16 tiles
+    host->cpus = 1;             // all worked on where the bar is asked
+    ASSERT_EQ(render_all(), ddt::ofx::ok);
+    const std::vector<char> usual = effect->output.bytes;
+    for (const int error : {int(ddt::ofx::failed), errors[0], errors[2], 14})
+        for (const int good : {0, 1}) { // updates before
+            host->stop_after = good;
+            host->stop_status = error;
+            host->progress_updates = 0;
+            effect->output.allocate();
+            EXPECT_EQ(render_all(), ddt::ofx::ok) << error;
+            EXPECT_EQ(effect->output.bytes, usual) << error;
+            EXPECT_EQ(host->progress_updates, good + 1) << error;
+        }
+    EXPECT_EQ(host->progress_started, host->progress_ended);
+    EXPECT_TRUE(host->messages.empty());
+}
+
 TEST(OpenFxFailure, OfMemoryIsToldApart) {
     EXPECT_EQ(ddt::ofx::failure(ddt::ofx::out_of_memory), 8);
     for (const int error : {1, 3, 9, 14})

@@ -198,8 +198,9 @@ int progress_start(void* e, const char*) {
 int progress_update(void* e, double) {
     if (!on_host_thread)
         ++static_cast<Effect*>(e)->foreign_calls;
-    constexpr int reply_no = 13;
-    return current->stop_after >= 0 && current->stop_after-- <= 0 ? reply_no : int(ofx::ok);
+    ++current->progress_updates;
+    const bool stops = current->stop_after >= 0 && current->stop_after-- <= 0;
+    return stops ? current->stop_status : int(ofx::ok);
 }
 int progress_end(void* e) {
     --static_cast<Effect*>(e)->bars;

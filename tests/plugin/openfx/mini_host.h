@@ -76,7 +76,9 @@ public:
     unsigned int cpus = 64; ///< that it allows a render
     std::atomic<int> asked_for_cpus{0};
     int progress_started = 0, progress_ended = 0;
-    int stop_after = -1; ///< updates of progress until it says to stop; -1: never
+    int stop_after = -1;                  ///< updates of progress until it says to stop; -1: never
+    int stop_status = ddt::ofx::reply_no; ///< what it says then
+    std::atomic<int> progress_updates{0};
 
 private:
     static const void* fetch(ddt::ofx::Properties, const char* name, int version);
