@@ -89,13 +89,12 @@ Windows windows_of(const RectD& region, const PixelScale& scale, const PixelScal
         w.place = host::onto(window, window);
         return w;
     }
-    if (zoom) {
-        w.place = zoomed(window, settings);
-        return w;
-    }
     const Rect whole = to_pixels(region, at_full_scale);
     host::Placing at_full;
-    if (settings.width > 0 || settings.height > 0) {
+    if (zoom) {
+        w.place = zoomed(window, settings);
+        at_full.full = whole;
+    } else if (settings.width > 0 || settings.height > 0) {
         double x = 1, y = 1;
         factors(whole, settings, x, y);
         const Rect upwards = host::scaled(host::flipped(whole), x, y);

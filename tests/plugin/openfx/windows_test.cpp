@@ -77,5 +77,25 @@ TEST(OpenFxWindows, HostsFindThePixelsOfTheResultAndNoOthers) {
                 }
 }
 
+/// Of a picture that ends within pixels, in a host of one resolution.
+TEST(OpenFxWindows, AZoomIsAllThatItsHostRenders) {
+    Settings settings;
+    for (const double x0 : {0.0, 1.5, -2.7, 0.002, 0.995})
+        for (const double x1 : {101.0, 100.5, 100.015, 100.008, 101.3})
+            for (const double scale : {1.0, 0.75, 0.5, 1.0 / 3, 0.123, 0.999}) {
+                const RectD region{x0, x0, x1, x1};
+                const Rect full = windows_of(region, {1, 1}, {1, 1}, settings, true).place.full;
+                const host::Placing here =
+                    windows_of(region, {scale, scale}, {1, 1}, settings, true).place;
+                ASSERT_EQ(pixels_of_host(to_region(full, {1, 1}), scale, 1), here.full)
+                    << x0 << " " << x1 << " " << scale;
+                ASSERT_TRUE(here.full.contains(here.window)) << x0 << " " << x1 << " " << scale;
+            }
+    const host::Placing place =
+        windows_of({1.5, 0, 101, 80}, {0.75, 0.75}, {1, 1}, settings, true).place;
+    EXPECT_EQ(place.window, (Rect{1, -60, 76, 0}));
+    EXPECT_EQ(place.full, (Rect{0, -60, 76, 0}));
+}
+
 } // namespace
 } // namespace ddt::ofx
