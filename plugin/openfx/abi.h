@@ -18,6 +18,7 @@ enum Status : int {
     missing_host_feature = 4,
     out_of_memory = 8,
     bad_handle = 9,
+    reply_no = 13,
     reply_default = 14, ///< the host is to do what it does by itself
 };
 

@@ -47,11 +47,12 @@ ProgressBar::~ProgressBar() {
 }
 
 bool ProgressBar::update(float share) {
-    if (!m_shown)
+    if (!m_shown || m_broken)
         return true;
-    const bool open = suites.progress->update(m_effect, double(share)) == ok;
-    m_seen |= open;
-    return open || !m_seen;
+    const int status = suites.progress->update(m_effect, double(share));
+    m_seen |= status == ok;
+    m_broken = status != ok && status != reply_no;
+    return status != reply_no || !m_seen;
 }
 
 } // namespace ddt::ofx

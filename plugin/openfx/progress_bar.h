@@ -16,12 +16,13 @@ public:
     ProgressBar& operator=(const ProgressBar&) = delete;
 
     /// False if the user has closed it. Natron also answers no while there is no bar yet, which its
-    /// main thread makes when it likes: that is no wish to stop.
+    /// main thread makes when it likes: that is no wish to stop. Nor is a failure of the bar's,
+    /// after which it is not asked again.
     bool update(float share);
 
 private:
     Effect m_effect;
-    bool m_shown, m_seen = false;
+    bool m_shown, m_seen = false, m_broken = false;
 };
 
 } // namespace ddt::ofx

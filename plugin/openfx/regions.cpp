@@ -25,8 +25,8 @@ Holes holes_of(const Settings& settings) {
 
 int region_of_definition(Effect effect, Properties in, Properties out) {
     SourceClip source;
-    if (!source.find(effect, in))
-        return reply_default;
+    if (const int found = source.find(effect, in); found != ok)
+        return found;
     // Of render scale 1, whatever the scale: canonical regions do not depend on it.
     const PixelScale& scale = source.at_full_scale;
     const Windows w = windows_of(source.region, scale, scale, source.settings, zooms());
@@ -38,8 +38,8 @@ int region_of_definition(Effect effect, Properties in, Properties out) {
 
 int regions_of_interest(Effect effect, Properties in, Properties out) {
     SourceClip source;
-    if (!source.find(effect, in))
-        return reply_default;
+    if (const int found = source.find(effect, in); found != ok)
+        return found;
     RectD wanted{};
     double* const sides[] = {&wanted.x1, &wanted.y1, &wanted.x2, &wanted.y2};
     for (int i = 0; i < 4; ++i)
@@ -56,8 +56,8 @@ int regions_of_interest(Effect effect, Properties in, Properties out) {
 
 int is_identity(Effect effect, Properties in, Properties out) {
     SourceClip source;
-    if (!source.find(effect, in))
-        return reply_default;
+    if (const int found = source.find(effect, in); found != ok)
+        return found;
     const Windows w = source.windows();
     // Of what has no end nothing is made.
     const bool same = w.place.copies() && w.place.full == w.place.window &&

@@ -15,9 +15,11 @@ namespace {
 /// An image of a clip; released when it goes.
 class Image {
 public:
-    /// `clip` may be null.
-    Image(Clip clip, double time) {
-        if (!clip || suites.effect->clip_get_image(clip, time, nullptr, &m_image) != ok)
+    /// `clip` may be null: that of a source without a region.
+    Image(Clip clip, double time)
+        : m_status(clip ? suites.effect->clip_get_image(clip, time, nullptr, &m_image)
+                        : int(failed)) {
+        if (m_status != ok)
             m_image = nullptr;
     }
     ~Image() {
@@ -28,6 +30,9 @@ public:
     Image& operator=(const Image&) = delete;
     /// False where there is none, or one without pixels.
     explicit operator bool() const { return m_image && !bounds().empty(); }
+    /// What clipGetImage() said. By `failed`, and by no other failure, it asks to take the image
+    /// for black and transparent.
+    int status() const { return m_status; }
 
     /// 4, 3, 1, or 0 for components that are not supported.
     int channels() const {
@@ -75,7 +80,8 @@ private:
         return {side(0), side(1), side(2), side(3)};
     }
 
-    Properties m_image = nullptr;
+    Properties m_image = nullptr; // before m_status, whose making sets it
+    int m_status;
 };
 
 /// Progress, and the host's wish to stop, both on the thread that it called us on alone.
@@ -169,8 +175,8 @@ int render_part(Effect effect, const SourceClip& source, const Image& from, cons
                                                : int(failed);
 }
 
-/// What clipGetImage() and clipGetRegionOfDefinition() ask of an effect whose source has no image
-/// at that time: it is black. So is one whose image has no pixels.
+/// What clipGetImage() asks of an effect whose source has no image at that time: it is black. So is
+/// one whose image has no pixels, and one whose region could not be determined.
 int render_black(const Image& to, const Rect& part) {
     host::Buffer buffer;
     if (!to.buffer(buffer) || to.channels() == 0)
@@ -179,22 +185,31 @@ int render_black(const Image& to, const Rect& part) {
     return ok;
 }
 
+/// One of them is not there.
+int render_without(const Image& from, const Image& to, const Rect& part) {
+    if (!to)
+        return failure(to.status());
+    if (from.status() != ok && from.status() != failed)
+        return failure(from.status());
+    return render_black(to, part);
+}
+
 } // namespace
 
 int render(Effect effect, Properties in) {
     SourceClip source;
     Clip output = nullptr;
     std::string error;
-    const bool found = source.find(effect, in);
-    if ((!found && !source.is_black) ||
-        suites.effect->clip_get_handle(effect, "Output", &output, nullptr) != ok)
+    const int found = source.find(effect, in);
+    // A host that stops a render may have nothing more to hand out, and looks at no failure.
+    const auto stopped = [&] { return suites.effect->abort(effect) != 0; };
+    if (found != ok && !source.is_black)
+        return stopped() ? int(ok) : failure(found);
+    if (suites.effect->clip_get_handle(effect, "Output", &output, nullptr) != ok)
         return failed;
-    const Image from(found ? source.clip : nullptr, source.time), to(output, source.time);
-    if (!from || !to) {
-        if (suites.effect->abort(effect))
-            return ok;
-        return to ? render_black(to, render_window(in)) : failed;
-    }
+    const Image from(found == ok ? source.clip : nullptr, source.time), to(output, source.time);
+    if (!from || !to)
+        return stopped() ? int(ok) : render_without(from, to, render_window(in));
     const int status = render_part(effect, source, from, to, render_window(in), error);
     if (!error.empty())
         complain(effect, error);

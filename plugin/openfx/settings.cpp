@@ -82,16 +82,30 @@ void define_option(ParamSet set_, const host::Parameter& q) {
     }
 }
 
-/// A value at the time; `otherwise` where the host has no such parameter.
-template <class Number>
-Number value(ParamSet set_, const char* name, double time, Number otherwise) {
-    Param param = nullptr;
-    Number number = otherwise;
-    if (suites.param->get_handle(set_, name, &param, nullptr) != ok ||
-        suites.param->get_value_at_time(param, time, &number) != ok)
-        return otherwise;
-    return number;
-}
+/// The parameters' values at a time.
+class Values {
+public:
+    Values(ParamSet set, double time) : m_set(set), m_time(time) {}
+    /// `otherwise` where the host has no such parameter, or cannot hand out its value.
+    template <class Number>
+    Number operator()(const char* name, Number otherwise) {
+        Param param = nullptr;
+        if (suites.param->get_handle(m_set, name, &param, nullptr) != ok)
+            return otherwise;
+        Number number = otherwise;
+        const int status = suites.param->get_value_at_time(param, m_time, &number);
+        if (m_status == ok)
+            m_status = status;
+        return status == ok ? number : otherwise;
+    }
+    /// ok, or the status of the first value that could not be had.
+    int status() const { return m_status; }
+
+private:
+    ParamSet m_set;
+    double m_time;
+    int m_status = ok;
+};
 
 /// As far as the range goes, which hosts need not keep expressions and curves in; NaN is the least.
 double within(double number, double low, double high) {
@@ -143,25 +157,26 @@ void define_parameters(ParamSet set_, bool zoom) {
         define_option(set_, p);
 }
 
-Settings settings_at(Effect effect, double time) {
+int settings_at(Effect effect, double time, Settings& s) {
     ParamSet set_ = nullptr;
-    suites.effect->get_param_set(effect, &set_);
-    Settings s;
-    s.scale_x = within(value(set_, "scale", time, 2.0), 1, largest_scale);
-    s.scale_y = value(set_, "scale_y", time, 0.0);
+    if (const int status = suites.effect->get_param_set(effect, &set_); status != ok)
+        return status;
+    Values value(set_, time);
+    s.scale_x = within(value("scale", 2.0), 1, largest_scale);
+    s.scale_y = value("scale_y", 0.0);
     s.scale_y = s.scale_y > 0 ? within(s.scale_y, 1, largest_scale) : s.scale_x;
-    s.width = std::clamp(value(set_, "width", time, 0), 0, largest_side);
-    s.height = std::clamp(value(set_, "height", time, 0), 0, largest_side);
-    s.centre_x = within(value(set_, "centre_x", time, 0.5), 0, 1);
-    s.centre_y = within(value(set_, "centre_y", time, 0.5), 0, 1);
-    s.filter = name_at(filter_names(), value(set_, "filter", time, 0));
-    s.light = name_at(host::meaning_names(), value(set_, "light", time, 0));
-    s.premultiplication = value(set_, "premultiplication", time, 0);
+    s.width = std::clamp(value("width", 0), 0, largest_side);
+    s.height = std::clamp(value("height", 0), 0, largest_side);
+    s.centre_x = within(value("centre_x", 0.5), 0, 1);
+    s.centre_y = within(value("centre_y", 0.5), 0, 1);
+    s.filter = name_at(filter_names(), value("filter", 0));
+    s.light = name_at(host::meaning_names(), value("light", 0));
+    s.premultiplication = value("premultiplication", 0);
     for (const host::Parameter& p : host::parameters())
         s.filter += host::item(p, p.kind == OptionKind::real
-                                      ? value(set_, p.option->key, time, p.initial)
-                                      : double(value(set_, p.option->key, time, int(p.initial))));
-    return s;
+                                      ? value(p.option->key, p.initial)
+                                      : double(value(p.option->key, int(p.initial))));
+    return value.status();
 }
 
 } // namespace ddt::ofx

@@ -23,6 +23,8 @@ enum Premultiplication { as_the_image_says, premultiplied, unpremultiplied };
 /// Define all of them; `zoom`: for a host whose effects cannot change the size.
 void define_parameters(ParamSet set, bool zoom);
 
-Settings settings_at(Effect effect, double time);
+/// ok, or what the host said of the first value that it has but could not hand out: others than the
+/// user's would make another picture.
+int settings_at(Effect effect, double time, Settings& settings);
 
 } // namespace ddt::ofx

@@ -16,8 +16,9 @@ struct SourceClip {
     /// That it has no region at this time, as clipGetRegionOfDefinition() then says.
     bool is_black = false;
 
-    /// False where the host has no such clip or region.
-    bool find(Effect effect, Properties in);
+    /// ok; reply_default where the host has no such clip or region; else what an action returns
+    /// that cannot go on.
+    int find(Effect effect, Properties in);
     Windows windows() const;
 };
 

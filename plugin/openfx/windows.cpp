@@ -35,6 +35,13 @@ host::Placing zoomed(const Rect& window, const Settings& s) {
                        s.scale_y);
 }
 
+/// The smallest rectangle with the pixels of both.
+Rect hull(const Rect& a, const Rect& b) {
+    if (a.empty() || b.empty())
+        return a.empty() ? b : a;
+    return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+}
+
 } // namespace
 
 Rect to_pixels(const RectD& r, const PixelScale& scale, double hair) {
@@ -59,43 +66,46 @@ RectD to_region(const Rect& pixels, const PixelScale& scale) {
 }
 
 Rect Windows::window_of(const Rect& defined) const {
-    const Rect& window = place.window;
-    const bool is_window = defined.x0 == window.x0 && defined.y1 == window.y1 &&
-                           (defined.x1 == window.x1 || defined.x1 == least.x1) &&
-                           (defined.y0 == window.y0 || defined.y0 == least.y0);
-    return is_window && !defined.empty() && !least.empty() ? defined : window;
+    const auto rounded = [](int side, double of) { return std::abs(side - of) < 1; };
+    const bool is_window = rounded(defined.x0, region.x1) && rounded(defined.y0, region.y1) &&
+                           rounded(defined.x1, region.x2) && rounded(defined.y1, region.y2);
+    // What lies beyond the window has less than a hair of the region.
+    const Rect common = intersection(defined, place.window);
+    return is_window && !common.empty() ? common : place.window;
 }
 
 Rect Windows::needed(const Rect& box, Holes holes) const {
-    const Rect usual = host::needed(place, box, holes);
-    host::Placing shorter = place;
-    // Tiles are counted from the upper side, so that all of them lie elsewhere then.
-    shorter.window.y0 = least.y0;
-    const Rect other = host::needed(shorter, box, holes);
-    if (usual.empty() || other.empty())
-        return usual;
-    return {std::min(usual.x0, other.x0), std::min(usual.y0, other.y0),
-            std::max(usual.x1, other.x1), std::max(usual.y1, other.y1)};
+    Rect all = host::needed(place, box, holes);
+    // Tiles are counted from the left and the upper side, so that all of them lie elsewhere then.
+    host::Placing other = place;
+    for (int sides = 0; sides < 16; ++sides) { // a bit says that one is rounded up
+        const auto rounded = [&](int bit, double side) {
+            return int(sides & bit ? std::ceil(side) : std::floor(side));
+        };
+        other.window = window_of({rounded(1, region.x1), rounded(2, region.y1),
+                                  rounded(4, region.x2), rounded(8, region.y2)});
+        if (!(other.window == place.window))
+            all = hull(all, host::needed(other, box, holes));
+    }
+    return all;
 }
 
 Windows windows_of(const RectD& region, const PixelScale& scale, const PixelScale& at_full_scale,
                    const Settings& settings, bool zoom) {
     Windows w;
     const Rect& window = w.place.window = to_pixels(region, scale);
-    w.least = window;
-    w.least.x1 = std::min(window.x1, host::begin_of(region.x2 * scale.x, 0));
-    w.least.y0 = std::max(window.y0, -host::begin_of(region.y2 * scale.y, 0));
+    w.region = {region.x1 * scale.x, -region.y2 * scale.y, region.x2 * scale.x,
+                -region.y1 * scale.y};
     if (!w.bounded()) {
         w.place = host::onto(window, window);
         return w;
     }
-    if (zoom) {
-        w.place = zoomed(window, settings);
-        return w;
-    }
     const Rect whole = to_pixels(region, at_full_scale);
     host::Placing at_full;
-    if (settings.width > 0 || settings.height > 0) {
+    if (zoom) {
+        w.place = zoomed(window, settings);
+        at_full.full = whole;
+    } else if (settings.width > 0 || settings.height > 0) {
         double x = 1, y = 1;
         factors(whole, settings, x, y);
         const Rect upwards = host::scaled(host::flipped(whole), x, y);

@@ -18,14 +18,15 @@ struct PixelScale {
 
 struct Windows {
     host::Placing place; ///< window, full: the regions of definition of source and output
-    /// The window of a host that rounds its right and its upper side down, and not, as most do, up
-    /// to all that the region touches.
-    Rect least;
+    /// The source's region in pixels, rows downwards. The window is all that it touches, as most
+    /// hosts have it; others round sides down, up, or to the nearest pixel.
+    RectD region{};
 
-    /// The window of an image that is said to be a part of `defined`: that, if each side is one of
-    /// the window or of the least one. Hosts that say others do not mean pixels, or a tile.
+    /// The window of an image that is said to be a part of `defined`: as much of the window as that
+    /// has, if each side is the region's, rounded in whatever way. Hosts that say others do not
+    /// mean pixels, or a tile.
     Rect window_of(const Rect& defined) const;
-    /// See host::needed(); of either window, as the image that tells which is not there yet.
+    /// See host::needed(); of each such window, as the image that tells which is not there yet.
     Rect needed(const Rect& box, Holes holes) const;
 
     /// Whether there is a picture, and not an endless one, as that of a constant.

@@ -57,6 +57,7 @@ TEST(OpenFxHeaders, NumbersAreTheirs) {
     EXPECT_EQ(int(ofx::missing_host_feature), kOfxStatErrMissingHostFeature);
     EXPECT_EQ(int(ofx::out_of_memory), kOfxStatErrMemory);
     EXPECT_EQ(int(ofx::bad_handle), kOfxStatErrBadHandle);
+    EXPECT_EQ(int(ofx::reply_no), kOfxStatReplyNo);
     EXPECT_EQ(int(ofx::reply_default), kOfxStatReplyDefault);
 }
 

@@ -146,6 +146,64 @@ TEST_F(OpenFx, AProxyThatWasRoundedDownHasNoFadedEdge) {
     }
 }
 
+/// Half of -3 to 1201 by -5 to 81.5 pixels, by hosts that round them otherwise.
+class OpenFxRoundings : public OpenFx {
+protected:
+    using Rounding = double (*)(double);
+    void open_half(bool white, Rounding low, Rounding high) {
+        const RectD region{-3, -5, 1201, 81.5};
+        const Rect box{int(low(region.x1 / 2)), int(low(region.y1 / 2)), int(high(region.x2 / 2)),
+                       int(high(region.y2 / 2))};
+        ImageBuf image = photograph(box.width(), box.height(), 3, TypeDesc::FLOAT);
+        if (white)
+            images::fill(image, [](int, int, int) { return 1.0f; });
+        open(natron, image, "OfxBitDepthFloat", box.x0, box.y0);
+        effect->source_region = region;
+        effect->source_defined = box;
+        effect->output = effect->source;
+        effect->output.box = {-3, -5, 1201, 82};
+        effect->output.allocate();
+    }
+    const Rounding down = [](double v) { return std::floor(v); };
+    const Rounding up = [](double v) { return std::ceil(v); };
+    const Rounding nearest = [](double v) { return std::round(v); };
+    const std::pair<Rounding, Rounding> all[5] = {
+        {down, up}, {down, down}, {up, down}, {up, up}, {nearest, nearest}};
+};
+
+TEST_F(OpenFxRoundings, HaveNoFadedEdge) {
+    for (const auto& [low, high] : all) {
+        open_half(true, low, high);
+        ASSERT_EQ(effect->render(effect->output.box, 0.5), ddt::ofx::ok);
+        const auto* numbers = reinterpret_cast<const float*>(effect->output.bytes.data());
+        const auto count = ptrdiff_t(effect->output.bytes.size() / sizeof(float));
+        EXPECT_EQ(std::count(numbers, numbers + count, 1.0f), count)
+            << effect->source.box.x0 << " " << effect->source.box.y0;
+    }
+}
+
+/// Of the source no more is there than was asked for.
+TEST_F(OpenFxRoundings, PiecesAreCrops) {
+    for (const auto& [low, high] : all) {
+        open_half(false, low, high);
+        ASSERT_EQ(effect->render(effect->output.box, 0.5), ddt::ofx::ok);
+        Picture whole = effect->output, source = effect->source;
+        for (int x = -3; x < 1201; x += 86) {
+            effect->output.box = {x, 30, x + 86, 50};
+            effect->output.allocate();
+            const double left = x, right = x + 86;
+            RectD roi{};
+            ASSERT_EQ(effect->region_of_interest({2 * left, 60, 2 * right, 100}, roi, 0.5),
+                      ddt::ofx::ok);
+            effect->source =
+                cut(source, {int(roi.x1 / 2), int(roi.y1 / 2), int(roi.x2 / 2), int(roi.y2 / 2)});
+            ASSERT_EQ(effect->render(effect->output.box, 0.5), ddt::ofx::ok);
+            EXPECT_EQ(effect->output.bytes, cut(whole, effect->output.box).bytes)
+                << x << " " << source.box.x0;
+        }
+    }
+}
+
 /// Nothing, canonical coordinates, the pixels of a tile.
 TEST_F(OpenFx, ARegionThatIsNotTheImagesCountsForNothing) {
     const ImageBuf image = photograph(51, 41, 3, TypeDesc::FLOAT);

@@ -111,6 +111,9 @@ int clip_get_image(ofx::Clip clip, double, const ofx::RectD*, ofx::Properties* p
     auto& behind = *reinterpret_cast<ClipBehind*>(clip);
     Effect& effect = *behind.effect;
     Picture& picture = behind.name == "Source" ? effect.source : effect.output;
+    const int status = behind.name == "Source" ? effect.source_status : effect.output_status;
+    if (status != ofx::ok)
+        return status;
     if (picture.bytes.empty())
         return ofx::failed;
     auto* image = new Properties;
@@ -171,6 +174,8 @@ int get_handle(ofx::ParamSet set, const char* name, ofx::Param* param, ofx::Prop
 // The value goes where the variable argument points to.
 int value_at_time(ofx::Param p, double time, ...) {
     const Param& param = *reinterpret_cast<Param*>(p);
+    if (param.status != ofx::ok)
+        return param.status;
     std::va_list arguments;
     va_start(arguments, time);
     if (param.type == "OfxParamTypeDouble")
@@ -193,8 +198,9 @@ int progress_start(void* e, const char*) {
 int progress_update(void* e, double) {
     if (!on_host_thread)
         ++static_cast<Effect*>(e)->foreign_calls;
-    constexpr int reply_no = 13;
-    return current->stop_after >= 0 && current->stop_after-- <= 0 ? reply_no : int(ofx::ok);
+    ++current->progress_updates;
+    const bool stops = current->stop_after >= 0 && current->stop_after-- <= 0;
+    return stops ? current->stop_status : int(ofx::ok);
 }
 int progress_end(void* e) {
     --static_cast<Effect*>(e)->bars;

@@ -76,7 +76,9 @@ public:
     unsigned int cpus = 64; ///< that it allows a render
     std::atomic<int> asked_for_cpus{0};
     int progress_started = 0, progress_ended = 0;
-    int stop_after = -1; ///< updates of progress until it says to stop; -1: never
+    int stop_after = -1;                  ///< updates of progress until it says to stop; -1: never
+    int stop_status = ddt::ofx::reply_no; ///< what it says then
+    std::atomic<int> progress_updates{0};
 
 private:
     static const void* fetch(ddt::ofx::Properties, const char* name, int version);
@@ -92,6 +94,7 @@ struct Param {
     std::string type;
     Properties properties;
     double value = 0;
+    int status = ddt::ofx::ok; ///< of asking for the value
 };
 
 /// A description or an instance.
@@ -117,8 +120,9 @@ public:
     std::map<std::string, Param> params;
     std::vector<std::string> param_order;
     Picture source, output;
-    ddt::ofx::RectD source_region{};    ///< canonical
-    int region_status = ddt::ofx::ok;   ///< of asking for it
+    ddt::ofx::RectD source_region{};                                ///< canonical
+    int region_status = ddt::ofx::ok;                               ///< of asking for it
+    int source_status = ddt::ofx::ok, output_status = ddt::ofx::ok; ///< of asking for the images
     std::optional<Rect> source_defined; ///< what the source's image says it is a part of
     double aspect = 1;
     std::atomic<int> abort_after{-1}; ///< calls of abort() until it says yes; -1: never
