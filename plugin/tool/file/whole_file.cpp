@@ -44,11 +44,12 @@ bool is_of_the_folder(int number) {
     return number == EACCES || number == EPERM || number == EROFS;
 }
 
-/// Whether the name still is that of the open file.
+/// Whether the name still is that of the open file. Descriptors that are open keep an inode's
+/// number from being another's.
 bool still_named(int descriptor, const std::string& path) {
     struct stat open {
     }, named{};
-    return fstat(descriptor, &open) == 0 && stat(path.c_str(), &named) == 0 &&
+    return fstat(descriptor, &open) == 0 && lstat(path.c_str(), &named) == 0 &&
            open.st_dev == named.st_dev && open.st_ino == named.st_ino;
 }
 
@@ -112,7 +113,8 @@ WholeFile::~WholeFile() {
 void WholeFile::discard() {
     if (m_file && !m_direct) {
         const SignalsWait until_unlisted;
-        unlink(m_temporary.c_str()); // while the lock is held
+        if (still_named(fileno(m_file), m_temporary))
+            unlink(m_temporary.c_str()); // while the lock is held
         unlist();
     }
     if (m_file)
@@ -149,6 +151,16 @@ bool WholeFile::refuse_taken(Failure& failure) const {
     return false;
 }
 
+bool WholeFile::check_kept(Failure& failure) const {
+    if (!m_file || m_direct || still_named(fileno(m_file), m_temporary))
+        return true;
+    failure = {format("cannot write \"{}\": its unfinished file, \"{}\", was removed or replaced "
+                      "meanwhile, as by a run that does not see this one's lock",
+                      m_path, m_temporary),
+               exit_resources};
+    return false;
+}
+
 /// Whether the file that is there may be written and, where its folder lets only owners do that,
 /// have another take its place: the system would say so only in the end. (Who has the right by a
 /// capability is not known here.)
@@ -173,7 +185,7 @@ bool WholeFile::take(int descriptor) {
     if (ours && still_named(descriptor, m_temporary) && (m_file = fdopen(descriptor, "w+b")))
         return true;
     const int number = errno == ENOENT ? 0 : errno;
-    if (number != 0)
+    if (number != 0 && still_named(descriptor, m_temporary))
         unlink(m_temporary.c_str());
     close(descriptor);
     errno = number;
@@ -298,17 +310,20 @@ bool WholeFile::commit(Failure& failure) {
             done = take_after(m_before, m_attributes);
         done = done && fsync(descriptor) == 0;
         const SignalsWait until_unlisted;
-        done = done && std::rename(m_temporary.c_str(), m_target.c_str()) == 0;
+        done =
+            done && check_kept(failure) && std::rename(m_temporary.c_str(), m_target.c_str()) == 0;
         if (done)
             unlist();
     }
     if (!done) {
         int number = errno;
-        if (number == 0) // it may be another's by now
-            number = write_error();
-        refuse(number ? number : EIO, failure);
-        if (std::ferror(m_file))
-            failure.code = exit_resources;
+        if (check_kept(failure)) {
+            if (number == 0) // it may be another's by now
+                number = write_error();
+            refuse(number ? number : EIO, failure);
+            if (std::ferror(m_file))
+                failure.code = exit_resources;
+        }
         discard();
         return false;
     }

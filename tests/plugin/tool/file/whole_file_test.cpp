@@ -189,6 +189,62 @@ TEST_F(WholeFiles, ASignalRemovesThem) {
     }
 }
 
+/// Put another file under this name, as a run does that takes what is there for left over.
+void replace_by_another(const std::string& path) {
+    const std::string other = path + ".new";
+    std::ofstream(other) << "another's";
+    fs::rename(other, path);
+}
+
+TEST_F(WholeFiles, WhatAnotherPutInTheirPlaceIsNeitherTakenNorRemoved) {
+    const std::string out = path("out.exr");
+    put(out, "before");
+    std::string name;
+    {
+        WholeFile committed, given_up;
+        ASSERT_TRUE(committed.open(out, m_failure)) << m_failure.why;
+        EXPECT_TRUE(committed.check_kept(m_failure));
+        name = committed.temporary();
+        std::fputs("mine", committed.file());
+        replace_by_another(name);
+        EXPECT_FALSE(committed.check_kept(m_failure));
+        m_failure = {};
+        EXPECT_FALSE(committed.commit(m_failure));
+        EXPECT_EQ(m_failure.code, exit_resources);
+        for (const std::string& told : {out, name})
+            EXPECT_NE(m_failure.why.find('"' + told + '"'), std::string::npos) << m_failure.why;
+        EXPECT_EQ(text_in(name), "another's");
+        ASSERT_TRUE(given_up.open(path("other.exr"), m_failure)) << m_failure.why;
+        replace_by_another(given_up.temporary());
+    }
+    EXPECT_EQ(text_in(out), "before");
+    EXPECT_EQ(text_in(name), "another's");
+    EXPECT_EQ(text_in(path(".other.ddt-0.exr")), "another's");
+    EXPECT_EQ(files(), 3u);
+}
+
+TEST_F(WholeFiles, ThatVanishAreAFailureThatMayPass) {
+    WholeFile file;
+    ASSERT_TRUE(file.open(path("out.exr"), m_failure)) << m_failure.why;
+    fs::remove(file.temporary());
+    EXPECT_FALSE(file.commit(m_failure));
+    EXPECT_EQ(m_failure.code, exit_resources);
+    EXPECT_EQ(files(), 0u);
+}
+
+TEST_F(WholeFiles, ASignalDoesNotRemoveAnothers) {
+    const auto work = [&] {
+        remove_unfinished_on_signals();
+        WholeFile file;
+        if (!file.open(path("out.exr"), m_failure))
+            return 0;
+        replace_by_another(file.temporary());
+        return raise(SIGTERM);
+    };
+    EXPECT_EQ(test::in_child(work).signal, SIGTERM);
+    EXPECT_EQ(text_in(path(".out.ddt-0.exr")), "another's");
+}
+
 TEST_F(WholeFiles, KeepLinksAndPermissions) {
     put(path("real.exr"), "before");
     fs::permissions(path("real.exr"), fs::perms(0640));
