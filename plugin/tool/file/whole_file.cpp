@@ -53,16 +53,16 @@ bool still_named(int descriptor, const std::string& path) {
            open.st_dev == named.st_dev && open.st_ino == named.st_ino;
 }
 
-/// Remove what a process of this user left when it was killed: a file of no other name, on which
+/// Remove what a process of this owner left when it was killed: a file of no other name, on which
 /// nobody has a lock. Another's, in a folder for all, would stay another's under the name of the
 /// result.
-bool remove_left_over(const std::string& path) {
+bool remove_left_over(const std::string& path, uid_t owner) {
     const int descriptor = open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     if (descriptor < 0)
         return false;
     struct stat there {};
     const bool left = fstat(descriptor, &there) == 0 && S_ISREG(there.st_mode) &&
-                      there.st_uid == geteuid() && there.st_nlink == 1 &&
+                      there.st_uid == owner && there.st_nlink == 1 &&
                       flock(descriptor, LOCK_EX | LOCK_NB) == 0 && still_named(descriptor, path) &&
                       unlink(path.c_str()) == 0;
     close(descriptor);
@@ -78,20 +78,27 @@ int create_new(const std::string& path, mode_t mode) {
     const int descriptor = create();
     if (descriptor >= 0 || errno != EEXIST)
         return descriptor;
-    if (remove_left_over(path))
+    if (remove_left_over(path, geteuid()))
         return create();
     errno = EEXIST;
     return -1;
 }
 
-/// Remove what others left that were killed while this name was taken: of the numbers that follow,
-/// up to two in a row that are not there.
-void remove_those_left(const fs::path& target, int after) {
+/// Remove what others left that were killed while this number's name was taken: of the numbers
+/// before, and of those that follow, up to two in a row that are not there. File systems may give a
+/// user's files another owner (NFS with root_squash), so theirs is that of the file made here.
+void remove_those_left(const fs::path& target, int number, int made) {
+    struct stat own {};
+    if (fstat(made, &own) != 0)
+        return;
     std::error_code ignored;
-    for (int i = after + 1, missing = 0; i < most_writers && missing < 2; ++i) {
+    for (int i = 0, missing = 0; i < most_writers && missing < 2; ++i) {
+        if (i == number)
+            continue;
         const std::string name = temporary_name(target, i);
-        missing = fs::exists(fs::symlink_status(name, ignored)) ? 0 : missing + 1;
-        remove_left_over(name);
+        const bool is_there = fs::exists(fs::symlink_status(name, ignored));
+        missing = is_there || i < number ? 0 : missing + 1;
+        remove_left_over(name, own.st_uid);
     }
 }
 
@@ -204,7 +211,7 @@ bool WholeFile::open_temporary() {
         if (descriptor < 0)
             return false;
         if (take(descriptor)) {
-            remove_those_left(m_target, i);
+            remove_those_left(m_target, i, descriptor);
             return true;
         }
         if (errno != 0)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/file/whole_file.h"
 
+#include <sys/fsuid.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -109,6 +110,32 @@ TEST_F(WholeFiles, WhatSeveralLeftIsRemovedAndWhatIsHeldIsNot) {
     std::fputs("held", held.file());
     ASSERT_TRUE(held.commit(m_failure)) << m_failure.why;
     EXPECT_EQ(text_in(path("out.exr")), "held");
+}
+
+// As by NFS with root_squash, a user's files have an owner whose number is not the user's.
+TEST_F(WholeFiles, WhatWasLeftIsKnownByTheOwnerThatFilesHaveThere) {
+    if (geteuid() != 0)
+        GTEST_SKIP() << "only root can make files that are another's";
+    constexpr uid_t mapped = 1234, stranger = 4321;
+    fs::permissions(path("."), fs::perms::all);
+    fs::permissions(temporary(""), fs::perms(0711));
+    const auto leave = [&](int number, uid_t owner) {
+        const std::string left = path(".out.ddt-" + std::to_string(number) + ".exr");
+        put(left, "left over");
+        ASSERT_EQ(chown(left.c_str(), owner, owner), 0);
+        ASSERT_EQ(chmod(left.c_str(), 0666), 0);
+    };
+    leave(0, mapped);
+    leave(1, stranger);
+    leave(3, mapped);
+    const auto work = [&] {
+        setfsuid(mapped);
+        return write(path("out.exr"), "whole") ? 0 : 1;
+    };
+    ASSERT_EQ(test::in_child(work).code, 0);
+    EXPECT_EQ(text_in(path("out.exr")), "whole");
+    EXPECT_TRUE(fs::exists(path(".out.ddt-1.exr")));
+    EXPECT_EQ(files(), 2u);
 }
 
 TEST_F(WholeFiles, WhatSomebodyElseLeftIsNot) {
