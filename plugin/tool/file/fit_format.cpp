@@ -34,14 +34,34 @@ bool may_have_tiles(const OIIO::ImageOutput& output, const OIIO::ImageSpec& spec
             std::none_of(metadata.begin(), metadata.end(), spoils_tiff_tiles));
 }
 
+/// Whether the format's writer takes numbers of this type for others (OpenImageIO 2.4.7): for
+/// integers, or, of FITS, for what cannot be read.
+bool is_taken_for_another(const std::string& format, OIIO::TypeDesc type) {
+    return (type == OIIO::TypeHalf && (format == "fits" || format == "rla")) ||
+           (type == OIIO::TypeDesc(OIIO::TypeDesc::DOUBLE) && format == "rla");
+}
+
+/// Have no types but those that come back from the file.
+void fit_types(const OIIO::ImageOutput& output, OIIO::ImageSpec& spec) {
+    const std::string format = output.format_name();
+    // RLA's writer counts channels of several types wrong, and beyond their end (2.4.7).
+    if (!output.supports("channelformats") || format == "rla")
+        spec.channelformats.clear();
+    if (is_taken_for_another(format, spec.format)) {
+        spec.set_format(OIIO::TypeFloat);
+        spec.erase_attribute("oiio:BitsPerSample"); // the image's own: of another type
+    }
+    // PNM's writer makes 8 bits of all types. Where it is told of more it takes two bytes for a
+    // number then, also beyond their end; of one, red, green and blue for a row of bits (2.4.7).
+    if (format == "pnm")
+        spec.erase_attribute("oiio:BitsPerSample");
+}
+
 } // namespace
 
 bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::ImageSpec& spec,
                 Failure& failure) {
-    if (!output.supports("channelformats"))
-        spec.channelformats.clear();
-    if (spec.format == OIIO::TypeHalf && output.format_name() == std::string("fits"))
-        spec.set_format(OIIO::TypeFloat);
+    fit_types(output, spec);
     if (!may_have_tiles(output, spec))
         forget_tiles(spec);
     OIIO::ROI roi = spec.roi();

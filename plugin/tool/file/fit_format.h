@@ -12,10 +12,12 @@ namespace ddt::tool {
 
 /// Make the spec of an image what `output` can write of it into the file `path`, as oiiotool does:
 /// where the format has no windows, the pixels of the display window; where it has no negative
-/// coordinates, those of no other; types of single channels only where it has them; floats for
-/// halfs in FITS, of which its writer makes a file that cannot be read (OpenImageIO 2.4.7); and the
-/// tiles that it has, if it may have them in that format and they take 64 MiB each or less, else
-/// none. (IFF has its own, whatever it is asked for.) False with a failure if no pixel is left.
+/// coordinates, those of no other; types of single channels only where it has them, and its writer
+/// writes them (not RLA's); floats for halfs in FITS and RLA, and for doubles in RLA, of which
+/// their writers make files that are wrong or cannot be read (OpenImageIO 2.4.7), as PNM's does
+/// where it is told of other bits than the 8 that it writes; and the tiles that it has, if it may
+/// have them in that format and they take 64 MiB each or less, else none. (IFF has its own,
+/// whatever it is asked for.) False with a failure if no pixel is left.
 bool fit_format(const OIIO::ImageOutput& output, const std::string& path, OIIO::ImageSpec& spec,
                 Failure& failure);
 

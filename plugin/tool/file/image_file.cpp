@@ -271,6 +271,8 @@ bool ImageFile::open(std::vector<OIIO::ImageSpec> specs, Failure& failure) {
     }
     if (several && type == "tiff")
         allow_large_tiff(m_specs);
+    if (!m_whole.check_kept(failure)) // which writers without a stream empty
+        return false;
     // OpenImageIO's writer of EXR takes the first image's kind for that of all, and ends the
     // program.
     const auto has_no_tiles = [](const OIIO::ImageSpec& spec) { return spec.tile_width == 0; };
@@ -313,6 +315,8 @@ std::string ImageFile::with_its_name(const std::string& said) const {
 }
 
 Failure ImageFile::failed() const {
+    if (Failure lost; !m_whole.check_kept(lost))
+        return lost;
     std::string why(OIIO::Strutil::strip(m_output->geterror()));
     why = with_its_name(why.substr(0, why.find('\n')));
     const bool of_stream = m_whole.file() && std::ferror(m_whole.file());
@@ -378,8 +382,10 @@ bool ImageFile::commit(Failure& failure) {
         return false;
     }
     if (is_regular(m_whole.file()) && is_file_format(m_output->format_name()) &&
-        !check_written(failure))
+        !check_written(failure)) {
+        m_whole.check_kept(failure); // or another's file was looked at
         return false;
+    }
     m_output.reset();
     m_stream.reset();
     return m_whole.commit(failure);

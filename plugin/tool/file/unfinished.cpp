@@ -11,6 +11,7 @@
 #include <mutex>
 #include <new>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "plugin/tool/command/exit_code.h"
@@ -25,12 +26,21 @@ enum State { unused, filling, listed };
 struct Slot {
     std::atomic<int> state{unused};
     char path[PATH_MAX];
+    dev_t device; ///< of the file that had the name when it was listed
+    ino_t inode;
 };
 Slot slots[64];
 
+/// Whether the name still is the file's. POSIX has lstat() among what signal handlers may call.
+bool is_kept(const Slot& slot) {
+    struct stat there {};
+    return lstat(slot.path, &there) == 0 && there.st_dev == slot.device &&
+           there.st_ino == slot.inode;
+}
+
 void remove_listed() {
     for (const Slot& slot : slots)
-        if (slot.state.load() == listed)
+        if (slot.state.load() == listed && is_kept(slot))
             unlink(slot.path);
 }
 
@@ -160,13 +170,16 @@ EndsWithoutMemory::~EndsWithoutMemory() {
 }
 
 int list_unfinished(const std::string& path) {
-    if (path.size() >= PATH_MAX)
+    struct stat there {};
+    if (path.size() >= PATH_MAX || lstat(path.c_str(), &there) != 0)
         return -1;
     for (int i = 0; i < int(std::size(slots)); ++i) {
         int expected = unused;
         if (!slots[i].state.compare_exchange_strong(expected, filling))
             continue;
         std::memcpy(slots[i].path, path.c_str(), path.size() + 1);
+        slots[i].device = there.st_dev;
+        slots[i].inode = there.st_ino;
         slots[i].state = listed;
         return i;
     }

@@ -42,8 +42,9 @@ public:
     EndsWithoutMemory& operator=(const EndsWithoutMemory&) = delete;
 };
 
-/// List a file; a number for unlist_unfinished(), or -1 if the list is full (64 at once).
-/// Thread-safe.
+/// List the file that has this name now, which is to stay open: if another has it by then, that one
+/// is not removed. A number for unlist_unfinished(), or -1 if there is none or the list is full (64
+/// at once). Thread-safe.
 int list_unfinished(const std::string& path);
 void unlist_unfinished(int number);
 

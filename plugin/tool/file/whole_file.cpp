@@ -44,24 +44,25 @@ bool is_of_the_folder(int number) {
     return number == EACCES || number == EPERM || number == EROFS;
 }
 
-/// Whether the name still is that of the open file.
+/// Whether the name still is that of the open file. Descriptors that are open keep an inode's
+/// number from being another's.
 bool still_named(int descriptor, const std::string& path) {
     struct stat open {
     }, named{};
-    return fstat(descriptor, &open) == 0 && stat(path.c_str(), &named) == 0 &&
+    return fstat(descriptor, &open) == 0 && lstat(path.c_str(), &named) == 0 &&
            open.st_dev == named.st_dev && open.st_ino == named.st_ino;
 }
 
-/// Remove what a process of this user left when it was killed: a file of no other name, on which
+/// Remove what a process of this owner left when it was killed: a file of no other name, on which
 /// nobody has a lock. Another's, in a folder for all, would stay another's under the name of the
 /// result.
-bool remove_left_over(const std::string& path) {
+bool remove_left_over(const std::string& path, uid_t owner) {
     const int descriptor = open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     if (descriptor < 0)
         return false;
     struct stat there {};
     const bool left = fstat(descriptor, &there) == 0 && S_ISREG(there.st_mode) &&
-                      there.st_uid == geteuid() && there.st_nlink == 1 &&
+                      there.st_uid == owner && there.st_nlink == 1 &&
                       flock(descriptor, LOCK_EX | LOCK_NB) == 0 && still_named(descriptor, path) &&
                       unlink(path.c_str()) == 0;
     close(descriptor);
@@ -77,20 +78,27 @@ int create_new(const std::string& path, mode_t mode) {
     const int descriptor = create();
     if (descriptor >= 0 || errno != EEXIST)
         return descriptor;
-    if (remove_left_over(path))
+    if (remove_left_over(path, geteuid()))
         return create();
     errno = EEXIST;
     return -1;
 }
 
-/// Remove what others left that were killed while this name was taken: of the numbers that follow,
-/// up to two in a row that are not there.
-void remove_those_left(const fs::path& target, int after) {
+/// Remove what others left that were killed while this number's name was taken: of the numbers
+/// before, and of those that follow, up to two in a row that are not there. File systems may give a
+/// user's files another owner (NFS with root_squash), so theirs is that of the file made here.
+void remove_those_left(const fs::path& target, int number, int made) {
+    struct stat own {};
+    if (fstat(made, &own) != 0)
+        return;
     std::error_code ignored;
-    for (int i = after + 1, missing = 0; i < most_writers && missing < 2; ++i) {
+    for (int i = 0, missing = 0; i < most_writers && missing < 2; ++i) {
+        if (i == number)
+            continue;
         const std::string name = temporary_name(target, i);
-        missing = fs::exists(fs::symlink_status(name, ignored)) ? 0 : missing + 1;
-        remove_left_over(name);
+        const bool is_there = fs::exists(fs::symlink_status(name, ignored));
+        missing = is_there || i < number ? 0 : missing + 1;
+        remove_left_over(name, own.st_uid);
     }
 }
 
@@ -112,7 +120,8 @@ WholeFile::~WholeFile() {
 void WholeFile::discard() {
     if (m_file && !m_direct) {
         const SignalsWait until_unlisted;
-        unlink(m_temporary.c_str()); // while the lock is held
+        if (still_named(fileno(m_file), m_temporary))
+            unlink(m_temporary.c_str()); // while the lock is held
         unlist();
     }
     if (m_file)
@@ -149,6 +158,16 @@ bool WholeFile::refuse_taken(Failure& failure) const {
     return false;
 }
 
+bool WholeFile::check_kept(Failure& failure) const {
+    if (!m_file || m_direct || still_named(fileno(m_file), m_temporary))
+        return true;
+    failure = {format("cannot write \"{}\": its unfinished file, \"{}\", was removed or replaced "
+                      "meanwhile, as by a run that does not see this one's lock",
+                      m_path, m_temporary),
+               exit_resources};
+    return false;
+}
+
 /// Whether the file that is there may be written and, where its folder lets only owners do that,
 /// have another take its place: the system would say so only in the end. (Who has the right by a
 /// capability is not known here.)
@@ -173,7 +192,7 @@ bool WholeFile::take(int descriptor) {
     if (ours && still_named(descriptor, m_temporary) && (m_file = fdopen(descriptor, "w+b")))
         return true;
     const int number = errno == ENOENT ? 0 : errno;
-    if (number != 0)
+    if (number != 0 && still_named(descriptor, m_temporary))
         unlink(m_temporary.c_str());
     close(descriptor);
     errno = number;
@@ -192,7 +211,7 @@ bool WholeFile::open_temporary() {
         if (descriptor < 0)
             return false;
         if (take(descriptor)) {
-            remove_those_left(m_target, i);
+            remove_those_left(m_target, i, descriptor);
             return true;
         }
         if (errno != 0)
@@ -298,17 +317,20 @@ bool WholeFile::commit(Failure& failure) {
             done = take_after(m_before, m_attributes);
         done = done && fsync(descriptor) == 0;
         const SignalsWait until_unlisted;
-        done = done && std::rename(m_temporary.c_str(), m_target.c_str()) == 0;
+        done =
+            done && check_kept(failure) && std::rename(m_temporary.c_str(), m_target.c_str()) == 0;
         if (done)
             unlist();
     }
     if (!done) {
         int number = errno;
-        if (number == 0) // it may be another's by now
-            number = write_error();
-        refuse(number ? number : EIO, failure);
-        if (std::ferror(m_file))
-            failure.code = exit_resources;
+        if (check_kept(failure)) {
+            if (number == 0) // it may be another's by now
+                number = write_error();
+            refuse(number ? number : EIO, failure);
+            if (std::ferror(m_file))
+                failure.code = exit_resources;
+        }
         discard();
         return false;
     }

@@ -23,9 +23,12 @@ std::filesystem::path followed(std::filesystem::path path);
 ///
 /// The temporary file lies in the same folder, its name hidden and with the same extension:
 /// .NAME.ddt-0.exr. A signal that can be caught removes it (see unfinished.h). After one that
-/// cannot (SIGKILL) it stays, and the next process of this user that writes the file removes it,
-/// and those of others that were killed with it: a process at work holds a lock on its temporary
-/// file, and nobody holds one on what is left over.
+/// cannot (SIGKILL) it stays, and the next process of this user, as the file system has users, that
+/// writes the file removes it, and those of others that were killed with it: a process at work
+/// holds a lock on its temporary file, and nobody holds one on what is left over. Where processes
+/// do not see each other's locks (NFS mounted with nolock, a lease that ran out) one may be taken
+/// for killed, and another's half-written file has its name then: nothing is done to a name that no
+/// longer is the file's.
 ///
 /// A symbolic link stays one: the file that it leads to is replaced. A file that was there keeps
 /// its permissions, access control list (POSIX's) and `user.*` attributes, and its owner and group
@@ -42,6 +45,9 @@ public:
     bool open(const std::string& path, Failure& failure);
 
     const std::string& temporary() const { return m_temporary; }
+    /// False with a failure, after which trying again may help, if that name no longer is the
+    /// file's: it was removed, or another has taken its place. To be asked before the name is used.
+    bool check_kept(Failure& failure) const;
     /// Open for writing and reading.
     std::FILE* file() const { return m_file; }
     /// Whether a writer can go back in it: not in a pipe, a socket or a terminal.
@@ -55,7 +61,7 @@ public:
     int write_error() const;
 
     /// Put all of it on the disk, then under its name. False with a failure, and no file, if a
-    /// write to file() failed at any time, or one of these does.
+    /// write to file() failed at any time, or one of these does, or the file was not kept.
     bool commit(Failure& failure);
 
 private:

@@ -56,6 +56,9 @@ std::string fingerprint(const std::string& source, const OIIO::ImageSpec& source
             add(option.key + ("=" + option.get(settings.options)));
     windows(source_spec);
     windows(result);
+    // Without --type some may have another than the widest, which is that of all with it.
+    for (const OIIO::TypeDesc& type : result.channelformats)
+        add(type.c_str());
     add(result.get_string_attribute("compression"));
     for (const std::string& channel : source_spec.channelnames)
         add(channel);

@@ -10,12 +10,12 @@
 
 namespace ddt::tool {
 
-/// A hash of what makes the result: the source, the result's windows, pixel type and compression,
-/// the filter's options less the device, and the version. The source counts by its header, its size
-/// in bytes and the bytes themselves, up to 64 MiB all of them. A larger one counts by 1024 pieces
-/// of 64 KiB, evenly spread, since reading all of it would take longer than a part: sources that
-/// differ only between the pieces look like one. The time of its last change does not count:
-/// machines may have copies. Empty if the file cannot be read.
+/// A hash of what makes the result: the source, the result's windows, types of channels and
+/// compression, the filter's options less the device, and the version. The source counts by its
+/// header, its size in bytes and the bytes themselves, up to 64 MiB all of them. A larger one
+/// counts by 1024 pieces of 64 KiB, evenly spread, since reading all of it would take longer than a
+/// part: sources that differ only between the pieces look like one. The time of its last change
+/// does not count: machines may have copies. Empty if the file cannot be read.
 std::string fingerprint(const std::string& source, const OIIO::ImageSpec& source_spec,
                         const OIIO::ImageSpec& result, const ResizeSettings& settings);
 

@@ -88,12 +88,12 @@ bool check_windows(const std::vector<PartFile>& parts, Failure& failure) {
     return false;
 }
 
-/// As the parts have them, where `output` can write that; else channels of types of their own
-/// become floats, as ddt resize holds them.
-Held find_held(const OIIO::ImageSpec& part, const OIIO::ImageOutput& output) {
+/// As the parts have them, where a file of the spec `written` has that; else channels of types of
+/// their own become floats, as ddt resize holds them.
+Held find_held(const OIIO::ImageSpec& part, const OIIO::ImageSpec& written) {
     if (part.channelformats.empty())
         return {part.format, part.pixel_bytes()};
-    if (output.supports("channelformats"))
+    if (!written.channelformats.empty())
         return {OIIO::TypeUnknown, part.pixel_bytes(true)};
     return {OIIO::TypeFloat, size_t(part.nchannels) * sizeof(float)};
 }
@@ -201,7 +201,7 @@ bool join(const std::vector<std::string>& paths, const std::string& out,
     if (!fit_format(file.output(), out, written, failure))
         return false;
     const std::string left_out = fit_channels(file.output(), written);
-    const Held held = find_held(spec, file.output());
+    const Held held = find_held(spec, written);
     const size_t row = held.pixel * size_t(written.width);
     if (size_t(written.tile_height) > most_bytes / row)
         forget_tiles(written);

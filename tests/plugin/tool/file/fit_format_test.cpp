@@ -69,16 +69,46 @@ TEST(FitFormat, LeavesTilesWhereTheFormatMayHaveThem) {
     EXPECT_EQ(fitted("a.exr", 1 << 24, 1 << 24, "zip"), none);
 }
 
-TEST(FitFormat, HasFloatsForHalfsInFits) {
+/// Of an image that says how many bits its numbers have.
+ImageSpec fitted_spec(const char* name, OIIO::TypeDesc type, int bits,
+                      const std::vector<OIIO::TypeDesc>& types = {}) {
+    ImageSpec spec(8, 6, 3, type);
+    spec.channelformats = types;
+    spec.attribute("oiio:BitsPerSample", bits);
+    Failure failure;
+    EXPECT_TRUE(fit_format(*OIIO::ImageOutput::create(name), name, spec, failure));
+    return spec;
+}
+
+TEST(FitFormat, HasFloatsForWhatFitsAndRlaSpoil) {
     const auto fitted = [](const char* name, OIIO::TypeDesc type) {
-        ImageSpec spec(8, 6, 3, type);
-        Failure failure;
-        EXPECT_TRUE(fit_format(*OIIO::ImageOutput::create(name), name, spec, failure));
-        return spec.format;
+        return fitted_spec(name, type, int(type.size()) * 8).format;
     };
+    const OIIO::TypeDesc real(OIIO::TypeDesc::DOUBLE);
     EXPECT_EQ(fitted("a.fits", OIIO::TypeHalf), OIIO::TypeFloat);
+    EXPECT_EQ(fitted("a.fits", real), real);
     EXPECT_EQ(fitted("a.fits", OIIO::TypeUInt16), OIIO::TypeUInt16);
+    EXPECT_EQ(fitted("a.rla", OIIO::TypeHalf), OIIO::TypeFloat);
+    EXPECT_EQ(fitted("a.rla", real), OIIO::TypeFloat);
+    EXPECT_EQ(fitted("a.rla", OIIO::TypeUInt16), OIIO::TypeUInt16);
     EXPECT_EQ(fitted("a.exr", OIIO::TypeHalf), OIIO::TypeHalf);
+    const std::vector<OIIO::TypeDesc> types = {OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeUInt32};
+    const ImageSpec rla = fitted_spec("a.rla", OIIO::TypeFloat, 32, types);
+    EXPECT_TRUE(rla.channelformats.empty());
+    EXPECT_EQ(rla.format, OIIO::TypeFloat);
+    EXPECT_EQ(fitted_spec("a.exr", OIIO::TypeFloat, 32, types).channelformats, types);
+}
+
+TEST(FitFormat, TellsOfBitsWhereTheWriterWritesThem) {
+    const auto bits = [](const char* name, OIIO::TypeDesc type, int of_image) {
+        return fitted_spec(name, type, of_image).get_int_attribute("oiio:BitsPerSample");
+    };
+    EXPECT_EQ(bits("a.dpx", OIIO::TypeUInt16, 10), 10);
+    EXPECT_EQ(bits("a.rla", OIIO::TypeUInt16, 10), 10);
+    EXPECT_EQ(bits("a.rla", OIIO::TypeDesc(OIIO::TypeDesc::DOUBLE), 64), 0);
+    for (const char* name : {"a.ppm", "a.pgm", "a.pbm", "a.pnm"})
+        for (const int of_image : {1, 6, 10, 12, 16, 64})
+            EXPECT_EQ(bits(name, OIIO::TypeUInt16, of_image), 0) << name << " " << of_image;
 }
 
 TEST(FitChannels, TakesWhatOiiotoolTakes) {

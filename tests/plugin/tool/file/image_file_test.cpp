@@ -11,6 +11,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -49,6 +50,49 @@ TEST(ImageFile, HasOnlyAsManyChannelsAsItsFormat) {
     EXPECT_FALSE(begins("channels.dpx", 2));
     EXPECT_FALSE(begins("channels.dpx", 5));
     EXPECT_FALSE(begins("channels.jpg", 2));
+}
+
+/// Writes an image into the file `path`, and calls `meanwhile` once the file is made (0), open (1)
+/// or has its rows (2).
+Failure failure_of_image(const std::string& path, int when,
+                         const std::function<void(const std::string&)>& meanwhile) {
+    const OIIO::ImageSpec spec(16, 16, 3, OIIO::TypeUInt8);
+    const std::vector<uint8_t> pixels(spec.image_bytes(), 200);
+    ImageFile file;
+    Failure failure;
+    const auto at = [&](int now) {
+        if (now == when)
+            meanwhile(file.temporary());
+        return true;
+    };
+    EXPECT_FALSE(file.create(path, failure) && at(0) && file.open(spec, failure) && at(1) &&
+                 file.write_rows(0, 16, OIIO::TypeUInt8, pixels.data()) && at(2) &&
+                 file.commit(failure))
+        << path << " " << when;
+    return failure;
+}
+
+// EXR's has a stream, the writers of the others open the file themselves.
+TEST(ImageFile, WhoseUnfinishedFileIsNotItsOwnAnyMoreIsTriedAgain) {
+    for (const char* name : {"lost.exr", "lost.tif", "lost.rla"})
+        for (const int when : {0, 1, 2}) {
+            const std::string path = temporary(name);
+            std::string unfinished;
+            Failure failure = failure_of_image(path, when, [&](const std::string& own) {
+                unfinished = own;
+                std::ofstream(own + ".new") << "another's";
+                std::filesystem::rename(own + ".new", own);
+            });
+            EXPECT_EQ(failure.code, exit_resources) << path << " " << when;
+            EXPECT_NE(failure.why.find('"' + path + '"'), std::string::npos) << failure.why;
+            EXPECT_EQ(text_in(unfinished), "another's") << path << " " << when;
+            std::filesystem::remove(unfinished);
+            failure = failure_of_image(
+                path, when, [](const std::string& own) { std::filesystem::remove(own); });
+            EXPECT_EQ(failure.code, exit_resources) << path << " " << when;
+            EXPECT_FALSE(std::filesystem::exists(path)) << when;
+            EXPECT_FALSE(std::filesystem::exists(unfinished)) << path << " " << when;
+        }
 }
 
 // Whose writer leaves a hole of a row: whole blocks of the disk, of a wide one.

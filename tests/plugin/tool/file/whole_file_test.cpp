@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/file/whole_file.h"
 
+#include <sys/fsuid.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -111,6 +112,32 @@ TEST_F(WholeFiles, WhatSeveralLeftIsRemovedAndWhatIsHeldIsNot) {
     EXPECT_EQ(text_in(path("out.exr")), "held");
 }
 
+// As by NFS with root_squash, a user's files have an owner whose number is not the user's.
+TEST_F(WholeFiles, WhatWasLeftIsKnownByTheOwnerThatFilesHaveThere) {
+    if (geteuid() != 0)
+        GTEST_SKIP() << "only root can make files that are another's";
+    constexpr uid_t mapped = 1234, stranger = 4321;
+    fs::permissions(path("."), fs::perms::all);
+    fs::permissions(temporary(""), fs::perms(0711));
+    const auto leave = [&](int number, uid_t owner) {
+        const std::string left = path(".out.ddt-" + std::to_string(number) + ".exr");
+        put(left, "left over");
+        ASSERT_EQ(chown(left.c_str(), owner, owner), 0);
+        ASSERT_EQ(chmod(left.c_str(), 0666), 0);
+    };
+    leave(0, mapped);
+    leave(1, stranger);
+    leave(3, mapped);
+    const auto work = [&] {
+        setfsuid(mapped);
+        return write(path("out.exr"), "whole") ? 0 : 1;
+    };
+    ASSERT_EQ(test::in_child(work).code, 0);
+    EXPECT_EQ(text_in(path("out.exr")), "whole");
+    EXPECT_TRUE(fs::exists(path(".out.ddt-1.exr")));
+    EXPECT_EQ(files(), 2u);
+}
+
 TEST_F(WholeFiles, WhatSomebodyElseLeftIsNot) {
     const std::string first = path(".out.ddt-0.exr"), out = path("out.exr");
     const auto expect_untouched = [&](const char* what) {
@@ -187,6 +214,62 @@ TEST_F(WholeFiles, ASignalRemovesThem) {
         EXPECT_EQ(test::in_child(work).signal, signal);
         EXPECT_EQ(files(), 0u);
     }
+}
+
+/// Put another file under this name, as a run does that takes what is there for left over.
+void replace_by_another(const std::string& path) {
+    const std::string other = path + ".new";
+    std::ofstream(other) << "another's";
+    fs::rename(other, path);
+}
+
+TEST_F(WholeFiles, WhatAnotherPutInTheirPlaceIsNeitherTakenNorRemoved) {
+    const std::string out = path("out.exr");
+    put(out, "before");
+    std::string name;
+    {
+        WholeFile committed, given_up;
+        ASSERT_TRUE(committed.open(out, m_failure)) << m_failure.why;
+        EXPECT_TRUE(committed.check_kept(m_failure));
+        name = committed.temporary();
+        std::fputs("mine", committed.file());
+        replace_by_another(name);
+        EXPECT_FALSE(committed.check_kept(m_failure));
+        m_failure = {};
+        EXPECT_FALSE(committed.commit(m_failure));
+        EXPECT_EQ(m_failure.code, exit_resources);
+        for (const std::string& told : {out, name})
+            EXPECT_NE(m_failure.why.find('"' + told + '"'), std::string::npos) << m_failure.why;
+        EXPECT_EQ(text_in(name), "another's");
+        ASSERT_TRUE(given_up.open(path("other.exr"), m_failure)) << m_failure.why;
+        replace_by_another(given_up.temporary());
+    }
+    EXPECT_EQ(text_in(out), "before");
+    EXPECT_EQ(text_in(name), "another's");
+    EXPECT_EQ(text_in(path(".other.ddt-0.exr")), "another's");
+    EXPECT_EQ(files(), 3u);
+}
+
+TEST_F(WholeFiles, ThatVanishAreAFailureThatMayPass) {
+    WholeFile file;
+    ASSERT_TRUE(file.open(path("out.exr"), m_failure)) << m_failure.why;
+    fs::remove(file.temporary());
+    EXPECT_FALSE(file.commit(m_failure));
+    EXPECT_EQ(m_failure.code, exit_resources);
+    EXPECT_EQ(files(), 0u);
+}
+
+TEST_F(WholeFiles, ASignalDoesNotRemoveAnothers) {
+    const auto work = [&] {
+        remove_unfinished_on_signals();
+        WholeFile file;
+        if (!file.open(path("out.exr"), m_failure))
+            return 0;
+        replace_by_another(file.temporary());
+        return raise(SIGTERM);
+    };
+    EXPECT_EQ(test::in_child(work).signal, SIGTERM);
+    EXPECT_EQ(text_in(path(".out.ddt-0.exr")), "another's");
 }
 
 TEST_F(WholeFiles, KeepLinksAndPermissions) {

@@ -135,6 +135,29 @@ TEST(Parts, AreThereIfTheyAreOfTheSameResult) {
     EXPECT_FALSE(is_there(part));
 }
 
+TEST(Parts, OfAnotherTypeAreNotThereThoughTheirWidestIsTheSame) {
+    const std::string in = temporary("part_types.exr"), out = temporary("part_of_types.exr");
+    OIIO::ImageSpec spec(300, 600, 2, OIIO::TypeFloat);
+    spec.channelnames = {"Y", "Z"};
+    spec.channelformats = {OIIO::TypeHalf, OIIO::TypeFloat};
+    const auto file = OIIO::ImageOutput::create(in);
+    const std::vector<float> pixels(spec.image_pixels() * 2);
+    ASSERT_TRUE(file->open(in, spec) && file->write_image(OIIO::TypeFloat, pixels.data()) &&
+                file->close());
+    ResizeSettings settings;
+    settings.size = "200%";
+    settings.threads = 1;
+    for (const char* type : {"float", ""}) {
+        settings.type = type;
+        EXPECT_FALSE(is_part_there(in, out, settings, {1, 2})) << type;
+        Failure failure;
+        ASSERT_TRUE(resize_part(
+            in, out, settings, {1, 2}, [](float) { return true; }, failure))
+            << failure.why;
+        EXPECT_TRUE(is_part_there(in, out, settings, {1, 2})) << type;
+    }
+}
+
 TEST(Parts, ThatWereCutOffAreNotThere) {
     const std::string in = temporary("cut_source.exr"), out = temporary("cut_part.exr");
     ASSERT_TRUE(OIIO::ImageBuf(OIIO::ImageSpec(300, 600, 1, OIIO::TypeHalf)).write(in));

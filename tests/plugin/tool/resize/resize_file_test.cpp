@@ -124,6 +124,74 @@ TEST(ResizeFile, ChannelsKeepTheirTypes) {
             }
 }
 
+/// Of a part of its own.
+bool joined_of(const std::string& in, const std::string& out, Failure& failure) {
+    ResizeSettings settings;
+    settings.size = "100%";
+    const std::string part = temporary("of_joined.exr");
+    const auto progress = [](float) { return true; };
+    return resize_part(in, part, settings, {1, 1}, progress, failure) &&
+           join({part}, out, progress, failure);
+}
+
+// OpenImageIO's writers of PNM and RLA take numbers of some types for others.
+TEST(ResizeFile, NumbersArriveWhicheverTypesAWriterKnows) {
+    struct Case {
+        const char *in, *out;
+        OIIO::TypeDesc type;
+        int bits, channels;
+        double tolerance; // PNM has steps of 1 / 255, and parts of 8 bits are halfs
+    };
+    const OIIO::TypeDesc real(OIIO::TypeDesc::DOUBLE);
+    for (const Case& c : {Case{"ten.dpx", "ten.ppm", OIIO::TypeUInt16, 10, 3, 0.6 / 255},
+                          {"twelve.dpx", "twelve.ppm", OIIO::TypeUInt16, 12, 3, 0.6 / 255},
+                          {"sixteen.tif", "sixteen.pgm", OIIO::TypeUInt16, 16, 1, 0.6 / 255},
+                          {"real.tif", "real.ppm", real, 64, 3, 0.6 / 255},
+                          {"six.tif", "six.pgm", OIIO::TypeUInt8, 6, 1, 0.6 / 255},
+                          {"one.tif", "one.pgm", OIIO::TypeUInt8, 1, 1, 0},
+                          {"half.exr", "half.rla", OIIO::TypeHalf, 16, 3, 0},
+                          {"real.tif", "real.rla", real, 64, 3, 1e-7}}) {
+        ImageBuf picture(ImageSpec(20, 12, c.channels, OIIO::TypeFloat));
+        for (ImageBuf::Iterator<float> p(picture); !p.done(); ++p)
+            for (int k = 0; k < c.channels; ++k)
+                p[k] = float((p.x() * 7 + p.y() * 13 + k * 29) % 64) / 63;
+        picture.specmod().attribute("oiio:BitsPerSample", c.bits);
+        picture.set_write_format(c.type);
+        const std::string in = temporary(c.in), out = temporary(c.out),
+                          joined = temporary(std::string("joined_") + c.out);
+        ASSERT_TRUE(picture.write(in)) << picture.geterror();
+        const auto expect_like = [&](const std::string& path) {
+            const auto same = OIIO::ImageBufAlgo::compare(ImageBuf(in), ImageBuf(path), 0, 0);
+            EXPECT_LE(same.maxerror, c.tolerance) << path;
+        };
+        Failure failure;
+        ASSERT_TRUE(resized(in, "100%", out, failure)) << failure.why;
+        expect_like(out);
+        if (c.type == real) // which parts do not hold
+            continue;
+        ASSERT_TRUE(joined_of(in, joined, failure)) << failure.why;
+        expect_like(joined);
+    }
+}
+
+// RLA's writer counts channels of several types wrong.
+TEST(ResizeFile, ChannelsOfSeveralTypesAreFloatsInRla) {
+    const std::string in = file_of_several_types(), out = temporary("several_types.rla"),
+                      joined = temporary("several_types_joined.rla");
+    Failure failure;
+    ASSERT_TRUE(resized(in, "100%", out, failure)) << failure.why;
+    ASSERT_TRUE(joined_of(in, joined, failure)) << failure.why;
+    const ImageBuf source(in);
+    for (const std::string& path : {out, joined}) {
+        const ImageBuf image(path);
+        ASSERT_EQ(image.nchannels(), 5) << path;
+        EXPECT_EQ(image.nativespec().format, OIIO::TypeFloat) << path;
+        for (const int x : {0, 15})
+            for (int c = 0; c < 4; ++c)
+                EXPECT_EQ(image.getchannel(x, 1, 0, c), source.getchannel(x, 1, 0, c)) << path;
+    }
+}
+
 TEST(ResizeFile, ObjectNumbersAmongOtherTypesAreExact) {
     // As a float that number would be another, and as bits no number at all.
     for (const uint32_t large : {4000000001u, 0xff812345u}) {
