@@ -23,16 +23,29 @@ std::string joined(const std::string& text) {
     return line;
 }
 
-/// Of ASCII, and of the 32 beyond it, which UTF-8 writes as C2 80 to C2 9F. A tab may stay.
-void replace_control_characters(std::string& line) {
-    for (size_t i = 0; i < line.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(line[i]);
-        const auto next = static_cast<unsigned char>(i + 1 < line.size() ? line[i + 1] : '\0');
-        if ((byte < 0x20 && byte != '\t') || byte == 0x7F)
-            line[i] = '?';
-        else if (byte == 0xC2 && next >= 0x80 && next < 0xA0)
-            line.replace(i, 2, "?");
-    }
+/// Bytes of the character that begins at text[at]; 1 of what is no UTF-8, such as a longer form
+/// than need be, which a terminal may take for the shorter one's.
+size_t character_length(std::string_view text, size_t at) {
+    const auto byte = [&](size_t i) {
+        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
+    };
+    const unsigned first = byte(at), second = byte(at + 1);
+    const size_t length = first < 0xC2 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+    if (first > 0xF4 || (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90))
+        return 1;
+    for (size_t i = 1; i < length; ++i)
+        if ((byte(at + i) & 0xC0) != 0x80)
+            return 1;
+    return length;
+}
+
+/// Of ASCII, and of the 32 from U+0080 on: C2 80 to C2 9F in UTF-8, single bytes to a terminal that
+/// reads Latin-1.
+bool is_control(std::string_view character) {
+    const auto first = static_cast<unsigned char>(character[0]);
+    if (character.size() == 2)
+        return first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0;
+    return character.size() == 1 && (first < 0x20 || (first >= 0x7F && first < 0xA0));
 }
 
 /// The two ends of what is longer than longest_line, not cut within a character of UTF-8.
@@ -56,9 +69,21 @@ bool has_prefix(const std::string& message) {
 
 } // namespace
 
+std::string without_control_characters(std::string_view text) {
+    std::string line;
+    for (size_t at = 0, length; at < text.size(); at += length) {
+        length = character_length(text, at);
+        const std::string_view character = text.substr(at, length);
+        if (is_control(character) && character != "\t")
+            line += '?';
+        else
+            line += character;
+    }
+    return line;
+}
+
 std::string one_line(const std::string& text) {
-    std::string line = joined(text);
-    replace_control_characters(line);
+    const std::string line = without_control_characters(joined(text));
     return line.size() <= longest_line ? line : two_ends(line);
 }
 

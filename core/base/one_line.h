@@ -3,16 +3,20 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace ddt {
 
 /// The longest line: beside a path of the longest there is no room for another echo.
 constexpr size_t longest_line = 4000;
 
+/// `text` with a question mark in place of each control character, with which a file or its name
+/// could tell a terminal what to do; a tab may stay.
+std::string without_control_characters(std::string_view text);
+
 /// `text` with a blank in place of its line breaks and the blanks round them, and none at the ends;
 /// a line that repeats the one before is left out (OpenImageIO 3.1 says some things twice); of what
-/// is too long for a line, the two ends. Other control characters, with which a file or its name
-/// could tell a terminal what to do, are question marks.
+/// is too long for a line, the two ends; and without_control_characters().
 std::string one_line(const std::string& text);
 
 /// What every message begins with, and a message with it, once, and without it.

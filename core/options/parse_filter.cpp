@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/float_mode.h"
+#include "core/base/one_line.h"
 #include "core/base/parse_number.h"
 #include "core/options/values.h"
 #include "ddt/names.h"
@@ -19,11 +20,7 @@ namespace {
 
 /// In quotes, and in one line whatever it holds.
 std::string quoted(std::string_view text) {
-    std::string line(text);
-    for (char& c : line)
-        if ((unsigned char)(c) < ' ') // whether or not a char has a sign
-            c = ' ';
-    return '"' + line + '"';
+    return '"' + without_control_characters(text) + '"';
 }
 
 /// Of a number that no float holds: whether it is too small, not too large. std::from_chars says

@@ -19,7 +19,8 @@ size_t bytes_of(const std::vector<T>& v) {
     return v.capacity() * sizeof(T);
 }
 
-/// Thread-safe, without locks: a process that forks meanwhile may go on enlarging in its child.
+/// Thread-safe, without locks: a child forked meanwhile does not wait for these. What else it may
+/// wait for, ddt/core.h says.
 class IdleMemory {
 public:
     ~IdleMemory() { release(); }

@@ -118,9 +118,26 @@ bool read_sidecar(const std::string& path, std::vector<std::string>& lines, std:
     return true;
 }
 
+/// Whether a path is one that the library below OpenImageIO's reader of films takes for an address
+/// ("http://", "tcp:", "pipe:0", "concat:a|b"): it would reach the network, or wait. (FFmpeg's
+/// rule, url_find_protocol() in libavformat/avio.c; "subfile" has options before its colon.)
+bool has_protocol(const std::string& path) {
+    constexpr char in_protocols[] =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789+-.";
+    const size_t end = path.find_first_not_of(in_protocols);
+    return (end != std::string::npos && end > 0 && path[end] == ':') ||
+           OIIO::Strutil::starts_with(path, "subfile,");
+}
+
+std::string in_this_folder(const std::string& path) {
+    return "./" + path;
+}
+
 std::string beside(const std::string& sidecar, const std::string& path) {
+    if (OIIO::Filesystem::path_is_absolute(path))
+        return path;
     const std::string folder = OIIO::Filesystem::parent_path(sidecar);
-    return folder.empty() || OIIO::Filesystem::path_is_absolute(path) ? path : folder + "/" + path;
+    return folder.empty() ? in_this_folder(path) : folder + "/" + path;
 }
 
 /// Pipes, sockets, devices, folders: opening these may wait for ever, or never end. What does not
@@ -129,22 +146,35 @@ bool is_special(const std::string& path) {
     return OIIO::Filesystem::exists(path) && !OIIO::Filesystem::is_regular(path);
 }
 
+/// Whether a reader that is given `source`, which was `written` so, may open something else than a
+/// file that ends. Some open the whole name, others what stands before its query.
+bool may_be_no_file(const std::string& written, const std::string& source) {
+    const std::string path = before_query(source);
+    return is_special(source) || is_special(path) ||
+           (has_protocol(written) && !OIIO::Filesystem::is_regular(source) &&
+            !OIIO::Filesystem::is_regular(path));
+}
+
 bool parse(const std::string& name, Request& request, std::string& error) {
     const std::string path = before_query(name);
     Parser parser(request);
+    std::string written; // the source's name
     if (OIIO::Filesystem::is_regular(path)) {
         std::vector<std::string> lines;
         if (!read_sidecar(path, lines, error))
             return false;
-        request.source = beside(path, lines[0]);
+        written = lines[0];
+        request.source = beside(path, written);
         for (size_t i = 1; i < lines.size(); ++i)
             if (!parser.set(lines[i], error)) {
                 error += format("; in \"{}\"", path);
                 return false;
             }
     } else {
-        request.source = path.substr(0, path.size() - extension_length);
+        request.source = written = path.substr(0, path.size() - extension_length);
     }
+    if (has_protocol(request.source)) // a file, if it is there, is opened as one
+        request.source = in_this_folder(request.source);
     // A sidecar that names itself, or a chain of them, would never end.
     if (request.source.empty() || is_request_name(request.source)) {
         error = format("ddt: \"{}\" does not name an image to enlarge; allowed is a file that is "
@@ -152,7 +182,7 @@ bool parse(const std::string& name, Request& request, std::string& error) {
                        request.source);
         return false;
     }
-    if (is_special(before_query(request.source))) {
+    if (may_be_no_file(written, request.source)) {
         error = format("ddt: \"{}\" is not a regular file; allowed is a file that holds an image",
                        request.source);
         return false;

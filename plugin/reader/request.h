@@ -18,7 +18,8 @@
 // A warning to programs that open names or sidecars that come from others: the image's path may be
 // absolute or climb by "..", so a sidecar reads any image that the process may read, and asks for
 // any size that OpenImageIO's attribute "limits:imagesize_MB" allows. A file that is not a regular
-// one is refused, and a request cannot name another request as its image. See SECURITY.md.
+// one is refused, so are addresses ("http://..."), and a request cannot name another request as its
+// image. See SECURITY.md.
 //
 // Options: scale=FACTOR, or width= or height= in pixels of the display window, or both (one alone
 // keeps the shape); filter=NAME, a filter specification, by default "ddt"; and the options of the

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <OpenImageIO/imagebufalgo.h>
+#include <vector>
 
 #include "plugin/image/channels.h"
+#include "plugin/image/memory.h"
 #include "plugin/image/metadata.h"
+#include "plugin/image/pixels.h"
+#include "plugin/image/windows.h"
 #include "plugin/tool/command/filter_flag.h"
 #include "plugin/tool/command/progress.h"
 #include "plugin/tool/commands.h"
@@ -21,14 +24,26 @@ namespace ddt::tool {
 
 namespace {
 
-/// Decide on what of the image the file's format has room for, each channel in the type it had.
+/// Of the image in the file's window, in memory.
+OIIO::ImageSpec spec_in_window(const OIIO::ImageBuf& image, const OIIO::ImageSpec& file) {
+    OIIO::ImageSpec spec = file;
+    spec.set_format(image.spec().format);
+    forget_tiles(spec);
+    return spec;
+}
+
+/// Decide on what of the image the file's format has room for, each channel in the type it had. Its
+/// window may be another than the image's, and of any size: it is asked for before the work.
 bool plan_file(const OIIO::ImageBuf& image, const std::string& path, ImageFile& file,
                OIIO::ImageSpec& spec, Failure& failure) {
     spec = spec_of_file(image);
     forget_pixels(spec);
     if (!fit_format(file.output(), path, spec, failure))
         return false;
-    note_left_out(path, fit_channels(file.output(), spec));
+    const std::string left_out = fit_channels(file.output(), spec);
+    if (spec.roi() != image.roi() && !check_size_of(spec_in_window(image, spec), failure))
+        return false;
+    note_left_out(path, left_out);
     return true;
 }
 
@@ -50,18 +65,38 @@ bool read_unassociated(const std::string& path, ImageFile& file, OIIO::ImageBuf&
     return false;
 }
 
+/// The image in the file's window, black where it has no pixels. (OpenImageIO's crop() ends the
+/// program where there is no memory.)
+bool put_in_window(const OIIO::ImageBuf& image, const OIIO::ImageSpec& file, OIIO::ImageBuf& put,
+                   Failure& failure) {
+    if (!make_image(put, spec_in_window(image, file), failure.why)) {
+        failure.code = code_of_message(failure.why);
+        return false;
+    }
+    const Rect both = intersection(rect_of(image.roi()), rect_of(put.roi()));
+    const OIIO::TypeDesc type = image.spec().format;
+    if (both.empty())
+        return true;
+    std::vector<char> row(size_t(both.width()) * type.size() * size_t(put.nchannels()));
+    for (int y = both.y0; y < both.y1; ++y) {
+        const Rect r{both.x0, y, both.x1, y + 1};
+        if (!read_pixels(image, r, 0, put.nchannels(), type, row.data(), failure.why))
+            return false;
+        write_pixels(put, r, 0, put.nchannels(), type, row.data());
+    }
+    return true;
+}
+
 /// Write the filled image as the file has it, all but its name: in its window, with the IDs that
 /// are not to be filled.
 bool write_filled(const OIIO::ImageBuf& filled, const OIIO::ImageSpec& spec,
                   const OIIO::ImageSpec& of_file, MixedIds& ids, ImageFile& file,
                   Failure& failure) {
     const bool whole = spec.roi() == filled.roi();
-    OIIO::ImageBuf cropped;
-    if (!whole && !OIIO::ImageBufAlgo::crop(cropped, filled, spec.roi())) {
-        failure = {cropped.geterror()};
+    OIIO::ImageBuf put;
+    if (!whole && !put_in_window(filled, spec, put, failure))
         return false;
-    }
-    const OIIO::ImageBuf& image = whole ? filled : cropped;
+    const OIIO::ImageBuf& image = whole ? filled : put;
     const auto progress = [](float) {};
     if (!file.open(spec, failure))
         return false;

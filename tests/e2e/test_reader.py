@@ -3,6 +3,7 @@
 
 import os
 import re
+import socket
 import unittest
 
 import OpenImageIO as oiio
@@ -144,6 +145,17 @@ class Reader(Case):
             with self.subTest(source=source):
                 self.write("chain.ddt", f"{source}\nscale=2\n")
                 self.refuse("chain.ddt", *says)
+
+    def test_addresses_reach_nobody(self):
+        with socket.create_server(("127.0.0.1", 0)) as server:
+            server.setblocking(False)
+            address = f"127.0.0.1:{server.getsockname()[1]}"
+            for source in (f"http://{address}/film.mp4", f"tcp://{address}/film.mp4"):
+                self.write("a.ddt", f"{source}\nscale=2\n")
+                for name in ("a.ddt", f"{source}.ddt?scale=2"):
+                    self.fail_with("iinfo", name, says=("ddt: ", "not a regular file", "allowed"))
+                    with self.assertRaises(BlockingIOError):
+                        server.accept()
 
     def test_sizes_that_no_machine_has(self):
         self.refuse("photo.png.ddt?scale=20000", "ddt: ", "800000 x 640000", "allowed")

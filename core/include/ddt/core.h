@@ -17,6 +17,12 @@
 // while it works here: what is noexcept cannot be unwound, and the process would be aborted.
 //
 // All functions may be called from several threads at once, with different destinations.
+//
+// A process may fork while none of its threads is in a call here, and its child may call these
+// again; with more than one thread, as far as oneTBB can, whose threads do not survive a fork.
+// Forked while another thread is in a call, above all in the process's first, the child may wait
+// for ever in one of its own: for a lock that the other thread had, which the child has not got
+// (of the compiler's for static objects, of oneTBB's).
 #pragma once
 
 #include <string>

@@ -24,7 +24,11 @@ void look_at(const std::string& path, Look&& look) {
 }
 
 int count_images(OIIO::ImageInput& input) {
-    int images = std::max(1, input.spec().get_int_attribute("oiio:subimages", 1));
+    const OIIO::ParamValue* const told =
+        input.spec().find_attribute("oiio:subimages", OIIO::TypeInt);
+    int images = told ? told->get_int() : 1;
+    if (images < 1 || !input.seek_subimage(images - 1, 0))
+        images = 1;
     while (input.seek_subimage(images, 0))
         ++images;
     input.geterror();

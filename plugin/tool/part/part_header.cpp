@@ -62,6 +62,10 @@ OIIO::TypeDesc stored_type(OIIO::TypeDesc type) {
     }
 }
 
+bool is_kept_name(const std::string& channel) {
+    return channel.find('\n') == std::string::npos;
+}
+
 PartHeader header_of(const std::string& job, const Part& part, const OIIO::ImageSpec& whole) {
     PartHeader header;
     header.job = job;

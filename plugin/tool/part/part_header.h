@@ -16,6 +16,9 @@ namespace ddt::tool {
 /// none.
 OIIO::TypeDesc stored_type(OIIO::TypeDesc type);
 
+/// Whether a part can tell the name of a channel: it has a line for each.
+bool is_kept_name(const std::string& channel);
+
 /// What a part's file says about itself. The pixels are in tiles; the data window is the part's,
 /// the display window the whole's.
 struct PartHeader {

@@ -17,6 +17,7 @@ constexpr int cache_megabytes = 192;
 
 bool check_part(const OIIO::ImageSpec& from, const OIIO::ImageSpec& to, const Grid& grid,
                 const Part& part, Failure& failure) {
+    const std::vector<std::string>& names = from.channelnames;
     if (to.full_width < from.full_width || to.full_height < from.full_height)
         failure = {"--part is for enlarging; allowed are sizes of " +
                        format("{} x {} and more", from.full_width, from.full_height),
@@ -29,9 +30,13 @@ bool check_part(const OIIO::ImageSpec& from, const OIIO::ImageSpec& to, const Gr
         failure = {format("pixels of {} cannot be kept in parts; choose another --type",
                           to.format.c_str()),
                    exit_usage};
-    else if (const auto& names = from.channelnames;
-             std::set<std::string>(names.begin(), names.end()).size() < names.size())
+    else if (std::set<std::string>(names.begin(), names.end()).size() < names.size())
         failure = {"several channels have one name, which cannot be kept in parts"};
+    else if (const auto name = std::find_if_not(names.begin(), names.end(), is_kept_name);
+             name != names.end())
+        failure = {"the name of the channel \"" + *name +
+                   "\" has a line break, which cannot be kept in parts; allowed are names in one "
+                   "line"};
     else
         return true;
     return false;

@@ -27,8 +27,23 @@ TEST(OneLine, HoldsNothingThatATerminalObeys) {
               "a?31mb");
     EXPECT_EQ(one_line(std::string("a\0b", 3)), "a?b");
     // Letters, the first character after those, and tabs stay, as does what is no UTF-8.
-    EXPECT_EQ(one_line("\u00e9\u00a0\u3042\tb"), "\u00e9\u00a0\u3042\tb");
+    const std::string letters = "\u00e9\u00a0\u3042\tb\U0001F600\u00df";
+    EXPECT_EQ(one_line(letters), letters);
     EXPECT_EQ(one_line("a\xC2"), "a\xC2");
+    EXPECT_EQ(one_line("\xE9t\xE9"), "\xE9t\xE9");
+}
+
+/// Which Latin-1 has too.
+TEST(OneLine, HoldsNoControlCharactersOfOneByte) {
+    EXPECT_EQ(one_line("a\x9B"
+                       "31mb\x80\x9F\xA0"),
+              "a?31mb??\xA0");
+    // Of a character that is cut off, and of longer forms than need be.
+    EXPECT_EQ(one_line("\xE3\x81"
+                       "b"),
+              "\xE3?b");
+    EXPECT_EQ(one_line("\xC1\x9B\xE0\x82\x9B\xF0\x80\x82\x9B\xF5\x80\x80\x80"),
+              "\xC1?\xE0??\xF0???\xF5???");
 }
 
 TEST(OneLine, OfWhatIsTooLongTheTwoEndsStay) {

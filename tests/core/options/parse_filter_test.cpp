@@ -22,6 +22,20 @@ std::string error_of(const char* spec) {
     return error;
 }
 
+TEST(Options, ErrorsHoldNothingThatATerminalObeys) {
+    for (const std::string name : {"\x9B"
+                                   "31m",
+                                   "\xC2\x9B"
+                                   "31m",
+                                   "\033[31m", "\n31m", "\x7F"}) {
+        for (const std::string& spec : {name, "ddt," + name + "=1", "ddt,seed=" + name}) {
+            const std::string error = error_of(spec.c_str());
+            EXPECT_EQ(error.find(name), std::string::npos) << spec;
+            EXPECT_NE(error.find('?'), std::string::npos) << error;
+        }
+    }
+}
+
 TEST(Options, FilterNames) {
     EXPECT_TRUE(ddt::is_filter_name("ddt"));
     EXPECT_TRUE(ddt::is_filter_name("ddt-linear"));

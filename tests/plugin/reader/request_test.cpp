@@ -5,6 +5,8 @@
 #include <sys/stat.h>
 
 #include <cstdio>
+#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -181,6 +183,68 @@ TEST(Request, RefusesWhatIsNoRegularFile) {
         EXPECT_NE(refused(File::path()).find("not a regular file"), std::string::npos);
     }
     std::remove(pipe.c_str());
+}
+
+/// Readers open the whole name, or what stands before its query.
+TEST(Request, AsksOfTheWholeNameAndOfWhatIsBeforeItsQuery) {
+    const std::string pipe = ddt::temporary("queried.png?b=1"),
+                      image = ddt::temporary("image.png?b=1");
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    std::ofstream(image).put('x');
+    {
+        const File sidecar(pipe + "\nscale=2\n");
+        EXPECT_NE(refused(File::path()).find("not a regular file"), std::string::npos);
+    }
+    {
+        const File sidecar(image + "\nscale=2\n");
+        EXPECT_EQ(parsed(File::path()).source, image);
+    }
+    std::remove(pipe.c_str());
+    std::remove(image.c_str());
+}
+
+/// Works in the folder of temporary files.
+class There {
+public:
+    There() : m_before(std::filesystem::current_path()) {
+        std::filesystem::current_path(ddt::temporary(""));
+    }
+    ~There() { std::filesystem::current_path(m_before); }
+
+private:
+    std::filesystem::path m_before;
+};
+
+TEST(Request, RefusesAddresses) {
+    const There there;
+    for (const char* address :
+         {"http://127.0.0.1:9/x.mp4", "tcp://127.0.0.1:9", "tcp://127.0.0.1:9?listen=1",
+          "pipe:0.mp4", "concat:/etc/hostname|/etc/hosts", "rtmp+x-1.2:y.mp4",
+          "subfile,,start,0,end,9,,:/etc/hostname"}) {
+        if (!std::strchr(address, '?')) {
+            const std::string error = refused(std::string(address) + ".ddt?scale=2");
+            EXPECT_NE(error.find("allowed is a file"), std::string::npos) << error;
+        }
+        const File sidecar(std::string(address) + "\nscale=2\n");
+        for (const std::string& name : {File::path(), std::string("request_test.ddt")}) {
+            const std::string error = refused(name);
+            EXPECT_NE(error.find("allowed is a file"), std::string::npos) << error;
+        }
+    }
+    // What is no address may still be an image to some reader.
+    EXPECT_EQ(parsed("a/b:c.png.ddt?scale=2").source, "a/b:c.png");
+    EXPECT_EQ(parsed(":c.png.ddt?scale=2").source, ":c.png");
+}
+
+TEST(Request, OpensFilesAsFilesWhateverTheirNames) {
+    const There there;
+    for (const std::string name : {"http:x.png", "subfile,x.png"}) {
+        std::ofstream(name).put('x');
+        EXPECT_EQ(parsed(name + ".ddt?scale=2").source, "./" + name);
+        std::remove(name.c_str());
+    }
+    const File sidecar("photo.png\nscale=2\n");
+    EXPECT_EQ(parsed("request_test.ddt").source, "./photo.png");
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
 #include <fstream>
 #include <thread>
 
@@ -106,6 +107,23 @@ TEST(FillCommand, FormatsWithoutWindowsGetTheDisplayWindow) {
         for (int x = 0; x < 16; ++x)
             EXPECT_EQ(filled.getchannel(x, y, 0, 0), x < 8 && y >= 3 && y < 9 ? 1.0f : 0.0f)
                 << x << " " << y;
+}
+
+TEST(FillCommand, OfADisplayWindowForWhichThereIsNoMemoryThereIsNone) {
+    ImageSpec spec(10, 6, 1, OIIO::TypeFloat);
+    spec.full_width = spec.full_height = 1 << 20;
+    ImageBuf image(spec);
+    OIIO::ImageBufAlgo::fill(image, {1.0f});
+    const std::string in = temporary("huge_display.exr");
+    ASSERT_TRUE(image.write(in)) << image.geterror();
+    const Ran ran = run(make_fill_command(), {in, temporary("huge_display.png")});
+    EXPECT_EQ(ran.code, exit_resources);
+    EXPECT_NE(ran.err.find("1048576 x 1048576 pixels"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("allowed are"), std::string::npos) << ran.err;
+    for (const auto& there : std::filesystem::directory_iterator(temporary("")))
+        EXPECT_EQ(there.path().filename().string().find(".huge_display"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(temporary("huge_display.png")));
+    EXPECT_EQ(make_fill_command()->run({in, temporary("huge_display_filled.exr")}), exit_done);
 }
 
 /// Numbers of a file as it has them.

@@ -67,5 +67,54 @@ TEST(OpenImage, OfAFileThatChangesMeanwhileThereIsNone) {
     EXPECT_EQ(unreadable(path, error).code, exit_resources);
 }
 
+constexpr const char* of_several = ".several";
+
+/// Has three images, and says of their number what a test wants.
+class SeveralInput final : public OIIO::ImageInput {
+public:
+    static inline OIIO::ParamValue told;
+    static inline int sought = 0;
+
+    const char* format_name() const override { return "several"; }
+    bool open(const std::string& name, OIIO::ImageSpec& spec) override {
+        m_spec = OIIO::ImageSpec(4, 4, 1, OIIO::TypeUInt8);
+        if (!told.name().empty())
+            m_spec.extra_attribs.push_back(told);
+        spec = m_spec;
+        return OIIO::Strutil::ends_with(name, of_several);
+    }
+    bool close() override { return true; }
+    bool seek_subimage(int number, int level) override {
+        ++sought;
+        return number >= 0 && number < 3 && level == 0;
+    }
+    bool read_native_scanline(int, int, int, int, void*) override { return false; }
+};
+
+/// PNG has texts of any name.
+TEST(CountImages, BelievesNoNumberOfAFileItself) {
+    static const char* extensions[] = {of_several + 1, nullptr};
+    OIIO::declare_imageio_format(
+        "several", []() -> OIIO::ImageInput* { return new SeveralInput; }, extensions, nullptr,
+        nullptr, nullptr);
+    const std::string path = temporary(std::string("file") + of_several);
+    std::ofstream(path).put('x');
+    const char* const name = "oiio:subimages";
+    const int many = 2000000000, negative = -7, right = 3, few = 2;
+    const OIIO::ustring text("2000000000");
+    for (const OIIO::ParamValue& told :
+         {OIIO::ParamValue(), OIIO::ParamValue(name, OIIO::TypeInt, 1, &many),
+          OIIO::ParamValue(name, OIIO::TypeInt, 1, &negative),
+          OIIO::ParamValue(name, OIIO::TypeInt, 1, &few),
+          OIIO::ParamValue(name, OIIO::TypeInt, 1, &right),
+          OIIO::ParamValue(name, OIIO::TypeString, 1, &text)}) {
+        SeveralInput::told = told;
+        SeveralInput::sought = 0;
+        EXPECT_EQ(count_images(path), 3) << told.get_string();
+        if (told.type() == OIIO::TypeInt && told.get_int() == right)
+            EXPECT_EQ(SeveralInput::sought, 2); // the last, and none after it
+    }
+}
+
 } // namespace
 } // namespace ddt::tool

@@ -198,6 +198,23 @@ TEST(Parts, OfASourceThatChangesMeanwhileAreNone) {
     EXPECT_TRUE(resize_part(in, out, settings, {1, 1}, change, failure)) << failure.why;
 }
 
+/// They would be the names of more channels than there are.
+TEST(Parts, OfNamesWithLineBreaksThereAreNone) {
+    const std::string in = temporary("break_source.exr"), out = temporary("break_part.exr");
+    OIIO::ImageSpec spec(300, 600, 2, OIIO::TypeHalf);
+    spec.channelnames = {"a\nb", "c"};
+    ASSERT_TRUE(OIIO::ImageBuf(spec).write(in));
+    ASSERT_EQ(OIIO::ImageInput::open(in)->spec().channelnames, spec.channelnames);
+    ResizeSettings settings;
+    settings.size = "200%";
+    Failure failure;
+    EXPECT_FALSE(resize_part(
+        in, out, settings, {1, 2}, [](float) { return true; }, failure));
+    EXPECT_EQ(failure.code, exit_failed);
+    EXPECT_NE(failure.why.find("allowed are names in one line"), std::string::npos) << failure.why;
+    EXPECT_FALSE(std::filesystem::exists(out));
+}
+
 TEST(Parts, DoNotTakeThePlaceOfTheirSource) {
     const std::string in = temporary("part_onto_itself.exr"), link = temporary("part_link.exr");
     ASSERT_TRUE(OIIO::ImageBuf(OIIO::ImageSpec(300, 600, 1, OIIO::TypeHalf)).write(in));
