@@ -114,7 +114,7 @@ TEST(Mesh, IsOneHoweverManyAreAskedFor) {
 TEST(Mesh, EverySchemeTellsHowFarItIsAndCanBeCancelled) {
     const int w = 40, h = 50; // two blocks of rows
     const auto guide = make_guide(Kind::noise, w, h, 3);
-    for (const char* name : {"one-round", "lawson", "maxgain", "look-ahead", "annealing"}) {
+    for (const std::string& name : scheme_names()) {
         SCOPED_TRACE(name);
         MeshOptions o = plain_mesh();
         ASSERT_TRUE(find_scheme(name, o));

@@ -132,7 +132,7 @@ TEST(Delaunay, SaysWhatIsWrong) {
               "ddt: the points' positions are too far apart; x and y may span 1.7e308 at most");
 }
 
-TEST(Delaunay, FlipsKeepTheHullAndLowerTheCost) {
+TEST(Optimise, KeepsTheHullAndLowersTheCost) {
     PointMesh mesh = random_points(500, 3);
     std::string error;
     ASSERT_TRUE(delaunay(mesh, &error)) << error;
@@ -140,7 +140,7 @@ TEST(Delaunay, FlipsKeepTheHullAndLowerTheCost) {
     std::vector<float> guide;
     for (size_t i = 0; i < mesh.x.size(); ++i)
         guide.push_back(mesh.x[i] + mesh.y[i] > 900 ? 1.0f : 0.0f);
-    for (const Cost cost : {Cost::abn, Cost::scf, Cost::jnd, Cost::dlp, Cost::dp}) {
+    for (const Cost cost : all_costs) {
         PointMesh flipped = mesh;
         MeshOptions options;
         options.cost = cost;
@@ -273,7 +273,7 @@ TEST(Optimise, RefusesWhatIsNoTriangulation) {
     EXPECT_TRUE(optimise(mesh, guide, {}));
 }
 
-TEST(Delaunay, CanBeCancelledWhileFlipping) {
+TEST(Optimise, CanBeCancelled) {
     PointMesh mesh = random_points(300, 4);
     ASSERT_TRUE(delaunay(mesh));
     std::vector<float> guide;

@@ -132,21 +132,6 @@ TEST(Options, DefaultsAreTheFirstFilter) {
     EXPECT_EQ(plain.surface.kind, ddt::Surface::patch);
 }
 
-TEST(Options, FiltersAreThese) {
-    const auto of = [](const char* key, const char* filter) {
-        return ddt::default_text(*ddt::find_option(key), filter);
-    };
-    const char* const wanted[][4] = {{"blur", "0.07", "0", "0.05"},
-                                     {"min_gain", "0.1", "auto", "auto"},
-                                     {"consistency", "0", "0", "2"},
-                                     {"soft", "0.4", "0", "0.3"}};
-    for (const auto& row : wanted) {
-        EXPECT_EQ(of(row[0], "ddt"), row[1]) << row[0];
-        EXPECT_EQ(of(row[0], "ddt-linear"), row[2]) << row[0];
-        EXPECT_EQ(of(row[0], "ddt-sharp"), row[3]) << row[0];
-    }
-}
-
 TEST(Options, UnitsOfACostAreNotTakenForAnothers) {
     ddt::FilterOptions o;
     std::string error;
