@@ -30,7 +30,7 @@ std::string other_value(const Option& option) {
 }
 
 /// The texts of all options.
-std::vector<std::string> all_values(const FilterOptions& options) {
+std::vector<std::string> texts_of(const FilterOptions& options) {
     std::vector<std::string> values;
     for (const Option& option : option_table())
         values.push_back(option.get(options));
@@ -114,16 +114,16 @@ TEST(OptionTable, WhatIsNotAllowedIsNotSet) {
             FilterOptions options; // not the defaults: setting these would be seen too
             for (const Option& other : option_table())
                 ASSERT_TRUE(other.set(options, other_value(other)));
-            const std::vector<std::string> before = all_values(options);
+            const std::vector<std::string> before = texts_of(options);
             EXPECT_FALSE(option.set(options, value));
-            EXPECT_EQ(all_values(options), before);
+            EXPECT_EQ(texts_of(options), before);
             std::string error;
             EXPECT_FALSE(set_option(std::string(option.key) + "=" + value, options, error));
             EXPECT_EQ(error.rfind("ddt: option \"" + std::string(option.key) + "=", 0), 0u)
                 << error;
             EXPECT_NE(error.find(option.allowed()), std::string::npos) << error;
             EXPECT_EQ(error.find('\n'), std::string::npos) << error;
-            EXPECT_EQ(all_values(options), before);
+            EXPECT_EQ(texts_of(options), before);
         }
     }
     for (const char* item : {"colour=red", "cost", "", "=abn"}) {
@@ -131,7 +131,7 @@ TEST(OptionTable, WhatIsNotAllowedIsNotSet) {
         std::string error;
         EXPECT_FALSE(set_option(item, options, error)) << item;
         EXPECT_EQ(error.rfind("ddt: ", 0), 0u) << error;
-        EXPECT_EQ(all_values(options), all_values({})) << item;
+        EXPECT_EQ(texts_of(options), texts_of({})) << item;
     }
 }
 
