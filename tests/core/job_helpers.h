@@ -5,6 +5,8 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <utility>
+#include <vector>
 
 #include "ddt/core.h"
 #include "ddt/option_table.h"
@@ -23,6 +25,10 @@ public:
             for (size_t c = 0; c < m_channels; ++c)
                 m_values.push_back(c == 0 ? z : random.unit());
     }
+
+    TestSource(Rect window, int channels, std::vector<float> values, std::vector<float> guide)
+        : m_window(window), m_channels(size_t(channels)), m_guide(std::move(guide)),
+          m_values(std::move(values)) {}
 
     bool read(const Rect& r, float* values, float* guide) override {
         const int running = ++m_running;
@@ -45,6 +51,7 @@ public:
     }
 
     const std::vector<float>& guide() const { return m_guide; }
+    std::vector<float>& guide() { return m_guide; }
     const std::vector<float>& values() const { return m_values; }
     std::vector<float>& values() { return m_values; }
     Rect window() const { return m_window; }

@@ -68,7 +68,7 @@ private:
 };
 
 /// `v` is the picture's plain value there.
-float value_of(Values kind, float v, Random& random) {
+float value_of(PictureValues kind, float v, Random& random) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     constexpr float special[] = {std::numeric_limits<float>::quiet_NaN(),
                                  infinity,
@@ -78,17 +78,17 @@ float value_of(Values kind, float v, Random& random) {
                                  -3.4e38f,
                                  1e38f};
     switch (kind) {
-    case Values::noise:
+    case PictureValues::noise:
         return random.unit();
-    case Values::levels:
+    case PictureValues::levels:
         return float(int(v * 3)) / 3;
-    case Values::lights:
+    case PictureValues::lights:
         return random.below(50) ? v : v * float(1 + random.below(9000));
-    case Values::nonfinite:
+    case PictureValues::nonfinite:
         return random.below(40) ? v : special[random.below(7)];
-    case Values::denormal:
+    case PictureValues::denormal:
         return float_of(uint32_t(random.bits()) & 0x80ffffffu);
-    case Values::full_range: {
+    case PictureValues::full_range: {
         const auto bits = uint32_t(random.bits());
         return float_of((bits & 0x7f800000u) == 0x7f800000u ? bits & 0xbfffffffu : bits);
     }
@@ -101,9 +101,9 @@ void draw_picture(RandomJob& j, Random& random) {
     const float slope_x = random.unit() * 0.1f, slope_y = random.unit() * 0.1f;
     const int cx = random.below(j.width), cy = random.below(j.height), ring = random.between(6, 50),
               stripe = random.between(3, 40), lean = random.between(-3, 3);
-    const bool any_guide = j.kind == Values::noise || j.kind == Values::denormal ||
-                           j.kind == Values::full_range ||
-                           (j.kind == Values::nonfinite && random.below(2));
+    const bool any_guide = j.kind == PictureValues::noise || j.kind == PictureValues::denormal ||
+                           j.kind == PictureValues::full_range ||
+                           (j.kind == PictureValues::nonfinite && random.below(2));
     for (int y = 0; y < j.height; ++y)
         for (int x = 0; x < j.width; ++x) {
             const int r2 = (x - cx) * (x - cx) + (y - cy) * (y - cy);
@@ -162,7 +162,7 @@ RandomJob random_job(uint64_t seed, uint64_t number) {
     j.height = tiles ? random.between(1, 40) : random.between(1, 70);
     if (tiles && random.below(2))
         std::swap(j.width, j.height);
-    j.kind = Values(random.below(int(Values::count)));
+    j.kind = PictureValues(random.below(int(PictureValues::count)));
     const int channels = random.between(1, 6);
     const bool turned = j.width > 1 && j.height > 1 && random.below(4) == 0;
     // One after the other: compilers draw arguments of one call in orders of their own.

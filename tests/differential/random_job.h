@@ -11,7 +11,7 @@
 namespace ddt::test {
 
 /// What a picture's floats are like.
-enum class Values {
+enum class PictureValues {
     shapes,     ///< smooth shades, edges and a little noise, about 0 to 1
     noise,      ///< all bits of the guide in use
     levels,     ///< few values, so that gains tie
@@ -25,7 +25,7 @@ enum class Values {
 /// A picture with its guide, and what is done to it.
 struct RandomJob {
     int width = 0, height = 0;
-    Values kind = Values::shapes;
+    PictureValues kind = PictureValues::shapes;
     std::vector<float> values; ///< Job::channels a pixel
     std::vector<float> guide;
     Job job; ///< on the CPU with one thread; window, channels, kinds and options set

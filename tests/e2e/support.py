@@ -13,6 +13,7 @@ from OpenImageIO import ImageBufAlgo as iba
 
 BUILD = os.environ["DDT_BUILD"]
 PLUGINS = os.path.join(BUILD, "plugins")
+DDT = os.path.join(BUILD, "bin", "ddt")
 WRAPPER = os.path.join(BUILD, "bin", "ddt-oiiotool")
 
 # Variables that would change what is tested.
@@ -32,7 +33,7 @@ def environment(plugin):
 @functools.lru_cache(maxsize=None)
 def is_symbolic():
     """Whether OpenImageIO's own calls cannot be redirected, as `ddt info` says then."""
-    told = subprocess.run((os.path.join(BUILD, "bin", "ddt"), "info"), env=environment(True),
+    told = subprocess.run((DDT, "info"), env=environment(True),
                           capture_output=True, text=True, timeout=120, check=True).stdout
     return "maketx cannot use these filters" in told
 

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every oiiotool command that takes a filter, with nothing but the plugin path set."""
 
-import os
 import unittest
 
-from support import BUILD, PLUGINS, Case, is_symbolic
+from support import DDT, PLUGINS, Case, is_symbolic
 
 # Command with FILTER in place of the filter, its argument, and the size of a 40x32 image's result.
 COMMANDS = {
@@ -61,7 +60,7 @@ class Commands(Case):
                               ("ddt", "ddt,scheme=pixel", "ddt,scheme=pixel,light=encoded"))
 
     def test_info_tells_what_is_redirected(self):
-        done = self.succeed(os.path.join(BUILD, "bin", "ddt"), "info")
+        done = self.succeed(DDT, "info")
         self.assertRegex(done, r"plugin +/.*ddt\.imageio\.so\n")
         self.assertRegex(done, r"plugin +(\d+) of \1 filter functions redirected in \d+ places?")
         self.assertRegex(done, r"plugin +(\d+) of \1 ImageBufAlgo functions redirected in \d+ places?")
@@ -75,7 +74,7 @@ class Commands(Case):
         self.assertRegex(done, "(?m)^cpu +1 thread$")
 
     def test_info_says_why_a_device_is_not_used(self):
-        done = self.succeed(os.path.join(BUILD, "bin", "ddt"), "info",
+        done = self.succeed(DDT, "info",
                             **{"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent"})
         self.assertRegex(done, r"(?m)^egl +not used: (?!egl)\S")
 

@@ -7,9 +7,8 @@ import unittest
 
 import OpenImageIO as oiio
 
-from support import BUILD, Case, environment
+from support import DDT, Case, environment
 
-DDT = os.path.join(BUILD, "bin", "ddt")
 SCRIPTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "docs", "slurm")
 
 # In place of Slurm's: runs the tasks at once, one after the other.
@@ -297,11 +296,10 @@ class Parts(Farm):
             self.ddt("resize", image, "200%", names[2], "--part", "3/3", code=1)
 
     def test_joining_takes_256_MiB_at_most(self):
-        """Of an image that is larger."""
+        """Of an image of 322 MiB."""
         self.succeed("oiiotool", "--pattern", "fill:topleft=0,1,0:bottomright=1,0,1", "1500x1500",
                      "3", "-d", "half", "--tile", "64", "64", "-o", "large.exr")
         names = self.parts("large.exr", "500%", 3, "--filter", "ddt-linear")
-        self.assertGreater(7500 * 7500 * 6, 256 << 20)
         pid = os.fork()
         if pid == 0:
             os.chdir(self.folder)

@@ -1,14 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """The filter's option holes=: what is missing is filled, the same by every way in."""
 
-import os
 import unittest
 
 import OpenImageIO as oiio
 
-from support import BUILD, Case
-
-DDT = os.path.join(BUILD, "bin", "ddt")
+from support import DDT, Case
 
 
 class Holes(Case):

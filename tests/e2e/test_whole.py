@@ -1,57 +1,33 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`ddt resize` writes its result whole or not at all, and says by its exit code what went wrong."""
+"""`ddt` writes its result whole or not at all."""
 
-import bisect
 import os
-import random
 import resource
 import signal
-import struct
-import subprocess
-import time
 import unittest
-import zlib
 
-from support import BUILD, Case, environment
+from process_case import ProcessCase
+from support import DDT
 
-DDT = os.path.join(BUILD, "bin", "ddt")
 KILLS = 30
 
 
-def heed_signals():
-    """A shell's background jobs ignore SIGINT, and so would theirs."""
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
-
-
-class Whole(Case):
-    def ddt(self, *arguments, **how):
-        how.setdefault("preexec_fn", heed_signals)
-        return subprocess.Popen([DDT, *arguments], cwd=self.folder, env=environment(False),
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **how)
-
-    def read(self, name):
-        with open(self.path(name), "rb") as file:
-            return file.read()
-
-    def run_to_end(self, *arguments, **how):
-        process = self.ddt(*arguments, **how)
-        out, err = process.communicate(timeout=120)
-        return process.returncode, out + err
-
+class Whole(ProcessCase):
     def test_killed_at_any_moment(self):
         """The old file or the whole new one."""
         self.succeed("oiiotool", "photo.png", "--resize", "160x128", "--noise", "-o", "large.png")
-        begin = time.monotonic()
-        self.assertEqual(self.run_to_end("resize", "large.png", "300%", "new.png"), (0, ""))
-        took = time.monotonic() - begin
-        new, old = self.read("new.png"), self.read("photo.png")
-        random.seed(1)
+        command = ("resize", "large.png", "300%", "out.png", "--progress", "lines")
+        code, told = self.run_to_end(*command)
+        self.assertEqual(code, 0, told)
+        lines = len(told.splitlines())
+        new, old = self.read("out.png"), self.read("photo.png")
         seen = {"old": 0, "new": 0}
         for i in range(KILLS):
             with open(self.path("out.png"), "wb") as file:
                 file.write(old)
-            process = self.ddt("resize", "large.png", "300%", "out.png")
-            time.sleep(random.uniform(0, 1.1 * took))
+            process = self.ddt(*command)
+            for _ in range(i * lines // (KILLS - 1)):
+                self.assertIn("progress", process.stderr.readline())
             process.send_signal((signal.SIGKILL, signal.SIGTERM, signal.SIGINT)[i % 3])
             process.communicate(timeout=60)
             what = {old: "old", new: "new"}.get(self.read("out.png"))
@@ -179,152 +155,6 @@ class Whole(Case):
             self.assertEqual(len(text.splitlines()), 1, text)
             self.assert_same(ours, theirs)
 
-    def run_within(self, mebibytes, *arguments):
-        def small():
-            resource.setrlimit(resource.RLIMIT_AS, (mebibytes << 20, mebibytes << 20))
-        return self.run_to_end(*arguments, preexec_fn=small)
-
-    def loaded(self):
-        """The mebibytes that the libraries take when they are loaded, which is not ours."""
-        sizes = range(200, 8000, 50)
-        return sizes[bisect.bisect_left(sizes, True,
-                                        key=lambda n: self.run_within(n, "--version")[0] == 0)]
-
-    def test_no_memory(self):
-        code, text = self.run_within(self.loaded() + 400, "resize", "photo.png", "16000x12800",
-                                     "out.tif", "--threads", "1")
-        self.assertEqual(code, 3, text)
-        self.assertIn("memory", text)
-        self.assertFalse(os.path.exists(self.path("out.tif")))
-
-    def run_in_group(self, mebibytes, *arguments):
-        """Run ddt where a control group allows that, as the kernel's files say it."""
-        for name in ("memory.max", "memory/memory.limit_in_bytes"):
-            os.makedirs(os.path.dirname(self.path(f"groups/{name}")), exist_ok=True)
-            with open(self.path(f"groups/{name}"), "w", encoding="ascii") as file:
-                file.write(f"{mebibytes << 20}\n")
-        mount = ("unshare", "-rm", "sh", "-c", 'mount --bind groups /sys/fs/cgroup && eval "$0"')
-        done = self.attempt(*mount, "true")
-        if done.returncode != 0:
-            self.skipTest("no folder can be mounted here: " + done.stderr)
-        done = self.attempt(*mount, f"ulimit -v 12000000; '{DDT}' {' '.join(arguments)}")
-        return done.returncode, done.stderr
-
-    def test_what_a_control_group_has_no_memory_for(self):
-        """In which the kernel would kill the process."""
-        code, text = self.run_in_group(64, "resize", "photo.png", "4000x4000", "out.tif")
-        self.assertEqual((code, text), (0, ""))
-        code, text = self.run_in_group(64, "resize", "photo.png", "6000x6000", "out.tif")
-        self.assertEqual(code, 3, text)
-        self.assertIn("would need 103 MB; allowed are 64 MB", text)
-        self.assertIn("control groups", text)
-
-    def test_a_part_with_more_tiles_than_memory(self):
-        """OpenEXR's writer keeps the place of each, here 14 GB."""
-        def chunk(name, data):
-            return (struct.pack(">I", len(data)) + name + data +
-                    struct.pack(">I", zlib.crc32(name + data)))
-
-        with open(self.path("large.png"), "wb") as file:
-            file.write(b"\x89PNG\r\n\x1a\n" +
-                       chunk(b"IHDR", struct.pack(">IIBBBBB", 200000, 150000, 8, 0, 0, 0, 0)) +
-                       chunk(b"IDAT", zlib.compress(b"")) + chunk(b"IEND", b""))
-        code, text = self.run_in_group(8000, "resize", "large.png", "800%", "out.exr", "--part", "1/1")
-        self.assertEqual(code, 3, text)
-        self.assertIn("a part of 1600000 x 1200000 pixels", text)
-
-    def test_no_memory_for_a_part(self):
-        """Whichever allocation is the first to fail, of the threads' or of the image cache's."""
-        self.succeed("oiiotool", "--pattern", "noise", "900x900", "3", "-d", "half", "--tile", "64",
-                     "64", "-o", "tiled.exr")
-
-        loaded = self.loaded()
-        codes = set()
-        for mebibytes in range(loaded + 75, loaded + 500, 50):
-            code, text = self.run_within(mebibytes, "resize", "tiled.exr", "200%", "part.exr",
-                                         "--part", "1/1", "--threads", "4")
-            # OpenEXR 3.4 says itself what its compressor had no memory for, and then that the file
-            # cannot be written; its reader, as OpenImageIO 3 uses it, that tiles are missing.
-            lines = text.splitlines()
-            own = [line for line in lines if "(EXR_ERR_OUT_OF_MEMORY)" not in line]
-            unsaid = own != lines or "Some tiles were missing or corrupted" in text
-            self.assertIn(code, (0, 1, 3) if unsaid else (0, 3), text)
-            if not unsaid:
-                codes.add(code)
-            self.assertEqual(len(own), int(code != 0), text)
-            self.assertEqual([n for n in os.listdir(self.folder) if ".ddt-" in n], [])
-            self.assertEqual(os.path.exists(self.path("part.exr")), code == 0)
-            if code == 0:
-                os.remove(self.path("part.exr"))
-        self.assertEqual(codes, {0, 3})
-
-    def test_no_memory_to_fill(self):
-        """Of a TIFF whose colour is not multiplied by alpha: three times as much as it takes."""
-        self.succeed("oiiotool", "--pattern", "noise", "2000x2000", "4", "--chnames", "R,G,B,A",
-                     "--attrib:type=int", "oiio:UnassociatedAlpha", "1", "-d", "uint8", "-o",
-                     "straight.tif")
-        loaded = self.loaded()
-        codes = set()
-        for mebibytes in range(loaded + 100, loaded + 400, 20):
-            code, text = self.run_within(mebibytes, "fill", "straight.tif", "filled.tif")
-            codes.add(code)
-            self.assertIn(code, (0, 3), text)
-            self.assertEqual(os.path.exists(self.path("filled.tif")), code == 0)
-            if code == 0:
-                os.remove(self.path("filled.tif"))
-        self.assertEqual(codes, {0, 3})
-
-    def test_exit_codes(self):
-        for code, arguments in ((1, ("missing.png", "200%", "out.png")),
-                                (1, ("photo.png", "200%", "no/folder.png")),
-                                (2, ("photo.png", "large", "out.png")),
-                                (2, ("photo.png", "200%", "out.png", "--progress", "loud")),
-                                (3, ("photo.png", "1000000x1000000", "out.png"))):
-            got, text = self.run_to_end("resize", *arguments)
-            self.assertEqual(got, code, text)
-            self.assertTrue(text.startswith("ddt: "), text)
-        with open(self.path("points.csv"), "w", encoding="utf-8") as file:
-            file.write("x,y,z\n0,0,1\n4,0,2\n0,4,3\n4,4,4\n")
-        for command in (("resize", "photo.png", "200%", "out.png", "--filter", "ddt,device=egl"),
-                        ("scatter", "points.csv", "out.exr", "--filter", "ddt,device=egl")):
-            done = self.attempt(DDT, *command, __EGL_VENDOR_LIBRARY_FILENAMES="/nonexistent")
-            self.assertEqual(done.returncode, 3, done.stderr)
-            self.assertIn("is unavailable", done.stderr)
-
-    def test_an_unknown_device_is_told_before_anything_is_opened(self):
-        """Whose writer would complain by itself."""
-        done = self.attempt(DDT, "resize", "photo.png", "250%", "out.png", DDT_DEVICE="voodoo")
-        self.assertEqual((done.returncode, done.stderr), (
-            1, "ddt: DDT_DEVICE=voodoo is not one of auto, cpu, egl, osmesa\n"))
-
-    def test_closed_streams(self):
-        """What is meant for a terminal does not get into a file."""
-        self.assertEqual(self.run_to_end("resize", "photo.png", "150%", "wanted.exr"), (0, ""))
-        for closed in ("2>&-", ">&- 2>&-", "<&- >&- 2>&-", "<&- 2>told"):
-            self.succeed("sh", "-c",
-                         f"'{DDT}' resize photo.png 150% out.exr --progress lines {closed}")
-            self.assert_same("out.exr", "wanted.exr")
-
-    def test_what_is_printed_must_arrive(self):
-        for command in ("compare --csv photo.png photo.png", "info", "--help", "compare --help"):
-            done = self.attempt("sh", "-c", f"'{DDT}' {command} > /dev/full")
-            self.assertEqual(done.returncode, 3, command)
-            self.assertEqual(done.stderr, "ddt: the standard output cannot be written: "
-                                          "No space left on device\n")
-            self.assertEqual(self.attempt("bash", "-o", "pipefail", "-c",
-                                          f"'{DDT}' {command} | true").stderr, "")
-
-    def test_what_is_printed_beside_a_file_may_get_lost(self):
-        """That is said, and the file is there."""
-        self.succeed("cp", "photo.png", "in.0001.png")
-        for command, out in (("resize in.#.png 150% out.#.png", "out.0001.png"),
-                             ("mesh --verbose photo.png mesh.ply", "mesh.ply")):
-            for lost in "> /dev/full", ">&-":
-                done = self.attempt("sh", "-c", f"'{DDT}' {command} {lost}")
-                self.assertEqual(done.returncode, 0, done.stderr)
-                self.assertIn("standard output cannot be written", done.stderr)
-                os.remove(self.path(out))
-
     def test_what_a_format_cannot_hold(self):
         """GIF's writer takes any size and writes another; JPEG's ends the program."""
         for name, size in (("out.gif", "66000x2"), ("out.jpg", "65501x2")):
@@ -369,14 +199,6 @@ class Whole(Case):
         self.assertEqual(self.run_to_end("resize", "photo.png", "200%", "two.png"), (0, ""))
         self.assertEqual(self.run_to_end("resize", "photo.png", "200%", "photo.png"), (0, ""))
         self.assertEqual(self.read("photo.png"), self.read("two.png"))
-
-    def test_progress_lines(self):
-        code, text = self.run_to_end("resize", "photo.png", "200%", "out.png", "--progress",
-                                     "lines")
-        self.assertEqual(code, 0)
-        shares = [int(line.split()[2].rstrip("%")) for line in text.splitlines()]
-        self.assertEqual(shares, sorted(set(shares)))
-        self.assertEqual(shares[-1], 100)
 
 
 if __name__ == "__main__":

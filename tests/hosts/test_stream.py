@@ -11,8 +11,6 @@ import OpenImageIO as oiio
 
 import support
 
-DDT = os.path.join(support.BUILD, "bin", "ddt")
-
 
 def pfm(width, height, value):
     """A PFM of one colour, low byte first."""
@@ -22,7 +20,7 @@ def pfm(width, height, value):
 
 class Stream(support.Case):
     def stream(self, data, *arguments):
-        return subprocess.run([DDT, "stream", *arguments], input=data, capture_output=True,
+        return subprocess.run([support.DDT, "stream", *arguments], input=data, capture_output=True,
                               env=support.environment(False), timeout=120)
 
     def file(self, name):
@@ -52,17 +50,17 @@ class Stream(support.Case):
 
     def test_what_cannot_be_read_is_no_end(self):
         for stdin in (f"< '{self.folder}'", "<&-"):
-            done = self.attempt("sh", "-c", f"'{DDT}' stream {stdin}")
+            done = self.attempt("sh", "-c", f"'{support.DDT}' stream {stdin}")
             self.assertEqual(done.returncode, 1, stdin)
             self.assertIn("frame 1: the stream cannot be read: ", done.stderr)
 
     def test_a_full_disk_may_pass(self):
-        done = self.attempt("sh", "-c", f"printf 'P5\\n2 2\\n255\\nabcd' | '{DDT}' stream > /dev/full")
+        done = self.attempt("sh", "-c", f"printf 'P5\\n2 2\\n255\\nabcd' | '{support.DDT}' stream > /dev/full")
         self.assertEqual(done.returncode, 3)
         self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
 
     def test_nobody_to_write_to_is_a_failure(self):
-        done = self.attempt("sh", "-c", f"printf 'P5\n2 2\n255\nabcd' | '{DDT}' stream >&-")
+        done = self.attempt("sh", "-c", f"printf 'P5\n2 2\n255\nabcd' | '{support.DDT}' stream >&-")
         self.assertEqual(done.returncode, 1)
         self.assertIn("frame 1: the result cannot be written: ", done.stderr)
 
@@ -71,7 +69,7 @@ class Stream(support.Case):
         with open(self.path("header"), "wb") as header:
             header.write(b"P5\n40000 40000\n255\nabc")
         with open(self.path("header"), "rb") as header:
-            child = subprocess.Popen([DDT, "stream"], stdin=header, stdout=subprocess.DEVNULL,
+            child = subprocess.Popen([support.DDT, "stream"], stdin=header, stdout=subprocess.DEVNULL,
                                      stderr=subprocess.PIPE, env=support.environment(False))
         with child.stderr as said:
             self.assertIn(b"it ends after 3 of 1600000000 bytes", said.read())
@@ -123,11 +121,11 @@ class Stream(support.Case):
         frame = b"P6\n300 300\n255\n" + bytes(270000)
         with open(self.path("in.ppm"), "wb") as file:
             file.write(frame * 20)
-        done = self.attempt("sh", "-c", f"'{DDT}' stream --scale 4 < in.ppm | head -c 100 > /dev/null")
+        done = self.attempt("sh", "-c", f"'{support.DDT}' stream --scale 4 < in.ppm | head -c 100 > /dev/null")
         self.assertIn("the reader of the result has gone", done.stderr)
 
     def started(self):
-        return subprocess.Popen([DDT, "stream", "--scale", "2"], stdin=subprocess.PIPE,
+        return subprocess.Popen([support.DDT, "stream", "--scale", "2"], stdin=subprocess.PIPE,
                                 stdout=subprocess.PIPE, env=support.environment(False))
 
     def test_a_frame_comes_out_before_the_next_goes_in(self):
@@ -155,7 +153,7 @@ class Stream(support.Case):
     def test_between_two_ffmpegs(self):
         done = self.attempt(
             "bash", "-c", "set -o pipefail; ffmpeg -v error -f lavfi -i testsrc=size=64x48:rate=5 "
-            f"-frames:v 5 -f image2pipe -c:v pam - | '{DDT}' stream --scale 2 | "
+            f"-frames:v 5 -f image2pipe -c:v pam - | '{support.DDT}' stream --scale 2 | "
             "ffmpeg -v error -f image2pipe -c:v pam -i - -f rawvideo -pix_fmt rgb24 out.rgb")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertEqual(os.path.getsize(self.path("out.rgb")), 5 * 128 * 96 * 3)

@@ -26,14 +26,23 @@ finish() {
 trap finish EXIT
 trap 'exit 1' INT TERM
 failed() { echo "FAILED: $*"; exit 1; }
-# A step that depends on the network and on how busy the machine is: skipped unless it is done in time.
+# Ends the test for want of something: without a result, or, once the package itself was tested, as done.
+tested=
+skipped() {
+    [ -z "$tested" ] || { echo "left out: $*"; exit 0; }
+    tail -n 5 "$work/log"
+    echo "skipped: $*"
+    exit 77
+}
+# A step that depends on the network and on how busy the machine is: skipped unless it is done so many
+# seconds after the test began.
+seconds=${DDT_TEST_SECONDS:-240}
 within_time() {
-    local code=0 left=$((${DDT_TEST_SECONDS:-240} - SECONDS))
+    local code=0 left=$((seconds - SECONDS))
     timeout -k 5 $((left > 0 ? left : 1)) "$@" >"$work/log" 2>&1 || code=$?
-    [ $code != 124 ] || { echo "skipped: takes too long here: $*"; exit 77; }
+    [ $code != 124 ] || skipped "takes too long here: $*"
     return $code
 }
-skipped() { tail -n 5 "$work/log"; echo "skipped: $*"; exit 77; }
 
 cpack --config "$build_dir/CPackConfig.cmake" -B "$work/cpack" >"$work/log" 2>&1 ||
     { cat "$work/log"; exit 1; }
@@ -78,13 +87,7 @@ diff <(echo "$before") <(traces) || failed "apt remove leaves these"
 echo "installed, used, removed without a trace: oiio-ddt"
 
 # What follows adds to that, if there is time: on a busy machine there is not.
-skipped() { echo "left out: $*"; exit 0; }
-within_time() {
-    local code=0 left=$((${DDT_TEST_SECONDS:-160} - SECONDS))
-    timeout -k 5 $((left > 0 ? left : 1)) "$@" >"$work/log" 2>&1 || code=$?
-    [ $code != 124 ] || skipped "for want of time: $*"
-    return $code
-}
+tested=yes seconds=${DDT_TEST_SECONDS:-160}
 apt install "$package" || { tail -n 30 "$work/log"; failed "apt install again"; }
 installed=(oiio-ddt)
 for host in "${others[@]}"; do

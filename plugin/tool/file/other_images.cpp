@@ -23,6 +23,7 @@ void look_at(const std::string& path, Look&& look) {
         OIIO::geterror();
 }
 
+/// What the reader says of it, where that is so: a file's own texts may be metadata of that name.
 int count_images(OIIO::ImageInput& input) {
     const OIIO::ParamValue* const told =
         input.spec().find_attribute("oiio:subimages", OIIO::TypeInt);

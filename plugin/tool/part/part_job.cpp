@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/part/part_job.h"
 
+#include <algorithm>
 #include <set>
 
 #include "plugin/message/format.h"

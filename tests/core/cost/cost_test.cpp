@@ -154,10 +154,5 @@ TEST(Cost, DispatchCallsTheOneAskedFor) {
     EXPECT_NEAR(of(Cost::dp), 4.0f / std::sqrt(1.04f), 1e-6f);
 }
 
-TEST(Cost, DefaultMinGain) {
-    EXPECT_EQ(traits(Cost::abn).min_gain, 5e-3f);
-    EXPECT_EQ(traits(Cost::scf).min_gain, 1e-6f);
-}
-
 } // namespace
 } // namespace ddt::test

@@ -12,6 +12,7 @@
 #include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"
 #include "tests/core/job_helpers.h"
+#include "tests/core/surface/make_edges.h"
 #include "tests/core/turned.h"
 #include "tests/many_threads.h"
 

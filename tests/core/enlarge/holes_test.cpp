@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Job::holes: as fill_holes() and then as any other picture.
 #include <cmath>
+#include <utility>
 
 #include "core/enlarge/fill.h"
 #include "core/enlarge/membrane.h"
 #include "tests/core/helpers.h"
+#include "tests/core/job_helpers.h"
 #include "tests/many_threads.h"
 
 namespace ddt::test {
@@ -13,123 +15,97 @@ namespace {
 constexpr int width = 90, height = 70, channels = 3;
 constexpr int left = -7, top = 11; // of the window
 
-class Plain final : public Source {
-public:
-    bool read(const Rect& r, float* v, float* g) override {
-        for (int y = r.y0; y < r.y1; ++y)
-            for (int x = r.x0; x < r.x1; ++x) {
-                const size_t i = size_t(y - top) * width + size_t(x - left);
-                v = std::copy_n(&values[i * channels], channels, v);
-                *g++ = guide[i];
-            }
-        return true;
-    }
-    std::vector<float> values, guide;
-};
-
-class Kept final : public Sink {
-public:
-    bool write(const Rect& r, float* v) override {
-        for (int y = r.y0; y < r.y1; ++y)
-            for (int x = r.x0; x < r.x1; ++x, v += channels)
-                std::copy_n(v, channels, &values[(size_t(y) * 2 * width + size_t(x)) * channels]);
-        return true;
-    }
-    std::vector<float> values = std::vector<float>(4 * width * height * channels);
-};
-
-ResizeMapping::Axis axis(int from, int size) {
-    ResizeMapping::Axis a = ResizeMapping::Axis::whole(size, 2 * size);
-    a.from0 = a.window0 = from;
-    a.window1 = from + size;
-    return a;
-}
-
 /// Twice as large.
-Outcome twice(Source& source, Holes holes, Device device, std::vector<float>& result,
+Outcome twice(TestSource& source, Holes holes, Device device, std::vector<float>& result,
               std::string& error, const ProgressCallback& progress = {}, int threads = 0) {
     Job job;
-    job.window = {left, top, left + width, top + height};
+    job.window = source.window();
     job.channels = channels;
     job.kinds = {Channel::blend, Channel::nearest, Channel::alpha};
     job.holes = holes;
     job.device = device;
     job.progress = progress;
     job.threads = threads;
-    Kept sink;
+    const Rect out{0, 0, 2 * width, 2 * height};
+    TestSink sink(out, channels);
     const Outcome outcome =
-        enlarge(source, sink, ResizeMapping(axis(left, width), axis(top, height)), job, &error);
-    result = sink.values;
+        enlarge(source, sink, mapping_of(source.window(), out, out), job, &error);
+    result = sink.values();
     return outcome;
 }
 
-Plain picture() {
+TestSource source_of(std::vector<float> values, std::vector<float> guide) {
+    return TestSource({left, top, left + width, top + height}, channels, std::move(values),
+                      std::move(guide));
+}
+
+TestSource picture() {
     Random random(7);
-    Plain p;
+    std::vector<float> values, guide;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const float v = (3 * x + 5 * y) % 41 < 17 ? 0.9f : 0.01f * float(random.below(30));
-            p.values.insert(p.values.end(), {v, float(x / 7), 1.0f});
-            p.guide.push_back(v);
+            values.insert(values.end(), {v, float(x / 7), 1.0f});
+            guide.push_back(v);
         }
-    return p;
+    return source_of(std::move(values), std::move(guide));
 }
 
 TEST(JobHoles, AreFilledAsFillHolesDoesAndTheMeshSeesThemSo) {
-    Plain holed = picture();
+    TestSource holed = picture();
     for (int y = 20; y < 41; ++y)
         for (int x = 30; x < 49; ++x) {
-            holed.values[size_t(y * width + x) * channels] = std::nanf("");
-            holed.guide[size_t(y * width + x)] = std::nanf("");
+            holed.values()[size_t(y * width + x) * channels] = std::nanf("");
+            holed.guide()[size_t(y * width + x)] = std::nanf("");
         }
     // In a corner, where there are no triangles: as the nearest pixel, its guide too.
     for (int y = 63; y < height; ++y)
         for (int x = 0; x < 9; ++x) {
-            holed.values[size_t(y * width + x) * channels] = std::nanf("");
-            holed.guide[size_t(y * width + x)] = std::nanf("");
+            holed.values()[size_t(y * width + x) * channels] = std::nanf("");
+            holed.guide()[size_t(y * width + x)] = std::nanf("");
         }
     for (int y = 50; y < 61; ++y)
         for (int x = 30; x < 46; ++x) {
-            holed.values[size_t(y * width + x) * channels + 1] = -1;
-            holed.values[size_t(y * width + x) * channels + 2] = 0;
+            holed.values()[size_t(y * width + x) * channels + 1] = -1;
+            holed.values()[size_t(y * width + x) * channels + 2] = 0;
         }
-    holed.values[5 * channels + 2] = 0;             // alpha
-    holed.values[9 * channels + 1] = std::nanf(""); // an ID is what it is
+    holed.values()[5 * channels + 2] = 0;             // alpha
+    holed.values()[9 * channels + 1] = std::nanf(""); // an ID is what it is
     for (const Holes holes : {Holes::fill, Holes::fill_alpha}) {
-        Plain filled = holed;
+        TestSource filled = source_of(holed.values(), holed.guide());
         std::string error;
         ASSERT_TRUE(fill_missing(
-            {filled.values.data(), filled.guide.data(), filled.guide.data(), width, height,
+            {filled.values().data(), filled.guide().data(), filled.guide().data(), width, height,
              channels, std::vector{Channel::blend, Channel::nearest, Channel::alpha}.data()},
             holes, MeshOptions(), Device::cpu, {}, nullptr, error))
             << error;
-        for (size_t i = 0; i < filled.guide.size(); ++i) {
-            EXPECT_TRUE(std::isfinite(filled.guide[i]));
-            EXPECT_TRUE(std::isfinite(filled.values[i * channels]));
+        for (size_t i = 0; i < filled.guide().size(); ++i) {
+            EXPECT_TRUE(std::isfinite(filled.guide()[i]));
+            EXPECT_TRUE(std::isfinite(filled.values()[i * channels]));
         }
         // IDs are those of the hole's rim, none between two and no other channel's number.
         for (int y = 50; y < 61; ++y)
             for (int x = 30; x < 46 && holes == Holes::fill_alpha; ++x) {
-                const float id = filled.values[size_t(y * width + x) * channels + 1];
+                const float id = filled.values()[size_t(y * width + x) * channels + 1];
                 EXPECT_EQ(id, std::floor(id));
                 EXPECT_TRUE(id >= 29 / 7 && id <= 46 / 7) << x << ' ' << y << ": " << id;
             }
-        EXPECT_EQ(filled.values[5 * channels + 2], holes == Holes::fill ? 0.0f : 1.0f);
-        EXPECT_TRUE(std::isnan(filled.values[9 * channels + 1]));
-        filled.values[9 * channels + 1] = holed.values[9 * channels + 1] = 4;
+        EXPECT_EQ(filled.values()[5 * channels + 2], holes == Holes::fill ? 0.0f : 1.0f);
+        EXPECT_TRUE(std::isnan(filled.values()[9 * channels + 1]));
+        filled.values()[9 * channels + 1] = holed.values()[9 * channels + 1] = 4;
         std::vector<float> a, b;
         ASSERT_EQ(twice(holed, holes, Device::cpu, a, error), Outcome::done) << error;
         ASSERT_EQ(twice(filled, Holes::keep, Device::cpu, b, error), Outcome::done) << error;
         EXPECT_EQ(a, b);
-        holed.values[9 * channels + 1] = std::nanf("");
+        holed.values()[9 * channels + 1] = std::nanf("");
     }
 }
 
 TEST(JobHoles, ProgressRisesAndCancelsAtAnyCall) {
-    Plain holed = picture();
+    TestSource holed = picture();
     for (int y = 20; y < 41; ++y)
         for (int x = 30; x < 49; ++x)
-            holed.values[size_t(y * width + x) * channels] = std::nanf("");
+            holed.values()[size_t(y * width + x) * channels] = std::nanf("");
     const ManyThreads allowed;
     std::vector<float> shares;
     // Returns the outcome; `last`: the call that cancels.
@@ -161,7 +137,7 @@ TEST(JobHoles, ProgressRisesAndCancelsAtAnyCall) {
     EXPECT_LT(shares[0], 0.02f);
     EXPECT_GE(std::count_if(shares.begin(), shares.end(), [](float s) { return s < 0.02f; }), 3);
     // Where nothing is missing nothing is said to have been filled.
-    holed = picture();
+    holed.values() = picture().values();
     ASSERT_EQ(run(Holes::fill, SIZE_MAX, watched, error), Outcome::done) << error;
     ASSERT_EQ(shares.size(), 3u); // two bands of rows, and the tile
     EXPECT_LT(shares[1], 0.02f);

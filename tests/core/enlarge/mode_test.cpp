@@ -118,21 +118,6 @@ std::vector<float> result_of_mesh() {
     return vertices;
 }
 
-TEST(Draw, DenormalsAreZero) {
-    const PointMesh mesh{{0, 4, 0}, {0, 0, 4}, {{0, 1, 2}}};
-    const float values[] = {1e-40f, 1e-40f, 1e-38f};
-    float drawn[16];
-    uint8_t inside[16];
-    ASSERT_TRUE(draw(mesh, values, 1, {0, 0, 1, 1, 4, 4}, drawn, inside));
-    int covered = 0;
-    for (int i = 0; i < 16; ++i)
-        if (inside[i]) {
-            ++covered;
-            EXPECT_EQ(bits_of(drawn[i]), 0u) << i;
-        }
-    EXPECT_GE(covered, 6);
-}
-
 /// Whether a result is the same however the host has floats computed, and the host's mode is what
 /// it was.
 template <class Result>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // ddt-sharp and its options on whole pictures.
 #include "ddt/core.h"
+#include "tests/core/helpers.h"
 #include "tests/core/job_helpers.h"
-#include "tests/core/surface/slow_surface.h"
 #include "tests/many_threads.h"
 
 namespace ddt::test {

@@ -63,11 +63,11 @@ private:
 CodeTable rounding_table() {
     CodeTable table;
     table.shift = 14;
-    const auto border = [](int code) { return test::bits_of(float((code - 0.5) / 255)); };
+    const auto border = [](int code) { return bits_of(float((code - 0.5) / 255)); };
     const auto pieces_at = [&](uint32_t bits) { return bits >> table.shift; };
     table.first = pieces_at(border(1));
-    table.lowest = test::float_of(table.first << table.shift);
-    table.top = test::float_of(border(255));
+    table.lowest = float_of(table.first << table.shift);
+    table.top = float_of(border(255));
     int code = 0;
     for (uint32_t piece = table.first; piece <= pieces_at(border(255)); ++piece) {
         const bool has_border = code < 255 && pieces_at(border(code + 1)) == piece;

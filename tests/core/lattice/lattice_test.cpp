@@ -163,15 +163,6 @@ TEST(Lattice, RegionIsTheTrianglesAroundAndSymmetric) {
     });
 }
 
-TEST(Lattice, RegionHasTwelveEdgesAwayFromTheRim) {
-    Lattice lattice;
-    const auto guide = make_guide(Kind::flat, 12, 12, 1);
-    lattice.start(12, 12, guide.data(), false);
-    std::set<int> region;
-    lattice.each_of_region(lattice.site(11, 11), [&](int m) { region.insert(m); });
-    EXPECT_EQ(region.size(), 12u);
-}
-
 TEST(Lattice, OuterApexIsTheOtherEndBeyondTheSide) {
     each_start([](Lattice& lattice, Random& random) {
         flip_at_random(lattice, 100, random);

@@ -2,7 +2,9 @@
 #include "core/sample/evaluate_phases.h"
 
 #include "core/lattice/crossed_search.h"
+#include "tests/core/helpers.h"
 #include "tests/core/sample/surface_reader.h"
+#include "tests/core/surface/scene.h"
 
 namespace ddt::test {
 namespace {

@@ -6,7 +6,10 @@
 
 #include "core/base/float_mode.h"
 #include "core/triangulate/triangulate.h"
+#include "tests/core/helpers.h"
 #include "tests/core/sample/surface_reader.h"
+#include "tests/core/surface/scene.h"
+#include "tests/core/surface/slow_surface.h"
 
 namespace ddt::test {
 namespace {

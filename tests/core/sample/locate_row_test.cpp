@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/lattice/locate.h"
+#include "tests/core/helpers.h"
 #include "tests/core/sample/surface_reader.h"
+#include "tests/core/surface/scene.h"
 
 namespace ddt::test {
 namespace {

@@ -7,7 +7,8 @@
 #include "core/base/float_mode.h"
 #include "core/sample/evaluate.h"
 #include "tests/core/helpers.h"
-#include "tests/core/surface/slow_surface.h"
+#include "tests/core/surface/make_edges.h"
+#include "tests/core/surface/scene.h"
 
 namespace ddt::test {
 

@@ -2,7 +2,7 @@
 #include "core/surface/fan_rows.h"
 
 #include "tests/core/lattice/flipped_meshes.h"
-#include "tests/core/surface/slow_surface.h"
+#include "tests/core/surface/scene.h"
 
 namespace ddt::test {
 namespace {

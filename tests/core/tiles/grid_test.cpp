@@ -157,10 +157,5 @@ TEST(Grid, AJobGoesThroughTilesThatAreShown) {
     EXPECT_EQ(told, std::vector<float>{1});
 }
 
-TEST(Grid, TheConstantsResultsDependOn) {
-    EXPECT_EQ(tile_size, 256);
-    EXPECT_EQ(tile_halo, 32);
-}
-
 } // namespace
 } // namespace ddt::test

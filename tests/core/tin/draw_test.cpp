@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/float_bits.h"
 #include "ddt/points.h"
 
 namespace ddt::test {
@@ -103,6 +104,21 @@ TEST(Draw, SizesThatCannotBe) {
     EXPECT_FALSE(draw(mesh, values.data(), 0, {0, 0, 1, 1, 1, 1}, &pixel, &inside));
     EXPECT_EQ(pixel, 7);
     EXPECT_EQ(inside, 7);
+}
+
+TEST(Draw, DenormalsAreZero) {
+    const PointMesh mesh{{0, 4, 0}, {0, 0, 4}, {{0, 1, 2}}};
+    const float values[] = {1e-40f, 1e-40f, 1e-38f};
+    float drawn[16];
+    uint8_t inside[16];
+    ASSERT_TRUE(draw(mesh, values, 1, {0, 0, 1, 1, 4, 4}, drawn, inside));
+    int covered = 0;
+    for (int i = 0; i < 16; ++i)
+        if (inside[i]) {
+            ++covered;
+            EXPECT_EQ(bits_of(drawn[i]), 0u) << i;
+        }
+    EXPECT_GE(covered, 6);
 }
 
 } // namespace

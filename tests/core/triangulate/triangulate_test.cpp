@@ -275,8 +275,8 @@ TEST(Triangulate, AGuideOfAnyNumbersEndsInAMesh) {
     Random random(12);
     const float inf = std::numeric_limits<float>::infinity();
     const float odd[] = {inf, -inf, std::nanf(""), 1e38f, -1e38f, 3e38f, 1e-40f, 0.0f, 1.0f};
-    for (const Scheme scheme : {Scheme::one_round, Scheme::lawson})
-        for (const Cost cost : {Cost::abn, Cost::scf}) {
+    for (const Scheme scheme : all_schemes)
+        for (const Cost cost : all_costs) {
             const auto guide = fill(400, [&] { return odd[random.below(9)]; });
             const Result r = run(guide, 20, 20, options_of(scheme, cost));
             EXPECT_TRUE(is_triangulation(r.lattice));

@@ -43,8 +43,8 @@ std::vector<float> exactly(const std::string& space, std::vector<float> x, bool 
 /// Numbers all over 0 to 1, as densely near 0 as near 1, and some past it.
 std::vector<float> sweep() {
     std::vector<float> x{0.0f};
-    for (uint32_t u = ddt::test::bits_of(0x1p-20f); u < ddt::test::bits_of(1.25f); u += 97)
-        x.push_back(ddt::test::float_of(u));
+    for (uint32_t u = ddt::bits_of(0x1p-20f); u < ddt::bits_of(1.25f); u += 97)
+        x.push_back(ddt::float_of(u));
     return x;
 }
 

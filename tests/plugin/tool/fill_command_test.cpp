@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <thread>
 
 #include <fcntl.h>
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "plugin/tool/commands.h"
+#include "tests/plugin/tool/load_image.h"
 #include "tests/plugin/tool/run_command.h"
 #include "tests/plugin/tool/several_types.h"
 #include "tests/temporary.h"
@@ -20,6 +22,39 @@ namespace {
 
 using OIIO::ImageBuf;
 using OIIO::ImageSpec;
+
+TEST(FillCommand, FillsWhatIsMissingAndNothingElse) {
+    OIIO::ImageBuf image(OIIO::ImageSpec(12, 9, 4, OIIO::TypeFloat));
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    for (int y = 0; y < 9; ++y)
+        for (int x = 0; x < 12; ++x) {
+            const float plain[4] = {0.05f * float(x), 0.1f * float(y), 0.5f, 1};
+            image.setpixel(x, y, plain);
+        }
+    const OIIO::ImageBuf whole = image;
+    const float hole[4] = {nan, nan, nan, nan}, clear[4] = {0, 0, 0, 0};
+    const float lacks_red[4] = {nan, 0.3f, 0.7f, 1};
+    for (int x = 4; x < 7; ++x)
+        image.setpixel(x, 4, hole);
+    image.setpixel(2, 2, lacks_red);
+    image.setpixel(9, 6, clear);
+    const std::string in = temporary("holes.exr"), out = temporary("filled.exr");
+    ASSERT_TRUE(image.write(in));
+    for (const bool alpha : {false, true}) {
+        const Ran ran = run(make_fill_command(), {in, out, "--missing", alpha ? "alpha" : "nan"});
+        ASSERT_EQ(ran.code, exit_done) << ran.err;
+        const OIIO::ImageBuf filled = load(out);
+        for (int y = 0; y < 9; ++y)
+            for (int x = 0; x < 12; ++x)
+                for (int c = 0; c < 4; ++c) {
+                    const bool was_clear = x == 9 && y == 6, lacked = x == 2 && y == 2;
+                    const float wanted = was_clear && !alpha ? 0.0f
+                                         : lacked && c > 0   ? lacks_red[c]
+                                                             : whole.getchannel(x, y, 0, c);
+                    EXPECT_NEAR(filled.getchannel(x, y, 0, c), wanted, 1e-6) << x << " " << y;
+                }
+    }
+}
 
 TEST(FillCommand, ChannelsKeepTheirTypes) {
     const std::string in = file_of_several_types(), out = temporary("several_types_filled.exr");

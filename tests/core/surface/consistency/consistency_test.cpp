@@ -4,6 +4,8 @@
 #include "core/base/float_mode.h"
 #include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"
+#include "tests/core/surface/make_edges.h"
+#include "tests/core/surface/scene.h"
 #include "tests/core/surface/slow_surface.h"
 
 namespace ddt::test {

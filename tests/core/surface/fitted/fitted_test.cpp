@@ -10,7 +10,8 @@
 #include "core/triangulate/triangulate.h"
 #include "ddt/option_table.h"
 #include "tests/core/helpers.h"
-#include "tests/core/surface/slow_surface.h"
+#include "tests/core/surface/make_edges.h"
+#include "tests/core/surface/scene.h"
 
 namespace ddt::test {
 namespace {
