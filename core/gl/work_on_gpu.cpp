@@ -60,8 +60,8 @@ Runner::Runner(Gpu& gpu, const TiledJob& tiled, Transfer transfer, JobState& sta
       m_job(tiled.job), m_grid(tiled.grid), m_state(state), m_threads(tiled.threads),
       m_shape(shape_for(m_job.window)), m_meshes(m_job.mesh.meshes),
       m_transfer(std::move(transfer)),
-      m_in_flight(affordable_tiles(gpu, m_shape, group_count(m_job.channels), m_job.surface,
-                                   m_grid.count(), m_meshes)),
+      m_in_flight(affordable_tiles(gpu, m_shape, group_count(m_job.channels), m_job.mesh,
+                                   m_job.surface, m_grid.count())),
       m_most_strips(most_strips(m_job, m_grid, m_mapping)), m_strips_a_write(m_most_strips / 3),
       m_counting(m_job.statistics || verbose()) {}
 
