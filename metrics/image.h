@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What metrics compare: values in the units of the display, 0 black to 255 white.
+// What metrics compare: values in the units of the display, 0 black to 255 white. Two planes or
+// images that are compared with one another have one width and one height (but of overshoot()),
+// which whoever compares them has to see to.
 #pragma once
 
 #include <cstddef>

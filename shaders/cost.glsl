@@ -5,9 +5,43 @@
 
 #ifdef ANY_AREAS
 #define AREAS , float area_a, float area_b
+#define PASS_AREAS , area_a, area_b
 #else
 #define AREAS
+#define PASS_AREAS
 #endif
+
+// (D1 x + D2 y) for the doubled areas of the triangles.
+float weighted(float x, float y AREAS) {
+#ifdef ANY_AREAS
+    precise float sum = (area_a * x) + (area_b * y);
+#else
+    precise float sum = x + y;
+#endif
+    return sum;
+}
+// x (D1 + D2) / 2
+float times_mean(float x AREAS) {
+#ifdef ANY_AREAS
+    precise float product = x * (0.5 * (area_a + area_b));
+    return product;
+#else
+    return x;
+#endif
+}
+// |g1 - g2|
+float jump(float ax, float ay, float bx, float by) {
+    precise float dx = ax - bx, dy = ay - by;
+    precise float square = (dx * dx) + (dy * dy);
+    precise float size = square * rsqrt(3, square);
+    return size;
+}
+// x / |e|
+float over_length(float x, float ex, float ey) {
+    precise float square = (ex * ex) + (ey * ey);
+    precise float quotient = x * rsqrt(3, square);
+    return quotient;
+}
 
 #if defined(COST_abn)
 
@@ -40,7 +74,7 @@ float between(Face a, Face b, float ex, float ey AREAS) {
     return cost;
 }
 
-#elif defined(COST_jnd) || defined(COST_dlp)
+#elif defined(COST_jnd)
 
 struct Face {
     float x, y;
@@ -49,17 +83,19 @@ Face face(float gx, float gy) {
     return Face(gx, gy);
 }
 float between(Face a, Face b, float ex, float ey AREAS) {
-    precise float dx = a.x - b.x, dy = a.y - b.y;
-    precise float square = (dx * dx) + (dy * dy);
-    precise float cost = square * rsqrt(3, square);
-#ifdef COST_dlp
-    precise float along = (ex * ex) + (ey * ey);
-    cost = cost * rsqrt(3, along);
-#ifdef ANY_AREAS
-    cost = cost * (0.5 * (area_a + area_b));
-#endif
-#endif
-    return cost;
+    return jump(a.x, a.y, b.x, b.y);
+}
+
+#elif defined(COST_dlp)
+
+struct Face {
+    float x, y;
+};
+Face face(float gx, float gy) {
+    return Face(gx, gy);
+}
+float between(Face a, Face b, float ex, float ey AREAS) {
+    return times_mean(over_length(jump(a.x, a.y, b.x, b.y), ex, ey) PASS_AREAS);
 }
 
 #elif defined(COST_dp)
@@ -72,14 +108,8 @@ Face face(float gx, float gy) {
     return Face(gx, gy, rsqrt(3, square));
 }
 float between(Face a, Face b, float ex, float ey AREAS) {
-    precise float dx = a.x - b.x, dy = a.y - b.y;
-    precise float square = (dx * dx) + (dy * dy), along = (ex * ex) + (ey * ey);
-    precise float vertical = (square * rsqrt(3, square)) * rsqrt(3, along);
-#ifdef ANY_AREAS
-    precise float cost = vertical * ((area_a * b.r) + (area_b * a.r));
-#else
-    precise float cost = vertical * (b.r + a.r);
-#endif
+    precise float cost = over_length(jump(a.x, a.y, b.x, b.y), ex, ey) *
+                         weighted(b.r, a.r PASS_AREAS);
     return cost;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a vertex' pixels are like. C++ twin: the second half of VertexFeatures::find() in
-// core/surface/fitted/features-inl.h, whose sums are in the same order. After fitted.glsl.
+// What a vertex' pixels are like. C++ twin: core/surface/fitted/features-inl.h, whose sums are in
+// the same order. After fitted.glsl.
 
 // The pixels of a group and two about them. (An array of its own for each invocation would be in
 // memory on GPUs: registers have no indices.)
@@ -21,7 +21,7 @@ vec4 near(int i) {
                       int(gl_LocalInvocationID.x) + i % 5];
 }
 
-// Their range, and 1 / (25 times that).
+// The range of the 5x5 pixels about a vertex, and 1 / (25 times that).
 struct Surroundings {
     vec4 low, high, reciprocal;
 };

@@ -39,6 +39,18 @@ template <class T>
 DDT_INLINE T times_mean(T x, Doubled<T> d) {
     return x * (T(0.5f) * (d.a + d.b));
 }
+/// |g1 - g2|
+template <class T>
+DDT_INLINE T jump(T ax, T ay, T bx, T by) {
+    const T dx = ax - bx, dy = ay - by;
+    const T square = (dx * dx) + (dy * dy);
+    return square * rsqrt<3>(square);
+}
+/// x / |e|
+template <class T>
+DDT_INLINE T over_length(T x, T ex, T ey) {
+    return x * rsqrt<3>((ex * ex) + (ey * ey));
+}
 
 /// Angle between normals (DLR): 1 - cos of the angle between (g1, s) and (g2, s); 0 to 2.
 /// s = cost_slope, 0.2, is the slope, in guide units a pixel, that counts as 45 degrees.
@@ -83,9 +95,7 @@ struct Jnd {
     static DDT_INLINE Face face(T gx, T gy) { return {gx, gy}; }
     template <class Areas = Unimodular>
     static DDT_INLINE T between(const Face& a, const Face& b, T, T, Areas = {}) {
-        const T dx = a.x - b.x, dy = a.y - b.y;
-        const T square = (dx * dx) + (dy * dy);
-        return square * rsqrt<3>(square);
+        return jump(a.x, a.y, b.x, b.y);
     }
 };
 
@@ -97,8 +107,7 @@ struct Dlp {
     static DDT_INLINE Face face(T gx, T gy) { return {gx, gy}; }
     template <class Areas = Unimodular>
     static DDT_INLINE T between(const Face& a, const Face& b, T ex, T ey, Areas areas = {}) {
-        const T across = rsqrt<3>((ex * ex) + (ey * ey));
-        return times_mean(Jnd<T>::between(a, b, ex, ey, areas) * across, areas);
+        return times_mean(over_length(jump(a.x, a.y, b.x, b.y), ex, ey), areas);
     }
 };
 
@@ -114,8 +123,6 @@ struct Dp {
     }
     template <class Areas = Unimodular>
     static DDT_INLINE T between(const Face& a, const Face& b, T ex, T ey, Areas areas = {}) {
-        const T jump = Jnd<T>::between({a.x, a.y}, {b.x, b.y}, ex, ey);
-        const T vertical = jump * rsqrt<3>((ex * ex) + (ey * ey));
-        return vertical * weighted(b.r, a.r, areas);
+        return over_length(jump(a.x, a.y, b.x, b.y), ex, ey) * weighted(b.r, a.r, areas);
     }
 };

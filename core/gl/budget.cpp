@@ -51,16 +51,16 @@ SlotShape shape_for(const Rect& window) {
     return {along(window.width()), along(window.height())};
 }
 
-size_t affordable_tiles(const Gpu& gpu, const SlotShape& shape, int groups,
-                        const SurfaceOptions& options, int tiles, int meshes) {
-    const auto slots = size_t(meshes); // a tile
+size_t affordable_tiles(const Gpu& gpu, const SlotShape& shape, int groups, const MeshOptions& mesh,
+                        const SurfaceOptions& surface, int tiles) {
+    const auto slots = size_t(mesh.meshes); // a tile
     // The tile's numbers as they travel, at most.
     const size_t numbers = Numbers().room(shape.pixels() * size_t(groups * group_size));
     const size_t a_tile =
-        slots * (DeviceMesh::bytes(shape) + Surfaces::bytes(shape, size_t(groups), options)) +
+        slots * (DeviceMesh::bytes(shape, mesh) + Surfaces::bytes(shape, size_t(groups), surface)) +
         numbers;
     const size_t largest = std::max(
-        slots * std::max(DeviceMesh::largest_bytes(shape), Surfaces::largest_bytes(shape, options)),
+        slots * std::max(DeviceMesh::largest_bytes(shape), Surfaces::largest_bytes(shape, surface)),
         numbers);
     if (largest > gpu.block_limit)
         throw Failure("a tile takes " + std::to_string(largest) + " bytes of one buffer, and " +

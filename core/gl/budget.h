@@ -13,7 +13,7 @@ SlotShape shape_for(const Rect& window);
 /// memory, its storage blocks, the host's memory for what travels and a dispatch have room for; at
 /// least 1. Throws Failure if one does not fit a storage block, or does not fit the memory of a
 /// device that is no software renderer.
-size_t affordable_tiles(const Gpu& gpu, const SlotShape& shape, int groups,
-                        const SurfaceOptions& options, int tiles, int meshes = 1);
+size_t affordable_tiles(const Gpu& gpu, const SlotShape& shape, int groups, const MeshOptions& mesh,
+                        const SurfaceOptions& surface, int tiles);
 
 } // namespace ddt::gl

@@ -16,19 +16,59 @@ struct Batch {
     GLint extent[max_tiles][4], served[max_tiles][4];
 };
 
+/// Bytes of a tile in each buffer.
+size_t bytes_of(MeshPart part, const SlotShape& shape) {
+    switch (part) {
+    case MeshPart::sites:
+        return shape.sites() * 8;
+    case MeshPart::encoded:
+        return guide_room(shape.pixels());
+    case MeshPart::guide:
+        return shape.pixels() * 4;
+    case MeshPart::contours:
+        return shape.sites() * 2;
+    case MeshPart::gain:
+        return shape.sites() * 4;
+    case MeshPart::list0:
+    case MeshPart::list1:
+        return shape.edges() * 4;
+    case MeshPart::blocked_even:
+    case MeshPart::blocked_odd:
+        return shape.waiting_bytes();
+    case MeshPart::work:
+        return counts_bytes;
+    case MeshPart::marks: // behind those of all tiles, a tile's progress
+        return (shape.sites() + size_t(progress_size)) * 4;
+    case MeshPart::count:
+        break;
+    }
+    return 0;
+}
+
+/// Whether there are marks where meshes are made so.
+bool with_marks(const MeshOptions& options) {
+    return DeviceMesh::knows(options) && find_rules(options);
+}
+
+template <class F>
+void each_part(F f) {
+    for (int i = 0; i < int(MeshPart::count); ++i)
+        f(MeshPart(i));
+}
+
 } // namespace
 
 DeviceMesh::DeviceMesh(Gpu& gpu, const SlotShape& shape, int tiles)
     : m_gpu(gpu), m_gl(gpu.context->gl), m_shape(shape), m_capacity(tiles),
-      m_batch(m_gl, sizeof(Batch)), m_sites(m_gl, shape.sites() * 8 * size_t(tiles)),
-      m_encoded(m_gl, guide_room(shape.pixels()) * size_t(tiles)),
-      m_guide(m_gl, shape.pixels() * 4 * size_t(tiles)),
-      m_contours(m_gl, shape.sites() * 2 * size_t(tiles)),
-      m_gain(m_gl, shape.sites() * 4 * size_t(tiles)),
-      m_list0(m_gl, shape.edges() * 4 * size_t(tiles)),
-      m_list1(m_gl, shape.edges() * 4 * size_t(tiles)),
-      m_blocked_even(m_gl, shape.waiting_bytes() * size_t(tiles)),
-      m_blocked_odd(m_gl, shape.waiting_bytes() * size_t(tiles)), m_work(m_gl, work_bytes(tiles)) {}
+      m_batch(m_gl, sizeof(Batch)), m_sites(m_gl, bytes_of_all(MeshPart::sites)),
+      m_encoded(m_gl, bytes_of_all(MeshPart::encoded)),
+      m_guide(m_gl, bytes_of_all(MeshPart::guide)),
+      m_contours(m_gl, bytes_of_all(MeshPart::contours)),
+      m_gain(m_gl, bytes_of_all(MeshPart::gain)), m_list0(m_gl, bytes_of_all(MeshPart::list0)),
+      m_list1(m_gl, bytes_of_all(MeshPart::list1)),
+      m_blocked_even(m_gl, bytes_of_all(MeshPart::blocked_even)),
+      m_blocked_odd(m_gl, bytes_of_all(MeshPart::blocked_odd)),
+      m_work(m_gl, counts_offset + bytes_of_all(MeshPart::work)) {}
 
 TileSize size_in_slot(const Tile& tile, const Rect& window, int width, int height) {
     const Rect &c = tile.cells, &p = tile.pixels;
@@ -36,12 +76,23 @@ TileSize size_in_slot(const Tile& tile, const Rect& window, int width, int heigh
             c.x1 - p.x0, c.y1 - p.y0, p.x0 - window.x0, p.y0 - window.y0};
 }
 
-size_t DeviceMesh::bytes(const SlotShape& shape) {
-    return shape.sites() * 14 + shape.pixels() * 8 + shape.edges() * 8 + 2 * shape.waiting_bytes();
+size_t DeviceMesh::bytes_of_all(MeshPart part) const {
+    return bytes_of(part, m_shape) * size_t(m_capacity);
+}
+
+size_t DeviceMesh::bytes(const SlotShape& shape, const MeshOptions& options) {
+    size_t sum = 0;
+    each_part([&](MeshPart part) {
+        if (part != MeshPart::marks || with_marks(options))
+            sum += bytes_of(part, shape);
+    });
+    return sum;
 }
 
 size_t DeviceMesh::largest_bytes(const SlotShape& shape) {
-    return shape.sites() * 8;
+    size_t largest = 0;
+    each_part([&](MeshPart part) { largest = std::max(largest, bytes_of(part, shape)); });
+    return largest;
 }
 
 void DeviceMesh::set_tiles(const std::vector<TileSize>& sizes) {

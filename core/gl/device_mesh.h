@@ -52,6 +52,22 @@ struct Reach {
     uint32_t left = 1, upper = 1, right = 1, lower = 1; ///< of the starting mesh
 };
 
+/// What a DeviceMesh has a buffer of, in which each tile has a part.
+enum class MeshPart {
+    sites,
+    encoded, ///< guides as they travel
+    guide,
+    contours,
+    gain,
+    list0,
+    list1,
+    blocked_even,
+    blocked_odd,
+    work,
+    marks, ///< accept_reject.comp's, made where it is used
+    count
+};
+
 enum class Step;
 
 /// Iterations of one_round done by dispatches over all tiles; the rest by one group a tile
@@ -64,8 +80,8 @@ class DeviceMesh {
 public:
     DeviceMesh(Gpu& gpu, const SlotShape& shape, int tiles);
 
-    /// Device memory a tile takes, less what accept_reject alone has, and its largest buffer.
-    static size_t bytes(const SlotShape& shape);
+    /// Device memory a tile takes whose mesh is made so, and its largest part.
+    static size_t bytes(const SlotShape& shape, const MeshOptions& options);
     static size_t largest_bytes(const SlotShape& shape);
 
     /// Which tiles are in the slots.
@@ -118,6 +134,7 @@ public:
     void dispatch_over_sites();
 
 private:
+    size_t bytes_of_all(MeshPart part) const; ///< tiles
     // The steps of triangulate(), in device_mesh_schemes.cpp.
     void set_criterion(const Criterion& by);
     void find_contours();
@@ -148,7 +165,7 @@ private:
     std::vector<Statistics> m_before; ///< what annealing did before chance, a slot
     Buffer m_batch, m_sites, m_encoded, m_guide, m_contours, m_gain, m_list0, m_list1,
         m_blocked_even, m_blocked_odd, m_work;
-    std::unique_ptr<Buffer> m_marks;                   ///< accept_reject.comp's
+    std::unique_ptr<Buffer> m_marks;
     const Buffer *m_from = &m_list0, *m_to = &m_list1; ///< in turn
 };
 

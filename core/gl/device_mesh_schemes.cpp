@@ -139,11 +139,9 @@ void DeviceMesh::step(const char* shader, int iteration, Step step, const std::s
 }
 
 void DeviceMesh::accept_reject(const Rules& rules) {
-    // Behind the marks, a tile's progress.
     const size_t marks = m_shape.sites() * size_t(m_capacity), word = sizeof(uint32_t);
     if (!m_marks)
-        m_marks = std::make_unique<Buffer>(
-            m_gl, (marks + size_t(progress_size) * size_t(m_capacity)) * word);
+        m_marks = std::make_unique<Buffer>(m_gl, bytes_of_all(MeshPart::marks));
     m_marks->clear();
     bind_lists();
     m_marks->bind(Binding::marks);

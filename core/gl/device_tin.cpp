@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/gl/context/failure.h"
+#include "core/gl/guarded.h"
 #include "core/gl/offload.h"
 #include "core/tin/tin_mesh.h"
 #include "core/triangulate/annealing.h"
@@ -183,7 +184,7 @@ void DeviceTin::read_work(std::vector<TinFace>& faces, std::vector<float>& gains
 
 std::string flip_on_gpu(gl::Gpu& gpu, Tin& tin, const MeshOptions& options,
                         const Workspace& workspace, Statistics& statistics) {
-    try {
+    return gl::guarded_on(gpu, [&]() -> std::string {
         Statistics own = statistics;
         const auto drop = [&](gl::DeviceTin* device) {
             gpu.thread.call([device] { delete device; });
@@ -202,12 +203,7 @@ std::string flip_on_gpu(gl::Gpu& gpu, Tin& tin, const MeshOptions& options,
         gpu.thread.post([&] { device->read(tin); }).get();
         statistics = own;
         return {};
-    } catch (const gl::ContextLost& e) {
-        gpu.broken = true;
-        return e.what();
-    } catch (const gl::Failure& e) {
-        return e.what();
-    }
+    });
 }
 
 } // namespace ddt

@@ -16,8 +16,6 @@ constexpr size_t arguments_of(int iteration, Step step) {
 constexpr size_t reach_offset = arguments_of(most_iterations + 2, Step::evaluate);
 constexpr size_t counts_offset = reach_offset + sizeof(Reach) * max_tiles;
 
-constexpr size_t work_bytes(int tiles) {
-    return counts_offset + sizeof(IterationCounts) * size_t(most_iterations + 2) * size_t(tiles);
-}
+constexpr size_t counts_bytes = sizeof(IterationCounts) * size_t(most_iterations + 2); // a tile's
 
 } // namespace ddt::gl

@@ -7,6 +7,7 @@
 #include "core/base/parallel.h"
 #include "core/gl/budget.h"
 #include "core/gl/context/failure.h"
+#include "core/gl/guarded.h"
 #include "core/gl/job_programs.h"
 #include "core/gl/offload.h"
 #include "core/gl/programs.h"
@@ -59,8 +60,8 @@ Runner::Runner(Gpu& gpu, const TiledJob& tiled, Transfer transfer, JobState& sta
       m_job(tiled.job), m_grid(tiled.grid), m_state(state), m_threads(tiled.threads),
       m_shape(shape_for(m_job.window)), m_meshes(m_job.mesh.meshes),
       m_transfer(std::move(transfer)),
-      m_in_flight(affordable_tiles(gpu, m_shape, group_count(m_job.channels), m_job.surface,
-                                   m_grid.count(), m_meshes)),
+      m_in_flight(affordable_tiles(gpu, m_shape, group_count(m_job.channels), m_job.mesh,
+                                   m_job.surface, m_grid.count())),
       m_most_strips(most_strips(m_job, m_grid, m_mapping)), m_strips_a_write(m_most_strips / 3),
       m_counting(m_job.statistics || verbose()) {}
 
@@ -344,18 +345,16 @@ namespace ddt {
 
 std::string work_on_gpu(gl::Gpu& gpu, const TiledJob& tiled, JobState& state,
                         Statistics& statistics) {
-    const Job& job = tiled.job;
-    std::string failure;
-    try {
+    return gl::guarded_on(gpu, [&]() -> std::string {
+        const Job& job = tiled.job;
         gl::Transfer transfer = gl::transfer_of(tiled.source, tiled.sink, job);
         const auto begin = [&] {
             for (const gl::JobProgram& program : gl::job_programs(job, transfer))
                 gpu.programs->expect(program.file, program.macros);
             return gpu.checks.differs(gpu, job, transfer);
         };
-        failure = gpu.thread.post(begin).get();
-        if (!failure.empty())
-            return failure;
+        if (std::string difference = gpu.thread.post(begin).get(); !difference.empty())
+            return difference;
         gl::Runner runner(gpu, tiled, std::move(transfer), state);
         try {
             runner.work();
@@ -364,13 +363,8 @@ std::string work_on_gpu(gl::Gpu& gpu, const TiledJob& tiled, JobState& state,
             throw;
         }
         statistics += runner.statistics();
-    } catch (const gl::ContextLost& e) {
-        gpu.broken = true;
-        failure = e.what();
-    } catch (const gl::Failure& e) {
-        failure = e.what();
-    }
-    return failure;
+        return {};
+    });
 }
 
 } // namespace ddt

@@ -7,10 +7,10 @@
 
 #include <OpenImageIO/Imath.h>
 
+#include "core/base/constants.h"
+
 namespace ddt {
 namespace {
-
-constexpr double units = 65536; // positions' units in a pixel
 
 /// The map's derivative at (x, y), where its w is not 0.
 struct Derivative {
@@ -182,10 +182,10 @@ void MatrixMapping::row(int y, int x0, int x1, Position* positions, uint8_t* ins
             *positions = {};
             continue;
         }
-        positions->x =
-            int64_t(std::floor(clamp_position(sx - 0.5, m_window.x0, m_window.x1) * units + 0.5));
-        positions->y =
-            int64_t(std::floor(clamp_position(sy - 0.5, m_window.y0, m_window.y1) * units + 0.5));
+        positions->x = int64_t(
+            std::floor(clamp_position(sx - 0.5, m_window.x0, m_window.x1) * position_one + 0.5));
+        positions->y = int64_t(
+            std::floor(clamp_position(sy - 0.5, m_window.y0, m_window.y1) * position_one + 0.5));
     }
 }
 

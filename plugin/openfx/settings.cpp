@@ -14,7 +14,7 @@ namespace {
 constexpr const char* advanced = "advanced";
 
 constexpr double largest_scale = 1024;
-constexpr int largest_side = 1 << 20;
+constexpr int largest_output_side = 1 << 20;
 
 /// A parameter of the type with what all have; null where the host refuses it.
 Properties define(ParamSet set_, const char* type, const char* name, const char* label,
@@ -130,11 +130,11 @@ void define_parameters(ParamSet set_, bool zoom) {
         set_range(define(set_, "OfxParamTypeInteger", "width", "Width",
                          "Width of the result in pixels instead of a scale, the source's at least; "
                          "0: by the scale, or from the height"),
-                  0, 0, largest_side, 8192);
+                  0, 0, largest_output_side, 8192);
         set_range(define(set_, "OfxParamTypeInteger", "height", "Height",
                          "Height of the result in pixels instead of a scale, the source's at "
                          "least; 0: by the scale, or from the width"),
-                  0, 0, largest_side, 8192);
+                  0, 0, largest_output_side, 8192);
     } else {
         set_real(define(set_, "OfxParamTypeDouble", "centre_x", "Centre X",
                         "What stays in its place: from the left, 0, to the right, 1"),
@@ -165,8 +165,8 @@ int settings_at(Effect effect, double time, Settings& s) {
     s.scale_x = within(value("scale", 2.0), 1, largest_scale);
     s.scale_y = value("scale_y", 0.0);
     s.scale_y = s.scale_y > 0 ? within(s.scale_y, 1, largest_scale) : s.scale_x;
-    s.width = std::clamp(value("width", 0), 0, largest_side);
-    s.height = std::clamp(value("height", 0), 0, largest_side);
+    s.width = std::clamp(value("width", 0), 0, largest_output_side);
+    s.height = std::clamp(value("height", 0), 0, largest_output_side);
     s.centre_x = within(value("centre_x", 0.5), 0, 1);
     s.centre_y = within(value("centre_y", 0.5), 0, 1);
     s.filter = name_at(filter_names(), value("filter", 0));

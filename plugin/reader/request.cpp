@@ -13,6 +13,7 @@
 #include "core/base/one_line.h"
 #include "core/base/parse_number.h"
 #include "ddt/rect.h"
+#include "plugin/image/largest_side.h"
 #include "plugin/message/byte_order_mark.h"
 #include "plugin/message/format.h"
 

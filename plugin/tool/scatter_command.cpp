@@ -10,6 +10,7 @@
 #include "core/tin/tin.h"
 #include "ddt/rect.h"
 #include "ddt/resize.h"
+#include "plugin/image/largest_side.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/filter_flag.h"
 #include "plugin/tool/command/progress.h"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ddt/core.h"
+#include "tests/core/plain.h"
 
 namespace ddt::test {
 
@@ -30,7 +31,7 @@ inline std::vector<SurfaceOptions> surfaces_with(std::initializer_list<int> roun
     for (const Surface kind : both_surfaces)
         for (const int consistency : rounds)
             for (const float soft : {0.0f, 0.3f}) {
-                SurfaceOptions s(kind);
+                SurfaceOptions s = plain_surface(kind);
                 s.consistency = consistency;
                 s.soft = soft;
                 all.push_back(s);

@@ -16,10 +16,18 @@ inline MeshOptions plain_mesh() {
     return mesh;
 }
 
+/// One without corrections and soft edges.
+inline SurfaceOptions plain_surface(Surface kind = Surface::patch) {
+    SurfaceOptions surface;
+    surface.kind = kind;
+    surface.soft = 0;
+    return surface;
+}
+
 inline Job plain_job() {
     Job job;
     job.mesh = plain_mesh();
-    job.surface = Surface::patch;
+    job.surface = plain_surface();
     job.device = Device::cpu;
     return job;
 }

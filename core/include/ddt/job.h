@@ -77,8 +77,8 @@ struct StageTimes {
     int64_t read = 0;        ///< Source::read: with its conversions and the guide
     int64_t triangulate = 0; ///< with the making of the starting mesh
     int64_t surface = 0;     ///< gradients, bends, corrections
-    int64_t sample = 0;
-    int64_t write = 0; ///< Sink::write: with its conversions
+    int64_t sample = 0;      ///< positions by the mapping, and the surface there
+    int64_t write = 0;       ///< Sink::write: with its conversions
 };
 
 /// What was done; sums over all tiles, so halos count.
@@ -133,14 +133,18 @@ struct Job {
     Statistics* statistics = nullptr; ///< filled in when not null
 };
 
+/// How a job ended. Unless done, some of its pixels may have been written all the same.
 enum class Outcome {
     done,
-    cancelled,
-    source_failed,
-    sink_failed,
+    cancelled,     ///< Job::progress returned false
+    source_failed, ///< Source::read() or read_codes() returned false
+    sink_failed,   ///< Sink::write() or write_packed() returned false
+    /// Nothing that could be done: a window that is empty or too large, an output out of limits, no
+    /// channel, kinds or options that are not allowed; holes that cannot be filled (Job::holes). Or
+    /// source, sink, mapping or progress threw, but for lack of memory.
     bad_job,
-    out_of_memory,
-    device_unavailable,
+    out_of_memory,      ///< also where one of these threw for lack of it
+    device_unavailable, ///< Job::device, or DDT_DEVICE in its place, names one not to be had
 };
 
 /// Read the source tile by tile, triangulate, and write every output pixel the mapping gives.

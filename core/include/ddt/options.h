@@ -48,10 +48,6 @@ constexpr int most_consistency = 16;
 
 /// How values are read off the mesh.
 struct SurfaceOptions {
-    SurfaceOptions() = default;
-    /// Implicit: a plain Surface is one without corrections and soft edges.
-    SurfaceOptions(Surface kind_) : kind(kind_), soft(0) {}
-
     Surface kind = Surface::patch;
     /// Rounds that correct the vertices so that the surface's mean over each source pixel comes
     /// back to that pixel's value; 0 to most_consistency. More than 0 can overshoot the source's

@@ -10,8 +10,6 @@ namespace ddt {
 /// Coordinates of windows, of sources and results, lie within +- this, so that positions and sites
 /// stay far from overflow.
 constexpr int largest_coordinate = 1 << 29;
-/// A side that a command, a file name or a stream's header may ask for: more than any image has.
-constexpr int largest_side = 1 << 24;
 
 /// Pixels x0 <= x < x1, y0 <= y < y1.
 struct Rect {

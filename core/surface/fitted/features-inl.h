@@ -47,6 +47,38 @@ DDT_INLINE bool all_pixels(int x, int y, int width, int height) {
     return x >= 2 && y >= 2 && x + 2 < width && y + 2 < height;
 }
 
+/// The range of the 5x5 pixels about a vertex, and 1 / (25 times that).
+template <class T>
+struct Surroundings {
+    T low, high, reciprocal;
+};
+
+template <class T, class Tap>
+DDT_INLINE Surroundings<T> surroundings(const FittedTable& table, Tap tap) {
+    const T z = tap(0, 0);
+    T low = z, high = z;
+    for (int y = -2; y <= 2; ++y)
+        for (int x = -2; x <= 2; ++x) {
+            low = lower(low, tap(x, y));
+            high = upper(high, tap(x, y));
+        }
+    const T r = rsqrt<3>((high - low) * T(25.0f) + T(table.index_epsilon));
+    return {low, high, r * r};
+}
+
+/// What the weights at a vertex and along its edges depend on.
+template <class T, class Tap>
+DDT_INLINE T index_of(const Surroundings<T>& s, Tap tap) {
+    T sum = T(0.0f);
+    for (int y = -2; y <= 2; ++y) {
+        T row = T(0.0f);
+        for (int x = -2; x <= 2; ++x)
+            row = row + lower(tap(x, y) - s.low, s.high - tap(x, y));
+        sum = sum + row;
+    }
+    return sum * s.reciprocal;
+}
+
 /// What a vertex is moved by, and what its weights depend on: the index, and how far it stands at
 /// black or white, 0 to 1.
 template <class T>
@@ -72,27 +104,13 @@ struct VertexFeatures {
         f[3] = sum[3] * T(0.125f) - z;
         f[4] = sum[4] * quarter - z;
         f[5] = step;
-        T low = z, high = z;
-        for (int y = -2; y <= 2; ++y)
-            for (int x = -2; x <= 2; ++x) {
-                low = lower(low, tap(x, y));
-                high = upper(high, tap(x, y));
-            }
-        T near = T(0.0f);
-        for (int y = -2; y <= 2; ++y) {
-            T row = T(0.0f);
-            for (int x = -2; x <= 2; ++x)
-                row = row + lower(tap(x, y) - low, high - tap(x, y));
-            near = near + row;
-        }
-        const T r = rsqrt<3>((high - low) * T(25.0f) + T(table.index_epsilon));
-        const T reciprocal = r * r;
-        index = near * reciprocal;
+        const Surroundings<T> s = surroundings<T>(table, tap);
+        index = index_of(s, tap);
         // Of the darkest and the brightest pixel about that one counts which z is nearer to.
-        const T dark = at_bound(low * T(table.black_scale));
-        const T bright = at_bound((T(1.0f) - high) * T(table.white_scale));
-        const T both = (high - z) * dark + (z - low) * bright;
-        bound = if_less(T(0.0f), cut, both * (T(25.0f) * reciprocal), T(0.0f));
+        const T dark = at_bound(s.low * T(table.black_scale));
+        const T bright = at_bound((T(1.0f) - s.high) * T(table.white_scale));
+        const T both = (s.high - z) * dark + (z - s.low) * bright;
+        bound = if_less(T(0.0f), cut, both * (T(25.0f) * s.reciprocal), T(0.0f));
     }
 };
 

@@ -7,6 +7,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "core/base/parse_number.h"
+#include "plugin/image/largest_side.h"
 #include "plugin/image/windows.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/file/metadata_text.h"

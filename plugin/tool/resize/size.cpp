@@ -3,7 +3,7 @@
 
 #include <charconv>
 
-#include "ddt/rect.h"
+#include "plugin/image/largest_side.h"
 #include "plugin/message/format.h"
 
 namespace ddt::tool {

@@ -11,7 +11,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "core/base/parse_number.h"
-#include "ddt/rect.h"
+#include "plugin/image/largest_side.h"
 #include "plugin/image/memory.h"
 #include "plugin/message/format.h"
 

@@ -31,7 +31,7 @@ public:
           m_grid({0, 0, picture.width(), picture.height()}),
           m_shape(gl::shape_for({0, 0, picture.width(), picture.height()})),
           m_mapping(picture.twofold()),
-          m_in_flight(gl::affordable_tiles(gpu, m_shape, 1, job.surface, m_grid.count())),
+          m_in_flight(gl::affordable_tiles(gpu, m_shape, 1, job.mesh, job.surface, m_grid.count())),
           m_mesh(gpu, m_shape, int(m_in_flight)),
           m_surfaces(gpu, m_shape, int(m_in_flight), gl::kinds_of(job), job.surface) {
         m_surfaces.expect(m_numbers, channels, job.mesh.meshes);

@@ -23,6 +23,7 @@
 #include "light.h"
 #include "paper/subject.h"
 #include "reference.h"
+#include "tests/core/plain.h"
 
 namespace {
 
@@ -52,7 +53,7 @@ Image magnified(const Image& image, const Square& square) {
 Image enlarged(const Image& small, int by, const ddt::MeshOptions& mesh, OIIO::ROI roi = {}) {
     ddt::Options options;
     options.mesh = mesh;
-    options.surface = ddt::Surface::linear;
+    options.surface = ddt::test::plain_surface(ddt::Surface::linear);
     options.light = "encoded";
     const OIIO::ImageBuf source = bench::to_light(small, bench::Light::encoded);
     OIIO::ImageSpec spec(small.width() * by, small.height() * by, 3, OIIO::TypeFloat);

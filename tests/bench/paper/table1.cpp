@@ -14,6 +14,7 @@
 #include "core/triangulate/triangulate.h"
 #include "paper/subject.h"
 #include "paper/table.h"
+#include "tests/core/plain.h"
 
 namespace paper {
 
@@ -59,7 +60,7 @@ ddt::Job job_of(const Subject& s, const ddt::MeshOptions& o) {
     ddt::Job job;
     job.window = {0, 0, s.width(), s.height()};
     job.mesh = o;
-    job.surface = ddt::Surface::linear;
+    job.surface = ddt::test::plain_surface(ddt::Surface::linear);
     return job;
 }
 

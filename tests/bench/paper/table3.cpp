@@ -15,6 +15,7 @@
 #include "metrics/uiqi.h"
 #include "paper/subject.h"
 #include "paper/table.h"
+#include "tests/core/plain.h"
 
 namespace paper {
 
@@ -35,7 +36,7 @@ std::vector<Way> all_ways() {
     for (const ddt::MeshOptions& o : all_schemes()) {
         Way way{label(o), {}, nullptr};
         way.options.mesh = o;
-        way.options.surface = ddt::Surface::linear;
+        way.options.surface = ddt::test::plain_surface(ddt::Surface::linear);
         ways.push_back(way);
     }
     for (const char* filter : {"ddt-linear", "ddt", "ddt-sharp"}) {

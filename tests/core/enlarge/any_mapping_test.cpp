@@ -54,7 +54,7 @@ private:
 Job job_of_plane() {
     Job job = plain_job();
     job.window = {0, 0, width, height};
-    job.surface = Surface::linear;
+    job.surface = plain_surface(Surface::linear);
     job.device = Device::cpu;
     return job;
 }

@@ -15,7 +15,7 @@ TEST(Buffers, SameAsTheJobTheyStandFor) {
     for (const Surface surface : both_surfaces)
         for (const Scheme scheme : {Scheme::one_round, Scheme::lawson, Scheme::pixel}) {
             Job job = job_of(source, 3);
-            job.surface = surface;
+            job.surface = plain_surface(surface);
             job.mesh.scheme = scheme;
             TestSink sink(out, 3);
             ASSERT_EQ(enlarge(source, sink, mapping_of(source.window(), out, out), job),
@@ -23,7 +23,7 @@ TEST(Buffers, SameAsTheJobTheyStandFor) {
             std::vector<float> dst(out.area() * 3);
             std::string error = "left over";
             ASSERT_EQ(enlarge(source.values().data(), 280, 50, 3, source.guide().data(), dst.data(),
-                              420, 110, surface, job.mesh, 2, &error),
+                              420, 110, job.surface, job.mesh, 2, &error),
                       Outcome::done);
             EXPECT_EQ(error, "");
             ASSERT_EQ(differing(dst, sink.values()), 0u);
@@ -69,7 +69,7 @@ TEST(Buffers, BadArgumentsAreAnError) {
     const auto outcome = [&](const float* from, int w, int h, int channels, float* to, int dw,
                              int dh) {
         error.clear();
-        const Outcome o = enlarge(from, w, h, channels, nullptr, to, dw, dh, Surface::patch,
+        const Outcome o = enlarge(from, w, h, channels, nullptr, to, dw, dh, plain_surface(),
                                   MeshOptions(), 1, &error);
         EXPECT_EQ(o == Outcome::done, error.empty());
         EXPECT_EQ(enlarge(from, w, h, channels, nullptr, to, dw, dh), o);

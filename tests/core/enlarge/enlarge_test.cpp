@@ -38,7 +38,7 @@ TEST(Enlarge, AnyNumberOfThreadsGivesTheSameBits) {
     const auto mapping = mapping_of(source.window(), out, out);
     for (const Surface surface : both_surfaces) {
         Job job = job_of(source, 3);
-        job.surface = surface;
+        job.surface = plain_surface(surface);
         job.surface.soft = 0.3f;
         job.surface.consistency = 1;
         const auto one = run(source, job, mapping, out);
@@ -262,7 +262,7 @@ TEST(Enlarge, SameSizeGivesThePixels) {
         TestSource source({10, -10, 40, 13}, channels, 9);
         for (const Surface surface : both_surfaces) {
             Job job = job_of(source, channels);
-            job.surface = surface;
+            job.surface = plain_surface(surface);
             const Rect w = source.window();
             const auto values = run(source, job, mapping_of(w, w, w), w);
             ASSERT_EQ(differing(values, source.values()), 0u) << channels;
@@ -337,7 +337,7 @@ TEST(Enlarge, OnePixelWideOrHighPictures) {
                 SCOPED_TRACE(::testing::Message() << size.x << " x " << size.y);
                 TestSource source({4, 4, 4 + size.x, 4 + size.y}, channels, 12);
                 Job job = job_of(source, channels);
-                job.surface = surface;
+                job.surface = plain_surface(surface);
                 const Rect out{0, 0, 3 * size.x, 3 * size.y};
                 const auto mapping = mapping_of(source.window(), out, out);
                 const auto values = run(source, job, mapping, out);
@@ -441,8 +441,9 @@ TEST(Enlarge, PixelsOfAnyKindAreWorkedOn) {
     const auto values = fill(30 * 30 * 3, [&] { return odd[random.below(9)]; });
     for (const Surface surface : both_surfaces) {
         std::vector<float> out(90 * 90 * 3);
-        EXPECT_EQ(enlarge(values.data(), 30, 30, 3, nullptr, out.data(), 90, 90, surface),
-                  Outcome::done);
+        EXPECT_EQ(
+            enlarge(values.data(), 30, 30, 3, nullptr, out.data(), 90, 90, plain_surface(surface)),
+            Outcome::done);
     }
 }
 

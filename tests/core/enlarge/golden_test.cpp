@@ -61,7 +61,7 @@ TEST(Golden, EnlargedPicturesHaveTheseBits) {
         for (const float z : guide)
             for (int k = 0; k < c.channels; ++k)
                 values.push_back(k == 0 ? z * z : z + 0.25f * random.unit());
-        SurfaceOptions surface = c.surface;
+        SurfaceOptions surface = plain_surface(c.surface);
         surface.soft = c.soft;
         surface.consistency = c.consistency;
         surface.clipped = c.clipped;

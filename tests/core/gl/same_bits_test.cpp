@@ -166,7 +166,7 @@ TEST_P(SameBits, IterationsThatAreNotDispatched) {
 TEST_P(SameBits, TilesThatAreMoreThanADispatchCanDo) {
     const int most = 65535; // groups along an axis, of 16 columns or 8 rows
     Order order;
-    order.job.surface = Surface::linear;
+    order.job.surface = plain_surface(Surface::linear);
     const Picture tall = make_picture(Content::photo, 3, 200, 1, 5);
     order.out_width = 3;
     order.out_height = most * 8 + 100;

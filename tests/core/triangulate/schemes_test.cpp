@@ -161,7 +161,7 @@ TEST(Annealing, ThePictureIsTheSameForAnyNumberOfThreads) {
     const auto picture = [&](int threads) {
         std::vector<float> out(size_t(2 * w) * size_t(2 * h));
         EXPECT_TRUE(enlarge(guide.data(), w, h, 1, guide.data(), out.data(), 2 * w, 2 * h,
-                            Surface::linear, o, threads) == Outcome::done);
+                            plain_surface(Surface::linear), o, threads) == Outcome::done);
         return out;
     };
     EXPECT_EQ(differing(picture(1), picture(3)), 0u);

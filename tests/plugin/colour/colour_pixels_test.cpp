@@ -3,6 +3,7 @@
 
 #include "plugin/colour/colour_pixels.h"
 #include "plugin/colour/space_light.h"
+#include "tests/core/plain.h"
 #include "tests/plugin/images.h"
 
 namespace {
@@ -130,7 +131,7 @@ TEST(Alpha, OneColourKeepsItUnderAnyAlpha) {
     });
     // On planes: a patch's slopes are no linear function of the values.
     ddt::Options options;
-    options.surface = ddt::Surface::linear;
+    options.surface = ddt::test::plain_surface(ddt::Surface::linear);
     const auto dst = images::enlarged(src, 61, 61, options);
     for (int y = 0; y < 61; ++y)
         for (int x = 0; x < 61; ++x)

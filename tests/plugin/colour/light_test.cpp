@@ -9,6 +9,7 @@
 #include <locale>
 #include <optional>
 
+#include "tests/core/plain.h"
 #include "tests/environment.h"
 #include "tests/plugin/images.h"
 #include "tests/temporary.h"
@@ -482,7 +483,7 @@ TEST_F(LightTest, MiddleOfBlackAndWhite) {
         images::fill(src, [](int x, int, int) { return float(x); });
         src.specmod().attribute("oiio:ColorSpace", space);
         ddt::Options options;
-        options.surface = ddt::Surface::linear;
+        options.surface = ddt::test::plain_surface(ddt::Surface::linear);
         options.light = option;
         const auto dst = images::enlarged(src, 6, 6, options);
         return int(std::lround(images::value(dst, 2, 2) * 255));

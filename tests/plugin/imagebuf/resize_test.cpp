@@ -4,6 +4,7 @@
 #include <set>
 
 #include "tests/core/host_floats.h"
+#include "tests/core/plain.h"
 #include "tests/many_threads.h"
 #include "tests/plugin/images.h"
 #include "tests/temporary.h"
@@ -139,7 +140,7 @@ TEST(Resize, ManyChannelsAreEachAsAlone) {
         src.specmod().alpha_channel = -1;
         // On planes: a patch's slopes are no linear function of the values.
         ddt::Options options;
-        options.surface = ddt::Surface::linear;
+        options.surface = ddt::test::plain_surface(ddt::Surface::linear);
         const auto dst = enlarged(src, 40, 40, options);
         ASSERT_EQ(dst.nchannels(), channels);
         for (int y = 0; y < 40; ++y)

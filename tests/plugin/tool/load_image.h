@@ -6,7 +6,7 @@
 #include <OpenImageIO/imagebuf.h>
 #include <gtest/gtest.h>
 
-#include "plugin/tool/file/picture.h"
+#include "plugin/tool/file/open_image.h"
 
 namespace ddt::tool {
 

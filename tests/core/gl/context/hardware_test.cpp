@@ -10,6 +10,7 @@
 #include "core/gl/context/faults.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
+#include "tests/core/plain.h"
 #include "tests/temporary.h"
 
 namespace ddt::test {
@@ -76,7 +77,7 @@ protected:
         order.out_height = height;
         order.job.threads = 1;
         order.job.mesh.max_iterations = 0;
-        order.job.surface = Surface::linear;
+        order.job.surface = plain_surface(Surface::linear);
         gl::arm(gl::Fault::library, 1, 1000);
         enlarge_on(device, large, order);
         return gl::chances(gl::Fault::library);

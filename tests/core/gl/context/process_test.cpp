@@ -10,6 +10,7 @@
 #include "tests/child_process.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
+#include "tests/core/plain.h"
 #include "tests/core/random.h"
 #include "tests/environment.h"
 #include "tests/temporary.h"
@@ -86,7 +87,7 @@ TEST_P(Process, AutomaticNeverPicksASoftwareRenderer) {
     o.out_height = 900;
     o.job.threads = 1;
     o.job.mesh.max_iterations = 0;
-    o.job.surface = Surface::linear;
+    o.job.surface = plain_surface(Surface::linear);
     // Both with what devices the machine has and as if it had a card.
     std::filesystem::create_directories(temporary("dev/dri"));
     std::ofstream(temporary("dev/dri/card0")).put('x');

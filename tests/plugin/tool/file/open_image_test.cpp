@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/file/open_image.h"
+#include "plugin/tool/file/other_images.h"
 
 #include <cstring>
 #include <filesystem>
