@@ -65,7 +65,7 @@ vec4 softness(ivec2 i, ivec2 j) {
     if (w == 0.0)
         return vec4(0.0);
     return edge_softness(w, value_at(i), value_at(j), value_at((m + e.left) / 2),
-                         value_at((m - e.left) / 2));
+                         value_at((m - e.left) / 2), strict);
 #endif
 }
 

@@ -67,11 +67,17 @@ float soft_weight(float gain, float reciprocal_tau) {
 }
 
 // q of an edge from i to j with apexes c and d, weight w.
-vec4 edge_softness(float w, vec4 zi, vec4 zj, vec4 zc, vec4 zd) {
+vec4 edge_softness(float w, vec4 zi, vec4 zj, vec4 zc, vec4 zd, vec4 strict) {
     const vec4 zero = vec4(0.0);
-    precise vec4 q = w * ((zc + zd) - (zi + zj));
-    precise vec4 negated = zero - q;
-    vec4 size = if_less(q, zero, negated, q);
+    precise vec4 ends = zi + zj;
+    precise vec4 blend = w * ((zc + zd) - ends);
+    vec4 low = lower(lower(zi, zj), upper(zc, zd));
+    vec4 high = upper(upper(zi, zj), lower(zc, zd));
+    precise vec4 least = (low + low) - ends;
+    precise vec4 most = (high + high) - ends;
+    vec4 q = if_less(zero, strict, lower(upper(blend, least), most), blend);
+    precise vec4 negated = zero - blend;
+    vec4 size = if_less(blend, zero, negated, blend);
     return if_less_equal(size, vec4(largest_float), q, zero);
 }
 

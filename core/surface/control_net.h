@@ -18,7 +18,10 @@
 // Soft edges (SurfaceOptions::soft = tau) add, for each flippable edge ij with apexes c and d and
 // gain g,
 //     min(b_i, b_j) q_ij,   q_ij = w (z_c + z_d - z_i - z_j),   w = max(0, 1 + min(g, 0) / tau) / 2
-// the blend of the mesh with its flipped state: at g = 0 both diagonals count alike.
+// the blend of the mesh with its flipped state: at g = 0 both diagonals count alike. In strict
+// lanes (ControlNet::strict), where values are cut off at the triangle's range, q is bounded so
+// that the edge's midpoint, (z_i + z_j + q) / 2, is within that of either of the edge's triangles:
+// where one let it rise and the other cut it off, the surface would jump.
 //
 // Non-finite values stay inside the triangles that touch them: such a triangle counts for no
 // gradient and the edges of such a vertex have e = 0.

@@ -139,6 +139,7 @@ HWY_NOINLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, i
     float* const q = soft ? net.soft_at(first) : nullptr;
     const RegularRow regular(lattice, net, scratch.edge_cells, y,
                              bend ? scratch.gradients.at(row) : nullptr);
+    const ChannelLanes strict(net.strict, count);
     begin = std::max(begin, x0);
     end = std::max(std::min(end, x1), begin);
     each_vector(begin, end, count, [&](auto vector, const RowPlace& place) HWY_ATTR {
@@ -146,7 +147,7 @@ HWY_NOINLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, i
         const RegularEdges<T> edges = regular.edges<kind, bend, T>(place);
         if (soft)
             edge_softness<tame>(spread<T>(weights, place, count), edges.zi, edges.zj, edges.zc,
-                                edges.zd)
+                                edges.zd, strict.at<T>(place))
                 .store(q + place.at);
         if (bend)
             edge_bend<tame>(edges.gix, edges.giy, edges.gjx, edges.gjy, edges.zi, edges.zj,
@@ -161,7 +162,7 @@ HWY_NOINLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, i
     if (n > 0)
         std::fill_n(columns + n, most_lanes, columns[n - 1]);
     const IrregularEdges irregular{net.vertex(row), regular.gradients, regular.to_y, row,
-                                   first - row,     weights,           count};
+                                   first - row,     weights,           net.strict,   count};
     make_irregular<bend, soft>(SiteLanes(lattice), irregular, columns, n, e, q);
 }
 

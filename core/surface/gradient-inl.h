@@ -133,11 +133,14 @@ DDT_INLINE T soft_weight(T gain, T reciprocal_tau) {
 
 /// q of an edge from i to j with apexes c and d, weight w (see control_net.h).
 template <bool tame, class T>
-DDT_INLINE T edge_softness(T w, T zi, T zj, T zc, T zd) {
-    const T zero = T(0.0f);
-    const T q = w * ((zc + zd) - (zi + zj));
+DDT_INLINE T edge_softness(T w, T zi, T zj, T zc, T zd, T strict) {
+    const T zero = T(0.0f), ends = zi + zj;
+    const T blend = w * ((zc + zd) - ends);
+    const T low = lower(lower(zi, zj), upper(zc, zd)), high = upper(upper(zi, zj), lower(zc, zd));
+    const T bounded = lower(upper(blend, (low + low) - ends), (high + high) - ends);
+    const T q = if_less(zero, strict, bounded, blend);
     if (tame)
         return q;
-    const T size = if_less(q, zero, zero - q, q);
+    const T size = if_less(blend, zero, zero - blend, blend);
     return if_less_equal(size, T(largest_float), q, zero);
 }

@@ -58,6 +58,7 @@ struct IrregularEdges {
     int row;        ///< the site of the row's first vertex
     int to_first;   ///< from there to the edge in column 0, in sites
     const float* weights;
+    const float* strict; ///< ControlNet::strict
     int count;
 };
 
@@ -67,6 +68,7 @@ template <bool bend, bool soft>
 HWY_NOINLINE void make_irregular(const SiteLanes& lattice, const IrregularEdges& from,
                                  const int* columns, int n, float* e, float* q) {
     const int lanes = int(hn::Lanes(D())), blocks = blocks_in_vector();
+    const Blocks strict = in_every_block(from.strict);
     EdgeList<soft> list;
     for (int done = 0; done < n; done += lanes) {
         list.load(lattice, from.row, from.to_first, columns + done, from.weights, from.count);
@@ -79,7 +81,7 @@ HWY_NOINLINE void make_irregular(const SiteLanes& lattice, const IrregularEdges&
             if (soft)
                 store_each(edge_softness<false>(spread(list.weight + k), zi, zj,
                                                 at(from.vertices, list.c),
-                                                at(from.vertices, list.d)),
+                                                at(from.vertices, list.d), strict),
                            columns + done + k, from.count, q);
             // Where an end lies outside the part its gradient is not known, and e is never used.
             if (bend) {

@@ -65,17 +65,19 @@ TEST(ControlNet, SoftEdgesHaveTheBitsOfTheFormulas) {
         int some = 0;
         each_scene([&](const Scene& scene, Random& random) {
             for (const Values kind : all_values)
-                for (const float tau : {0.3f, 100.0f}) {
+                for (const auto& [tau, strict] :
+                     {std::pair(0.3f, false), std::pair(100.0f, false), std::pair(100.0f, true)}) {
                     const Lattice& l = scene.lattice;
                     const auto values = make_values(kind, scene.pixels(), random);
                     ControlNet net = make(scene, Surface::linear, values);
+                    net.strict[0] = strict;
                     for (SiteRows* rows : {&net.soft.even, &net.soft.odd})
                         rows->numbers.assign(l.size(), 99.0f);
                     const DenormalsAreZero zero;
                     EdgeMaker edges;
                     make_edges(l, scene.all(), false, true, tau, edges, net);
                     SlowSurface slow(scene.faces, l.width(), l.height(), Surface::linear, values);
-                    slow.soften(l, tau, false);
+                    slow.soften(l, tau, strict);
                     l.each_edge([&](int m) {
                         const EdgeView e = view(l, m);
                         ASSERT_EQ(net.soft_at(m)[0], slow.q(e.a, e.b));

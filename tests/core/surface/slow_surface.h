@@ -4,6 +4,7 @@
 // DenormalsAreZero.
 #pragma once
 
+#include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <map>
@@ -61,8 +62,18 @@ public:
             const float g = lattice.gain(m), w = 1.0f + (g < 0 ? g : 0.0f) * (1.0f / tau);
             const float d = (z(v.left) + z(v.right)) - (z(v.a) + z(v.b));
             const float q = (w > 0 ? 0.5f * w : 0.0f) * d;
-            m_softness[v.a + v.b] = w > 0 && std::fabs(q) <= FLT_MAX ? q : 0.0f;
+            m_softness[v.a + v.b] =
+                w > 0 && std::fabs(q) <= FLT_MAX ? (strict ? bounded(q, v) : q) : 0.0f;
         }
+    }
+    /// q with which the edge's midpoint is within the range of both its triangles.
+    float bounded(float q, const EdgeView& v) const {
+        const float ends = z(v.a) + z(v.b);
+        for (const Pixel apex : {v.left, v.right}) {
+            const auto [low, high] = std::minmax({z(v.a), z(v.b), z(apex)});
+            q = std::clamp(q, 2 * low - ends, 2 * high - ends);
+        }
+        return q;
     }
     float q(Pixel i, Pixel j) const {
         const auto found = m_softness.find(i + j);
