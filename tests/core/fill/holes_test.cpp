@@ -2,8 +2,8 @@
 // Job::holes: as fill_holes() and then as any other picture.
 #include <cmath>
 
-#include "core/enlarge/fill.h"
-#include "core/enlarge/membrane.h"
+#include "core/fill/fill.h"
+#include "core/fill/membrane.h"
 #include "tests/core/helpers.h"
 #include "tests/many_threads.h"
 
