@@ -7,7 +7,7 @@
 #include "core/base/float_bits.h"
 #include "core/base/parallel.h"
 #include "core/base/progress.h"
-#include "core/enlarge/whole_source.h"
+#include "core/fill/whole_source.h"
 #include "ddt/devices.h"
 #include "plugin/host/pixels.h"
 

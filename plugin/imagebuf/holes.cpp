@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "core/enlarge/fill.h"
+#include "core/fill/fill.h"
 #include "plugin/image/memory.h"
 #include "plugin/image/pixels.h"
 #include "plugin/image/reading.h"

@@ -7,7 +7,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "core/base/progress.h"
-#include "core/enlarge/fill.h"
+#include "core/fill/fill.h"
 #include "plugin/image/channels.h"
 #include "plugin/image/memory.h"
 #include "plugin/image/prepare.h"

@@ -18,7 +18,7 @@
 #include "core/base/one_line.h"
 #include "core/base/progress.h"
 #include "core/enlarge/build_mesh.h"
-#include "core/enlarge/fill.h"
+#include "core/fill/fill.h"
 #include "ddt/mesh.h"
 #include "plugin/host/enlargement.h"
 #include "plugin/host/pixels.h"

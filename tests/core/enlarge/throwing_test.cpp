@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-#include "core/enlarge/fill.h"
+#include "core/fill/fill.h"
 #include "ddt/mesh.h"
 #include "ddt/points.h"
 #include "tests/core/job_helpers.h"

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/enlarge/hole_groups.h"
+#include "core/fill/hole_groups.h"
 
 namespace ddt {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/enlarge/points.h"
+#include "core/points/points.h"
 
 #include <algorithm>
 #include <numeric>

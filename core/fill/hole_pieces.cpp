@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/enlarge/hole_pieces.h"
+#include "core/fill/hole_pieces.h"
 
 #include <algorithm>
 #include <numeric>

@@ -60,7 +60,7 @@ void expect_nearest(const std::vector<uint8_t>& missing) {
     }
     ASSERT_TRUE(fill_holes(image.data(), width, height, 1, nullptr, whole.data(), missing.data(),
                            plain_mesh()));
-    // Counted in steps along rows and columns: core/enlarge/fill.cpp.
+    // Counted in steps along rows and columns: core/fill/fill.cpp.
     const auto steps = [](int i, int k) {
         return std::abs(i % width - k % width) + std::abs(i / width - k / width);
     };

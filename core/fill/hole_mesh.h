@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/enlarge/fill.h"
-#include "core/enlarge/hole_groups.h"
+#include "core/fill/fill.h"
+#include "core/fill/hole_groups.h"
 
 namespace ddt {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which missing pixels share a mesh.
-#include "core/enlarge/hole_groups.h"
+#include "core/fill/hole_groups.h"
 
 #include <algorithm>
 #include <string>

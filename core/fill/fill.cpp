@@ -10,10 +10,10 @@
 #include "core/base/float_mode.h"
 #include "core/base/guarded.h"
 #include "core/base/parallel.h"
-#include "core/enlarge/fill.h"
-#include "core/enlarge/hole_groups.h"
-#include "core/enlarge/hole_mesh.h"
-#include "core/enlarge/membrane.h"
+#include "core/fill/fill.h"
+#include "core/fill/hole_groups.h"
+#include "core/fill/hole_mesh.h"
+#include "core/fill/membrane.h"
 #include "ddt/option_table.h"
 
 namespace ddt {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/enlarge/whole_source.h"
+#include "core/fill/whole_source.h"
 
 #include <algorithm>
 #include <limits>
 
 #include "core/base/parallel.h"
-#include "core/enlarge/fill.h"
+#include "core/fill/fill.h"
 #include "core/tiles/job_state.h"
 
 namespace ddt {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/enlarge/fill.h"
-#include "core/enlarge/membrane.h"
+#include "core/fill/fill.h"
+#include "core/fill/membrane.h"
 #include "tests/core/helpers.h"
 #include "tests/core/job_helpers.h"
 #include "tests/many_threads.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/base/float_mode.h"
-#include "core/enlarge/fill.h"
+#include "core/fill/fill.h"
 
 namespace ddt {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/enlarge/hole_groups.h"
+#include "core/fill/hole_groups.h"
 
 #include <algorithm>
 #include <iterator>
 #include <limits>
 #include <utility>
 
-#include "core/enlarge/hole_pieces.h"
+#include "core/fill/hole_pieces.h"
 
 namespace ddt {
 

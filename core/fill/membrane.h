@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/enlarge/fill.h"
+#include "core/fill/fill.h"
 
 namespace ddt {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where large holes are cut.
-#include "core/enlarge/hole_pieces.h"
+#include "core/fill/hole_pieces.h"
 
 #include <algorithm>
 
-#include "core/enlarge/hole_mesh.h"
+#include "core/fill/hole_mesh.h"
 #include "tests/core/helpers.h"
 
 namespace ddt::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/enlarge/membrane.h"
+#include "core/fill/membrane.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/enlarge/hole_mesh.h"
+#include "core/fill/hole_mesh.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "core/enlarge/points.h"
+#include "core/points/points.h"
 #include "core/tin/draw.h"
 
 namespace ddt {
