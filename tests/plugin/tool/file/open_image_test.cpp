@@ -112,8 +112,9 @@ TEST(CountImages, BelievesNoNumberOfAFileItself) {
         SeveralInput::told = told;
         SeveralInput::sought = 0;
         EXPECT_EQ(count_images(path), 3) << told.get_string();
-        if (told.type() == OIIO::TypeInt && told.get_int() == right)
+        if (told.type() == OIIO::TypeInt && told.get_int() == right) {
             EXPECT_EQ(SeveralInput::sought, 2); // the last, and none after it
+        }
     }
 }
 
