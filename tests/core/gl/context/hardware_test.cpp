@@ -37,14 +37,14 @@ TEST(Renderers, OfGuestsAreKnownByTheirNames) {
 }
 
 TEST(Renderers, ByWayOfAnotherApiAreNotTakenForTheOnesThatAreTested) {
-    for (const char* name : {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe"}) {
-        EXPECT_TRUE(gl::is_tested(name)) << name;
-        EXPECT_FALSE(gl::is_zink(name)) << name;
-    }
+    const char* const itself = "llvmpipe (LLVM 15.0.6, 256 bits)";
+    EXPECT_TRUE(gl::is_tested(itself));
+    EXPECT_FALSE(gl::is_zink(itself));
     const char* const layered = "zink (llvmpipe (LLVM 15.0.6, 256 bits))";
     EXPECT_TRUE(gl::is_software(layered));
     EXPECT_TRUE(gl::is_zink(layered));
     EXPECT_FALSE(gl::is_tested(layered));
+    EXPECT_FALSE(gl::is_tested("softpipe")) << "has no OpenGL 4.3 so far";
     EXPECT_FALSE(gl::is_tested("NVIDIA H100 80GB HBM3/PCIe/SSE2"));
 }
 
