@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include <unistd.h>
 
@@ -13,6 +14,7 @@
 #include "core/gl/context/faults.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
+#include "tests/environment.h"
 #include "tests/temporary.h"
 
 namespace ddt::test {
@@ -132,6 +134,29 @@ TEST_F(Hardware, WhereItMayBeItIsLookedFor) {
     gl::look_for_hardware_in(folder_with("card", {"dri/card0"}));
     EXPECT_EQ(loads(Device::automatic), 1);
     EXPECT_EQ(loads(Device::automatic), 0) << "looked for twice";
+}
+
+// `auto` leaves the work to the CPU without an error; who wonders why is told, once.
+TEST_F(Hardware, ThatIsMissingIsToldOfOnceWhereLinesAreWanted) {
+    const std::string folder = folder_with("silent", {"null"});
+    const auto lines = [&](const char* wanted) {
+        const Environment verbose("DDT_VERBOSE", wanted);
+        testing::internal::CaptureStderr();
+        loads(Device::automatic);
+        std::istringstream said(testing::internal::GetCapturedStderr());
+        std::vector<std::string> why;
+        for (std::string line; std::getline(said, line);)
+            if (line.find("no GPU is used") != line.npos)
+                why.push_back(line);
+        return why;
+    };
+    gl::look_for_hardware_in(folder);
+    EXPECT_EQ(lines("0"), std::vector<std::string>());
+    const std::vector<std::string> first = lines("1");
+    ASSERT_EQ(first.size(), 1u);
+    EXPECT_NE(first[0].find("no GPU's driver has files in " + folder), std::string::npos)
+        << first[0];
+    EXPECT_EQ(lines("1"), std::vector<std::string>());
 }
 
 TEST_F(Hardware, IsLookedForAfterManySmallJobs) {
