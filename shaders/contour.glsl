@@ -24,7 +24,10 @@ uint to_steps(float v) {
 uint contour_word(vec3 t) {
     precise float sum = (t.x + t.y) + contour_noise;
     precise float r = rsqrt(2, sum);
-    precise float share = (r * r) * contour_scale;
+    // Of contrasts of 2e17 and more r is below 2^-63, and its square a denormal float, which some
+    // devices have and others take for zero.
+    precise float s = abs(r) < uintBitsToFloat(0x20000000u) ? 0.0 : r;
+    precise float share = (s * s) * contour_scale;
     precise float xx = t.x * share + contour_square_bias, yy = t.y * share + contour_square_bias,
                   xy = t.z * share + contour_product_bias;
     return to_steps(xx) | to_steps(yy) << contour_bits | to_steps(xy) << (2 * contour_bits);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/offload.h"
 
+#include "core/base/log.h"
 #include "core/gl/context/gpu.h"
 #include "core/gl/device_mesh.h"
 #include "core/gl/requested_device.h"
@@ -39,8 +40,11 @@ bool choose_device(const Job& job, size_t pixels_a_thread, Placement& placement,
         placement.device = named ? wanted : Device::egl;
         return true;
     }
-    if (!named || forked)
+    if (!named || forked) {
+        if (verbose() && gl::first_told_of_cpu())
+            say("ddt: no GPU is used: %s", reason.c_str());
         return true;
+    }
     why = std::string("ddt: device ") + device_name(wanted) + " is unavailable: " + reason;
     return false;
 }

@@ -105,7 +105,7 @@ namespace {
 /// Have it compiled and linked; `shader`, which is not 0, goes with the answer().
 GLuint ask_for(const Functions& gl, const std::string& name, std::string source, GLuint& shader) {
 #ifdef DDT_FAULTS
-    source = with_changed_constant(name, std::move(source));
+    source = with_change(name, std::move(source));
 #endif
     if (strikes(Fault::shader))
         source += "this is no shader\n";

@@ -28,7 +28,12 @@ DDT_INLINE uint32_t to_steps(float v) {
 /// The word of a cell (contour.h) from 4 * 64 * 64 times its smoothed tensor.
 DDT_INLINE uint32_t contour_word(Tensor t) {
     const float r = rsqrt<2>((t.xx + t.yy) + contour_noise);
-    const float share = (r * r) * contour_scale;
+    // Of contrasts of 2e17 and more r is below 2^-63, and its square a denormal float, which some
+    // devices have and others take for zero. So r is zero there: by a mask, since of a condition
+    // GCC makes a branch, and then no vectors of the loop.
+    const uint32_t size = bits_of(r) & 0x7fffffffu;
+    const float s = float_of(bits_of(r) & uint32_t(int32_t(0x1fffffffu - size) >> 31));
+    const float share = (s * s) * contour_scale;
     return to_steps(t.xx * share + contour_square_bias) |
            to_steps(t.yy * share + contour_square_bias) << contour_bits |
            to_steps(t.xy * share + contour_product_bias) << (2 * contour_bits);

@@ -40,7 +40,8 @@ using Bits = std::vector<uint32_t>;
 
 /// Noise, stripes and a few very bright pixels; in a corner of what is served, so that most of the
 /// check is of numbers as pictures have them, also what is not finite, or is so large that sums of
-/// it are not; and beside that rows so steep that sums of their gradients are denormal.
+/// it are not; beside that rows so steep that sums of their gradients are denormal; and pixels from
+/// black to white. The guide has stripes of its own.
 class CheckSource final : public Source {
 public:
     explicit CheckSource(int channels) : m_channels(channels) {}
@@ -48,21 +49,41 @@ public:
         for (int y = r.y0; y < r.y1; ++y)
             for (int x = r.x0; x < r.x1; ++x) {
                 const uint32_t h = hash(uint32_t(x), uint32_t(y));
-                const float noise = float(h >> 20) * (1.0f / 4096.0f);
-                const float stripe = (2 * x + 3 * y) % 29 < 11 ? 0.5f : 0.0f;
+                const float noise = noise_of(h), stripe = stripe_at(x, y);
                 const float bright = h % 101 == 0 ? 1000.0f : 1.0f;
-                *guide++ = 0.5f * noise + stripe;
+                *guide++ = guide_at(x, y);
                 const bool odd = x < 18 && y < 15 && h % 4 == 0;
                 const bool steep = x >= 20 && x < 38 && y < 15;
                 for (int c = 0; c < m_channels; ++c)
                     *values++ = odd     ? odd_number(h / 4 + uint32_t(c))
                                 : steep ? (y % 2 != 0 ? 0x1p46f : 0x1p-79f * (1 + noise))
-                                        : (0.3f * noise + stripe) * bright * float(c + 1) * 0.37f;
+                                : between_stripes(x, y)
+                                    ? float(hash(h, uint32_t(c)) >> 8) * 0x1p-24f
+                                    : (0.3f * noise + stripe) * bright * float(c + 1) * 0.37f;
             }
         return true;
     }
 
 private:
+    /// Of multiples of guide_unit from 0 to 1 squares are exact in most places, and a sum of them
+    /// has the same bits where a device contracts it: some contrasts are neither.
+    static float guide_at(int x, int y) {
+        if (y > repeated)
+            y = repeated + (y - repeated) % 2;
+        const uint32_t h = hash(uint32_t(x), uint32_t(y));
+        if (between_stripes(x, y))
+            return (x % 7 < 3 ? 0.5f : 0.25f) + float(h >> 30) * 0x1p-12f;
+        return (0.5f * noise_of(h) + stripe_at(x, y)) * (h % 7 == 0 ? 11.3f : 1.0f);
+    }
+    /// Here the guide's stripes are upright, so that contours tell of no diagonal which way it
+    /// goes: its ends do, which differ by little. Values go from black to white, for what fitted
+    /// vertices make of pixels near both.
+    static bool between_stripes(int x, int y) { return x >= 24 && x < 48 && y >= 22 && y < 40; }
+    /// The guide's rows after this one are it and the next by turns: there edges have the gains of
+    /// others near them, and which of them flips is a matter of their places.
+    static constexpr int repeated = 40;
+    static float noise_of(uint32_t h) { return float(h >> 20) * (1.0f / 4096.0f); }
+    static float stripe_at(int x, int y) { return (2 * x + 3 * y) % 29 < 11 ? 0.5f : 0.0f; }
     static float odd_number(uint32_t i) {
         constexpr float infinity = std::numeric_limits<float>::infinity(), large = 3e38f;
         constexpr float reciprocal_squared_is_denormal = 5e36f;
@@ -294,7 +315,8 @@ Job job_to_check(const Job& job) {
         check.mesh.max_iterations = 0;
     check.mesh.min_gain = -1.0f; // many flips, and late ones
     check.mesh.blur = 0.07f;     // several meshes differ by it
-    check.mesh.meshes = std::min(job.mesh.meshes, 2);
+    // Of two surfaces the mean is of halves, which are exact: contracted it has the same bits.
+    check.mesh.meshes = std::min(job.mesh.meshes, 3);
     check.surface.kind = job.surface.kind;
     check.surface.consistency = std::min(job.surface.consistency, 2);
     check.surface.soft = job.surface.soft > 0 ? 0.3f : 0.0f;

@@ -17,6 +17,7 @@ Armed g_armed[int(Fault::count)];
 
 struct Change {
     std::string program, name, value;
+    bool is_text = false;
 };
 /// Made on first use, since a static object may enlarge before those of this file are made.
 Change& the_change() {
@@ -45,13 +46,32 @@ int chances(Fault fault) {
 
 void change_constant(const std::string& program, const std::string& name,
                      const std::string& value) {
-    the_change() = {program, name, value};
+    the_change() = {program, name, value, false};
 }
 
-std::string with_changed_constant(const std::string& program, std::string source) {
+void change_text(const std::string& program, const std::string& before, const std::string& after) {
+    the_change() = {program, before, after, true};
+}
+
+namespace {
+
+std::string with_changed_text(const Change& change, std::string source) {
+    size_t at = source.find(change.name);
+    if (at == source.npos)
+        throw Failure("no text reads " + change.name);
+    for (; at != source.npos; at = source.find(change.name, at + change.value.size()))
+        source.replace(at, change.name.size(), change.value);
+    return source;
+}
+
+} // namespace
+
+std::string with_change(const std::string& program, std::string source) {
     const Change& change = the_change();
     if (change.program.empty() || program != change.program)
         return source;
+    if (change.is_text)
+        return with_changed_text(change, std::move(source));
     for (const auto& [before, after] :
          {std::pair(" " + change.name + " = ", ";"), std::pair(" " + change.name + " ", "\n")}) {
         const size_t at = source.find(before);

@@ -38,8 +38,10 @@ int chances(Fault fault);
 /// for a constant of core/base/constants.h, or for a macro with one; an empty program: none. Of
 /// programs compiled from now on.
 void change_constant(const std::string& program, const std::string& name, const std::string& value);
+/// The same of any text that stands in the program: each is replaced.
+void change_text(const std::string& program, const std::string& before, const std::string& after);
 /// The source with what was changed of the program.
-std::string with_changed_constant(const std::string& program, std::string source);
+std::string with_change(const std::string& program, std::string source);
 
 /// Where hardware's device files are, in place of /dev.
 void look_for_hardware_in(const std::string& folder);

@@ -26,6 +26,7 @@ struct Registry {
     Slot hardware, egl, osmesa;
     std::atomic<size_t> missed{0};
     std::atomic<pid_t> missed_by{0}; ///< the process that counted them
+    std::atomic<pid_t> told{0};      ///< the process that was told why it has none
 };
 
 /// Made on first use, since a static object may enlarge before those of this file are made; never
@@ -144,6 +145,11 @@ std::atomic<size_t>& missed_pixels() {
     if (const pid_t self = getpid(); registry.missed_by.exchange(self) != self)
         registry.missed = 0;
     return registry.missed;
+}
+
+bool first_told_of_cpu() {
+    const pid_t self = getpid();
+    return registry_in_use().load()->told.exchange(self) != self;
 }
 
 #ifdef DDT_FAULTS

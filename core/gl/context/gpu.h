@@ -40,4 +40,7 @@ bool is_open(Device device);
 /// GPU would have done sooner had it been open.
 std::atomic<size_t>& missed_pixels();
 
+/// True the first time that this process asks: why it has no GPU is told once, not with each job.
+bool first_told_of_cpu();
+
 } // namespace ddt::gl

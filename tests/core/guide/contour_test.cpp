@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/arith.h"
+#include "core/base/float_mode.h"
 #include "tests/core/helpers.h"
 
 namespace ddt {
@@ -137,6 +138,20 @@ TEST(Contours, FieldsKeepToTheirBits) {
             ASSERT_LE(std::abs(n.xy), contour_steps / 2 + contour_steps / 100);
             ASSERT_LT(word, 1u << 30);
         }
+    }
+}
+
+// Devices may keep denormal floats or take them for zero, and CPUs other than DenormalsAreZero's
+// keep them.
+TEST(Contours, DoNotDependOnDenormals) {
+    Random random(11);
+    for (const float scale : {1e15f, 1e17f, 3e17f, 1e18f, 1e19f}) {
+        std::vector<float> guide;
+        for (int i = 0; i < 20 * 20; ++i)
+            guide.push_back((random.unit() - 0.5f) * scale);
+        const std::vector<uint32_t> kept = words_of(guide, 20, 20);
+        const DenormalsAreZero as_on_gpus;
+        EXPECT_EQ(words_of(guide, 20, 20), kept) << scale;
     }
 }
 

@@ -222,6 +222,72 @@ TEST_P(JobCheck, ADeviceOnWhichADispatchDoesNothingIsNotUsed) {
     }
 }
 
+/// What a compiler or a hasty editor might make of a program.
+struct Wrong {
+    const char *what, *file, *macros, *before, *after;
+    void (*wanted_of)(Order&);
+};
+
+void of_contours(Order& order) {
+    order.job.mesh.contour = 0.4f;
+}
+void of_the_default_cost(Order&) {}
+void of_three_meshes(Order& order) {
+    order.job.mesh.meshes = 3;
+}
+void of_fitted_vertices(Order& order) {
+    order.job.surface.consistency = 1;
+    order.job.surface.fitted = true;
+    order.job.surface.clipped = true;
+}
+
+// Contractions are written with doubles, in which products of floats are exact.
+constexpr Wrong all_wrong[] = {
+    {"where contours do not decide", "start.comp", "COST_abn CONTOURS",
+     "rising = abs(z(x + 1, y) - z(x, y + 1))", "rising = z(x + 1, y) - z(x, y + 1)", of_contours},
+    {"where contours do not decide, ties", "start.comp", "COST_abn CONTOURS", "falling <= rising",
+     "falling < rising", of_contours},
+    {"where contours decide alone", "start.comp", "COST_abn CONTOURS", "xy == 0 ? flatter : xy < 0",
+     "xy < 0", of_contours},
+    {"sum of squares, contracted", "evaluate.comp", "COST_abn", "((gx * gx) + (gy * gy))",
+     "float(double(gx) * double(gx) + double(gy * gy))", of_the_default_cost},
+    {"mean of meshes, contracted", "sample.comp", "QUADRATIC MEAN", "mean * others + last * share",
+     "vec4(dvec4(mean) * double(others) + dvec4(last * share))", of_three_meshes},
+    {"mean of meshes, contracted the other way", "sample.comp", "QUADRATIC MEAN",
+     "mean * others + last * share", "vec4(dvec4(mean * others) + dvec4(last) * double(share))",
+     of_three_meshes},
+    {"mean of meshes, beyond them", "sample.comp", "QUADRATIC MEAN",
+     "f = if_less(f, low, low, f);\n    return if_less(high, f, high, f);", "return f;",
+     of_three_meshes},
+    {"black and white about a pixel, contracted", "correct.comp", "QUADRATIC STORED_EDGES FITTED",
+     "(s.high - z) * dark + (z - s.low) * bright",
+     "vec4(dvec4((s.high - z) * dark) + dvec4(z - s.low) * dvec4(bright))", of_fitted_vertices},
+    {"candidates of one gain", "select.comp", "", "g == own && other < m", "g == own && other > m",
+     of_the_default_cost},
+    {"late candidates of one gain", "finish.comp", "COST_abn", "g == own && other < m",
+     "g == own && other > m", of_the_default_cost},
+};
+
+// Each makes other bits of some picture, and is to make some of the check's.
+TEST_P(JobCheck, WhatFewPicturesShowIsSeen) {
+    for (const Wrong& wrong : all_wrong) {
+        Order order;
+        order.job.channels = 3;
+        wrong.wanted_of(order);
+        gl::change_text(gl::program_name(wrong.file, wrong.macros), wrong.before, wrong.after);
+        gl::Gpu& device = fresh_device();
+        device.thread
+            .post([&] {
+                const std::string& difference = device.checks.differs(device, order.job);
+                EXPECT_NE(difference.find(" does not compute as the CPU does "), difference.npos)
+                    << wrong.what << ": " << difference;
+            })
+            .get();
+        EXPECT_TRUE(programs_of(device).count(gl::program_name(wrong.file, wrong.macros)))
+            << wrong.what;
+    }
+}
+
 int g_linked, g_linked_when_asked;
 PFNGLLINKPROGRAMPROC g_link_program;
 PFNGLGETSHADERIVPROC g_get_shader;

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include <unistd.h>
 
@@ -11,6 +12,7 @@
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
 #include "tests/core/plain.h"
+#include "tests/environment.h"
 #include "tests/temporary.h"
 
 namespace ddt::test {
@@ -35,14 +37,14 @@ TEST(Renderers, OfGuestsAreKnownByTheirNames) {
 }
 
 TEST(Renderers, ByWayOfAnotherApiAreNotTakenForTheOnesThatAreTested) {
-    for (const char* name : {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe"}) {
-        EXPECT_TRUE(gl::is_tested(name)) << name;
-        EXPECT_FALSE(gl::is_zink(name)) << name;
-    }
+    const char* const itself = "llvmpipe (LLVM 15.0.6, 256 bits)";
+    EXPECT_TRUE(gl::is_tested(itself));
+    EXPECT_FALSE(gl::is_zink(itself));
     const char* const layered = "zink (llvmpipe (LLVM 15.0.6, 256 bits))";
     EXPECT_TRUE(gl::is_software(layered));
     EXPECT_TRUE(gl::is_zink(layered));
     EXPECT_FALSE(gl::is_tested(layered));
+    EXPECT_FALSE(gl::is_tested("softpipe")) << "has no OpenGL 4.3 so far";
     EXPECT_FALSE(gl::is_tested("NVIDIA H100 80GB HBM3/PCIe/SSE2"));
 }
 
@@ -112,6 +114,29 @@ TEST_F(Hardware, WhereItMayBeItIsLookedFor) {
     gl::look_for_hardware_in(folder_with("card", {"dri/card0"}));
     EXPECT_EQ(loads(Device::automatic), 1);
     EXPECT_EQ(loads(Device::automatic), 0) << "looked for twice";
+}
+
+// `auto` leaves the work to the CPU without an error; who wonders why is told, once.
+TEST_F(Hardware, ThatIsMissingIsToldOfOnceWhereLinesAreWanted) {
+    const std::string folder = folder_with("silent", {"null"});
+    const auto lines = [&](const char* wanted) {
+        const Environment verbose("DDT_VERBOSE", wanted);
+        testing::internal::CaptureStderr();
+        loads(Device::automatic);
+        std::istringstream said(testing::internal::GetCapturedStderr());
+        std::vector<std::string> why;
+        for (std::string line; std::getline(said, line);)
+            if (line.find("no GPU is used") != line.npos)
+                why.push_back(line);
+        return why;
+    };
+    gl::look_for_hardware_in(folder);
+    EXPECT_EQ(lines("0"), std::vector<std::string>());
+    const std::vector<std::string> first = lines("1");
+    ASSERT_EQ(first.size(), 1u);
+    EXPECT_NE(first[0].find("no GPU's driver has files in " + folder), std::string::npos)
+        << first[0];
+    EXPECT_EQ(lines("1"), std::vector<std::string>());
 }
 
 TEST_F(Hardware, IsLookedForAfterManySmallJobs) {
