@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ddt/rect.h"
+#include "plugin/image/largest_side.h"
 #include "plugin/message/format.h"
 
 namespace ddt::tool {
