@@ -69,8 +69,7 @@ class Commands(Case):
                 self.assertIn("which is linked with -Bsymbolic-functions", line)
 
     def test_info_tells_how_many_threads_a_job_has(self):
-        done = self.succeed(os.path.join(BUILD, "bin", "ddt"), "info",
-                            OPENIMAGEIO_THREADS="1")
+        done = self.succeed(DDT, "info", OPENIMAGEIO_THREADS="1")
         self.assertRegex(done, "(?m)^cpu +1 thread$")
 
     def test_info_says_why_a_device_is_not_used(self):

@@ -74,7 +74,7 @@ Failure failure_of_image(const std::string& path, int when,
 
 // EXR's has a stream, the writers of the others open the file themselves.
 TEST(ImageFile, WhoseUnfinishedFileIsNotItsOwnAnyMoreIsTriedAgain) {
-    for (const char* name : {"lost.exr", "lost.tif", "lost.rla"})
+    for (const char* name : {"taken.exr", "taken.tif", "taken.rla"})
         for (const int when : {0, 1, 2}) {
             const std::string path = temporary(name);
             std::string unfinished;
