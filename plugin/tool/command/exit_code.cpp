@@ -39,7 +39,7 @@ size_t end_of_quoted(const std::string& message, size_t open) {
 /// Whether a text says that something is wanting.
 bool tells_of_want(const std::string& text) {
     // Of the library: memory that ran out, images that another machine may have memory for (see
-    // check_size in plugin/image/windows.h), devices that this one has not; of libtiff and of
+    // check_size in plugin/image/memory.h), devices that this one has not; of libtiff and of
     // OpenImageIO's writers: a full disk; of OpenEXR's threads, of zlib's compress() and of what a
     // reader was thrown: there are no more, or no memory; of ours: a file that another took the
     // place of.

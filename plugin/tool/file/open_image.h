@@ -20,9 +20,9 @@ std::string why_unreadable(const OIIO::ImageBuf& image, const std::string& path)
 std::string image_name(const std::string& path, int number = 0);
 
 /// False with one line in `error` if the image of a file makes its reader overrun its memory
-/// (plugin/image/metadata.h), or the file is a pipe or a character device, with which readers would
-/// never be done. To be asked before a reader is tried on a file, and before an ImageBuf without a
-/// cache is made of it: that of OpenImageIO 2.5 reads pixels at once.
+/// (plugin/image/oiio_defects.h), or the file is a pipe or a character device, with which readers
+/// would never be done. To be asked before a reader is tried on a file, and before an ImageBuf
+/// without a cache is made of it: that of OpenImageIO 2.5 reads pixels at once.
 bool check_reader(const std::string& path, int number, std::string& error);
 bool check_reader(const std::string& path, int number, Failure& failure);
 

@@ -31,7 +31,7 @@ struct Frame : FrameHeader {
     host::Buffer buffer();
     /// Take the memory for the size, which nothing is written to: a header alone makes no page of
     /// it. False with one line in `error` if an image may not be so large (check_size() of
-    /// plugin/image/windows.h); throws std::bad_alloc.
+    /// plugin/image/memory.h); throws std::bad_alloc.
     bool allocate(std::string& error);
     size_t row_bytes() const;
     size_t bytes() const { return row_bytes() * size_t(height); }
