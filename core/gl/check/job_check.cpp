@@ -315,8 +315,9 @@ Job job_to_check(const Job& job) {
         check.mesh.max_iterations = 0;
     check.mesh.min_gain = -1.0f; // many flips, and late ones
     check.mesh.blur = 0.07f;     // several meshes differ by it
-    // Of two surfaces the mean is of halves, which are exact: contracted it has the same bits.
-    check.mesh.meshes = std::min(job.mesh.meshes, 3);
+    // What is right for two meshes counts for more of them (job_key_of), yet of two surfaces the
+    // mean is of halves, which are exact: contracted it has the same bits; of three it has others.
+    check.mesh.meshes = job.mesh.meshes > 1 ? 3 : 1;
     check.surface.kind = job.surface.kind;
     check.surface.consistency = std::min(job.surface.consistency, 2);
     check.surface.soft = job.surface.soft > 0 ? 0.3f : 0.0f;

@@ -235,6 +235,10 @@ void of_the_default_cost(Order&) {}
 void of_three_meshes(Order& order) {
     order.job.mesh.meshes = 3;
 }
+/// What is checked for them counts for more meshes, too.
+void of_two_meshes(Order& order) {
+    order.job.mesh.meshes = 2;
+}
 void of_fitted_vertices(Order& order) {
     order.job.surface.consistency = 1;
     order.job.surface.fitted = true;
@@ -256,6 +260,12 @@ constexpr Wrong all_wrong[] = {
     {"mean of meshes, contracted the other way", "sample.comp", "QUADRATIC MEAN",
      "mean * others + last * share", "vec4(dvec4(mean * others) + dvec4(last) * double(share))",
      of_three_meshes},
+    {"mean of meshes, contracted, of two", "sample.comp", "QUADRATIC MEAN",
+     "mean * others + last * share", "vec4(dvec4(mean) * double(others) + dvec4(last * share))",
+     of_two_meshes},
+    {"mean of meshes, contracted the other way, of two", "sample.comp", "QUADRATIC MEAN",
+     "mean * others + last * share", "vec4(dvec4(mean * others) + dvec4(last) * double(share))",
+     of_two_meshes},
     {"mean of meshes, beyond them", "sample.comp", "QUADRATIC MEAN",
      "f = if_less(f, low, low, f);\n    return if_less(high, f, high, f);", "return f;",
      of_three_meshes},
