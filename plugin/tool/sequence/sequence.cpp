@@ -104,11 +104,22 @@ bool check_outputs(const std::vector<FrameTask>& tasks, Failure& failure) {
     return true;
 }
 
-/// Whether a folder that there is not has a # in its name, meant for a frame's number.
+/// Whether one of the folders has a # in its name and is not there: it was meant for a frame's
+/// number. Of folders that have views, and of those in them, it cannot be told: before the views'
+/// names are put in, none is there. Nor can it of one that cannot be looked at.
 bool is_numbered_folder(const std::string& in) {
-    const fs::path folder = fs::path(in).parent_path();
-    std::error_code ignored;
-    return folder.string().find('#') != std::string::npos && !fs::exists(folder, ignored);
+    fs::path folder;
+    for (const fs::path& part : fs::path(in).parent_path()) {
+        const std::string name = part.string();
+        if (FrameName(name).has_view())
+            return false;
+        folder /= part;
+        std::error_code ignored;
+        if (name.find('#') != std::string::npos &&
+            fs::status(folder, ignored).type() == fs::file_type::not_found)
+            return true;
+    }
+    return false;
 }
 
 } // namespace

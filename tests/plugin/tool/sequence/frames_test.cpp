@@ -139,6 +139,30 @@ TEST(Frames, AFolderThatIsThereMayHaveAnyName) {
     EXPECT_TRUE(is_sequence(folder + "/i.exr", "", ""));
     std::filesystem::create_directory(folder);
     EXPECT_FALSE(is_sequence(folder + "/i.exr", "", ""));
+    // What is not there in it is no number's place, unless it is called so itself.
+    EXPECT_FALSE(is_sequence(folder + "/gone/i.exr", "", ""));
+    EXPECT_TRUE(is_sequence(folder + "/gone#/i.exr", "", ""));
+    // Its links lead round and round, so nobody knows whether it is there.
+    std::filesystem::create_symlink("round#", folder + "/round#");
+    EXPECT_FALSE(is_sequence(folder + "/round#/i.exr", "", ""));
+}
+
+TEST(Frames, FoldersOfViewsMayHaveAnyName) {
+    const std::string folder = temporary("take#2");
+    for (const char* view : {"left", "right"}) {
+        std::filesystem::create_directories(folder + "/" + view);
+        std::filesystem::create_directories(temporary(view) + "/take#2");
+    }
+    std::vector<FrameTask> tasks;
+    Failure failure;
+    for (const auto& [in, second] : {std::pair("take#2/%V/i.png", "take#2/right/i.png"),
+                                     {"%V/take#2/i.png", "right/take#2/i.png"}}) {
+        ASSERT_TRUE(
+            list_tasks(temporary(in), temporary("o.%V.png"), "", "left,right", tasks, failure))
+            << failure.why;
+        ASSERT_EQ(tasks.size(), 2u);
+        EXPECT_EQ(tasks[1].in, temporary(second));
+    }
 }
 
 TEST(Frames, FilesAreToldApartWhateverTheirFoldersAreCalled) {
