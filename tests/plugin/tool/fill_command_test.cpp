@@ -144,6 +144,48 @@ TEST(FillCommand, FormatsWithoutWindowsGetTheDisplayWindow) {
                 << x << " " << y;
 }
 
+/// Noise with a hole, as it is filled into a PNG. Its display window is larger than its data window
+/// by a margin; it has depth, for which a PNG has no room, or not.
+std::string filled_noise(int margin, bool has_depth) {
+    ImageSpec spec(12, 9, has_depth ? 5 : 4, OIIO::TypeFloat);
+    spec.channelnames = {"R", "G", "B", "A"};
+    if (has_depth)
+        spec.channelnames.emplace_back("Z");
+    spec.alpha_channel = 3;
+    spec.z_channel = has_depth ? 4 : -1;
+    spec.x = spec.y = margin;
+    spec.full_width = spec.width + 2 * margin;
+    spec.full_height = spec.height + 2 * margin;
+    ImageBuf image(spec);
+    OIIO::ImageBufAlgo::noise(image, "uniform", 0.1f, 1.0f);
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    for (int x = 4; x < 7; ++x)
+        image.setpixel(margin + x, margin + 4, std::vector<float>(size_t(spec.nchannels), nan));
+    const std::string name = "noise" + std::to_string(margin) + (has_depth ? "_depth" : "");
+    const std::string in = temporary(name + ".exr"), out = temporary(name + ".png");
+    EXPECT_TRUE(image.write(in)) << image.geterror();
+    const Ran ran = run(make_fill_command(), {in, out});
+    EXPECT_EQ(ran.code, exit_done);
+    EXPECT_EQ(ran.err, has_depth ? "ddt: \"" + out + "\" has no room for Z\n" : "");
+    return out;
+}
+
+TEST(FillCommand, OfMoreChannelsThanAFormatHasTheFirstStayInTheirPlaces) {
+    for (const int margin : {0, 3}) {
+        const ImageBuf filled = load(filled_noise(margin, true)),
+                       wanted = load(filled_noise(margin, false));
+        ASSERT_EQ(filled.spec().roi(), wanted.spec().roi());
+        EXPECT_EQ(filled.spec().width, 12 + 2 * margin);
+        ASSERT_EQ(filled.nchannels(), 4);
+        EXPECT_GT(filled.getchannel(margin + 5, margin + 4, 0, 1), 0) << "nothing is filled";
+        for (int y = 0; y < filled.spec().height; ++y)
+            for (int x = 0; x < filled.spec().width; ++x)
+                for (int c = 0; c < 4; ++c)
+                    EXPECT_EQ(filled.getchannel(x, y, 0, c), wanted.getchannel(x, y, 0, c))
+                        << margin << ": " << x << " " << y << " " << c;
+    }
+}
+
 TEST(FillCommand, OfADisplayWindowForWhichThereIsNoMemoryThereIsNone) {
     ImageSpec spec(10, 6, 1, OIIO::TypeFloat);
     spec.full_width = spec.full_height = 1 << 20;
