@@ -15,8 +15,9 @@ KILLS = 30
 class Whole(ProcessCase):
     def test_killed_at_any_moment(self):
         """The old file or the whole new one."""
-        self.succeed("oiiotool", "photo.png", "--resize", "160x128", "--noise", "-o", "large.png")
-        command = ("resize", "large.png", "300%", "out.png", "--progress", "lines")
+        # Of many tiles, so that there are lines, and kills, while they are worked on.
+        self.succeed("oiiotool", "photo.png", "--resize", "800x640", "--noise", "-o", "large.png")
+        command = ("resize", "large.png", "150%", "out.png", "--progress", "lines")
         code, told = self.run_to_end(*command)
         self.assertEqual(code, 0, told)
         lines = len(told.splitlines())
@@ -37,7 +38,7 @@ class Whole(ProcessCase):
                 self.assertIn(process.returncode, (0, -signal.SIGTERM, -signal.SIGINT))
         self.assertGreater(seen["old"], 0)
         # What SIGKILL left is the next run's, and goes with it.
-        self.assertEqual(self.run_to_end("resize", "large.png", "300%", "out.png"), (0, ""))
+        self.assertEqual(self.run_to_end("resize", "large.png", "150%", "out.png"), (0, ""))
         self.assertEqual([n for n in os.listdir(self.folder) if ".ddt-" in n], [])
 
     def test_signals_leave_nothing(self):
