@@ -64,8 +64,13 @@ vec4 softness(ivec2 i, ivec2 j) {
     // values are not finite, too. So they need not be read.
     if (w == 0.0)
         return vec4(0.0);
+#ifdef QUADRATIC
+    vec4 bent = bend(i, j);
+#else
+    const vec4 bent = vec4(0.0);
+#endif
     return edge_softness(w, value_at(i), value_at(j), value_at((m + e.left) / 2),
-                         value_at((m - e.left) / 2), strict);
+                         value_at((m - e.left) / 2), bent, strict);
 #endif
 }
 

@@ -66,15 +66,18 @@ float soft_weight(float gain, float reciprocal_tau) {
     return upper(0.0, w);
 }
 
-// q of an edge from i to j with apexes c and d, weight w.
-vec4 edge_softness(float w, vec4 zi, vec4 zj, vec4 zc, vec4 zd, vec4 strict) {
+// q of an edge from i to j with apexes c and d, weight w and bend e.
+vec4 edge_softness(float w, vec4 zi, vec4 zj, vec4 zc, vec4 zd, vec4 e, vec4 strict) {
     const vec4 zero = vec4(0.0);
     precise vec4 ends = zi + zj;
     precise vec4 blend = w * ((zc + zd) - ends);
     vec4 low = lower(lower(zi, zj), upper(zc, zd));
     vec4 high = upper(upper(zi, zj), lower(zc, zd));
-    precise vec4 least = (low + low) - ends;
-    precise vec4 most = (high + high) - ends;
+    precise vec4 half_bend = 0.5 * e;
+    precise vec4 least = ((low + low) - ends) - half_bend;
+    precise vec4 most = ((high + high) - ends) - half_bend;
+    least = lower(zero, least);
+    most = upper(zero, most);
     vec4 q = if_less(zero, strict, lower(upper(blend, least), most), blend);
     precise vec4 negated = zero - blend;
     vec4 size = if_less(blend, zero, negated, blend);

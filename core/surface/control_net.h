@@ -19,9 +19,12 @@
 // gain g,
 //     min(b_i, b_j) q_ij,   q_ij = w (z_c + z_d - z_i - z_j),   w = max(0, 1 + min(g, 0) / tau) / 2
 // the blend of the mesh with its flipped state: at g = 0 both diagonals count alike. In strict
-// lanes (ControlNet::strict), where values are cut off at the triangle's range, q is bounded so
-// that the edge's midpoint, (z_i + z_j + q) / 2, is within that of either of the edge's triangles:
-// where one let it rise and the other cut it off, the surface would jump.
+// lanes (ControlNet::strict), where values are cut off at the triangle's range, q is bounded:
+//     2 low <= z_i + z_j + e_ij / 2 + q_ij <= 2 high
+// with low = min(z_i, z_j, max(z_c, z_d)) and high = max(z_i, z_j, min(z_c, z_d)): the edge's
+// midpoint stays within the range that both its triangles have (elsewhere on the edge, bends may
+// pass it by a sixteenth of the edge's own rise). Where one triangle let the edge rise and the
+// other cut it off, the surface would jump. The bounds of an edge and its flipped state may differ.
 //
 // Non-finite values stay inside the triangles that touch them: such a triangle counts for no
 // gradient and the edges of such a vertex have e = 0.

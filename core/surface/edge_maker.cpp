@@ -16,6 +16,7 @@ void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe
     m_recipe = recipe;
     m_windowed = windowed;
     m_scratch.tame = values_windowed(); // as load_vertices() finds; of other values it is not known
+    m_scratch.bent = recipe.bent;
     if (!recipe.fans)
         m_fans.begin(lattice, 1);
     m_scratch.fans = recipe.fans ? recipe.fans : &m_fans;

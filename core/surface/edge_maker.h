@@ -27,6 +27,8 @@ struct EdgeRecipe {
     Arena* arena = nullptr;
     /// Rows of cells that to_cells() is asked for at once, at most.
     int cells = 1;
+    /// Without `bend`: e is there of edges before their q is made. Else it counts as 0.
+    bool bent = false;
 };
 
 /// Of which arrays an EdgeMaker keeps but a window of rows (kept_rows.h); the others have all rows.

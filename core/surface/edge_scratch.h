@@ -28,6 +28,7 @@ struct Spokes {
 struct EdgeScratch {
     /// Whether all vertices that are there are known to be tame (core/surface/tame.h).
     bool tame = false;
+    bool bent = false; ///< EdgeRecipe::bent
     /// The gradients: x at a vertex' site, y at the site below.
     SiteRows gradients;
     FanRows* fans = nullptr; ///< of the lattice

@@ -136,6 +136,7 @@ HWY_NOINLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, i
     const int row = lattice.vertex_site(0, y), first = row + to_first<kind>(lattice);
     const float* weights = scratch.weights[in_odd_column(kind)].data();
     float* const e = bend ? net.at(first) : nullptr;
+    const float* const given = !bend && soft && scratch.bent ? net.at(first) : nullptr;
     float* const q = soft ? net.soft_at(first) : nullptr;
     const RegularRow regular(lattice, net, scratch.edge_cells, y,
                              bend ? scratch.gradients.at(row) : nullptr);
@@ -145,14 +146,18 @@ HWY_NOINLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, i
     each_vector(begin, end, count, [&](auto vector, const RowPlace& place) HWY_ATTR {
         using T = decltype(vector);
         const RegularEdges<T> edges = regular.edges<kind, bend, T>(place);
+        T bent = T(0.0f);
+        if (bend) {
+            bent = edge_bend<tame>(edges.gix, edges.giy, edges.gjx, edges.gjy, edges.zi, edges.zj,
+                                   edges.vx, edges.vy);
+            bent.store(e + place.at);
+        } else if (given) {
+            bent = T::load(given + place.at);
+        }
         if (soft)
             edge_softness<tame>(spread<T>(weights, place, count), edges.zi, edges.zj, edges.zc,
-                                edges.zd, strict.at<T>(place))
+                                edges.zd, bent, strict.at<T>(place))
                 .store(q + place.at);
-        if (bend)
-            edge_bend<tame>(edges.gix, edges.giy, edges.gjx, edges.gjy, edges.zi, edges.zj,
-                            edges.vx, edges.vy)
-                .store(e + place.at);
     });
     const size_t most = size_t(x1 - x0) + cells_at_once + most_lanes;
     if (scratch.columns.size() < most)
@@ -161,8 +166,9 @@ HWY_NOINLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, i
     const int n = list_irregular<kind>(lattice, x0, x1, begin, end, y, columns);
     if (n > 0)
         std::fill_n(columns + n, most_lanes, columns[n - 1]);
-    const IrregularEdges irregular{net.vertex(row), regular.gradients, regular.to_y, row,
-                                   first - row,     weights,           net.strict,   count};
+    const IrregularEdges irregular{
+        net.vertex(row), regular.gradients, regular.to_y, row, first - row, weights,
+        given,           net.strict,        count};
     make_irregular<bend, soft>(SiteLanes(lattice), irregular, columns, n, e, q);
 }
 

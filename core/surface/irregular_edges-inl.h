@@ -3,10 +3,11 @@
 // Needs: <algorithm>, gradient-inl.h, blocks-inl.h, row_lanes-inl.h, site_lanes-inl.h.
 
 /// Of as many edges of a row as there are lanes: how many floats from the row's first vertex their
-/// ends i and j, and if `soft` their apexes c and d, are, and what else they are made from.
+/// ends i and j, and if `soft` their apexes c and d, are, and from the row's first edge they
+/// themselves; and what else they are made from.
 template <bool soft>
 struct EdgeList {
-    HWY_ALIGN int32_t i[most_lanes], j[most_lanes], c[most_lanes], d[most_lanes];
+    HWY_ALIGN int32_t i[most_lanes], j[most_lanes], c[most_lanes], d[most_lanes], at[most_lanes];
     // Padded for spread().
     float vx[2 * most_lanes], vy[2 * most_lanes], weight[2 * most_lanes];
 
@@ -16,19 +17,20 @@ struct EdgeList {
                          const float* weights, int count) {
         const DI di;
         const VI x = hn::LoadU(di, columns);
-        const Ints at{hn::Add(hn::ShiftLeft<1>(x), hn::Set(di, to_first))};
-        const EdgeLanes edge = lattice.edge(Ints{hn::Set(di, row)} + at);
+        const Ints place{hn::Add(hn::ShiftLeft<1>(x), hn::Set(di, to_first))};
+        const EdgeLanes edge = lattice.edge(Ints{hn::Set(di, row)} + place);
         const auto store = [&](Ints site, int32_t* to) HWY_ATTR {
             hn::StoreU(hn::Mul(hn::ShiftRight<1>(site.i), hn::Set(di, count)), di, to);
         };
         const Ints to_j = lattice.offset(edge.v);
-        store(at - to_j, i);
-        store(at + to_j, j);
+        store(place - to_j, i);
+        store(place + to_j, j);
         lattice.x(edge.v).store(vx);
         lattice.y(edge.v).store(vy);
         if (soft) {
-            store(at + lattice.offset(edge.left), c);
-            store(at + lattice.offset(edge.right), d);
+            store(place + lattice.offset(edge.left), c);
+            store(place + lattice.offset(edge.right), d);
+            store(Ints{hn::ShiftLeft<1>(x)}, at);
             hn::StoreU(hn::GatherIndex(D(), weights, x), D(), weight);
         }
     }
@@ -58,6 +60,7 @@ struct IrregularEdges {
     int row;        ///< the site of the row's first vertex
     int to_first;   ///< from there to the edge in column 0, in sites
     const float* weights;
+    const float* bends;  ///< without `bend`: e from column 0 on; null: 0
     const float* strict; ///< ControlNet::strict
     int count;
 };
@@ -76,21 +79,24 @@ HWY_NOINLINE void make_irregular(const SiteLanes& lattice, const IrregularEdges&
             const auto at = [&](const float* row, const int32_t* places)
                                 HWY_ATTR { return at_each(row, places + k); };
             const Blocks zi = at(from.vertices, list.i), zj = at(from.vertices, list.j);
+            Blocks bent(0.0f);
+            // Where an end lies outside the part its gradient is not known, and e is never used.
+            if (bend) {
+                const float *gx = from.gradients, *gy = gx + from.to_y;
+                bent =
+                    edge_bend<false>(at(gx, list.i), at(gy, list.i), at(gx, list.j), at(gy, list.j),
+                                     zi, zj, spread(list.vx + k), spread(list.vy + k));
+                store_each(bent, columns + done + k, from.count, e);
+            } else if (from.bends) {
+                bent = at(from.bends, list.at);
+            }
             // An edge that cannot be flipped has weight 0; its apexes are read all the same, if
             // they are no vertices, too: never tame.
             if (soft)
                 store_each(edge_softness<false>(spread(list.weight + k), zi, zj,
                                                 at(from.vertices, list.c),
-                                                at(from.vertices, list.d), strict),
+                                                at(from.vertices, list.d), bent, strict),
                            columns + done + k, from.count, q);
-            // Where an end lies outside the part its gradient is not known, and e is never used.
-            if (bend) {
-                const float *gx = from.gradients, *gy = gx + from.to_y;
-                store_each(edge_bend<false>(at(gx, list.i), at(gy, list.i), at(gx, list.j),
-                                            at(gy, list.j), zi, zj, spread(list.vx + k),
-                                            spread(list.vy + k)),
-                           columns + done + k, from.count, e);
-            }
         }
     }
 }

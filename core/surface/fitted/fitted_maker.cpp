@@ -54,6 +54,7 @@ void FittedMaker::begin(const Lattice& lattice, const Rect& part, const FittedRe
     m_plain.begin(lattice, m_moved, Surface::patch, edges, values, net.strict, m_crossed);
     // They are bent here.
     edges.bend = false;
+    edges.bent = true;
     edges.cells = recipe.cells;
     m_soft.begin_edge_rows(lattice, part, edges, net);
 

@@ -25,10 +25,9 @@ public:
             std::fill_n(m_nets.back().strict, group_size, strict ? 1.0f : 0.0f);
             set_vertices(scene.lattice, values.data(), channels, c,
                          std::min(group_size, channels - c), m_nets.back());
-            if (surface == Surface::patch)
-                make_edges(scene.lattice, scene.all(), true, false, 0, edges, m_nets.back());
-            if (tau > 0)
-                make_edges(scene.lattice, scene.all(), false, true, tau, edges, m_nets.back());
+            const bool bend = surface == Surface::patch, soft = tau > 0;
+            if (bend || soft)
+                make_edges(scene.lattice, scene.all(), bend, soft, tau, edges, m_nets.back());
         }
         m_search.begin();
     }

@@ -64,26 +64,29 @@ TEST(ControlNet, SoftEdgesHaveTheBitsOfTheFormulas) {
     on_each_target([] {
         int some = 0;
         each_scene([&](const Scene& scene, Random& random) {
+            const auto compare = [&](Values kind, Surface surface, float tau, bool strict) {
+                const Lattice& l = scene.lattice;
+                const auto values = make_values(kind, scene.pixels(), random);
+                ControlNet net = make(scene, Surface::linear, values);
+                net.strict[0] = strict;
+                for (SiteRows* rows : {&net.soft.even, &net.soft.odd})
+                    rows->numbers.assign(l.size(), 99.0f);
+                const DenormalsAreZero zero;
+                EdgeMaker edges;
+                make_edges(l, scene.all(), surface == Surface::patch, true, tau, edges, net);
+                SlowSurface slow(scene.faces, l.width(), l.height(), surface, values);
+                slow.soften(l, tau, strict);
+                l.each_edge([&](int m) {
+                    const EdgeView e = view(l, m);
+                    ASSERT_EQ(net.soft_at(m)[0], slow.q(e.a, e.b));
+                    some += slow.q(e.a, e.b) != 0.0f;
+                });
+            };
             for (const Values kind : all_values)
-                for (const auto& [tau, strict] :
-                     {std::pair(0.3f, false), std::pair(100.0f, false), std::pair(100.0f, true)}) {
-                    const Lattice& l = scene.lattice;
-                    const auto values = make_values(kind, scene.pixels(), random);
-                    ControlNet net = make(scene, Surface::linear, values);
-                    net.strict[0] = strict;
-                    for (SiteRows* rows : {&net.soft.even, &net.soft.odd})
-                        rows->numbers.assign(l.size(), 99.0f);
-                    const DenormalsAreZero zero;
-                    EdgeMaker edges;
-                    make_edges(l, scene.all(), false, true, tau, edges, net);
-                    SlowSurface slow(scene.faces, l.width(), l.height(), Surface::linear, values);
-                    slow.soften(l, tau, strict);
-                    l.each_edge([&](int m) {
-                        const EdgeView e = view(l, m);
-                        ASSERT_EQ(net.soft_at(m)[0], slow.q(e.a, e.b));
-                        some += slow.q(e.a, e.b) != 0.0f;
-                    });
-                }
+                for (const Surface surface : both_surfaces)
+                    for (const bool strict : {false, true})
+                        for (const float tau : {0.3f, 100.0f})
+                            compare(kind, surface, tau, strict);
         });
         EXPECT_GT(some, 1000);
     });

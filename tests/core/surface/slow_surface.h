@@ -66,12 +66,14 @@ public:
                 w > 0 && std::fabs(q) <= FLT_MAX ? (strict ? bounded(q, v) : q) : 0.0f;
         }
     }
-    /// q with which the edge's midpoint is within the range of both its triangles.
+    /// q with which the edge stays within the range of both its triangles (see control_net.h).
     float bounded(float q, const EdgeView& v) const {
-        const float ends = z(v.a) + z(v.b);
+        const float ends = z(v.a) + z(v.b), bend = e(v.a, v.b);
         for (const Pixel apex : {v.left, v.right}) {
             const auto [low, high] = std::minmax({z(v.a), z(v.b), z(apex)});
-            q = std::clamp(q, 2 * low - ends, 2 * high - ends);
+            const float least = (2 * low - ends) - 0.5f * bend;
+            const float most = (2 * high - ends) - 0.5f * bend;
+            q = std::clamp(q, std::min(least, 0.0f), std::max(most, 0.0f));
         }
         return q;
     }

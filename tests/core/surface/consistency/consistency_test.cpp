@@ -31,10 +31,9 @@ std::vector<float> corrected(const Scene& scene, const std::vector<float>& value
     std::fill_n(net.strict, group_size, shape.strict ? 1.0f : 0.0f);
     consistency.begin(l, net, shape.limit, shape.clipped);
     for (int i = 0; i < rounds; ++i) {
-        if (shape.surface == Surface::patch)
-            make_edges(l, scene.all(), true, false, 0, edges, net);
-        if (shape.tau > 0)
-            make_edges(l, scene.all(), false, true, shape.tau, edges, net);
+        const bool bend = shape.surface == Surface::patch, soft = shape.tau > 0;
+        if (bend || soft)
+            make_edges(l, scene.all(), bend, soft, shape.tau, edges, net);
         consistency.correct(l, shape.surface, net);
     }
     std::vector<float> result;
