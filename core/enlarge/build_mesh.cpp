@@ -26,7 +26,7 @@ constexpr int64_t most_pixels = int64_t(1) << 28;
 constexpr float start_begins = 0.05f, flips_begin = 0.3f, list_begins = 0.55f;
 
 /// Rows of sites that are listed between two calls of progress.
-constexpr int rows_at_once = 64;
+constexpr int rows_between_calls = 64;
 
 /// False: cancelled.
 bool list(const Lattice& lattice, Mesh& mesh, const ProgressCallback& progress) {
@@ -38,8 +38,8 @@ bool list(const Lattice& lattice, Mesh& mesh, const ProgressCallback& progress) 
     mesh.height = lattice.height();
     mesh.triangles.reserve(2 * size_t(mesh.width - 1) * size_t(mesh.height - 1));
     const int rows = 2 * mesh.height - 1;
-    for (int y = 0; y < rows; y += rows_at_once) {
-        const int end = std::min(y + rows_at_once, rows);
+    for (int y = 0; y < rows; y += rows_between_calls) {
+        const int end = std::min(y + rows_between_calls, rows);
         each_triangle(lattice, y, end, [&](int a, int b, int c) {
             mesh.triangles.push_back({vertex(a), vertex(b), vertex(c)});
         });

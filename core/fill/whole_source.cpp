@@ -12,7 +12,7 @@ namespace ddt {
 
 namespace {
 
-constexpr int rows_at_once = 64;
+constexpr int rows_in_a_band = 64;
 
 /// Of the time that reading and filling take, about.
 constexpr float filling_begins = 0.02f;
@@ -30,13 +30,13 @@ Outcome WholeSource::fill(Source& source, const Job& job, int threads,
     }
     m_values.resize(m_window.area() * m_channels);
     m_guide.resize(m_window.area());
-    const int bands = (m_window.height() + rows_at_once - 1) / rows_at_once;
+    const int bands = (m_window.height() + rows_in_a_band - 1) / rows_in_a_band;
     Job reading = job;
     reading.progress = part_of(progress, 0, filling_begins);
     JobState state(reading, bands);
     for_each_index(threads, bands, [&](int, int band) {
-        const int y0 = m_window.y0 + band * rows_at_once;
-        const Rect r{m_window.x0, y0, m_window.x1, std::min(y0 + rows_at_once, m_window.y1)};
+        const int y0 = m_window.y0 + band * rows_in_a_band;
+        const Rect r{m_window.x0, y0, m_window.x1, std::min(y0 + rows_in_a_band, m_window.y1)};
         const size_t first = place(r.x0, r.y0);
         if (!state.going())
             return;
