@@ -51,6 +51,7 @@
 // moves downwards as rows are made and used (kept_rows.h).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -98,6 +99,9 @@ struct ControlNet {
     /// 1 in the lanes whose values must stay within their triangle's range even with soft edges.
     float strict[group_size] = {};
     int stride = 0; ///< the lattice's
+    bool has_strict() const {
+        return std::any_of(strict, strict + count(), [](float s) { return s > 0; });
+    }
     int count() const { return values.even.count; }
     const float* at(int site) const { return values.at(site); }
     float* at(int site) { return values.at(site); }

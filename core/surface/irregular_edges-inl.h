@@ -62,6 +62,7 @@ struct IrregularEdges {
     const float* weights;
     const float* bends;  ///< without `bend`: e from column 0 on; null: 0
     const float* strict; ///< ControlNet::strict
+    bool any_strict;
     int count;
 };
 
@@ -93,10 +94,10 @@ HWY_NOINLINE void make_irregular(const SiteLanes& lattice, const IrregularEdges&
             // An edge that cannot be flipped has weight 0; its apexes are read all the same, if
             // they are no vertices, too: never tame.
             if (soft)
-                store_each(edge_softness<false>(spread(list.weight + k), zi, zj,
-                                                at(from.vertices, list.c),
-                                                at(from.vertices, list.d), bent, strict),
-                           columns + done + k, from.count, q);
+                store_each(
+                    edge_softness<false>(spread(list.weight + k), zi, zj, at(from.vertices, list.c),
+                                         at(from.vertices, list.d), bent, strict, from.any_strict),
+                    columns + done + k, from.count, q);
         }
     }
 }
