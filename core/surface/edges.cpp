@@ -136,12 +136,12 @@ HWY_NOINLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, i
     const int row = lattice.vertex_site(0, y), first = row + to_first<kind>(lattice);
     const float* weights = scratch.weights[in_odd_column(kind)].data();
     float* const e = bend ? net.at(first) : nullptr;
-    const float* const given = !bend && soft && scratch.bent ? net.at(first) : nullptr;
     float* const q = soft ? net.soft_at(first) : nullptr;
     const RegularRow regular(lattice, net, scratch.edge_cells, y,
                              bend ? scratch.gradients.at(row) : nullptr);
     const ChannelLanes strict(net.strict, count);
-    const bool any_strict = net.has_strict();
+    const bool any_strict = net.has_strict(); // bends count for bounds alone
+    const float* const given = !bend && any_strict && scratch.bent ? net.at(first) : nullptr;
     begin = std::max(begin, x0);
     end = std::max(std::min(end, x1), begin);
     each_vector(begin, end, count, [&](auto vector, const RowPlace& place) HWY_ATTR {
