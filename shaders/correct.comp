@@ -24,7 +24,7 @@ layout(std430, binding = BIND_CORRECTED) writeonly buffer Corrected { uvec4 corr
 layout(std430, binding = BIND_BENDS) readonly buffer Bends { vec4 bends[]; };
 #endif
 
-layout(location = AT_LIMIT) uniform vec4 limit;
+layout(location = AT_LIMIT) uniform float limit;
 layout(location = AT_LOWEST) uniform float lowest;
 
 vec4 source_at(ivec2 p) {
@@ -157,17 +157,14 @@ void main() {
         precise vec4 sum = add_means(p);
         vec4 low, high;
 #ifdef FITTED
-        // LaneLimits::cut
-        vec4 cut = lowest < 0.0 && all_pixels(p, size)
-                       ? if_less(vec4(0.0), strict, vec4(0.0), vec4(1.0))
-                       : vec4(0.0);
+        bool cut = lowest < 0.0 && all_pixels(p, size);
         precise vec4 step_ = vec4(0.0) - sum * 0.25;
         VertexFeatures v = find_features(step_, cut);
         v.index = bends[first_site + offset(2 * p)];
-        find_limits(p, fitted_limit(limit, v.bound), low, high);
+        find_limits(p, fitted_limit(vec4(limit), v.bound), low, high);
         z = fitted_vertex(z, low, high, v);
 #else
-        find_limits(p, limit, low, high);
+        find_limits(p, vec4(limit), low, high);
         z = corrected(z, source_at(p), sum, low, high);
 #endif
     }

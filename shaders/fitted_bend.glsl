@@ -22,7 +22,7 @@ vec4 mean_of_taps(ivec2 m, ivec2 v, ivec2 l, ivec2 r, int along, int far, ivec2 
 struct EdgeFeatures {
     vec4 null0, null1, null2, null3;
     vec4 o0, o1, plain, ahead; // EdgeFeatures::shared
-    vec4 rise, range;
+    vec4 range;
 };
 
 // EdgeFeatures::find() of the edge e with midpoint m (in doubled coordinates).
@@ -64,7 +64,7 @@ EdgeFeatures find_features(Edge e, ivec2 m, ivec2 size) {
     precise vec4 range =
         upper(upper(za, zb), upper(zc, zd)) - lower(lower(za, zb), lower(zc, zd));
     vec4 plain = bend((m - e.v) / 2, (m + e.v) / 2);
-    return EdgeFeatures(null0, null1, null2, null3, o0, o1, plain, ahead, rise, range);
+    return EdgeFeatures(null0, null1, null2, null3, o0, o1, plain, ahead, range);
 }
 
 // The class of an edge with this vector in pixels.
@@ -100,8 +100,7 @@ vec4 fitted_bend(Edge e, EdgeFeatures edge, float gain, vec4 index) {
         else
             f = f + share_of(index, k) * sum;
     }
-    precise vec4 wide = bend_limit * edge.range;
-    vec4 limit = if_less(zero, strict, edge.rise, wide);
+    precise vec4 limit = bend_limit * edge.range;
     precise vec4 least = zero - limit;
     return finite_or(clamped(finite_or(f, edge.plain), least, limit), edge.plain);
 }

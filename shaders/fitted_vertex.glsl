@@ -21,9 +21,9 @@ struct VertexFeatures {
 };
 
 // VertexFeatures::find() of the vertex of this invocation. step_: what a round of consistency would
-// move it by; cut: LaneLimits::cut, 0 where a tap is no pixel (all_pixels()).
-VertexFeatures find_features(vec4 step_, vec4 cut) {
-    const vec4 zero = vec4(0.0);
+// move it by; cut:
+// whether values will be cut off to 0 .. 1, and all taps are pixels (all_pixels()).
+VertexFeatures find_features(vec4 step_, bool cut) {
     vec4 z = near(12);
     precise vec4 sum0 = (near(11) + near(13)) + (near(7) + near(17));
     precise vec4 sum1 = (near(6) + near(18)) + (near(8) + near(16));
@@ -43,8 +43,8 @@ VertexFeatures find_features(vec4 step_, vec4 cut) {
     vec4 dark = at_bound(above_black), bright = at_bound(below_white);
     precise vec4 both = (s.high - z) * dark + (z - s.low) * bright;
     precise vec4 share = both * (25.0 * s.reciprocal);
-    vec4 bound = if_less(zero, cut, share, zero);
-    return VertexFeatures(f0, f1, f2, f3, f4, step_, zero, bound);
+    vec4 bound = cut ? share : vec4(0.0);
+    return VertexFeatures(f0, f1, f2, f3, f4, step_, vec4(0.0), bound);
 }
 
 // What these weights make of a vertex' features.

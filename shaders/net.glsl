@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The control net over the meshes. Its edges are made where they are read, or STORED_EDGES: were
 // made by net_edges.comp. C++ twin: core/surface/control_net.h. QUADRATIC, SOFT: edges bend, are
-// soft.
+// soft. BOUNDS_VERTICES, BOUNDS_DARK: Bounds.
 #include "lattice.glsl"
 #include "surface.glsl"
 
@@ -27,7 +27,6 @@ const int edge_numbers = 1;
 #endif
 
 layout(location = AT_RECIPROCAL_TAU) uniform float reciprocal_tau;
-layout(location = AT_STRICT) uniform vec4 strict;
 
 int first_site, first_pixel; // of the tile; to be set before anything below is called
 
@@ -70,7 +69,7 @@ vec4 softness(ivec2 i, ivec2 j) {
     const vec4 bent = vec4(0.0);
 #endif
     return edge_softness(w, value_at(i), value_at(j), value_at((m + e.left) / 2),
-                         value_at((m - e.left) / 2), bent, strict);
+                         value_at((m - e.left) / 2), bent);
 #endif
 }
 
@@ -89,6 +88,6 @@ Patch patch_of(ivec2 p0, ivec2 p1, ivec2 p2) {
     p.q12 = softness(p1, p2);
     p.q20 = softness(p2, p0);
 #endif
-    find_range(p, strict);
+    find_range(p);
     return p;
 }

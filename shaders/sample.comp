@@ -29,8 +29,19 @@ layout(location = AT_SIZE) uniform ivec3 size;
 layout(location = AT_FIRST) uniform ivec2 first;
 layout(location = AT_CHANNELS) uniform ivec3 channels; // in a pixel; first and count of this group
 layout(location = AT_NEAREST) uniform uint nearest;    // a bit a channel
+layout(location = AT_ALPHA) uniform uint alpha;        // likewise: those to be bounded
 layout(location = AT_FIRST_RESULT) uniform int first_result;
 layout(location = AT_SHARE) uniform float share; // MEAN: of this mesh in the mean
+
+vec4 source_at(ivec2 p) {
+    return uintBitsToFloat(source[pixel_of(p)]);
+}
+#include "bound_alpha.glsl"
+
+// The bits in `mask`, a channel each.
+bvec4 channels_of(uint mask) {
+    return notEqual(uvec4(mask) & uvec4(1u, 2u, 4u, 8u), uvec4(0u));
+}
 
 void main() {
     int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
@@ -46,6 +57,10 @@ void main() {
     Patch patch_ = patch_of(t.vertex[0], t.vertex[1], t.vertex[2]);
     vec3 b = weights(t);
     uvec4 bits = result_bits(at(patch_, b.x, b.y, b.z));
+    if (alpha != 0u) {
+        vec4 bounded = bound_alpha(uintBitsToFloat(bits), tile, p);
+        bits = if_true(channels_of(alpha), floatBitsToUint(bounded), bits);
+    }
 #ifdef MEAN
 #ifdef WHOLE_GROUPS
     uvec4 mean = pixels[index * (channels.x / group_size) + channels.y / group_size];
@@ -54,15 +69,13 @@ void main() {
     for (int c = 0; c < channels.z; ++c)
         mean[c] = pixels[index * channels.x + channels.y + c];
 #endif
-    bvec4 copied = notEqual(uvec4(nearest) & uvec4(1u, 2u, 4u, 8u), uvec4(0u));
     vec4 f = running_mean(uintBitsToFloat(mean), uintBitsToFloat(bits), share);
-    bits = if_true(copied, mean, result_bits(f));
+    bits = if_true(channels_of(nearest), mean, result_bits(f));
 #else
     if (nearest != 0u) {
         ivec3 w = t.weight;
         int most = w.y > w.x ? (w.z > w.y ? 2 : 1) : (w.z > w.x ? 2 : 0);
-        bvec4 copy = notEqual(uvec4(nearest) & uvec4(1u, 2u, 4u, 8u), uvec4(0u));
-        bits = if_true(copy, source[pixel_of(t.vertex[most])], bits);
+        bits = if_true(channels_of(nearest), source[pixel_of(t.vertex[most])], bits);
     }
 #endif
 #ifdef WHOLE_GROUPS

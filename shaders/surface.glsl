@@ -67,18 +67,25 @@ float soft_weight(float gain, float reciprocal_tau) {
 }
 
 // q of an edge from i to j with apexes c and d, weight w and bend e.
-vec4 edge_softness(float w, vec4 zi, vec4 zj, vec4 zc, vec4 zd, vec4 e, vec4 strict) {
+vec4 edge_softness(float w, vec4 zi, vec4 zj, vec4 zc, vec4 zd, vec4 e) {
     const vec4 zero = vec4(0.0);
     precise vec4 ends = zi + zj;
     precise vec4 blend = w * ((zc + zd) - ends);
+    vec4 q = blend;
     vec4 low = lower(lower(zi, zj), upper(zc, zd));
-    vec4 high = upper(upper(zi, zj), lower(zc, zd));
     precise vec4 half_bend = 0.5 * e;
+#if defined(BOUNDS_VERTICES)
+    vec4 high = upper(upper(zi, zj), lower(zc, zd));
     precise vec4 least = ((low + low) - ends) - half_bend;
     precise vec4 most = ((high + high) - ends) - half_bend;
     least = lower(zero, least);
     most = upper(zero, most);
-    vec4 q = if_less(zero, strict, lower(upper(blend, least), most), blend);
+    q = lower(upper(blend, least), most);
+#elif defined(BOUNDS_DARK)
+    precise vec4 least = (2.0 * dark_share * low - ends) - half_bend;
+    least = lower(zero, least);
+    q = if_less_equal(zero, low, upper(blend, least), blend);
+#endif
     precise vec4 negated = zero - blend;
     vec4 size = if_less(blend, zero, negated, blend);
     return if_less_equal(size, vec4(largest_float), q, zero);
@@ -99,15 +106,19 @@ vec4 larger(vec4 a, vec4 b) {
     return if_less(b, a, a, b);
 }
 
-void find_range(inout Patch p, vec4 strict) {
+void find_range(inout Patch p) {
     p.low = smaller(p.z2, smaller(p.z1, p.z0));
     p.high = larger(p.z2, larger(p.z1, p.z0));
-#ifdef SOFT
-    const vec4 zero = vec4(0.0), infinity = uintBitsToFloat(uvec4(0x7f800000u)),
-               minus_infinity = uintBitsToFloat(uvec4(0xff800000u));
+#ifndef BOUNDS_VERTICES
+    const vec4 infinity = uintBitsToFloat(uvec4(0x7f800000u)),
+               none = uintBitsToFloat(uvec4(0xff800000u));
+#ifdef BOUNDS_DARK
     precise vec4 half_low = dark_share * p.low;
-    p.low = if_less(zero, strict, p.low, if_less_equal(zero, p.low, half_low, minus_infinity));
-    p.high = if_less(zero, strict, p.high, infinity);
+    p.low = if_less_equal(vec4(0.0), p.low, half_low, none);
+#else
+    p.low = none;
+#endif
+    p.high = infinity;
 #endif
 }
 

@@ -129,14 +129,10 @@ size_t upload_numbers(const HostTile& t, const Job& job, int first_slot, const S
 
 std::vector<GroupKinds> kinds_of(const Job& job) {
     std::vector<GroupKinds> groups;
-    for (int g = 0; g < group_count(job.channels); ++g) {
-        GroupKinds kinds;
-        kinds.nearest = nearest_mask(job, g);
-        for (int c = 0; c < group_size; ++c)
-            if (is_strict(job, g * group_size + c))
-                kinds.strict |= 1u << c;
-        groups.push_back(kinds);
-    }
+    for (int g = 0; g < group_count(job.channels); ++g)
+        groups.push_back({nearest_mask(job, g), 0});
+    for (const int c : bounded_channels(job))
+        groups[size_t(c / group_size)].bounded |= 1u << (c % group_size);
     return groups;
 }
 

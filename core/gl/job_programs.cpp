@@ -52,6 +52,18 @@ void add_surface(const SurfaceOptions& options, std::vector<JobProgram>& all) {
         all.push_back({"correct.comp", correct_macros(options)});
 }
 
+const char* bounds_macro(Bounds bounds) {
+    switch (bounds) {
+    case Bounds::vertices:
+        return " BOUNDS_VERTICES";
+    case Bounds::dark:
+        return " BOUNDS_DARK";
+    case Bounds::none:
+        break;
+    }
+    return "";
+}
+
 } // namespace
 
 std::string criterion_macros(const Criterion& by) {
@@ -60,7 +72,7 @@ std::string criterion_macros(const Criterion& by) {
 
 std::string surface_macros(const SurfaceOptions& options) {
     return std::string(options.kind == Surface::linear ? "" : "QUADRATIC ") +
-           (options.soft > 0 ? "SOFT" : "");
+           (options.soft > 0 ? "SOFT" : "") + bounds_macro(bounds_of(options));
 }
 
 std::string gradient_macros(const SurfaceOptions& options) {

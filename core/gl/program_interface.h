@@ -40,7 +40,6 @@ namespace ddt::gl {
     /* served.glsl; net.glsl */                                                                    \
     LOCATION(AT_MARGIN, at_margin)                                                                 \
     LOCATION(AT_RECIPROCAL_TAU, at_reciprocal_tau)                                                 \
-    LOCATION(AT_STRICT, at_strict)                                                                 \
     /* correct.comp */                                                                             \
     LOCATION(AT_LIMIT, at_limit)                                                                   \
     LOCATION(AT_LOWEST, at_lowest)                                                                 \
@@ -50,6 +49,7 @@ namespace ddt::gl {
     LOCATION(AT_SIZE, at_size)                                                                     \
     LOCATION(AT_FIRST, at_first)                                                                   \
     LOCATION(AT_NEAREST, at_nearest)                                                               \
+    LOCATION(AT_ALPHA, at_alpha)                                                                   \
     LOCATION(AT_FIRST_RESULT, at_first_result)                                                     \
     LOCATION(AT_SHARE, at_share)                                                                   \
     /* codes.glsl */                                                                               \

@@ -41,10 +41,6 @@ GLuint groups(int n, int size) {
     return GLuint((n + size - 1) / size);
 }
 
-float lane(unsigned mask, int i) {
-    return (mask >> i & 1u) != 0 ? 1.0f : 0.0f;
-}
-
 } // namespace
 
 Surfaces::Surfaces(Gpu& gpu, const SlotShape& shape, int tiles,
@@ -173,8 +169,6 @@ void Surfaces::bind_net(const DeviceMesh& mesh, const Group& group, const Buffer
     edges.bind(Binding::gradients);
     mesh.gains().bind(Binding::gains);
     m_gl.Uniform1f(at_reciprocal_tau, m_options.soft > 0 ? 1.0f / m_options.soft : 0.0f);
-    const unsigned strict = group.kinds.strict;
-    m_gl.Uniform4f(at_strict, lane(strict, 0), lane(strict, 1), lane(strict, 2), lane(strict, 3));
 }
 
 void Surfaces::fit(DeviceMesh& mesh, Group& group) {
@@ -212,8 +206,7 @@ void Surfaces::correct(DeviceMesh& mesh, Group& group, int round, int margin) {
     bind_net(mesh, group, has_edges() ? *m_edges : *group.gradients);
     group.source->bind(Binding::source);
     to->bind(Binding::corrected);
-    const auto limit = [&](int i) { return lane(~group.kinds.strict, i) * m_options.limit; };
-    m_gl.Uniform4f(at_limit, limit(0), limit(1), limit(2), limit(3));
+    m_gl.Uniform1f(at_limit, m_options.limit);
     m_gl.Uniform1f(at_lowest, m_options.clipped ? -FLT_MAX : 0.0f);
     m_gl.Uniform1i(at_margin, margin);
     mesh.dispatch_over(m_shape.width, m_shape.height, surface_group_x, surface_group_y);
@@ -282,6 +275,7 @@ void Surfaces::sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int index,
         group.source->bind(Binding::source);
         bind_channels(int(g));
         m_gl.Uniform1ui(at_nearest, group.kinds.nearest);
+        m_gl.Uniform1ui(at_alpha, group.kinds.bounded);
         m_gl.DispatchCompute(groups(plan.columns, sample_group_x),
                              groups(plan.rows, sample_group_y), 1);
     }

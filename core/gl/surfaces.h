@@ -13,7 +13,7 @@ namespace ddt::gl {
 
 /// A job's channels, in groups of group_size.
 struct GroupKinds {
-    unsigned nearest = 0, strict = 0; ///< a bit a lane: Channel::nearest, is_strict()
+    unsigned nearest = 0, bounded = 0; ///< a bit a lane: Channel::nearest, bounded_channels()
 };
 
 /// Positions to read one tile's surface at.

@@ -77,20 +77,10 @@ struct BlockStore {
     }
 };
 
-/// ControlNet::strict in every block, and whether all its lanes are.
-struct Strictness {
-    Blocks lanes;
-    bool all;
-    explicit HWY_INLINE Strictness(const ControlNet& net)
-        : lanes(in_every_block(net.strict)),
-          all(net.strict[0] > 0 && net.strict[1] > 0 && net.strict[2] > 0 && net.strict[3] > 0) {}
-};
-
 template <bool quadratic, bool soft, bool tame>
-HWY_INLINE void evaluate_patch(Patch<Blocks>& patch, const Strictness& strict,
-                               const LocatedRow& row, const Span& span, const BlockStore& out,
-                               int r) {
-    patch.template find_range<soft, tame>(strict.lanes, strict.all);
+HWY_INLINE void evaluate_patch(Patch<Blocks>& patch, Bounds bounds, const LocatedRow& row,
+                               const Span& span, const BlockStore& out, int r) {
+    patch.template find_range<tame>(bounds);
     for (int i = span.begin; i < span.end; i += blocks_in_vector())
         out.store(patch.template at<quadratic, soft, tame>(spread(row.weight[0].data() + i),
                                                            spread(row.weight[1].data() + i),
@@ -99,15 +89,14 @@ HWY_INLINE void evaluate_patch(Patch<Blocks>& patch, const Strictness& strict,
 }
 
 template <bool quadratic, bool soft>
-HWY_INLINE void evaluate_triangle(const NetView& net, const Strictness& strict,
-                                  const LocatedRow& row, const Span& span, const BlockStore& out,
-                                  int r = 0) {
+HWY_INLINE void evaluate_triangle(const NetView& net, Bounds bounds, const LocatedRow& row,
+                                  const Span& span, const BlockStore& out, int r = 0) {
     Patch<Blocks> patch;
     load_patch<quadratic, soft>(net, span.vertex, span.edge, patch);
     if (patch.is_tame())
-        evaluate_patch<quadratic, soft, true>(patch, strict, row, span, out, r);
+        evaluate_patch<quadratic, soft, true>(patch, bounds, row, span, out, r);
     else
-        evaluate_patch<quadratic, soft, false>(patch, strict, row, span, out, r);
+        evaluate_patch<quadratic, soft, false>(patch, bounds, row, span, out, r);
 }
 
 /// What a net has round a row of cells.
@@ -121,8 +110,8 @@ struct NetCells {
 
 /// Call each(evaluator) with what evaluates the divided cell at x, y.
 template <bool quadratic, bool soft, bool down, bool tame, class Each>
-HWY_INLINE void with_divided(PlainCell<Blocks>& cell, const Strictness& strict, Each&& each) {
-    cell.template find_ranges<soft, tame>(strict.lanes, strict.all);
+HWY_INLINE void with_divided(PlainCell<Blocks>& cell, Bounds bounds, Each&& each) {
+    cell.template find_ranges<tame>(bounds);
     each([&](Blocks x, Blocks y) HWY_ATTR {
         return down ? cell.template at_down<quadratic, soft, tame>(x, y)
                     : cell.template at_up<quadratic, soft, tame>(x, y);
@@ -132,8 +121,7 @@ HWY_INLINE void with_divided(PlainCell<Blocks>& cell, const Strictness& strict, 
 /// Call each(evaluator) with what evaluates the plain cell, divided by one of its diagonals, at x,
 /// y.
 template <bool quadratic, bool soft, bool down, class Each>
-HWY_INLINE void with_cell(const NetCells& net, const Strictness& strict, ptrdiff_t at,
-                          Each&& each) {
+HWY_INLINE void with_cell(const NetCells& net, Bounds bounds, ptrdiff_t at, Each&& each) {
     PlainCell<Blocks> cell;
     cell.template load<quadratic, soft>(net.values, net.softness, at, in_every_block);
     if (down)
@@ -141,26 +129,26 @@ HWY_INLINE void with_cell(const NetCells& net, const Strictness& strict, ptrdiff
     else
         cell.template divide_up<soft>(cell.first, cell.second);
     if (cell.is_tame())
-        with_divided<quadratic, soft, down, true>(cell, strict, each);
+        with_divided<quadratic, soft, down, true>(cell, bounds, each);
     else
-        with_divided<quadratic, soft, down, false>(cell, strict, each);
+        with_divided<quadratic, soft, down, false>(cell, bounds, each);
 }
 template <bool quadratic, bool soft, class Each>
-HWY_INLINE void with_cell(const NetCells& net, const Strictness& strict, Span::Kind kind,
-                          ptrdiff_t at, Each&& each) {
+HWY_INLINE void with_cell(const NetCells& net, Bounds bounds, Span::Kind kind, ptrdiff_t at,
+                          Each&& each) {
     if (kind == Span::cell_down)
-        with_cell<quadratic, soft, true>(net, strict, at, each);
+        with_cell<quadratic, soft, true>(net, bounds, at, each);
     else
-        with_cell<quadratic, soft, false>(net, strict, at, each);
+        with_cell<quadratic, soft, false>(net, bounds, at, each);
 }
 
 template <bool quadratic, bool soft>
-HWY_INLINE void evaluate_cell(const NetView& net, const Strictness& strict, const LocatedRow& row,
+HWY_INLINE void evaluate_cell(const NetView& net, Bounds bounds, const LocatedRow& row,
                               const Span& span, const BlockStore& out) {
     const int step = blocks_in_vector();
     const float *x = row.weight[0].data(), *y = row.weight[1].data();
     const NetCells cell(net, soft, span.vertex[0]);
-    with_cell<quadratic, soft>(cell, strict, span.kind, 0, [&](auto&& at) HWY_ATTR {
+    with_cell<quadratic, soft>(cell, bounds, span.kind, 0, [&](auto&& at) HWY_ATTR {
         for (int i = span.begin; i < span.end; i += step)
             out.store(at(spread(x + i), spread(y + i)), i, span.end);
     });
@@ -170,22 +158,21 @@ template <bool quadratic, bool soft>
 HWY_INLINE void evaluate_spans(const ControlNet& whole, const LocatedRow& row,
                                const BlockStore& out) {
     const NetView net(whole);
-    const Strictness strict(whole);
+    const Bounds bounds = whole.bounds;
     for (const Span& span : row.spans)
         if (span.kind == Span::triangle)
-            evaluate_triangle<quadratic, soft>(net, strict, row, span, out);
+            evaluate_triangle<quadratic, soft>(net, bounds, row, span, out);
         else
-            evaluate_cell<quadratic, soft>(net, strict, row, span, out);
+            evaluate_cell<quadratic, soft>(net, bounds, row, span, out);
 }
 
 /// The positions of a block that lie in a plain cell. place: as CellNumbers has it.
 template <bool quadratic, bool soft>
-HWY_INLINE void evaluate_plain_cell(const NetCells& cells, ptrdiff_t place,
-                                    const Strictness& strict, const Columns& columns,
-                                    const LocatedBlock& block, const LocatedBlock::Range& range,
-                                    const BlockStore& out) {
+HWY_INLINE void evaluate_plain_cell(const NetCells& cells, ptrdiff_t place, Bounds bounds,
+                                    const Columns& columns, const LocatedBlock& block,
+                                    const LocatedBlock::Range& range, const BlockStore& out) {
     const int step = blocks_in_vector();
-    with_cell<quadratic, soft>(cells, strict, range.kind, place, [&](auto&& at) HWY_ATTR {
+    with_cell<quadratic, soft>(cells, bounds, range.kind, place, [&](auto&& at) HWY_ATTR {
         for (int i = range.begin; i < range.end; i += step) {
             const Blocks x = spread(columns.x.data() + i);
             for (int r = 0; r < block.count; ++r)
@@ -196,15 +183,15 @@ HWY_INLINE void evaluate_plain_cell(const NetCells& cells, ptrdiff_t place,
 
 /// Those in a crossed cell whose triangles are known. positions: kept from one cell to the next.
 template <bool quadratic, bool soft>
-HWY_INLINE void evaluate_crossed_cell(const NetView& net, const Strictness& strict,
-                                      const Columns& columns, const LocatedBlock& block,
-                                      const LocatedBlock::Range& range, const BlockStore& out,
-                                      CellPositions& positions, float* values) {
+HWY_INLINE void evaluate_crossed_cell(const NetView& net, Bounds bounds, const Columns& columns,
+                                      const LocatedBlock& block, const LocatedBlock::Range& range,
+                                      const BlockStore& out, CellPositions& positions,
+                                      float* values) {
     const int n = range.end - range.begin;
     positions.set(columns.x.data() + range.begin, n, block.y, block.count);
     const CrossingTriangle* first = block.crossing.data() + range.triangle;
     for (const CrossingTriangle* t = first; t < first + range.triangles; ++t)
-        evaluate_crossing<quadratic, soft>(net, strict.lanes, strict.all, *t, positions, values);
+        evaluate_crossing<quadratic, soft>(net, bounds, *t, positions, values);
     for (int r = 0; r < block.count; ++r)
         out.store_exactly(values + r * n * group_size, n, range.begin, r);
 }
@@ -212,14 +199,14 @@ HWY_INLINE void evaluate_crossed_cell(const NetView& net, const Strictness& stri
 /// Those in crossed cells that were located row by row. next_span: of each row the first span that
 /// was not evaluated yet.
 template <bool quadratic, bool soft>
-HWY_INLINE void evaluate_range_in_rows(const NetView& net, const Strictness& strict,
-                                       const LocatedBlock& block, const LocatedBlock::Range& range,
-                                       const BlockStore& out, size_t* next_span) {
+HWY_INLINE void evaluate_range_in_rows(const NetView& net, Bounds bounds, const LocatedBlock& block,
+                                       const LocatedBlock::Range& range, const BlockStore& out,
+                                       size_t* next_span) {
     for (int r = 0; r < block.count; ++r) {
         const LocatedRow& located = block.rows[r];
         size_t& s = next_span[r];
         for (; s < located.spans.size() && located.spans[s].begin < range.end; ++s)
-            evaluate_triangle<quadratic, soft>(net, strict, located, located.spans[s], out, r);
+            evaluate_triangle<quadratic, soft>(net, bounds, located, located.spans[s], out, r);
     }
 }
 
@@ -233,23 +220,23 @@ HWY_INLINE void evaluate_ranges(const ControlNet& whole, const Columns& columns,
     const int phases_end = block.phases ? columns.alike.end() : 0;
     size_t next_span[LocatedBlock::most_rows] = {};
     const NetView net(whole);
+    const Bounds bounds = whole.bounds;
     const int first_site = 2 * block.cell_row * whole.stride;
     const NetCells cells(net, soft, first_site);
     const ptrdiff_t first_cell = net.place(first_site);
-    const Strictness strict(whole);
     CellPositions positions;
     HWY_ALIGN float values[CellPositions::most * group_size + row_padding];
     for (const LocatedBlock::Range& range : block.ranges) {
         out.whole = one_group && range.end > phases_end &&
                     (columns.count - range.end) * out.channels >= row_padding;
         if (range.is_cell())
-            evaluate_plain_cell<quadratic, soft>(cells, net.place(range.site) - first_cell, strict,
+            evaluate_plain_cell<quadratic, soft>(cells, net.place(range.site) - first_cell, bounds,
                                                  columns, block, range, out);
         else if (range.has_triangles())
-            evaluate_crossed_cell<quadratic, soft>(net, strict, columns, block, range, out,
+            evaluate_crossed_cell<quadratic, soft>(net, bounds, columns, block, range, out,
                                                    positions, values);
         else
-            evaluate_range_in_rows<quadratic, soft>(net, strict, block, range, out, next_span);
+            evaluate_range_in_rows<quadratic, soft>(net, bounds, block, range, out, next_span);
     }
 }
 

@@ -86,7 +86,7 @@ struct PlainCells {
 
     /// The triangles that the positions of a quarter lie in.
     template <int quarter, bool tame>
-    HWY_INLINE Patch<T> triangles(T strict, bool all_strict) const {
+    HWY_INLINE Patch<T> triangles(Bounds bounds) const {
         Patch<T> down[2], up[2], p;
         cell.template divide_down<soft>(down[0], down[1]);
         cell.template divide_up<soft>(up[0], up[1]);
@@ -101,7 +101,7 @@ struct PlainCells {
             p.q01 = either(if_down.q01, if_up.q01), p.q12 = either(if_down.q12, if_up.q12);
             p.q20 = either(if_down.q20, if_up.q20);
         }
-        p.template find_range<soft, tame>(strict, all_strict);
+        p.template find_range<tame>(bounds);
         return p;
     }
 
@@ -115,12 +115,12 @@ struct PlainCells {
 
     /// The surface at the positions of a quarter, from float `at` on of their rows.
     template <int quarter, bool tame>
-    HWY_INLINE void make(const PlainPositions& positions, T strict, bool all_strict, ptrdiff_t at,
+    HWY_INLINE void make(const PlainPositions& positions, Bounds bounds, ptrdiff_t at,
                          MadeCells& made) const {
         const int count = positions.count[quarter];
         if (count == 0)
             return;
-        const Patch<T> p = triangles<quarter, tame>(strict, all_strict);
+        const Patch<T> p = triangles<quarter, tame>(bounds);
         for (int i = 0; i < count; ++i) {
             const PlainPosition& position = positions.of_quarter[quarter][i];
             p.template at<quadratic, soft, tame>(weight<quarter, 0>(position),
@@ -130,18 +130,18 @@ struct PlainCells {
         }
     }
     template <bool tame>
-    HWY_INLINE void make(const PlainPositions& positions, T strict, bool all_strict, ptrdiff_t at,
+    HWY_INLINE void make(const PlainPositions& positions, Bounds bounds, ptrdiff_t at,
                          MadeCells& made) const {
         static_assert(quarters == 4, "each");
-        make<0, tame>(positions, strict, all_strict, at, made);
-        make<1, tame>(positions, strict, all_strict, at, made);
-        make<2, tame>(positions, strict, all_strict, at, made);
-        make<3, tame>(positions, strict, all_strict, at, made);
+        make<0, tame>(positions, bounds, at, made);
+        make<1, tame>(positions, bounds, at, made);
+        make<2, tame>(positions, bounds, at, made);
+        make<3, tame>(positions, bounds, at, made);
     }
     /// Of values that are not tame: rare, so out of the way.
-    HWY_NOINLINE void make_wild(const PlainPositions& positions, T strict, bool all_strict,
-                                ptrdiff_t at, MadeCells& made) const {
-        make<false>(positions, strict, all_strict, at, made);
+    HWY_NOINLINE void make_wild(const PlainPositions& positions, Bounds bounds, ptrdiff_t at,
+                                MadeCells& made) const {
+        make<false>(positions, bounds, at, made);
     }
 };
 
@@ -180,9 +180,7 @@ HWY_INLINE void evaluate_cells(const ControlNet& whole, const LocatedBlock& bloc
     CellNumbers softness;
     if (soft)
         softness = CellNumbers(net, net.soft, first_site);
-    const ChannelLanes strict(whole.strict, count);
-    const bool all_strict =
-        std::all_of(whole.strict, whole.strict + count, [](float lane) { return lane > 0; });
+    const Bounds bounds = whole.bounds;
     const ptrdiff_t lanes = hn::Lanes(RowTag());
     MadeCells made;
     for (int x = 0; x < alike.cells; x += cells_together) {
@@ -198,10 +196,9 @@ HWY_INLINE void evaluate_cells(const ControlNet& whole, const LocatedBlock& bloc
                 values, softness, at, [](const float* p) HWY_ATTR { return T::load(p); });
             cells.is_down = spread<T>(block.down.data(), place, count);
             if (cells.cell.is_tame())
-                cells.template make<true>(positions, strict.at<T>(place), all_strict, at - begin,
-                                          made);
+                cells.template make<true>(positions, bounds, at - begin, made);
             else
-                cells.make_wild(positions, strict.at<T>(place), all_strict, at - begin, made);
+                cells.make_wild(positions, bounds, at - begin, made);
         }
         float* to = out.first + ptrdiff_t(x) * alike.phases * out.channels;
         for (int r = 0; r < block.count; ++r, to += out.row) {

@@ -18,13 +18,14 @@
 // Soft edges (SurfaceOptions::soft = tau) add, for each flippable edge ij with apexes c and d and
 // gain g,
 //     min(b_i, b_j) q_ij,   q_ij = w (z_c + z_d - z_i - z_j),   w = max(0, 1 + min(g, 0) / tau) / 2
-// the blend of the mesh with its flipped state: at g = 0 both diagonals count alike. In strict
-// lanes (ControlNet::strict), where values are cut off at the triangle's range, q is bounded:
+// the blend of the mesh with its flipped state: at g = 0 both diagonals count alike. Where values
+// are cut off at their triangle's range (Bounds::vertices), q is bounded:
 //     2 low <= z_i + z_j + e_ij / 2 + q_ij <= 2 high
 // with low = min(z_i, z_j, max(z_c, z_d)) and high = max(z_i, z_j, min(z_c, z_d)): the edge's
 // midpoint stays within the range that both its triangles have (elsewhere on the edge, bends may
 // pass it by a sixteenth of the edge's own rise). Where one triangle let the edge rise and the
 // other cut it off, the surface would jump. The bounds of an edge and its flipped state may differ.
+// Of Bounds::dark there is the lower one alone, half as high, where `low` is not negative.
 //
 // Non-finite values stay inside the triangles that touch them: such a triangle counts for no
 // gradient and the edges of such a vertex have e = 0.
@@ -51,13 +52,13 @@
 // moves downwards as rows are made and used (kept_rows.h).
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "core/base/memory/arena.h"
 #include "core/base/vectors/row_lanes.h"
 #include "core/lattice/lattice.h"
+#include "core/surface/bounds.h"
 #include "ddt/core.h"
 
 namespace ddt {
@@ -96,12 +97,8 @@ struct SiteNumbers {
 struct ControlNet {
     SiteNumbers values;
     SiteNumbers soft; ///< q at an edge's site; empty: no soft edges
-    /// 1 in the lanes whose values must stay within their triangle's range even with soft edges.
-    float strict[group_size] = {};
+    Bounds bounds = Bounds::vertices;
     int stride = 0; ///< the lattice's
-    bool has_strict() const {
-        return std::any_of(strict, strict + count(), [](float s) { return s > 0; });
-    }
     int count() const { return values.even.count; }
     const float* at(int site) const { return values.at(site); }
     float* at(int site) { return values.at(site); }

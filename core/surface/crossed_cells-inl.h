@@ -37,7 +37,7 @@ class CrossedCells {
 public:
     /// site: of the row's first corner, in column 0.
     HWY_INLINE CrossedCells(const ControlNet& net, int site, const PositionLanes& positions)
-        : m_net(net), m_strict(net.strict), m_site(site), m_stride(net.stride),
+        : m_net(net), m_bounds(net.bounds), m_site(site), m_stride(net.stride),
           m_positions(positions) {}
 
     /// A channel's values at the positions, as PositionLanes has them.
@@ -98,7 +98,7 @@ private:
         for (int t = 0; t < n; ++t)
             m_bits[t] = int32_t(first[t].positions) << shifts[t];
         std::fill_n(m_bits + n, usual, 0);
-        m_numbers.template load<quadratic, soft>(m_net, m_strict, m_site, m_stride, first, columns,
+        m_numbers.template load<quadratic, soft>(m_net, m_bounds, m_site, m_stride, first, columns,
                                                  n);
         return cells;
     }
@@ -157,7 +157,7 @@ private:
     }
 
     const NetView m_net;
-    const float* m_strict;
+    const Bounds m_bounds;
     const int m_site, m_stride;
     const PositionLanes& m_positions;
     TriangleNumbers m_numbers;

@@ -36,19 +36,19 @@ HWY_INLINE void evaluate_positions(const Patch<Blocks>& patch, const CrossingTri
 }
 
 /// The surface over a triangle at the positions that belong to it: f + i * group_size, with room
-/// for whole vectors. strict, all_strict: see Patch::find_range().
+/// for whole vectors. bounds: see Patch::find_range().
 template <bool quadratic, bool soft>
-HWY_INLINE void evaluate_crossing(const NetView& net, Blocks strict, bool all_strict,
+HWY_INLINE void evaluate_crossing(const NetView& net, Bounds bounds,
                                   const CrossingTriangle& triangle, const CellPositions& positions,
                                   float* f) {
     const int edge[3] = {triangle.edge(0), triangle.edge(1), triangle.edge(2)};
     Patch<Blocks> patch;
     load_patch<quadratic, soft>(net, triangle.vertex, edge, patch);
     if (patch.is_tame()) {
-        patch.template find_range<soft, true>(strict, all_strict);
+        patch.template find_range<true>(bounds);
         evaluate_positions<quadratic, soft, true>(patch, triangle, positions, f);
     } else {
-        patch.template find_range<soft, false>(strict, all_strict);
+        patch.template find_range<false>(bounds);
         evaluate_positions<quadratic, soft, false>(patch, triangle, positions, f);
     }
 }

@@ -15,6 +15,7 @@ void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe
     m_part = part;
     m_recipe = recipe;
     m_windowed = windowed;
+    net.bounds = recipe.bounds;
     m_scratch.tame = values_windowed(); // as load_vertices() finds; of other values it is not known
     m_scratch.bent = recipe.bent;
     if (!recipe.fans)

@@ -29,6 +29,8 @@ struct EdgeRecipe {
     int cells = 1;
     /// Without `bend`: e is there of edges before their q is made. Else it counts as 0.
     bool bent = false;
+    /// What of softness is kept; the net's then.
+    Bounds bounds = Bounds::vertices;
 };
 
 /// Of which arrays an EdgeMaker keeps but a window of rows (kept_rows.h); the others have all rows.
@@ -45,9 +47,12 @@ public:
     /// Start on the edges of a net of the whole lattice whose ends both lie in `part`, a part of
     /// the lattice in pixels. What `recipe` has no need of stays as it is.
     void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe, ControlNet& net);
+    /// By the bounds that the net has.
     void begin(const Lattice& lattice, const Rect& part, bool bend, bool soft, float tau,
                ControlNet& net) {
-        begin(lattice, part, EdgeRecipe{bend, soft, tau}, net);
+        EdgeRecipe recipe{bend, soft, tau};
+        recipe.bounds = net.bounds;
+        begin(lattice, part, recipe, net);
     }
     /// The same where q and the gradients, which begin() keeps for all rows, are kept for some.
     void begin_edge_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,

@@ -139,9 +139,10 @@ HWY_NOINLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, i
     float* const q = soft ? net.soft_at(first) : nullptr;
     const RegularRow regular(lattice, net, scratch.edge_cells, y,
                              bend ? scratch.gradients.at(row) : nullptr);
-    const ChannelLanes strict(net.strict, count);
-    const bool any_strict = net.has_strict(); // bends count for bounds alone
-    const float* const given = !bend && any_strict && scratch.bent ? net.at(first) : nullptr;
+    const Bounds bounds = net.bounds;
+    // Bends count for bounds alone.
+    const float* const given =
+        !bend && bounds != Bounds::none && scratch.bent ? net.at(first) : nullptr;
     begin = std::max(begin, x0);
     end = std::max(std::min(end, x1), begin);
     each_vector(begin, end, count, [&](auto vector, const RowPlace& place) HWY_ATTR {
@@ -157,7 +158,7 @@ HWY_NOINLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, i
         }
         if (soft)
             edge_softness<tame>(spread<T>(weights, place, count), edges.zi, edges.zj, edges.zc,
-                                edges.zd, bent, strict.at<T>(place), any_strict)
+                                edges.zd, bent, bounds)
                 .store(q + place.at);
     });
     const size_t most = size_t(x1 - x0) + cells_at_once + most_lanes;
@@ -167,9 +168,15 @@ HWY_NOINLINE void make_kind(const Lattice& lattice, int x0, int x1, int begin, i
     const int n = list_irregular<kind>(lattice, x0, x1, begin, end, y, columns);
     if (n > 0)
         std::fill_n(columns + n, most_lanes, columns[n - 1]);
-    const IrregularEdges irregular{
-        net.vertex(row), regular.gradients, regular.to_y, row,  first - row, weights,
-        given,           net.strict,        any_strict,   count};
+    const IrregularEdges irregular{net.vertex(row),
+                                   regular.gradients,
+                                   regular.to_y,
+                                   row,
+                                   first - row,
+                                   weights,
+                                   given,
+                                   bounds,
+                                   count};
     make_irregular<bend, soft>(SiteLanes(lattice), irregular, columns, n, e, q);
 }
 

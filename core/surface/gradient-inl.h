@@ -132,19 +132,23 @@ DDT_INLINE T soft_weight(T gain, T reciprocal_tau) {
 }
 
 /// q of an edge from i to j with apexes c and d, weight w and bend e (see control_net.h).
-/// any_strict: `strict` is not 0 everywhere.
 template <bool tame, class T>
-DDT_INLINE T edge_softness(T w, T zi, T zj, T zc, T zd, T e, T strict, bool any_strict) {
+DDT_INLINE T edge_softness(T w, T zi, T zj, T zc, T zd, T e, Bounds bounds) {
     const T zero = T(0.0f), ends = zi + zj;
     const T blend = w * ((zc + zd) - ends);
     T q = blend;
-    if (any_strict) {
+    if (bounds != Bounds::none) {
         const T low = lower(lower(zi, zj), upper(zc, zd));
-        const T high = upper(upper(zi, zj), lower(zc, zd));
         const T half_bend = T(0.5f) * e;
-        const T least = lower(zero, ((low + low) - ends) - half_bend);
-        const T most = upper(zero, ((high + high) - ends) - half_bend);
-        q = if_less(zero, strict, lower(upper(blend, least), most), blend);
+        if (bounds == Bounds::vertices) {
+            const T high = upper(upper(zi, zj), lower(zc, zd));
+            const T least = lower(zero, ((low + low) - ends) - half_bend);
+            const T most = upper(zero, ((high + high) - ends) - half_bend);
+            q = lower(upper(blend, least), most);
+        } else {
+            const T least = lower(zero, (T(2 * dark_share) * low - ends) - half_bend);
+            q = if_less_equal(zero, low, upper(blend, least), blend);
+        }
     }
     if (tame)
         return q;

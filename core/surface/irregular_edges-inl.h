@@ -60,9 +60,8 @@ struct IrregularEdges {
     int row;        ///< the site of the row's first vertex
     int to_first;   ///< from there to the edge in column 0, in sites
     const float* weights;
-    const float* bends;  ///< without `bend`: e from column 0 on; null: 0
-    const float* strict; ///< ControlNet::strict
-    bool any_strict;
+    const float* bends; ///< without `bend`: e from column 0 on; null: 0
+    Bounds bounds;      ///< ControlNet::bounds
     int count;
 };
 
@@ -72,7 +71,6 @@ template <bool bend, bool soft>
 HWY_NOINLINE void make_irregular(const SiteLanes& lattice, const IrregularEdges& from,
                                  const int* columns, int n, float* e, float* q) {
     const int lanes = int(hn::Lanes(D())), blocks = blocks_in_vector();
-    const Blocks strict = in_every_block(from.strict);
     EdgeList<soft> list;
     for (int done = 0; done < n; done += lanes) {
         list.load(lattice, from.row, from.to_first, columns + done, from.weights, from.count);
@@ -94,10 +92,10 @@ HWY_NOINLINE void make_irregular(const SiteLanes& lattice, const IrregularEdges&
             // An edge that cannot be flipped has weight 0; its apexes are read all the same, if
             // they are no vertices, too: never tame.
             if (soft)
-                store_each(
-                    edge_softness<false>(spread(list.weight + k), zi, zj, at(from.vertices, list.c),
-                                         at(from.vertices, list.d), bent, strict, from.any_strict),
-                    columns + done + k, from.count, q);
+                store_each(edge_softness<false>(spread(list.weight + k), zi, zj,
+                                                at(from.vertices, list.c),
+                                                at(from.vertices, list.d), bent, from.bounds),
+                           columns + done + k, from.count, q);
         }
     }
 }

@@ -23,21 +23,17 @@ struct Patch {
             q01 = soft_at(edge[0]), q12 = soft_at(edge[1]), q20 = soft_at(edge[2]);
     }
 
-    /// The range of the three values. With soft edges, where `strict` is 0, none, but that a
-    /// surface over values that are not negative stays above half the smallest: so does every blend
-    /// of planes over such values. What bends add would, beside a light a thousand times as bright,
-    /// be black.
-    /// all_strict: `strict` is not 0 anywhere. tame: see is_tame().
-    template <bool soft, bool tame>
-    DDT_INLINE void find_range(T strict, bool all_strict) {
+    /// The range of the three values, or what of it bounds the surface. tame: see is_tame().
+    template <bool tame>
+    DDT_INLINE void find_range(Bounds bounds) {
         low = smaller<tame>(z2, smaller<tame>(z1, z0));
         high = larger<tame>(z2, larger<tame>(z1, z0));
-        if (soft && !all_strict) {
-            const T zero = T(0.0f);
-            low = if_less(zero, strict, low,
-                          if_less_equal(zero, low, T(dark_share) * low, T(-INFINITY)));
-            high = if_less(zero, strict, high, T(INFINITY));
-        }
+        if (bounds == Bounds::vertices)
+            return;
+        const T none = T(-INFINITY);
+        low =
+            bounds == Bounds::dark ? if_less_equal(T(0.0f), low, T(dark_share) * low, none) : none;
+        high = T(INFINITY);
     }
 
     /// Vertices up to this size make a surface whose every number is finite.
@@ -163,10 +159,10 @@ struct PlainCell {
     }
 
     /// The triangles' ranges, once they are divided.
-    template <bool soft, bool tame>
-    DDT_INLINE void find_ranges(T strict, bool all_strict) {
-        first.template find_range<soft, tame>(strict, all_strict);
-        second.template find_range<soft, tame>(strict, all_strict);
+    template <bool tame>
+    DDT_INLINE void find_ranges(Bounds bounds) {
+        first.template find_range<tame>(bounds);
+        second.template find_range<tame>(bounds);
     }
 
     /// Both triangles' parameters, lane by lane that of the one that d, negative in the first,

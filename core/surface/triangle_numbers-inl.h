@@ -12,7 +12,7 @@ public:
     /// Of n triangles, at most so many, of cells in these columns of the row with its first corner
     /// at this site. As many columns more as fill a vector are read, and must be the row's.
     template <bool quadratic, bool soft>
-    HWY_INLINE void load(const NetView& net, const float* strict, int site, int stride,
+    HWY_INLINE void load(const NetView& net, Bounds bounds, int site, int stride,
                          const CellTriangle* triangles, const int32_t* columns, int n) {
         static_assert(sizeof(CellTriangle) == 2 * sizeof(int32_t), "two words");
         std::memcpy(m_words, triangles, size_t(n) * sizeof(CellTriangle));
@@ -27,9 +27,9 @@ public:
         for (int c = 0; c < int(net.count); ++c)
             for (int i = 0; i < n; i += lanes()) {
                 if (m_tame)
-                    find_range<soft, true>(c, strict[c], i);
+                    find_range<true>(c, bounds, i);
                 else
-                    find_range<soft, false>(c, strict[c], i);
+                    find_range<false>(c, bounds, i);
             }
     }
 
@@ -157,13 +157,13 @@ private:
                                            hn::IfThenElseZero(here, size[c].v));
     }
 
-    template <bool soft, bool tame>
-    HWY_INLINE void find_range(int c, float strict, int i) {
+    template <bool tame>
+    HWY_INLINE void find_range(int c, Bounds bounds, int i) {
         float(*numbers)[room] = m_numbers[c];
         Patch<RowLanes> p;
         p.z0 = RowLanes::load(numbers[z] + i), p.z1 = RowLanes::load(numbers[z + 1] + i);
         p.z2 = RowLanes::load(numbers[z + 2] + i);
-        p.template find_range<soft, tame>(RowLanes(strict), false);
+        p.template find_range<tame>(bounds);
         p.low.store(numbers[low] + i);
         p.high.store(numbers[high] + i);
     }

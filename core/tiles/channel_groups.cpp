@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/constants.h"
+#include "core/surface/bounds.h"
 
 namespace ddt {
 
@@ -19,10 +20,6 @@ Channel kind_of(const Job& job, int channel) {
     return size_t(channel) < job.kinds.size() ? job.kinds[size_t(channel)] : Channel::blend;
 }
 
-bool is_strict(const Job& job, int channel) {
-    return job.surface.consistency == 0 || kind_of(job, channel) == Channel::alpha;
-}
-
 bool any_nearest(const Job& job) {
     return std::find(job.kinds.begin(), job.kinds.end(), Channel::nearest) != job.kinds.end();
 }
@@ -33,6 +30,14 @@ NearestMask nearest_mask(const Job& job, int group) {
         if (kind_of(job, group * group_size + c) == Channel::nearest)
             mask |= 1u << c;
     return mask;
+}
+
+std::vector<int> bounded_channels(const Job& job) {
+    std::vector<int> bounded;
+    for (int c = 0; c < job.channels && bounds_of(job.surface) != Bounds::vertices; ++c)
+        if (kind_of(job, c) == Channel::alpha)
+            bounded.push_back(c);
+    return bounded;
 }
 
 } // namespace ddt

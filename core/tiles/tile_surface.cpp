@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/float_mode.h"
+#include "core/sample/bound_alpha.h"
 #include "core/surface/consistency/corrections.h"
 #include "core/surface/kept_rows.h"
 #include "core/tiles/channel_groups.h"
@@ -13,7 +14,14 @@ namespace ddt {
 namespace {
 
 EdgeRecipe recipe_of(const SurfaceOptions& surface, FanRows* fans, Arena* arena, int cells) {
-    return {surface.kind != Surface::linear, surface.soft > 0, surface.soft, fans, arena, cells};
+    return {surface.kind != Surface::linear,
+            surface.soft > 0,
+            surface.soft,
+            fans,
+            arena,
+            cells,
+            false,
+            bounds_of(surface)};
 }
 
 /// Rows of fans that are worth keeping because they are asked for again: by later rounds of
@@ -25,7 +33,8 @@ int fan_rows(int ahead, size_t groups, int cells) {
 
 } // namespace
 
-TileSurface::TileSurface(const Job& job) : m_job(job), m_nets(size_t(group_count(job.channels))) {
+TileSurface::TileSurface(const Job& job)
+    : m_job(job), m_bounded(bounded_channels(job)), m_nets(size_t(group_count(job.channels))) {
     if (is_fitted(job.surface))
         m_fitted.resize(m_nets.size());
     else
@@ -71,6 +80,7 @@ void TileSurface::begin(const TileMesh& mesh, const Tile& tile, int cells, const
     const DenormalsAreZero as_on_gpus;
     const SurfaceOptions& surface = m_job.surface;
     m_mesh = &mesh;
+    m_values = values;
     m_arena = &arena;
     const Rect part = mesh.sampled(tile);
     if (is_corrected(surface) && m_nets.size() > 1)
@@ -80,7 +90,6 @@ void TileSurface::begin(const TileMesh& mesh, const Tile& tile, int cells, const
     m_fans.begin(mesh.lattice(), fan_rows(ahead, m_nets.size(), cells));
     for (int g = 0; g < int(m_nets.size()); ++g) {
         ControlNet& net = m_nets[size_t(g)];
-        set_strictness(g, net);
         if (is_fitted(surface)) {
             begin_fitted(g, values, part, cells);
             continue;
@@ -106,11 +115,6 @@ EdgeRecipe TileSurface::recipe(int cells) {
     return recipe_of(m_job.surface, &m_fans, m_arena, cells);
 }
 
-void TileSurface::set_strictness(int group, ControlNet& net) const {
-    for (int c = 0; c < group_size; ++c)
-        net.strict[c] = is_strict(m_job, group * group_size + c) ? 1.0f : 0.0f;
-}
-
 void TileSurface::begin_corrected(int group, const float* values, const Rect& part, int cells) {
     const SurfaceOptions& surface = m_job.surface;
     CorrectionRecipe correction{surface.kind,  recipe(1),       surface.consistency,
@@ -122,7 +126,7 @@ void TileSurface::begin_corrected(int group, const float* values, const Rect& pa
     ControlNet& net = m_nets[size_t(group)];
     EdgeMaker& edges = m_edges[size_t(group)];
     const Lattice& lattice = m_mesh->lattice();
-    m_rounds.begin(lattice, part, correction, group_values(values, group), net.strict);
+    m_rounds.begin(lattice, part, correction, group_values(values, group));
     if (alone)
         return edges.begin_rows(lattice, part, recipe(cells), m_rounds, net);
     correct_all(group);
@@ -142,8 +146,13 @@ void TileSurface::correct_all(int group) {
 
 void TileSurface::begin_fitted(int group, const float* values, const Rect& part, int cells) {
     const SurfaceOptions& surface = m_job.surface;
-    const FittedRecipe recipe{
-        surface.soft, surface.limit, surface.clipped, nearest_mask(m_job, group), m_arena, cells};
+    const FittedRecipe recipe{surface.soft,
+                              bounds_of(surface),
+                              surface.limit,
+                              surface.clipped,
+                              nearest_mask(m_job, group),
+                              m_arena,
+                              cells};
     m_fitted[size_t(group)].begin(m_mesh->lattice(), part, recipe, group_values(values, group),
                                   m_nets[size_t(group)]);
 }
@@ -163,6 +172,9 @@ void TileSurface::sample(const Point* points, int n, float* out) {
     for (int g = 0; g < int(m_nets.size()); ++g)
         evaluate_row(m_nets[size_t(g)], m_job.surface.kind, nearest_mask(m_job, g), m_row,
                      group_output(g, out, 0));
+    for (const int c : m_bounded)
+        for (int i = 0; i < n; ++i)
+            bound(c, points[i], out + ptrdiff_t(i) * m_job.channels);
 }
 
 int TileSurface::sample_block(const Columns& columns, std::vector<Point>& points, const int32_t* y,
@@ -172,7 +184,20 @@ int TileSurface::sample_block(const Columns& columns, std::vector<Point>& points
     for (int g = 0; g < int(m_nets.size()); ++g)
         evaluate_block(m_nets[size_t(g)], m_job.surface.kind, columns, m_block,
                        group_output(g, out, row));
+    for (const int c : m_bounded)
+        for (int r = 0; r < rows; ++r)
+            for (int i = 0; i < columns.count; ++i)
+                bound(c, {points[size_t(i)].x, y[r]},
+                      out + size_t(r) * row + size_t(i) * size_t(m_job.channels));
     return rows;
+}
+
+/// What was made of a channel at a position.
+void TileSurface::bound(int channel, Point p, float* pixel) const {
+    const Lattice& lattice = m_mesh->lattice();
+    const ChannelPixels source{m_values + channel, m_job.channels, lattice.width(),
+                               lattice.height()};
+    pixel[channel] = bound_alpha(pixel[channel], source, p);
 }
 
 } // namespace ddt

@@ -47,13 +47,15 @@ private:
     GroupValues group_values(const float* values, int group) const;
     GroupOutput group_output(int group, float* out, size_t row) const;
     EdgeRecipe recipe(int cells);
-    void set_strictness(int group, ControlNet& net) const;
     void begin_corrected(int group, const float* values, const Rect& part, int cells);
     void correct_all(int group);
+    void bound(int channel, Point p, float* pixel) const;
     void begin_fitted(int group, const float* values, const Rect& part, int cells);
 
     const Job& m_job;
+    const std::vector<int> m_bounded; ///< bounded_channels()
     const TileMesh* m_mesh = nullptr;
+    const float* m_values = nullptr;
     Arena* m_arena = nullptr;
     std::vector<ControlNet> m_nets; ///< one a group of channels
     std::vector<EdgeMaker> m_edges;

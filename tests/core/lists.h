@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <vector>
 
+#include "core/surface/bounds.h"
 #include "ddt/core.h"
 #include "tests/core/plain.h"
 
@@ -22,6 +23,7 @@ inline constexpr Scheme all_schemes[] = {
 #undef DDT_SCHEME
 };
 
+inline constexpr Bounds all_bounds[] = {Bounds::vertices, Bounds::dark, Bounds::none};
 inline constexpr Surface both_surfaces[] = {Surface::linear, Surface::patch};
 
 /// Both surfaces with so many rounds of correction each, with and without soft edges; where one

@@ -150,8 +150,10 @@ const char* broken_promise(const RandomJob& job, const std::vector<float>& value
                 continue;
             if (!std::isfinite(v))
                 return "a finite channel became infinite or NaN";
-            if ((!corrected || kind == Channel::alpha) && (v < low || v > high))
-                return "a strict channel left the range of its pixels";
+            const bool share = kind == Channel::alpha && corrected;
+            if ((!corrected && (v < low || v > high)) ||
+                (share && (v < low || v > std::max(high, 1.0f))))
+                return "a channel left the range of its pixels";
         }
     }
     return nullptr;

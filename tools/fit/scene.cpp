@@ -95,7 +95,7 @@ void find_features(Scene& scene, const SurfaceOptions& options, const ControlNet
     features.vertices.resize(lattice.size());
     features.edges.resize(lattice.size());
     std::vector<float> index(lattice.size());
-    const LaneLimits limits(net.strict, options.limit, options.clipped);
+    const VertexLimits limits(options.limit, options.clipped);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             const size_t pixel =
@@ -104,13 +104,13 @@ void find_features(Scene& scene, const SurfaceOptions& options, const ControlNet
             ddt::scalar::VertexFeatures<float> found;
             const auto near = [&](int i, int j) { return tap(x + i, y + j); };
             found.find(-0.25f * consistency.sum[pixel],
-                       ddt::scalar::all_pixels(x, y, width, height) ? limits.cut[c] : 0.0f,
+                       ddt::scalar::all_pixels(x, y, width, height) && limits.clipped,
                        fitted_table(), near);
             Features::Vertex& v = features.vertices[size_t(site)];
             v.z = inside(x, y);
             v.bound = found.bound;
             const float limit =
-                ddt::scalar::fitted_limit(limits.limit[c], found.bound, fitted_table());
+                ddt::scalar::fitted_limit(limits.limit, found.bound, fitted_table());
             ddt::scalar::find_limits({-1, -1, 2, 2}, limit, limits.lowest, near, v.low, v.high);
             v.moves = x > 0 && y > 0 && x + 1 < width && y + 1 < height;
             std::copy(std::begin(found.f), std::end(found.f), v.f);
@@ -160,6 +160,7 @@ bool make_scene(const std::string& file, int scale, bench::Light light, Scene& s
     locate_samples(scene);
 
     ControlNet net;
+    net.bounds = bounds_of(options.surface);
     set_vertices(lattice, pixels.data(), colours, 0, colours, net);
     Consistency consistency;
     consistency.begin(lattice, net, options.surface.limit, true);

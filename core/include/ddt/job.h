@@ -17,8 +17,10 @@ namespace ddt {
 enum class Channel : uint8_t {
     /// A quantity: interpolated over the surface.
     blend,
-    /// A quantity that keeps to the three values of its triangle whatever the options; corrections
-    /// move these only within their 3x3 pixels. So 0 to 1 stays 0 to 1.
+    /// A share: as blend, but where a surface leaves the range of its pixels
+    /// (SurfaceOptions::consistency), what is read off it is cut off at 0 and 1, or at the four
+    /// pixels of its cell where they leave that. So 0 to 1 stays 0 to 1, and alpha remains that of
+    /// the colours that are multiplied by it.
     alpha,
     /// An object ID: copied, bit for bit, from the vertex with the largest weight.
     nearest,

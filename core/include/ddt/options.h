@@ -61,13 +61,13 @@ struct SurfaceOptions {
     /// the picture is nearly continuous in its input; in units of the cost, 0: none. Without
     /// `consistency` the surface still keeps to its triangle's range. With it Surface::linear keeps
     /// to that of the vertices near, and Surface::patch may pass that by a share of it: downwards,
-    /// where none of the triangle's three is negative, to half the smallest of them at most. The
-    /// default is meant for the cost abn.
+    /// unless `clipped`, where none of the triangle's three is negative, to half the smallest of
+    /// them at most. The default is meant for the cost abn.
     float soft = 0.4f;
     /// The output will be cut off to 0 .. 1, as integers are: vertices may then get negative within
-    /// the limit, and what is left above 0 is sharper for it. `fitted` ones at 0 or 1 (their group
-    /// reaches it and they stand on that side of it) may leave their range by five times the limit,
-    /// if they are two pixels or more within the image.
+    /// the limit, and the surface between them, and what is left above 0 is sharper for it.
+    /// `fitted` ones at 0 or 1 (their group reaches it and they stand on that side of it) may leave
+    /// their range by five times the limit, if they are two pixels or more within the image.
     bool clipped = false;
     /// Vertices and bends by weights that were fitted to pictures stand in place of the rounds of
     /// consistency, however many; without any, and in Surface::linear, there are none. The limit

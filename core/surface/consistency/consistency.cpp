@@ -145,16 +145,15 @@ HWY_ATTR void add_means(const Lattice& lattice, Surface surface, const ControlNe
 }
 
 HWY_ATTR void move_row(const float* z, int x0, int x1, int count, const NearRows& source,
-                       const float* sum, const LaneLimits& limits, float* moved) {
+                       const float* sum, const VertexLimits& limits, float* moved) {
     const float* const rows[3] = {source.above, source.here, source.below};
-    const ChannelLanes margin(limits.limit, count);
-    const float lowest = limits.lowest;
+    const float limit = limits.limit, lowest = limits.lowest;
     each_vector(x0, x1, count, [&](auto vector, const RowPlace& place) HWY_ATTR {
         using T = decltype(vector);
         const auto tap = [&](int i, int j)
                              HWY_ATTR { return T::load(rows[j + 1] + place.at + i * count); };
         T low, high;
-        find_limits({-1, -1, 2, 2}, margin.at<T>(place), T(lowest), tap, low, high);
+        find_limits({-1, -1, 2, 2}, T(limit), T(lowest), tap, low, high);
         corrected(T::load(z + place.at), tap(0, 0), T::load(sum + place.at), low, high)
             .store(moved + place.at);
     });
@@ -188,16 +187,11 @@ void add_means(const Lattice& lattice, Surface surface, const ControlNet& net, c
     (lattice, surface, net, x0, x1, y, crossed.row(y, x0, x1), scratch, upper, lower);
 }
 
-LaneLimits::LaneLimits(const float* strict, float share, bool clipped)
-    : lowest(clipped ? -FLT_MAX : 0.0f) {
-    for (int c = 0; c < group_size; ++c) {
-        limit[c] = strict[c] > 0 ? 0.0f : share;
-        cut[c] = clipped && !(strict[c] > 0) ? 1.0f : 0.0f;
-    }
-}
+VertexLimits::VertexLimits(float share, bool will_be_clipped)
+    : limit(share), clipped(will_be_clipped), lowest(clipped ? -FLT_MAX : 0.0f) {}
 
 void move_row(const Lattice& lattice, const ControlNet& net, int x0, int x1, int y,
-              const NearRows& source, const float* sum, const LaneLimits& limits, float* moved) {
+              const NearRows& source, const float* sum, const VertexLimits& limits, float* moved) {
     HWY_DYNAMIC_DISPATCH(move_row)
     (net.vertex(lattice.vertex_site(0, y)), x0, x1, net.count(), source, sum, limits, moved);
 }

@@ -35,13 +35,12 @@ struct MeanScratch {
 void add_means(const Lattice& lattice, Surface surface, const ControlNet& net, const Rect& part,
                int y, CrossedRows& crossed, MeanScratch& scratch, float* upper, float* lower);
 
-/// What find_limits() of consistency-inl.h is told: SurfaceOptions::limit in a net's lanes, 0 in
-/// strict ones (ControlNet::strict), and its `lowest`, by SurfaceOptions::clipped.
-struct LaneLimits {
-    LaneLimits() = default;
-    LaneLimits(const float* strict, float share, bool clipped);
-    float limit[group_size] = {};
-    float cut[group_size] = {}; ///< 1 in lanes that will be cut off to 0 .. 1, else 0
+/// SurfaceOptions::limit and clipped, and what find_limits() of consistency-inl.h calls `lowest`.
+struct VertexLimits {
+    VertexLimits() = default;
+    VertexLimits(float limit, bool clipped);
+    float limit = 0;
+    bool clipped = false;
     float lowest = 0;
 };
 
@@ -53,6 +52,6 @@ struct NearRows {
 /// Put where the vertices of a net in columns x0 .. x1 - 1 of row y go, none of which is on the
 /// rim, into `moved`, which is not the net's own. sum, moved: rows from column 0 on.
 void move_row(const Lattice& lattice, const ControlNet& net, int x0, int x1, int y,
-              const NearRows& source, const float* sum, const LaneLimits& limits, float* moved);
+              const NearRows& source, const float* sum, const VertexLimits& limits, float* moved);
 
 } // namespace ddt

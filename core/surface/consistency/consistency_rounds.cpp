@@ -10,7 +10,7 @@ void Consistency::begin(const Lattice& lattice, const ControlNet& net, float lim
     source.resize(lattice.vertices() * size_t(m_count));
     for (int y = 0; y < lattice.height(); ++y)
         std::copy_n(net.vertex(lattice.vertex_site(0, y)), row_size(lattice), row(lattice, y));
-    m_limits = {net.strict, limit, clipped};
+    m_limits = {limit, clipped};
 }
 
 void Consistency::measure(const Lattice& lattice, Surface surface, const ControlNet& net) {

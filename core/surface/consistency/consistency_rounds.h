@@ -12,8 +12,7 @@ namespace ddt {
 /// One group's source values, and rounds on a whole lattice, whose edges must all be there.
 class Consistency {
 public:
-    /// Take the net's vertices as the source. limit: SurfaceOptions::limit; 0 in strict lanes.
-    /// clipped: SurfaceOptions::clipped.
+    /// Take the net's vertices as the source. limit, clipped: SurfaceOptions'.
     void begin(const Lattice& lattice, const ControlNet& net, float limit, bool clipped = false);
 
     /// The first half of correct(): find the surface's means, and leave the vertices as they are.
@@ -35,7 +34,7 @@ private:
     }
 
     int m_count = 0; ///< of channels
-    LaneLimits m_limits;
+    VertexLimits m_limits;
     CrossedRows m_crossed;
     MeanScratch m_scratch;
 };

@@ -31,11 +31,11 @@ int rounds_apart(const Lattice& lattice) {
 } // namespace
 
 void CorrectedRows::begin(const Lattice& lattice, const Rect& part, const CorrectionRecipe& recipe,
-                          const GroupValues& source, const float* strict) {
+                          const GroupValues& source) {
     m_lattice = &lattice;
     m_recipe = recipe;
     m_source = source;
-    m_limits = {strict, recipe.limit, recipe.clipped};
+    m_limits = {recipe.limit, recipe.clipped};
     m_rounds.resize(size_t(recipe.rounds));
     for (Round& round : m_rounds)
         round.belong_to(*this);
@@ -44,12 +44,12 @@ void CorrectedRows::begin(const Lattice& lattice, const Rect& part, const Correc
     // Gradients and softness are made from what is round the ends of edges.
     Rect edges = part;
     for (size_t k = m_rounds.size(); k-- > 0;) {
-        m_rounds[k].begin(with_neighbours(lattice, edges), k ? &m_rounds[k - 1] : nullptr, strict);
+        m_rounds[k].begin(with_neighbours(lattice, edges), k ? &m_rounds[k - 1] : nullptr);
         edges = m_rounds[k].part();
     }
 }
 
-void CorrectedRows::Round::begin(const Rect& moved, Round* before, const float* strict) {
+void CorrectedRows::Round::begin(const Rect& moved, Round* before) {
     CorrectedRows& all = *m_all;
     m_moved = moved;
     m_rows = moved.y0;
@@ -58,10 +58,9 @@ void CorrectedRows::Round::begin(const Rect& moved, Round* before, const float* 
     m_row.resize(size_t(all.m_lattice->width()) * size_t(count()) + edge_padding);
     const CorrectionRecipe& recipe = all.m_recipe;
     if (before)
-        m_means.begin(*all.m_lattice, moved, recipe.surface, recipe.edges, *before, strict,
-                      all.m_crossed);
+        m_means.begin(*all.m_lattice, moved, recipe.surface, recipe.edges, *before, all.m_crossed);
     else
-        m_means.begin(*all.m_lattice, moved, recipe.surface, recipe.edges, all.m_source, strict,
+        m_means.begin(*all.m_lattice, moved, recipe.surface, recipe.edges, all.m_source,
                       all.m_crossed);
 }
 

@@ -26,9 +26,9 @@ class CorrectedRows : public ValueRows {
 public:
     /// Start on the vertices that the edges in `part`, a part of the lattice in pixels, are made
     /// from; others keep the source's values. `source`: the group's, which must stay where they
-    /// are. strict: ControlNet::strict.
+    /// are.
     void begin(const Lattice& lattice, const Rect& part, const CorrectionRecipe& recipe,
-               const GroupValues& source, const float* strict);
+               const GroupValues& source);
 
     int count() const override { return m_source.count; }
     const float* row(int y) override { return m_rounds.back().row(y); }
@@ -48,7 +48,7 @@ private:
         /// To be called of all rounds before the first begins.
         void belong_to(CorrectedRows& all) { m_all = &all; }
         /// before: the round whose values are corrected; null: the source's are.
-        void begin(const Rect& moved, Round* before, const float* strict);
+        void begin(const Rect& moved, Round* before);
         int count() const override { return m_all->m_source.count; }
         const float* row(int y) override;
         const Rect& part() const { return m_means.part(); }
@@ -73,7 +73,7 @@ private:
     const Lattice* m_lattice = nullptr;
     CorrectionRecipe m_recipe;
     GroupValues m_source;
-    LaneLimits m_limits;
+    VertexLimits m_limits;
     CrossedRows m_crossed; ///< the rounds'
     std::vector<Round> m_rounds;
 };

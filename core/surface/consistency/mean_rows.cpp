@@ -9,13 +9,11 @@ namespace ddt {
 
 template <class Values>
 void MeanRows::begin_any(const Lattice& lattice, const Rect& wanted, Surface surface,
-                         const EdgeRecipe& recipe, Values& values, const float* strict,
-                         CrossedRows& crossed) {
+                         const EdgeRecipe& recipe, Values& values, CrossedRows& crossed) {
     m_lattice = &lattice;
     m_wanted = wanted;
     m_surface = surface;
     m_crossed = &crossed;
-    std::copy_n(strict, group_size, m_net.strict);
     // The triangles that meet the cells round the vertices.
     m_edges.begin_rows(lattice, with_neighbours(lattice, grown(lattice, wanted, 1)), recipe, values,
                        m_net);
@@ -24,15 +22,13 @@ void MeanRows::begin_any(const Lattice& lattice, const Rect& wanted, Surface sur
 }
 
 void MeanRows::begin(const Lattice& lattice, const Rect& wanted, Surface surface,
-                     const EdgeRecipe& recipe, const GroupValues& values, const float* strict,
-                     CrossedRows& crossed) {
-    begin_any(lattice, wanted, surface, recipe, values, strict, crossed);
+                     const EdgeRecipe& recipe, const GroupValues& values, CrossedRows& crossed) {
+    begin_any(lattice, wanted, surface, recipe, values, crossed);
 }
 
 void MeanRows::begin(const Lattice& lattice, const Rect& wanted, Surface surface,
-                     const EdgeRecipe& recipe, ValueRows& values, const float* strict,
-                     CrossedRows& crossed) {
-    begin_any(lattice, wanted, surface, recipe, values, strict, crossed);
+                     const EdgeRecipe& recipe, ValueRows& values, CrossedRows& crossed) {
+    begin_any(lattice, wanted, surface, recipe, values, crossed);
 }
 
 const float* MeanRows::row(int y, int keep) {

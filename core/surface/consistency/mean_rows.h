@@ -14,14 +14,12 @@ namespace ddt {
 class MeanRows {
 public:
     /// Start on the vertices of `wanted`, a part of the lattice in pixels, of a surface through
-    /// `values`, which must stay where they are. strict: ControlNet::strict. crossed: of all who
+    /// `values`, which must stay where they are. crossed: of all who
     /// take means on the lattice; it has begun with mean_positions().
     void begin(const Lattice& lattice, const Rect& wanted, Surface surface,
-               const EdgeRecipe& recipe, const GroupValues& values, const float* strict,
-               CrossedRows& crossed);
+               const EdgeRecipe& recipe, const GroupValues& values, CrossedRows& crossed);
     void begin(const Lattice& lattice, const Rect& wanted, Surface surface,
-               const EdgeRecipe& recipe, ValueRows& values, const float* strict,
-               CrossedRows& crossed);
+               const EdgeRecipe& recipe, ValueRows& values, CrossedRows& crossed);
 
     /// The sums of quadrants' means of the vertices in row y, from column 0 on, until the next row
     /// is asked for; rows in order, from the first of `wanted` on. Of the net, edges in row `keep`
@@ -38,8 +36,7 @@ public:
 private:
     template <class Values>
     void begin_any(const Lattice& lattice, const Rect& wanted, Surface surface,
-                   const EdgeRecipe& recipe, Values& values, const float* strict,
-                   CrossedRows& crossed);
+                   const EdgeRecipe& recipe, Values& values, CrossedRows& crossed);
     float* sums(int y) { return m_sums.data() + size_t(y % 2) * (m_sums.size() / 2); }
 
     const Lattice* m_lattice = nullptr;

@@ -68,7 +68,7 @@ HWY_ATTR void bend_fitted(const FittedSource& source, const Rect& part, int my,
     const int x0 = part.x0, x1 = part.x1, y = my / 2;
     load_edges(source.lattice, part, my, scratch);
     const IrregularBends irregular(source, index, plain_net, net);
-    const RegularBends regular(source, index, plain_net, scratch, net, y);
+    const RegularBends regular(source, index, plain_net, scratch, y);
     if (my & 1) {
         bend_kind<EdgeKind::vertical>(source, x0, x1, y, irregular, regular, scratch, net);
         bend_kind<EdgeKind::diagonal>(source, x0, x1 - 1, y, irregular, regular, scratch, net);

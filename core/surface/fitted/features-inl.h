@@ -87,9 +87,9 @@ struct VertexFeatures {
     T index, bound;
 
     /// `step`: what a round of consistency would move it by (consistency-inl.h). cut:
-    /// LaneLimits::cut; 0 where a tap is no pixel (all_pixels()).
+    /// whether values will be cut off to 0 .. 1, and all taps are pixels (all_pixels()).
     template <class Tap>
-    DDT_INLINE void find(T step, T cut, const FittedTable& table, Tap tap) {
+    DDT_INLINE void find(T step, bool cut, const FittedTable& table, Tap tap) {
         const T z = tap(0, 0), quarter = T(0.25f);
         T sum[5];
         sum[0] = (tap(-1, 0) + tap(1, 0)) + (tap(0, -1) + tap(0, 1));
@@ -110,7 +110,7 @@ struct VertexFeatures {
         const T dark = at_bound(s.low * T(table.black_scale));
         const T bright = at_bound((T(1.0f) - s.high) * T(table.white_scale));
         const T both = (s.high - z) * dark + (z - s.low) * bright;
-        bound = if_less(T(0.0f), cut, both * (T(25.0f) * s.reciprocal), T(0.0f));
+        bound = cut ? both * (T(25.0f) * s.reciprocal) : T(0.0f);
     }
 };
 
@@ -118,7 +118,6 @@ struct VertexFeatures {
 template <class T>
 struct EdgeFeatures {
     T null[fitted_edge_null], shared[fitted_edge_shared];
-    T rise;  ///< from a to b, not negative
     T range; ///< of a, b, c and d
 
     /// v in pixels; l, r: the apexes relative to the midpoint in doubled coordinates. P: Place or
@@ -158,7 +157,7 @@ struct EdgeFeatures {
         null[2] = (o5 - o6) - half * (o0 - o1);
         null[3] = (o7 - o8) - (o0 - half * o1);
         const T difference = zb - za;
-        rise = if_less(difference, zero, zero - difference, difference);
+        const T rise = if_less(difference, zero, zero - difference, difference);
         const T four = T(4.0f) * o0;
         shared[0] = o0;
         shared[1] = o1;
@@ -224,15 +223,13 @@ DDT_INLINE T fitted_vertex(T z, T low, T high, const VertexFeatures<T>& v,
     return finite_or(clamped(z + finite_or(step, zero), low, high), z);
 }
 
-/// The bend of an edge; null(k, i): what node k's weight of its null feature i is. In lanes where
-/// `strict` is not 0 it stays within the edge's rise.
+/// The bend of an edge; null(k, i): what node k's weight of its null feature i is.
 template <class T, class Null>
-DDT_INLINE T fitted_bend(const EdgeFeatures<T>& edge, T index, T strict, Null&& null,
+DDT_INLINE T fitted_bend(const EdgeFeatures<T>& edge, T index, Null&& null,
                          const FittedTable& table) {
-    const T zero = T(0.0f);
     T share[fitted_nodes];
     find_shares(index, table, share);
-    T e = zero;
+    T e = T(0.0f);
     for (int k = 0; k < fitted_nodes; ++k) {
         const float* const s = table.shared[k];
         const T sum = ((null(k, 0) * edge.null[0] + null(k, 1) * edge.null[1]) +
@@ -242,6 +239,6 @@ DDT_INLINE T fitted_bend(const EdgeFeatures<T>& edge, T index, T strict, Null&& 
         e = k == 0 ? sum : e + share[k] * sum;
     }
     const T plain = edge.shared[2];
-    const T limit = if_less(zero, strict, edge.rise, T(table.bend_limit) * edge.range);
-    return finite_or(clamped(finite_or(e, plain), zero - limit, limit), plain);
+    const T limit = T(table.bend_limit) * edge.range;
+    return finite_or(clamped(finite_or(e, plain), T(0.0f) - limit, limit), plain);
 }

@@ -34,7 +34,7 @@ void FittedMaker::begin(const Lattice& lattice, const Rect& part, const FittedRe
     m_part = part;
     m_recipe = recipe;
     m_values = values;
-    m_limits = {net.strict, recipe.limit, recipe.clipped};
+    m_limits = {recipe.limit, recipe.clipped};
 
     const int count = values.count, height = lattice.height();
     m_source = values.values;
@@ -50,8 +50,9 @@ void FittedMaker::begin(const Lattice& lattice, const Rect& part, const FittedRe
     take_rows(lattice, count, m_moved.y0, usual_vertex_rows + more, recipe.arena, net.values.even);
     take_rows(lattice, count, part.y0, usual_edge_rows + more, recipe.arena, net.values.odd);
     EdgeRecipe edges{true, recipe.tau > 0, recipe.tau, nullptr, recipe.arena};
+    edges.bounds = recipe.bounds;
     m_crossed.begin(lattice, mean_positions(), 1);
-    m_plain.begin(lattice, m_moved, Surface::patch, edges, values, net.strict, m_crossed);
+    m_plain.begin(lattice, m_moved, Surface::patch, edges, values, m_crossed);
     // They are bent here.
     edges.bend = false;
     edges.bent = true;

@@ -14,6 +14,7 @@ namespace ddt {
 struct FittedRecipe {
     /// EdgeRecipe::tau, or 0: no soft edges.
     float tau = 0;
+    Bounds bounds = Bounds::dark;
     /// SurfaceOptions::limit and clipped.
     float limit = 0;
     bool clipped = false;
@@ -29,7 +30,7 @@ struct FittedRecipe {
 /// at the distance of the longest edges there, so that of each no more than some rows are there.
 class FittedMaker {
 public:
-    /// Start on a net of some rows, whose `strict` is set: the vertices of `part`, a part of the
+    /// Start on a net of some rows: the vertices of `part`, a part of the
     /// lattice in pixels, and the edges whose ends both lie in it. The lattice's divisions and
     /// first edges must have been found; the values must stay where they are, and group_size floats
     /// after the last may be read.
@@ -59,7 +60,7 @@ private:
     Rect m_part;
     Rect m_moved; ///< the vertices that the part's edges and their apexes are
     FittedRecipe m_recipe;
-    LaneLimits m_limits;
+    VertexLimits m_limits;
     GroupValues m_values;
     const float* m_source = nullptr; ///< of all pixels: the values, or,
     std::vector<float> m_copied;     ///< where they have more channels, a copy

@@ -44,8 +44,7 @@ class IrregularBends {
 public:
     HWY_INLINE IrregularBends(const FittedSource& source, const IndexRows& index,
                               const ControlNet& plain, ControlNet& net)
-        : m_source(source), m_index(index), m_plain(plain), m_net(net),
-          m_strict(PixelLanes::load(net.strict)) {}
+        : m_source(source), m_index(index), m_plain(plain), m_net(net) {}
 
     /// Bend the edge with this midpoint.
     HWY_INLINE void bend(int mx, int my) const {
@@ -81,7 +80,7 @@ public:
         const NullWeights weights(edge, table);
         const auto null = [&](int k, int i)
                               HWY_ATTR { return PixelLanes(weights.w[k * fitted_edge_null + i]); };
-        store_pixel(fitted_bend(f, mean, m_strict, null, table), count, m_net.at(m));
+        store_pixel(fitted_bend(f, mean, null, table), count, m_net.at(m));
     }
 
 private:
@@ -89,5 +88,4 @@ private:
     const IndexRows& m_index;
     const ControlNet& m_plain;
     ControlNet& m_net;
-    const PixelLanes m_strict;
 };

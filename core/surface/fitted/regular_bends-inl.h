@@ -33,12 +33,10 @@ public:
     static constexpr int margin = 3;
 
     HWY_INLINE RegularBends(const FittedSource& source, const IndexRows& index,
-                            const ControlNet& plain, const BendScratch& scratch,
-                            const ControlNet& net, int y)
+                            const ControlNet& plain, const BendScratch& scratch, int y)
         : m_here(source.at(0, y)), m_down{scratch.cells.above(y), scratch.cells.below(y)},
           m_index{index.at(0, y), index.at(0, y + 1)}, m_plain(plain), m_scratch(scratch),
-          m_strict(net.strict, source.count), m_count(source.count),
-          m_row(ptrdiff_t(source.lattice.width()) * source.count) {}
+          m_count(source.count), m_row(ptrdiff_t(source.lattice.width()) * source.count) {}
 
     /// first: the site of the one in column 0.
     template <EdgeKind kind, class T>
@@ -81,7 +79,7 @@ public:
             // A cell's own diagonal can be flipped.
             return diagonal ? weight : either(flippable, weight, T(kinds[0][k][i]));
         };
-        return fitted_bend(f, both * T(0.5f), m_strict.at<T>(place), null, table);
+        return fitted_bend(f, both * T(0.5f), null, table);
     }
 
 private:
@@ -90,7 +88,6 @@ private:
     const float* m_index[2];
     const ControlNet& m_plain;
     const BendScratch& m_scratch;
-    const ChannelLanes m_strict;
     const int m_count;
     const ptrdiff_t m_row;
 };

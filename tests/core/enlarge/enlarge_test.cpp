@@ -161,6 +161,7 @@ std::vector<float> untiled(const TestSource& source, const Job& job, const Resiz
     EdgeMaker edges;
     Search search;
     LocatedRow row;
+    net.bounds = bounds_of(job.surface);
     lattice.start(w.width(), w.height(), source.guide().data(), true);
     const DenormalsAreZero zero;
     triangulate(lattice, job.mesh, workspace, statistics);

@@ -170,6 +170,76 @@ TEST(Sharp, AlphaStaysWithinItsRange) {
     EXPECT_TRUE(colour_left);
 }
 
+/// The channels of `kinds` over a picture that has the same in each.
+std::vector<float> enlarged_alike(const Picture& p, const std::vector<Channel>& kinds,
+                                  const SurfaceOptions& options) {
+    const auto channels = int(kinds.size());
+    std::vector<float> values;
+    for (const float v : p.values)
+        values.insert(values.end(), kinds.size(), v);
+    TestSource source({0, 0, p.width, p.height}, channels, 1);
+    source.values() = values;
+    const Rect to{0, 0, 3 * p.width, 3 * p.height};
+    Job job = job_of(source, channels);
+    job.kinds = kinds;
+    job.surface = options;
+    TestSink sink(to, channels);
+    EXPECT_EQ(enlarge(source, sink, mapping_of(source.window(), to, to), job), Outcome::done);
+    return sink.values();
+}
+
+// Divided by alpha, colour that is the same everywhere comes back.
+TEST(Sharp, AlphaIsThatOfTheColoursThatAreMultipliedByIt) {
+    Random random(3);
+    const Picture p = picture(60, 40, [&](int, int) {
+        return std::min(1.0f, std::max(0.0f, 3.0f * random.unit() - 1.0f));
+    });
+    for (SurfaceOptions options : surfaces_with({1, 2, 5}))
+        for (const bool clipped : {false, true})
+            for (const bool fitted : {false, true}) {
+                options.clipped = clipped;
+                options.fitted = fitted;
+                const auto both = enlarged_alike(p, {Channel::blend, Channel::alpha}, options);
+                int beyond = 0;
+                for (size_t i = 0; i < both.size(); i += 2) {
+                    const float expected = std::min(1.0f, std::max(0.0f, both[i]));
+                    ASSERT_EQ(bits_of(both[i + 1]), bits_of(expected));
+                    beyond += both[i] != expected;
+                }
+                EXPECT_GT(beyond, 0);
+            }
+}
+
+// What some keep in a channel of that name.
+TEST(Sharp, AlphaBeyondItsRangeKeepsToThePixelsAroundIt) {
+    Random random(4);
+    const Picture p = picture(
+        30, 20, [&](int x, int y) { return x < 8 && y < 8 ? 3.0f : 6.0f * random.unit() - 2.0f; });
+    SurfaceOptions options = sharp();
+    options.limit = 2.0f;
+    const auto both = enlarged_alike(p, {Channel::alpha, Channel::blend}, options);
+    int beyond = 0;
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 90; ++x) {
+            const float* const pixel = both.data() + 2 * (size_t(y) * 90 + size_t(x));
+            // Of thirds of a pixel, the middle one is the pixel's own.
+            const auto first = [](int at, int size) {
+                return std::min(std::max(at - 1, 0) / 3, size - 2);
+            };
+            const int cx = first(x, p.width), cy = first(y, p.height);
+            float low = 0, high = 1;
+            for (const int j : {cy, cy + 1})
+                for (const int i : {cx, cx + 1}) {
+                    low = std::min(low, p.at(i, j));
+                    high = std::max(high, p.at(i, j));
+                }
+            ASSERT_EQ(pixel[0], std::min(high, std::max(low, pixel[1]))) << x << ", " << y;
+            beyond += pixel[0] != pixel[1];
+            ASSERT_TRUE(x >= 18 || y >= 18 || pixel[0] == 3.0f);
+        }
+    EXPECT_GT(beyond, 0);
+}
+
 TEST(Sharp, EveryInstructionSetAndThreadCountGivesTheSameBits) {
     const ManyThreads allowed;
     TestSource source({-20, 5, 320, 290}, 6, 1);

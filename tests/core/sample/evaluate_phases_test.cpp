@@ -68,7 +68,7 @@ TEST(EvaluatePhases, BlocksOfPositionsThatLieAlikeInCellsHaveTheBitsOfRows) {
                         const auto kind = all_values[size_t(channels) % std::size(all_values)];
                         const auto values = make_values(kind, scene.pixels() * channels, random);
                         SurfaceReader reader(scene, both_surfaces[random.below(2)], values,
-                                             channels, 0, tau, random.below(2) == 1);
+                                             channels, 0, tau, all_bounds[random.below(3)]);
                         // From anywhere in a cell to anywhere in another; on ties too.
                         const int32_t step = position_one / phases;
                         const int32_t shift = random.below(2) * random.below(step);

@@ -81,14 +81,14 @@ TEST(Evaluate, SoftEdgesHaveTheBitsOfTheFormulas) {
             const Lattice& l = scene.lattice;
             for (const Surface surface : both_surfaces)
                 for (const Values kind : all_values)
-                    for (const bool strict : {false, true}) {
+                    for (const Bounds bounds : all_bounds) {
                         const float tau = 1.0f;
                         const auto values = make_values(kind, scene.pixels(), random);
-                        SurfaceReader reader(scene, surface, values, 1, 0, tau, strict);
+                        SurfaceReader reader(scene, surface, values, 1, 0, tau, bounds);
                         const DenormalsAreZero zero;
                         SlowSurface slow(scene.faces, l.width(), l.height(), surface, values);
                         const SlowSurface hard = slow;
-                        slow.soften(l, tau, strict);
+                        slow.soften(l, tau, bounds);
                         for (const Point p : make_points(l, 100, random)) {
                             const Face f = face_at(scene, p);
                             int32_t w[3];
@@ -104,12 +104,37 @@ TEST(Evaluate, SoftEdgesHaveTheBitsOfTheFormulas) {
     });
 }
 
+// Both triangles of an edge show the same in its middle, whatever else they are bounded by.
+TEST(Evaluate, SoftEdgesDoNotJump) {
+    each_scene([](const Scene& scene, Random& random) {
+        const Lattice& l = scene.lattice;
+        for (const Surface surface : both_surfaces)
+            for (const Bounds bounds : all_bounds) {
+                const float lowest = float(random.below(3) - 1) * 0.04f;
+                const auto values = fill(scene.pixels(), [&] {
+                    return random.below(3) ? 0.1f : random.below(2) ? lowest : 1.0f;
+                });
+                SurfaceReader reader(scene, surface, values, 1, 0, 1.0f, bounds);
+                for (const int m : flippable_edges(l)) {
+                    const EdgeView e = view(l, m);
+                    const Point middle{(e.a.x + e.b.x) * position_one / 2,
+                                       (e.a.y + e.b.y) * position_one / 2};
+                    // Towards its apexes.
+                    const Pixel across = e.left - e.right;
+                    const float one = reader.at({middle.x + across.x, middle.y + across.y});
+                    const float other = reader.at({middle.x - across.x, middle.y - across.y});
+                    ASSERT_NEAR(one, other, 2e-3f) << m;
+                }
+            }
+    });
+}
+
 TEST(Evaluate, SoftEdgesAtNoGainShowBothDiagonalsAlike) {
     // The middle of a cell: the mean of its four corners.
     Random random(3);
     Scene scene(2, 2, 0, random);
     scene.lattice.set_gain(scene.lattice.site(1, 1), 0.0f);
-    SurfaceReader reader(scene, Surface::linear, {1, 2, 4, 16}, 1, 0, 0.3f);
+    SurfaceReader reader(scene, Surface::linear, {1, 2, 4, 16}, 1, 0, 0.3f, Bounds::dark);
     EXPECT_EQ(reader.at({position_one / 2, position_one / 2}), 5.75f);
 }
 
@@ -119,7 +144,7 @@ TEST(Evaluate, AtAPixelThePixelComesBackWithSoftEdgesToo) {
             auto values = make_values(Values::nonfinite, scene.pixels(), random);
             for (size_t i = 0; i < values.size(); i += 2)
                 values[i] = -values[i];
-            SurfaceReader reader(scene, surface, values, 1, 0, 10.0f);
+            SurfaceReader reader(scene, surface, values, 1, 0, 10.0f, Bounds::none);
             for (int y = 0; y < scene.lattice.height(); ++y)
                 for (int x = 0; x < scene.lattice.width(); ++x) {
                     const float z = values[size_t(y * scene.lattice.width() + x)];

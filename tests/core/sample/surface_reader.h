@@ -16,13 +16,14 @@ namespace ddt::test {
 class SurfaceReader {
 public:
     SurfaceReader(const Scene& scene, Surface surface, const std::vector<float>& values,
-                  int channels = 1, NearestMask nearest = 0, float tau = 0, bool strict = false)
+                  int channels = 1, NearestMask nearest = 0, float tau = 0,
+                  Bounds bounds = Bounds::vertices)
         : m_scene(scene), m_surface(surface), m_channels(channels), m_nearest(nearest) {
         const DenormalsAreZero zero;
         EdgeMaker edges;
         for (int c = 0; c < channels; c += group_size) {
             m_nets.emplace_back();
-            std::fill_n(m_nets.back().strict, group_size, strict ? 1.0f : 0.0f);
+            m_nets.back().bounds = bounds;
             set_vertices(scene.lattice, values.data(), channels, c,
                          std::min(group_size, channels - c), m_nets.back());
             const bool bend = surface == Surface::patch, soft = tau > 0;

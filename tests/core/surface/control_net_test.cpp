@@ -64,18 +64,18 @@ TEST(ControlNet, SoftEdgesHaveTheBitsOfTheFormulas) {
     on_each_target([] {
         int some = 0;
         each_scene([&](const Scene& scene, Random& random) {
-            const auto compare = [&](Values kind, Surface surface, float tau, bool strict) {
+            const auto compare = [&](Values kind, Surface surface, float tau, Bounds bounds) {
                 const Lattice& l = scene.lattice;
                 const auto values = make_values(kind, scene.pixels(), random);
                 ControlNet net = make(scene, Surface::linear, values);
-                net.strict[0] = strict;
+                net.bounds = bounds;
                 for (SiteRows* rows : {&net.soft.even, &net.soft.odd})
                     rows->numbers.assign(l.size(), 99.0f);
                 const DenormalsAreZero zero;
                 EdgeMaker edges;
                 make_edges(l, scene.all(), surface == Surface::patch, true, tau, edges, net);
                 SlowSurface slow(scene.faces, l.width(), l.height(), surface, values);
-                slow.soften(l, tau, strict);
+                slow.soften(l, tau, bounds);
                 l.each_edge([&](int m) {
                     const EdgeView e = view(l, m);
                     ASSERT_EQ(net.soft_at(m)[0], slow.q(e.a, e.b));
@@ -84,9 +84,9 @@ TEST(ControlNet, SoftEdgesHaveTheBitsOfTheFormulas) {
             };
             for (const Values kind : all_values)
                 for (const Surface surface : both_surfaces)
-                    for (const bool strict : {false, true})
+                    for (const Bounds bounds : all_bounds)
                         for (const float tau : {0.3f, 100.0f})
-                            compare(kind, surface, tau, strict);
+                            compare(kind, surface, tau, bounds);
         });
         EXPECT_GT(some, 1000);
     });

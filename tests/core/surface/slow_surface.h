@@ -52,27 +52,35 @@ public:
         return found == m_bends.end() ? 0.0f : found->second;
     }
 
-    /// Blend the edges with their flipped state (SurfaceOptions::soft) by their gains. `strict`:
-    /// the range of the three values holds all the same.
-    void soften(const Lattice& lattice, float tau, bool strict) {
+    /// Blend the edges with their flipped state (SurfaceOptions::soft) by their gains.
+    void soften(const Lattice& lattice, float tau, Bounds bounds) {
         m_soft = true;
-        m_strict = strict;
+        m_bounds = bounds;
         for (const int m : flippable_edges(lattice)) {
             const EdgeView v = view(lattice, m);
             const float g = lattice.gain(m), w = 1.0f + (g < 0 ? g : 0.0f) * (1.0f / tau);
             const float d = (z(v.left) + z(v.right)) - (z(v.a) + z(v.b));
             const float q = (w > 0 ? 0.5f * w : 0.0f) * d;
-            m_softness[v.a + v.b] =
-                w > 0 && std::fabs(q) <= FLT_MAX ? (strict ? bounded(q, v) : q) : 0.0f;
+            m_softness[v.a + v.b] = w > 0 && std::fabs(q) <= FLT_MAX ? bounded(q, v) : 0.0f;
         }
     }
-    /// q with which the edge stays within the range of both its triangles (see control_net.h).
+    struct Range {
+        float low, high;
+    };
+    /// What a triangle with this range of vertices is cut off at.
+    Range cut_off(float low, float high) const {
+        if (m_bounds == Bounds::vertices)
+            return {low, high};
+        return {m_bounds == Bounds::dark && low >= 0 ? 0.5f * low : -HUGE_VALF, HUGE_VALF};
+    }
+    /// q with which the edge's middle stays within what both its triangles are cut off at.
     float bounded(float q, const EdgeView& v) const {
         const float ends = z(v.a) + z(v.b), bend = e(v.a, v.b);
         for (const Pixel apex : {v.left, v.right}) {
-            const auto [low, high] = std::minmax({z(v.a), z(v.b), z(apex)});
-            const float least = (2 * low - ends) - 0.5f * bend;
-            const float most = (2 * high - ends) - 0.5f * bend;
+            const auto [lowest, highest] = std::minmax({z(v.a), z(v.b), z(apex)});
+            const Range range = cut_off(lowest, highest);
+            const float least = (2 * range.low - ends) - 0.5f * bend;
+            const float most = (2 * range.high - ends) - 0.5f * bend;
             q = std::clamp(q, std::min(least, 0.0f), std::max(most, 0.0f));
         }
         return q;
@@ -101,12 +109,9 @@ public:
         float low = z3[1] < z3[0] ? z3[1] : z3[0], high = z3[0] < z3[1] ? z3[1] : z3[0];
         low = z3[2] < low ? z3[2] : low;
         high = high < z3[2] ? z3[2] : high;
-        if (m_soft && !m_strict) {
-            low = low >= 0 ? 0.5f * low : -HUGE_VALF; // what is nowhere negative stays so
-            high = HUGE_VALF;
-        }
-        r = r < low ? low : r;
-        r = high < r ? high : r;
+        const Range range = cut_off(low, high);
+        r = r < range.low ? range.low : r;
+        r = range.high < r ? range.high : r;
         return r == r ? r + 0.0f : float_of(0x7fc00000); // zero without sign
     }
 
@@ -170,7 +175,8 @@ private:
     int m_width;
     std::vector<float> m_values;
     std::map<Pixel, float> m_bends, m_softness;
-    bool m_soft = false, m_strict = false;
+    bool m_soft = false;
+    Bounds m_bounds = Bounds::vertices;
 };
 
 } // namespace ddt::test

@@ -3,40 +3,46 @@
 // its triangles, which else cut it off each at its own range.
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "ddt/core.h"
+#include "ddt/option_table.h"
 #include "tests/core/random.h"
 
 namespace ddt::test {
 namespace {
 
-constexpr int factor = 64;
-
-/// A square picture of one channel, `factor` times as large, by `ddt` as it comes.
+/// A square picture of one channel, some times as large.
 struct Enlarged {
     int side;
     std::vector<float> values;
 
-    explicit Enlarged(const std::vector<float>& picture) {
+    Enlarged(const std::vector<float>& picture, int factor, const std::string& filter = "ddt") {
+        FilterOptions options;
+        std::string error;
+        EXPECT_TRUE(parse_filter(filter, options, error)) << error;
         const int from = int(std::lround(std::sqrt(double(picture.size()))));
         side = from * factor;
         values.resize(size_t(side) * size_t(side));
-        std::string error;
-        EXPECT_EQ(enlarge(picture.data(), from, from, 1, nullptr, values.data(), side, side, {}, {},
-                          1, &error),
+        EXPECT_EQ(enlarge(picture.data(), from, from, 1, nullptr, values.data(), side, side,
+                          options.surface, options.mesh, 1, &error),
                   Outcome::done)
             << error;
     }
     float at(int x, int y) const { return values[size_t(y) * size_t(side) + size_t(x)]; }
 
-    float largest_step() const {
+    /// Values outside 0 to 1 are cut off before they are seen, where `clipped`.
+    float largest_step(bool clipped = false) const {
+        const auto seen = [&](int x, int y) {
+            return clipped ? std::clamp(at(x, y), 0.0f, 1.0f) : at(x, y);
+        };
         float largest = 0;
         for (int y = 1; y < side; ++y)
             for (int x = 1; x < side; ++x)
-                largest = std::max({largest, std::fabs(at(x, y) - at(x - 1, y)),
-                                    std::fabs(at(x, y) - at(x, y - 1))});
+                largest = std::max({largest, std::fabs(seen(x, y) - seen(x - 1, y)),
+                                    std::fabs(seen(x, y) - seen(x, y - 1))});
         return largest;
     }
 };
@@ -44,7 +50,7 @@ struct Enlarged {
 TEST(SoftEdges, ADotLooksTheSameFromEverySide) {
     std::vector<float> dot(9 * 9, 0.0f);
     dot[4 * 9 + 4] = 1.0f;
-    const Enlarged large(dot);
+    const Enlarged large(dot, 64);
     for (int y = 0; y < large.side; ++y)
         for (int x = 0; x < large.side; ++x) {
             const float z = large.at(x, y);
@@ -54,17 +60,39 @@ TEST(SoftEdges, ADotLooksTheSameFromEverySide) {
         }
 }
 
+/// Small pictures of two, three and many levels, the lowest nearly black.
+template <class F>
+void each_picture(int pictures, F&& f) {
+    for (int seed = 0; seed < pictures; ++seed)
+        for (const int levels : {2, 3, 1 << 20}) {
+            Random random{uint64_t(seed)};
+            std::vector<float> picture(8 * 8);
+            for (float& z : picture)
+                z = 0.03f + 0.97f * float(random.below(levels)) / float(levels - 1);
+            SCOPED_TRACE(::testing::Message() << "seed " << seed << ", levels " << levels);
+            f(picture);
+        }
+}
+
 // The steepest slope that there is, of a vertex whose gradients bend all its edges, is below four
 // times that from one pixel to the next.
 TEST(SoftEdges, TheSurfaceDoesNotJumpFromOneTriangleToTheNext) {
-    for (uint64_t seed = 0; seed < 20; ++seed)
-        for (const int levels : {2, 3, 1 << 20}) {
-            Random random(seed);
-            std::vector<float> picture(8 * 8);
-            for (float& z : picture)
-                z = float(random.below(levels)) / float(levels - 1);
-            EXPECT_LT(Enlarged(picture).largest_step(), 4.0f / factor) << seed << " " << levels;
-        }
+    each_picture(20, [](const std::vector<float>& picture) {
+        EXPECT_LT(Enlarged(picture, 64).largest_step(), 4.0f / 64);
+    });
+}
+
+// Corrections make it steeper. Where they make it negative it is cut off before it is seen.
+TEST(SoftEdges, NorDoesThatOfDdtSharp) {
+    constexpr int factor = 256;
+    for (const std::string filter : {"ddt-sharp", "ddt-sharp,clipped=1,fitted=0",
+                                     "ddt-sharp,clipped=1", "ddt-sharp,fitted=1,soft=0"}) {
+        SCOPED_TRACE(filter);
+        const bool clipped = filter.find("clipped=1") != std::string::npos;
+        each_picture(4, [&](const std::vector<float>& picture) {
+            EXPECT_LT(Enlarged(picture, factor, filter).largest_step(clipped), 8.0f / factor);
+        });
+    }
 }
 
 } // namespace

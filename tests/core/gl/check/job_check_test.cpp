@@ -244,6 +244,11 @@ void of_fitted_vertices(Order& order) {
     order.job.surface.fitted = true;
     order.job.surface.clipped = true;
 }
+void of_soft_edges(Order& order) {
+    of_fitted_vertices(order);
+    order.job.surface.soft = 0.3f;
+    order.job.surface.clipped = false;
+}
 
 // Contractions are written with doubles, in which products of floats are exact.
 constexpr Wrong all_wrong[] = {
@@ -255,23 +260,32 @@ constexpr Wrong all_wrong[] = {
      "xy < 0", of_contours},
     {"sum of squares, contracted", "evaluate.comp", "COST_abn", "((gx * gx) + (gy * gy))",
      "float(double(gx) * double(gx) + double(gy * gy))", of_the_default_cost},
-    {"mean of meshes, contracted", "sample.comp", "QUADRATIC MEAN", "mean * others + last * share",
-     "vec4(dvec4(mean) * double(others) + dvec4(last * share))", of_three_meshes},
-    {"mean of meshes, contracted the other way", "sample.comp", "QUADRATIC MEAN",
+    {"mean of meshes, contracted", "sample.comp", "QUADRATIC BOUNDS_VERTICES MEAN",
+     "mean * others + last * share", "vec4(dvec4(mean) * double(others) + dvec4(last * share))",
+     of_three_meshes},
+    {"mean of meshes, contracted the other way", "sample.comp", "QUADRATIC BOUNDS_VERTICES MEAN",
      "mean * others + last * share", "vec4(dvec4(mean * others) + dvec4(last) * double(share))",
      of_three_meshes},
-    {"mean of meshes, contracted, of two", "sample.comp", "QUADRATIC MEAN",
+    {"mean of meshes, contracted, of two", "sample.comp", "QUADRATIC BOUNDS_VERTICES MEAN",
      "mean * others + last * share", "vec4(dvec4(mean) * double(others) + dvec4(last * share))",
      of_two_meshes},
-    {"mean of meshes, contracted the other way, of two", "sample.comp", "QUADRATIC MEAN",
-     "mean * others + last * share", "vec4(dvec4(mean * others) + dvec4(last) * double(share))",
-     of_two_meshes},
-    {"mean of meshes, beyond them", "sample.comp", "QUADRATIC MEAN",
+    {"mean of meshes, contracted the other way, of two", "sample.comp",
+     "QUADRATIC BOUNDS_VERTICES MEAN", "mean * others + last * share",
+     "vec4(dvec4(mean * others) + dvec4(last) * double(share))", of_two_meshes},
+    {"mean of meshes, beyond them", "sample.comp", "QUADRATIC BOUNDS_VERTICES MEAN",
      "f = if_less(f, low, low, f);\n    return if_less(high, f, high, f);", "return f;",
      of_three_meshes},
     {"black and white about a pixel, contracted", "correct.comp", "QUADRATIC STORED_EDGES FITTED",
      "(s.high - z) * dark + (z - s.low) * bright",
      "vec4(dvec4((s.high - z) * dark) + dvec4(z - s.low) * dvec4(bright))", of_fitted_vertices},
+    {"alpha beyond 0 to 1", "sample.comp", "QUADRATIC STORED_BENDS", "lower(upper(f, low), high)",
+     "f", of_fitted_vertices},
+    {"alpha beyond 0 to 1 where pixels are", "sample.comp", "QUADRATIC STORED_BENDS",
+     "high = upper(high, s)", "high = vec4(1.0)", of_fitted_vertices},
+    {"blends that leave less than half", "sample.comp", "QUADRATIC SOFT BOUNDS_DARK STORED_BENDS",
+     "upper(blend, least), blend)", "blend, blend)", of_soft_edges},
+    {"blends that leave all", "sample.comp", "QUADRATIC SOFT BOUNDS_DARK STORED_BENDS",
+     "2.0 * dark_share * low", "2.0 * low", of_soft_edges},
     {"candidates of one gain", "select.comp", "", "g == own && other < m", "g == own && other > m",
      of_the_default_cost},
     {"late candidates of one gain", "finish.comp", "COST_abn", "g == own && other < m",
@@ -373,6 +387,7 @@ TEST_P(JobCheck, VerticesThatAreClippedAreCheckedApart) {
             surface.fitted = fitted;
             const std::string what = std::string(fitted ? "fitted" : "plain") +
                                      (wrong_is_clipped ? ", clipped" : ", not clipped");
+            surface.clipped = wrong_is_clipped;
             gl::change_constant(
                 gl::program_name("correct.comp", gl::correct_macros(surface)), "bound",
                 wrong_is_clipped ? "if_less(dim, zero, zero, dim)" : "vec4(lowest)");

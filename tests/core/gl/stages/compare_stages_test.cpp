@@ -80,11 +80,13 @@ TEST_P(Stages, NameWhereAFaultIs) {
         // How far walks may go; a software renderer ends every loop, so that one without an end
         // cannot be seen here.
         {"gradients.comp", "longest_walk", "3", "surface: gradients"},
-        {"edges.comp QUADRATIC SOFT", "bend_strength", "1.76", "surface: bends"},
-        {"correct.comp QUADRATIC SOFT STORED_EDGES", "across_beside", "0.2501",
+        {"edges.comp QUADRATIC SOFT BOUNDS_DARK", "bend_strength", "1.76", "surface: bends"},
+        {"correct.comp QUADRATIC SOFT BOUNDS_DARK STORED_EDGES", "across_beside", "0.2501",
          "surface after 1 corrections: vertices"},
-        {"sample.comp QUADRATIC SOFT WHOLE_GROUPS", "bend_strength", "1.76", "result: samples"},
-        {"sample.comp QUADRATIC SOFT WHOLE_GROUPS", "longest_walk", "1", "result: samples"},
+        {"sample.comp QUADRATIC SOFT BOUNDS_DARK WHOLE_GROUPS", "bend_strength", "1.76",
+         "result: samples"},
+        {"sample.comp QUADRATIC SOFT BOUNDS_DARK WHOLE_GROUPS", "longest_walk", "1",
+         "result: samples"},
     };
     for (const auto& fault : faults) {
         gl::change_constant(fault.program, fault.constant, fault.value);

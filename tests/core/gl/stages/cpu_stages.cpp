@@ -50,8 +50,7 @@ SurfaceStage cpu_surface(const std::vector<float>& guide, const std::vector<floa
     lattice.find_first_edges(lattice.all());
     ControlNet net;
     set_vertices(lattice, values.data(), job.channels, 0, channels_in_group(job.channels, 0), net);
-    for (int c = 0; c < group_size; ++c)
-        net.strict[c] = is_strict(job, c) ? 1.0f : 0.0f;
+    net.bounds = bounds_of(surface);
     const bool bend = surface.kind != Surface::linear;
     const bool soft = surface.soft > 0;
     EdgeMaker edges;

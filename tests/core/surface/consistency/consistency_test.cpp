@@ -15,7 +15,6 @@ struct Shape {
     Surface surface = Surface::patch;
     float tau = 0;
     float limit = 0.25f;
-    bool strict = false;
     bool clipped = false;
 };
 
@@ -25,10 +24,10 @@ std::vector<float> corrected(const Scene& scene, const std::vector<float>& value
     const DenormalsAreZero zero;
     const Lattice& l = scene.lattice;
     ControlNet net;
+    net.bounds = Bounds::dark;
     EdgeMaker edges;
     Consistency consistency;
     set_vertices(l, values.data(), count, 0, count, net);
-    std::fill_n(net.strict, group_size, shape.strict ? 1.0f : 0.0f);
     consistency.begin(l, net, shape.limit, shape.clipped);
     for (int i = 0; i < rounds; ++i) {
         const bool bend = shape.surface == Surface::patch, soft = shape.tau > 0;
@@ -50,9 +49,8 @@ std::vector<float> slow_round(const Scene& scene, const std::vector<float>& sour
     const DenormalsAreZero zero;
     const Lattice& l = scene.lattice;
     SlowSurface slow(scene.faces, l.width(), l.height(), shape.surface, values);
-    if (shape.tau > 0) {
-        slow.soften(l, shape.tau, shape.strict);
-    }
+    if (shape.tau > 0)
+        slow.soften(l, shape.tau, Bounds::dark);
     auto result = values;
     for (int y = 1; y + 1 < l.height(); ++y)
         for (int x = 1; x + 1 < l.width(); ++x) {
@@ -76,7 +74,7 @@ std::vector<float> slow_round(const Scene& scene, const std::vector<float>& sour
                     low = std::min(low, source[at(i, j)]);
                     high = std::max(high, source[at(i, j)]);
                 }
-            const float margin = (shape.strict ? 0.0f : shape.limit) * (high - low);
+            const float margin = shape.limit * (high - low);
             const double to = double(values[at(x, y)]) + double(source[at(x, y)]) - sum / 16;
             result[at(x, y)] =
                 float(std::clamp(to, double(low) - double(margin), double(high) + double(margin)));
@@ -94,7 +92,7 @@ TEST(Consistency, ARoundIsWhatItsDefinitionSays) {
         for (const Surface surface : both_surfaces)
             for (const float tau : {0.0f, 0.5f})
                 for (const float limit : {0.25f, 0.0f, 10.0f}) {
-                    const Shape shape{surface, tau, limit, false};
+                    const Shape shape{surface, tau, limit};
                     const auto source = bright(scene, random);
                     auto expected = source;
                     for (int rounds = 1; rounds <= 2; ++rounds) {
@@ -114,7 +112,7 @@ TEST(Consistency, EveryInstructionSetGivesTheSameBits) {
         for (const float tau : {0.0f, 0.5f})
             for (const Values kind : all_values) {
                 const auto source = make_values(kind, scene.pixels(), random);
-                const Shape shape{surface, tau, 0.25f, false};
+                const Shape shape{surface, tau, 0.25f};
                 const auto expected = corrected(scene, source, shape, 2);
                 on_each_target([&] {
                     ASSERT_EQ(differing(corrected(scene, source, shape, 2), expected), 0u);
@@ -129,7 +127,7 @@ TEST(Consistency, EveryChannelIsWorkedOnAsIfAlone) {
     for (const Surface surface : both_surfaces)
         for (const float tau : {0.0f, 0.5f})
             for (int count = 2; count <= group_size; ++count) {
-                const Shape shape{surface, tau, 0.25f, false};
+                const Shape shape{surface, tau, 0.25f};
                 std::vector<float> together(scene.pixels() * size_t(count)), expected = together;
                 for (int c = 0; c < count; ++c) {
                     const Values kind = all_values[random.below(int(std::size(all_values)))];
@@ -174,38 +172,36 @@ TEST(Consistency, APlaneIsLeftAlone) {
                 plane.push_back((gx * float(x) + gy * float(y) + 3.0f) / 8.0f);
         for (const Surface surface : both_surfaces)
             for (const float tau : {0.0f, 0.5f})
-                ASSERT_EQ(
-                    differing(corrected(scene, plane, {surface, tau, 0.25f, false}, 2), plane), 0u);
+                ASSERT_EQ(differing(corrected(scene, plane, {surface, tau, 0.25f}, 2), plane), 0u);
     });
 }
 
 TEST(Consistency, TheRimStaysAndTheRestIsLimited) {
     each_scene([](const Scene& scene, Random& random) {
         const int w = scene.lattice.width(), h = scene.lattice.height();
-        for (const bool strict : {false, true})
-            for (const float limit : {0.0f, 0.25f}) {
-                // Some of it black: nothing gets negative there.
-                const auto source =
-                    fill(scene.pixels(), [&] { return random.below(2) ? 0.0f : random.unit(); });
-                const auto moved = corrected(scene, source, {Surface::patch, 0, limit, strict}, 3);
-                for (int y = 0; y < h; ++y)
-                    for (int x = 0; x < w; ++x) {
-                        const float v = moved[size_t(y * w + x)];
-                        if (x == 0 || y == 0 || x + 1 == w || y + 1 == h) {
-                            ASSERT_EQ(v, source[size_t(y * w + x)]);
-                            continue;
-                        }
-                        float low = HUGE_VALF, high = -HUGE_VALF;
-                        for (int j = y - 1; j <= y + 1; ++j)
-                            for (int i = x - 1; i <= x + 1; ++i) {
-                                low = std::min(low, source[size_t(j * w + i)]);
-                                high = std::max(high, source[size_t(j * w + i)]);
-                            }
-                        const float margin = strict ? 0.0f : limit * (high - low);
-                        ASSERT_GE(v, std::max(0.0f, low - margin));
-                        ASSERT_LE(v, high + margin);
+        for (const float limit : {0.0f, 0.25f}) {
+            // Some of it black: nothing gets negative there.
+            const auto source =
+                fill(scene.pixels(), [&] { return random.below(2) ? 0.0f : random.unit(); });
+            const auto moved = corrected(scene, source, {Surface::patch, 0, limit}, 3);
+            for (int y = 0; y < h; ++y)
+                for (int x = 0; x < w; ++x) {
+                    const float v = moved[size_t(y * w + x)];
+                    if (x == 0 || y == 0 || x + 1 == w || y + 1 == h) {
+                        ASSERT_EQ(v, source[size_t(y * w + x)]);
+                        continue;
                     }
-            }
+                    float low = HUGE_VALF, high = -HUGE_VALF;
+                    for (int j = y - 1; j <= y + 1; ++j)
+                        for (int i = x - 1; i <= x + 1; ++i) {
+                            low = std::min(low, source[size_t(j * w + i)]);
+                            high = std::max(high, source[size_t(j * w + i)]);
+                        }
+                    const float margin = limit * (high - low);
+                    ASSERT_GE(v, std::max(0.0f, low - margin));
+                    ASSERT_LE(v, high + margin);
+                }
+        }
     });
 }
 
@@ -215,7 +211,7 @@ TEST(Consistency, WhatWillBeCutOffMayGetNegativeWithinTheLimit) {
         const auto source =
             fill(scene.pixels(), [&] { return random.below(2) ? 0.0f : random.unit(); });
         for (const float limit : {0.0f, 0.25f}) {
-            Shape shape{Surface::patch, 0, limit, false};
+            Shape shape{Surface::patch, 0, limit};
             const auto kept = corrected(scene, source, shape, 1);
             shape.clipped = true;
             const auto moved = corrected(scene, source, shape, 1);

@@ -78,7 +78,6 @@ TEST(Fitted, AnEdgeIsTheSameFromItsOtherEnd) {
     for (int k = 0; k < fitted_edge_shared; ++k)
         EXPECT_EQ(bits_of(there.shared[k]), bits_of(back.shared[k]));
     EXPECT_EQ(there.range, back.range);
-    EXPECT_EQ(there.rise, back.rise);
 }
 
 /// A net's vertices and edges.
@@ -86,25 +85,21 @@ struct NetValues {
     std::vector<float> z, e;
 };
 
-struct Setting {
-    bool strict = false, clipped = true;
-};
-
 /// Of each of some channels, which are made together.
 std::vector<NetValues> fitted(const Scene& scene, const std::vector<std::vector<float>>& channels,
-                              Setting setting) {
+                              bool clipped) {
     const DenormalsAreZero zero;
     const Lattice& l = scene.lattice;
     ControlNet net;
     FittedMaker maker;
-    std::fill_n(net.strict, group_size, setting.strict ? 1.0f : 0.0f);
     const auto count = int(channels.size());
     std::vector<float> values;
     for (size_t i = 0; i < scene.pixels(); ++i)
         for (const auto& channel : channels)
             values.push_back(channel[i]);
     values.resize(values.size() + group_size);
-    maker.begin(l, scene.all(), {0, 0.25f, setting.clipped}, {values.data(), count, 0, count}, net);
+    maker.begin(l, scene.all(), {0, Bounds::dark, 0.25f, clipped}, {values.data(), count, 0, count},
+                net);
     maker.finish();
     std::vector<NetValues> results(channels.size());
     for (size_t c = 0; c < channels.size(); ++c) {
@@ -116,12 +111,12 @@ std::vector<NetValues> fitted(const Scene& scene, const std::vector<std::vector<
     return results;
 }
 
-NetValues fitted(const Scene& scene, const std::vector<float>& values, Setting setting) {
-    return fitted(scene, std::vector<std::vector<float>>{values}, setting)[0];
+NetValues fitted(const Scene& scene, const std::vector<float>& values, bool clipped) {
+    return fitted(scene, std::vector<std::vector<float>>{values}, clipped)[0];
 }
 
 /// The same one number after the other, from the formulas for scalars.
-NetValues slow(const Scene& scene, const std::vector<float>& values, Setting setting) {
+NetValues slow(const Scene& scene, const std::vector<float>& values, bool clipped) {
     const DenormalsAreZero zero;
     const FittedTable& table = fitted_table();
     const Lattice& l = scene.lattice;
@@ -130,8 +125,7 @@ NetValues slow(const Scene& scene, const std::vector<float>& values, Setting set
     EdgeMaker edges;
     Consistency consistency;
     set_vertices(l, values.data(), 1, 0, 1, net);
-    std::fill_n(net.strict, group_size, setting.strict ? 1.0f : 0.0f);
-    consistency.begin(l, net, 0.25f, setting.clipped);
+    consistency.begin(l, net, 0.25f, clipped);
     make_edges(l, scene.all(), true, false, 0, edges, net);
     consistency.measure(l, Surface::patch, net);
     const auto inside = [&](int x, int y) { return values[size_t(y * w + x)]; };
@@ -140,17 +134,16 @@ NetValues slow(const Scene& scene, const std::vector<float>& values, Setting set
     };
     NetValues r;
     std::vector<float> index;
-    const LaneLimits limits(net.strict, 0.25f, setting.clipped);
+    const VertexLimits limits(0.25f, clipped);
     for (int y = 0; y < h; ++y) {
         for (int x = 0; x < w; ++x) {
             const size_t at = size_t(y * w + x);
             const auto near = [&](int i, int j) { return tap(x + i, y + j); };
             scalar::VertexFeatures<float> v;
             v.find(0.0f - consistency.sum[at] * 0.25f,
-                   scalar::all_pixels(x, y, w, h) ? limits.cut[0] : 0.0f, table, near);
+                   scalar::all_pixels(x, y, w, h) && limits.clipped, table, near);
             float low, high;
-            scalar::find_limits({-1, -1, 2, 2},
-                                scalar::fitted_limit(limits.limit[0], v.bound, table),
+            scalar::find_limits({-1, -1, 2, 2}, scalar::fitted_limit(limits.limit, v.bound, table),
                                 limits.lowest, near, low, high);
             const float moved = scalar::fitted_vertex(inside(x, y), low, high, v, table);
             const bool rim = x == 0 || y == 0 || x + 1 == w || y + 1 == h;
@@ -176,7 +169,7 @@ NetValues slow(const Scene& scene, const std::vector<float>& values, Setting set
         const float mean =
             (index[size_t(ends.a.y * w + ends.a.x)] + index[size_t(ends.b.y * w + ends.b.x)]) *
             0.5f;
-        r.e.push_back(scalar::fitted_bend(f, mean, setting.strict ? 1.0f : 0.0f, null, table));
+        r.e.push_back(scalar::fitted_bend(f, mean, null, table));
     });
     return r;
 }
@@ -184,12 +177,11 @@ NetValues slow(const Scene& scene, const std::vector<float>& values, Setting set
 TEST(Fitted, EveryInstructionSetGivesTheBitsOfTheDefinition) {
     each_scene([](const Scene& scene, Random& random) {
         for (const Values kind : all_values)
-            for (const Setting setting :
-                 {Setting{false, true}, Setting{false, false}, Setting{true, true}}) {
+            for (const bool clipped : {true, false}) {
                 const auto values = make_values(kind, scene.pixels(), random);
-                const NetValues expected = slow(scene, values, setting);
+                const NetValues expected = slow(scene, values, clipped);
                 on_each_target([&] {
-                    const NetValues got = fitted(scene, values, setting);
+                    const NetValues got = fitted(scene, values, clipped);
                     ASSERT_EQ(differing(got.z, expected.z), 0u);
                     ASSERT_EQ(differing(got.e, expected.e), 0u);
                 });
@@ -208,10 +200,10 @@ TEST(Fitted, NeighbouringEdgesThatAreMadeTogetherHaveTheBitsOfTheDefinition) {
                 std::vector<NetValues> expected;
                 for (size_t c = 0; c < count; ++c) {
                     channels.push_back(make_values(kind, scene.pixels(), random));
-                    expected.push_back(slow(scene, channels[c], {}));
+                    expected.push_back(slow(scene, channels[c], true));
                 }
                 on_each_target([&] {
-                    const auto got = fitted(scene, channels, {});
+                    const auto got = fitted(scene, channels, true);
                     for (size_t c = 0; c < count; ++c) {
                         ASSERT_EQ(differing(got[c].z, expected[c].z), 0u);
                         ASSERT_EQ(differing(got[c].e, expected[c].e), 0u);
@@ -225,7 +217,7 @@ TEST(Fitted, GreyAtTheRimDoesNotStandAtABound) {
     Random random(8);
     const Scene scene(16, 14, 60, random);
     const auto values = fill(scene.pixels(), [&] { return random.below(2) ? 0.7f : 0.4f; });
-    for (const float z : fitted(scene, values, {}).z) {
+    for (const float z : fitted(scene, values, true).z) {
         EXPECT_GE(z, 0.4f - 0.25f * 0.3f - 1e-6f);
         EXPECT_LE(z, 0.7f + 0.25f * 0.3f + 1e-6f);
     }
@@ -237,7 +229,7 @@ TEST(Fitted, WhatIsNotFiniteKeepsThePlainValue) {
     auto values = fill(scene.pixels(), [&] { return 2.0f + random.unit(); });
     values[7 * 16 + 8] = std::nanf("");
     values[3 * 16 + 3] = HUGE_VALF;
-    const NetValues r = fitted(scene, values, {});
+    const NetValues r = fitted(scene, values, true);
     for (size_t i = 0; i < values.size(); ++i)
         if (std::isfinite(values[i]))
             EXPECT_TRUE(std::isfinite(r.z[i])) << i;
