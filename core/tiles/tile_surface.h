@@ -49,7 +49,7 @@ private:
     EdgeRecipe recipe(int cells);
     void set_strictness(int group, ControlNet& net) const;
     void begin_corrected(int group, const float* values, const Rect& part, int cells);
-    void correct_all(int group);
+    void correct_for(const Rect& part, int group);
     void begin_fitted(int group, const float* values, const Rect& part, int cells);
 
     const Job& m_job;
