@@ -33,6 +33,9 @@ set(CPACK_DEBIAN_OIIO-DDT_PACKAGE_DEPENDS openimageio-tools)
 set(CPACK_DEBIAN_OIIO-DDT_PACKAGE_SUGGESTS
   "libopenimageio-dev, libopencolorio-dev, libtbb-dev, libhwy-dev")
 
+# Not in a component that is packaged: Debian has the text, and wants it in no package of its own.
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/oiio-ddt COMPONENT licence)
+
 # Debian's policy: each package says whose it is and what changed.
 set(documents ${CMAKE_CURRENT_BINARY_DIR}/package)
 configure_file(cmake/package/copyright ${documents}/copyright COPYONLY)

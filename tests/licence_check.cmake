@@ -5,7 +5,7 @@
 include(${CMAKE_CURRENT_LIST_DIR}/tracked_files.cmake)
 list_tracked_files("")
 list(REMOVE_ITEM files
-  cmake/package/changelog.txt cmake/package/copyright plugin/python/oiio_ddt/py.typed
+  LICENSE cmake/package/changelog.txt cmake/package/copyright plugin/python/oiio_ddt/py.typed
   tests/golden/golden.txt tests/install/files.txt)
 set(lacking "")
 foreach(file ${files})

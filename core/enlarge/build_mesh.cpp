@@ -102,8 +102,10 @@ bool check_mesh_size(int width, int height, std::string& error) {
 bool build_mesh(const float* guide, int width, int height, const MeshOptions& options, Mesh& mesh,
                 MeshReport* report, std::string* error, const ProgressCallback& progress) noexcept {
     return succeeds(error, [&](std::string& why) {
-        if (check_mesh_size(width, height, why) && check_options(options, why) &&
-            !build(guide, width, height, options, mesh, report, never_falling(progress)))
+        if (!guide)
+            why = "ddt: the guide is null; a mesh needs a number per pixel";
+        else if (check_mesh_size(width, height, why) && check_options(options, why) &&
+                 !build(guide, width, height, options, mesh, report, never_falling(progress)))
             why = "ddt: cancelled";
         return why.empty();
     });

@@ -11,7 +11,7 @@ namespace ddt {
 
 /// Threads, and tiles whose meshes are there at once. A mesh takes most of the memory and, with
 /// most filters, least of the time: where memory does not allow a tile for each thread, several
-/// threads share a tile.
+/// threads share a tile; with corrections of many channels fewer threads work.
 struct CrewSize {
     size_t members = 1;
     size_t places = 1; ///< for tiles; no more than members

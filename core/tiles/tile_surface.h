@@ -48,7 +48,7 @@ private:
     GroupOutput group_output(int group, float* out, size_t row) const;
     EdgeRecipe recipe(int cells);
     void begin_corrected(int group, const float* values, const Rect& part, int cells);
-    void correct_all(int group);
+    void correct_for(const Rect& part, int group);
     void bound(int channel, Point p, float* pixel) const;
     void begin_fitted(int group, const float* values, const Rect& part, int cells);
 

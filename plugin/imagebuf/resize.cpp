@@ -19,46 +19,31 @@
 #include "plugin/imagebuf/holes.h"
 #include "plugin/imagebuf/nearest.h"
 #include "plugin/imagebuf/resample.h"
+#include "plugin/imagebuf/shrink_axis.h"
 #include "plugin/message/format.h"
 
 namespace ddt {
 namespace {
 
-/// OpenImageIO's filter has this radius along an axis whose size it does not change. Pixels there
-/// make the result of a part that of the whole.
-constexpr int margin = 4;
-
 /// Bytes that the image between enlarging and shrinking may have, about.
 constexpr int64_t band_bytes = int64_t(32) << 20;
 
-/// Extend the part to where it has something of the window.
-void reach_into(int window_begin, int window_end, int& begin, int& end) {
-    begin = std::min(begin, window_end - 1);
-    end = std::max(end, window_begin + 1);
-}
-
 /// Enlarge along the axis that grows into an image that still has the source's size along the
-/// other, and leave that to OpenImageIO.
+/// other, and shrink that.
 bool enlarge_then_shrink(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const OIIO::ROI& roi,
                          bool shrink_x, const Options& options, int nthreads, std::string& error) {
     OIIO::ROI part = src.roi(), full = src.roi_full();
     if (shrink_x) {
-        part.ybegin = roi.ybegin - margin;
-        part.yend = roi.yend + margin;
+        part.ybegin = roi.ybegin;
+        part.yend = roi.yend;
         full.ybegin = dst.roi_full().ybegin;
         full.yend = dst.roi_full().yend;
     } else {
-        part.xbegin = roi.xbegin - margin;
-        part.xend = roi.xend + margin;
+        part.xbegin = roi.xbegin;
+        part.xend = roi.xend;
         full.xbegin = dst.roi_full().xbegin;
         full.xend = dst.roi_full().xend;
     }
-    // Beside the source's pixels OpenImageIO reads on from the display window, whose nearest line
-    // must be there, that a part has what the whole has.
-    if (shrink_x)
-        reach_into(full.ybegin, full.yend, part.ybegin, part.yend);
-    else
-        reach_into(full.xbegin, full.xend, part.xbegin, part.xend);
     OIIO::ImageSpec spec = src.spec();
     spec.set_format(OIIO::TypeFloat); // rounding is left to the second step
     OIIO::set_roi(spec, part);
@@ -71,8 +56,10 @@ bool enlarge_then_shrink(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const O
     const ResizeMapping mapping = mapping_of(src.spec(), spec, part);
     Options of_between = options;
     of_between.surface.clipped |= cuts_off(dst.spec().format);
-    return resample(between, src, mapping, part, of_between, nthreads, error) &&
-           resize_by_oiio(dst, between, roi, nthreads, error);
+    if (!resample(between, src, mapping, part, of_between, nthreads, error))
+        return false;
+    shrink_axis(dst, between, shrink_x, roi, nthreads);
+    return true;
 }
 
 /// The same in bands across the axis that grows, so that what is between never is large.
@@ -82,8 +69,7 @@ bool enlarge_then_shrink_in_bands(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src
     const int begin = shrink_x ? roi.ybegin : roi.xbegin, end = shrink_x ? roi.yend : roi.xend;
     const int64_t line = int64_t(shrink_x ? src.spec().width : src.spec().height) *
                          src.nchannels() * int64_t(sizeof(float));
-    const int band =
-        int(std::min<int64_t>(end - begin, std::max<int64_t>(band_bytes / line - 2 * margin, 16)));
+    const int band = int(std::min<int64_t>(end - begin, std::max<int64_t>(band_bytes / line, 16)));
     Statistics all, of_band;
     for (int at = begin; at < end; at += band) {
         const int n = std::min(band, end - at);

@@ -23,6 +23,10 @@
 // Forked while another thread is in a call, above all in the process's first, the child may wait
 // for ever in one of its own: for a lock that the other thread had, which the child has not got
 // (of the compiler's for static objects, of oneTBB's).
+//
+// A shared object into which this is linked must not be unloaded once it was called: threads of
+// oneTBB's, and the GPU's, go on and may be within its code. Link it with -z nodelete. The CMake
+// targets see to that; who links by pkg-config says it (-Wl,-z,nodelete).
 #pragma once
 
 #include <string>

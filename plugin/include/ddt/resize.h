@@ -32,7 +32,7 @@
 //
 // Result. A function of the source's pixels, windows and metadata and of the options alone: it has
 // the same bits for any number of threads, and a part (roi) is a crop of the whole; where an axis
-// shrinks, within 2^25 pixels from the origin (docs/limits.md).
+// shrinks and none grows, within 2^25 pixels from the origin (docs/limits.md).
 #pragma once
 
 #include <OpenImageIO/imagebuf.h>
@@ -62,7 +62,8 @@ struct Options : FilterOptions {
 ///
 /// If an axis shrinks and the other does not grow, this is OpenImageIO's own resize with its
 /// default filter, on the numbers as they are. If one grows and the other shrinks, the first is
-/// enlarged by the mesh and the second shrunk so. IDs are copied from the nearest pixel.
+/// enlarged by the mesh and the second shrunk by that filter along this axis alone. IDs are copied
+/// from the nearest pixel.
 ///
 /// nthreads 0: OpenImageIO's attribute "threads"; where that is the number of processors, no more
 /// than a container's quota is worth.

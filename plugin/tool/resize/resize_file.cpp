@@ -23,6 +23,7 @@
 #include "plugin/tool/file/open_image.h"
 #include "plugin/tool/file/other_images.h"
 #include "plugin/tool/ids/mixed_ids.h"
+#include "plugin/tool/resize/exr_buffers.h"
 #include "plugin/tool/resize/resize_image.h"
 
 namespace ddt::tool {
@@ -113,13 +114,18 @@ bool write_results(const std::string& in, const std::string& out, const ResizeSe
     return true;
 }
 
-/// Bytes that an image of this spec and its result take; 0 if that cannot be told.
-int64_t memory_of_pixels(OIIO::ImageSpec from, const std::string& in, const std::string& out,
-                         const ResizeSettings& settings) {
+/// Bytes that an image of this spec and its result take, and what reads and writes them; 0 if that
+/// cannot be told.
+int64_t memory_of_image(OIIO::ImageSpec from, const std::string& format, const std::string& in,
+                        const std::string& out, const ResizeSettings& settings) {
     OIIO::ImageSpec spec;
     Failure failure;
     if (!check_source_spec(from, failure.why) || !plan_result(from, settings, spec, failure))
         return 0;
+    int64_t buffers = format == "openexr" ? exr_buffers(from, settings.threads) : 0;
+    const auto writer = OIIO::ImageOutput::create(out);
+    if (writer && writer->format_name() == std::string("openexr"))
+        buffers += exr_buffers(spec, settings.threads);
     const int64_t ids =
         count_mixed_ids(from, spec) * int64_t(from.image_pixels() * sizeof(uint32_t));
     // Another format than the source's may not hold its numbers (see resize_image.cpp).
@@ -128,7 +134,7 @@ int64_t memory_of_pixels(OIIO::ImageSpec from, const std::string& in, const std:
         spec.set_format(OIIO::TypeFloat);
     if (is_associated_when_read(from))
         from.set_format(OIIO::TypeFloat);
-    return int64_t(from.image_bytes() + spec.image_bytes()) + ids;
+    return int64_t(from.image_bytes() + spec.image_bytes()) + ids + buffers;
 }
 
 } // namespace
@@ -156,10 +162,10 @@ int64_t memory_to_resize(const std::string& in, const std::string& out,
     const auto file = OIIO::ImageInput::open(in);
     int64_t most = 0; // of the images, which follow one another
     for (int i = 0; file && file->seek_subimage(i, 0) && (i == 0 || settings.all_images); ++i) {
-        const int64_t pixels = memory_of_pixels(file->spec(), in, out, settings);
-        if (pixels == 0)
+        const int64_t image = memory_of_image(file->spec(), file->format_name(), in, out, settings);
+        if (image == 0)
             return 0;
-        most = std::max(most, pixels);
+        most = std::max(most, image);
     }
     if (most == 0)
         return 0;

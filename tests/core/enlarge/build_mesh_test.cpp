@@ -184,6 +184,8 @@ TEST(Mesh, SaysWhyThereIsNone) {
     EXPECT_EQ(error, "ddt: a mesh needs at least 2 x 2 pixels");
     EXPECT_FALSE(build_mesh(guide.data(), 1 << 15, 1 << 15, {}, mesh, nullptr, &error));
     EXPECT_EQ(error, "ddt: the image is too large for one mesh; allowed are 2^28 pixels");
+    EXPECT_FALSE(build_mesh(nullptr, 9, 9, {}, mesh, nullptr, &error));
+    EXPECT_EQ(error, "ddt: the guide is null; a mesh needs a number per pixel");
     MeshOptions o = plain_mesh();
     o.max_iterations = most_iterations + 1;
     EXPECT_FALSE(build_mesh(guide.data(), 4, 2, o, mesh, nullptr, &error));

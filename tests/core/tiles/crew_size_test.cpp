@@ -93,6 +93,36 @@ TEST(CrewSize, AFewThreadsHaveATileEach) {
         EXPECT_EQ(Large(filter, 4).of(16).places, 16u) << filter;
 }
 
+TEST(CrewSize, ThreadsDoNotShareTilesOfManyChannelsThatAreCorrected) {
+    for (const int channels : {5, 16, 32, 64})
+        for (const size_t threads : {2, 8, 16, 40, 128}) {
+            SCOPED_TRACE(::testing::Message() << channels << ", " << threads);
+            const Large large("ddt-sharp", channels);
+            const CrewSize size = large.of(threads);
+            EXPECT_EQ(size.places, size.members);
+            EXPECT_LE(large.bytes(size), limit(threads));
+            if (size.members < threads) {
+                EXPECT_GT(large.bytes({size.members + 1, size.places + 1}), limit(threads));
+            }
+        }
+    EXPECT_EQ(Large("ddt-sharp", 16).of(16).members, 8u);
+    EXPECT_EQ(Large("ddt-sharp", 32).of(16).members, 5u);
+    // Others' parts take little more than the whole.
+    for (const char* filter : {"ddt", "ddt-sharp,clipped=1"}) {
+        const CrewSize size = Large(filter, 32).of(16);
+        EXPECT_GT(size.members, size.places) << filter;
+    }
+}
+
+TEST(CrewSize, ThreadsShareTilesWhereThereAreFewerThanThreads) {
+    Large two("ddt-sharp", 16);
+    two.job.window = {0, 0, 600, 300};
+    two.to = {0, 0, 2400, 1200};
+    const CrewSize size = two.of(8);
+    EXPECT_EQ(size.places, size_t(Grid(two.job.window).count()));
+    EXPECT_EQ(size.members, 8u);
+}
+
 TEST(CrewSize, PositionsInAnyOrderTakeNoMore) {
     for (const char* filter : filters)
         for (const int channels : {1, 3, 4}) {
