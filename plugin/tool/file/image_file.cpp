@@ -14,8 +14,10 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/image/oiio_defects.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/file/fit_format.h"
+#include "plugin/tool/file/readable_pixels.h"
 #include "plugin/tool/file/truncated.h"
 
 namespace ddt::tool {
@@ -29,35 +31,6 @@ public:
     explicit Stream(std::FILE* file) : IOFile(file, Write) {}
     const char* proxytype() const override { return "whole file"; }
 };
-
-/// Rows that are read back at once: the readers of EXR and TIFF decompress them side by side.
-int rows_to_read(const OIIO::ImageSpec& spec) {
-    constexpr size_t bytes = size_t(8) << 20;
-    return std::max(16, int(bytes / std::max<size_t>(spec.scanline_bytes(true), 1)));
-}
-
-/// Read every pixel of an image; false if that fails.
-bool can_be_read(OIIO::ImageInput& in, int image) {
-    const OIIO::ImageSpec& spec = in.spec();
-    const int rows = spec.tile_height > 0 ? spec.tile_height : rows_to_read(spec);
-    // Room for whole tiles: OpenImageIO's reader writes beyond the image's edge (2.4.7, TIFF).
-    const size_t width =
-        spec.tile_width > 0 ? size_t(spec.width) + size_t(spec.tile_width) : size_t(spec.width);
-    const int all = std::min(rows, spec.height);
-    std::vector<char> pixels(spec.pixel_bytes(true) * width *
-                             size_t(std::max(all, spec.tile_height)));
-    const int end = spec.y + spec.height;
-    for (int y = spec.y; y < end; y += rows) {
-        const int y1 = std::min(end, y + rows);
-        const bool read = spec.tile_width > 0
-                              ? in.read_native_tiles(image, 0, spec.x, spec.x + spec.width, y, y1,
-                                                     0, 1, pixels.data())
-                              : in.read_native_scanlines(image, 0, y, y1, 0, pixels.data());
-        if (!read)
-            return false;
-    }
-    return true;
-}
 
 /// Pixels a side that files of a format hold at most, where its writer does not say so: the JPEG
 /// library ends the program, GIF's keeps the low bits. 0: it does, or there is no bound.
@@ -352,6 +325,7 @@ bool ImageFile::check_written(Failure& failure) {
     const auto in = OIIO::ImageInput::open(temporary());
     if (!in)
         return refuse("what was written cannot be read back", code_of_reading(temporary(), code));
+    wait_for_tiles(*in);
     m_compression = in->spec().get_string_attribute("compression");
     m_compression.resize(std::min(m_compression.size(), m_compression.find(':')));
     // Reading the pixels of small icons ends the program (OpenImageIO 2.4.7).
@@ -370,7 +344,7 @@ bool ImageFile::check_written(Failure& failure) {
                                  m_output->format_name(), made.width, made.height, asked.width,
                                  asked.height),
                           exit_failed);
-        if (!enough && !can_be_read(*in, int(i)))
+        if (!enough && !can_be_read(*in))
             return refuse("what was written cannot be read back", code);
     }
     return true;
