@@ -244,6 +244,8 @@ bool ImageFile::open(std::vector<OIIO::ImageSpec> specs, Failure& failure) {
     }
     if (several && type == "tiff")
         allow_large_tiff(m_specs);
+    if (type == "tiff")
+        m_tiff_errors = std::make_unique<TiffWriteErrors>(fileno(m_whole.file()));
     if (!m_whole.check_kept(failure)) // which writers without a stream empty
         return false;
     // OpenImageIO's writer of EXR takes the first image's kind for that of all, and ends the
@@ -287,10 +289,17 @@ std::string ImageFile::with_its_name(const std::string& said) const {
     return OIIO::Strutil::replace(said, temporary(), m_path, true);
 }
 
+/// A write of which libtiff said that it failed, or nothing.
+std::string ImageFile::error_of_tiff() const {
+    return m_tiff_errors ? m_tiff_errors->first() : std::string();
+}
+
 Failure ImageFile::failed() const {
     if (Failure lost; !m_whole.check_kept(lost))
         return lost;
     std::string why(OIIO::Strutil::strip(m_output->geterror()));
+    if (const std::string said = error_of_tiff(); !said.empty())
+        return {"cannot write \"" + m_path + "\": " + said, exit_resources};
     why = with_its_name(why.substr(0, why.find('\n')));
     const bool of_stream = m_whole.file() && std::ferror(m_whole.file());
     ExitCode code = of_stream ? exit_resources : code_of_message(why);
@@ -322,6 +331,8 @@ bool ImageFile::check_written(Failure& failure) {
     if (const int number = m_stream ? 0 : m_whole.write_error())
         return refuse(std::strerror(number), code_of_errno(number));
     const ExitCode code = m_stream ? exit_failed : exit_resources;
+    if (const std::string said = error_of_tiff(); !said.empty())
+        return refuse(said, exit_resources);
     const auto in = OIIO::ImageInput::open(temporary());
     if (!in)
         return refuse("what was written cannot be read back", code_of_reading(temporary(), code));

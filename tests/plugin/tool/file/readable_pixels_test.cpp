@@ -2,6 +2,7 @@
 // Files with pixels that cannot be read.
 #include "plugin/tool/file/readable_pixels.h"
 
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -87,6 +88,21 @@ TEST(ReadablePixels, AreNotThoseOfADamagedTiff) {
         EXPECT_TRUE(input->has_error());
         input->geterror();
         EXPECT_TRUE(can_be_read(*input, 0, 1));
+        input->geterror();
+    }
+}
+
+// As where the disk refuses to read on.
+TEST(ReadablePixels, AreNotThoseThatAFileLostMeanwhile) {
+    for (const NoisyTiff& tiff : noisy_tiffs) {
+        SCOPED_TRACE(tiff.name);
+        const std::string path = tiff.write();
+        std::string error;
+        const auto input = open_input(path, 0, error);
+        ASSERT_TRUE(input) << error;
+        std::filesystem::resize_file(path, 1000);
+        EXPECT_FALSE(can_be_read(*input));
+        EXPECT_TRUE(input->has_error());
         input->geterror();
     }
 }
