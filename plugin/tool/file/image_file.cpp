@@ -331,11 +331,19 @@ bool ImageFile::check_written(Failure& failure) {
     if (const int number = m_stream ? 0 : m_whole.write_error())
         return refuse(std::strerror(number), code_of_errno(number));
     const ExitCode code = m_stream ? exit_failed : exit_resources;
+    // Readers may lack memory of their own.
+    const auto refuse_reading = [&](const std::string& said) {
+        const std::string why(OIIO::Strutil::strip(said.substr(0, said.find('\n'))));
+        const ExitCode by_text = code_of_message(why);
+        return refuse("what was written cannot be read back" +
+                          (why.empty() ? "" : ": " + with_its_name(why)),
+                      by_text == exit_failed ? code_of_reading(temporary(), code) : by_text);
+    };
     if (const std::string said = error_of_tiff(); !said.empty())
         return refuse(said, exit_resources);
     const auto in = OIIO::ImageInput::open(temporary());
     if (!in)
-        return refuse("what was written cannot be read back", code_of_reading(temporary(), code));
+        return refuse_reading(OIIO::geterror());
     wait_for_tiles(*in);
     m_compression = in->spec().get_string_attribute("compression");
     m_compression.resize(std::min(m_compression.size(), m_compression.find(':')));
@@ -344,11 +352,9 @@ bool ImageFile::check_written(Failure& failure) {
     if (!enough && was_left_out(m_whole.file(), *m_output))
         return refuse("what was written cannot be read back", code);
     for (size_t i = 0; i < m_specs.size(); ++i) {
-        if (i > 0 && !in->seek_subimage(int(i), 0))
-            return refuse("what was written cannot be read back", code);
-        if (is_truncated(temporary(), in->format_name(), int(i)))
-            return refuse("what was written cannot be read back",
-                          code_of_reading(temporary(), code));
+        if ((i > 0 && !in->seek_subimage(int(i), 0)) ||
+            is_truncated(temporary(), in->format_name(), int(i)))
+            return refuse_reading(in->geterror());
         const OIIO::ImageSpec &asked = m_specs[i], &made = in->spec();
         if (made.width != asked.width || made.height != asked.height)
             return refuse(format("the format {} made {} x {} pixels of {} x {}",
@@ -356,7 +362,7 @@ bool ImageFile::check_written(Failure& failure) {
                                  asked.height),
                           exit_failed);
         if (!enough && !can_be_read(*in))
-            return refuse("what was written cannot be read back", code);
+            return refuse_reading(in->geterror());
     }
     return true;
 }
