@@ -16,6 +16,13 @@ inline bool is_associated_when_read(const OIIO::ImageSpec& native) {
            !native.format.is_floating_point() && native.format.size() <= 2;
 }
 
+/// Before pixels of a file are read. The reader of TIFF of OpenImageIO 2.4 says whether tiles were
+/// inflated before its threads have tried.
+inline void wait_for_tiles(OIIO::ImageInput& input) {
+    if (OIIO::openimageio_version() < 20500)
+        input.threads(1);
+}
+
 /// Whether OpenImageIO's reader overruns its memory with the pixels: up to 3.1 with those of TIFFs
 /// of CMYK in tiles, which have a channel more than what it makes of them.
 inline bool overruns_memory(const OIIO::ImageSpec& native) {

@@ -50,12 +50,16 @@ ExitCode run_caught(const std::vector<std::string>& args) {
 /// What a library throws where nobody can catch it, in a thread or a destructor of its own.
 [[noreturn]] void end_uncaught() {
     remove_unfinished();
+    // Where it is not known what was thrown, in a function that must not throw, it was for want of
+    // memory.
+    if (!std::current_exception() && std::uncaught_exceptions() > 0)
+        end_without_memory();
     if (!std::current_exception())
         std::abort();
     try {
         std::_Exit(fail(thrown()));
     } catch (const std::bad_alloc&) {
-        std::_Exit(exit_resources);
+        end_without_memory();
     }
 }
 
@@ -92,6 +96,17 @@ ExitCode finish_output(ExitCode code) {
     return fail(why_not_printed(number ? number : error_of_output()), exit_resources);
 }
 
+/// Libraries may lack what they count on after they had no memory: as the program ends,
+/// OpenImageIO's cache for all finds tiles that nobody finished, and aborts.
+ExitCode finish(ExitCode code) {
+    code = finish_output(code);
+    if (code == exit_resources) {
+        remove_unfinished();
+        std::_Exit(code);
+    }
+    return code;
+}
+
 } // namespace
 } // namespace ddt::tool
 
@@ -101,5 +116,5 @@ int main(int argc, char** argv) {
     remove_unfinished_on_signals();
     std::set_terminate(end_uncaught);
     OIIO::attribute("debug", 0); // its builds may print what is an error's text anyway
-    return finish_output(run_caught({argv + 1, argv + argc}));
+    return finish(run_caught({argv + 1, argv + argc}));
 }

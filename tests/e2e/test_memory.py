@@ -92,6 +92,42 @@ class Memory(ProcessCase):
                 os.remove(self.path("part.exr"))
         self.assertEqual(codes, {0, 3})
 
+    def test_no_memory_from_any_request_on(self):
+        """For one of the requests, or from it on."""
+        preloaded = os.environ.get("DDT_NO_MEMORY")
+        if not preloaded:
+            self.skipTest("there is no module that makes requests fail")
+
+        def resize(**variables):
+            done = self.attempt(DDT, "resize", "photo.png", "150%", "out.exr", "--threads", "2",
+                                plugin=False, LD_PRELOAD=preloaded, **variables)
+            return done.returncode, done.stderr
+
+        code, count = resize()
+        self.assertEqual(code, 0, count)
+        count = int(count)
+        os.rename(self.path("out.exr"), self.path("whole.exr"))
+        codes = set()
+        for i in range(40):
+            for lacking in (1, 10 ** 9):
+                # More of them at the end, where what was written is looked at.
+                number = int(count * (1 - (i / 40) ** 2))
+                code, text = resize(NO_MEMORY_AFTER=str(number), NO_MEMORY_FOR=str(lacking))
+                told = f"{lacking} after {number} of {count}: {text}"
+                self.assertIn(code, (0, 3), told)
+                # libpng says itself what it has no memory for, as where others are looked for.
+                own = [line for line in text.splitlines() if not line.startswith("libpng error")]
+                self.assertEqual(len(own), int(code != 0), told)
+                self.assertEqual([n for n in os.listdir(self.folder) if ".ddt-" in n], [], told)
+                codes.add(code)
+                # It may run out of it once the file is written.
+                there = os.path.exists(self.path("out.exr"))
+                self.assertTrue(there or code == 3, told)
+                if there:
+                    self.assert_same("out.exr", "whole.exr")
+                    os.remove(self.path("out.exr"))
+        self.assertEqual(codes, {0, 3})
+
     def test_no_memory_to_fill(self):
         """Of a TIFF whose colour is not multiplied by alpha: three times as much as it takes."""
         self.succeed("oiiotool", "--pattern", "noise", "2000x2000", "4", "--chnames", "R,G,B,A",

@@ -14,8 +14,10 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/image/oiio_defects.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/file/fit_format.h"
+#include "plugin/tool/file/readable_pixels.h"
 #include "plugin/tool/file/truncated.h"
 
 namespace ddt::tool {
@@ -29,35 +31,6 @@ public:
     explicit Stream(std::FILE* file) : IOFile(file, Write) {}
     const char* proxytype() const override { return "whole file"; }
 };
-
-/// Rows that are read back at once: the readers of EXR and TIFF decompress them side by side.
-int rows_to_read(const OIIO::ImageSpec& spec) {
-    constexpr size_t bytes = size_t(8) << 20;
-    return std::max(16, int(bytes / std::max<size_t>(spec.scanline_bytes(true), 1)));
-}
-
-/// Read every pixel of an image; false if that fails.
-bool can_be_read(OIIO::ImageInput& in, int image) {
-    const OIIO::ImageSpec& spec = in.spec();
-    const int rows = spec.tile_height > 0 ? spec.tile_height : rows_to_read(spec);
-    // Room for whole tiles: OpenImageIO's reader writes beyond the image's edge (2.4.7, TIFF).
-    const size_t width =
-        spec.tile_width > 0 ? size_t(spec.width) + size_t(spec.tile_width) : size_t(spec.width);
-    const int all = std::min(rows, spec.height);
-    std::vector<char> pixels(spec.pixel_bytes(true) * width *
-                             size_t(std::max(all, spec.tile_height)));
-    const int end = spec.y + spec.height;
-    for (int y = spec.y; y < end; y += rows) {
-        const int y1 = std::min(end, y + rows);
-        const bool read = spec.tile_width > 0
-                              ? in.read_native_tiles(image, 0, spec.x, spec.x + spec.width, y, y1,
-                                                     0, 1, pixels.data())
-                              : in.read_native_scanlines(image, 0, y, y1, 0, pixels.data());
-        if (!read)
-            return false;
-    }
-    return true;
-}
 
 /// Pixels a side that files of a format hold at most, where its writer does not say so: the JPEG
 /// library ends the program, GIF's keeps the low bits. 0: it does, or there is no bound.
@@ -271,6 +244,8 @@ bool ImageFile::open(std::vector<OIIO::ImageSpec> specs, Failure& failure) {
     }
     if (several && type == "tiff")
         allow_large_tiff(m_specs);
+    if (type == "tiff")
+        m_tiff_errors = std::make_unique<TiffWriteErrors>(fileno(m_whole.file()));
     if (!m_whole.check_kept(failure)) // which writers without a stream empty
         return false;
     // OpenImageIO's writer of EXR takes the first image's kind for that of all, and ends the
@@ -314,10 +289,17 @@ std::string ImageFile::with_its_name(const std::string& said) const {
     return OIIO::Strutil::replace(said, temporary(), m_path, true);
 }
 
+/// A write of which libtiff said that it failed, or nothing.
+std::string ImageFile::error_of_tiff() const {
+    return m_tiff_errors ? m_tiff_errors->first() : std::string();
+}
+
 Failure ImageFile::failed() const {
     if (Failure lost; !m_whole.check_kept(lost))
         return lost;
     std::string why(OIIO::Strutil::strip(m_output->geterror()));
+    if (const std::string said = error_of_tiff(); !said.empty())
+        return {"cannot write \"" + m_path + "\": " + said, exit_resources};
     why = with_its_name(why.substr(0, why.find('\n')));
     const bool of_stream = m_whole.file() && std::ferror(m_whole.file());
     ExitCode code = of_stream ? exit_resources : code_of_message(why);
@@ -349,9 +331,20 @@ bool ImageFile::check_written(Failure& failure) {
     if (const int number = m_stream ? 0 : m_whole.write_error())
         return refuse(std::strerror(number), code_of_errno(number));
     const ExitCode code = m_stream ? exit_failed : exit_resources;
+    // Readers may lack memory of their own.
+    const auto refuse_reading = [&](const std::string& said) {
+        const std::string why(OIIO::Strutil::strip(said.substr(0, said.find('\n'))));
+        const ExitCode by_text = code_of_message(why);
+        return refuse("what was written cannot be read back" +
+                          (why.empty() ? "" : ": " + with_its_name(why)),
+                      by_text == exit_failed ? code_of_reading(temporary(), code) : by_text);
+    };
+    if (const std::string said = error_of_tiff(); !said.empty())
+        return refuse(said, exit_resources);
     const auto in = OIIO::ImageInput::open(temporary());
     if (!in)
-        return refuse("what was written cannot be read back", code_of_reading(temporary(), code));
+        return refuse_reading(OIIO::geterror());
+    wait_for_tiles(*in);
     m_compression = in->spec().get_string_attribute("compression");
     m_compression.resize(std::min(m_compression.size(), m_compression.find(':')));
     // Reading the pixels of small icons ends the program (OpenImageIO 2.4.7).
@@ -359,19 +352,17 @@ bool ImageFile::check_written(Failure& failure) {
     if (!enough && was_left_out(m_whole.file(), *m_output))
         return refuse("what was written cannot be read back", code);
     for (size_t i = 0; i < m_specs.size(); ++i) {
-        if (i > 0 && !in->seek_subimage(int(i), 0))
-            return refuse("what was written cannot be read back", code);
-        if (is_truncated(temporary(), in->format_name(), int(i)))
-            return refuse("what was written cannot be read back",
-                          code_of_reading(temporary(), code));
+        if ((i > 0 && !in->seek_subimage(int(i), 0)) ||
+            is_truncated(temporary(), in->format_name(), int(i)))
+            return refuse_reading(in->geterror());
         const OIIO::ImageSpec &asked = m_specs[i], &made = in->spec();
         if (made.width != asked.width || made.height != asked.height)
             return refuse(format("the format {} made {} x {} pixels of {} x {}",
                                  m_output->format_name(), made.width, made.height, asked.width,
                                  asked.height),
                           exit_failed);
-        if (!enough && !can_be_read(*in, int(i)))
-            return refuse("what was written cannot be read back", code);
+        if (!enough && !can_be_read(*in))
+            return refuse_reading(in->geterror());
     }
     return true;
 }

@@ -11,6 +11,7 @@
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imageio.h>
 
+#include "plugin/tool/file/tiff_write_errors.h"
 #include "plugin/tool/file/whole_file.h"
 
 namespace ddt::tool {
@@ -18,8 +19,9 @@ namespace ddt::tool {
 /// An image file to be written, which appears under its name only when whole and checked. Writers
 /// of many formats do not look whether what they write arrives (PNG: a full disk), so their stream
 /// is ours where they let us; of the others' files, and those of several images, it is asked
-/// whether the disk is full, and they are read back. The size of every image is read back, which
-/// some writers do not look at either (GIF: 66000 becomes 464).
+/// whether the disk is full, they are read back, and of TIFF it is listened to what libtiff says.
+/// The size of every image is read back, which some writers do not look at either (GIF: 66000
+/// becomes 464).
 class ImageFile {
 public:
     /// Decide on the format by the name's extension and open a temporary file.
@@ -56,12 +58,14 @@ public:
 private:
     bool check_stream(Failure& failure) const;
     bool check_allowed(const OIIO::ImageSpec& spec, Failure& failure) const;
+    std::string error_of_tiff() const;
     bool check_written(Failure& failure);
 
     std::string m_path, m_compression;
     std::vector<OIIO::ImageSpec> m_specs; ///< what it was opened with
     size_t m_current = 0;                 ///< of them
     WholeFile m_whole;
+    std::unique_ptr<TiffWriteErrors> m_tiff_errors; ///< of a TIFF
     // Before the writer that uses it: it goes after that.
     std::unique_ptr<OIIO::Filesystem::IOFile> m_stream;
     std::unique_ptr<OIIO::ImageOutput> m_output;

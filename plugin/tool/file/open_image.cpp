@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <vector>
 
 #include <OpenImageIO/filesystem.h>
@@ -16,18 +17,26 @@
 #include "plugin/message/format.h"
 #include "plugin/tool/file/file_state.h"
 #include "plugin/tool/file/image_file.h"
+#include "plugin/tool/file/readable_pixels.h"
 #include "plugin/tool/file/truncated.h"
 
 namespace ddt::tool {
 
 namespace {
 
-/// A text without lines that it has twice: OpenImageIO 3 says again what it said before.
+/// A text without lines that it has twice but for their numbers: OpenImageIO 3 says again what it
+/// said before, and TIFF's reader the same of one strip after the other.
 std::string each_line_once(const std::string& text) {
-    std::vector<std::string> lines;
-    for (const std::string& line : OIIO::Strutil::splits(text, "\n"))
-        if (!line.empty() && std::find(lines.begin(), lines.end(), line) == lines.end())
-            lines.push_back(line);
+    std::vector<std::string> lines, known;
+    for (const std::string& line : OIIO::Strutil::splits(text, "\n")) {
+        std::string words;
+        std::copy_if(line.begin(), line.end(), std::back_inserter(words),
+                     [](char c) { return c < '0' || c > '9'; });
+        if (line.empty() || std::find(known.begin(), known.end(), words) != known.end())
+            continue;
+        lines.push_back(line);
+        known.push_back(words);
+    }
     return OIIO::Strutil::join(lines, "\n");
 }
 
@@ -58,12 +67,27 @@ const char* endless_kind(const std::string& path) {
     }
 }
 
+/// False with one line in `error` if the pixels of a file cannot be read.
+bool check_pixels(const std::string& path, int number, const OIIO::ImageSpec* hints,
+                  std::string& error) {
+    const auto input = open_input(path, number, error, hints);
+    if (!input)
+        return false;
+    if (can_be_read(*input))
+        return true;
+    error = why_unreadable(input->geterror(), path);
+    return false;
+}
+
 bool read_image(const std::string& path, OIIO::ImageBuf& image, std::string& error, int number,
                 const OIIO::ImageSpec* hints) {
     if (!check_reader(path, number, error))
         return false;
     image.reset(path, number, 0, nullptr, hints);
     if (!begin_image(path, number, image, error))
+        return false;
+    if (may_pass_over(std::string(image.file_format_name()), image.nativespec()) &&
+        !check_pixels(path, number, hints, error))
         return false;
     const bool floats = is_associated_when_read(image.nativespec());
     if (image.read(number, 0, true, floats ? OIIO::TypeFloat : OIIO::TypeUnknown))
@@ -139,8 +163,8 @@ bool open_image(const std::string& path, OIIO::ImageBuf& image, std::string& err
 }
 
 std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path, int number,
-                                             std::string& error) {
-    auto input = OIIO::ImageInput::open(path);
+                                             std::string& error, const OIIO::ImageSpec* hints) {
+    auto input = OIIO::ImageInput::open(path, hints);
     if (!input)
         error = why_unreadable(OIIO::geterror(), path);
     else if (number > 0 && !input->seek_subimage(number, 0)) {
@@ -152,6 +176,8 @@ std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path, int number
         error = cannot_read(path, why_overrun);
         input.reset();
     }
+    if (input)
+        wait_for_tiles(*input);
     return input;
 }
 

@@ -42,8 +42,10 @@ OIIO::ImageSpec spec_of_file(const OIIO::ImageBuf& image);
 /// The failure for a file that open_image() could not open.
 Failure unreadable(const std::string& path, const std::string& error);
 
-/// Open a file at the image of this number from 0. Null with one line in `error`.
+/// Open a file at the image of this number from 0. Null with one line in `error`;
+/// hints: for its reader, or null.
 std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path, int number,
-                                             std::string& error);
+                                             std::string& error,
+                                             const OIIO::ImageSpec* hints = nullptr);
 
 } // namespace ddt::tool

@@ -14,6 +14,10 @@ bool read_native(OIIO::ImageInput& input, const Rect& r, int chbegin, int chend,
 /// All channels.
 bool read_native(OIIO::ImageInput& input, const Rect& r, void* to);
 
+/// Before rows from this one on are read of which the one above was not just read: the reader of
+/// TIFF begins at the top again where strips are compressed, unless it has read a whole one.
+void go_to_row(OIIO::ImageInput& input, int row);
+
 /// [r.x0, r.x1) x [r.y0, r.y1) cut to the file's pixels and extended to what read_native() reads.
 Rect readable(const OIIO::ImageSpec& file, const Rect& r);
 

@@ -102,14 +102,6 @@ void end(int number) {
     pthread_sigmask(SIG_UNBLOCK, &this_one, nullptr);
 }
 
-/// A new_handler. Takes no memory.
-void end_without_memory() {
-    remove_unfinished();
-    constexpr char line[] = "ddt: out of memory\n";
-    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, line, sizeof(line) - 1);
-    std::_Exit(exit_resources);
-}
-
 } // namespace
 
 void remove_unfinished() {
@@ -119,6 +111,13 @@ void remove_unfinished() {
         sleep_a_moment();
     here = true;
     remove_all();
+}
+
+void end_without_memory() {
+    remove_unfinished();
+    constexpr char line[] = "ddt: out of memory\n";
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, line, sizeof(line) - 1);
+    std::_Exit(exit_resources);
 }
 
 void remove_unfinished_on_signals() {

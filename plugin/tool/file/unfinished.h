@@ -17,6 +17,9 @@ void remove_unfinished_on_signals();
 /// only the first returns.
 void remove_unfinished();
 
+/// Remove them and end with exit_resources and one line, for which no memory is needed.
+[[noreturn]] void end_without_memory();
+
 /// While one of these is there, a signal waits: between the making of a file and its listing nobody
 /// would remove it. For a moment only. Thread-safe.
 class SignalsWait {
@@ -30,8 +33,8 @@ private:
     sigset_t m_before;
 };
 
-/// While one of these is there, the program ends when memory runs out: as by a signal, with
-/// exit_resources and one line. For what would never end otherwise: OpenImageIO 2.4's image cache
+/// While one of these is there, the program ends when memory runs out, by end_without_memory(). For
+/// what would never end otherwise: OpenImageIO 2.4's image cache
 /// keeps a tile that no memory was found for as one that is being read, and all who need it wait.
 /// Thread-safe, as long as nobody else sets the handler that is called then.
 class EndsWithoutMemory {

@@ -199,6 +199,23 @@ bool WholeFile::take(int descriptor) {
     return false;
 }
 
+/// Which a umask may withhold, while writers open the file by its name and it is read back.
+void WholeFile::give_owner_rights(int descriptor) {
+    struct stat made {};
+    constexpr mode_t needed = S_IRUSR | S_IWUSR;
+    if (fstat(descriptor, &made) != 0 || (made.st_mode & needed) == needed)
+        return;
+    m_withheld = needed & ~made.st_mode;
+    (void)fchmod(descriptor, (made.st_mode & 07777) | needed);
+}
+
+/// Of a file that takes no other's place.
+void WholeFile::withhold_rights(int descriptor) const {
+    struct stat made {};
+    if (m_withheld != 0 && fstat(descriptor, &made) == 0)
+        (void)fchmod(descriptor, made.st_mode & 07777 & ~m_withheld);
+}
+
 bool WholeFile::open_temporary() {
     // What takes the place of a file has its rights at the end, and until then none that it may not
     // have.
@@ -211,6 +228,7 @@ bool WholeFile::open_temporary() {
         if (descriptor < 0)
             return false;
         if (take(descriptor)) {
+            give_owner_rights(descriptor);
             remove_those_left(m_target, i, descriptor);
             return true;
         }
@@ -315,6 +333,8 @@ bool WholeFile::commit(Failure& failure) {
             done = take_after(there, Attributes(m_target));
         else if (m_exists)
             done = take_after(m_before, m_attributes);
+        else
+            withhold_rights(descriptor);
         done = done && fsync(descriptor) == 0;
         const SignalsWait until_unlisted;
         done =

@@ -67,6 +67,8 @@ public:
 private:
     bool open_temporary();
     bool take(int descriptor);
+    void give_owner_rights(int descriptor);
+    void withhold_rights(int descriptor) const;
     bool refuse(int number, Failure& failure) const;
     bool refuse_folder(const char* how, int number, Failure& failure) const;
     bool refuse_taken(Failure& failure) const;
@@ -81,6 +83,7 @@ private:
     int m_listed = -1;
     struct stat m_before {}; ///< of the file that it takes the place of
     Attributes m_attributes; ///< of that file
+    mode_t m_withheld = 0;   ///< rights of the owner that the file has until it is whole
     bool m_exists = false;   ///< there was one
     bool m_direct = false;
 };

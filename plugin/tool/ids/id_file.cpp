@@ -72,6 +72,7 @@ bool IdFile::read(const Rect& wanted, OIIO::ImageBuf& ids, std::string& error) {
         return false;
     const int rows = rounded_up(rows_at_once, tile_side(file.tile_height, file.height));
     char* to = static_cast<char*>(ids.localpixels());
+    go_to_row(*m_input, r.y0);
     for (int y = r.y0; y < r.y1; y += rows, to += spec.scanline_bytes() * size_t(rows))
         if (!read_some({r.x0, y, r.x1, std::min(y + rows, r.y1)}, to, error))
             return false;

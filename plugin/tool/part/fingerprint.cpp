@@ -2,14 +2,20 @@
 #include "plugin/tool/part/fingerprint.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <vector>
 
-#include <OpenImageIO/filesystem.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <OpenImageIO/hash.h>
 #include <OpenImageIO/strutil.h>
 
 #include "ddt/option_table.h"
 #include "plugin/colour/space_light.h"
+#include "plugin/image/lazy_file.h"
 #include "plugin/message/format.h"
 
 namespace ddt::tool {
@@ -39,10 +45,60 @@ std::vector<float> light_of(const std::string& option, const std::string& space)
 constexpr uint64_t pieces = 1024;
 constexpr size_t piece = size_t(64) << 10;
 
+/// A file's bytes.
+class Bytes {
+public:
+    explicit Bytes(const std::string& path)
+        : m_path(path), m_file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
+    ~Bytes() {
+        if (m_file >= 0)
+            close(m_file);
+    }
+    Bytes(const Bytes&) = delete;
+    Bytes& operator=(const Bytes&) = delete;
+
+    bool find_size(uint64_t& size, Failure& failure) const {
+        struct stat there {};
+        if (m_file < 0 || fstat(m_file, &there) != 0)
+            return fail(errno, failure);
+        size = uint64_t(there.st_size);
+        return true;
+    }
+
+    bool read(char* to, size_t count, uint64_t at, Failure& failure) const {
+        for (size_t done = 0; done < count;) {
+            const ssize_t n = pread(m_file, to + done, count - done, off_t(at + done));
+            if (n < 0)
+                return fail(errno, failure);
+            if (n == 0) { // it was longer
+                failure.why = why_changed(m_path);
+                failure.code = code_of_message(failure.why);
+                return false;
+            }
+            done += size_t(n);
+        }
+        return true;
+    }
+
+private:
+    bool fail(int number, Failure& failure) const {
+        failure = {"\"" + m_path + "\"" +
+                       (number == ENOENT
+                            ? " is no file that can be read as bytes, which --part needs"
+                            : std::string(": ") + std::strerror(number)),
+                   code_of_errno(number)};
+        return false;
+    }
+
+    const std::string& m_path;
+    const int m_file;
+};
+
 } // namespace
 
 std::string fingerprint(const std::string& source, const OIIO::ImageSpec& source_spec,
-                        const OIIO::ImageSpec& result, const ResizeSettings& settings) {
+                        const OIIO::ImageSpec& result, const ResizeSettings& settings,
+                        Failure& failure) {
     OIIO::SHA1 hash;
     const auto add = [&](const std::string& text) { hash.append(text.data(), text.size() + 1); };
     const auto windows = [&](const OIIO::ImageSpec& s) {
@@ -67,17 +123,19 @@ std::string fingerprint(const std::string& source, const OIIO::ImageSpec& source
     const std::vector<float> light = light_of(settings.options.light, space);
     hash.append(light.data(), light.size() * sizeof(float));
 
-    const uint64_t size = OIIO::Filesystem::file_size(source);
-    add(std::to_string(size));
-    OIIO::Filesystem::IOFile file(source, OIIO::Filesystem::IOProxy::Read);
-    if (!file.opened())
+    const Bytes file(source);
+    uint64_t size = 0;
+    if (!file.find_size(size, failure))
         return {};
-    std::vector<char> bytes(piece);
+    add(std::to_string(size));
+    std::vector<char> bytes(size_t(std::min<uint64_t>(size, piece)));
     const uint64_t count = std::min((size + piece - 1) / piece, pieces);
-    const uint64_t last = size > piece ? size - piece : 0;
-    for (uint64_t i = 0; i < count; ++i)
-        hash.append(bytes.data(), file.pread(bytes.data(), piece,
-                                             int64_t(count > 1 ? last * i / (count - 1) : 0)));
+    const uint64_t last = size - bytes.size();
+    for (uint64_t i = 0; i < count; ++i) {
+        if (!file.read(bytes.data(), bytes.size(), count > 1 ? last * i / (count - 1) : 0, failure))
+            return {};
+        hash.append(bytes.data(), bytes.size());
+    }
     return hash.digest();
 }
 

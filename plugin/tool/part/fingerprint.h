@@ -6,6 +6,7 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include "plugin/tool/command/exit_code.h"
 #include "plugin/tool/resize/plan_result.h"
 
 namespace ddt::tool {
@@ -15,8 +16,9 @@ namespace ddt::tool {
 /// header, its size in bytes and the bytes themselves, up to 64 MiB all of them. A larger one
 /// counts by 1024 pieces of 64 KiB, evenly spread, since reading all of it would take longer than a
 /// part: sources that differ only between the pieces look like one. The time of its last change
-/// does not count: machines may have copies. Empty if the file cannot be read.
+/// does not count: machines may have copies. Empty with a failure if the file cannot be read.
 std::string fingerprint(const std::string& source, const OIIO::ImageSpec& source_spec,
-                        const OIIO::ImageSpec& result, const ResizeSettings& settings);
+                        const OIIO::ImageSpec& result, const ResizeSettings& settings,
+                        Failure& failure);
 
 } // namespace ddt::tool

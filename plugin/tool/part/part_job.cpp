@@ -43,14 +43,6 @@ bool check_part(const OIIO::ImageSpec& from, const OIIO::ImageSpec& to, const Gr
     return false;
 }
 
-Failure no_fingerprint(const std::string& path) {
-    const std::string why = why_not_opened(path);
-    return {"\"" + path + "\"" +
-                (why.empty() ? " is no file that can be read as bytes, which --part needs"
-                             : ": " + why),
-            code_of_reading(path)};
-}
-
 } // namespace
 
 PartJob::PartJob(const std::string& in)
@@ -78,11 +70,9 @@ bool PartJob::plan(const ResizeSettings& settings, const Part& part, Failure& fa
         return false;
     if (!check_part(from, whole, grid(), part, failure))
         return false;
-    const std::string job = fingerprint(path, from, whole, settings);
-    if (job.empty()) {
-        failure = no_fingerprint(path);
+    const std::string job = fingerprint(path, from, whole, settings, failure);
+    if (job.empty())
         return false;
-    }
     header = header_of(job, part, whole);
     return true;
 }

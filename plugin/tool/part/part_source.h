@@ -2,6 +2,8 @@
 // The pixels that a part is made from.
 #pragma once
 
+#include <limits>
+#include <memory>
 #include <string>
 
 #include <OpenImageIO/imagebuf.h>
@@ -25,11 +27,15 @@ public:
     const OIIO::ImageBuf* strip(const Rect& shown, Failure& failure);
 
 private:
+    bool can_be_read(const Rect& shown, Failure& failure);
+
     const std::string m_path;
     const OIIO::ImageBuf& m_image;
     const bool m_only_ids; ///< of which the cache would make floats
     IdFile m_id_file;
     OIIO::ImageBuf m_ids, m_whole;
+    std::unique_ptr<OIIO::ImageInput> m_check; ///< of rows in which the cache may pass over errors
+    int m_checked = std::numeric_limits<int>::min(); ///< rows above
 };
 
 } // namespace ddt::tool

@@ -18,6 +18,7 @@
 #include <gtest/gtest.h>
 
 #include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/strutil.h>
 
 #include "plugin/tool/file/open_image.h"
 #include "plugin/tool/part/join.h"
@@ -123,6 +124,56 @@ TEST(ImageFile, WhyAWriterFailedIsToldWhereItDoesNotSayIt) {
     std::signal(SIGXFSZ, before);
     EXPECT_EQ(failure.why, "cannot write \"" + path + "\": " + std::strerror(EFBIG));
     EXPECT_EQ(failure.code, exit_resources);
+}
+
+constexpr const char* of_wanting = ".wanting";
+
+/// Writes a file by its name, as some do.
+class WantingOutput final : public OIIO::ImageOutput {
+public:
+    const char* format_name() const override { return "wanting"; }
+    bool open(const std::string& name, const OIIO::ImageSpec& spec, OpenMode) override {
+        m_spec = spec;
+        std::ofstream(name) << "pixels";
+        return true;
+    }
+    bool close() override { return true; }
+    bool write_scanline(int, int, OIIO::TypeDesc, const void*, OIIO::stride_t) override {
+        return true;
+    }
+};
+
+/// Has no memory to open a file, or to read one.
+class WantingInput final : public OIIO::ImageInput {
+public:
+    static inline bool opens = false;
+
+    const char* format_name() const override { return "wanting"; }
+    bool open(const std::string& name, OIIO::ImageSpec& spec) override {
+        m_spec = spec = OIIO::ImageSpec(16, 16, 3, OIIO::TypeUInt8);
+        if (!opens)
+            errorfmt("std::bad_alloc");
+        return opens && OIIO::Strutil::ends_with(name, of_wanting); // any are tried
+    }
+    bool close() override { return true; }
+    bool read_native_scanline(int, int, int, int, void*) override {
+        errorfmt("std::bad_alloc");
+        return false;
+    }
+};
+
+TEST(ImageFile, WhoseReaderHasNoMemoryIsTriedAgain) {
+    static const char* extensions[] = {of_wanting + 1, nullptr};
+    OIIO::declare_imageio_format(
+        "wanting", []() -> OIIO::ImageInput* { return new WantingInput; }, extensions,
+        []() -> OIIO::ImageOutput* { return new WantingOutput; }, extensions, nullptr);
+    for (const bool opens : {false, true}) {
+        WantingInput::opens = opens;
+        const Failure failure =
+            failure_of_image(temporary(std::string("file") + of_wanting), -1, {});
+        EXPECT_EQ(failure.code, exit_resources) << failure.why;
+        EXPECT_NE(failure.why.find("cannot be read back"), std::string::npos) << failure.why;
+    }
 }
 
 /// What was written to a pipe so far.

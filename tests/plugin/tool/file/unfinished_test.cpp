@@ -2,6 +2,7 @@
 #include "plugin/tool/file/unfinished.h"
 
 #include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -90,6 +91,20 @@ TEST(Unfinished, ASecondSignalWaitsUntilTheFilesAreGone) {
         EXPECT_FALSE(fs::exists(path)) << signal;
         fs::remove(path);
     }
+}
+
+TEST(Unfinished, IsRemovedWhereThereIsNoMemoryAndThatIsSaid) {
+    const std::string path = temporary("unfinished without memory"), said = temporary("said");
+    const auto end = [&] {
+        if (!std::freopen(said.c_str(), "w", stderr))
+            return 1;
+        std::ofstream(path) << "half of it";
+        list_unfinished(path);
+        end_without_memory();
+    };
+    EXPECT_EQ(test::in_child(end).code, 3);
+    EXPECT_EQ(text_in(said), "ddt: out of memory\n");
+    EXPECT_FALSE(fs::exists(path));
 }
 
 TEST(EndsWithoutMemory, AsLongAsThereIsOne) {

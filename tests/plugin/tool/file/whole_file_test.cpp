@@ -272,6 +272,27 @@ TEST_F(WholeFiles, ASignalDoesNotRemoveAnothers) {
     EXPECT_EQ(text_in(path(".out.ddt-0.exr")), "another's");
 }
 
+TEST_F(WholeFiles, AreTheirOwnersToWriteUntilTheyAreWholeWhateverTheMask) {
+    const auto rights_of = [](const std::string& file) { return fs::status(file).permissions(); };
+    for (const mode_t mask : {0222u, 0333u, 0777u}) {
+        const std::string out = temporary("masked.tif"), old = temporary("masked and old.tif");
+        fs::remove(out);
+        std::ofstream(old) << "old";
+        ASSERT_EQ(chmod(old.c_str(), 0440), 0);
+        const mode_t before = umask(mask);
+        for (const std::string& path : {out, old}) {
+            WholeFile file;
+            Failure failure;
+            EXPECT_TRUE(file.open(path, failure)) << failure.why;
+            EXPECT_EQ(rights_of(file.temporary()) & fs::perms(0600), fs::perms(0600));
+            EXPECT_TRUE(file.commit(failure)) << failure.why;
+        }
+        umask(before);
+        EXPECT_EQ(rights_of(out), fs::perms(0666 & ~mask));
+        EXPECT_EQ(rights_of(old), fs::perms(0440));
+    }
+}
+
 TEST_F(WholeFiles, KeepLinksAndPermissions) {
     put(path("real.exr"), "before");
     fs::permissions(path("real.exr"), fs::perms(0640));

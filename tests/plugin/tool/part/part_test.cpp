@@ -4,7 +4,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -403,7 +405,7 @@ colorspaces:
     const auto both = [&] {
         const auto fingerprint_in = [&](const std::optional<std::string>& ocio) {
             const Environment set("OCIO", ocio);
-            return fingerprint(in, spec, result, settings);
+            return fingerprint(in, spec, result, settings, failure);
         };
         return std::pair(fingerprint_in(std::nullopt), fingerprint_in(config));
     };
@@ -451,13 +453,31 @@ TEST(Join, HasNoMoreFilesOpenThanARowOfPartsNeeds) {
         << failure.why;
 }
 
+TEST(Fingerprint, IsNoneOfBytesThatCannotBeRead) {
+    // The system says that there are 4096 bytes of the first, and gives some.
+    const std::string shorter = "/sys/devices/system/cpu/online", folder = temporary("a folder");
+    std::filesystem::create_directory(folder);
+    Failure failure;
+    EXPECT_EQ(fingerprint(folder, {}, {}, {}, failure), "");
+    EXPECT_EQ(failure.why, "\"" + folder + "\": " + std::strerror(EISDIR));
+    EXPECT_EQ(fingerprint(folder + "/none", {}, {}, {}, failure), "");
+    EXPECT_EQ(failure.why,
+              "\"" + folder + "/none\" is no file that can be read as bytes, which --part needs");
+    if (!std::filesystem::exists(shorter))
+        GTEST_SKIP() << "no " << shorter;
+    EXPECT_EQ(fingerprint(shorter, {}, {}, {}, failure), "");
+    EXPECT_EQ(failure.why, "\"" + shorter + "\" was changed while it was read");
+    EXPECT_EQ(failure.code, exit_resources);
+}
+
 TEST(Fingerprint, CountsEveryByteOfAFileUpToItsLast) {
     const std::string in = temporary("of_bytes.ppm");
     // A piece is 64 KiB.
     for (const size_t size : {size_t(1), size_t(65536), size_t(65537), size_t(200000)}) {
         const auto of = [&](const std::string& bytes) {
             std::ofstream(in, std::ios::binary | std::ios::trunc) << bytes;
-            return fingerprint(in, {}, {}, {});
+            Failure failure;
+            return fingerprint(in, {}, {}, {}, failure);
         };
         const std::string plain = of(std::string(size, 'a'));
         EXPECT_EQ(of(std::string(size, 'a')), plain);
