@@ -54,27 +54,27 @@ int counted_main(int count, char** arguments, char** variables) {
 
 extern "C" {
 
-void* malloc(size_t size) {
+void* malloc(size_t size) noexcept {
     return fails() ? nullptr : __libc_malloc(size);
 }
 
-void* calloc(size_t count, size_t size) {
+void* calloc(size_t count, size_t size) noexcept {
     return fails() ? nullptr : __libc_calloc(count, size);
 }
 
-void* realloc(void* memory, size_t size) {
+void* realloc(void* memory, size_t size) noexcept {
     return size > 0 && fails() ? nullptr : __libc_realloc(memory, size);
 }
 
-void* memalign(size_t alignment, size_t size) {
+void* memalign(size_t alignment, size_t size) noexcept {
     return fails() ? nullptr : __libc_memalign(alignment, size);
 }
 
-void* aligned_alloc(size_t alignment, size_t size) {
+void* aligned_alloc(size_t alignment, size_t size) noexcept {
     return memalign(alignment, size);
 }
 
-int posix_memalign(void** memory, size_t alignment, size_t size) {
+int posix_memalign(void** memory, size_t alignment, size_t size) noexcept {
     *memory = memalign(alignment, size);
     return *memory ? 0 : ENOMEM;
 }

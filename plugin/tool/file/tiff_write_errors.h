@@ -11,7 +11,8 @@ namespace ddt::tool {
 /// From when it is made it listens to what libtiff says of writes that fail in the file which a
 /// descriptor has open, by whichever descriptor they are made: a disk that is full for a moment
 /// leaves pixels out and tables where they are not looked for. Hears nothing where OpenImageIO has
-/// a libtiff of its own within it. Thread-safe.
+/// a libtiff of its own within it, or keeps to itself what libtiff says (2.5 and later, with
+/// libtiff 4.5). Thread-safe.
 class TiffWriteErrors {
 public:
     explicit TiffWriteErrors(int descriptor);

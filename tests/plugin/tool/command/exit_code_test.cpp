@@ -43,6 +43,7 @@ TEST(ExitCodes, WhatAFileIsCalledIsNotWhatHappenedToIt) {
          {R"(out of memory)", R"("a.png": out of memory)", R"("m": out of memory)",
           R"("out of memory.png": std::bad_alloc)", R"(cannot write "a"b.png": out of memory)",
           R"("a.exr": OpenEXR exception: Failed to allocate memory for scanline buffers)",
+          R"("a.tif": Could not open file: Out of memory reading of "StripByteCounts")",
           R"("a.tif": Read error at scanline 32; got -1 bytes, expected 4800)",
           R"("a.png": device egl is unavailable: no "libEGL.so")",
           R"("a.png" was changed while it was read, as was "b.png")",

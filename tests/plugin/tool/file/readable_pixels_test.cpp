@@ -85,7 +85,6 @@ TEST(ReadablePixels, AreNotThoseOfADamagedTiff) {
         const auto input = open_input(path, 0, error);
         ASSERT_TRUE(input) << error;
         EXPECT_FALSE(can_be_read(*input));
-        EXPECT_TRUE(input->has_error());
         input->geterror();
         EXPECT_TRUE(can_be_read(*input, 0, 1));
         input->geterror();
@@ -102,7 +101,6 @@ TEST(ReadablePixels, AreNotThoseThatAFileLostMeanwhile) {
         ASSERT_TRUE(input) << error;
         std::filesystem::resize_file(path, 1000);
         EXPECT_FALSE(can_be_read(*input));
-        EXPECT_TRUE(input->has_error());
         input->geterror();
     }
 }
