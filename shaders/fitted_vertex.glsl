@@ -21,8 +21,8 @@ struct VertexFeatures {
 };
 
 // VertexFeatures::find() of the vertex of this invocation. step_: what a round of consistency would
-// move it by; cut:
-// whether values will be cut off to 0 .. 1, and all taps are pixels (all_pixels()).
+// move it by; cut: whether values will be cut off to 0 .. 1, and all taps are pixels
+// (all_pixels()).
 VertexFeatures find_features(vec4 step_, bool cut) {
     vec4 z = near(12);
     precise vec4 sum0 = (near(11) + near(13)) + (near(7) + near(17));

@@ -40,8 +40,8 @@ struct GroupOutput {
 /// Evaluate a group's surface at a located row. Up to row_padding floats after the row's last are
 /// overwritten.
 ///
-/// Every value is clamped to the range of its triangle's vertices, which takes off the last bit of
-/// rounding; a vertex with weight 0 contributes exactly nothing, even if it is not finite; NaN
+/// Every value is clamped to what bounds the net (Bounds), by Bounds::vertices down to the last bit
+/// of rounding; a vertex with weight 0 contributes exactly nothing, even if it is not finite; NaN
 /// results have the bits 0x7fc00000, zeros no sign.
 void evaluate_row(const ControlNet& net, Surface surface, NearestMask nearest,
                   const LocatedRow& row, const GroupOutput& to);

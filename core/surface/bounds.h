@@ -2,6 +2,7 @@
 // What a surface with soft edges is cut off at, and softness bounded by (control_net.h).
 #pragma once
 
+#include "core/surface/consistency/corrections.h"
 #include "ddt/options.h"
 
 namespace ddt {
@@ -15,11 +16,13 @@ enum class Bounds {
 };
 
 /// Vertices that are the pixels themselves bound the surface, corrected ones do not; what is cut
-/// off afterwards need not be bounded before.
+/// off afterwards need not be bounded before. Where nothing but rounding takes the surface past its
+/// vertices, that is taken off.
 inline Bounds bounds_of(const SurfaceOptions& surface) {
-    return surface.consistency == 0 ? Bounds::vertices
-           : surface.clipped        ? Bounds::none
-                                    : Bounds::dark;
+    const bool within = surface.soft == 0 && !is_fitted(surface);
+    return surface.consistency == 0 || within ? Bounds::vertices
+           : surface.clipped                  ? Bounds::none
+                                              : Bounds::dark;
 }
 
 } // namespace ddt

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/base/constants.h"
-#include "core/surface/bounds.h"
 
 namespace ddt {
 
@@ -34,7 +33,7 @@ NearestMask nearest_mask(const Job& job, int group) {
 
 std::vector<int> bounded_channels(const Job& job) {
     std::vector<int> bounded;
-    for (int c = 0; c < job.channels && bounds_of(job.surface) != Bounds::vertices; ++c)
+    for (int c = 0; c < job.channels && job.surface.consistency > 0; ++c)
         if (kind_of(job, c) == Channel::alpha)
             bounded.push_back(c);
     return bounded;

@@ -53,7 +53,7 @@ private:
     void begin_fitted(int group, const float* values, const Rect& part, int cells);
 
     const Job& m_job;
-    const std::vector<int> m_bounded; ///< bounded_channels()
+    std::vector<int> m_bounded; ///< bounded_channels()
     const TileMesh* m_mesh = nullptr;
     const float* m_values = nullptr;
     Arena* m_arena = nullptr;

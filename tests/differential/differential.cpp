@@ -6,7 +6,7 @@
 // The reference is one thread of the narrowest instruction set. Against it: every other instruction
 // set, 1, 2 and 7 threads, a part of the output against the whole's crop, results put into the
 // sink's memory, and each device, whole and in part. Beside that every result keeps its promises:
-// what is finite stays finite, what is strict stays within the source's range.
+// what is finite stays finite, and in the range that it may have.
 //
 // A line for each way that differs, with the number that repeats it (--first N --jobs 1); exit
 // status 1 if there is one, 2 for a wrong command line. A device that cannot be had is named and

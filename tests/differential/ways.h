@@ -44,8 +44,8 @@ Done run(const RandomJob& job, const Way& way);
 size_t differing(const RandomJob& job, const Done& reference, const Way& way, const Done& done);
 
 /// What a result must never do, whatever the job: null where it keeps to that. What is finite stays
-/// finite; alpha, and without corrections everything that is blended, stays within the range of the
-/// source.
+/// finite; without corrections everything that is blended stays within the range of the source, and
+/// with them alpha within 0 to 1, or that range where it goes further.
 const char* broken_promise(const RandomJob& job, const std::vector<float>& values);
 
 } // namespace ddt::test

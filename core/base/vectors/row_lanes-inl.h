@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a SIMD target's namespace: rows of pixels with `count` floats each as vectors,
 // which need not begin or end where a pixel does. What is done to a float is the same for all, or
-// differs by the pixel (spread()) or by the channel (ChannelLanes).
+// differs by the pixel (spread()).
 // Needs: <type_traits>, row_lanes.h, lanes-inl.h.
 
 using RowTag = hn::CappedTag<float, most_lanes>;
@@ -49,21 +49,6 @@ HWY_INLINE T spread(const float* p, const RowPlace& place, int count) {
         return T(p[place.x]);
     }
 }
-
-/// A number a channel.
-struct ChannelLanes {
-    float numbers[most_lanes + most_in_pixel];
-
-    HWY_INLINE ChannelLanes(const float* of_channels, int count) {
-        for (int k = 0; k < most_lanes + most_in_pixel; ++k)
-            numbers[k] = of_channels[k % count];
-    }
-    /// That of each lane's channel.
-    template <class T>
-    HWY_INLINE T at(const RowPlace& place) const {
-        return T::load(numbers + place.c);
-    }
-};
 
 /// A pixel, or one pixel's share of what is computed: lanes from `count` on are nothing's.
 using PixelLanes = Lanes<hn::CappedTag<float, most_in_pixel>>;

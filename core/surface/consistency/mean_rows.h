@@ -14,8 +14,8 @@ namespace ddt {
 class MeanRows {
 public:
     /// Start on the vertices of `wanted`, a part of the lattice in pixels, of a surface through
-    /// `values`, which must stay where they are. crossed: of all who
-    /// take means on the lattice; it has begun with mean_positions().
+    /// `values`, which must stay where they are. crossed: of all who take means on the
+    /// lattice; it has begun with mean_positions().
     void begin(const Lattice& lattice, const Rect& wanted, Surface surface,
                const EdgeRecipe& recipe, const GroupValues& values, CrossedRows& crossed);
     void begin(const Lattice& lattice, const Rect& wanted, Surface surface,

@@ -86,8 +86,8 @@ struct VertexFeatures {
     T f[fitted_vertex_features];
     T index, bound;
 
-    /// `step`: what a round of consistency would move it by (consistency-inl.h). cut:
-    /// whether values will be cut off to 0 .. 1, and all taps are pixels (all_pixels()).
+    /// `step`: what a round of consistency would move it by (consistency-inl.h). cut: whether
+    /// values will be cut off to 0 .. 1, and all taps are pixels (all_pixels()).
     template <class Tap>
     DDT_INLINE void find(T step, bool cut, const FittedTable& table, Tap tap) {
         const T z = tap(0, 0), quarter = T(0.25f);

@@ -14,7 +14,7 @@ namespace ddt {
 struct FittedRecipe {
     /// EdgeRecipe::tau, or 0: no soft edges.
     float tau = 0;
-    Bounds bounds = Bounds::dark;
+    Bounds bounds = Bounds::vertices; ///< EdgeRecipe::bounds
     /// SurfaceOptions::limit and clipped.
     float limit = 0;
     bool clipped = false;
@@ -30,10 +30,10 @@ struct FittedRecipe {
 /// at the distance of the longest edges there, so that of each no more than some rows are there.
 class FittedMaker {
 public:
-    /// Start on a net of some rows: the vertices of `part`, a part of the
-    /// lattice in pixels, and the edges whose ends both lie in it. The lattice's divisions and
-    /// first edges must have been found; the values must stay where they are, and group_size floats
-    /// after the last may be read.
+    /// Start on a net of some rows: the vertices of `part`, a part of the lattice in pixels, and
+    /// the edges whose ends both lie in it. The lattice's divisions and first edges must have been
+    /// found; the values must stay where they are, and group_size floats after the last may be
+    /// read.
     void begin(const Lattice& lattice, const Rect& part, const FittedRecipe& recipe,
                const GroupValues& values, ControlNet& net);
 

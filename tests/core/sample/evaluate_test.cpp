@@ -110,7 +110,7 @@ TEST(Evaluate, SoftEdgesDoNotJump) {
         const Lattice& l = scene.lattice;
         for (const Surface surface : both_surfaces)
             for (const Bounds bounds : all_bounds) {
-                const float lowest = float(random.below(3) - 1) * 0.04f;
+                const float lowest = float(random.below(3) - 1) * 0.4f;
                 const auto values = fill(scene.pixels(), [&] {
                     return random.below(3) ? 0.1f : random.below(2) ? lowest : 1.0f;
                 });

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/surface/bounds.h"
 #include "ddt/core.h"
 #include "ddt/option_table.h"
 #include "tests/core/random.h"
@@ -60,15 +61,15 @@ TEST(SoftEdges, ADotLooksTheSameFromEverySide) {
         }
 }
 
-/// Small pictures of two, three and many levels, the lowest nearly black.
+/// Small pictures of two, three and many levels from `lowest` to 1.
 template <class F>
-void each_picture(int pictures, F&& f) {
+void each_picture(int pictures, float lowest, F&& f) {
     for (int seed = 0; seed < pictures; ++seed)
         for (const int levels : {2, 3, 1 << 20}) {
             Random random{uint64_t(seed)};
             std::vector<float> picture(8 * 8);
             for (float& z : picture)
-                z = 0.03f + 0.97f * float(random.below(levels)) / float(levels - 1);
+                z = lowest + (1 - lowest) * float(random.below(levels)) / float(levels - 1);
             SCOPED_TRACE(::testing::Message() << "seed " << seed << ", levels " << levels);
             f(picture);
         }
@@ -77,7 +78,7 @@ void each_picture(int pictures, F&& f) {
 // The steepest slope that there is, of a vertex whose gradients bend all its edges, is below four
 // times that from one pixel to the next.
 TEST(SoftEdges, TheSurfaceDoesNotJumpFromOneTriangleToTheNext) {
-    each_picture(20, [](const std::vector<float>& picture) {
+    each_picture(20, 0.0f, [](const std::vector<float>& picture) {
         EXPECT_LT(Enlarged(picture, 64).largest_step(), 4.0f / 64);
     });
 }
@@ -87,12 +88,38 @@ TEST(SoftEdges, NorDoesThatOfDdtSharp) {
     constexpr int factor = 256;
     for (const std::string filter : {"ddt-sharp", "ddt-sharp,clipped=1,fitted=0",
                                      "ddt-sharp,clipped=1", "ddt-sharp,fitted=1,soft=0"}) {
-        SCOPED_TRACE(filter);
         const bool clipped = filter.find("clipped=1") != std::string::npos;
-        each_picture(4, [&](const std::vector<float>& picture) {
-            EXPECT_LT(Enlarged(picture, factor, filter).largest_step(clipped), 8.0f / factor);
-        });
+        for (const float lowest : {-0.5f, 0.03f}) {
+            if (lowest < 0 && filter != "ddt-sharp")
+                continue;
+            SCOPED_TRACE(::testing::Message() << filter << " from " << lowest);
+            each_picture(4, lowest, [&](const std::vector<float>& picture) {
+                EXPECT_LT(Enlarged(picture, factor, filter).largest_step(clipped),
+                          8.0f * (1 - lowest) / factor);
+            });
+        }
     }
+}
+
+TEST(SoftEdges, AreBoundedByWhatTheVerticesAre) {
+    SurfaceOptions surface;
+    EXPECT_EQ(bounds_of(surface), Bounds::vertices);
+    surface.consistency = 2;
+    EXPECT_EQ(bounds_of(surface), Bounds::dark);
+    surface.clipped = true;
+    EXPECT_EQ(bounds_of(surface), Bounds::none);
+    surface.soft = 0;
+    EXPECT_EQ(bounds_of(surface), Bounds::vertices);
+    surface.fitted = true; // bends of which go past the vertices
+    EXPECT_EQ(bounds_of(surface), Bounds::none);
+}
+
+// Nor does rounding show where nothing but that could.
+TEST(SoftEdges, WithoutThemAnEvenPictureComesBackExactly) {
+    for (const std::string filter : {"ddt", "ddt-linear,consistency=2", "ddt-sharp,soft=0"})
+        for (const float even : {0.1f, 0.3f, 0.999f})
+            for (const float z : Enlarged(std::vector<float>(8 * 8, even), 7, filter).values)
+                ASSERT_EQ(z, even) << filter;
 }
 
 } // namespace

@@ -382,13 +382,13 @@ TEST(WorkOnCpu, NobodyGoesOnForLongOnceTheSinkHasFailed) {
 
 TEST(WorkOnCpu, TilesWaitForAPlaceAndTheBitsAreThoseOfOne) {
     // So many channels that eight threads have places for fewer tiles than there are.
-    constexpr int channels = 28, many = 8;
+    constexpr int channels = 64, many = 8;
     const ManyThreads allowed(many);
     TestSource source({0, 0, 400, 400}, channels, 41);
     const Rect out{0, 0, 728, 728};
     const ResizeMapping mapping = mapping_of(source.window(), out, out);
     Job job = job_of(source, channels, many);
-    set_filter("ddt-sharp", job);
+    set_filter("ddt", job);
     job.device = Device::cpu;
     const Grid grid(job.window);
     const CrewSize size = crew_size(mapping, job, grid, many);
