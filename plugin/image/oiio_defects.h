@@ -19,7 +19,7 @@ inline bool is_associated_when_read(const OIIO::ImageSpec& native) {
 /// Before pixels of a file are read. The reader of TIFF of OpenImageIO 2.4 says whether tiles were
 /// inflated before its threads have tried.
 inline void wait_for_tiles(OIIO::ImageInput& input) {
-    if (OIIO::openimageio_version() < 20500)
+    if (OIIO::openimageio_version() < 20500 && input.format_name() == std::string("tiff"))
         input.threads(1);
 }
 

@@ -16,12 +16,19 @@ bool is_tiff(const OIIO::ImageInput& input) {
     return input.format_name() == std::string("tiff");
 }
 
+/// Whether each channel has strips of its own: libtiff reads them whole or, where there is
+/// compression, not at all.
+bool is_separate(const OIIO::ImageSpec& spec) {
+    return spec.get_string_attribute("planarconfig") == "separate";
+}
+
 /// Of strips that it reads several of at once, OpenImageIO's reader of TIFF (2.4 to 3.1) inflates
 /// those of 8 and 16 bits by threads of its own, says nothing of one that it cannot, and reads
 /// beyond its memory where one cannot be read. Row by row libtiff does it, which takes one thread
 /// as long as several strips take two.
 bool forgets_errors(const OIIO::ImageSpec& spec) {
-    return spec.get_string_attribute("compression") == "zip" && spec.format.size() <= 2;
+    return spec.get_string_attribute("compression") == "zip" && spec.format.size() <= 2 &&
+           !is_separate(spec);
 }
 
 bool read_rows(OIIO::ImageInput& input, int begin, int end, int chbegin, int chend, char* to) {
@@ -84,7 +91,8 @@ Rect readable(const OIIO::ImageSpec& file, const Rect& r) {
     const bool tiled = file.tile_width > 0;
     Rect all = r;
     to_tiles(file.x, file.width, tiled ? file.tile_width : file.width, all.x0, all.x1);
-    to_tiles(file.y, file.height, tiled ? file.tile_height : 1, all.y0, all.y1);
+    const int strip = is_separate(file) ? rows_in_strip(file) : 1;
+    to_tiles(file.y, file.height, tiled ? file.tile_height : strip, all.y0, all.y1);
     return all;
 }
 

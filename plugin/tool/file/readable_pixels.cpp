@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "plugin/image/file_tiles.h"
+#include "plugin/tool/file/image_file.h"
 #include "plugin/tool/file/read_native.h"
 
 namespace ddt::tool {
@@ -15,7 +16,8 @@ namespace {
 int rows_to_read(const OIIO::ImageSpec& spec) {
     constexpr size_t bytes = size_t(8) << 20;
     const int wanted = std::max(16, int(bytes / std::max<size_t>(spec.scanline_bytes(true), 1)));
-    return spec.tile_height > 0 ? tile_side(spec.tile_height, spec.height) : wanted;
+    return spec.tile_height > 0 ? tile_side(spec.tile_height, spec.height)
+                                : rounded_up(wanted, rows_in_strip(spec));
 }
 
 } // namespace
