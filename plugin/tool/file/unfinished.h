@@ -34,9 +34,9 @@ private:
 };
 
 /// While one of these is there, the program ends when memory runs out, by end_without_memory(). For
-/// what would never end otherwise: OpenImageIO 2.4's image cache
-/// keeps a tile that no memory was found for as one that is being read, and all who need it wait.
-/// Thread-safe, as long as nobody else sets the handler that is called then.
+/// what would never end otherwise: OpenImageIO 2.4's image cache keeps a tile that no memory was
+/// found for as one that is being read, and all who need it wait. Thread-safe, as long as nobody
+/// else sets the handler that is called then.
 class EndsWithoutMemory {
 public:
     EndsWithoutMemory();
