@@ -5,6 +5,7 @@
 #include "net.glsl"
 #include "served.glsl"
 #include "locate.glsl"
+#include "source.glsl"
 #include "consistency.glsl"
 #ifdef FITTED
 #include "fitted.glsl"
@@ -14,7 +15,6 @@
 
 layout(local_size_x = SURFACE_GROUP_X, local_size_y = SURFACE_GROUP_Y) in; // z: a tile
 
-layout(std430, binding = BIND_SOURCE) readonly buffer Source { uvec4 source[]; };
 layout(std430, binding = BIND_CORRECTED) writeonly buffer Corrected { uvec4 corrected_value[]; };
 
 // FITTED: vertices go where their features' weights say (C++ twin: move_fitted() in
@@ -26,10 +26,6 @@ layout(std430, binding = BIND_BENDS) readonly buffer Bends { vec4 bends[]; };
 
 layout(location = AT_LIMIT) uniform float limit;
 layout(location = AT_LOWEST) uniform float lowest;
-
-vec4 source_at(ivec2 p) {
-    return uintBitsToFloat(source[pixel_of(p)]);
-}
 
 // The cell seen from its corner v.
 QuadrantCell quadrant_cell(ivec2 cell, ivec2 v) {

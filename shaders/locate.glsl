@@ -71,9 +71,15 @@ Corners locate(int tile, ivec2 cell, ivec2 f) {
     return ordered(s, t, c);
 }
 
+// The cell that p lies in: the last pixel belongs to the one before it. C++ twin:
+// core/lattice/locate.h
+ivec2 cell_of(int tile, ivec2 p) {
+    return min(p >> position_bits, extent[tile].xy - 2);
+}
+
 // The triangle that p belongs to.
 Triangle locate(int tile, ivec2 p) {
-    ivec2 cell = min(p >> position_bits, extent[tile].xy - 2);
+    ivec2 cell = cell_of(tile, p);
     ivec2 f = p - cell * position_one;
     Corners c = locate(tile, cell, f);
     Triangle r;

@@ -2,6 +2,8 @@
 // Read the surface at output positions, one invocation each. C++ twin: core/sample/evaluate.cpp.
 #include "net.glsl"
 #include "locate.glsl"
+#include "source.glsl"
+#include "bound_alpha.glsl"
 
 layout(local_size_x = SAMPLE_GROUP_X, local_size_y = SAMPLE_GROUP_Y) in;
 
@@ -19,7 +21,6 @@ layout(std430, binding = BIND_RESULTS) writeonly buffer Result { uvec4 pixels[];
 // `channels` a pixel
 layout(std430, binding = BIND_RESULTS) writeonly buffer Result { uint pixels[]; };
 #endif
-layout(std430, binding = BIND_SOURCE) readonly buffer Source { uvec4 source[]; }; // as it was read
 
 layout(location = AT_TILE) uniform int tile;
 layout(location = AT_SEPARABLE) uniform bool separable;
@@ -32,11 +33,6 @@ layout(location = AT_NEAREST) uniform uint nearest;    // a bit a channel
 layout(location = AT_ALPHA) uniform uint alpha;        // likewise: those to be bounded
 layout(location = AT_FIRST_RESULT) uniform int first_result;
 layout(location = AT_SHARE) uniform float share; // MEAN: of this mesh in the mean
-
-vec4 source_at(ivec2 p) {
-    return uintBitsToFloat(source[pixel_of(p)]);
-}
-#include "bound_alpha.glsl"
 
 // The bits in `mask`, a channel each.
 bvec4 channels_of(uint mask) {

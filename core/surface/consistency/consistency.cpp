@@ -2,7 +2,6 @@
 #include "core/surface/consistency/consistency.h"
 
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
 #include <type_traits>
 
@@ -147,7 +146,7 @@ HWY_ATTR void add_means(const Lattice& lattice, Surface surface, const ControlNe
 HWY_ATTR void move_row(const float* z, int x0, int x1, int count, const NearRows& source,
                        const float* sum, const VertexLimits& limits, float* moved) {
     const float* const rows[3] = {source.above, source.here, source.below};
-    const float limit = limits.limit, lowest = limits.lowest;
+    const float limit = limits.limit, lowest = limits.lowest();
     each_vector(x0, x1, count, [&](auto vector, const RowPlace& place) HWY_ATTR {
         using T = decltype(vector);
         const auto tap = [&](int i, int j)
@@ -186,9 +185,6 @@ void add_means(const Lattice& lattice, Surface surface, const ControlNet& net, c
         HWY_DYNAMIC_DISPATCH(add_means)
     (lattice, surface, net, x0, x1, y, crossed.row(y, x0, x1), scratch, upper, lower);
 }
-
-VertexLimits::VertexLimits(float share, bool will_be_clipped)
-    : limit(share), clipped(will_be_clipped), lowest(clipped ? -FLT_MAX : 0.0f) {}
 
 void move_row(const Lattice& lattice, const ControlNet& net, int x0, int x1, int y,
               const NearRows& source, const float* sum, const VertexLimits& limits, float* moved) {

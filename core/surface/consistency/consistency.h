@@ -9,6 +9,7 @@
 
 #include <vector>
 
+#include "core/base/constants.h"
 #include "core/lattice/crossed_rows.h"
 #include "core/surface/control_net.h"
 #include "ddt/core.h"
@@ -35,13 +36,12 @@ struct MeanScratch {
 void add_means(const Lattice& lattice, Surface surface, const ControlNet& net, const Rect& part,
                int y, CrossedRows& crossed, MeanScratch& scratch, float* upper, float* lower);
 
-/// SurfaceOptions::limit and clipped, and what find_limits() of consistency-inl.h calls `lowest`.
+/// SurfaceOptions::limit and clipped.
 struct VertexLimits {
-    VertexLimits() = default;
-    VertexLimits(float limit, bool clipped);
     float limit = 0;
     bool clipped = false;
-    float lowest = 0;
+    /// What find_limits() of consistency-inl.h calls so.
+    float lowest() const { return clipped ? -largest_float : 0.0f; }
 };
 
 /// A picture's rows of pixels above, at and below one, from column 0 on.

@@ -32,7 +32,7 @@ HWY_INLINE T move_vertex(const VertexLimits& limits, bool cut, T sum, Tap tap, T
     v.find(T(0.0f) - sum * T(0.25f), cut, table, tap);
     index = v.index;
     T low, high;
-    find_limits({-1, -1, 2, 2}, fitted_limit(T(limits.limit), v.bound, table), T(limits.lowest),
+    find_limits({-1, -1, 2, 2}, fitted_limit(T(limits.limit), v.bound, table), T(limits.lowest()),
                 tap, low, high);
     return fitted_vertex(tap(0, 0), low, high, v, table);
 }
