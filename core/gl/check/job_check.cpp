@@ -40,8 +40,9 @@ using Bits = std::vector<uint32_t>;
 
 /// Noise, stripes and a few very bright pixels; in a corner of what is served, so that most of the
 /// check is of numbers as pictures have them, also what is not finite, or is so large that sums of
-/// it are not; beside that rows so steep that sums of their gradients are denormal; and pixels from
-/// black to white. The guide has stripes of its own.
+/// it are not; beside that rows so steep that sums of their gradients are denormal; pixels from
+/// black to white; and ones so alike that it is not their smallest that bounds how far below them a
+/// corrected vertex may go. The guide has stripes of its own.
 class CheckSource final : public Source {
 public:
     explicit CheckSource(int channels) : m_channels(channels) {}
@@ -54,12 +55,15 @@ public:
                 *guide++ = guide_at(x, y);
                 const bool odd = x < 18 && y < 15 && h % 4 == 0;
                 const bool steep = x >= 20 && x < 38 && y < 15;
+                const bool smooth = x >= 7 && x < 22 && y >= 24 && y < 39;
+                const float usual =
+                    smooth ? 0.7f + 0.02f * noise : (0.3f * noise + stripe) * bright;
                 for (int c = 0; c < m_channels; ++c)
                     *values++ = odd     ? odd_number(h / 4 + uint32_t(c))
                                 : steep ? (y % 2 != 0 ? 0x1p46f : 0x1p-79f * (1 + noise))
                                 : between_stripes(x, y)
                                     ? float(hash(h, uint32_t(c)) >> 8) * 0x1p-24f
-                                    : (0.3f * noise + stripe) * bright * float(c + 1) * 0.37f;
+                                    : usual * float(c + 1) * 0.37f;
             }
         return true;
     }
@@ -320,6 +324,7 @@ Job job_to_check(const Job& job) {
     check.mesh.meshes = job.mesh.meshes > 1 ? 3 : 1;
     check.surface.kind = job.surface.kind;
     check.surface.consistency = std::min(job.surface.consistency, 2);
+    check.surface.limit = 0.3f; // its default is a power of two, products with which are exact
     check.surface.soft = job.surface.soft > 0 ? 0.3f : 0.0f;
     check.surface.fitted = job.surface.fitted;
     check.surface.clipped = job.surface.clipped;

@@ -249,6 +249,10 @@ void of_soft_edges(Order& order) {
     order.job.surface.soft = 0.3f;
     order.job.surface.clipped = false;
 }
+void of_corrected_vertices(Order& order) {
+    of_soft_edges(order);
+    order.job.surface.fitted = false;
+}
 
 // Contractions are written with doubles, in which products of floats are exact.
 constexpr Wrong all_wrong[] = {
@@ -282,6 +286,19 @@ constexpr Wrong all_wrong[] = {
      "f", of_fitted_vertices},
     {"alpha beyond 0 to 1 where pixels are", "sample.comp", "QUADRATIC STORED_BENDS",
      "high = upper(high, s)", "high = vec4(1.0)", of_fitted_vertices},
+    {"limit above, contracted", "correct.comp", "QUADRATIC SOFT BOUNDS_DARK STORED_EDGES",
+     "raised = high + margin", "raised = vec4(dvec4(high) + dvec4(limit) * dvec4(high - low))",
+     of_corrected_vertices},
+    {"limit below, contracted", "correct.comp", "QUADRATIC SOFT BOUNDS_DARK STORED_EDGES",
+     "wide = low - margin", "wide = vec4(dvec4(low) - dvec4(limit) * dvec4(high - low))",
+     of_corrected_vertices},
+    {"limit above black, contracted", "correct.comp", "QUADRATIC SOFT BOUNDS_DARK STORED_EDGES",
+     "dim = low - limit * low", "dim = vec4(dvec4(low) - dvec4(limit) * dvec4(low))",
+     of_corrected_vertices},
+    {"limit at black and white, contracted", "correct.comp", "QUADRATIC STORED_EDGES FITTED",
+     "widened = limit + limit * (bound * bound_limit)",
+     "widened = vec4(dvec4(limit) + dvec4(limit) * dvec4(bound * bound_limit))",
+     of_fitted_vertices},
     {"blends that leave less than half", "sample.comp", "QUADRATIC SOFT BOUNDS_DARK STORED_BENDS",
      "upper(blend, least), blend)", "blend, blend)", of_soft_edges},
     {"blends that leave all", "sample.comp", "QUADRATIC SOFT BOUNDS_DARK STORED_BENDS",
