@@ -107,6 +107,9 @@ public:
         m_dispatched = n;
         m_iterations_a_dispatch = iterations_a_dispatch;
     }
+    /// Have accept_reject.comp end a dispatch before its loops have turned so often, for the same
+    /// reason.
+    void pause_after(int turns_a_dispatch) { m_turns_a_dispatch = turns_a_dispatch; }
     /// Have find_gains() find them anew.
     void forget_gains() { m_gains_known = false; }
     const Buffer& gains() const { return m_gain; }
@@ -158,6 +161,7 @@ private:
     int m_iterations = 0; ///< of the last triangulate(), at most
     int m_dispatched = dispatched_iterations;
     int m_iterations_a_dispatch = 0; ///< 0: as the device allows
+    int m_turns_a_dispatch = 0;      ///< 0: as the device allows
     float m_min_gain = 0;
     std::string m_criterion; ///< the macros that choose it
     float m_contour_weight = 0;

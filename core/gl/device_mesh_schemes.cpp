@@ -151,7 +151,9 @@ void DeviceMesh::accept_reject(const Rules& rules) {
     // llvmpipe's loops turn 65535 times a dispatch. Drivers of hardware take a dispatch of seconds
     // for one that hangs: so many turns are half of one where each waits for memory, for a
     // microsecond.
-    m_gl.Uniform2i(at_progress, GLint(marks), m_gpu.context->short_loops ? 40000 : 500000);
+    const int usual = m_gpu.context->short_loops ? 40000 : 500000,
+              most_turns = m_turns_a_dispatch > 0 ? m_turns_a_dispatch : usual;
+    m_gl.Uniform2i(at_progress, GLint(marks), most_turns);
     std::vector<uint32_t> progress(size_t(progress_size) * size_t(m_tiles));
     const auto goes_on = [&] {
         const std::vector<uint32_t> before = progress;

@@ -266,6 +266,7 @@ std::string differs(Gpu& gpu, const Job& job, const Outcomes& cpu) {
     read(source, job, shape, numbers, t, memory);
     DeviceMesh mesh(gpu, shape, slots);
     mesh.finish_after(2, 2); // so that each of one_round's programs flips edges
+    mesh.pause_after(2000);  // and accept_reject.comp goes on from where it was
     Surfaces surfaces(gpu, shape, slots, kinds_of(job), job.surface);
     surfaces.expect(numbers, job.channels, meshes);
     mesh.set_tiles(std::vector<TileSize>(size_t(slots), t.size));
