@@ -91,12 +91,12 @@ private:
     void read_all(HandOver<Frame>& read, Verdict& verdict) {
         for (int64_t n = 1;; ++n) {
             Frame frame;
-            std::string error;
+            Failure failure;
             ReadResult result = ReadResult::failed;
             try {
-                result = read_frame(stdin, frame, error);
+                result = read_frame(stdin, frame, failure);
                 if (result == ReadResult::failed)
-                    verdict.fail(n, error, code_of_message(error));
+                    verdict.fail(n, failure.why, failure.code);
             } catch (const std::bad_alloc&) {
                 verdict.fail(n, out_of_memory_text, exit_resources);
             }
