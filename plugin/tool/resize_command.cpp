@@ -5,7 +5,7 @@
 #include "plugin/tool/command/threads.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/file/compression.h"
-#include "plugin/tool/file/image_file.h"
+#include "plugin/tool/file/reading_errors.h"
 #include "plugin/tool/part/resize_part.h"
 #include "plugin/tool/resize/resize_file.h"
 #include "plugin/tool/resize/size.h"

@@ -71,19 +71,6 @@ private:
     std::unique_ptr<OIIO::ImageOutput> m_output;
 };
 
-/// If a file cannot be opened, or its bytes cannot be read, readers call it broken or none of their
-/// format: the code for the reason then, else `otherwise`. Reads the bytes, so it is to be called
-/// after a failure only.
-ExitCode code_of_reading(const std::string& path, ExitCode otherwise = exit_failed);
-
-/// If a file is there and cannot be opened, readers say that it is none of theirs: what the system
-/// says then, such as "Permission denied". Empty for a file that can be opened, and for a name of
-/// no file, which readers may know what to make of.
-std::string why_not_opened(const std::string& path);
-
-/// Scanlines that a file of this spec keeps together, as far as it says so (TIFF); 1 to 2^20.
-int rows_in_strip(const OIIO::ImageSpec& spec);
-
 /// Write an image in local memory. `progress` is called with the share done.
 bool write_image(const OIIO::ImageBuf& image, const std::string& path,
                  const std::function<void(float)>& progress, Failure& failure);

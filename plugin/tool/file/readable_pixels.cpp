@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "plugin/image/file_tiles.h"
-#include "plugin/tool/file/image_file.h"
 #include "plugin/tool/file/read_native.h"
+#include "plugin/tool/file/rows_together.h"
 
 namespace ddt::tool {
 

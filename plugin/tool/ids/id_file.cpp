@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/ids/id_file.h"
-#include "plugin/tool/file/image_file.h"
 #include "plugin/tool/file/open_image.h"
 #include "plugin/tool/file/read_native.h"
+#include "plugin/tool/file/rows_together.h"
 
 #include <algorithm>
 #include <cstring>

@@ -14,6 +14,7 @@
 #include "plugin/tool/command/command.h"
 #include "plugin/tool/file/fit_format.h"
 #include "plugin/tool/file/image_file.h"
+#include "plugin/tool/file/rows_together.h"
 #include "plugin/tool/part/part_file.h"
 #include "plugin/tool/part/part_header.h"
 

@@ -9,9 +9,9 @@
 #include "plugin/image/lazy_file.h"
 #include "plugin/image/memory.h"
 #include "plugin/image/oiio_defects.h"
-#include "plugin/tool/file/image_file.h"
 #include "plugin/tool/file/open_image.h"
 #include "plugin/tool/file/read_native.h"
+#include "plugin/tool/file/rows_together.h"
 
 namespace ddt::tool {
 

@@ -5,6 +5,7 @@
 
 #include "core/base/one_line.h"
 #include "plugin/image/file_tiles.h"
+#include "plugin/tool/file/rows_together.h"
 
 namespace ddt::tool {
 
