@@ -213,11 +213,6 @@ bool ImageFile::write_rows(int begin, int end, OIIO::TypeDesc type, const void* 
     return written;
 }
 
-bool ImageFile::begin(const std::string& path, OIIO::ImageSpec spec, Failure& failure) {
-    forget_tiles(spec);
-    return create(path, failure) && open(spec, failure);
-}
-
 std::string ImageFile::with_its_name(const std::string& said) const {
     return OIIO::Strutil::replace(said, temporary(), m_path, true);
 }
@@ -315,20 +310,8 @@ bool ImageFile::commit(Failure& failure) {
     return m_whole.commit(failure);
 }
 
-bool write_image(const OIIO::ImageBuf& image, const std::string& path,
-                 const std::function<void(float)>& progress, Failure& failure) {
-    ImageFile file;
-    return file.begin(path, image.spec(), failure) && write_image(image, file, progress, failure);
-}
-
-bool write_image(const OIIO::ImageBuf& image, ImageFile& file,
-                 const std::function<void(float)>& progress, Failure& failure) {
-    const auto callback = [](void* data, float share) {
-        (*static_cast<const std::function<void(float)>*>(data))(share);
-        return false; // do not stop
-    };
-    auto* const data = const_cast<std::function<void(float)>*>(&progress);
-    if (!image.write(&file.output(), callback, data)) {
+bool write_image(const OIIO::ImageBuf& image, ImageFile& file, Failure& failure) {
+    if (!image.write(&file.output())) {
         failure = file.failed();
         if (const std::string why(OIIO::Strutil::strip(image.geterror()));
             !why.empty() && failure.why.find(':') == std::string::npos) {

@@ -96,12 +96,13 @@ bool RowWriter::write(int begin, int end) {
                  : m_file.write_rows(begin, end, m_format, rows);
 }
 
-bool RowWriter::finish(const std::function<void(float)>& progress, Failure& failure) {
+bool RowWriter::finish(const ProgressCallback& progress, Failure& failure) {
     std::unique_lock lock(m_mutex);
     while (m_done < m_end && !m_failed) {
         const int done = m_done;
         lock.unlock();
-        progress(float(done - m_begin) / float(m_end - m_begin));
+        if (progress)
+            progress(float(done - m_begin) / float(m_end - m_begin));
         lock.lock();
         m_changed.wait(lock, [&] { return m_done > done || m_failed; });
     }

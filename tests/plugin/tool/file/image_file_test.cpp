@@ -36,8 +36,8 @@ TEST(ImageFile, HasOnlyAsManyChannelsAsItsFormat) {
     const auto begins = [](const std::string& name, int channels) {
         ImageFile file;
         Failure failure;
-        return file.begin(temporary(name), OIIO::ImageSpec(8, 8, channels, OIIO::TypeUInt8),
-                          failure);
+        return file.create(temporary(name), failure) &&
+               file.open(OIIO::ImageSpec(8, 8, channels, OIIO::TypeUInt8), failure);
     };
     for (const int channels : {1, 3, 4}) {
         EXPECT_TRUE(begins("channels.dpx", channels)) << channels;
@@ -98,7 +98,7 @@ TEST(ImageFile, OfFitsMayBeWide) {
     const std::vector<uint8_t> pixels(spec.image_bytes(), 200);
     ImageFile file;
     Failure failure;
-    ASSERT_TRUE(file.begin(path, spec, failure)) << failure.why;
+    ASSERT_TRUE(file.create(path, failure) && file.open(spec, failure)) << failure.why;
     ASSERT_TRUE(file.write_rows(0, 8, OIIO::TypeUInt8, pixels.data()));
     EXPECT_TRUE(file.commit(failure)) << failure.why;
 }
@@ -109,7 +109,7 @@ TEST(ImageFile, WhyAWriterFailedIsToldWhereItDoesNotSayIt) {
     const std::vector<float> pixels(1024 * 16 * 3, 0.5f);
     ImageFile file;
     Failure failure;
-    ASSERT_TRUE(file.begin(path, spec, failure)) << failure.why;
+    ASSERT_TRUE(file.create(path, failure) && file.open(spec, failure)) << failure.why;
     auto* const before = std::signal(SIGXFSZ, SIG_IGN);
     {
         const test::ResourceLimit small(RLIMIT_FSIZE, 2880); // the header
@@ -205,7 +205,7 @@ protected:
         std::vector<uint8_t> pixels(16 * 16 * 3);
         for (size_t i = 0; i < pixels.size(); ++i)
             pixels[i] = uint8_t(i);
-        return file.begin(path, spec, m_failure) &&
+        return file.create(path, m_failure) && file.open(spec, m_failure) &&
                file.write_rows(0, 16, OIIO::TypeUInt8, pixels.data()) && file.commit(m_failure);
     }
 
