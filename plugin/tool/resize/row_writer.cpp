@@ -13,13 +13,13 @@ namespace {
 
 /// Rows that are handed to the writer at once, times those that the format keeps together: what
 /// writers compress in one go must not be cut. (TIFF has 32, or what the image's own file had.)
-constexpr int rows_together = 64;
+constexpr int handed_at_once = 64;
 
 /// Rows of tiles, if the file has them, else scanlines.
 int step_of(const OIIO::ImageSpec& image, const OIIO::ImageSpec& file) {
     if (file.tile_width == 0)
-        return rows_together * rows_in_strip(image);
-    return rounded_up(rows_together, tile_side(file.tile_height, file.height));
+        return handed_at_once * rows_in_strip(image);
+    return rounded_up(handed_at_once, rows_together(file));
 }
 
 } // namespace

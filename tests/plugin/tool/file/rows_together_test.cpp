@@ -19,5 +19,27 @@ TEST(RowsInStrip, AreOneAtLeastAndNotWhateverAFileSays) {
     }
 }
 
+TEST(RowsTogether, AreThoseOfAStripOrOfTilesWithinTheImage) {
+    OIIO::ImageSpec spec(8, 100, 3, OIIO::TypeUInt8);
+    spec.attribute("tiff:RowsPerStrip", 20);
+    EXPECT_EQ(rows_together(spec), 20);
+    for (const auto& [claimed, rows] : {std::pair{32, 32}, {100, 100}, {INT_MAX, 100}, {0, 1}}) {
+        spec.tile_width = 16;
+        spec.tile_height = claimed;
+        EXPECT_EQ(rows_together(spec), rows);
+    }
+}
+
+TEST(RowsToRead, AreWholeStripsOfEightMebibytes) {
+    OIIO::ImageSpec spec(1 << 17, 1000, 1, OIIO::TypeUInt8); // 64 rows
+    EXPECT_EQ(rows_to_read(spec, 1), 64);
+    EXPECT_EQ(rows_to_read(spec, 65), 65);
+    spec.attribute("tiff:RowsPerStrip", 10);
+    EXPECT_EQ(rows_to_read(spec, 1), 70);
+    EXPECT_EQ(rows_to_read(spec, 71), 80);
+    spec.attribute("tiff:RowsPerStrip", 1 << 20);
+    EXPECT_EQ(rows_to_read(spec, 1), 1 << 20);
+}
+
 } // namespace
 } // namespace ddt::tool
