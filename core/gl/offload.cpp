@@ -2,8 +2,8 @@
 #include "core/gl/offload.h"
 
 #include "core/base/log.h"
-#include "core/gl/context/gpu.h"
 #include "core/gl/device_mesh.h"
+#include "core/gl/gpu.h"
 #include "core/gl/requested_device.h"
 #include "ddt/names.h"
 
