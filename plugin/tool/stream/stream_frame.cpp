@@ -177,11 +177,12 @@ void widen(Frame& f) {
         if (size > 1)
             std::memcpy(&value, &f.pixels[i * size], size);
         const auto largest = uint32_t(f.largest);
-        value = uint16_t((std::min(uint32_t(value), largest) * 65535 + largest / 2) / largest);
+        value =
+            uint16_t((std::min(uint32_t(value), largest) * largest_value + largest / 2) / largest);
         std::memcpy(&wide[i * sizeof value], &value, sizeof value);
     }
     f.pixels = std::move(wide);
-    f.largest = 65535;
+    f.largest = largest_value;
     const std::string black_and_white = "BLACKANDWHITE";
     if (f.tuple_type.compare(0, black_and_white.size(), black_and_white) == 0)
         f.tuple_type.replace(0, black_and_white.size(), "GRAYSCALE");
@@ -277,7 +278,7 @@ ReadResult read_frame(std::FILE* file, Frame& frame, Failure& failure) {
         return ReadResult::failed;
     }
     order_bytes(frame);
-    if (!frame.is_float() && frame.largest != 255 && frame.largest != 65535)
+    if (!frame.is_float() && frame.largest != 255 && frame.largest != largest_value)
         widen(frame);
     return ReadResult::frame;
 }
