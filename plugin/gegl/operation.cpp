@@ -6,7 +6,6 @@
 // It works in linear light, or on the encoded numbers.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string>
 #include <thread>
 #include <vector>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/ids/id_file.h"
-#include "plugin/tool/file/open_image.h"
-#include "plugin/tool/file/read_native.h"
-#include "plugin/tool/file/rows_together.h"
 
 #include <algorithm>
 #include <cstring>
 
 #include "plugin/image/file_tiles.h"
 #include "plugin/image/memory.h"
+#include "plugin/tool/file/open_image.h"
+#include "plugin/tool/file/read_native.h"
+#include "plugin/tool/file/rows_together.h"
 
 namespace ddt::tool {
 

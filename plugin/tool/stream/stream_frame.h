@@ -3,7 +3,6 @@
 // after the other without anything between, as `ffmpeg -f image2pipe -c:v pam -` writes them.
 #pragma once
 
-#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
