@@ -21,7 +21,7 @@ struct Corners {
 
 // In the order of sites.
 int address(ivec2 corner) {
-    return corner.y * (1 << 16) + corner.x;
+    return corner.y * corner_stride + corner.x;
 }
 
 // The triangle s, t, c (det > 0).

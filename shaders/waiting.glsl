@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Candidates that wait for a better one in their region, and what wakes them. After lists.glsl.
+#include "goes_before.glsl"
 
 // (site, blocker)
 layout(std430, binding = BIND_BLOCKED_EVEN) ACCESS buffer BlockedEven { ivec2 blocked_even[]; };
@@ -22,13 +23,6 @@ int wake(ivec2 b, int iteration) {
     if (stamp_at(b.x) / 4 == uint(iteration))
         return -1;
     return stamp_at(b.y) / 4 == uint(iteration) ? 1 : 0;
-}
-
-// Whether the candidate at `other`, in the 2-region of the one at m, goes before it. own: the gain
-// at m, which is looked up once for all. C++ twin: core/triangulate/regions.h.
-bool goes_before(int other, int m, float own) {
-    float g = gain[other];
-    return g > own || (g == own && other < m);
 }
 
 // A better candidate in the 2-region of the candidate at m, or -1 if m is the best. C++ twin:

@@ -31,6 +31,8 @@ namespace ddt {
     INT(position_bits, 16)                                                                         \
     INT(position_one, 1 << 16)                                                                     \
     FLOAT(position_unit, 0x1p-16f)                                                                 \
+    /* From a triangle's corner to the one a row below it, in the order of sites. */               \
+    INT(corner_stride, 1 << 16)                                                                    \
     /* Edges in a 2-region, the edge itself among them, and in one of degree 3, at most. */        \
     INT(most_in_region, 13)                                                                        \
     INT(most_in_wide_region, 28)                                                                   \

@@ -27,4 +27,7 @@ std::string without_prefix(const std::string& message);
 /// What is said where memory ran out.
 constexpr char out_of_memory_text[] = "out of memory";
 
+/// What is said of a device that was named, between its name and why it cannot be had.
+constexpr char unavailable_text[] = " is unavailable: ";
+
 } // namespace ddt

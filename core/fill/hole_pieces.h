@@ -2,7 +2,6 @@
 // Cutting large holes where they are thin.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/gl/buffer.h"
-#include "core/gl/context/gpu.h"
+#include "core/gl/gpu.h"
 #include "core/gl/host_buffer.h"
 #include "core/tiles/grid.h"
 #include "core/triangulate/schemes.h"

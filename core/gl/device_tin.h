@@ -9,7 +9,7 @@
 #include "core/gl/annealing_uniforms.h"
 #include "core/gl/buffer.h"
 #include "core/gl/context/failure.h"
-#include "core/gl/context/gpu.h"
+#include "core/gl/gpu.h"
 #include "core/tin/face.h"
 #include "core/tin/tin.h"
 #include "core/triangulate/schemes.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/gl/context/failure.h"
-#include "core/gl/context/gpu.h"
+#include "core/gl/gpu.h"
 
 namespace ddt::gl {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/gl/device_mesh.h"
-#include "core/surface/consistency/corrections.h"
 #include "core/surface/control_net.h"
+#include "core/surface/corrections.h"
 #include "core/triangulate/schemes.h"
 #include "ddt/names.h"
 

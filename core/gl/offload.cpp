@@ -2,8 +2,8 @@
 #include "core/gl/offload.h"
 
 #include "core/base/log.h"
-#include "core/gl/context/gpu.h"
 #include "core/gl/device_mesh.h"
+#include "core/gl/gpu.h"
 #include "core/gl/requested_device.h"
 #include "ddt/names.h"
 
@@ -45,7 +45,7 @@ bool choose_device(const Job& job, size_t pixels_a_thread, Placement& placement,
             say("ddt: no GPU is used: %s", reason.c_str());
         return true;
     }
-    why = std::string("ddt: device ") + device_name(wanted) + " is unavailable: " + reason;
+    why = gl::why_unavailable(wanted, reason);
     return false;
 }
 

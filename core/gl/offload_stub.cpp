@@ -3,7 +3,6 @@
 // built.
 #include "core/gl/offload.h"
 #include "core/gl/requested_device.h"
-#include "ddt/names.h"
 
 namespace ddt {
 
@@ -14,8 +13,7 @@ bool choose_device(const Job& job, size_t, Placement& placement, std::string& wh
         return false;
     if (wanted == Device::automatic || wanted == Device::cpu)
         return true;
-    why = std::string("ddt: device ") + device_name(wanted) +
-          " is unavailable: built without OpenGL's headers";
+    why = gl::why_unavailable(wanted, "built without OpenGL's headers");
     return false;
 }
 

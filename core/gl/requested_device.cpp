@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "core/base/one_line.h"
 #include "core/options/values.h"
 #include "ddt/names.h"
 
@@ -17,6 +18,10 @@ bool requested_device(const Job& job, Device& device, std::string& why) {
         return true;
     why = "ddt: DDT_DEVICE=" + std::string(name) + " is not one of " + joined(device_names());
     return false;
+}
+
+std::string why_unavailable(Device device, const std::string& reason) {
+    return with_prefix(std::string("device ") + device_name(device) + unavailable_text + reason);
 }
 
 } // namespace ddt::gl

@@ -12,4 +12,7 @@ namespace ddt::gl {
 /// with `why` if that is no device's name.
 bool requested_device(const Job& job, Device& device, std::string& why);
 
+/// One line that says why a device that was named cannot be had.
+std::string why_unavailable(Device device, const std::string& reason);
+
 } // namespace ddt::gl

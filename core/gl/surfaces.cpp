@@ -8,8 +8,8 @@
 #include "core/base/float_bits.h"
 #include "core/gl/context/failure.h"
 #include "core/gl/job_programs.h"
-#include "core/surface/consistency/corrections.h"
 #include "core/surface/control_net.h"
+#include "core/surface/corrections.h"
 #include "core/surface/fitted/weights.h"
 
 namespace ddt::gl {

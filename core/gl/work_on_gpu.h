@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/gl/context/gpu.h"
+#include "core/gl/gpu.h"
 #include "core/gl/host_tile.h"
 #include "core/gl/stage_timer.h"
 #include "core/gl/strip.h"

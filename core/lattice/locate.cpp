@@ -8,7 +8,7 @@ namespace {
 /// The triangle s, t, c (det > 0).
 Corners ordered(Corner s, Corner t, Corner c) {
     // Branch-free: the branches would be mispredicted.
-    const auto address = [](Corner a) { return a.y * (1 << 16) + a.x; };
+    const auto address = [](Corner a) { return a.y * corner_stride + a.x; };
     const Corner around[5] = {s, t, c, s, t};
     int first = int(address(t) < address(s));
     first = address(c) < address(around[first]) ? 2 : first;

@@ -2,7 +2,7 @@
 // What a surface with soft edges is cut off at, and softness bounded by (control_net.h).
 #pragma once
 
-#include "core/surface/consistency/corrections.h"
+#include "core/surface/corrections.h"
 #include "ddt/options.h"
 
 namespace ddt {

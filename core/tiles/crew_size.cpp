@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/surface/consistency/corrections.h"
+#include "core/surface/corrections.h"
 #include "core/tiles/channel_groups.h"
 #include "core/tiles/tile_io.h"
 #include "core/tiles/tile_memory.h"

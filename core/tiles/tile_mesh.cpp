@@ -3,7 +3,7 @@
 
 #include "core/base/float_mode.h"
 #include "core/lattice/neighbours.h"
-#include "core/surface/consistency/corrections.h"
+#include "core/surface/corrections.h"
 
 namespace ddt {
 

@@ -6,7 +6,7 @@
 #include "core/base/float_mode.h"
 #include "core/lattice/row_reach.h"
 #include "core/sample/bound_alpha.h"
-#include "core/surface/consistency/corrections.h"
+#include "core/surface/corrections.h"
 #include "core/surface/kept_rows.h"
 #include "core/tiles/channel_groups.h"
 

@@ -3,7 +3,6 @@
 // C++ locale writes them, which fails in a host whose locale has a decimal comma.
 #include "plugin/colour/bundled_config.h"
 
-#include <string>
 #include <vector>
 
 #include "plugin/colour/encodings.h"

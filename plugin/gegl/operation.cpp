@@ -6,7 +6,6 @@
 // It works in linear light, or on the encoded numbers.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string>
 #include <thread>
 #include <vector>
@@ -15,7 +14,7 @@
 #include <gegl.h>
 
 #include "core/base/guarded.h"
-#include "ddt/names.h"
+#include "plugin/gegl/properties.h"
 #include "plugin/host/parameters.h"
 #include "plugin/host/pixels.h"
 #include "plugin/host/request.h"
@@ -24,21 +23,13 @@ namespace {
 
 using namespace ddt::host;
 using ddt::Rect;
-
-/// Numbers of properties; those of the option table follow.
-enum Property : guint { none, prop_scale, prop_filter, prop_light, prop_options };
-
-constexpr double largest_scale = 1024;
-
-/// What the light of the operation can be: names that find_meaning() knows.
-constexpr const char* lights[] = {"linear", "encoded"};
+using ddt::gegl::Settings;
+using ddt::gegl::specification;
 
 /// The instance. GObject gives and takes its memory.
 struct Operation {
     GeglOperationFilter parent;
-    double scale;
-    int filter, light;
-    double* values; ///< one a parameter
+    Settings settings;
 };
 struct OperationClass {
     GeglOperationFilterClass parent;
@@ -72,7 +63,8 @@ bool find_place(GeglOperation* operation, Placing& place) {
     const Rect window = rect_of(box);
     if (!window.within_limits())
         return false;
-    place = by_factors(window, self_of(operation).scale, self_of(operation).scale);
+    place =
+        by_factors(window, self_of(operation).settings.scale, self_of(operation).settings.scale);
     return true;
 }
 
@@ -125,7 +117,7 @@ Wanted wanted_by(GeglOperation* operation) {
                is_grey = flags & BABL_MODEL_FLAG_GRAY;
     const char* curve =
         flags & BABL_MODEL_FLAG_NONLINEAR ? curve_of(space ? space : babl_space("sRGB")) : nullptr;
-    const bool blend_encoded = self_of(operation).light == 1;
+    const bool blend_encoded = self_of(operation).settings.blends_encoded();
     Wanted wanted;
     wanted.channels = (is_grey ? 1 : 3) + (alpha ? 1 : 0);
     // Of transparent pixels babl's way from "YaA float" to "Y'aA float" writes beyond its memory.
@@ -182,14 +174,6 @@ private:
     const Enlargement& m_work;
 };
 
-/// The filter's specification that the properties amount to.
-std::string specification(const Operation& self) {
-    std::string text = ddt::filter_names()[size_t(self.filter)];
-    for (size_t i = 0; i < parameters().size(); ++i)
-        text += item(parameters()[i], self.values[i]);
-    return text;
-}
-
 void prepare(GeglOperation* operation) {
     const Babl* format = wanted_by(operation).format;
     gegl_operation_set_format(operation, "input", format);
@@ -205,7 +189,7 @@ GeglRectangle get_bounding_box(GeglOperation* operation) {
 ddt::Holes holes_of(GeglOperation* operation) {
     Enlargement work;
     std::string error;
-    set_filter(specification(self_of(operation)), "linear", work, error);
+    set_filter(specification(self_of(operation).settings), "linear", work, error);
     return work.holes;
 }
 
@@ -269,7 +253,6 @@ gboolean process(GeglOperation* operation, GeglBuffer* input, GeglBuffer* output
         g_warning("ddt: there is no picture to enlarge, or an endless one; crop it first");
         return FALSE;
     }
-    const Operation& self = self_of(operation);
     const bool copies = work.place.copies();
     if (copies && holes_of(operation) == ddt::Holes::keep) {
         const GeglRectangle from = rectangle_of(needed(work.place, rect_of(*part)));
@@ -292,7 +275,7 @@ gboolean process(GeglOperation* operation, GeglBuffer* input, GeglBuffer* output
         return true;
     };
     std::string error;
-    if (!set_filter(specification(self), wanted.light, work, error)) {
+    if (!set_filter(specification(self_of(operation).settings), wanted.light, work, error)) {
         g_warning("%s", error.c_str());
         return FALSE;
     }
@@ -306,92 +289,18 @@ gboolean process(GeglOperation* operation, GeglBuffer* input, GeglBuffer* output
 }
 
 void set_property(GObject* object, guint id, const GValue* value, GParamSpec* spec) {
-    Operation& self = self_of(object);
-    if (id == prop_scale)
-        self.scale = g_value_get_double(value);
-    else if (id == prop_filter)
-        self.filter = g_value_get_enum(value);
-    else if (id == prop_light)
-        self.light = g_value_get_enum(value);
-    else if (id - prop_options < parameters().size())
-        self.values[id - prop_options] = G_VALUE_HOLDS_DOUBLE(value) ? g_value_get_double(value)
-                                         : G_VALUE_HOLDS_INT(value) ? double(g_value_get_int(value))
-                                         : G_VALUE_HOLDS_BOOLEAN(value)
-                                             ? double(g_value_get_boolean(value))
-                                             : double(g_value_get_enum(value));
-    else
+    if (!set_property(self_of(object).settings, id, value))
         G_OBJECT_WARN_INVALID_PROPERTY_ID(object, id, spec);
 }
 
 void get_property(GObject* object, guint id, GValue* value, GParamSpec* spec) {
-    const Operation& self = self_of(object);
-    if (id == prop_scale) {
-        g_value_set_double(value, self.scale);
-    } else if (id == prop_filter) {
-        g_value_set_enum(value, self.filter);
-    } else if (id == prop_light) {
-        g_value_set_enum(value, self.light);
-    } else if (id - prop_options < parameters().size()) {
-        const double number = self.values[id - prop_options];
-        if (G_VALUE_HOLDS_DOUBLE(value))
-            g_value_set_double(value, number);
-        else if (G_VALUE_HOLDS_INT(value))
-            g_value_set_int(value, int(number));
-        else if (G_VALUE_HOLDS_BOOLEAN(value))
-            g_value_set_boolean(value, number != 0);
-        else
-            g_value_set_enum(value, int(number));
-    } else {
+    if (!get_property(self_of(object).settings, id, value))
         G_OBJECT_WARN_INVALID_PROPERTY_ID(object, id, spec);
-    }
 }
 
 void finalize(GObject* object) {
-    g_free(self_of(object).values);
+    g_free(self_of(object).settings.values);
     G_OBJECT_CLASS(parent_class)->finalize(object);
-}
-
-/// A type of names, for the lists that hosts show. Never unregistered; its texts stay.
-GType enum_of(const std::string& key, const std::vector<std::string>& names) {
-    auto* values = g_new0(GEnumValue, names.size() + 1);
-    for (size_t i = 0; i < names.size(); ++i)
-        values[i] = {int(i), g_strdup(names[i].c_str()), g_strdup(names[i].c_str())};
-    return g_type_module_register_enum(module, ("GeglOpDdt_" + key).c_str(), values);
-}
-
-constexpr auto flags = GParamFlags(G_PARAM_READWRITE | G_PARAM_CONSTRUCT | G_PARAM_STATIC_STRINGS |
-                                   GEGL_PARAM_PAD_INPUT);
-
-/// An option's key as GObject wants properties named. Lives as long as the process.
-const char* property_name(const char* key) {
-    std::string name = key;
-    std::replace(name.begin(), name.end(), '_', '-');
-    return g_intern_string(name.c_str());
-}
-
-/// A number of which a host shows enough decimals.
-GParamSpec* with_digits(GParamSpec* spec) {
-    gegl_param_spec_double_set_digits(GEGL_PARAM_SPEC_DOUBLE(spec), shown_digits);
-    return spec;
-}
-
-/// Texts of parameters() live as long as the process.
-GParamSpec* spec_of(const Parameter& p) {
-    const char *key = property_name(p.option->key), *label = p.label.c_str(),
-               *help = p.help.c_str();
-    switch (p.kind) {
-    case ddt::OptionKind::real:
-        return with_digits(gegl_param_spec_double(key, label, help, p.low, p.high, p.initial, p.low,
-                                                  p.shown_high, 1.0, flags));
-    case ddt::OptionKind::whole:
-        return gegl_param_spec_int(key, label, help, int(p.low), int(p.high), int(p.initial),
-                                   int(p.low), int(p.shown_high), 1.0, flags);
-    case ddt::OptionKind::toggle:
-        return g_param_spec_boolean(key, label, help, p.initial != 0, flags);
-    default:
-        return gegl_param_spec_enum(key, label, help, enum_of(p.option->key, p.names),
-                                    int(p.initial), flags);
-    }
 }
 
 void init_class(gpointer klass, gpointer) {
@@ -400,21 +309,7 @@ void init_class(gpointer klass, gpointer) {
     object->set_property = set_property;
     object->get_property = get_property;
     object->finalize = finalize;
-    g_object_class_install_property(
-        object, prop_scale,
-        with_digits(gegl_param_spec_double("scale", "Scale", "By how much both sides grow", 1.0,
-                                           largest_scale, 2.0, 1.0, 8.0, 2.0, flags)));
-    g_object_class_install_property(
-        object, prop_filter,
-        gegl_param_spec_enum("filter", "Filter", g_intern_string(help_of_filters().c_str()),
-                             enum_of("filter", ddt::filter_names()), 0, flags));
-    g_object_class_install_property(
-        object, prop_light,
-        gegl_param_spec_enum("light", "Light",
-                             "Whether linear light is blended or the encoded numbers",
-                             enum_of("light", {std::begin(lights), std::end(lights)}), 0, flags));
-    for (size_t i = 0; i < parameters().size(); ++i)
-        g_object_class_install_property(object, prop_options + guint(i), spec_of(parameters()[i]));
+    ddt::gegl::install_properties(object, module);
 
     GeglOperationClass* operation = GEGL_OPERATION_CLASS(klass);
     operation->prepare = prepare;
@@ -432,7 +327,7 @@ void init_class(gpointer klass, gpointer) {
 }
 
 void init_instance(GTypeInstance* instance, gpointer) {
-    self_of(instance).values = g_new0(double, parameters().size());
+    self_of(instance).settings.values = g_new0(double, parameters().size());
 }
 
 const GeglModuleInfo info = {GEGL_MODULE_ABI_VERSION};

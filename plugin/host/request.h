@@ -14,5 +14,8 @@ namespace ddt::host {
 /// with one line in `error` for what is not allowed.
 bool set_filter(std::string_view filter, std::string_view light, Enlargement& work,
                 std::string& error);
+/// The same of a specification that was parsed.
+bool set_filter(const FilterOptions& filter, std::string_view light, Enlargement& work,
+                std::string& error);
 
 } // namespace ddt::host

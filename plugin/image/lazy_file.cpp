@@ -96,7 +96,7 @@ bool LazyFile::make_room(int threads, std::string& error) {
 }
 
 std::string why_changed(const std::string& path) {
-    return "\"" + path + "\" was changed while it was read";
+    return "\"" + path + "\" " + changed_text;
 }
 
 bool is_unchanged(const OIIO::ImageSpec& before, const OIIO::ImageSpec& now,

@@ -49,6 +49,8 @@ private:
     std::unique_ptr<OIIO::ImageBuf> m_image;
 };
 
+/// What is said of a file, after its name, that is another than the one that was begun with.
+inline constexpr char changed_text[] = "was changed while it was read";
 /// The error that a file's name became another's, or its bytes others, before all were read.
 std::string why_changed(const std::string& path);
 

@@ -42,10 +42,9 @@ bool check_memory(const std::string& what, double bytes, std::string& error) {
     const int64_t allowed = allowed_megabytes(megabytes);
     if (megabytes <= double(allowed))
         return true;
-    error =
-        format("{} would need {:.0f} MB; allowed are {} MB (the least of OpenImageIO's "
-               "limits:imagesize_MB, this machine's memory and what control groups allow of it)",
-               what, megabytes, allowed);
+    error = format("{} would need {:.0f} MB; allowed are {} MB (the least of OpenImageIO's "
+                   "limits:imagesize_MB, {} and what control groups allow of it)",
+                   what, megabytes, allowed, machine_memory_text);
     return false;
 }
 

@@ -12,6 +12,9 @@ namespace ddt {
 /// Bytes that this process may have: the machine's memory, or what its control groups allow of it.
 int64_t available_memory();
 
+/// What is said, besides more, of an image that another machine may have the memory for.
+inline constexpr char machine_memory_text[] = "this machine's memory";
+
 /// False with one line in `error` unless an image of `roi`'s size may be allocated: coordinates
 /// within +-largest_coordinate, and no more bytes than OpenImageIO's attribute
 /// "limits:imagesize_MB" or available_memory() allows.

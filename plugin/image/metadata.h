@@ -2,8 +2,6 @@
 // What is told of an image beside its pixels.
 #pragma once
 
-#include <string>
-
 #include <OpenImageIO/imageio.h>
 
 namespace ddt {

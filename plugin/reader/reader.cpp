@@ -27,7 +27,7 @@
 namespace ddt {
 namespace {
 
-constexpr int tile_side = 64;
+constexpr int reader_tile = 64;
 
 class Reader final : public OIIO::ImageInput {
 public:
@@ -171,7 +171,7 @@ bool Reader::describe(int subimage, std::string& error) {
         return false;
     }
     to.channelformats.clear(); // all channels have one type
-    to.tile_width = to.tile_height = tile_side;
+    to.tile_width = to.tile_height = reader_tile;
     to.tile_depth = 1;
     forget_pixels(to);
     forget_old_size(to);
@@ -194,7 +194,7 @@ bool Reader::read_native_tile(int subimage, int miplevel, int x, int y, int, voi
     if (!seek_subimage(subimage, miplevel))
         return false;
     return report([&](std::string& error) {
-        return read({x, y, x + tile_side, y + tile_side}, tile_side, data, error);
+        return read({x, y, x + reader_tile, y + reader_tile}, reader_tile, data, error);
     });
 }
 

@@ -97,13 +97,12 @@ bool write_filled(const OIIO::ImageBuf& filled, const OIIO::ImageSpec& spec,
     if (!whole && !put_in_window(filled, spec, put, failure))
         return false;
     const OIIO::ImageBuf& image = whole ? filled : put;
-    const auto progress = [](float) {};
     if (!file.open(spec, failure))
         return false;
     note_lost_ids(of_file, file.output().spec(), file.path());
     RowWriter writer(image, file, ids);
     writer.ready(image.yend());
-    return writer.finish(progress, failure);
+    return writer.finish({}, failure);
 }
 
 class FillCommand final : public Command {

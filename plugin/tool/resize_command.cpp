@@ -5,7 +5,7 @@
 #include "plugin/tool/command/threads.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/file/compression.h"
-#include "plugin/tool/file/image_file.h"
+#include "plugin/tool/file/reading_errors.h"
 #include "plugin/tool/part/resize_part.h"
 #include "plugin/tool/resize/resize_file.h"
 #include "plugin/tool/resize/size.h"
@@ -56,9 +56,7 @@ public:
             text_flag("--compression", "NAME",
                       "how OUT is compressed: none, zip, dwaa:45 (default: as the image was)",
                       m_settings.compression),
-            whole_flag("--threads", "N",
-                       "threads to use (0, the default: all cores, in a container its quota)", 0,
-                       4096, m_threads),
+            threads_flag(m_threads),
             text_flag("--frames", "LIST", "frames of a sequence: 1-100, 1-100x2, -5--1, 1,4,9",
                       m_frames),
             text_flag("--views", "LIST", "views of a sequence: left,right", m_views),

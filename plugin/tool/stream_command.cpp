@@ -9,6 +9,8 @@
 #include "core/base/one_line.h"
 #include "core/base/parallel.h"
 #include "plugin/host/request.h"
+#include "plugin/tool/command/filter_flag.h"
+#include "plugin/tool/command/threads.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/stream/hand_over.h"
 #include "plugin/tool/stream/stream_frame.h"
@@ -49,23 +51,18 @@ public:
         flags = {
             number_flag("--scale", "S", "by how much both sides grow (default: 2)", 1, 1024,
                         m_scale),
-            {"--filter", "SPEC",
-             "the filter's name and options (default: ddt): ddt-sharp,light=encoded",
-             [this](const std::string& text) {
-                 m_filter = text;
-                 return true;
-             },
-             "", ""},
-            whole_flag("--threads", "N",
-                       "threads to use (0, the default: all cores, in a container its quota)", 0,
-                       4096, m_threads),
+            filter_flag("the filter's name and options (default: ddt): ddt-sharp,light=encoded",
+                        m_options, m_filter_error),
+            threads_flag(m_threads),
         };
     }
 
     ExitCode run(const std::vector<std::string>&) override {
+        if (!m_filter_error.empty())
+            return fail(m_filter_error, exit_usage);
         host::Enlargement work;
         std::string error;
-        if (!host::set_filter(m_filter, "sRGB", work, error))
+        if (!host::set_filter(m_options, "sRGB", work, error))
             return fail(error, exit_usage);
         allow_threads(m_threads);
         Verdict verdict;
@@ -91,12 +88,12 @@ private:
     void read_all(HandOver<Frame>& read, Verdict& verdict) {
         for (int64_t n = 1;; ++n) {
             Frame frame;
-            std::string error;
+            Failure failure;
             ReadResult result = ReadResult::failed;
             try {
-                result = read_frame(stdin, frame, error);
+                result = read_frame(stdin, frame, failure);
                 if (result == ReadResult::failed)
-                    verdict.fail(n, error, code_of_message(error));
+                    verdict.fail(n, failure.why, failure.code);
             } catch (const std::bad_alloc&) {
                 verdict.fail(n, out_of_memory_text, exit_resources);
             }
@@ -125,7 +122,7 @@ private:
 
     Outcome enlarge(Frame& frame, Frame& large, std::string& error) const {
         host::Enlargement work;
-        if (!host::set_filter(m_filter, frame.is_float() ? "linear" : "sRGB", work, error))
+        if (!host::set_filter(m_options, frame.is_float() ? "linear" : "sRGB", work, error))
             return Outcome::bad_job;
         work.threads = m_threads;
         work.layout = host::Layout::usual(frame.channels, false);
@@ -169,7 +166,8 @@ private:
     }
 
     double m_scale = 2;
-    std::string m_filter = "ddt";
+    Options m_options;
+    std::string m_filter_error;
     int m_threads = 0;
     std::atomic<bool> m_reading{true};
 };

@@ -13,11 +13,11 @@
 #include "core/base/float_mode.h"
 #include "core/gl/budget.h"
 #include "core/gl/check/difference.h"
-#include "core/gl/context/gpu.h"
+#include "core/gl/gpu.h"
 #include "core/gl/host_tile.h"
 #include "core/gl/strip.h"
 #include "core/guide/guide.h"
-#include "core/surface/consistency/corrections.h"
+#include "core/surface/corrections.h"
 #include "core/tiles/tile_io.h"
 #include "core/tiles/tile_worker.h"
 #include "core/triangulate/gain.h"
@@ -76,7 +76,7 @@ private:
             y = repeated + (y - repeated) % 2;
         const uint32_t h = hash(uint32_t(x), uint32_t(y));
         if (between_stripes(x, y))
-            return (x % 7 < 3 ? 0.5f : 0.25f) + float(h >> 30) * 0x1p-12f;
+            return (x % 7 < 3 ? 0.5f : 0.25f) + float(h >> 30) * guide_unit;
         return (0.5f * noise_of(h) + stripe_at(x, y)) * (h % 7 == 0 ? 11.3f : 1.0f);
     }
     /// Here the guide's stripes are upright, so that contours tell of no diagonal which way it
@@ -149,7 +149,7 @@ class Turned final : public Mapping {
 public:
     Rect reach(double, double, double, double) const override { return {0, 0, 101, 83}; }
     void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override {
-        constexpr int one = 1 << position_bits;
+        constexpr int one = position_one;
         for (int x = x0; x < x1; ++x) {
             const Position p{14 * one + 31337 * x - 10007 * y, 10007 * x + 31337 * y};
             *inside++ = p.x >= window.x0 * one && p.x <= (window.x1 - 1) * one &&

@@ -9,7 +9,7 @@
 #include "core/gl/check/tin_check.h"
 #include "core/gl/check/transfer_check.h"
 #include "core/gl/context/failure.h"
-#include "core/gl/context/gpu.h"
+#include "core/gl/gpu.h"
 
 namespace ddt::gl {
 

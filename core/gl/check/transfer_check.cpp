@@ -7,7 +7,7 @@
 #include "core/base/float_bits.h"
 #include "core/base/half.h"
 #include "core/gl/check/difference.h"
-#include "core/gl/context/gpu.h"
+#include "core/gl/gpu.h"
 #include "core/gl/surfaces.h"
 #include "core/surface/control_net.h"
 

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "core/base/one_line.h"
+#include "plugin/image/lazy_file.h"
+#include "plugin/image/memory.h"
 
 namespace ddt::tool {
 
@@ -39,16 +41,16 @@ size_t end_of_quoted(const std::string& message, size_t open) {
 /// Whether a text says that something is wanting.
 bool tells_of_want(const std::string& text) {
     // Of the library: memory that ran out, images that another machine may have memory for (see
-    // check_size in plugin/image/memory.h), devices that this one has not; of libtiff and of
+    // check_size() in plugin/image/memory.h), devices that this one has not; of libtiff and of
     // OpenImageIO's writers: a full disk; of libtiff: a read that failed, or a table there was
     // no memory for; of OpenEXR: what it had no memory for; of OpenEXR's threads, of zlib's
     // compress() and of what a reader was thrown: there are no more, or no memory; of ours: a
     // file that another took the place of.
     for (const char* said :
-         {out_of_memory_text, "this machine's memory", " is unavailable: ", "Write error at ",
+         {out_of_memory_text, machine_memory_text, unavailable_text, "Write error at ",
           "Write error: wrote", "; got -1 bytes", "Out of memory reading of ",
           "Failed to allocate memory", "std::bad_alloc", "Data compression (zlib) failed",
-          "Resource temporarily unavailable", "was changed while it was read"})
+          "Resource temporarily unavailable", changed_text})
         if (text.find(said) != std::string::npos)
             return true;
     return false;

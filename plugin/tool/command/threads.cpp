@@ -9,9 +9,14 @@
 
 #include "core/base/parallel.h"
 #include "plugin/imagebuf/thread_count.h"
-#include "plugin/tool/command/command.h"
 
 namespace ddt::tool {
+
+Flag threads_flag(int& wanted) {
+    return whole_flag("--threads", "N",
+                      "threads to use (0, the default: all cores, in a container its quota)", 0,
+                      4096, wanted);
+}
 
 int planned_threads(int wanted) {
     return threads_for(thread_count(wanted));

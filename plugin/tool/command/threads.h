@@ -2,7 +2,12 @@
 // How many threads a command works with.
 #pragma once
 
+#include "plugin/tool/command/command.h"
+
 namespace ddt::tool {
+
+/// --threads, whose value is how many are wanted.
+Flag threads_flag(int& wanted);
 
 /// The threads that a command works with where `wanted` are asked for; 0: as many as OpenImageIO's
 /// attribute "threads" says, which is all, or what a container's quota is worth.

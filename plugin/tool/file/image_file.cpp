@@ -2,11 +2,9 @@
 #include "plugin/tool/file/image_file.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <vector>
 
-#include <fcntl.h>
 #include <linux/magic.h>
 #include <sys/stat.h>
 #include <sys/vfs.h>
@@ -17,7 +15,9 @@
 #include "plugin/image/oiio_defects.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/file/fit_format.h"
+#include "plugin/tool/file/format_limits.h"
 #include "plugin/tool/file/readable_pixels.h"
+#include "plugin/tool/file/reading_errors.h"
 #include "plugin/tool/file/truncated.h"
 
 namespace ddt::tool {
@@ -32,71 +32,9 @@ public:
     const char* proxytype() const override { return "whole file"; }
 };
 
-/// Pixels a side that files of a format hold at most, where its writer does not say so: the JPEG
-/// library ends the program, GIF's keeps the low bits. 0: it does, or there is no bound.
-int largest_side_of(const std::string& format) {
-    return format == "jpeg" ? 65500 : format == "gif" ? 65535 : 0;
-}
-
-/// Null, or the numbers of channels that files of a format have, of which this is none and which
-/// its writer does not look at: DPX's ends the program, JPEG's makes up a third of two.
-const char* other_channels(const std::string& format, int channels) {
-    if (format == "dpx" && channels != 1 && channels != 3 && channels != 4)
-        return "1, 3 and 4";
-    return format == "jpeg" && channels == 2 ? "1 and 3" : nullptr;
-}
-
-/// Whether a file has room for several images. FITS's does, but the writer loses the rows of all
-/// after the first (OpenImageIO 2.4.7).
-bool holds_several(const OIIO::ImageOutput& output) {
-    return output.supports("multiimage") && output.format_name() != std::string("fits");
-}
-
-/// Null, or what the images of one file must have in common and have not. GIF's writer takes the
-/// first one's size for that of all, and writes beyond its memory.
-const char* unlike(const std::string& format, const std::vector<OIIO::ImageSpec>& specs) {
-    const auto all = [&](const auto& is_as_the_first) {
-        return std::all_of(specs.begin(), specs.end(), [&](const OIIO::ImageSpec& spec) {
-            return is_as_the_first(spec, specs[0]);
-        });
-    };
-    using Spec = OIIO::ImageSpec;
-    if (format == "gif" && !all([](const Spec& a, const Spec& b) {
-            return a.width == b.width && a.height == b.height;
-        }))
-        return "size";
-    if (format == "openexr" && !all([](const Spec& a, const Spec& b) {
-            return a.full_x == b.full_x && a.full_y == b.full_y && a.full_width == b.full_width &&
-                   a.full_height == b.full_height;
-        }))
-        return "display window";
-    return nullptr;
-}
-
-/// TIFF's writer chooses by the size of the first image whether the file may be larger than 4 GiB.
-void allow_large_tiff(std::vector<OIIO::ImageSpec>& specs) {
-    OIIO::imagesize_t bytes = 0;
-    for (const OIIO::ImageSpec& spec : specs)
-        bytes += spec.image_bytes();
-    if (bytes > (OIIO::imagesize_t(4000) << 20))
-        for (OIIO::ImageSpec& spec : specs)
-            spec.attribute("tiff:bigtiff", 1);
-}
-
 /// Formats that leave no file to be read.
 bool is_file_format(const std::string& format) {
     return format != "null" && format != "term";
-}
-
-/// Formats of which a file is right though its writer cannot go back in it. Of the others many
-/// writers go back to lengths or rows, do not look whether that works, and leave a broken picture.
-/// What EXR's goes back for, where its rows lie, readers find out.
-constexpr const char* streamed_formats[] = {"gif",     "hdr", "iff", "jpeg",
-                                            "openexr", "png", "pnm", "webp"};
-
-bool may_be_streamed(const std::string& format) {
-    const auto& formats = streamed_formats;
-    return std::find(std::begin(formats), std::end(formats), format) != std::end(formats);
 }
 
 bool is_regular(std::FILE* file) {
@@ -142,11 +80,6 @@ bool keeps_zeros(std::FILE* file) {
 /// (SGI, RLA, FITS) leaves them, and they read as zeros.
 bool was_left_out(std::FILE* file, const OIIO::ImageOutput& output) {
     return has_holes(file, begin_of_what_is_written(file, output)) && keeps_zeros(file);
-}
-
-/// A descriptor, or less than 0 with errno. Of a pipe at once: nobody may be at its other end.
-int open_to_read(const std::string& path) {
-    return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
 }
 
 } // namespace
@@ -280,11 +213,6 @@ bool ImageFile::write_rows(int begin, int end, OIIO::TypeDesc type, const void* 
     return written;
 }
 
-bool ImageFile::begin(const std::string& path, OIIO::ImageSpec spec, Failure& failure) {
-    forget_tiles(spec);
-    return create(path, failure) && open(spec, failure);
-}
-
 std::string ImageFile::with_its_name(const std::string& said) const {
     return OIIO::Strutil::replace(said, temporary(), m_path, true);
 }
@@ -382,51 +310,8 @@ bool ImageFile::commit(Failure& failure) {
     return m_whole.commit(failure);
 }
 
-ExitCode code_of_reading(const std::string& path, ExitCode otherwise) {
-    const int descriptor = open_to_read(path);
-    if (descriptor < 0)
-        return code_of_errno(errno);
-    std::vector<char> bytes(size_t(1) << 20);
-    ExitCode code = otherwise;
-    struct stat there {};
-    if (fstat(descriptor, &there) != 0)
-        code = code_of_errno(errno);
-    else if (S_ISREG(there.st_mode)) {
-        ssize_t n = 1;
-        while (n > 0)
-            n = ::read(descriptor, bytes.data(), bytes.size());
-        code = n < 0 ? code_of_errno(errno) : otherwise;
-    }
-    ::close(descriptor);
-    return code;
-}
-
-std::string why_not_opened(const std::string& path) {
-    const int descriptor = open_to_read(path);
-    if (descriptor < 0)
-        return errno == ENOENT ? "" : std::strerror(errno);
-    ::close(descriptor);
-    return {};
-}
-
-int rows_in_strip(const OIIO::ImageSpec& spec) {
-    return std::clamp(spec.get_int_attribute("tiff:RowsPerStrip", 1), 1, 1 << 20);
-}
-
-bool write_image(const OIIO::ImageBuf& image, const std::string& path,
-                 const std::function<void(float)>& progress, Failure& failure) {
-    ImageFile file;
-    return file.begin(path, image.spec(), failure) && write_image(image, file, progress, failure);
-}
-
-bool write_image(const OIIO::ImageBuf& image, ImageFile& file,
-                 const std::function<void(float)>& progress, Failure& failure) {
-    const auto callback = [](void* data, float share) {
-        (*static_cast<const std::function<void(float)>*>(data))(share);
-        return false; // do not stop
-    };
-    auto* const data = const_cast<std::function<void(float)>*>(&progress);
-    if (!image.write(&file.output(), callback, data)) {
+bool write_image(const OIIO::ImageBuf& image, ImageFile& file, Failure& failure) {
+    if (!image.write(&file.output())) {
         failure = file.failed();
         if (const std::string why(OIIO::Strutil::strip(image.geterror()));
             !why.empty() && failure.why.find(':') == std::string::npos) {

@@ -2,7 +2,6 @@
 // Writing images: whole, or not at all.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -37,8 +36,6 @@ public:
     bool open(std::vector<OIIO::ImageSpec> specs, Failure& failure);
     /// The image before is whole: write to the next.
     bool open_next(Failure& failure);
-    /// create() and open() for scanlines, as ImageBuf::write() by name does.
-    bool begin(const std::string& path, OIIO::ImageSpec spec, Failure& failure);
     /// Write the rows [begin, end) of the image that is open, as scanlines or, of a file that has
     /// them, whole tiles, with `stride` bytes from a pixel to the next; and let them go to the disk
     /// meanwhile. After a failure write no more: OpenEXR waits for ever for the tile that follows.
@@ -71,25 +68,9 @@ private:
     std::unique_ptr<OIIO::ImageOutput> m_output;
 };
 
-/// If a file cannot be opened, or its bytes cannot be read, readers call it broken or none of their
-/// format: the code for the reason then, else `otherwise`. Reads the bytes, so it is to be called
-/// after a failure only.
-ExitCode code_of_reading(const std::string& path, ExitCode otherwise = exit_failed);
-
-/// If a file is there and cannot be opened, readers say that it is none of theirs: what the system
-/// says then, such as "Permission denied". Empty for a file that can be opened, and for a name of
-/// no file, which readers may know what to make of.
-std::string why_not_opened(const std::string& path);
-
-/// Scanlines that a file of this spec keeps together, as far as it says so (TIFF); 1 to 2^20.
-int rows_in_strip(const OIIO::ImageSpec& spec);
-
-/// Write an image in local memory. `progress` is called with the share done.
-bool write_image(const OIIO::ImageBuf& image, const std::string& path,
-                 const std::function<void(float)>& progress, Failure& failure);
-/// The same into a file without tiles that was opened for the image's windows, and commit it.
-/// (OpenImageIO goes on after a tile that could not be written, and OpenEXR then waits for ever.)
-bool write_image(const OIIO::ImageBuf& image, ImageFile& file,
-                 const std::function<void(float)>& progress, Failure& failure);
+/// Write an image in local memory into a file without tiles that was opened for its windows, and
+/// commit it. (OpenImageIO goes on after a tile that could not be written, and OpenEXR then waits
+/// for ever.)
+bool write_image(const OIIO::ImageBuf& image, ImageFile& file, Failure& failure);
 
 } // namespace ddt::tool

@@ -16,8 +16,8 @@
 #include "plugin/image/oiio_defects.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/file/file_state.h"
-#include "plugin/tool/file/image_file.h"
 #include "plugin/tool/file/readable_pixels.h"
+#include "plugin/tool/file/reading_errors.h"
 #include "plugin/tool/file/truncated.h"
 
 namespace ddt::tool {

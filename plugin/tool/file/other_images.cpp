@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/file/other_images.h"
 
-#include <algorithm>
-
 #include <OpenImageIO/imageio.h>
 
 #include "plugin/message/format.h"

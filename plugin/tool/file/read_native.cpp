@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "plugin/image/file_tiles.h"
-#include "plugin/tool/file/image_file.h"
+#include "plugin/tool/file/rows_together.h"
 
 namespace ddt::tool {
 

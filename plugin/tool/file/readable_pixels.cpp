@@ -4,20 +4,16 @@
 #include <algorithm>
 #include <vector>
 
-#include "plugin/image/file_tiles.h"
-#include "plugin/tool/file/image_file.h"
 #include "plugin/tool/file/read_native.h"
+#include "plugin/tool/file/rows_together.h"
 
 namespace ddt::tool {
 
 namespace {
 
-/// Rows that are read at once: the readers of EXR and TIFF decompress them side by side.
-int rows_to_read(const OIIO::ImageSpec& spec) {
-    constexpr size_t bytes = size_t(8) << 20;
-    const int wanted = std::max(16, int(bytes / std::max<size_t>(spec.scanline_bytes(true), 1)));
-    return spec.tile_height > 0 ? tile_side(spec.tile_height, spec.height)
-                                : rounded_up(wanted, rows_in_strip(spec));
+/// Of tiles one row at a time, which may be large.
+int rows_to_try(const OIIO::ImageSpec& spec) {
+    return spec.tile_width > 0 ? rows_together(spec) : rows_to_read(spec, 16);
 }
 
 } // namespace
@@ -25,7 +21,7 @@ int rows_to_read(const OIIO::ImageSpec& spec) {
 bool can_be_read(OIIO::ImageInput& input, int begin, int end) {
     const OIIO::ImageSpec& spec = input.spec();
     const Rect all = readable(spec, {spec.x, begin, spec.x + spec.width, end});
-    const int rows = rows_to_read(spec);
+    const int rows = rows_to_try(spec);
     // Room for whole tiles: OpenImageIO's reader writes beyond the image's edge (2.4.7, TIFF).
     const size_t width = size_t(spec.width) + size_t(std::max(spec.tile_width, 0));
     const size_t height = size_t(std::max(std::min(rows, spec.height), spec.tile_height));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/file/unassociated.h"
-#include "plugin/tool/file/open_image.h"
 
 #include <cstring>
 #include <vector>
@@ -8,6 +7,7 @@
 #include <OpenImageIO/imagebufalgo.h>
 
 #include "plugin/image/memory.h"
+#include "plugin/tool/file/open_image.h"
 
 namespace ddt::tool {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/tool/ids/id_file.h"
-#include "plugin/tool/file/image_file.h"
-#include "plugin/tool/file/open_image.h"
-#include "plugin/tool/file/read_native.h"
 
 #include <algorithm>
 #include <cstring>
 
 #include "plugin/image/file_tiles.h"
 #include "plugin/image/memory.h"
+#include "plugin/tool/file/open_image.h"
+#include "plugin/tool/file/read_native.h"
+#include "plugin/tool/file/rows_together.h"
 
 namespace ddt::tool {
 
@@ -71,9 +71,7 @@ bool IdFile::read(const Rect& wanted, OIIO::ImageBuf& ids, std::string& error) {
     spec.height = r.height();
     if (!take_memory(ids, spec, error))
         return false;
-    const int together =
-        file.tile_width > 0 ? tile_side(file.tile_height, file.height) : rows_in_strip(file);
-    const int rows = rounded_up(rows_at_once, together);
+    const int rows = rounded_up(rows_at_once, rows_together(file));
     char* to = static_cast<char*>(ids.localpixels());
     go_to_row(*m_input, r.y0);
     for (int y = r.y0; y < r.y1; y += rows, to += spec.scanline_bytes() * size_t(rows))

@@ -3,6 +3,7 @@
 
 #include "ddt/guide.h"
 #include "plugin/image/channels.h"
+#include "plugin/image/lazy_file.h"
 #include "plugin/image/pixels.h"
 #include "plugin/image/windows.h"
 #include "plugin/tool/file/unassociated.h"
@@ -29,7 +30,7 @@ bool read_heights(const std::string& path, const OIIO::ImageBuf& image,
     if (may_be_unassociated(image) && !in_file.read(path, error))
         return false;
     if (in_file && in_file.image().roi() != image.roi()) {
-        error = "\"" + path + "\" was changed while it was read";
+        error = why_changed(path);
         return false;
     }
     if (in_file && &filled != &image)

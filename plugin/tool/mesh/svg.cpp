@@ -4,6 +4,7 @@
 
 #include "ddt/guide.h"
 #include "plugin/tool/mesh/mesh_file.h"
+#include "plugin/tool/mesh/writing_progress.h"
 
 namespace ddt::tool {
 
@@ -140,7 +141,7 @@ bool write_svg(std::FILE* file, const Mesh& mesh, const Picture& picture, const 
     Painter painter(file, mesh, picture, style);
     for (size_t i = 0; i < mesh.triangles.size(); ++i) {
         painter.paint(i);
-        if (i % 65536 == 0 && !progress(float(i) / float(mesh.triangles.size())))
+        if (i % triangles_told == 0 && !progress(float(i) / float(mesh.triangles.size())))
             return false;
     }
     std::fprintf(file, "</g>\n</svg>\n");

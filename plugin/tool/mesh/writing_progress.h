@@ -12,9 +12,12 @@ inline bool tell_row(const Mesh& mesh, int row, const ProgressCallback& progress
     return progress(0.5f * float(row) / float(mesh.height));
 }
 
-/// After `done` triangles; of few of them only, so that telling takes no time.
+/// Triangles from one telling to the next: so many that it takes no time.
+constexpr size_t triangles_told = 1 << 16;
+
 inline bool tell_triangle(const Mesh& mesh, size_t done, const ProgressCallback& progress) {
-    return done % 65536 != 0 || progress(0.5f + 0.5f * float(done) / float(mesh.triangles.size()));
+    return done % triangles_told != 0 ||
+           progress(0.5f + 0.5f * float(done) / float(mesh.triangles.size()));
 }
 
 } // namespace ddt::tool

@@ -14,6 +14,7 @@
 #include "plugin/tool/command/command.h"
 #include "plugin/tool/file/fit_format.h"
 #include "plugin/tool/file/image_file.h"
+#include "plugin/tool/file/rows_together.h"
 #include "plugin/tool/part/part_file.h"
 #include "plugin/tool/part/part_header.h"
 
@@ -169,11 +170,10 @@ constexpr size_t usual_bytes = size_t(16) << 20, most_bytes = size_t(64) << 20;
 /// Rows to write at once: of low ones many, so that writers compress them side by side; of tiles
 /// whole ones; and so many, if that is not too much, as the format keeps together.
 int rows_at_once(const OIIO::ImageSpec& file, size_t row, int part_rows) {
-    const bool tiled = file.tile_width > 0;
-    const int least = tiled ? file.tile_height : part_rows,
-              better = tiled ? part_rows : rows_in_strip(file);
-    const auto together = size_t(std::lcm(int64_t(least), int64_t(better)));
-    const size_t step = together > most_bytes / row ? size_t(least) : together;
+    const int of_file = rows_together(file);
+    const auto both = size_t(std::lcm(int64_t(of_file), int64_t(part_rows)));
+    const auto least = size_t(file.tile_width > 0 ? of_file : part_rows);
+    const size_t step = both > most_bytes / row ? least : both;
     const size_t rows = std::max(usual_bytes / row / step, size_t(1)) * step;
     return int(std::min(rows, size_t(file.height)));
 }

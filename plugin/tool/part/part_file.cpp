@@ -8,8 +8,8 @@
 #include <OpenImageIO/strutil.h>
 
 #include "plugin/message/format.h"
-#include "plugin/tool/file/image_file.h"
 #include "plugin/tool/file/open_image.h"
+#include "plugin/tool/file/reading_errors.h"
 
 namespace ddt::tool {
 

@@ -6,7 +6,6 @@
 
 #include "plugin/message/format.h"
 #include "plugin/tool/file/check_image.h"
-#include "plugin/tool/file/image_file.h"
 #include "plugin/tool/file/open_image.h"
 #include "plugin/tool/part/fingerprint.h"
 

@@ -131,8 +131,7 @@ bool write_point_image(const PointFile& points, const std::vector<const Column*>
         std::any_of(pixels.begin(), pixels.end(), [](float v) { return v < 0 || v > 1; }))
         note("\"" + path + "\" holds 0 to 1; what is beyond is cut off");
     const OIIO::ImageBuf image(spec, pixels.data());
-    return write_image(
-        image, file, [](float) {}, failure);
+    return write_image(image, file, failure);
 }
 
 } // namespace ddt::tool

@@ -5,6 +5,7 @@
 
 #include <OpenImageIO/imagebufalgo.h>
 
+#include "core/base/progress.h"
 #include "core/tiles/grid.h"
 #include "plugin/image/memory.h"
 #include "plugin/image/windows.h"
@@ -135,10 +136,7 @@ bool resize_image(ArrivingImage& source, const OIIO::ROI& wanted, const OIIO::Im
         return false;
     if (!writer.has_failed())
         writer.ready(result.yend());
-    const auto writing = [&](float share) {
-        progress(share_of_resizing + share * (1 - share_of_resizing));
-    };
-    return writer.finish(writing, failure);
+    return writer.finish(part_of(progress, share_of_resizing, 1), failure);
 }
 
 } // namespace ddt::tool

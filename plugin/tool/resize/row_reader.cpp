@@ -5,31 +5,19 @@
 #include <limits>
 
 #include "core/base/one_line.h"
-#include "plugin/image/file_tiles.h"
 #include "plugin/image/lazy_file.h"
 #include "plugin/image/memory.h"
 #include "plugin/image/oiio_defects.h"
-#include "plugin/tool/file/image_file.h"
 #include "plugin/tool/file/open_image.h"
 #include "plugin/tool/file/read_native.h"
+#include "plugin/tool/file/rows_together.h"
 
 namespace ddt::tool {
 
 namespace {
 
-/// Rows that the reader is asked for at once: so many, or as many as make so many bytes. It
-/// decompresses them side by side.
+/// Rows that the reader is asked for at once, or more.
 constexpr int least_rows = 64;
-constexpr size_t bytes_at_once = size_t(8) << 20;
-
-/// A multiple of those that the format keeps together.
-int rows_at_once(const OIIO::ImageSpec& spec) {
-    const int together =
-        spec.tile_width > 0 ? tile_side(spec.tile_height, spec.height) : rows_in_strip(spec);
-    const int wanted =
-        std::max(least_rows, int(bytes_at_once / std::max<size_t>(spec.scanline_bytes(), 1)));
-    return rounded_up(wanted, together);
-}
 
 /// Whether there are rows of pixels that follow one another as they are in memory, of one type.
 bool comes_by_rows(const OIIO::ImageSpec& spec) {
@@ -75,7 +63,7 @@ RowReader::~RowReader() {
 }
 
 void RowReader::work() {
-    const int end = m_spec.y + m_spec.height, rows = rows_at_once(m_spec);
+    const int end = m_spec.y + m_spec.height, rows = rows_to_read(m_spec, least_rows);
     for (int y = m_spec.y, next = y; y < end; y = next) {
         next = y + std::min(rows, end - y);
         bool done = false;

@@ -5,6 +5,7 @@
 
 #include "core/base/one_line.h"
 #include "plugin/image/file_tiles.h"
+#include "plugin/tool/file/rows_together.h"
 
 namespace ddt::tool {
 
@@ -12,13 +13,13 @@ namespace {
 
 /// Rows that are handed to the writer at once, times those that the format keeps together: what
 /// writers compress in one go must not be cut. (TIFF has 32, or what the image's own file had.)
-constexpr int rows_together = 64;
+constexpr int handed_at_once = 64;
 
 /// Rows of tiles, if the file has them, else scanlines.
 int step_of(const OIIO::ImageSpec& image, const OIIO::ImageSpec& file) {
     if (file.tile_width == 0)
-        return rows_together * rows_in_strip(image);
-    return rounded_up(rows_together, tile_side(file.tile_height, file.height));
+        return handed_at_once * rows_in_strip(image);
+    return rounded_up(handed_at_once, rows_together(file));
 }
 
 } // namespace
@@ -95,12 +96,13 @@ bool RowWriter::write(int begin, int end) {
                  : m_file.write_rows(begin, end, m_format, rows);
 }
 
-bool RowWriter::finish(const std::function<void(float)>& progress, Failure& failure) {
+bool RowWriter::finish(const ProgressCallback& progress, Failure& failure) {
     std::unique_lock lock(m_mutex);
     while (m_done < m_end && !m_failed) {
         const int done = m_done;
         lock.unlock();
-        progress(float(done - m_begin) / float(m_end - m_begin));
+        if (progress)
+            progress(float(done - m_begin) / float(m_end - m_begin));
         lock.lock();
         m_changed.wait(lock, [&] { return m_done > done || m_failed; });
     }

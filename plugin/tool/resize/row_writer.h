@@ -3,12 +3,12 @@
 #pragma once
 
 #include <condition_variable>
-#include <functional>
 #include <mutex>
 #include <thread>
 
 #include <OpenImageIO/imagebuf.h>
 
+#include "ddt/progress.h"
 #include "plugin/tool/file/image_file.h"
 #include "plugin/tool/ids/mixed_ids.h"
 
@@ -30,9 +30,9 @@ public:
     void ready(int end);
     /// Whether writing came to an end before all rows were written.
     bool has_failed();
-    /// Wait until all rows are written; they are all ready. `progress` is called with the share of
-    /// rows that are. False, with a failure, if one could not be written.
-    bool finish(const std::function<void(float)>& progress, Failure& failure);
+    /// Wait until all rows are written; they are all ready. `progress`, which cannot cancel it, is
+    /// told the share of rows that are. False, with a failure, if one could not be written.
+    bool finish(const ProgressCallback& progress, Failure& failure);
 
 private:
     void work();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <utility>
@@ -25,19 +26,52 @@ bool is_blank(int c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
+/// A stream that ends where it cannot be read, and knows why.
+class Input {
+public:
+    explicit Input(std::FILE* file) : m_file(file) {}
+
+    /// A byte, or EOF.
+    int get() {
+        const int c = m_error ? EOF : std::getc(m_file);
+        if (c == EOF)
+            note_error();
+        return c;
+    }
+    /// How many of so many bytes are there.
+    size_t read(char* to, size_t bytes) {
+        const size_t n = m_error ? 0 : std::fread(to, 1, bytes, m_file);
+        if (n < bytes)
+            note_error();
+        return n;
+    }
+    /// The number of the error that it cannot be read for, or 0.
+    int error() const { return m_error; }
+
+private:
+    /// At once: whatever is called next may set errno, and a read that is tried again may succeed.
+    void note_error() {
+        if (m_error == 0 && std::ferror(m_file))
+            m_error = errno;
+    }
+
+    std::FILE* m_file;
+    int m_error = 0;
+};
+
 /// The next word of a header, and the one blank after it; comments from # to the line's end are
 /// skipped. Empty at the end of the stream or for a word of senseless length.
-std::string word(std::FILE* in) {
-    int c = std::getc(in);
+std::string word(Input& in) {
+    int c = in.get();
     while (is_blank(c) || c == '#') {
         if (c == '#')
             while (c != '\n' && c != EOF)
-                c = std::getc(in);
+                c = in.get();
         else
-            c = std::getc(in);
+            c = in.get();
     }
     std::string text;
-    for (; c != EOF && !is_blank(c) && text.size() < longest_word; c = std::getc(in))
+    for (; c != EOF && !is_blank(c) && text.size() < longest_word; c = in.get())
         text += char(c);
     return text.size() < longest_word ? text : "";
 }
@@ -58,7 +92,7 @@ bool read_whole(const char* name, const std::string& text, int most, int& number
 }
 
 /// The lines "WIDTH 640" up to "ENDHDR".
-bool read_pam(std::FILE* in, Frame& frame, std::string& error) {
+bool read_pam(Input& in, Frame& frame, std::string& error) {
     struct Field {
         const char* name;
         int most;
@@ -93,7 +127,7 @@ bool read_pam(std::FILE* in, Frame& frame, std::string& error) {
     return true;
 }
 
-bool read_header(std::FILE* in, Frame& frame, std::string& error) {
+bool read_header(Input& in, Frame& frame, std::string& error) {
     if (frame.magic == "P7")
         return read_pam(in, frame, error);
     frame.channels = frame.magic == "P6" || frame.magic == "PF" ? 3 : 1;
@@ -144,11 +178,12 @@ void widen(Frame& f) {
         if (size > 1)
             std::memcpy(&value, &f.pixels[i * size], size);
         const auto largest = uint32_t(f.largest);
-        value = uint16_t((std::min(uint32_t(value), largest) * 65535 + largest / 2) / largest);
+        value =
+            uint16_t((std::min(uint32_t(value), largest) * largest_value + largest / 2) / largest);
         std::memcpy(&wide[i * sizeof value], &value, sizeof value);
     }
     f.pixels = std::move(wide);
-    f.largest = 65535;
+    f.largest = largest_value;
     const std::string black_and_white = "BLACKANDWHITE";
     if (f.tuple_type.compare(0, black_and_white.size(), black_and_white) == 0)
         f.tuple_type.replace(0, black_and_white.size(), "GRAYSCALE");
@@ -158,6 +193,37 @@ void widen(Frame& f) {
 char* row(Frame& f, int i) {
     const int y = f.is_float() ? f.height - 1 - i : i;
     return f.pixels.get() + size_t(y) * f.row_bytes();
+}
+
+bool read_rows(Input& in, Frame& frame, std::string& error) {
+    size_t got = 0;
+    for (int i = 0; i < frame.height; ++i) {
+        const size_t n = in.read(row(frame, i), frame.row_bytes());
+        got += n;
+        if (n < frame.row_bytes()) {
+            error = "it ends after " + std::to_string(got) + " of " +
+                    std::to_string(frame.bytes()) + " bytes";
+            return false;
+        }
+    }
+    return true;
+}
+
+/// What follows the two letters that a picture begins with.
+bool read_rest(Input& in, Frame& frame, std::string& error) {
+    if (frame.magic != "P7" && frame.magic != "P6" && frame.magic != "P5" && frame.magic != "PF" &&
+        frame.magic != "Pf") {
+        error = "no picture begins here; allowed are PAM (P7), PPM (P6), PGM (P5) and PFM";
+        return false;
+    }
+    if (!read_header(in, frame, error))
+        return false;
+    if (frame.tuple_type.compare(0, 4, "CMYK") == 0) {
+        error = "the tuple type " + frame.tuple_type +
+                " is not allowed; allowed are grey and RGB, with alpha or without";
+        return false;
+    }
+    return frame.allocate(error) && read_rows(in, frame, error);
 }
 
 } // namespace
@@ -196,45 +262,24 @@ host::Buffer Frame::buffer() {
             size,         {0, 0, width, height},  sample()};
 }
 
-ReadResult read_frame(std::FILE* in, Frame& frame, std::string& error) {
+ReadResult read_frame(std::FILE* file, Frame& frame, Failure& failure) {
     frame = {};
-    const int first = std::getc(in);
-    if (first == EOF && !std::ferror(in))
+    Input in(file);
+    const int first = in.get();
+    if (first == EOF && in.error() == 0)
         return ReadResult::end;
-    if (first == EOF) {
-        error = std::string("the stream cannot be read: ") + std::strerror(errno);
+    frame.magic = {char(first), char(in.get())};
+    if (!read_rest(in, frame, failure.why)) {
+        // Where the stream cannot be read the header, or the pixels, seem to end.
+        failure =
+            in.error()
+                ? Failure{std::string("the stream cannot be read: ") + std::strerror(in.error()),
+                          code_of_errno(in.error())}
+                : Failure{failure.why, code_of_message(failure.why)};
         return ReadResult::failed;
-    }
-    const int second = std::getc(in);
-    frame.magic = {char(first), char(second)};
-    if (frame.magic != "P7" && frame.magic != "P6" && frame.magic != "P5" && frame.magic != "PF" &&
-        frame.magic != "Pf") {
-        error = "no picture begins here; allowed are PAM (P7), PPM (P6), PGM (P5) and PFM";
-        return ReadResult::failed;
-    }
-    if (!read_header(in, frame, error))
-        return ReadResult::failed;
-    if (frame.tuple_type.compare(0, 4, "CMYK") == 0) {
-        error = "the tuple type " + frame.tuple_type +
-                " is not allowed; allowed are grey and RGB, with alpha or without";
-        return ReadResult::failed;
-    }
-    if (!frame.allocate(error))
-        return ReadResult::failed;
-    size_t got = 0;
-    for (int i = 0; i < frame.height; ++i) {
-        const size_t n = std::fread(row(frame, i), 1, frame.row_bytes(), in);
-        got += n;
-        if (n < frame.row_bytes()) {
-            error = std::ferror(in)
-                        ? std::string("the stream cannot be read: ") + std::strerror(errno)
-                        : "it ends after " + std::to_string(got) + " of " +
-                              std::to_string(frame.bytes()) + " bytes";
-            return ReadResult::failed;
-        }
     }
     order_bytes(frame);
-    if (!frame.is_float() && frame.largest != 255 && frame.largest != 65535)
+    if (!frame.is_float() && frame.largest != 255 && frame.largest != largest_value)
         widen(frame);
     return ReadResult::frame;
 }

@@ -3,12 +3,12 @@
 // after the other without anything between, as `ffmpeg -f image2pipe -c:v pam -` writes them.
 #pragma once
 
-#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
 
 #include "plugin/host/enlargement.h"
+#include "plugin/tool/command/exit_code.h"
 
 namespace ddt::tool {
 
@@ -42,8 +42,8 @@ struct Frame : FrameHeader {
 enum class ReadResult { frame, end, failed };
 
 /// Read the next frame. `end`: the stream ended where a frame could have begun. `failed`: one line
-/// in `error` that says what is wrong with it.
-ReadResult read_frame(std::FILE* in, Frame& frame, std::string& error);
+/// that says what is wrong with it, or that the stream cannot be read.
+ReadResult read_frame(std::FILE* file, Frame& frame, Failure& failure);
 
 /// Write it, and hand it on at once. False with one line in `error`; a closed pipe is such a
 /// failure (SIGPIPE is to be ignored). May change the order of the frame's bytes.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/gl/context/gpu.h"
+#include "core/gl/gpu.h"
 #include "core/gl/stage_timer.h"
 #include "core/gl/surfaces.h"
 #include "tests/bench/gpu/picture.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/gl/programs.h"
-#include "core/surface/consistency/corrections.h"
+#include "core/surface/corrections.h"
 
 namespace ddt::bench {
 

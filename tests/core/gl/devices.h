@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/gl/context/faults.h"
-#include "core/gl/context/gpu.h"
+#include "core/gl/gpu.h"
 #include "tests/core/gl/enlarge_pair.h"
 
 namespace ddt::test {

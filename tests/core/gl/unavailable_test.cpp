@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A device that is named and cannot be had.
+#include "core/base/one_line.h"
 #include "ddt/names.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/job_helpers.h"
@@ -27,6 +28,7 @@ TEST_P(Unavailable, IsToldBeforeAnythingIsRead) {
             std::string error;
             EXPECT_EQ(enlarge(source, sink, mapping, job, &error), Outcome::device_unavailable);
             EXPECT_NE(error.find(ddt::device_name(GetParam())), std::string::npos) << error;
+            EXPECT_NE(error.find(unavailable_text), std::string::npos) << error;
             gl::arm(gl::Fault::library, 0);
             gl::forget_devices();
         }

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "core/gl/context/faults.h"
-#include "core/gl/context/gpu.h"
+#include "core/gl/gpu.h"
 #include "core/gl/job_programs.h"
 #include "core/gl/program_interface.h"
-#include "core/surface/consistency/corrections.h"
+#include "core/surface/corrections.h"
 #include "ddt/names.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"

@@ -5,7 +5,7 @@
 
 #include "core/gl/context/failure.h"
 #include "core/gl/context/faults.h"
-#include "core/gl/context/gpu.h"
+#include "core/gl/gpu.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/pictures.h"
 

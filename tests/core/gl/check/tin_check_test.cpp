@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "core/gl/context/faults.h"
-#include "core/gl/context/gpu.h"
+#include "core/gl/gpu.h"
 #include "ddt/names.h"
 #include "tests/core/gl/devices.h"
 #include "tests/core/gl/shaken_grid.h"

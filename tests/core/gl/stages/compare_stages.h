@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/gl/context/gpu.h"
+#include "core/gl/gpu.h"
 #include "tests/core/gl/enlarge_pair.h"
 
 namespace ddt::test {

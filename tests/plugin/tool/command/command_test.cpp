@@ -136,6 +136,7 @@ TEST(Commands, HelpListsTheOptionsThatCount) {
     for (const Option& option : option_table())
         all += std::string(option.key) + ' ';
     EXPECT_EQ(listed(make_resize_command()), all);
+    EXPECT_EQ(listed(make_stream_command()), all);
     EXPECT_EQ(listed(make_scatter_command()), "cost min_gain iterations scheme seed device ");
     EXPECT_EQ(listed(make_fill_command()), "light cost iterations scheme seed holes device ");
     EXPECT_EQ(listed(make_mesh_command()),

@@ -7,6 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/one_line.h"
+#include "plugin/image/lazy_file.h"
+#include "plugin/image/memory.h"
+
 namespace ddt::tool {
 namespace {
 
@@ -49,6 +53,16 @@ TEST(ExitCodes, WhatAFileIsCalledIsNotWhatHappenedToIt) {
           R"("a.png" was changed while it was read, as was "b.png")",
           R"(a quote " alone: out of memory)"})
         EXPECT_EQ(code_of_message(message), exit_resources) << message;
+}
+
+TEST(ExitCodes, WhatOursSayIsKnown) {
+    std::string error;
+    ASSERT_FALSE(check_memory("a test", 1e18, error));
+    EXPECT_EQ(code_of_message(error), exit_resources) << error;
+    EXPECT_EQ(code_of_message(why_changed("a.exr")), exit_resources);
+    for (const char* said :
+         {out_of_memory_text, machine_memory_text, unavailable_text, changed_text})
+        EXPECT_EQ(code_of_message(std::string("x: ") + said), exit_resources) << said;
 }
 
 TEST(ExitCodes, AMountThatIsLostMayComeBack) {

@@ -5,14 +5,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <climits>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -20,8 +17,6 @@
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/strutil.h>
 
-#include "plugin/tool/file/open_image.h"
-#include "plugin/tool/part/join.h"
 #include "tests/resource_limit.h"
 #include "tests/temporary.h"
 
@@ -41,8 +36,8 @@ TEST(ImageFile, HasOnlyAsManyChannelsAsItsFormat) {
     const auto begins = [](const std::string& name, int channels) {
         ImageFile file;
         Failure failure;
-        return file.begin(temporary(name), OIIO::ImageSpec(8, 8, channels, OIIO::TypeUInt8),
-                          failure);
+        return file.create(temporary(name), failure) &&
+               file.open(OIIO::ImageSpec(8, 8, channels, OIIO::TypeUInt8), failure);
     };
     for (const int channels : {1, 3, 4}) {
         EXPECT_TRUE(begins("channels.dpx", channels)) << channels;
@@ -103,7 +98,7 @@ TEST(ImageFile, OfFitsMayBeWide) {
     const std::vector<uint8_t> pixels(spec.image_bytes(), 200);
     ImageFile file;
     Failure failure;
-    ASSERT_TRUE(file.begin(path, spec, failure)) << failure.why;
+    ASSERT_TRUE(file.create(path, failure) && file.open(spec, failure)) << failure.why;
     ASSERT_TRUE(file.write_rows(0, 8, OIIO::TypeUInt8, pixels.data()));
     EXPECT_TRUE(file.commit(failure)) << failure.why;
 }
@@ -114,7 +109,7 @@ TEST(ImageFile, WhyAWriterFailedIsToldWhereItDoesNotSayIt) {
     const std::vector<float> pixels(1024 * 16 * 3, 0.5f);
     ImageFile file;
     Failure failure;
-    ASSERT_TRUE(file.begin(path, spec, failure)) << failure.why;
+    ASSERT_TRUE(file.create(path, failure) && file.open(spec, failure)) << failure.why;
     auto* const before = std::signal(SIGXFSZ, SIG_IGN);
     {
         const test::ResourceLimit small(RLIMIT_FSIZE, 2880); // the header
@@ -210,7 +205,7 @@ protected:
         std::vector<uint8_t> pixels(16 * 16 * 3);
         for (size_t i = 0; i < pixels.size(); ++i)
             pixels[i] = uint8_t(i);
-        return file.begin(path, spec, m_failure) &&
+        return file.create(path, m_failure) && file.open(spec, m_failure) &&
                file.write_rows(0, 16, OIIO::TypeUInt8, pixels.data()) && file.commit(m_failure);
     }
 
@@ -268,91 +263,6 @@ TEST_F(Streams, WhatCanBeSoughtInIsNone) {
     const std::string link = temporary("nothing.bmp");
     std::filesystem::create_symlink("/dev/null", link);
     EXPECT_TRUE(write(link)) << m_failure.why;
-}
-
-TEST(RowsInStrip, AreOneAtLeastAndNotWhateverAFileSays) {
-    OIIO::ImageSpec spec(8, 8, 3, OIIO::TypeUInt8);
-    EXPECT_EQ(rows_in_strip(spec), 1);
-    for (const auto& [said, rows] :
-         {std::pair{32, 32}, {0, 1}, {-5, 1}, {1 << 20, 1 << 20}, {INT_MAX, 1 << 20}}) {
-        spec.attribute("tiff:RowsPerStrip", said);
-        EXPECT_EQ(rows_in_strip(spec), rows);
-    }
-}
-
-TEST(CodeOfReading, SaysWhetherToTryAgain) {
-    const std::string path = temporary("broken.exr");
-    std::ofstream(path) << "no picture";
-    EXPECT_EQ(code_of_reading(path), exit_failed);
-    EXPECT_EQ(code_of_reading(temporary("missing.exr")), exit_failed);
-    EXPECT_EQ(code_of_reading(temporary("")), exit_failed);
-    const auto code = [&] {
-        const test::ResourceLimit none(RLIMIT_NOFILE, 0);
-        return code_of_reading(path);
-    }();
-    EXPECT_EQ(code, exit_resources);
-}
-
-/// Run `body` as a user who is not root, if need be; whether that could be done.
-template <class Body>
-bool without_rights(Body&& body) {
-    constexpr uid_t nobody = 65534;
-    const bool is_root = geteuid() == 0;
-    if (is_root && seteuid(nobody) != 0)
-        return false;
-    body();
-    return !is_root || seteuid(0) == 0;
-}
-
-TEST(Unreadable, FilesThatMayNotBeReadAreCalledSo) {
-    const std::string path = temporary("secret.exr");
-    ASSERT_TRUE(OIIO::ImageBuf(OIIO::ImageSpec(8, 8, 3, OIIO::TypeHalf)).write(path));
-    ASSERT_EQ(why_not_opened(path), "");
-    ASSERT_EQ(chmod(path.c_str(), 0), 0);
-    const std::string said = "cannot read \"" + path + "\": Permission denied";
-    std::string error;
-    Failure failure;
-    const bool tried = without_rights([&] {
-        OIIO::ImageBuf image;
-        EXPECT_FALSE(open_image(path, image, error));
-        const auto progress = [](float) { return true; };
-        EXPECT_FALSE(join({path}, temporary("of_secret.exr"), progress, failure));
-    });
-    if (!tried)
-        GTEST_SKIP() << "root cannot become another user here";
-    EXPECT_EQ(error, said);
-    EXPECT_EQ(failure.why, said);
-    EXPECT_EQ(failure.code, exit_failed);
-}
-
-// Readers of EXR, PNG and JPEG call what is not there broken.
-TEST(Unreadable, FilesThatAreNotThereAreCalledSo) {
-    for (const char* name : {"not_there.exr", "not_there.png", "not_there.tif", "not_there.jpg"}) {
-        const std::string path = temporary(name);
-        OIIO::ImageBuf image;
-        std::string error;
-        EXPECT_FALSE(open_image(path, image, error));
-        EXPECT_EQ(error, "cannot read \"" + path + "\": No such file or directory");
-        EXPECT_EQ(open_input(path, 0, error), nullptr);
-        EXPECT_EQ(error, "cannot read \"" + path + "\": No such file or directory");
-    }
-    OIIO::ImageBuf image;
-    std::string error;
-    EXPECT_TRUE(open_image("a.null?RES=4x4", image, error)) << error;
-}
-
-TEST(Unreadable, WhatTheSystemSaysIsSaidOfFilesThatAreThere) {
-    const std::string loop = temporary("loop.exr");
-    std::filesystem::create_symlink(loop, loop);
-    EXPECT_EQ(why_not_opened(loop), std::strerror(ELOOP));
-    EXPECT_EQ(why_not_opened(temporary("missing.exr")), "");
-}
-
-TEST(Unreadable, WhatIsSaidTwiceIsSaidOnce) {
-    const std::string path = temporary("there.png");
-    std::ofstream(path) << "no picture";
-    EXPECT_EQ(why_unreadable("no header\nnothing read\nno header\nnothing read\n", path),
-              "\"" + path + "\": no header\nnothing read");
 }
 
 } // namespace

@@ -75,7 +75,7 @@ TEST(TiffWriteErrors, AreHeardOfOneFileAlone) {
     Failure failure, another;
     const OIIO::ImageSpec spec(momentary_side, momentary_side, 3, OIIO::TypeUInt8);
     const std::vector<uint8_t> pixels(spec.image_bytes(), 200);
-    ASSERT_TRUE(file.begin(path, spec, failure)) << failure.why;
+    ASSERT_TRUE(file.create(path, failure) && file.open(spec, failure)) << failure.why;
     auto* const before = std::signal(SIGXFSZ, SIG_IGN);
     EXPECT_EQ(is_written("none", 0, another), !are_heard());
     std::signal(SIGXFSZ, before);

@@ -53,7 +53,7 @@ bool write_black(const std::string& path) {
     Failure failure;
     const OIIO::ImageSpec spec(64, 64, 3, OIIO::TypeUInt8);
     const std::vector<uint8_t> black(64 * 64 * 3);
-    const bool written = file.begin(path, spec, failure) &&
+    const bool written = file.create(path, failure) && file.open(spec, failure) &&
                          file.write_rows(0, 64, OIIO::TypeUInt8, black.data()) &&
                          file.commit(failure);
     EXPECT_EQ(written, failure.why.empty()) << failure.why;

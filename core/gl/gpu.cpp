@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/gl/context/gpu.h"
+#include "core/gl/gpu.h"
 
 #include <mutex>
 
