@@ -8,6 +8,7 @@
 
 #include "core/base/one_line.h"
 #include "core/base/parallel.h"
+#include "ddt/devices.h"
 #include "plugin/host/request.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/stream/hand_over.h"
@@ -67,6 +68,8 @@ public:
         std::string error;
         if (!host::set_filter(m_filter, "sRGB", work, error))
             return fail(error, exit_usage);
+        if (!check_device(work.device, error))
+            return fail(error, exit_failed);
         allow_threads(m_threads);
         Verdict verdict;
         HandOver<Frame> read, made;
