@@ -51,6 +51,14 @@ TEST(ExitCodes, WhatAFileIsCalledIsNotWhatHappenedToIt) {
         EXPECT_EQ(code_of_message(message), exit_resources) << message;
 }
 
+TEST(ExitCodes, ALightThatThereIsNotIsWrongUsage) {
+    for (const char* message :
+         {R"("a.png": light "foo" is not a colour space; allowed are auto, encoded, raw)",
+          "light=foo: the OCIO config has no role scene_linear; allowed are auto and encoded"})
+        EXPECT_EQ(code_of_message(message), exit_usage) << message;
+    EXPECT_EQ(code_of_message(R"("; allowed are auto": Permission denied)"), exit_failed);
+}
+
 TEST(ExitCodes, AMountThatIsLostMayComeBack) {
     for (const int number :
          {ENOTCONN, ECONNABORTED, ECONNRESET, EHOSTDOWN, EHOSTUNREACH, ENETUNREACH, ENETDOWN,
