@@ -13,6 +13,7 @@
 #include "core/tiles/grid.h"
 #include "core/tiles/job_state.h"
 #include "core/tiles/tile_io.h"
+#include "core/tiles/work_line.h"
 #include "core/tiles/work_on_cpu.h"
 #include "ddt/core.h"
 #include "ddt/option_table.h"
@@ -73,10 +74,8 @@ void report(const Placement& placement, const std::string& failure, const Statis
     if (!failure.empty())
         say("ddt: %s failed, finished on the CPU: %s", describe(placement).c_str(),
             failure.c_str());
-    say("ddt: device %s; %lld pixels, %lld flips, %d iterations, %.1f ms",
-        failure.empty() ? describe(placement).c_str() : "cpu",
-        static_cast<long long>(statistics.pixels), static_cast<long long>(statistics.flips),
-        statistics.iterations, milliseconds);
+    say_worked(failure.empty() ? describe(placement) : "cpu",
+               std::to_string(statistics.pixels) + " pixels", statistics, milliseconds);
 }
 
 /// Work on the tiles that are shown. failure: what the GPU failed at, if it did.

@@ -9,11 +9,15 @@
 
 #include "core/base/float_mode.h"
 #include "core/base/guarded.h"
+#include "core/base/log.h"
 #include "core/base/parallel.h"
+#include "core/base/stopwatch.h"
 #include "core/fill/fill.h"
 #include "core/fill/hole_groups.h"
 #include "core/fill/hole_mesh.h"
 #include "core/fill/membrane.h"
+#include "core/tiles/work_line.h"
+#include "ddt/names.h"
 #include "ddt/option_table.h"
 
 namespace ddt {
@@ -50,6 +54,10 @@ public:
 
     bool fill(const MeshOptions& options, Device device, const ProgressCallback& told,
               MeshReport* report, std::string& error) {
+        const Stopwatch watch;
+        const bool logged = verbose();
+        MeshReport own;
+        MeshReport* const made = logged && !report ? &own : report;
         const ProgressCallback progress = until_it_ends(told);
         const auto count = size_t(std::count_if(m_missing, m_missing + m_size, is_set));
         if (count == 0)
@@ -69,13 +77,18 @@ public:
         m_surface.assign(m_image.guide, m_image.guide + m_size);
         m_inside.assign(m_size, 0);
         SharedProgress meshing(part_of(progress, 0, smoothing_begins), rims);
-        if (!make_meshes(groups, options, device, meshing, report, error))
+        if (!make_meshes(groups, options, device, meshing, made, error))
             return false;
         if (!smooth(part_of(progress, smoothing_begins, 1))) {
             error = "ddt: cancelled";
             return false;
         }
         spread();
+        if (logged)
+            say_worked(device_name(made->statistics.device),
+                       std::to_string(count) + " missing pixels, meshes of " +
+                           std::to_string(made->statistics.pixels) + " points",
+                       made->statistics, watch.milliseconds());
         return tell(progress, 1, error);
     }
 

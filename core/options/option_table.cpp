@@ -158,12 +158,11 @@ std::vector<Option> make_table() {
         text("light", colour, &FilterOptions::light,
              {{"auto",
                "Linear light. The image's `oiio:ColorSpace` names its space; OpenColorIO converts "
-               "by `$OCIO`'s config, or else a built-in one. If it names none that is known, one "
-               "of data, or one that only a config without the role `scene_linear` has, the "
-               "numbers are used as they are. Many programs' BMP, DPX, FITS, ICO, IFF, RLA, SGI, "
-               "TGA "
-               "and TIFF name none, and OpenImageIO takes PNM for Rec709: where they are sRGB, say "
-               "`light=sRGB`."},
+               "by `$OCIO`'s config, or else a built-in one. The numbers are used as they are if "
+               "it names no space that is known, or one of data, or one that only a config without "
+               "the role `scene_linear` has. Many programs' BMP, DPX, FITS, ICO, IFF, RLA, SGI, "
+               "TGA and TIFF name none, and OpenImageIO takes PNM for Rec709: where they are sRGB, "
+               "say `light=sRGB`."},
               {"encoded", "The numbers as they are."}},
              "names of colour spaces",
              "The light in which values are interpolated. The name of a colour space of the "

@@ -9,11 +9,14 @@
 #include "core/base/guarded.h"
 #include "core/base/log.h"
 #include "core/base/progress.h"
+#include "core/base/stopwatch.h"
 #include "core/gl/offload.h"
 #include "core/guide/guide.h"
+#include "core/tiles/work_line.h"
 #include "core/tin/delaunay.h"
 #include "core/tin/step_grid.h"
 #include "core/tin/tin_mesh.h"
+#include "ddt/names.h"
 #include "ddt/option_table.h"
 
 namespace ddt {
@@ -177,7 +180,17 @@ bool delaunay(PointMesh& mesh, std::string* error, const ProgressCallback& progr
 bool optimise(PointMesh& mesh, const float* guide, const MeshOptions& options, MeshReport* report,
               std::string* error, const ProgressCallback& progress, Device device) noexcept {
     return succeeds(error, [&](std::string& why) {
-        return optimise_points(mesh, guide, options, report, why, progress, device);
+        const Stopwatch watch;
+        const bool told = verbose();
+        MeshReport own;
+        MeshReport* const made = told && !report ? &own : report;
+        if (!optimise_points(mesh, guide, options, made, why, progress, device))
+            return false;
+        if (told)
+            say_worked(device_name(made->statistics.device),
+                       std::to_string(made->statistics.pixels) + " points", made->statistics,
+                       watch.milliseconds());
+        return true;
     });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/colour/config.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <map>
@@ -97,14 +98,21 @@ OCIO::ConstColorSpaceRcPtr space_in(const OCIO::ConstConfigRcPtr& config, const 
     return config->getColorSpace(name.c_str());
 }
 
+/// What a user may name: the spaces, and the role by OpenImageIO's name, unless a space has it too.
 std::string names_in(const std::vector<OCIO::ConstConfigRcPtr>& list) {
-    std::string names;
-    for (const auto& config : list)
-        for (int i = 0; i < config->getNumColorSpaces(); ++i) {
-            const std::string name = config->getColorSpaceNameByIndex(i);
-            names += (names.empty() ? "" : ", ") + name;
-        }
-    return names;
+    std::vector<std::string> names;
+    bool has_role = false;
+    for (const auto& config : list) {
+        for (int i = 0; i < config->getNumColorSpaces(); ++i)
+            names.emplace_back(config->getColorSpaceNameByIndex(i));
+        has_role |= config->getColorSpace(OCIO::ROLE_SCENE_LINEAR) != nullptr;
+    }
+    const bool has_linear = std::any_of(names.begin(), names.end(), [](const std::string& name) {
+        return iequals(name, "linear");
+    });
+    if (has_role && !has_linear)
+        names.insert(names.begin(), "linear");
+    return OIIO::Strutil::join(names, ", ");
 }
 
 } // namespace

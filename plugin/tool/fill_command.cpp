@@ -8,6 +8,7 @@
 #include "plugin/image/windows.h"
 #include "plugin/tool/command/filter_flag.h"
 #include "plugin/tool/command/progress.h"
+#include "plugin/tool/command/threads.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/file/check_image.h"
 #include "plugin/tool/file/file_state.h"
@@ -135,6 +136,7 @@ public:
     ExitCode run(const std::vector<std::string>& values) override {
         if (!m_filter_error.empty())
             return fail(m_filter_error, exit_usage);
+        planned_threads(0); // fill() asks for no more than may be at work
         const FileState source(values[0]);
         ImageFile file;
         Failure failure;

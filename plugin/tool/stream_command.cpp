@@ -6,8 +6,11 @@
 #include <system_error>
 #include <thread>
 
+#include <OpenImageIO/strutil.h>
+
 #include "core/base/one_line.h"
 #include "core/base/parallel.h"
+#include "ddt/devices.h"
 #include "plugin/host/request.h"
 #include "plugin/tool/command/filter_flag.h"
 #include "plugin/tool/command/threads.h"
@@ -46,8 +49,10 @@ public:
             "24 -f image2pipe -c:v pam -i - out.mp4, with the video's own rate in place of 24. One "
             "picture is read and one written while a third is worked on.",
             "Numbers of PAM, PPM and PGM are taken to be sRGB, those of PFM linear light; the "
-            "filter's option light= says otherwise. PAM's alpha is not associated. Pictures of "
-            "other largest values than 255 and 65535 become such of 16 bits."};
+            "filter's option light= says otherwise. Here that may be auto, " +
+                OIIO::Strutil::join(host::meaning_names(), ", ") +
+                "; $OCIO is not looked at. PAM's alpha is not associated. Pictures of "
+                "other largest values than 255 and 65535 become such of 16 bits."};
         flags = {
             number_flag("--scale", "S", "by how much both sides grow (default: 2)", 1, 1024,
                         m_scale),
@@ -64,6 +69,8 @@ public:
         std::string error;
         if (!host::set_filter(m_options, "sRGB", work, error))
             return fail(error, exit_usage);
+        if (!check_device(work.device, error))
+            return fail(error, exit_failed);
         allow_threads(m_threads);
         Verdict verdict;
         HandOver<Frame> read, made;

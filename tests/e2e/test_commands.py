@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every oiiotool command that takes a filter, with nothing but the plugin path set."""
 
+import os
 import unittest
 
 from support import DDT, PLUGINS, Case, is_symbolic
@@ -71,6 +72,9 @@ class Commands(Case):
     def test_info_tells_how_many_threads_a_job_has(self):
         done = self.succeed(DDT, "info", OPENIMAGEIO_THREADS="1")
         self.assertRegex(done, "(?m)^cpu +1 thread$")
+        many = os.cpu_count() + 3
+        done = self.succeed(DDT, "info", OPENIMAGEIO_THREADS=str(many))
+        self.assertRegex(done, f"(?m)^cpu +{many} threads$")
 
     def test_info_says_why_a_device_is_not_used(self):
         done = self.succeed(DDT, "info",

@@ -31,6 +31,15 @@ class ExitCodes(ProcessCase):
         self.assertEqual((done.returncode, done.stderr), (
             1, "ddt: DDT_DEVICE=voodoo is not one of auto, cpu, egl, osmesa\n"))
 
+    def test_a_light_that_there_is_not_is_wrong_usage(self):
+        """Of `ddt stream` too, which knows others."""
+        for command in (("resize", "photo.png", "250%", "out.png"), ("mesh", "photo.png", "out.ply"),
+                        ("fill", "photo.png", "out.png"), ("stream",)):
+            done = self.attempt(DDT, *command, "--filter", "ddt,light=dark")
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn('light "dark" is not ', done.stderr)
+            self.assertRegex(done.stderr, "(are|,) linear, ")
+
 
 if __name__ == "__main__":
     unittest.main()

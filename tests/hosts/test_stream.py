@@ -109,6 +109,21 @@ class Stream(support.Case):
             self.assertEqual(done.stderr.count(b"\n"), 1)
         self.assertEqual(self.stream(b"", "--filter", "ddtx").returncode, 2)
 
+    def test_an_unknown_device_is_told_before_a_frame_is_read(self):
+        done = subprocess.run([support.DDT, "stream"], input=b"no picture", capture_output=True,
+                              env={**support.environment(False), "DDT_DEVICE": "voodoo"}, timeout=120)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (
+            1, b"", b"ddt: DDT_DEVICE=voodoo is not one of auto, cpu, egl, osmesa\n"))
+
+    def test_help_names_the_lights(self):
+        """Those of the error line, and that $OCIO has no others."""
+        allowed = self.stream(b"", "--filter", "ddt,light=dark").stderr.decode().strip()
+        names = allowed.partition("allowed are ")[2]
+        self.assertIn("sRGB", names)
+        told = " ".join(self.succeed(support.DDT, "stream", "--help").split())
+        self.assertIn(f"auto, {names};", told)
+        self.assertIn("$OCIO is not looked at", told)
+
     def test_other_largest_values_become_16_bits(self):
         pam = "P7\nWIDTH 2\nHEIGHT 1\nDEPTH 1\nMAXVAL {}\nTUPLTYPE {}\nENDHDR\n"
         for sent, wanted in (

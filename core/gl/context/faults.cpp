@@ -24,6 +24,12 @@ Change& the_change() {
     static auto* made = new Change;
     return *made;
 }
+std::atomic<bool> g_was_changed{false};
+
+void ask_for(Change change) {
+    the_change() = std::move(change);
+    g_was_changed = false;
+}
 
 } // namespace
 
@@ -46,11 +52,15 @@ int chances(Fault fault) {
 
 void change_constant(const std::string& program, const std::string& name,
                      const std::string& value) {
-    the_change() = {program, name, value, false};
+    ask_for({program, name, value, false});
 }
 
 void change_text(const std::string& program, const std::string& before, const std::string& after) {
-    the_change() = {program, before, after, true};
+    ask_for({program, before, after, true});
+}
+
+bool was_changed() {
+    return g_was_changed;
 }
 
 namespace {
@@ -70,6 +80,7 @@ std::string with_change(const std::string& program, std::string source) {
     const Change& change = the_change();
     if (change.program.empty() || program != change.program)
         return source;
+    g_was_changed = true;
     if (change.is_text)
         return with_changed_text(change, std::move(source));
     for (const auto& [before, after] :

@@ -40,6 +40,8 @@ int chances(Fault fault);
 void change_constant(const std::string& program, const std::string& name, const std::string& value);
 /// The same of any text that stands in the program: each is replaced.
 void change_text(const std::string& program, const std::string& before, const std::string& after);
+/// Whether a program was compiled that the change was asked for.
+bool was_changed();
 /// The source with what was changed of the program.
 std::string with_change(const std::string& program, std::string source);
 

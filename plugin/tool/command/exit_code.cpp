@@ -134,7 +134,11 @@ Failure thrown() {
 }
 
 ExitCode code_of_message(const std::string& message) {
-    return tells_of_want(without_names(message)) ? exit_resources : exit_failed;
+    const std::string text = without_names(message);
+    if (tells_of_want(text))
+        return exit_resources;
+    // Of find_light(): what the filter's option light= names, which the library alone knows.
+    return text.find("; allowed are auto") == std::string::npos ? exit_failed : exit_usage;
 }
 
 } // namespace ddt::tool

@@ -19,11 +19,12 @@ Flag threads_flag(int& wanted) {
 }
 
 int planned_threads(int wanted) {
-    return threads_for(thread_count(wanted));
+    const int asked = thread_count(wanted);
+    allow_threads(asked);
+    return threads_for(asked);
 }
 
 int share_threads(int wanted) {
-    allow_threads(wanted);
     const int asked = thread_count(wanted), threads = planned_threads(wanted);
     // OpenImageIO's pool has one thread less than it is told, and its TIFF writer compresses side
     // by side only where the pool has two.

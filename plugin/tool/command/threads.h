@@ -10,11 +10,12 @@ namespace ddt::tool {
 Flag threads_flag(int& wanted);
 
 /// The threads that a command works with where `wanted` are asked for; 0: as many as OpenImageIO's
-/// attribute "threads" says, which is all, or what a container's quota is worth.
+/// attribute "threads" says, which is all, or what a container's quota is worth. So many may be at
+/// work from then on, be it more than there are cores.
 int planned_threads(int wanted);
 
-/// The same, to enlarge with, be it more than there are cores. OpenImageIO gets as many to read and
-/// write with, those that OpenEXR decompresses with among them.
+/// The same, to work with. OpenImageIO gets as many to read and write with, those that OpenEXR
+/// decompresses with among them.
 int share_threads(int wanted);
 
 } // namespace ddt::tool

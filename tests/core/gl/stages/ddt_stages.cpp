@@ -9,6 +9,7 @@
 
 #include "core/base/parse_number.h"
 #include "core/gl/context/faults.h"
+#include "core/gl/programs.h"
 #include "core/tiles/grid.h"
 #include "ddt/names.h"
 #include "ddt/option_table.h"
@@ -34,6 +35,7 @@ struct Arguments {
     Content content = Content::photo;
     int width = 64, height = 48, channels = 4;
     unsigned seed = 1;
+    std::string changed; ///< the program, if one is to be
 };
 
 bool find_content(const char* name, Content& content) {
@@ -66,6 +68,7 @@ bool parse(int argc, char** argv, Arguments& a) {
         else if (name == "--seed")
             known = parse_number(value, 0u, UINT_MAX, a.seed);
         else if (name == "--change" && i + 3 < argc) {
+            a.changed = value;
             gl::change_constant(value, argv[i + 2], argv[i + 3]);
             i += 2;
         } else
@@ -77,6 +80,16 @@ bool parse(int argc, char** argv, Arguments& a) {
         }
     }
     return true;
+}
+
+/// A misspelt program would look like one without a fault.
+void refuse_unknown_program(const std::string& changed, const gl::Programs& programs) {
+    if (changed.empty() || gl::was_changed())
+        return;
+    std::string names;
+    for (const std::string& name : programs.names())
+        names += (names.empty() ? "" : ", ") + name;
+    throw std::runtime_error("no program \"" + changed + "\" was compiled; compiled were " + names);
 }
 
 int run(const Arguments& a) {
@@ -96,6 +109,7 @@ int run(const Arguments& a) {
     job.mesh = a.filter.mesh;
     job.surface = a.filter.surface;
     const auto results = compare_stages(*gpu, picture, job);
+    refuse_unknown_program(a.changed, *gpu->programs);
     for (const StageResult& r : results) {
         std::printf("%s\n", line_of(r).c_str());
         if (!first && r.differing > 0)

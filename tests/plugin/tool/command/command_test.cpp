@@ -157,7 +157,7 @@ TEST(Commands, LightThatThereIsNotIsRefusedByThoseThatHaveNoUseForIt) {
     const Ran scattered = run(make_scatter_command(), {points, out, wrong[0], wrong[1]}),
               flipped = run(make_mesh_command(), {mesh, flipped_to, wrong[0], wrong[1]});
     for (const Ran& ran : {scattered, flipped}) {
-        EXPECT_EQ(ran.code, exit_failed);
+        EXPECT_EQ(ran.code, exit_usage);
         EXPECT_NE(ran.err.find("\"NoSuchSpace\""), std::string::npos) << ran.err;
     }
     EXPECT_FALSE(std::filesystem::exists(out));

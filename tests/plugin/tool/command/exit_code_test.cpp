@@ -65,6 +65,14 @@ TEST(ExitCodes, WhatOursSayIsKnown) {
         EXPECT_EQ(code_of_message(std::string("x: ") + said), exit_resources) << said;
 }
 
+TEST(ExitCodes, ALightThatThereIsNotIsWrongUsage) {
+    for (const char* message :
+         {R"("a.png": light "foo" is not a colour space; allowed are auto, encoded, raw)",
+          "light=foo: the OCIO config has no role scene_linear; allowed are auto and encoded"})
+        EXPECT_EQ(code_of_message(message), exit_usage) << message;
+    EXPECT_EQ(code_of_message(R"("; allowed are auto": Permission denied)"), exit_failed);
+}
+
 TEST(ExitCodes, AMountThatIsLostMayComeBack) {
     for (const int number :
          {ENOTCONN, ECONNABORTED, ECONNRESET, EHOSTDOWN, EHOSTUNREACH, ENETUNREACH, ENETDOWN,

@@ -62,6 +62,14 @@ TEST_F(Threads, MoreThanThereAreCoresWork) {
     EXPECT_GT(many - std::count(done.begin(), done.end(), 0), cores);
 }
 
+TEST_F(Threads, OfTheAttributeMayBeMoreThanThereAreCoresToo) {
+    const int many = usual_threads() + 21; // more than other tests ask for: limits never fall
+    OIIO::attribute("threads", many);
+    EXPECT_EQ(planned_threads(0), many);
+    OIIO::attribute("threads", many + 1);
+    EXPECT_EQ(share_threads(0), many + 1);
+}
+
 TEST_F(Threads, TwoAreEnoughForTiffToCompressSideBySide) {
     EXPECT_EQ(share_threads(2), 2);
     EXPECT_EQ(attribute("threads"), 3);
