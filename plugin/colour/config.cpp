@@ -97,14 +97,19 @@ OCIO::ConstColorSpaceRcPtr space_in(const OCIO::ConstConfigRcPtr& config, const 
     return config->getColorSpace(name.c_str());
 }
 
+/// What light= may be besides auto and encoded. Options end at commas, so a name that has one can
+/// only be an image's.
 std::string names_in(const std::vector<OCIO::ConstConfigRcPtr>& list) {
-    std::string names;
+    std::string names, images_alone;
     for (const auto& config : list)
         for (int i = 0; i < config->getNumColorSpaces(); ++i) {
             const std::string name = config->getColorSpaceNameByIndex(i);
-            names += (names.empty() ? "" : ", ") + name;
+            if (name.find(',') == std::string::npos)
+                names += ", " + name;
+            else
+                images_alone = " (names with commas: by oiio:ColorSpace only)";
         }
-    return names;
+    return names + images_alone;
 }
 
 } // namespace
@@ -130,7 +135,7 @@ bool find_space(const std::string& name, NamedBy by, Space& found, std::string& 
     if (by == NamedBy::image)
         return true;
     error = format("light \"{}\" is not a colour space of the OCIO config, $OCIO or the one built "
-                   "in; allowed are auto, encoded, {}",
+                   "in; allowed are auto, encoded{}",
                    name, names_in(list));
     return false;
 }
