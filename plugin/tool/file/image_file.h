@@ -39,6 +39,8 @@ public:
     bool open_next(Failure& failure);
     /// create() and open() for scanlines, as ImageBuf::write() by name does.
     bool begin(const std::string& path, OIIO::ImageSpec spec, Failure& failure);
+    /// Whether write_rows() must be called once, with all rows: PFM begins with the last.
+    bool wants_all_rows() const;
     /// Write the rows [begin, end) of the image that is open, as scanlines or, of a file that has
     /// them, whole tiles, with `stride` bytes from a pixel to the next; and let them go to the disk
     /// meanwhile. After a failure write no more: OpenEXR waits for ever for the tile that follows.
