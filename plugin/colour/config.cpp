@@ -98,13 +98,20 @@ OCIO::ConstColorSpaceRcPtr space_in(const OCIO::ConstConfigRcPtr& config, const 
     return config->getColorSpace(name.c_str());
 }
 
-/// What a user may name: the spaces, and the role by OpenImageIO's name, unless a space has it too.
+/// What light= may be besides auto and encoded: the spaces, and the role by OpenImageIO's name,
+/// unless a space has it too. Options end at commas, so a name that has one can only be an image's.
 std::string names_in(const std::vector<OCIO::ConstConfigRcPtr>& list) {
     std::vector<std::string> names;
     bool has_role = false;
+    const char* images_alone = "";
     for (const auto& config : list) {
-        for (int i = 0; i < config->getNumColorSpaces(); ++i)
-            names.emplace_back(config->getColorSpaceNameByIndex(i));
+        for (int i = 0; i < config->getNumColorSpaces(); ++i) {
+            const std::string name = config->getColorSpaceNameByIndex(i);
+            if (name.find(',') == std::string::npos)
+                names.push_back(name);
+            else
+                images_alone = " (names with commas: by oiio:ColorSpace only)";
+        }
         has_role |= config->getColorSpace(OCIO::ROLE_SCENE_LINEAR) != nullptr;
     }
     const bool has_linear = std::any_of(names.begin(), names.end(), [](const std::string& name) {
@@ -112,7 +119,8 @@ std::string names_in(const std::vector<OCIO::ConstConfigRcPtr>& list) {
     });
     if (has_role && !has_linear)
         names.insert(names.begin(), "linear");
-    return OIIO::Strutil::join(names, ", ");
+    names.insert(names.begin(), ""); // so that the first follows a comma, too
+    return OIIO::Strutil::join(names, ", ") + images_alone;
 }
 
 } // namespace
@@ -138,7 +146,7 @@ bool find_space(const std::string& name, NamedBy by, Space& found, std::string& 
     if (by == NamedBy::image)
         return true;
     error = format("light \"{}\" is not a colour space of the OCIO config, $OCIO or the one built "
-                   "in; allowed are auto, encoded, {}",
+                   "in; allowed are auto, encoded{}",
                    name, names_in(list));
     return false;
 }

@@ -43,4 +43,26 @@ inline bool spoils_tiff_tiles(const OIIO::ParamValue& attribute) {
     return compression.substr(0, compression.find(':')) == "jpeg";
 }
 
+/// Whether a file, open or to be written, is a PFM, as PNM of floats is since OpenImageIO 2.6.2.
+/// The last of its rows comes first. OpenImageIO's writer turns them about in each batch that it is
+/// handed, if that is of floats, also where it makes whole numbers of them, unless it is told not
+/// to; then it writes them as they come.
+inline bool is_pfm(const std::string& format, const OIIO::ImageSpec& spec) {
+    return OIIO::openimageio_version() >= 20602 && format == "pnm" &&
+           spec.format.is_floating_point();
+}
+
+/// So that PNM's writer turns no rows about.
+inline void keep_order_of_rows(OIIO::ImageSpec& spec) {
+    spec.attribute("pnm:pfmflip", 0);
+}
+
+/// After a file was opened without hints: PFM's reader has its rows upside down then.
+inline bool turn_rows_of_pfm(const std::string& path, OIIO::ImageInput& input) {
+    if (!is_pfm(input.format_name(), input.spec()))
+        return true;
+    OIIO::ImageSpec spec;
+    return input.close() && input.open(path, spec, OIIO::ImageSpec());
+}
+
 } // namespace ddt

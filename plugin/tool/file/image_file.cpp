@@ -177,6 +177,8 @@ bool ImageFile::open(std::vector<OIIO::ImageSpec> specs, Failure& failure) {
     }
     if (several && type == "tiff")
         allow_large_tiff(m_specs);
+    if (type == "pnm")
+        std::for_each(m_specs.begin(), m_specs.end(), keep_order_of_rows);
     if (type == "tiff")
         m_tiff_errors = std::make_unique<TiffWriteErrors>(fileno(m_whole.file()));
     if (!m_whole.check_kept(failure)) // which writers without a stream empty
@@ -201,13 +203,25 @@ bool ImageFile::open_next(Failure& failure) {
     return false;
 }
 
+bool ImageFile::wants_all_rows() const {
+    return is_pfm(m_output->format_name(), m_output->spec());
+}
+
 bool ImageFile::write_rows(int begin, int end, OIIO::TypeDesc type, const void* pixels,
                            OIIO::stride_t stride) {
     const OIIO::ROI roi = m_specs[m_current].roi();
+    OIIO::stride_t row = OIIO::AutoStride;
+    if (wants_all_rows()) { // from the last to the first
+        OIIO::stride_t all = OIIO::AutoStride;
+        OIIO::ImageSpec::auto_stride(stride, row, all, type, m_output->spec().nchannels,
+                                     roi.width(), end - begin);
+        pixels = static_cast<const char*>(pixels) + row * (end - begin - 1);
+        row = -row;
+    }
     const bool written =
         m_output->spec().tile_width > 0
             ? m_output->write_tiles(roi.xbegin, roi.xend, begin, end, 0, 1, type, pixels, stride)
-            : m_output->write_scanlines(begin, end, 0, type, pixels, stride);
+            : m_output->write_scanlines(begin, end, 0, type, pixels, stride, row);
     if (written)
         m_whole.begin_writeback();
     return written;
@@ -311,7 +325,11 @@ bool ImageFile::commit(Failure& failure) {
 }
 
 bool write_image(const OIIO::ImageBuf& image, ImageFile& file, Failure& failure) {
-    if (!image.write(&file.output())) {
+    const bool written = file.wants_all_rows()
+                             ? file.write_rows(image.ybegin(), image.yend(), image.spec().format,
+                                               image.localpixels(), image.pixel_stride())
+                             : image.write(&file.output());
+    if (!written) {
         failure = file.failed();
         if (const std::string why(OIIO::Strutil::strip(image.geterror()));
             !why.empty() && failure.why.find(':') == std::string::npos) {

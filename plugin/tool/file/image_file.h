@@ -36,6 +36,8 @@ public:
     bool open(std::vector<OIIO::ImageSpec> specs, Failure& failure);
     /// The image before is whole: write to the next.
     bool open_next(Failure& failure);
+    /// Whether write_rows() must be called once, with all rows: PFM begins with the last.
+    bool wants_all_rows() const;
     /// Write the rows [begin, end) of the image that is open, as scanlines or, of a file that has
     /// them, whole tiles, with `stride` bytes from a pixel to the next; and let them go to the disk
     /// meanwhile. After a failure write no more: OpenEXR waits for ever for the tile that follows.

@@ -86,6 +86,10 @@ bool read_image(const std::string& path, OIIO::ImageBuf& image, std::string& err
     image.reset(path, number, 0, nullptr, hints);
     if (!begin_image(path, number, image, error))
         return false;
+    if (!hints && is_pfm(std::string(image.file_format_name()), image.nativespec())) {
+        const OIIO::ImageSpec none; // without any it is upside down
+        return read_image(path, image, error, number, &none);
+    }
     if (may_pass_over(std::string(image.file_format_name()), image.nativespec()) &&
         !check_pixels(path, number, hints, error))
         return false;
@@ -167,7 +171,10 @@ std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path, int number
     auto input = OIIO::ImageInput::open(path, hints);
     if (!input)
         error = why_unreadable(OIIO::geterror(), path);
-    else if (number > 0 && !input->seek_subimage(number, 0)) {
+    else if (!hints && !turn_rows_of_pfm(path, *input)) {
+        error = why_unreadable(input->geterror(), path);
+        input.reset();
+    } else if (number > 0 && !input->seek_subimage(number, 0)) {
         error = why_unreadable(input->geterror(), path);
         input.reset();
     } else if (!check_whole(path, input->format_name(), number, error))

@@ -169,7 +169,10 @@ constexpr size_t usual_bytes = size_t(16) << 20, most_bytes = size_t(64) << 20;
 
 /// Rows to write at once: of low ones many, so that writers compress them side by side; of tiles
 /// whole ones; and so many, if that is not too much, as the format keeps together.
-int rows_at_once(const OIIO::ImageSpec& file, size_t row, int part_rows) {
+int rows_at_once(ImageFile& into, size_t row, int part_rows) {
+    const OIIO::ImageSpec& file = into.output().spec();
+    if (into.wants_all_rows())
+        return file.height;
     const int of_file = rows_together(file);
     const auto both = size_t(std::lcm(int64_t(of_file), int64_t(part_rows)));
     const auto least = size_t(file.tile_width > 0 ? of_file : part_rows);
@@ -210,7 +213,7 @@ bool join(const std::vector<std::string>& paths, const std::string& out,
     note_left_out(out, left_out);
     note_rounded(out, file.output().spec(), parts.front());
     const Rect kept = rect_of(written.roi());
-    const int step = rows_at_once(file.output().spec(), row, spec.tile_height);
+    const int step = rows_at_once(file, row, spec.tile_height);
     std::vector<char> rows(row * size_t(step)); // black where the whole has no pixels
     for (int y0 = kept.y0; y0 < kept.y1; y0 += step) {
         const Rect band{kept.x0, y0, kept.x1, std::min(y0 + step, kept.y1)};

@@ -16,10 +16,13 @@ namespace {
 constexpr int handed_at_once = 64;
 
 /// Rows of tiles, if the file has them, else scanlines.
-int step_of(const OIIO::ImageSpec& image, const OIIO::ImageSpec& file) {
-    if (file.tile_width == 0)
+int step_of(const OIIO::ImageSpec& image, ImageFile& file) {
+    const OIIO::ImageSpec& written = file.output().spec();
+    if (file.wants_all_rows())
+        return written.height;
+    if (written.tile_width == 0)
         return handed_at_once * rows_in_strip(image);
-    return rounded_up(handed_at_once, rows_together(file));
+    return rounded_up(handed_at_once, rows_together(written));
 }
 
 } // namespace
@@ -27,9 +30,8 @@ int step_of(const OIIO::ImageSpec& image, const OIIO::ImageSpec& file) {
 RowWriter::RowWriter(const OIIO::ImageBuf& image, ImageFile& file, MixedIds& ids)
     : m_pixels(static_cast<const char*>(image.localpixels())), m_format(image.spec().format),
       m_row(image.spec().scanline_bytes()), m_width(size_t(image.spec().width)), m_file(file),
-      m_ids(ids), m_begin(image.ybegin()), m_end(image.yend()),
-      m_step(step_of(image.spec(), file.output().spec())), m_ready(m_begin), m_done(m_begin),
-      m_thread([this] { work(); }) {}
+      m_ids(ids), m_begin(image.ybegin()), m_end(image.yend()), m_step(step_of(image.spec(), file)),
+      m_ready(m_begin), m_done(m_begin), m_thread([this] { work(); }) {}
 
 RowWriter::~RowWriter() {
     {

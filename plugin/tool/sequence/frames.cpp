@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <regex>
 #include <set>
+#include <system_error>
 
 namespace ddt::tool {
 
@@ -52,6 +53,20 @@ void replace(std::string& text, const char* what, const std::string& by) {
 /// A path without its folder.
 std::string name_of(const std::string& path) {
     return std::filesystem::path(path).filename().string();
+}
+
+/// The names of a folder's files; none of one that is not there.
+bool list_folder(const std::string& folder, std::vector<std::string>& names, Failure& failure) {
+    std::error_code error;
+    for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
+         at.increment(error)) // where it fails it becomes the end
+        names.push_back(at->path().filename().string());
+    if (!error || error == std::errc::no_such_file_or_directory ||
+        error == std::errc::not_a_directory)
+        return true;
+    failure = {"cannot read folder \"" + folder + "\": " + error.message(),
+               code_of_errno(error.value())};
+    return false;
 }
 
 /// Where the number stands: the last "%04d", or else the last "####", or else "@@@@". The others
@@ -115,21 +130,22 @@ std::string FrameName::name(int frame, const std::string& view) const {
     return text;
 }
 
-std::vector<int> FrameName::frames_there(const std::vector<std::string>& views) const {
-    namespace fs = std::filesystem;
+bool FrameName::frames_there(const std::vector<std::string>& views, std::vector<int>& frames,
+                             Failure& failure) const {
     std::set<int> found;
+    frames.clear();
     if (!has_frame())
-        return {};
+        return true;
     for (const std::string& view : views.empty() ? std::vector<std::string>{""} : views) {
         // Where the number would begin; what comes after it is checked by making the name.
         FrameName before = *this;
         before.m_digits = -1;
         const std::string path = before.name(0, view), prefix = name_of(path);
         const std::string folder = path.substr(0, path.size() - prefix.size());
-        std::error_code error;
-        for (const fs::directory_entry& entry :
-             fs::directory_iterator(folder.empty() ? "." : folder, error)) {
-            const std::string found_name = entry.path().filename().string();
+        std::vector<std::string> names;
+        if (!list_folder(folder.empty() ? "." : folder, names, failure))
+            return false;
+        for (const std::string& found_name : names) {
             if (found_name.compare(0, prefix.size(), prefix) != 0)
                 continue;
             // What follows may begin with a digit.
@@ -143,7 +159,8 @@ std::vector<int> FrameName::frames_there(const std::vector<std::string>& views) 
             }
         }
     }
-    return {found.begin(), found.end()};
+    frames.assign(found.begin(), found.end());
+    return true;
 }
 
 } // namespace ddt::tool

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "plugin/tool/command/exit_code.h"
+
 namespace ddt::tool {
 
 constexpr const char* allowed_frames =
@@ -26,8 +28,10 @@ public:
     bool has_view() const { return m_has_view; }
     /// The file of a frame and a view.
     std::string name(int frame, const std::string& view = "") const;
-    /// The frames of which there is a file, for any of the views ({} or {""}: no views).
-    std::vector<int> frames_there(const std::vector<std::string>& views) const;
+    /// The frames of which there is a file, for any of the views ({} or {""}: no views). False with
+    /// a failure where a folder is there and its files cannot be listed.
+    bool frames_there(const std::vector<std::string>& views, std::vector<int>& frames,
+                      Failure& failure) const;
 
 private:
     std::string m_before, m_after; ///< of the number

@@ -153,8 +153,8 @@ bool list_tasks(const std::string& in, const std::string& out, const std::string
     if (!frames.empty() && !parse_frames(frames, numbers))
         return refuse("--frames \"" + frames + "\" is not allowed; allowed are " + allowed_frames,
                       failure);
-    if (frames.empty() && numbered)
-        numbers = from.frames_there(names);
+    if (frames.empty() && numbered && !from.frames_there(names, numbers, failure))
+        return false;
     if (numbers.empty()) {
         failure = {"there is no file \"" + in + "\" of any frame"};
         return false;

@@ -16,7 +16,8 @@ namespace ddt::tool {
 bool is_sequence(const std::string& in, const std::string& frames, const std::string& views);
 
 /// The files of the frames and views, frame by frame. `frames` empty: those of which there is a
-/// file. `views`: names after commas, blanks about them left out, or empty.
+/// file; a failure where the folder of one cannot be listed. `views`: names after commas, blanks
+/// about them left out, or empty.
 bool list_tasks(const std::string& in, const std::string& out, const std::string& frames,
                 const std::string& views, std::vector<FrameTask>& tasks, Failure& failure);
 

@@ -314,6 +314,34 @@ TEST_F(LightTest, UsersConfigComesFirst) {
     EXPECT_EQ(error.find("ACEScg"), std::string::npos) << error;
 }
 
+// Options end at commas.
+TEST_F(LightTest, ANameWithACommaIsNotSaidToBeAllowedAsAnOption) {
+    const std::string path = ddt::temporary("commas.ocio");
+    std::ofstream(path) << R"(ocio_profile_version: 2
+roles: {default: raw, scene_linear: raw}
+displays:
+  none:
+    - !<View> {name: raw, colorspace: raw}
+colorspaces:
+  - !<ColorSpace>
+    name: raw
+  - !<ColorSpace>
+    name: "film, graded"
+    to_scene_reference: !<ExponentTransform> {value: 2}
+  - !<ColorSpace>
+    name: plain
+)";
+    const ddt::Environment ocio("OCIO", path);
+    const std::string error = error_of("", "film");
+    EXPECT_NE(error.find("allowed are auto, encoded, raw, plain (names with commas: by "
+                         "oiio:ColorSpace only)"),
+              std::string::npos)
+        << error;
+    EXPECT_TRUE(light("film, graded")->converts());
+    const ddt::Environment another("OCIO", write_config());
+    EXPECT_EQ(error_of("", "film").find("commas"), std::string::npos);
+}
+
 TEST_F(LightTest, EachChannelMayHaveACurveOfItsOwn) {
     for (size_t other = 0; other < 3; ++other) {
         const auto scaled = [&](float by) {

@@ -48,6 +48,27 @@ TEST(ImageFile, HasOnlyAsManyChannelsAsItsFormat) {
     EXPECT_FALSE(begins("channels.jpg", 2));
 }
 
+TEST(ImageFile, RowsOfPnmArriveInTheirOrder) {
+    OIIO::ImageBuf image(OIIO::ImageSpec(8, 5, 3, OIIO::TypeFloat));
+    for (OIIO::ImageBuf::Iterator<float> p(image); !p.done(); ++p)
+        for (int k = 0; k < 3; ++k)
+            p[k] = float(p.y()) / 5;
+    for (const OIIO::TypeDesc& type : {OIIO::TypeFloat, OIIO::TypeUInt8}) {
+        const std::string path = temporary(std::string("rows_of_") + type.c_str() + ".ppm");
+        OIIO::ImageSpec spec = image.spec();
+        spec.set_format(type);
+        ImageFile file;
+        Failure failure;
+        ASSERT_TRUE(file.create(path, failure) && file.open({spec}, failure) &&
+                    write_image(image, file, failure))
+            << failure.why;
+        OIIO::ImageBuf written;
+        std::string error;
+        ASSERT_TRUE(open_image(path, written, error)) << error;
+        EXPECT_LE(OIIO::ImageBufAlgo::compare(image, written, 0, 0).maxerror, 0.6 / 255) << type;
+    }
+}
+
 /// Writes an image into the file `path`, and calls `meanwhile` once the file is made (0), open (1)
 /// or has its rows (2).
 Failure failure_of_image(const std::string& path, int when,

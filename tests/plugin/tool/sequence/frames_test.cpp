@@ -2,6 +2,7 @@
 #include "plugin/tool/sequence/frames.h"
 
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <climits>
 #include <cstdint>
@@ -12,11 +13,34 @@
 #include <thread>
 #include <tuple>
 
+#include <dirent.h>
+#include <dlfcn.h>
+
 #include <gtest/gtest.h>
 
 #include "plugin/tool/sequence/run_frames.h"
 #include "plugin/tool/sequence/sequence.h"
+#include "tests/resource_limit.h"
 #include "tests/temporary.h"
+
+namespace {
+
+/// Of a folder, before readdir() fails on this thread; less than 0: it does not.
+thread_local int names_until_error = -1;
+
+} // namespace
+
+/// In the C library's place, also for the C++ library.
+extern "C" __attribute__((visibility("default"))) dirent* readdir(DIR* folder) {
+    static const auto next = reinterpret_cast<dirent* (*)(DIR*)>(dlsym(RTLD_NEXT, "readdir"));
+    if (names_until_error == 0) {
+        errno = EIO;
+        return nullptr;
+    }
+    if (names_until_error > 0)
+        --names_until_error;
+    return next(folder);
+}
 
 namespace ddt::tool {
 namespace {
@@ -81,13 +105,59 @@ TEST(Frames, ThoseThatAreThere) {
     for (const char* name : {"a.0001.exr", "a.0012.exr", "a.-003.exr", "a.12345.exr", "a.7.exr",
                              "a.00x1.exr", "b.0002.exr", "a.left.0004.exr", "a.0005.exr.txt"})
         std::ofstream(folder + "/" + name) << "";
-    EXPECT_EQ(FrameName(folder + "/a.#.exr").frames_there({}), (Numbers{-3, 1, 12, 12345}));
-    EXPECT_EQ(FrameName(folder + "//a.#.exr").frames_there({}), (Numbers{-3, 1, 12, 12345}));
-    EXPECT_EQ(FrameName(folder + "/a.%V.#.exr").frames_there({"left", "right"}), (Numbers{4}));
-    EXPECT_EQ(FrameName("/no/such/folder/a.#.exr").frames_there({}), Numbers{});
+    const auto there = [](const std::string& name, const std::vector<std::string>& views = {}) {
+        Numbers frames;
+        Failure failure;
+        EXPECT_TRUE(FrameName(name).frames_there(views, frames, failure)) << failure.why;
+        return frames;
+    };
+    EXPECT_EQ(there(folder + "/a.#.exr"), (Numbers{-3, 1, 12, 12345}));
+    EXPECT_EQ(there(folder + "//a.#.exr"), (Numbers{-3, 1, 12, 12345}));
+    EXPECT_EQ(there(folder + "/a.%V.#.exr", {"left", "right"}), (Numbers{4}));
+    EXPECT_EQ(there("/no/such/folder/a.#.exr"), Numbers{});
+    EXPECT_EQ(there(folder + "/b.0002.exr/a.#.exr"), Numbers{});
     // Digits of the name itself.
     std::ofstream(folder + "/shot_00122k.exr") << "";
-    EXPECT_EQ(FrameName(folder + "/shot_####2k.exr").frames_there({}), (Numbers{12}));
+    EXPECT_EQ(there(folder + "/shot_####2k.exr"), (Numbers{12}));
+}
+
+/// Why the frames of a name, perhaps of views, cannot be listed.
+Failure unlisted(const std::string& in, const std::string& views) {
+    std::vector<FrameTask> tasks;
+    Failure failure{"", exit_done};
+    const std::string out = temporary(views.empty() ? "unlisted.#.exr" : "unlisted.%V.#.exr");
+    EXPECT_FALSE(list_tasks(in, out, "", views, tasks, failure));
+    return failure;
+}
+
+TEST(Frames, AFolderThatCannotBeListedIsNotEmpty) {
+    const std::string folder = temporary("unlisted");
+    std::filesystem::create_directories(folder + "/left");
+    std::ofstream(folder + "/left/a.0001.exr") << "";
+    std::filesystem::create_symlink("right", folder + "/right"); // round and round
+    const std::string loop =
+        "cannot read folder \"" + folder + "/right/\": Too many levels of symbolic links";
+    const Failure one = unlisted(folder + "/right/a.#.exr", ""),
+                  two = unlisted(folder + "/%V/a.#.exr", "left,right");
+    EXPECT_EQ(one.why, loop);
+    EXPECT_EQ(one.code, exit_failed);
+    EXPECT_EQ(two.why, loop);
+    const test::ResourceLimit no_more(RLIMIT_NOFILE, 0);
+    const Failure wanting = unlisted(folder + "/left/a.#.exr", "");
+    EXPECT_EQ(wanting.why, "cannot read folder \"" + folder + "/left/\": Too many open files");
+    EXPECT_EQ(wanting.code, exit_resources);
+}
+
+TEST(Frames, AFolderOfWhichAFurtherNameCannotBeReadIsNamed) {
+    const std::string folder = temporary("unlisted further");
+    std::filesystem::create_directories(folder);
+    for (const char* name : {"a.0001.exr", "a.0002.exr", "a.0003.exr"})
+        std::ofstream(folder + "/" + name) << "";
+    names_until_error = 3;
+    const Failure failure = unlisted(folder + "/a.#.exr", "");
+    names_until_error = -1;
+    EXPECT_EQ(failure.why, "cannot read folder \"" + folder + "/\": Input/output error");
+    EXPECT_EQ(failure.code, exit_resources);
 }
 
 TEST(Frames, TextsOfAnyLengthAreLookedAt) {
