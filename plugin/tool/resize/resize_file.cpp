@@ -45,6 +45,8 @@ bool plan_image(const OIIO::ImageBuf& image, const std::string& name,
         return false;
     if (check_light(image.spec(), image.nativespec(), settings.options, failure.why))
         return true;
+    // OpenColorIO may have had no memory for its config.
+    failure.code = code_of_message(failure.why);
     failure.why = name + ": " + failure.why;
     return false;
 }
