@@ -333,7 +333,7 @@ colorspaces:
 )";
     const ddt::Environment ocio("OCIO", path);
     const std::string error = error_of("", "film");
-    EXPECT_NE(error.find("allowed are auto, encoded, raw, plain (names with commas: by "
+    EXPECT_NE(error.find("allowed are auto, encoded, linear, raw, plain (names with commas: by "
                          "oiio:ColorSpace only)"),
               std::string::npos)
         << error;
