@@ -34,19 +34,23 @@ vec4 across(QuadrantCell c) {
     return mean;
 }
 
-vec4 corrected(vec4 z, vec4 source, vec4 sum, vec4 low, vec4 high) {
-    precise vec4 step_ = (source - z) - sum * 0.25;
+vec4 corrected(vec4 z, vec4 source, vec4 sum, float share, vec4 low, vec4 high) {
+    precise vec4 step_ = (source - z) - sum * share;
     precise vec4 negated = vec4(0.0) - step_;
     vec4 size = upper(step_, negated);
     precise vec4 moved = z + step_;
     return if_less_equal(size, vec4(largest_float), lower(upper(moved, low), high), z);
 }
 
-void widen(vec4 limit, float lowest, inout vec4 low, inout vec4 high) {
+void widen(vec4 limit, float lowest, vec4 z, inout vec4 low, inout vec4 high) {
     const vec4 zero = vec4(0.0);
     precise vec4 margin = limit * (high - low);
     precise vec4 wide = low - margin;
     precise vec4 dim = low - limit * low;
+    precise vec4 above_white = high - vec4(1.0);
+    vec4 light = upper(zero, lower(vec4(1.0), above_white));
+    precise vec4 left = z * (0.5 * light);
+    dim = upper(dim, left);
     vec4 bound = if_less(vec4(lowest), zero, vec4(lowest), if_less(dim, zero, zero, dim));
     precise vec4 raised = high + margin;
     vec4 sunk = if_less(low, zero, wide, if_less(wide, bound, bound, wide));

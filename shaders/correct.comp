@@ -26,6 +26,7 @@ layout(std430, binding = BIND_BENDS) readonly buffer Bends { vec4 bends[]; };
 
 layout(location = AT_LIMIT) uniform float limit;
 layout(location = AT_LOWEST) uniform float lowest;
+layout(location = AT_STRENGTH) uniform float strength;
 
 // The cell seen from its corner v.
 QuadrantCell quadrant_cell(ivec2 cell, ivec2 v) {
@@ -125,7 +126,7 @@ void find_limits(ivec2 p, vec4 margin, out vec4 low, out vec4 high) {
         low = lower(low, n);
         high = upper(high, n);
     }
-    widen(margin, lowest, low, high);
+    widen(margin, lowest, source_at(p), low, high);
 }
 
 void main() {
@@ -158,10 +159,11 @@ void main() {
         VertexFeatures v = find_features(step_, cut);
         v.index = bends[first_site + offset(2 * p)];
         find_limits(p, fitted_limit(vec4(limit), v.bound), low, high);
-        z = fitted_vertex(z, low, high, v);
+        z = fitted_vertex(z, strength, low, high, v);
 #else
         find_limits(p, vec4(limit), low, high);
-        z = corrected(z, source_at(p), sum, low, high);
+        precise float share = 0.25 * strength;
+        z = corrected(z, source_at(p), sum, share, low, high);
 #endif
     }
     corrected_value[pixel_of(p)] = floatBitsToUint(z);

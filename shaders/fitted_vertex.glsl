@@ -60,8 +60,8 @@ vec4 fitted_limit(vec4 limit, vec4 bound) {
     return widened;
 }
 
-// Where a vertex goes from z.
-vec4 fitted_vertex(vec4 z, vec4 low, vec4 high, VertexFeatures v) {
+// Where a vertex goes from z. strength: Correction's.
+vec4 fitted_vertex(vec4 z, float strength, vec4 low, vec4 high, VertexFeatures v) {
     precise vec4 step_ = vec4(0.0);
     for (int k = 0; k < 4; ++k) {
         precise vec4 sum = weighted(vertex_weights[2 * k], vertex_weights[2 * k + 1], v) +
@@ -71,6 +71,6 @@ vec4 fitted_vertex(vec4 z, vec4 low, vec4 high, VertexFeatures v) {
         else
             step_ = step_ + share_of(v.index, k) * sum;
     }
-    precise vec4 moved = z + finite_or(step_, vec4(0.0));
+    precise vec4 moved = z + strength * finite_or(step_, vec4(0.0));
     return finite_or(clamped(moved, low, high), z);
 }

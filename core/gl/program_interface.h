@@ -43,6 +43,7 @@ namespace ddt::gl {
     /* correct.comp */                                                                             \
     LOCATION(AT_LIMIT, at_limit)                                                                   \
     LOCATION(AT_LOWEST, at_lowest)                                                                 \
+    LOCATION(AT_STRENGTH, at_strength)                                                             \
     /* sample.comp */                                                                              \
     LOCATION(AT_TILE, at_tile)                                                                     \
     LOCATION(AT_SEPARABLE, at_separable)                                                           \

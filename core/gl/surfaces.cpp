@@ -44,8 +44,10 @@ GLuint groups(int n, int size) {
 } // namespace
 
 Surfaces::Surfaces(Gpu& gpu, const SlotShape& shape, int tiles,
-                   const std::vector<GroupKinds>& groups, const SurfaceOptions& options)
-    : m_gpu(gpu), m_gl(gpu.context->gl), m_shape(shape), m_slots(tiles), m_options(options) {
+                   const std::vector<GroupKinds>& groups, const SurfaceOptions& options,
+                   float strength)
+    : m_gpu(gpu), m_gl(gpu.context->gl), m_shape(shape), m_slots(tiles), m_options(options),
+      m_strength(strength) {
     const auto n = size_t(tiles);
     for (const GroupKinds& kinds : groups) {
         Group g;
@@ -208,6 +210,7 @@ void Surfaces::correct(DeviceMesh& mesh, Group& group, int round, int margin) {
     to->bind(Binding::corrected);
     m_gl.Uniform1f(at_limit, m_options.limit);
     m_gl.Uniform1f(at_lowest, m_options.clipped ? -FLT_MAX : 0.0f);
+    m_gl.Uniform1f(at_strength, m_strength);
     m_gl.Uniform1i(at_margin, margin);
     mesh.dispatch_over(m_shape.width, m_shape.height, surface_group_x, surface_group_y);
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);

@@ -44,8 +44,9 @@ struct SampleMemory {
 /// Failure.
 class Surfaces {
 public:
+    /// strength: correction_strength() of core/surface/corrections.h.
     Surfaces(Gpu& gpu, const SlotShape& shape, int tiles, const std::vector<GroupKinds>& groups,
-             const SurfaceOptions& options);
+             const SurfaceOptions& options, float strength = 1);
 
     /// Device memory a tile takes, and the largest single buffer of it.
     static size_t bytes(const SlotShape& shape, size_t groups, const SurfaceOptions& options);
@@ -113,6 +114,7 @@ private:
     SlotShape m_shape;
     int m_slots;
     SurfaceOptions m_options;
+    float m_strength;
     std::vector<Group> m_groups;
     Numbers m_expected;
     int m_channels = 0, m_meshes = 1;

@@ -166,7 +166,8 @@ void Runner::begin_batch() {
         const int slots = int(m_in_flight) * m_meshes;
         m_mesh = std::make_unique<DeviceMesh>(m_gpu, m_shape, slots);
         m_surfaces =
-            std::make_unique<Surfaces>(m_gpu, m_shape, slots, kinds_of(m_job), m_job.surface);
+            std::make_unique<Surfaces>(m_gpu, m_shape, slots, kinds_of(m_job), m_job.surface,
+                                       correction_strength(m_mapping.scale()));
         m_surfaces->expect(m_transfer.upload, m_job.channels, m_meshes);
     }
     std::vector<TileSize> sizes;

@@ -206,7 +206,8 @@ std::vector<Option> make_table() {
                "unsigned 8- or 16-bit integers count as 1, but that does not turn on `fitted`."),
         number(
             "consistency", surface, &SurfaceOptions::consistency, 0, most_consistency,
-            "Rounds that correct the surface so that its mean over each source pixel comes back.")
+            "Rounds that correct the surface so that its mean over each source pixel comes back; "
+            "below 2x by the less, the nearer to 1x.")
             .in("ddt-sharp", "2"),
         toggle("fitted", surface, &SurfaceOptions::fitted,
                "1: weights fitted to pictures give the vertices and bends, in place of the rounds "
@@ -217,7 +218,8 @@ std::vector<Option> make_table() {
             .where(is_clipped_abn_two_rounds, "0"),
         number("limit", surface, &SurfaceOptions::limit, 0.0f, largest_real,
                "How far a corrected pixel may leave the range of its 3x3 neighbours, as a share of "
-               "that range; downwards, as a share of the darkest of them if that is less."),
+               "that range; downwards, as a share of the darkest of them if that is less, and "
+               "beside lights above white (1) to half of itself at most."),
         number("soft", surface, &SurfaceOptions::soft, 0.0f, largest_real,
                "Edges that would lose less than this by a flip are blended with their flipped "
                "state; steadier in sequences. Unless given, 0 with any cost but `abn`.")

@@ -34,8 +34,10 @@ int fan_rows(int ahead, size_t groups, int cells) {
 
 } // namespace
 
-TileSurface::TileSurface(const Job& job)
-    : m_job(job), m_bounded(bounded_channels(job)), m_nets(size_t(group_count(job.channels))) {
+TileSurface::TileSurface(const Job& job, const Mapping& mapping)
+    : m_job(job), m_correction{job.surface.limit, job.surface.clipped,
+                               correction_strength(mapping.scale())},
+      m_bounded(bounded_channels(job)), m_nets(size_t(group_count(job.channels))) {
     if (is_fitted(job.surface))
         m_fitted.resize(m_nets.size());
     else
@@ -118,8 +120,8 @@ EdgeRecipe TileSurface::recipe(int cells) {
 
 void TileSurface::begin_corrected(int group, const float* values, const Rect& part, int cells) {
     const SurfaceOptions& surface = m_job.surface;
-    CorrectionRecipe correction{surface.kind,  recipe(1),       surface.consistency,
-                                surface.limit, surface.clipped, nearest_mask(m_job, group)};
+    CorrectionRecipe correction{surface.kind, recipe(1), surface.consistency, m_correction,
+                                nearest_mask(m_job, group)};
     // Of many channels one group after the other, in the same memory.
     const bool alone = m_nets.size() == 1;
     if (!alone)
@@ -154,13 +156,8 @@ void TileSurface::correct_for(const Rect& part, int group) {
 
 void TileSurface::begin_fitted(int group, const float* values, const Rect& part, int cells) {
     const SurfaceOptions& surface = m_job.surface;
-    const FittedRecipe recipe{surface.soft,
-                              bounds_of(surface),
-                              surface.limit,
-                              surface.clipped,
-                              nearest_mask(m_job, group),
-                              m_arena,
-                              cells};
+    const FittedRecipe recipe{
+        surface.soft, bounds_of(surface), m_correction, nearest_mask(m_job, group), m_arena, cells};
     m_fitted[size_t(group)].begin(m_mesh->lattice(), part, recipe, group_values(values, group),
                                   m_nets[size_t(group)]);
 }

@@ -17,7 +17,7 @@ namespace ddt {
 /// A surface and its memory, kept from one tile, or part of one, to the next.
 class TileSurface {
 public:
-    explicit TileSurface(const Job& job);
+    TileSurface(const Job& job, const Mapping& mapping);
 
     /// About the bytes that this takes for a lattice of width x height pixels; cells: of begin().
     static MemoryNeeded memory(const Job& job, int width, int height, int cells);
@@ -53,6 +53,7 @@ private:
     void begin_fitted(int group, const float* values, const Rect& part, int cells);
 
     const Job& m_job;
+    Correction m_correction;
     std::vector<int> m_bounded; ///< bounded_channels()
     const TileMesh* m_mesh = nullptr;
     const float* m_values = nullptr;

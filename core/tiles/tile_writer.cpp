@@ -178,7 +178,7 @@ Outcome TileWriter::write(RowsLeft& left) {
     m_clock.start();
     m_meshed = &left.of();
     while (m_surfaces.size() < m_meshed->meshes.size())
-        m_surfaces.emplace_back(m_job);
+        m_surfaces.emplace_back(m_job, m_mapping);
     m_written = 0;
     const Outcome written = left.grid() ? write_grid(left) : write_bands(left);
     if (written == Outcome::done)

@@ -138,6 +138,14 @@ bool moves_only(const Projective& m, int& dx, int& dy) {
     return whole;
 }
 
+Mapping::Scale MatrixMapping::scale() const {
+    const auto middle = [](int begin, int end) { return (double(begin) + double(end)) / 2; };
+    const auto p = m_to_output(middle(m_window.x0, m_window.x1), middle(m_window.y0, m_window.y1));
+    const Derivative of(m_to_output, p);
+    const auto length = [](double x, double y) { return std::sqrt(x * x + y * y); };
+    return {length(of.a, of.c), length(of.b, of.d)};
+}
+
 Rect MatrixMapping::reach(double x0, double y0, double x1, double y1) const {
     // To pixel coordinates, with the half pixel that clamps and some for rounding.
     constexpr double margin = 0.5 + 1.0 / 64;

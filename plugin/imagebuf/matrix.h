@@ -57,6 +57,8 @@ public:
         : m_to_source(to_source), m_to_output(to_output), m_window(window), m_output(output) {}
     Rect reach(double x0, double y0, double x1, double y1) const override;
     void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override;
+    /// That in the middle of the window.
+    Scale scale() const override;
 
 private:
     Projective m_to_source, m_to_output;

@@ -175,6 +175,7 @@ public:
     void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override {
         m_mapping.row(y, x0, x1, positions, inside);
     }
+    Scale scale() const override { return m_mapping.scale(); }
 
 private:
     const Mapping& m_mapping;

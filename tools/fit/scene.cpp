@@ -95,7 +95,7 @@ void find_features(Scene& scene, const SurfaceOptions& options, const ControlNet
     features.vertices.resize(lattice.size());
     features.edges.resize(lattice.size());
     std::vector<float> index(lattice.size());
-    const VertexLimits limits{options.limit, options.clipped};
+    const Correction limits{options.limit, options.clipped};
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             const size_t pixel =
@@ -163,7 +163,7 @@ bool make_scene(const std::string& file, int scale, bench::Light light, Scene& s
     net.bounds = bounds_of(options.surface);
     set_vertices(lattice, pixels.data(), colours, 0, colours, net);
     Consistency consistency;
-    consistency.begin(lattice, net, options.surface.limit, true);
+    consistency.begin(lattice, net, {options.surface.limit, true});
     EdgeMaker edges;
     edges.begin(lattice, {0, 0, lattice.width(), lattice.height()}, true, true,
                 options.surface.soft, net);

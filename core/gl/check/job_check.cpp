@@ -144,6 +144,25 @@ ResizeMapping enlarged() {
     return {axis(window.x0, window.x1), axis(window.y0, window.y1)};
 }
 
+/// Neither mapping enlarges by that; both tell it, so that the correction's strength is no power of
+/// two, by which contracted products would have the same bits.
+constexpr Mapping::Scale told_scale{1.9, 1.95};
+
+class Enlarged final : public Mapping {
+public:
+    Rect reach(double x0, double y0, double x1, double y1) const override {
+        return m_mapping.reach(x0, y0, x1, y1);
+    }
+    void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override {
+        m_mapping.row(y, x0, x1, positions, inside);
+    }
+    bool separable() const override { return true; }
+    Scale scale() const override { return told_scale; }
+
+private:
+    ResizeMapping m_mapping = enlarged();
+};
+
 /// Positions that form no grid, among them those of cells that the tile does not serve.
 class Turned final : public Mapping {
 public:
@@ -157,10 +176,11 @@ public:
             *positions++ = p;
         }
     }
+    Scale scale() const override { return told_scale; }
 };
 
 /// What is compared: of the first mesh its edges' vectors and gains, in the order of addresses, and
-/// the job's result by enlarged() and by Turned.
+/// the job's result by Enlarged and by Turned.
 struct Outcomes {
     std::vector<uint64_t> edges;
     Bits gains;
@@ -189,7 +209,7 @@ CheckSink result_of(const Job& job, const Mapping& mapping) {
 }
 
 Outcomes on_cpu(const Job& job) {
-    Outcomes o{{}, {}, result_of(job, enlarged()), result_of(job, Turned())};
+    Outcomes o{{}, {}, result_of(job, Enlarged()), result_of(job, Turned())};
     const Tile& tile = checked_tile;
     CheckSource source(job.channels);
     std::vector<float> values, guide;
@@ -267,7 +287,8 @@ std::string differs(Gpu& gpu, const Job& job, const Outcomes& cpu) {
     DeviceMesh mesh(gpu, shape, slots);
     mesh.finish_after(2, 2); // so that each of one_round's programs flips edges
     mesh.pause_after(2000);  // and accept_reject.comp goes on from where it was
-    Surfaces surfaces(gpu, shape, slots, kinds_of(job), job.surface);
+    Surfaces surfaces(gpu, shape, slots, kinds_of(job), job.surface,
+                      correction_strength(told_scale));
     surfaces.expect(numbers, job.channels, meshes);
     mesh.set_tiles(std::vector<TileSize>(size_t(slots), t.size));
     for (int slot = 0; slot < slots; slot += meshes)
@@ -280,7 +301,7 @@ std::string differs(Gpu& gpu, const Job& job, const Outcomes& cpu) {
         if (const std::string what = mesh_differs(mesh, slot, job, cpu); !what.empty())
             return what;
     surfaces.make(mesh, criterion(job.mesh));
-    const std::string what = result_differs(gl, mesh, surfaces, last, job, enlarged(), cpu.large);
+    const std::string what = result_differs(gl, mesh, surfaces, last, job, Enlarged(), cpu.large);
     return what.empty() ? result_differs(gl, mesh, surfaces, 0, job, Turned(), cpu.turned) : what;
 }
 

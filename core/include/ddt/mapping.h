@@ -36,6 +36,15 @@ public:
     /// True if reach() holds exactly the pixels of its rectangle, row() is all inside, x depends on
     /// the column alone and y on the row alone. Where both ascend it is fast.
     virtual bool separable() const { return false; }
+    /// About how many output pixels lie across a source pixel, along the source's axes.
+    struct Scale {
+        double x, y;
+    };
+    /// Where vertices are corrected (SurfaceOptions::consistency, fitted), that is in full from 2
+    /// on; the nearer to 1, the less, as an output pixel is then itself a mean over about as much
+    /// as a source pixel. Along two axes: the mean of both. Asked once or more a job, which must
+    /// get the same each time, whichever part of the output it makes.
+    virtual Scale scale() const { return {2, 2}; }
 };
 
 /// Maps the interval [from0, from0 + from_size) onto [to0, to0 + to_size), pixel centres at half
@@ -54,6 +63,7 @@ public:
         int64_t position(int i) const;
         /// First output pixel of [out0, out1) whose position is >= limit (a pixel coordinate).
         int first_at_or_after(int limit) const;
+        double scale() const { return double(to_size) / from_size; }
         /// All of `from` pixels made all of `to`.
         static Axis whole(int from, int to) { return {0, from, 0, to, 0, from, 0, to}; }
     };
@@ -61,6 +71,7 @@ public:
     Rect reach(double x0, double y0, double x1, double y1) const override;
     void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override;
     bool separable() const override { return true; }
+    Scale scale() const override { return {m_x.scale(), m_y.scale()}; }
 
 private:
     Axis m_x, m_y;

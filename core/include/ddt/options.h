@@ -51,11 +51,14 @@ struct SurfaceOptions {
     Surface kind = Surface::patch;
     /// Rounds that correct the vertices so that the surface's mean over each source pixel comes
     /// back to that pixel's value; 0 to most_consistency. More than 0 can overshoot the source's
-    /// values.
+    /// values. Where the output is less than twice as large they correct the less, down to nothing
+    /// where it is as large (Mapping::scale()).
     int consistency = 0;
     /// How far a corrected vertex may leave the range of its 3x3 source pixels, as a share of that
     /// range, and downwards, where none of the nine is negative, of the smallest of them if that is
-    /// less; 0 or more. So it never gets negative where none is, unless `clipped`.
+    /// less; 0 or more. So it never gets negative where none is, unless `clipped`. Where one of the
+    /// nine is 2 or more it keeps half of its own pixel, too, where one is above 1 some of that:
+    /// beside lights one channel alone would fall to that of a dark neighbour.
     float limit = 0.25f;
     /// Edges that would lose less than this by a flip are blended with their flipped state, so that
     /// the picture is nearly continuous in its input; in units of the cost, 0: none. Without

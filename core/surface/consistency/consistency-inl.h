@@ -45,25 +45,29 @@ struct QuadrantCell {
 
 /// A vertex moved from z so that the surface's mean over its pixel, z + sum / 4 where `sum` adds
 /// its quadrants' means, comes closer to `source`; within [low, high]. Where that is not finite: z.
+/// share: what of `sum` counts, a quarter of Correction::strength.
 template <class T>
-DDT_INLINE T corrected(T z, T source, T sum, T low, T high) {
+DDT_INLINE T corrected(T z, T source, T sum, T share, T low, T high) {
     const T zero = T(0.0f);
-    const T step = (source - z) - sum * T(0.25f);
+    const T step = (source - z) - sum * share;
     const T size = upper(step, zero - step);
     return if_less_equal(size, T(largest_float), lower(upper(z + step, low), high), z);
 }
 
 /// The range a vertex may be moved in, from the range of its 3x3 source pixels and the share of
-/// that by which it may be left. Downwards the share is of the smallest pixel too, if that is
-/// less and none is negative: beside a light a thousand times as bright it would be black. Unless
-/// `lowest`, a bound below 0, says that what is negative will be cut off. Where floats end, the
-/// range stays what it was.
+/// that by which it may be left. Where none of them is negative the share is, downwards, of the
+/// smallest too, if that is less: beside a light a thousand times as bright it would be black. And
+/// where one of them is a light, twice as bright as white (1) and more, half the vertex' own pixel,
+/// `z`, is left: one of its channels alone would fall to a dark neighbour's, and a rim of another
+/// colour be there. Unless `lowest`, a bound below 0, says that what is negative will be cut off.
+/// Where floats end, the range stays what it was.
 template <class T>
-DDT_INLINE void widen(T limit, T lowest, T& low, T& high) {
+DDT_INLINE void widen(T limit, T lowest, T z, T& low, T& high) {
     const T zero = T(0.0f);
     const T margin = limit * (high - low);
     const T wide = low - margin;
-    const T dim = low - limit * low;
+    const T light = upper(zero, lower(T(1.0f), high - T(1.0f)));
+    const T dim = upper(low - limit * low, z * (T(0.5f) * light));
     const T bound = if_less(lowest, zero, lowest, if_less(dim, zero, zero, dim));
     const T raised = high + margin;
     const T sunk = if_less(low, zero, wide, if_less(wide, bound, bound, wide));
@@ -82,5 +86,5 @@ DDT_INLINE void find_limits(const Rect& near, T limit, T lowest, Tap tap, T& low
             low = lower(low, n);
             high = upper(high, n);
         }
-    widen(limit, lowest, low, high);
+    widen(limit, lowest, tap(0, 0), low, high);
 }

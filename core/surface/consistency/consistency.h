@@ -2,9 +2,11 @@
 // Correcting the vertices so that the surface's mean over each source pixel is the pixel's value.
 //
 // A camera's or renderer's pixel is a mean over an area; a surface through the pixel values has
-// other means. One round moves each vertex by the difference: z <- z + (source - mean). Vertices on
-// the lattice's rim, whose pixels the mesh covers only in part, stay. What comes out is limited to
-// the range of the 3x3 source pixels, widened (SurfaceOptions::limit).
+// other means. One round moves each vertex by the difference: z <- z + (source - mean). Where
+// output pixels are not much smaller than the source's, the mean counts as nearer to the vertex
+// (correction_strength()). Vertices on the lattice's rim, whose pixels the mesh covers only in
+// part, stay. What comes out is limited to the range of the 3x3 source pixels, widened
+// (SurfaceOptions::limit).
 #pragma once
 
 #include <vector>
@@ -12,6 +14,7 @@
 #include "core/base/constants.h"
 #include "core/lattice/crossed_rows.h"
 #include "core/surface/control_net.h"
+#include "core/surface/corrections.h"
 #include "ddt/core.h"
 
 namespace ddt {
@@ -36,14 +39,6 @@ struct MeanScratch {
 void add_means(const Lattice& lattice, Surface surface, const ControlNet& net, const Rect& part,
                int y, CrossedRows& crossed, MeanScratch& scratch, float* upper, float* lower);
 
-/// SurfaceOptions::limit and clipped.
-struct VertexLimits {
-    float limit = 0;
-    bool clipped = false;
-    /// What find_limits() of consistency-inl.h calls so.
-    float lowest() const { return clipped ? -largest_float : 0.0f; }
-};
-
 /// A picture's rows of pixels above, at and below one, from column 0 on.
 struct NearRows {
     const float *above, *here, *below;
@@ -52,6 +47,6 @@ struct NearRows {
 /// Put where the vertices of a net in columns x0 .. x1 - 1 of row y go, none of which is on the
 /// rim, into `moved`, which is not the net's own. sum, moved: rows from column 0 on.
 void move_row(const Lattice& lattice, const ControlNet& net, int x0, int x1, int y,
-              const NearRows& source, const float* sum, const VertexLimits& limits, float* moved);
+              const NearRows& source, const float* sum, const Correction& correction, float* moved);
 
 } // namespace ddt

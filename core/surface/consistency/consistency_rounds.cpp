@@ -5,12 +5,13 @@
 
 namespace ddt {
 
-void Consistency::begin(const Lattice& lattice, const ControlNet& net, float limit, bool clipped) {
+void Consistency::begin(const Lattice& lattice, const ControlNet& net,
+                        const Correction& correction) {
     m_count = net.count();
     source.resize(lattice.vertices() * size_t(m_count));
     for (int y = 0; y < lattice.height(); ++y)
         std::copy_n(net.vertex(lattice.vertex_site(0, y)), row_size(lattice), row(lattice, y));
-    m_limits = {limit, clipped};
+    m_correction = correction;
 }
 
 void Consistency::measure(const Lattice& lattice, Surface surface, const ControlNet& net) {
@@ -29,7 +30,7 @@ void Consistency::correct(const Lattice& lattice, Surface surface, ControlNet& n
     for (int y = 1; y + 1 < lattice.height(); ++y) {
         move_row(lattice, net, 1, lattice.width() - 1, y,
                  {row(lattice, y - 1), row(lattice, y), row(lattice, y + 1)},
-                 sum.data() + size_t(y) * row_size(lattice), m_limits, moved.data());
+                 sum.data() + size_t(y) * row_size(lattice), m_correction, moved.data());
         std::copy(moved.begin() + m_count, moved.end() - m_count,
                   net.vertex(lattice.vertex_site(1, y)));
     }

@@ -12,8 +12,8 @@ namespace ddt {
 /// One group's source values, and rounds on a whole lattice, whose edges must all be there.
 class Consistency {
 public:
-    /// Take the net's vertices as the source. limit, clipped: SurfaceOptions'.
-    void begin(const Lattice& lattice, const ControlNet& net, float limit, bool clipped = false);
+    /// Take the net's vertices as the source.
+    void begin(const Lattice& lattice, const ControlNet& net, const Correction& correction);
 
     /// The first half of correct(): find the surface's means, and leave the vertices as they are.
     void measure(const Lattice& lattice, Surface surface, const ControlNet& net);
@@ -34,7 +34,7 @@ private:
     }
 
     int m_count = 0; ///< of channels
-    VertexLimits m_limits;
+    Correction m_correction;
     CrossedRows m_crossed;
     MeanScratch m_scratch;
 };

@@ -35,7 +35,6 @@ void CorrectedRows::begin(const Lattice& lattice, const Rect& part, const Correc
     m_lattice = &lattice;
     m_recipe = recipe;
     m_source = source;
-    m_limits = {recipe.limit, recipe.clipped};
     m_rounds.resize(size_t(recipe.rounds));
     for (Round& round : m_rounds)
         round.belong_to(*this);
@@ -95,7 +94,7 @@ void CorrectedRows::Round::correct() {
     if (x0 >= x1)
         return;
     move_row(lattice, m_means.net(), x0, x1, y, {source_row(y - 1), source, source_row(y + 1)}, sum,
-             m_all->m_limits, m_row.data());
+             m_all->m_recipe.correction, m_row.data());
     copy_lanes(source + float_of(x0), x1 - x0, count(), m_all->m_recipe.kept_lanes,
                m_row.data() + float_of(x0));
 }

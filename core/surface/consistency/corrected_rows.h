@@ -12,10 +12,8 @@ namespace ddt {
 struct CorrectionRecipe {
     Surface surface = Surface::patch;
     EdgeRecipe edges;
-    /// SurfaceOptions::consistency, limit and clipped; one round at least.
-    int rounds = 1;
-    float limit = 0;
-    bool clipped = false;
+    int rounds = 1; ///< SurfaceOptions::consistency; one at least
+    Correction correction = {};
     /// Lanes whose bit is set keep their source values: IDs are nothing to correct.
     unsigned kept_lanes = 0;
 };
@@ -73,7 +71,6 @@ private:
     const Lattice* m_lattice = nullptr;
     CorrectionRecipe m_recipe;
     GroupValues m_source;
-    VertexLimits m_limits;
     CrossedRows m_crossed; ///< the rounds'
     std::vector<Round> m_rounds;
 };

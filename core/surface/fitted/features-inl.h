@@ -208,9 +208,9 @@ DDT_INLINE T fitted_limit(T limit, T bound, const FittedTable& table) {
     return limit + limit * (bound * T(table.bound_limit));
 }
 
-/// Where a vertex goes from z.
+/// Where a vertex goes from z. strength: Correction's.
 template <class T>
-DDT_INLINE T fitted_vertex(T z, T low, T high, const VertexFeatures<T>& v,
+DDT_INLINE T fitted_vertex(T z, T strength, T low, T high, const VertexFeatures<T>& v,
                            const FittedTable& table) {
     const T zero = T(0.0f);
     T share[fitted_nodes];
@@ -220,7 +220,7 @@ DDT_INLINE T fitted_vertex(T z, T low, T high, const VertexFeatures<T>& v,
         const T sum = weighted(table.vertex[k], v) + v.bound * weighted(table.bound[k], v);
         step = k == 0 ? sum : step + share[k] * sum;
     }
-    return finite_or(clamped(z + finite_or(step, zero), low, high), z);
+    return finite_or(clamped(z + strength * finite_or(step, zero), low, high), z);
 }
 
 /// The bend of an edge; null(k, i): what node k's weight of its null feature i is.

@@ -26,19 +26,19 @@ namespace HWY_NAMESPACE {
 
 /// Where vertices go, and their index.
 template <class T, class Tap>
-HWY_INLINE T move_vertex(const VertexLimits& limits, bool cut, T sum, Tap tap, T& index) {
+HWY_INLINE T move_vertex(const Correction& correction, bool cut, T sum, Tap tap, T& index) {
     const FittedTable& table = fitted_table();
     VertexFeatures<T> v;
     v.find(T(0.0f) - sum * T(0.25f), cut, table, tap);
     index = v.index;
     T low, high;
-    find_limits({-1, -1, 2, 2}, fitted_limit(T(limits.limit), v.bound, table), T(limits.lowest()),
-                tap, low, high);
-    return fitted_vertex(tap(0, 0), low, high, v, table);
+    find_limits({-1, -1, 2, 2}, fitted_limit(T(correction.limit), v.bound, table),
+                T(correction.lowest()), tap, low, high);
+    return fitted_vertex(tap(0, 0), T(correction.strength), low, high, v, table);
 }
 
 HWY_ATTR void move_fitted(const FittedSource& source, int x0, int x1, int y,
-                          const VertexLimits& limits, const float* sum, float* index,
+                          const Correction& correction, const float* sum, float* index,
                           ControlNet& net) {
     const Lattice& lattice = source.lattice;
     const int width = lattice.width(), height = lattice.height(), count = source.count;
@@ -53,7 +53,8 @@ HWY_ATTR void move_fitted(const FittedSource& source, int x0, int x1, int y,
         const auto tap = [&](int i, int j)
                              HWY_ATTR { return T::load(here + place.at + j * row + i * count); };
         T at;
-        move_vertex(limits, limits.clipped, T::load(sum + place.at), tap, at).store(z + place.at);
+        move_vertex(correction, correction.clipped, T::load(sum + place.at), tap, at)
+            .store(z + place.at);
         at.store(index + place.at);
     });
     const auto inside = [&](int i, int j) HWY_ATTR { return PixelLanes::load(source.at(i, j)); };
@@ -65,7 +66,8 @@ HWY_ATTR void move_fitted(const FittedSource& source, int x0, int x1, int y,
         PixelLanes found;
         // Not all_pixels().
         const bool cut = false;
-        const PixelLanes moved = move_vertex(limits, cut, PixelLanes::load(sum + at), tap, found);
+        const PixelLanes moved =
+            move_vertex(correction, cut, PixelLanes::load(sum + at), tap, found);
         if (x > 0 && y > 0 && x + 1 < width && y + 1 < height)
             store_pixel(moved, count, z + at);
         store_pixel(found, count, index + at);
@@ -84,9 +86,9 @@ namespace ddt {
 
 HWY_EXPORT(move_fitted);
 
-void move_fitted(const FittedSource& source, int x0, int x1, int y, const VertexLimits& limits,
+void move_fitted(const FittedSource& source, int x0, int x1, int y, const Correction& correction,
                  const float* sum, float* index, ControlNet& net) {
-    HWY_DYNAMIC_DISPATCH(move_fitted)(source, x0, x1, y, limits, sum, index, net);
+    HWY_DYNAMIC_DISPATCH(move_fitted)(source, x0, x1, y, correction, sum, index, net);
 }
 
 } // namespace ddt

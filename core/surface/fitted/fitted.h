@@ -53,7 +53,7 @@ struct FittedSource {
 
 /// Put where the vertices in columns x0 .. x1 - 1 of row y of pixels go into the net, those on the
 /// rim excepted, and their index into `index`; sum: of add_means(). Both rows begin with column 0.
-void move_fitted(const FittedSource& source, int x0, int x1, int y, const VertexLimits& limits,
+void move_fitted(const FittedSource& source, int x0, int x1, int y, const Correction& correction,
                  const float* sum, float* index, ControlNet& net);
 
 /// The rows of indices of the vertices round an edge: row y at rows[y % count].

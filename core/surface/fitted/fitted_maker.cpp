@@ -34,7 +34,6 @@ void FittedMaker::begin(const Lattice& lattice, const Rect& part, const FittedRe
     m_part = part;
     m_recipe = recipe;
     m_values = values;
-    m_limits = {recipe.limit, recipe.clipped};
 
     const int count = values.count, height = lattice.height();
     m_source = values.values;
@@ -107,7 +106,7 @@ void FittedMaker::make_row() {
     const float* sums = m_plain.row(y, m_edge_rows / 2);
     const FittedSource source{lattice, m_source, m_values.count};
     set_vertices(lattice, m_values, {m_moved.x0, y, m_moved.x1, y + 1}, *m_net);
-    move_fitted(source, m_moved.x0, m_moved.x1, y, m_limits, sums,
+    move_fitted(source, m_moved.x0, m_moved.x1, y, m_recipe.correction, sums,
                 m_index.data() + size_t(y % m_index_rows) * row_size(), *m_net);
     copy_lanes(source.at(m_moved.x0, y), m_moved.width(), m_values.count, m_recipe.kept_lanes,
                m_net->vertex(lattice.vertex_site(m_moved.x0, y)));

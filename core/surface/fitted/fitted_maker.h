@@ -15,9 +15,7 @@ struct FittedRecipe {
     /// EdgeRecipe::tau, or 0: no soft edges.
     float tau = 0;
     Bounds bounds = Bounds::vertices; ///< EdgeRecipe::bounds
-    /// SurfaceOptions::limit and clipped.
-    float limit = 0;
-    bool clipped = false;
+    Correction correction = {};
     /// Lanes whose bit is set keep their source values: IDs are nothing to correct.
     unsigned kept_lanes = 0;
     /// EdgeRecipe::arena and cells
@@ -60,7 +58,6 @@ private:
     Rect m_part;
     Rect m_moved; ///< the vertices that the part's edges and their apexes are
     FittedRecipe m_recipe;
-    VertexLimits m_limits;
     GroupValues m_values;
     const float* m_source = nullptr; ///< of all pixels: the values, or,
     std::vector<float> m_copied;     ///< where they have more channels, a copy

@@ -175,7 +175,8 @@ std::vector<float> untiled(const TestSource& source, const Job& job, const Resiz
                    job.surface.soft, edges, net);
     };
     Consistency consistency;
-    consistency.begin(lattice, net, job.surface.limit);
+    consistency.begin(lattice, net,
+                      {job.surface.limit, false, correction_strength(mapping.scale())});
     for (int i = 0; i < job.surface.consistency; ++i) {
         shape();
         consistency.correct(lattice, job.surface.kind, net);

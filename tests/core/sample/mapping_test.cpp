@@ -132,6 +132,12 @@ TEST(Mapping, FirstAtOrAfterIsThatOfALinearSearch) {
     }
 }
 
+TEST(Mapping, ScaleIsThatOfTheWindows) {
+    const ResizeMapping mapping({7, 20, -3, 50, 0, 40, 0, 90}, {0, 10, 0, 10, 2, 9, 1, 5});
+    EXPECT_EQ(mapping.scale().x, 2.5);
+    EXPECT_EQ(mapping.scale().y, 1.0);
+}
+
 TEST(Mapping, ReachHoldsExactlyThePixelsInside) {
     Random random(6);
     constexpr double beyond = std::numeric_limits<double>::infinity();

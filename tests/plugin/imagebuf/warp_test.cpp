@@ -230,6 +230,39 @@ TEST(Warp, KnowsShrinking) {
     EXPECT_TRUE(shrinks({8, 0, 0.1, 0, 8, 0, 0, 0, 1})); // only at its far end
 }
 
+ddt::Mapping::Scale scale_of(const ddt::Projective& m, const ddt::Rect& window) {
+    ddt::Projective inverse;
+    EXPECT_TRUE(m.invert(inverse));
+    return ddt::MatrixMapping(inverse, m, window, window).scale();
+}
+
+TEST(Warp, KnowsItsScale) {
+    const ddt::Rect window{10, 20, 110, 70};
+    const double s = std::sin(0.3), c = std::cos(0.3);
+    const auto turned = scale_of({{3 * c, 3 * s, 0, -2 * s, 2 * c, 0, 5, 6, 1}}, window);
+    EXPECT_NEAR(turned.x, 3, 1e-12);
+    EXPECT_NEAR(turned.y, 2, 1e-12);
+    // Of a perspective that in the middle, (60, 45): there w is 2.
+    const auto leaning = scale_of({{4, 0, 0, 0, 4, 1.0 / 45, 0, 0, 1}}, window);
+    EXPECT_NEAR(leaning.x, 2, 1e-12);
+    EXPECT_NEAR(leaning.y, std::hypot(60.0 / 45, 1.0), 1e-12);
+}
+
+// In a pan frames that move by whole pixels look as the others do.
+TEST(Warp, SharpDoesNotJumpAtWholeMoves) {
+    const auto src = disc_picture();
+    ddt::Options sharp;
+    sharp.surface.consistency = 2;
+    const auto at = [&](float x) {
+        ImageBuf dst;
+        EXPECT_TRUE(ddt::warp(dst, src, Matrix(1, 0, 0, 0, 1, 0, x, 0, 1), sharp, false,
+                              ImageBuf::WrapDefault, window(2, 20, 2, 18)));
+        return dst;
+    };
+    const auto same = OIIO::ImageBufAlgo::compare(at(1), at(1 + 1e-4f), 0, 0);
+    EXPECT_LE(same.maxerror, 1e-3);
+}
+
 TEST(Warp, KnowsWholeMoves) {
     int dx = 0, dy = 0;
     const auto moves = [&](std::array<double, 9> m) {

@@ -253,6 +253,11 @@ void of_corrected_vertices(Order& order) {
     of_soft_edges(order);
     order.job.surface.fitted = false;
 }
+// In the first the vertex is the source's pixel.
+void of_two_rounds(Order& order) {
+    of_corrected_vertices(order);
+    order.job.surface.consistency = 2;
+}
 void of_the_papers_scheme(Order& order) {
     order.job.mesh.scheme = Scheme::maxgain;
 }
@@ -297,6 +302,18 @@ constexpr Wrong all_wrong[] = {
      of_corrected_vertices},
     {"limit above black, contracted", "correct.comp", "QUADRATIC SOFT BOUNDS_DARK STORED_EDGES",
      "dim = low - limit * low", "dim = vec4(dvec4(low) - dvec4(limit) * dvec4(low))",
+     of_corrected_vertices},
+    {"correction, contracted", "correct.comp", "QUADRATIC SOFT BOUNDS_DARK STORED_EDGES",
+     "step_ = (source - z) - sum * share",
+     "step_ = vec4(dvec4(source - z) - dvec4(sum) * double(share))", of_two_rounds},
+    {"fitted correction, contracted", "correct.comp", "QUADRATIC STORED_EDGES FITTED",
+     "moved = z + strength * finite_or(step_, vec4(0.0))",
+     "moved = vec4(dvec4(z) + double(strength) * dvec4(finite_or(step_, vec4(0.0))))",
+     of_fitted_vertices},
+    {"what is left beside lights", "correct.comp", "QUADRATIC SOFT BOUNDS_DARK STORED_EDGES",
+     "dim = upper(dim, left)", "dim = dim", of_corrected_vertices},
+    {"what is left beside faint lights", "correct.comp", "QUADRATIC SOFT BOUNDS_DARK STORED_EDGES",
+     "lower(vec4(1.0), above_white)", "vec4(above_white.x < 0.0 ? 0.0 : 1.0)",
      of_corrected_vertices},
     {"limit at black and white, contracted", "correct.comp", "QUADRATIC STORED_EDGES FITTED",
      "widened = limit + limit * (bound * bound_limit)",

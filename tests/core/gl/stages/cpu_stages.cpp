@@ -59,7 +59,7 @@ SurfaceStage cpu_surface(const std::vector<float>& guide, const std::vector<floa
         edges.finish();
     };
     Consistency consistency;
-    consistency.begin(lattice, net, surface.limit, surface.clipped);
+    consistency.begin(lattice, net, {surface.limit, surface.clipped});
     for (int i = 0; i < rounds; ++i) {
         make_edges();
         consistency.correct(lattice, surface.kind, net);

@@ -16,6 +16,7 @@ struct Shape {
     float tau = 0;
     float limit = 0.25f;
     bool clipped = false;
+    float strength = 1;
 };
 
 /// The vertices after some rounds; values: `count` channels a pixel, as what is returned.
@@ -28,7 +29,7 @@ std::vector<float> corrected(const Scene& scene, const std::vector<float>& value
     EdgeMaker edges;
     Consistency consistency;
     set_vertices(l, values.data(), count, 0, count, net);
-    consistency.begin(l, net, shape.limit, shape.clipped);
+    consistency.begin(l, net, {shape.limit, shape.clipped, shape.strength});
     for (int i = 0; i < rounds; ++i) {
         const bool bend = shape.surface == Surface::patch, soft = shape.tau > 0;
         if (bend || soft)
@@ -75,7 +76,8 @@ std::vector<float> slow_round(const Scene& scene, const std::vector<float>& sour
                     high = std::max(high, source[at(i, j)]);
                 }
             const float margin = shape.limit * (high - low);
-            const double to = double(values[at(x, y)]) + double(source[at(x, y)]) - sum / 16;
+            const auto z = double(values[at(x, y)]);
+            const double to = double(source[at(x, y)]) - double(shape.strength) * (sum / 16 - z);
             result[at(x, y)] =
                 float(std::clamp(to, double(low) - double(margin), double(high) + double(margin)));
         }
@@ -91,8 +93,9 @@ TEST(Consistency, ARoundIsWhatItsDefinitionSays) {
     each_scene([](const Scene& scene, Random& random) {
         for (const Surface surface : both_surfaces)
             for (const float tau : {0.0f, 0.5f})
-                for (const float limit : {0.25f, 0.0f, 10.0f}) {
-                    const Shape shape{surface, tau, limit};
+                for (const auto& [limit, strength] :
+                     {std::pair(0.25f, 1.0f), {0.0f, 1.0f}, {10.0f, 0.3f}, {10.0f, 1.0f}}) {
+                    const Shape shape{surface, tau, limit, false, strength};
                     const auto source = bright(scene, random);
                     auto expected = source;
                     for (int rounds = 1; rounds <= 2; ++rounds) {
@@ -227,7 +230,7 @@ TEST(Consistency, WhatWillBeCutOffMayGetNegativeWithinTheLimit) {
                         }
                     ASSERT_GE(moved[at], low - limit * (high - low));
                     // One round starts from the same vertices: only the bound differs.
-                    ASSERT_EQ(kept[at], std::max(moved[at], std::min(0.0f, low)));
+                    ASSERT_EQ(kept[at], std::max(moved[at], low - limit * low));
                     negative += moved[at] < 0;
                 }
             if (limit == 0.0f || (w > 8 && h > 8)) {
@@ -235,6 +238,43 @@ TEST(Consistency, WhatWillBeCutOffMayGetNegativeWithinTheLimit) {
             }
         }
     });
+}
+
+// What else gets a rim of another colour: here red falls further than green, by their neighbours.
+TEST(Consistency, BesideALightHalfOfEachColourIsLeft) {
+    Random random(5);
+    Scene scene(12, 12, 60, random);
+    std::vector<float> source;
+    for (int y = 0; y < 12; ++y)
+        for (int x = 0; x < 12; ++x) {
+            const bool light = x < 6, beside = x == 6;
+            source.push_back(light ? 30.0f : beside ? 4.0f : 0.02f);
+            source.push_back(light ? 30.0f : beside ? 2.5f : 0.5f);
+        }
+    const auto moved = corrected(scene, source, {Surface::patch, 0.3f}, 2, 2);
+    int sunk = 0;
+    for (int y = 1; y < 11; ++y)
+        for (size_t c = 0; c < 2; ++c) {
+            const size_t at = (size_t(y) * 12 + 6) * 2 + c;
+            EXPECT_GE(moved[at], source[at] / 2);
+            sunk += moved[at] == source[at] / 2;
+        }
+    EXPECT_GT(sunk, 10);
+}
+
+// At 1 an output pixel is as large as a source pixel, whose value it then has.
+TEST(Consistency, IsStrongerTheSmallerOutputPixelsAre) {
+    EXPECT_EQ(correction_strength({1, 1}), 0.0f);
+    EXPECT_EQ(correction_strength({0.5, 0.9}), 0.0f);
+    EXPECT_FLOAT_EQ(correction_strength({1.25, 1.25}), 0.4f);
+    EXPECT_EQ(correction_strength({1, 4}), 0.5f);
+    EXPECT_EQ(correction_strength({2, 2}), 1.0f);
+    EXPECT_EQ(correction_strength({64, 3}), 1.0f);
+    EXPECT_EQ(correction_strength({std::nan(""), std::nan("")}), 1.0f);
+    Random random(6);
+    Scene scene(12, 12, 60, random);
+    const auto source = bright(scene, random);
+    EXPECT_EQ(corrected(scene, source, {Surface::patch, 0.3f, 0.25f, false, 0}, 2), source);
 }
 
 TEST(Consistency, NonFiniteValuesMoveNothing) {

@@ -98,8 +98,8 @@ std::vector<NetValues> fitted(const Scene& scene, const std::vector<std::vector<
         for (const auto& channel : channels)
             values.push_back(channel[i]);
     values.resize(values.size() + group_size);
-    maker.begin(l, scene.all(), {0, Bounds::dark, 0.25f, clipped}, {values.data(), count, 0, count},
-                net);
+    maker.begin(l, scene.all(), {0, Bounds::dark, {0.25f, clipped}},
+                {values.data(), count, 0, count}, net);
     maker.finish();
     std::vector<NetValues> results(channels.size());
     for (size_t c = 0; c < channels.size(); ++c) {
@@ -125,7 +125,7 @@ NetValues slow(const Scene& scene, const std::vector<float>& values, bool clippe
     EdgeMaker edges;
     Consistency consistency;
     set_vertices(l, values.data(), 1, 0, 1, net);
-    consistency.begin(l, net, 0.25f, clipped);
+    consistency.begin(l, net, {0.25f, clipped});
     make_edges(l, scene.all(), true, false, 0, edges, net);
     consistency.measure(l, Surface::patch, net);
     const auto inside = [&](int x, int y) { return values[size_t(y * w + x)]; };
@@ -134,7 +134,7 @@ NetValues slow(const Scene& scene, const std::vector<float>& values, bool clippe
     };
     NetValues r;
     std::vector<float> index;
-    const VertexLimits limits{0.25f, clipped};
+    const Correction limits{0.25f, clipped};
     for (int y = 0; y < h; ++y) {
         for (int x = 0; x < w; ++x) {
             const size_t at = size_t(y * w + x);
@@ -145,7 +145,7 @@ NetValues slow(const Scene& scene, const std::vector<float>& values, bool clippe
             float low, high;
             scalar::find_limits({-1, -1, 2, 2}, scalar::fitted_limit(limits.limit, v.bound, table),
                                 limits.lowest(), near, low, high);
-            const float moved = scalar::fitted_vertex(inside(x, y), low, high, v, table);
+            const float moved = scalar::fitted_vertex(inside(x, y), 1.0f, low, high, v, table);
             const bool rim = x == 0 || y == 0 || x + 1 == w || y + 1 == h;
             r.z.push_back(rim ? inside(x, y) : moved);
             index.push_back(v.index);
