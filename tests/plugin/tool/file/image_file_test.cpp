@@ -17,6 +17,7 @@
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/strutil.h>
 
+#include "plugin/tool/file/open_image.h"
 #include "tests/resource_limit.h"
 #include "tests/temporary.h"
 
