@@ -13,6 +13,7 @@
 #include "core/base/one_line.h"
 #include "plugin/colour/bundled_config.h"
 #include "plugin/colour/ocio_builtin_config.h"
+#include "plugin/colour/space_light.h"
 #include "plugin/message/format.h"
 
 namespace ddt {
@@ -98,21 +99,25 @@ OCIO::ConstColorSpaceRcPtr space_in(const OCIO::ConstConfigRcPtr& config, const 
     return config->getColorSpace(name.c_str());
 }
 
-/// What light= may be besides auto and encoded: the spaces, and the role by OpenImageIO's name,
-/// unless a space has it too. Options end at commas, so a name that has one can only be an image's.
+/// What light= may be besides auto and encoded: the spaces, of a config without the role
+/// scene_linear those of data alone, and the role by OpenImageIO's name, unless a space has it too.
+/// Options end at commas, so a name that has one can only be an image's.
 std::string names_in(const std::vector<OCIO::ConstConfigRcPtr>& list) {
     std::vector<std::string> names;
     bool has_role = false;
     const char* images_alone = "";
     for (const auto& config : list) {
+        const bool linear = config->getColorSpace(OCIO::ROLE_SCENE_LINEAR) != nullptr;
+        has_role |= linear;
         for (int i = 0; i < config->getNumColorSpaces(); ++i) {
             const std::string name = config->getColorSpaceNameByIndex(i);
+            if (!linear && !config->getColorSpace(name.c_str())->isData())
+                continue;
             if (name.find(',') == std::string::npos)
                 names.push_back(name);
             else
                 images_alone = " (names with commas: by oiio:ColorSpace only)";
         }
-        has_role |= config->getColorSpace(OCIO::ROLE_SCENE_LINEAR) != nullptr;
     }
     const bool has_linear = std::any_of(names.begin(), names.end(), [](const std::string& name) {
         return iequals(name, "linear");
@@ -146,8 +151,8 @@ bool find_space(const std::string& name, NamedBy by, Space& found, std::string& 
     if (by == NamedBy::image)
         return true;
     error = format("light \"{}\" is not a colour space of the OCIO config, $OCIO or the one built "
-                   "in; allowed are auto, encoded{}",
-                   name, names_in(list));
+                   "in{}, encoded{}",
+                   name, allowed_lights_text, names_in(list));
     return false;
 }
 

@@ -130,14 +130,16 @@ std::shared_ptr<const Light> find_light(const std::string& option, const std::st
             !space.config->getColorSpace(OCIO::ROLE_SCENE_LINEAR)) {
             error = "light=" + name +
                     ": the OCIO config has no role scene_linear, the light that its spaces are "
-                    "blended in; allowed are auto and encoded";
+                    "blended in" +
+                    allowed_lights_text + " and encoded";
             return nullptr;
         }
         auto light = std::make_shared<const Light>(light_of(space));
         if (!light->comes_back() && !by_image) {
             error = "light=" + name +
                     ": the OCIO config's way from this space to linear light and back changes "
-                    "colours; allowed are auto, encoded, and spaces whose colours come back";
+                    "colours" +
+                    allowed_lights_text + ", encoded, and spaces whose colours come back";
             return nullptr;
         }
         if (!light->comes_back())

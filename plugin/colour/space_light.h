@@ -15,6 +15,9 @@
 
 namespace ddt {
 
+/// What is said before the lights that there are, where an option names none of them.
+constexpr char allowed_lights_text[] = "; allowed are auto";
+
 /// The light of an image whose metadata names the space `image_space` (may be empty), under the
 /// option light=`option`; under light=encoded as for auto, the caller then does not convert. Null
 /// with one line in `error` when there is none, or when the option names a space whose colours do

@@ -49,7 +49,9 @@ public:
             "24 -f image2pipe -c:v pam -i - out.mp4, with the video's own rate in place of 24. One "
             "picture is read and one written while a third is worked on.",
             "Numbers of PAM, PPM and PGM are taken to be sRGB, those of PFM linear light; the "
-            "filter's option light= says otherwise. Here that may be auto, " +
+            "filter's option light= says otherwise. Whatever is told of it with the others, here "
+            "it may "
+            "be auto, " +
                 OIIO::Strutil::join(host::meaning_names(), ", ") +
                 "; $OCIO is not looked at. PAM's alpha is not associated. Pictures of "
                 "other largest values than 255 and 65535 become such of 16 bits."};

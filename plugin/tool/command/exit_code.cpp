@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/one_line.h"
+#include "plugin/colour/space_light.h"
 #include "plugin/image/lazy_file.h"
 #include "plugin/image/memory.h"
 
@@ -82,6 +83,18 @@ std::string without_names(const std::string& message) {
     return rest;
 }
 
+/// Whether it says that a filter's option light= names none, which the library alone knows. The
+/// names that follow are not in quotes, and may have some.
+bool tells_of_unknown_light(const std::string& message) {
+    const size_t at = message.rfind(allowed_lights_text);
+    if (at == std::string::npos)
+        return false;
+    const std::string before = message.substr(0, at);
+    const bool in_a_name = without_names(before).find('"') != std::string::npos ||
+                           before.find(allowed_lights_text) != std::string::npos;
+    return !in_a_name;
+}
+
 } // namespace
 
 ExitCode code_of_errno(int number) {
@@ -134,11 +147,9 @@ Failure thrown() {
 }
 
 ExitCode code_of_message(const std::string& message) {
-    const std::string text = without_names(message);
-    if (tells_of_want(text))
-        return exit_resources;
-    // Of find_light(): what the filter's option light= names, which the library alone knows.
-    return text.find("; allowed are auto") == std::string::npos ? exit_failed : exit_usage;
+    if (tells_of_unknown_light(message))
+        return exit_usage;
+    return tells_of_want(without_names(message)) ? exit_resources : exit_failed;
 }
 
 } // namespace ddt::tool

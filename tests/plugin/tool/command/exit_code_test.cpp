@@ -68,9 +68,13 @@ TEST(ExitCodes, WhatOursSayIsKnown) {
 TEST(ExitCodes, ALightThatThereIsNotIsWrongUsage) {
     for (const char* message :
          {R"("a.png": light "foo" is not a colour space; allowed are auto, encoded, raw)",
-          "light=foo: the OCIO config has no role scene_linear; allowed are auto and encoded"})
+          "light=foo: the OCIO config has no role scene_linear; allowed are auto and encoded",
+          R"(light "foo" is none; allowed are auto, encoded, 5" film, std::bad_alloc)"})
         EXPECT_EQ(code_of_message(message), exit_usage) << message;
-    EXPECT_EQ(code_of_message(R"("; allowed are auto": Permission denied)"), exit_failed);
+    for (const char* message :
+         {R"("; allowed are auto": Permission denied)",
+          R"(Invalid image file "x; allowed are auto.fits": x; allowed are auto.fits isn't FITS)"})
+        EXPECT_EQ(code_of_message(message), exit_failed) << message;
 }
 
 TEST(ExitCodes, AMountThatIsLostMayComeBack) {
