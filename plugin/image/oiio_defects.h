@@ -43,12 +43,12 @@ inline bool spoils_tiff_tiles(const OIIO::ParamValue& attribute) {
     return compression.substr(0, compression.find(':')) == "jpeg";
 }
 
-/// Whether a file, open or to be written, is a PFM, as PNM of floats is since OpenImageIO 2.6.2.
+/// Whether a file, open or to be written, is a PFM, as PNM of floats is since OpenImageIO 2.5.12.
 /// The last of its rows comes first. OpenImageIO's writer turns them about in each batch that it is
 /// handed, if that is of floats, also where it makes whole numbers of them, unless it is told not
 /// to; then it writes them as they come.
 inline bool is_pfm(const std::string& format, const OIIO::ImageSpec& spec) {
-    return OIIO::openimageio_version() >= 20602 && format == "pnm" &&
+    return OIIO::openimageio_version() >= 20512 && format == "pnm" &&
            spec.format.is_floating_point();
 }
 

@@ -187,8 +187,8 @@ bool begins_with_last_row(const std::string& path) {
     return file && first > 0.9f;
 }
 
-// OpenImageIO has floats in PNM since 2.6.2, the last row first, and turns about each batch of rows
-// that it is handed as floats, whatever it makes of them.
+// OpenImageIO has floats in PNM since 2.5.12, the last row first, and turns about each batch of
+// rows that it is handed as floats, whatever it makes of them.
 TEST(ResizeFile, RowsOfPnmKeepTheirOrder) {
     struct Case {
         const char* in;
