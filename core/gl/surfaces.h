@@ -46,7 +46,7 @@ class Surfaces {
 public:
     /// strength: correction_strength() of core/surface/corrections.h.
     Surfaces(Gpu& gpu, const SlotShape& shape, int tiles, const std::vector<GroupKinds>& groups,
-             const SurfaceOptions& options, float strength = 1);
+             const SurfaceOptions& options, float strength);
 
     /// Device memory a tile takes, and the largest single buffer of it.
     static size_t bytes(const SlotShape& shape, size_t groups, const SurfaceOptions& options);

@@ -11,6 +11,7 @@
 #include "core/gl/job_programs.h"
 #include "core/gl/offload.h"
 #include "core/gl/programs.h"
+#include "core/surface/corrections.h"
 #include "core/tiles/channel_groups.h"
 #include "core/tiles/tile_io.h"
 
@@ -63,6 +64,7 @@ Runner::Runner(Gpu& gpu, const TiledJob& tiled, Transfer transfer, JobState& sta
       m_in_flight(affordable_tiles(gpu, m_shape, group_count(m_job.channels), m_job.mesh,
                                    m_job.surface, m_grid.count())),
       m_most_strips(most_strips(m_job, m_grid, m_mapping)), m_strips_a_write(m_most_strips / 3),
+      m_strength(correction_strength(m_mapping.scale())),
       m_counting(m_job.statistics || verbose()) {}
 
 Runner::~Runner() {
@@ -165,9 +167,8 @@ void Runner::begin_batch() {
     if (!m_mesh || !m_surfaces) {
         const int slots = int(m_in_flight) * m_meshes;
         m_mesh = std::make_unique<DeviceMesh>(m_gpu, m_shape, slots);
-        m_surfaces =
-            std::make_unique<Surfaces>(m_gpu, m_shape, slots, kinds_of(m_job), m_job.surface,
-                                       correction_strength(m_mapping.scale()));
+        m_surfaces = std::make_unique<Surfaces>(m_gpu, m_shape, slots, kinds_of(m_job),
+                                                m_job.surface, m_strength);
         m_surfaces->expect(m_transfer.upload, m_job.channels, m_meshes);
     }
     std::vector<TileSize> sizes;

@@ -88,6 +88,7 @@ private:
     std::vector<std::unique_ptr<JobStrip>> m_spare;    ///< strips whose memory can be had
     size_t m_most_strips;                              ///< that are under way
     size_t m_strips_a_write;                           ///< of those, at most
+    float m_strength;                                  ///< correction_strength()
     bool m_counting;                                   ///< statistics are wanted
 
     // On the context's thread only.

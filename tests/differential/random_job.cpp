@@ -49,6 +49,11 @@ public:
         }
     }
 
+    Scale scale() const override {
+        return {double(m_shape.out_width) / m_shape.width,
+                double(m_shape.out_height) / m_shape.height};
+    }
+
     const Shape& shape() const { return m_shape; }
 
 private:

@@ -107,7 +107,7 @@ Table compute(const std::string& folder) {
         std::vector<std::string> filters = ddt::filter_names();
         filters.insert(filters.end(), {"ddt-sharp,clipped=1", "ddt,meshes=2"});
         for (const std::string& filter : filters)
-            for (double scale : {2.5, 3.0}) {
+            for (double scale : {1.4, 2.5, 3.0}) {
                 std::ostringstream key;
                 key << entry.path().filename().string() << " " << filter << " " << scale;
                 table[key.str()] = result_of(image, filter, scale);

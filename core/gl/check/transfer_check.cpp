@@ -41,7 +41,7 @@ std::string unpacking_differs(Gpu& gpu, const Numbers& numbers) {
         std::memcpy(memory.data() + i * size_t(numbers.bytes), &sent, size_t(numbers.bytes));
     }
     DeviceMesh mesh(gpu, shape, 1);
-    Surfaces surfaces(gpu, shape, 1, std::vector<GroupKinds>(2), SurfaceOptions());
+    Surfaces surfaces(gpu, shape, 1, std::vector<GroupKinds>(2), SurfaceOptions(), 1);
     const TileSize size{width, height};
     surfaces.expect(numbers, channels, 1);
     mesh.set_tiles({size});
@@ -100,7 +100,7 @@ std::string packing_differs(Gpu& gpu, const Transfer& transfer) {
     const size_t count = floats.size(), bytes = count * transfer.download_bytes();
     SampleMemory memory;
     HostBuffer packed(gl, bytes);
-    Surfaces surfaces(gpu, {2, 2}, 1, {}, SurfaceOptions());
+    Surfaces surfaces(gpu, {2, 2}, 1, {}, SurfaceOptions(), 1);
     surfaces.make_room(1, count, transfer, memory);
     memory.results->write(0, count * sizeof(float), floats.data());
     surfaces.download(count, transfer, memory, packed);

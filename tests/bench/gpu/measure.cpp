@@ -8,6 +8,7 @@
 #include "core/gl/budget.h"
 #include "core/gl/host_tile.h"
 #include "core/gl/strip.h"
+#include "core/surface/corrections.h"
 #include "core/tiles/tile_io.h"
 #include "core/triangulate/triangulate.h"
 #include "tests/bench/gpu/kernel_clock.h"
@@ -33,7 +34,8 @@ public:
           m_mapping(picture.twofold()),
           m_in_flight(gl::affordable_tiles(gpu, m_shape, 1, job.mesh, job.surface, m_grid.count())),
           m_mesh(gpu, m_shape, int(m_in_flight)),
-          m_surfaces(gpu, m_shape, int(m_in_flight), gl::kinds_of(job), job.surface) {
+          m_surfaces(gpu, m_shape, int(m_in_flight), gl::kinds_of(job), job.surface,
+                     correction_strength(m_mapping.scale())) {
         m_surfaces.expect(m_numbers, channels, job.mesh.meshes);
     }
 

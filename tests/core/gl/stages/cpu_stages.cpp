@@ -3,6 +3,7 @@
 
 #include "core/base/float_mode.h"
 #include "core/surface/consistency/consistency_rounds.h"
+#include "core/surface/corrections.h"
 #include "core/surface/edge_maker.h"
 #include "core/tiles/channel_groups.h"
 #include "core/tiles/tile_io.h"
@@ -59,7 +60,8 @@ SurfaceStage cpu_surface(const std::vector<float>& guide, const std::vector<floa
         edges.finish();
     };
     Consistency consistency;
-    consistency.begin(lattice, net, {surface.limit, surface.clipped});
+    consistency.begin(lattice, net,
+                      {surface.limit, surface.clipped, correction_strength(surface_scale)});
     for (int i = 0; i < rounds; ++i) {
         make_edges();
         consistency.correct(lattice, surface.kind, net);

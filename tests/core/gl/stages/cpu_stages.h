@@ -16,6 +16,10 @@ struct MeshStage {
     int stride = 0;
 };
 
+/// What the surface is made for: corrections' strength is no power of two then, by which a product
+/// is the same however it is rounded.
+constexpr Mapping::Scale surface_scale{1.9, 1.95};
+
 /// The first group of channels of the surface over it.
 struct SurfaceStage {
     std::vector<float> vertices;  ///< group_size a pixel

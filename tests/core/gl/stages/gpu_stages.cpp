@@ -7,6 +7,7 @@
 #include "core/gl/job_programs.h"
 #include "core/gl/strip.h"
 #include "core/surface/control_net.h"
+#include "core/surface/corrections.h"
 #include "core/triangulate/triangulate.h"
 
 namespace ddt::test {
@@ -90,7 +91,7 @@ SurfaceStage GpuStages::surface(int rounds) {
     options.consistency = rounds;
     options.fitted = false; // its vertices and bends are seen in the result
     const auto kinds = gl::kinds_of(m_job);
-    gl::Surfaces surfaces(m_gpu, m_shape, 1, kinds, options);
+    gl::Surfaces surfaces(m_gpu, m_shape, 1, kinds, options, correction_strength(surface_scale));
     finish_mesh();
     surfaces.expect(m_numbers, m_job.channels, 1);
     gl::upload_numbers(m_tile, m_job, 0, m_shape, surfaces);
@@ -131,14 +132,15 @@ SurfaceStage GpuStages::surface(int rounds) {
 }
 
 std::vector<float> GpuStages::result(int out_width, int out_height) {
-    gl::Surfaces surfaces(m_gpu, m_shape, 1, gl::kinds_of(m_job), m_job.surface);
+    const ResizeMapping mapping(ResizeMapping::Axis::whole(m_job.window.width(), out_width),
+                                ResizeMapping::Axis::whole(m_job.window.height(), out_height));
+    gl::Surfaces surfaces(m_gpu, m_shape, 1, gl::kinds_of(m_job), m_job.surface,
+                          correction_strength(mapping.scale()));
     finish_mesh();
     surfaces.expect(m_numbers, m_job.channels, 1);
     gl::upload_numbers(m_tile, m_job, 0, m_shape, surfaces);
     surfaces.unpack(m_mesh);
     surfaces.make(m_mesh, criterion(m_job.mesh));
-    const ResizeMapping mapping(ResizeMapping::Axis::whole(m_job.window.width(), out_width),
-                                ResizeMapping::Axis::whole(m_job.window.height(), out_height));
     gl::Strip strip;
     strip.rows = {0, 0, out_width, out_height};
     gl::plan_strip(mapping, m_tile.tile, 0, strip);
