@@ -48,12 +48,14 @@ void widen(vec4 limit, float lowest, vec4 z, inout vec4 low, inout vec4 high) {
     precise vec4 wide = low - margin;
     precise vec4 dim = low - limit * low;
     precise vec4 above_white = high - vec4(1.0);
-    vec4 light = upper(zero, lower(vec4(1.0), above_white));
-    precise vec4 left = z * (0.5 * light);
+    vec4 light = if_less(vec4(lowest), zero, zero, upper(zero, lower(vec4(1.0), above_white)));
+    precise vec4 half_ = z * 0.5;
+    precise vec4 left = half_ * light;
     dim = upper(dim, left);
+    precise vec4 negative = wide + light * (upper(wide, lower(z, half_)) - wide);
     vec4 bound = if_less(vec4(lowest), zero, vec4(lowest), if_less(dim, zero, zero, dim));
     precise vec4 raised = high + margin;
-    vec4 sunk = if_less(low, zero, wide, if_less(wide, bound, bound, wide));
+    vec4 sunk = if_less(low, zero, negative, if_less(wide, bound, bound, wide));
     high = if_less_equal(raised, vec4(largest_float), raised, high);
     low = if_less_equal(vec4(-largest_float), sunk, sunk, low);
 }

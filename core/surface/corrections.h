@@ -26,7 +26,7 @@ inline bool is_corrected(const SurfaceOptions& surface) {
 /// where they are many, nothing where one is read. 2 - 2 d is near that from 1 to 2, and nearer to
 /// what is best for photographs (docs/quality.md). NaN counts as many.
 inline float correction_strength(const Mapping::Scale& scale) {
-    const auto along = [](double n) { return n < 2 ? std::max(2 - 2 / n, 0.0) : 1.0; };
+    const auto along = [](double n) { return n < 2 ? 2 - 2 / std::max(n, 1.0) : 1.0; };
     return float((along(scale.x) + along(scale.y)) / 2);
 }
 

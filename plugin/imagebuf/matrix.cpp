@@ -140,7 +140,8 @@ bool moves_only(const Projective& m, int& dx, int& dy) {
 
 Mapping::Scale MatrixMapping::scale() const {
     const auto middle = [](int begin, int end) { return (double(begin) + double(end)) / 2; };
-    const auto p = m_to_output(middle(m_window.x0, m_window.x1), middle(m_window.y0, m_window.y1));
+    const auto p =
+        m_to_output(middle(m_display.x0, m_display.x1), middle(m_display.y0, m_display.y1));
     const Derivative of(m_to_output, p);
     const auto length = [](double x, double y) { return std::sqrt(x * x + y * y); };
     return {length(of.a, of.c), length(of.b, of.d)};

@@ -51,18 +51,20 @@ bool moves_only(const Projective& m, int& dx, int& dy);
 /// Positions are computed in double and rounded to 2^-16 pixel.
 class MatrixMapping final : public Mapping {
 public:
-    /// `to_source` takes output to source pixel coordinates, `to_output` is its inverse.
+    /// `to_source` takes output to source pixel coordinates, `to_output` is its inverse. window: of
+    /// the source's pixels; display: its display window.
     MatrixMapping(const Projective& to_source, const Projective& to_output, const Rect& window,
-                  const Rect& output)
-        : m_to_source(to_source), m_to_output(to_output), m_window(window), m_output(output) {}
+                  const Rect& display, const Rect& output)
+        : m_to_source(to_source), m_to_output(to_output), m_window(window), m_display(display),
+          m_output(output) {}
     Rect reach(double x0, double y0, double x1, double y1) const override;
     void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override;
-    /// That in the middle of the window.
+    /// That in the middle of the display window, which is the same however little of it has pixels.
     Scale scale() const override;
 
 private:
     Projective m_to_source, m_to_output;
-    Rect m_window, m_output;
+    Rect m_window, m_display, m_output;
 };
 
 } // namespace ddt

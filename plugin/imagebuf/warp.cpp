@@ -165,7 +165,8 @@ bool warp_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options&
         error = dst.geterror();
         return false;
     }
-    const MatrixMapping mapping(to_source, to_output, rect_of(src.roi()), rect_of(roi));
+    const MatrixMapping mapping(to_source, to_output, rect_of(src.roi()), rect_of(src.roi_full()),
+                                rect_of(roi));
     return resample(dst, src, mapping, roi, options, call.nthreads, error);
 }
 

@@ -36,7 +36,7 @@ public:
     /// True if reach() holds exactly the pixels of its rectangle, row() is all inside, x depends on
     /// the column alone and y on the row alone. Where both ascend it is fast.
     virtual bool separable() const { return false; }
-    /// About how many output pixels lie across a source pixel, along the source's axes.
+    /// About how many output pixels lie across a source pixel, along the source's axes; 0 or more.
     struct Scale {
         double x, y;
     };
@@ -63,6 +63,7 @@ public:
         int64_t position(int i) const;
         /// First output pixel of [out0, out1) whose position is >= limit (a pixel coordinate).
         int first_at_or_after(int limit) const;
+        /// Output pixels across a source pixel.
         double scale() const { return double(to_size) / from_size; }
         /// All of `from` pixels made all of `to`.
         static Axis whole(int from, int to) { return {0, from, 0, to, 0, from, 0, to}; }

@@ -56,9 +56,10 @@ struct SurfaceOptions {
     int consistency = 0;
     /// How far a corrected vertex may leave the range of its 3x3 source pixels, as a share of that
     /// range, and downwards, where none of the nine is negative, of the smallest of them if that is
-    /// less; 0 or more. So it never gets negative where none is, unless `clipped`. Where one of the
-    /// nine is 2 or more it keeps half of its own pixel, too, where one is above 1 some of that:
-    /// beside lights one channel alone would fall to that of a dark neighbour.
+    /// less; 0 or more. So it never gets negative where none is, unless `clipped`. Unless
+    /// that, it also keeps half of its own pixel (of a negative one all) where one of the nine is 2
+    /// or more, and some of that where one is above 1: beside lights one channel alone would fall
+    /// to that of a dark neighbour.
     float limit = 0.25f;
     /// Edges that would lose less than this by a flip are blended with their flipped state, so that
     /// the picture is nearly continuous in its input; in units of the cost, 0: none. Without

@@ -57,20 +57,22 @@ DDT_INLINE T corrected(T z, T source, T sum, T share, T low, T high) {
 /// The range a vertex may be moved in, from the range of its 3x3 source pixels and the share of
 /// that by which it may be left. Where none of them is negative the share is, downwards, of the
 /// smallest too, if that is less: beside a light a thousand times as bright it would be black. And
-/// where one of them is a light, twice as bright as white (1) and more, half the vertex' own pixel,
-/// `z`, is left: one of its channels alone would fall to a dark neighbour's, and a rim of another
-/// colour be there. Unless `lowest`, a bound below 0, says that what is negative will be cut off.
-/// Where floats end, the range stays what it was.
+/// where one of them is a light, twice as bright as white (1) and more, the vertex keeps half its
+/// own pixel, `z`, or all of a negative one: one of its channels alone would fall to a dark
+/// neighbour's, and a rim of another colour be there. Unless `lowest`, a bound below 0, says that
+/// what is negative will be cut off. Where floats end, the range stays what it was.
 template <class T>
 DDT_INLINE void widen(T limit, T lowest, T z, T& low, T& high) {
     const T zero = T(0.0f);
     const T margin = limit * (high - low);
     const T wide = low - margin;
-    const T light = upper(zero, lower(T(1.0f), high - T(1.0f)));
-    const T dim = upper(low - limit * low, z * (T(0.5f) * light));
+    const T light = if_less(lowest, zero, zero, upper(zero, lower(T(1.0f), high - T(1.0f))));
+    const T half = z * T(0.5f);
+    const T dim = upper(low - limit * low, half * light);
+    const T negative = wide + light * (upper(wide, lower(z, half)) - wide);
     const T bound = if_less(lowest, zero, lowest, if_less(dim, zero, zero, dim));
     const T raised = high + margin;
-    const T sunk = if_less(low, zero, wide, if_less(wide, bound, bound, wide));
+    const T sunk = if_less(low, zero, negative, if_less(wide, bound, bound, wide));
     high = if_less_equal(raised, T(largest_float), raised, high);
     low = if_less_equal(zero - T(largest_float), sunk, sunk, low);
 }

@@ -6,15 +6,16 @@
 // the midpoint in doubled coordinates. In such slanted coordinates one small filter serves all
 // directions, long along the contour that the edge follows. From the source s:
 //
-//     z = clamp(s + sum_n t_n sum_f (W_nf + u U_nf) f, limits of a consistency round, wider by u)
+//     z = clamp(s + a sum_n t_n sum_f (W_nf + u U_nf) f, limits of a consistency round, wider by u)
 //     e = clamp(sum_n t_n (sum_f S_nf f + sum_g N_kng g), -2 r, 2 r),   r the range of s over a, b,
 //         c and d
 //
-// with a vertex' features f: the means over five rings of the 5x5 pixels round it, less its own,
-// and the step of one consistency round; an edge's f: the pixels along it, less its midpoint's
-// value, the plain bend e of control_net.h, and what the next pixels along it tell, within its
-// rise; an edge's g: combinations of 30 pixels that are 0 wherever the picture varies along one
-// axis only, so that an exactly horizontal, vertical or diagonal contour stays as even as it is.
+// with a = Correction::strength; a vertex' features f: the means over five rings of the 5x5 pixels
+// round it, less its own, and the step of one consistency round; an edge's f: the pixels along it,
+// less its midpoint's value, the plain bend e of control_net.h, and what the next pixels along it
+// tell, within its rise; an edge's g: combinations of 30 pixels that are 0 wherever the picture
+// varies along one axis only, so that an exactly horizontal, vertical or diagonal contour stays as
+// even as it is.
 //
 // t_0 = 1, the others rise from 0 to 1 between nodes of an index between 0, where there are but two
 // levels, and about 0.2, in texture: the mean of min(s - low, high - s) over the 5x5 pixels in

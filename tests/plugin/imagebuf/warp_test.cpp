@@ -233,7 +233,7 @@ TEST(Warp, KnowsShrinking) {
 ddt::Mapping::Scale scale_of(const ddt::Projective& m, const ddt::Rect& window) {
     ddt::Projective inverse;
     EXPECT_TRUE(m.invert(inverse));
-    return ddt::MatrixMapping(inverse, m, window, window).scale();
+    return ddt::MatrixMapping(inverse, m, {0, 0, 1, 1}, window, window).scale();
 }
 
 TEST(Warp, KnowsItsScale) {
@@ -342,7 +342,7 @@ TEST(Warp, ReachHoldsEveryPixelItShows) {
         const ddt::Projective to_output{m};
         ddt::Projective to_source;
         ASSERT_TRUE(to_output.invert(to_source));
-        const ddt::MatrixMapping mapping(to_source, to_output, source, output);
+        const ddt::MatrixMapping mapping(to_source, to_output, source, source, output);
         for (const auto& [x0, y0] : {std::pair(0, 0), std::pair(20, 50), std::pair(50, 3)}) {
             const ddt::Rect reach = mapping.reach(x0, y0, x0 + 13.0, y0 + 13.0);
             std::vector<ddt::Position> p(400);

@@ -262,6 +262,25 @@ TEST(Consistency, BesideALightHalfOfEachColourIsLeft) {
     EXPECT_GT(sunk, 10);
 }
 
+// Scene light has some that are a little below 0.
+TEST(Consistency, BesideALightAPixelJustBelowZeroChangesLittle) {
+    Random random(7);
+    Scene scene(12, 12, 60, random);
+    const auto beside = [&](float dark) {
+        std::vector<float> source;
+        for (int y = 0; y < 12; ++y)
+            for (int x = 0; x < 12; ++x)
+                source.push_back(x < 6 ? 30.0f : x == 6 ? 4.0f : dark);
+        return corrected(scene, source, {Surface::patch, 0.3f}, 2);
+    };
+    const auto black = beside(0), negative = beside(-1e-6f);
+    for (int y = 1; y < 11; ++y) {
+        const size_t at = size_t(y) * 12 + 6;
+        EXPECT_GE(negative[at], 1.9f);
+        EXPECT_NEAR(negative[at], black[at], 1e-4f);
+    }
+}
+
 // At 1 an output pixel is as large as a source pixel, whose value it then has.
 TEST(Consistency, IsStrongerTheSmallerOutputPixelsAre) {
     EXPECT_EQ(correction_strength({1, 1}), 0.0f);
