@@ -101,6 +101,11 @@ class Case(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""), " ".join(command))
         return done.stdout
 
+    def release(self):
+        """OpenImageIO's, such as (2, 5)."""
+        version = self.succeed("oiiotool", "--version").split(".")
+        return int(version[0]), int(version[1])
+
     def fail_with(self, *command, says, out=None, **how):
         """Run a program that must fail with all of `says` in one line and not write `out`."""
         done = self.attempt(*command, **how)

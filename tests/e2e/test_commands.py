@@ -139,8 +139,7 @@ class Commands(Case):
         self.assertEqual(self.size("out.png"), (100, 80))
 
     def test_from_to(self):
-        version = self.succeed("oiiotool", "--version").split(".")
-        release = int(version[0]), int(version[1])
+        release = self.release()
         if release < (2, 5):
             self.skipTest("--resize:from=:to= came with OpenImageIO 2.5")
         done = self.attempt("oiiotool", "photo.png",
