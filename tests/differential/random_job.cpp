@@ -49,10 +49,7 @@ public:
         }
     }
 
-    Scale scale() const override {
-        return {double(m_shape.out_width) / m_shape.width,
-                double(m_shape.out_height) / m_shape.height};
-    }
+    Scale scale() const override { return m_resize.scale(); }
 
     const Shape& shape() const { return m_shape; }
 
