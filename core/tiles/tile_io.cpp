@@ -112,8 +112,9 @@ bool serves_below(const Tile& tile, const Position& p) {
 
 Point local(const Tile& tile, const Position& p) {
     const auto along = [](int64_t position, int begin, int end) {
-        return int32_t(std::clamp(position - int64_t(begin) * position_one, int64_t(0),
-                                  int64_t(end - 1 - begin) * position_one));
+        const int64_t first = int64_t(begin) * position_one;
+        // Before the difference is taken: a mapping may hand out any 64 bits.
+        return int32_t(std::clamp(position, first, int64_t(end - 1) * position_one) - first);
     };
     return {along(p.x, tile.pixels.x0, tile.pixels.x1), along(p.y, tile.pixels.y0, tile.pixels.y1)};
 }

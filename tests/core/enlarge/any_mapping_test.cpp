@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mappings that jump about and ones that lead out of the window.
+#include <limits>
+
 #include "tests/core/job_helpers.h"
 #include "tests/core/mirrored.h"
+#include "tests/many_threads.h"
 
 namespace ddt::test {
 namespace {
@@ -21,6 +24,30 @@ public:
                 *values++ = *guide++ = plane(x, y);
         return true;
     }
+};
+
+/// Positions within a window that lies before 0, and some at the ends of 64 bits: one's own are
+/// clamped so beyond a horizon, and what is converted is on some machines.
+class Farthest final : public Mapping {
+public:
+    explicit Farthest(const Rect& window) : m_window(window) {}
+    Rect reach(double, double, double, double) const override { return {0, 0, side, side}; }
+    void row(int y, int x0, int x1, Position* positions, uint8_t* inside) const override {
+        for (int x = x0; x < x1; ++x) {
+            *positions++ = {along(x, m_window.x0, (5 * x + y) % 7),
+                            along(y, m_window.y0, (7 * x + y) % 5)};
+            *inside++ = 1;
+        }
+    }
+    static constexpr int side = 400;
+
+private:
+    static int64_t along(int i, int begin, int turn) {
+        return turn == 0   ? std::numeric_limits<int64_t>::max()
+               : turn == 1 ? std::numeric_limits<int64_t>::min()
+                           : i * 40000 + int64_t(begin) * position_one;
+    }
+    Rect m_window;
 };
 
 /// Positions anywhere in [-beyond, size + beyond), each axis by itself if `grid`.
@@ -149,6 +176,29 @@ TEST(AnyMapping, OutsideTheWindowNothingIsReadThatIsNotThere) {
             EXPECT_GT(within + beside, 2000) << "what is not written shows nothing";
             EXPECT_EQ(sink.written(0), int64_t(out.area()) - within - beside);
         }
+}
+
+TEST(AnyMapping, AnyNumberMayBeAPosition) {
+    const ManyThreads allowed;
+    TestSource source({-300, -300, -20, -20}, 3, 5);
+    const auto [least, most] = std::minmax_element(source.values().begin(), source.values().end());
+    const Rect out{0, 0, Farthest::side, Farthest::side};
+    std::vector<float> one;
+    for (const int threads : {1, 3}) {
+        Job job = job_of(source, 3);
+        job.surface.kind = Surface::patch;
+        job.device = Device::cpu;
+        job.threads = threads;
+        TestSink sink(out, 3);
+        ASSERT_EQ(enlarge(source, sink, Farthest(source.window()), job), Outcome::done);
+        EXPECT_EQ(sink.strays, 0);
+        EXPECT_GT(sink.written(1), int64_t(out.area()) / 3);
+        for (const float v : sink.values())
+            ASSERT_TRUE(v == -99.0f || (v >= *least && v <= *most)) << v;
+        if (one.empty())
+            one = sink.values();
+        EXPECT_EQ(differing(sink.values(), one), 0u) << threads;
+    }
 }
 
 } // namespace
