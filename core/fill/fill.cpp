@@ -16,6 +16,7 @@
 #include "core/fill/hole_groups.h"
 #include "core/fill/hole_mesh.h"
 #include "core/fill/membrane.h"
+#include "core/guide/guide.h"
 #include "core/tiles/work_line.h"
 #include "ddt/names.h"
 #include "ddt/option_table.h"
@@ -75,6 +76,7 @@ public:
         const float meshes = rims * mesh_time;
         const float smoothing_begins = meshes / (meshes + float(count) * smoothing_time);
         m_surface.assign(m_image.guide, m_image.guide + m_size);
+        clean_guide(m_surface.data(), m_size);
         m_inside.assign(m_size, 0);
         SharedProgress meshing(part_of(progress, 0, smoothing_begins), rims);
         if (!make_meshes(groups, options, device, meshing, made, error))
@@ -127,7 +129,7 @@ private:
                 return going && shared.add(more);
             };
             std::string why;
-            HoleMesh mesh(m_image, m_missing, groups[own]);
+            HoleMesh mesh(m_image, m_surface.data(), m_missing, groups[own]);
             const bool made =
                 mesh.make(options, device, tell, report ? &reports[own] : nullptr, why) &&
                 mesh.fill(m_surface.data(), m_inside.data(), why);
@@ -208,7 +210,7 @@ private:
     const HoledImage& m_image;
     const uint8_t* m_missing;
     const size_t m_size;
-    std::vector<float> m_surface;  ///< the guide, filled
+    std::vector<float> m_surface;  ///< the guide, cleaned and filled
     std::vector<uint8_t> m_inside; ///< 1 where a mesh covers a missing pixel
 };
 

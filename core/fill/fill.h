@@ -17,7 +17,7 @@ constexpr float share_of_filling = 0.5f;
 /// A whole image in memory. `kinds` may be null: all channels are Channel::blend.
 struct HoledImage {
     float* values;       ///< `channels` interleaved floats per pixel
-    const float* guide;  ///< one float per pixel
+    const float* guide;  ///< one float per pixel; what clean_guide() zeroes counts as 0
     float* filled_guide; ///< `guide` itself, to be filled like a channel; null: it is not
     int width, height, channels;
     const Channel* kinds;

@@ -32,7 +32,8 @@ Rect around(const Rect& box, int by, int width, int height) {
 
 } // namespace
 
-HoleMesh::HoleMesh(const HoledImage& image, const uint8_t* missing, const HoleGroup& group)
+HoleMesh::HoleMesh(const HoledImage& image, const float* guide, const uint8_t* missing,
+                   const HoleGroup& group)
     : m_image(image), m_group(group),
       m_box(around(group.box, group.reach + margin, image.width, image.height)) {
     const std::vector<uint8_t> near = near_holes(missing);
@@ -47,7 +48,7 @@ HoleMesh::HoleMesh(const HoledImage& image, const uint8_t* missing, const HoleGr
                 continue;
             m_mesh.x.push_back(x);
             m_mesh.y.push_back(y);
-            m_guides.push_back(image.guide[i]);
+            m_guides.push_back(guide[i]);
             const float* values = image.values + i * channels;
             m_values.insert(m_values.end(), values, values + channels);
         }

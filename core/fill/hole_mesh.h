@@ -18,7 +18,9 @@ struct Covered;
 /// The pixels that are there about a group's holes, and triangles of them.
 class HoleMesh {
 public:
-    HoleMesh(const HoledImage& image, const uint8_t* missing, const HoleGroup& group);
+    /// guide: the image's, cleaned (clean_guide()); of pixels that are not missing.
+    HoleMesh(const HoledImage& image, const float* guide, const uint8_t* missing,
+             const HoleGroup& group);
 
     /// Triangulate and flip edges. Nothing is made, and fill() does nothing, where the pixels lie
     /// on one line. False with one line in `error`. May throw.

@@ -72,8 +72,8 @@ bool draw(const PointMesh& mesh, const float* values, int channels, const PixelG
 /// outermost pixels that are there, gets the value of the nearest. Infinities are no part of what
 /// others beside them give. `values`: `channels` floats per pixel; `kinds`: one per channel, or
 /// null if all are Channel::blend; `guide`: one float per pixel, not looked at where one is
-/// missing. Nothing is done if nothing is missing; false if all is. Being cancelled leaves the
-/// missing pixels as anything.
+/// missing; what is below 2^-24 or not finite counts as 0. Nothing is done if nothing is
+/// missing; false if all is. Being cancelled leaves the missing pixels as anything.
 bool fill_holes(float* values, int width, int height, int channels, const Channel* kinds,
                 const float* guide, const uint8_t* missing, const MeshOptions& options,
                 std::string* error = nullptr, const ProgressCallback& progress = {}) noexcept;

@@ -134,7 +134,7 @@ std::vector<float> filled(const Holed& holed, const std::vector<HoleGroup>& grou
                            nullptr};
     for (const HoleGroup& group : groups) {
         std::string error;
-        HoleMesh mesh(image, holed.missing.data(), group);
+        HoleMesh mesh(image, image.guide, holed.missing.data(), group);
         EXPECT_TRUE(mesh.make(start, Device::cpu, {}, nullptr, error)) << error;
         EXPECT_TRUE(mesh.fill(surface.data(), inside.data(), error)) << error;
     }

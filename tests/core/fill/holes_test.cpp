@@ -269,6 +269,34 @@ TEST(FillHoles, InfinitiesAreNoPartOfWhatOthersGive) {
     filled(true);
 }
 
+/// What counts as 0 elsewhere does where holes are filled, too.
+TEST(FillHoles, AGuideThatIsNoUsualNumberCountsAs0) {
+    constexpr int side = 40;
+    const auto filled = [&](float odd) {
+        std::vector<float> values(side * side), guide(values.size());
+        std::vector<uint8_t> missing(values.size());
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                const auto i = size_t(y * side + x);
+                values[i] = guide[i] = (x + y / 2) / 7 % 2 ? 0.9f : 0.1f;
+                missing[i] = x >= 12 && x < 26 && y >= 12 && y < 26;
+                if (x >= 17 && x < 20 && y == 11)
+                    guide[i] = odd;
+            }
+        const std::vector<float> given = guide;
+        std::string error;
+        EXPECT_TRUE(fill_holes(values.data(), side, side, 1, nullptr, guide.data(), missing.data(),
+                               plain_mesh(), &error))
+            << error;
+        EXPECT_EQ(differing(guide, given), 0u);
+        return values;
+    };
+    const std::vector<float> with_0 = filled(0);
+    EXPECT_NE(filled(0.9f), with_0);
+    for (const float odd : {INFINITY, -INFINITY, std::nanf(""), 1e-9f})
+        EXPECT_EQ(filled(odd), with_0) << odd;
+}
+
 /// Of infinities alone, of both signs, they are what is there.
 TEST(FillHoles, IsNoNumberOfNothing) {
     constexpr int side = 20;
