@@ -148,6 +148,10 @@ bool prepare(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, OIIO::ROI& roi, int
         if (!check_type("destination's", dst.spec().format, error) ||
             !check_windows("destination's", dst.spec(), 0, error))
             return false;
+    } else if (roi.defined() && roi.depth() > 1) {
+        error = format("the region is of depth {}, [{}, {}); allowed is depth 1", roi.depth(),
+                       roi.zbegin, roi.zend);
+        return false;
     } else if (!check_size(roi.defined() ? roi : src.roi(), src.nchannels(), src.spec().format,
                            error)) {
         return false;

@@ -126,7 +126,11 @@ bool warp_checked(OIIO::ImageBuf& dst, const OIIO::ImageBuf& src, const Options&
     if (!check_options_of(src, options, error))
         return false;
     if (wrap < OIIO::ImageBuf::WrapDefault || wrap > OIIO::ImageBuf::WrapMirror) {
-        error = "there is no such wrap mode"; // OpenImageIO ends the process
+        // OpenImageIO ends the process.
+        error =
+            format("wrap mode {} is not allowed; allowed are default, black, clamp, periodic and "
+                   "mirror",
+                   int(wrap));
         return false;
     }
     const Projective to_output = matrix_of(call.M);

@@ -104,6 +104,7 @@ TEST(Errors, Volume) {
     ImageSpec spec(8, 8, 3, OIIO::TypeFloat);
     spec.depth = spec.full_depth = 4;
     expect_failure(ImageBuf(spec), "volume");
+    expect_failure(make(8, 8, 3), "region is of depth 5, [0, 5)", {0, 16, 0, 16, 0, 5});
 }
 
 TEST(Errors, EmptyDisplayWindow) {
