@@ -38,12 +38,16 @@ TEST(Placing, FactorsKeepWhatIsCutOffInItsPlace) {
     }
 }
 
-/// The nearest ratio of up to 16384 pixels is 32769/16384; 2/1 would be 0.4 pixels off.
+/// By 2/1 the last would be 0.4 pixels off; a zoom is eased in by factors nearer to a whole one.
 TEST(Placing, AFactorNextToASimpleOneIsNotThatOne) {
-    constexpr double factor = 2.00005;
-    const Placing all = by_factors({0, 0, 16000, 2}, factor, 1);
-    const int x = all.full.x1 - 9; // not one of those that show the rim
-    EXPECT_NEAR(double(position(all, x, 0).x) / 65536, (x + 0.5) / factor - 0.5, 0.1);
+    for (const double simple : {1.0, 1.5, 2.0, 16.0})
+        for (double more = 1e-6; more < 1e-4; more *= 1.3) {
+            const double factor = simple + more;
+            const Placing all = by_factors({0, 0, 16000, 2}, factor, 1);
+            const int x = all.full.x1 - 40; // not one of those that show the rim
+            EXPECT_NEAR(double(position(all, x, 0).x) / 65536, (x + 0.5) / factor - 0.5, 2e-3)
+                << factor;
+        }
 }
 
 /// As of a size that was asked for in pixels, where a factor makes a whole one.
