@@ -69,7 +69,8 @@ DDT_INLINE void widen(T limit, T lowest, T z, T& low, T& high) {
     const T light = if_less(lowest, zero, zero, upper(zero, lower(T(1.0f), high - T(1.0f))));
     const T half = z * T(0.5f);
     const T dim = upper(low - limit * low, half * light);
-    const T negative = wide + light * (upper(wide, lower(z, half)) - wide);
+    // Exact where `light` is 0 or 1: `wide` is beyond a light by as much as that is bright.
+    const T negative = light * upper(wide, lower(z, half)) + (T(1.0f) - light) * wide;
     const T bound = if_less(lowest, zero, lowest, if_less(dim, zero, zero, dim));
     const T raised = high + margin;
     const T sunk = if_less(low, zero, negative, if_less(wide, bound, bound, wide));

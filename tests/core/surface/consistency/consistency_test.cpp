@@ -266,18 +266,20 @@ TEST(Consistency, BesideALightHalfOfEachColourIsLeft) {
 TEST(Consistency, BesideALightAPixelJustBelowZeroChangesLittle) {
     Random random(7);
     Scene scene(12, 12, 60, random);
-    const auto beside = [&](float dark) {
+    const auto beside = [&](float light, float dark) {
         std::vector<float> source;
         for (int y = 0; y < 12; ++y)
             for (int x = 0; x < 12; ++x)
-                source.push_back(x < 6 ? 30.0f : x == 6 ? 4.0f : dark);
+                source.push_back(x < 6 ? light : x == 6 ? 4.0f : dark);
         return corrected(scene, source, {Surface::patch, 0.3f}, 2);
     };
-    const auto black = beside(0), negative = beside(-1e-6f);
-    for (int y = 1; y < 11; ++y) {
-        const size_t at = size_t(y) * 12 + 6;
-        EXPECT_GE(negative[at], 1.9f);
-        EXPECT_NEAR(negative[at], black[at], 1e-4f);
+    for (const float light : {30.0f, 3e4f, 3e7f, 3e10f}) {
+        const auto black = beside(light, 0), negative = beside(light, -1e-6f);
+        for (int y = 1; y < 11; ++y) {
+            const size_t at = size_t(y) * 12 + 6;
+            EXPECT_GE(negative[at], 1.9f) << light;
+            EXPECT_NEAR(negative[at], black[at], 1e-4f) << light;
+        }
     }
 }
 
