@@ -147,6 +147,9 @@ bool is_abn(const FilterOptions& o) {
 bool is_abn_one_round(const FilterOptions& o) {
     return is_abn(o) && o.mesh.scheme == Scheme::one_round;
 }
+bool is_not_annealing(const FilterOptions& o) {
+    return o.mesh.scheme != Scheme::annealing;
+}
 bool is_clipped_abn_two_rounds(const FilterOptions& o) {
     return is_abn(o) && o.surface.consistency == 2 && o.surface.clipped;
 }
@@ -194,7 +197,9 @@ std::vector<Option> make_table() {
             .in("ddt-sharp", "auto")
             .where(is_abn_one_round, "auto"),
         number("iterations", mesh, &MeshOptions::max_iterations, 0, most_iterations,
-               "Rounds of flips at most; 0 keeps the starting mesh."),
+               "Rounds of flips at most; 0 keeps the starting mesh. Unless given, 64 with "
+               "`annealing`.")
+            .where(is_not_annealing, "64"),
         scheme("Which edges flip, in which order."),
         number("seed", mesh, &MeshOptions::seed, 0u, ~0u,
                "Another seed, another mesh of `annealing`."),

@@ -95,10 +95,11 @@ struct MeshOptions {
     /// ddt/costs.h), for lawson and the paper's schemes a bare guard against rounding. The default
     /// is meant for the cost abn and Scheme::one_round; parse_filter() gives others theirs.
     float min_gain = 0.1f;
-    /// Iterations after which flipping ends; 0 to most_iterations. For lawson and look_ahead these
-    /// are sweeps, for annealing it is the number of random iterations and the limit of those that
-    /// follow.
-    int max_iterations = 64;
+    /// Iterations after which flipping ends; 0 to most_iterations. Photographs take about 30;
+    /// along straight hard edges of slope 2:1 flips run on from their ends, a pixel an iteration.
+    /// For lawson and look_ahead these are sweeps, for annealing it is the number of random
+    /// iterations and the limit of those that follow; parse_filter() gives it 64.
+    int max_iterations = most_iterations;
     /// Share of each neighbour, in rows and then in columns, that is mixed into the guide before
     /// edges are sought in it; 0 to largest_blur. A little keeps single pixels' noise out of the
     /// mesh.

@@ -18,7 +18,7 @@ std::string other_value(const Option& option) {
     case OptionKind::real:
         return number_text(float(option.high) * 0.75f);
     case OptionKind::whole:
-        return std::to_string(int64_t(option.high));
+        return std::to_string(int64_t(option.high) - 1);
     case OptionKind::toggle:
         return "1";
     case OptionKind::choice:
