@@ -28,7 +28,7 @@ class Errors(Case):
         self.refuse("ddt,scheme", '"scheme"', "allowed", "one-round")
 
     def test_number_out_of_range(self):
-        self.refuse("ddt,iterations=1000", '"iterations=1000"', "250")
+        self.refuse("ddt,iterations=1000", '"iterations=1000"', "400")
 
     def test_unknown_colour_space(self):
         self.refuse("ddt,light=nosuchspace", '"nosuchspace"', commands=COMMANDS)

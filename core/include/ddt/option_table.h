@@ -66,7 +66,7 @@ struct Option {
     bool (*holds)(const FilterOptions&) = nullptr;
     const char* otherwise = nullptr;
 
-    /// What is allowed, in words: "whole numbers from 0 to 250".
+    /// What is allowed, in words: "whole numbers from 0 to 400".
     std::string allowed() const;
 };
 

@@ -190,8 +190,8 @@ TEST(Mesh, SaysWhyThereIsNone) {
     o.max_iterations = most_iterations + 1;
     EXPECT_FALSE(build_mesh(guide.data(), 4, 2, o, mesh, nullptr, &error));
     EXPECT_EQ(error,
-              "ddt: option \"iterations=251\" is not allowed; allowed for iterations are whole "
-              "numbers from 0 to 250");
+              "ddt: option \"iterations=401\" is not allowed; allowed for iterations are whole "
+              "numbers from 0 to 400");
     EXPECT_TRUE(is_left_over(mesh));
     EXPECT_TRUE(build_mesh(guide.data(), 4, 2, {}, mesh, nullptr, &error));
     EXPECT_EQ(error, "");

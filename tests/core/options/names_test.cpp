@@ -35,13 +35,13 @@ TEST(Names, TheFamilyHasANumber) {
     EXPECT_EQ(options.scheme, Scheme::exproi_n_maxgain);
     EXPECT_EQ(options.wide_iterations, 7);
     EXPECT_EQ(scheme_name(options), "exproi7-maxgain");
-    ASSERT_TRUE(find_scheme("exproi250-maxgain", options));
-    EXPECT_EQ(options.wide_iterations, 250);
+    ASSERT_TRUE(find_scheme("exproi400-maxgain", options));
+    EXPECT_EQ(options.wide_iterations, 400);
 }
 
 TEST(Names, OthersAreNotFoundAndChangeNothing) {
     for (const char* name :
-         {"", "exproiN-maxgain", "exproi0-maxgain", "exproi251-maxgain", "exproi-1-maxgain",
+         {"", "exproiN-maxgain", "exproi0-maxgain", "exproi401-maxgain", "exproi-1-maxgain",
           "exproi 2-maxgain", "exproi2", "Lawson", "basic "}) {
         MeshOptions options;
         options.scheme = Scheme::lawson;

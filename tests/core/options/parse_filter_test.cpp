@@ -194,8 +194,8 @@ TEST(ParseFilter, WrongValueIsNamedAndValuesListed) {
     const std::string error = error_of("ddt,cost=cheap");
     EXPECT_NE(error.find("\"cost=cheap\""), std::string::npos) << error;
     EXPECT_NE(error.find("abn, scf"), std::string::npos) << error;
-    const std::string range = error_of("ddt,iterations=251");
-    EXPECT_NE(range.find("from 0 to 250"), std::string::npos) << range;
+    const std::string range = error_of("ddt,iterations=401");
+    EXPECT_NE(range.find("from 0 to 400"), std::string::npos) << range;
     for (const char* spec : {"ddt,meshes=0", "ddt,meshes=5"})
         EXPECT_NE(error_of(spec).find("whole numbers from 1 to 4"), std::string::npos);
 }
