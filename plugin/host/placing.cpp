@@ -20,18 +20,17 @@ struct Ratio {
     int from = 1, to = 1;
 };
 
-/// The one of the smallest numbers that differs by less than a ten millionth, which the floats of
-/// hosts do too: so 1.1 is 11/10, and positions are those of a result of just this many pixels.
-/// Where that takes more than most_to pixels of a result, the nearest of so many. By continued
-/// fractions. The nearest to n beside n itself are then most_to / n source pixels wide and one more
-/// of the result: a zoom that is eased in moves in steps that are none.
+/// The one of the smallest numbers that differs by less than two roundings of a float, as hosts'
+/// numbers do too: so 1.1 is 11/10, and positions are those of a result of just this many pixels.
+/// Where that takes more than most_to pixels of a result, the nearest of so many; fewer would make
+/// an eased zoom stand still next to whole factors, and then jump. By continued fractions.
 Ratio ratio_of(double factor) {
-    constexpr double largest = 1 << 14, most_to = 1 << 28;
+    constexpr double largest = 1 << 14, most_to = 1 << 28, near = 0x1p-22;
     factor = std::clamp(factor, 1.0, largest);
     const double most_from = std::floor(most_to / factor);
     double rest = factor;
     double from = 1, to = std::floor(rest), from_before = 0, to_before = 1;
-    while (std::abs(to / from - factor) > 1e-7 * factor) {
+    while (std::abs(to / from - factor) > near * factor) {
         rest = 1 / (rest - std::floor(rest));
         const double a = std::floor(rest);
         const double next = a * from + from_before;
