@@ -4,10 +4,10 @@
 // The grid is anchored at the window's origin and never changes with threads, the part of the
 // output wanted or the device, so the result is a function of the image alone. Each tile is
 // triangulated with a halo; 32 pixels is as far as a difference at its border was seen to travel in
-// photographs (tests/bench/halo.cpp; docs/quality.md). Along straight hard edges of slope 2:1 flips
-// run on from the border, or from where the edge ends, a pixel an iteration, all through the tile:
-// such an edge comes to the same state in every tile, at which the whole image's mesh may not have
-// arrived.
+// photographs (tests/bench/halo.cpp; docs/quality.md). Along straight hard edges of slopes 2:1, 3:1
+// flips run on from the border, or from where the edge ends, a pixel an iteration, all through the
+// tile: such an edge comes to the same state in every tile, at which the whole image's mesh may not
+// have arrived.
 #pragma once
 
 #include "ddt/rect.h"

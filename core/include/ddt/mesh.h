@@ -28,9 +28,9 @@ struct MeshReport {
 
 /// Triangulate a whole image at once, to one mesh whatever MeshOptions::meshes is. (enlarge() does
 /// it tile by tile: of photographs the same mesh but for edges, less than one in a million, that
-/// depend on something more than a halo away. Along straight hard edges of slope 2:1 many do.)
-/// Takes about 80 bytes per pixel meanwhile. `guide`: width x height floats, row by row, about 0
-/// to 1; what is below 2^-24 or not finite counts as 0. `progress` is told rough shares. False if
+/// depend on something more than a halo away. Along straight hard edges of slopes 2:1, 3:1 many
+/// do.) Takes about 80 bytes per pixel meanwhile. `guide`: width x height floats, row by row, about
+/// 0 to 1; what is below 2^-24 or not finite counts as 0. `progress` is told rough shares. False if
 /// `guide` is null, the image has less than 2 x 2 pixels or more than 2^28, an option is not
 /// allowed, memory runs out, or it was cancelled; `mesh` and `report` are then as they were.
 /// `error` is that of ddt/core.h.
