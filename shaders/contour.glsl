@@ -28,9 +28,13 @@ uint contour_word(vec3 t) {
     // devices have and others take for zero.
     precise float s = abs(r) < uintBitsToFloat(0x20000000u) ? 0.0 : r;
     precise float share = (s * s) * contour_scale;
-    precise float xx = t.x * share + contour_square_bias, yy = t.y * share + contour_square_bias,
-                  xy = t.z * share + contour_product_bias;
-    return to_steps(xx) | to_steps(yy) << contour_bits | to_steps(xy) << (2 * contour_bits);
+    precise float xx = t.x * share, yy = t.y * share, xy = t.z * share;
+    precise float turn = (xx - yy) * 0.5;
+    precise float trust = (turn * turn + xy * xy) * contour_trust;
+    precise float counted = trust < 1.0 ? trust : 1.0, less = turn * (1.0 - counted);
+    precise float nxx = (xx - less) + contour_square_bias, nyy = (yy + less) + contour_square_bias,
+                  nxy = xy * counted + contour_product_bias;
+    return to_steps(nxx) | to_steps(nyy) << contour_bits | to_steps(nxy) << (2 * contour_bits);
 }
 
 // Nxy of a cell's word, in steps.

@@ -34,7 +34,11 @@ DDT_INLINE uint32_t contour_word(Tensor t) {
     const uint32_t size = bits_of(r) & 0x7fffffffu;
     const float s = float_of(bits_of(r) & uint32_t(int32_t(0x1fffffffu - size) >> 31));
     const float share = (s * s) * contour_scale;
-    return to_steps(t.xx * share + contour_square_bias) |
-           to_steps(t.yy * share + contour_square_bias) << contour_bits |
-           to_steps(t.xy * share + contour_product_bias) << (2 * contour_bits);
+    const float xx = t.xx * share, yy = t.yy * share, xy = t.xy * share;
+    const float turn = (xx - yy) * 0.5f;
+    const float trust = (turn * turn + xy * xy) * contour_trust;
+    const float counted = trust < 1.0f ? trust : 1.0f, less = turn * (1.0f - counted);
+    return to_steps((xx - less) + contour_square_bias) |
+           to_steps((yy + less) + contour_square_bias) << contour_bits |
+           to_steps(xy * counted + contour_product_bias) << (2 * contour_bits);
 }

@@ -8,8 +8,14 @@
 //   T = mean of (gx gx, gy gy, gx gy),  N = T / (Txx + Tyy + n^2),  n = 0.05 a pixel,
 //
 // v' N v is about the square of the distance that v goes across the contour, and little where
-// nothing but noise is. To Nxx and Nyy 0.01 is added: without contours short edges are the better
-// ones.
+// nothing but noise is.
+//
+// Where contours of many directions meet, as in a screentone of single dots, what is left of a
+// direction is chance: the half (Nxx - Nyy) / 2, Nxy that turns with it (its length is half of the
+// tensor's coherence) is multiplied by the square of its length / 0.128 where it is shorter than
+// that, and v' N v is the more the same all around.
+//
+// To Nxx and Nyy 0.01 is added: without contours short edges are the better ones.
 //
 // A cell's N is one word, three integers of contour_bits bits: Nxx, Nyy in steps of
 // 1 / contour_steps, then Nxy with half of the steps added, so that it is not negative. The sum of

@@ -122,6 +122,22 @@ TEST(Contours, OfNothingAreAlikeInAllDirections) {
     }
 }
 
+// A tensor's direction of 64 steps and more is whole, and a shorter one less by its square.
+TEST(Contours, OfManyDirectionsHaveHardlyOne) {
+    const float trace = 1e6f * contour_noise; // far above noise
+    for (const double angle : {0.0, 0.4, 1.1, 2.9})
+        for (const auto& [length, want] :
+             {std::pair{128.0, 128.0}, {65.0, 65.0}, {32.0, 8.0}, {16.0, 1.0}}) {
+            const double share = length / contour_steps;
+            const double turn = share * std::cos(angle), xy = share * std::sin(angle);
+            const Fields n = fields(scalar::contour_word(
+                {float(trace * (0.5 + turn)), float(trace * (0.5 - turn)), float(trace * xy)}));
+            EXPECT_EQ(n.xx + n.yy, contour_steps + contour_steps / 50) << length;
+            EXPECT_NEAR(n.xx - n.yy, 2 * want * std::cos(angle), 1.1) << length << ", " << angle;
+            EXPECT_NEAR(n.xy, want * std::sin(angle), 1.1) << length << ", " << angle;
+        }
+}
+
 // Two words are added without a carry, whatever the guide.
 TEST(Contours, FieldsKeepToTheirBits) {
     Random random(9);
