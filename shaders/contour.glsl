@@ -31,7 +31,7 @@ uint contour_word(vec3 t) {
     precise float xx = t.x * share, yy = t.y * share, xy = t.z * share;
     precise float turn = (xx - yy) * 0.5;
     precise float trust = (turn * turn + xy * xy) * contour_trust;
-    precise float counted = trust < 1.0 ? trust : 1.0, less = turn * (1.0 - counted);
+    precise float counted = trust < 1.0 ? trust * trust : 1.0, less = turn * (1.0 - counted);
     precise float nxx = (xx - less) + contour_square_bias, nyy = (yy + less) + contour_square_bias,
                   nxy = xy * counted + contour_product_bias;
     return to_steps(nxx) | to_steps(nyy) << contour_bits | to_steps(nxy) << (2 * contour_bits);

@@ -60,8 +60,8 @@ namespace ddt {
     FLOAT(contour_product_bias, 250.5f)                                                            \
     /* The most that Nxx and Nyy get. */                                                           \
     FLOAT(contour_most, 505.0f)                                                                    \
-    /* 1 / the square of the steps of direction from which it counts whole (64 of 250). */         \
-    FLOAT(contour_trust, 1.0f / 4096)                                                              \
+    /* 1 / the square of the steps of direction from which it counts whole (45 of 250). */         \
+    FLOAT(contour_trust, 1.0f / 2048)                                                              \
     /* The square of a slope that is noise, 0.05 a pixel, of a cell's 4 * 64 * 64 shares. */       \
     FLOAT(contour_noise, 4.0f * 64 * 64 * 0.05f * 0.05f)                                           \
     /* What a gain of 1 of two words' sums is: 4 / (2 * steps). */                                 \

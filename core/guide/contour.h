@@ -12,8 +12,8 @@
 //
 // Where contours of many directions meet, as in a screentone of single dots, what is left of a
 // direction is chance: the half (Nxx - Nyy) / 2, Nxy that turns with it (its length is half of the
-// tensor's coherence) is multiplied by the square of its length / 0.128 where it is shorter than
-// that, and v' N v is the more the same all around.
+// tensor's coherence) is multiplied by the fourth power of its length / 0.09 where it is shorter
+// than that, and v' N v is the more the same all around.
 //
 // To Nxx and Nyy 0.01 is added: without contours short edges are the better ones.
 //

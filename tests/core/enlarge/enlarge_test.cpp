@@ -252,26 +252,26 @@ TEST(Enlarge, AStraightEdgeIsTheSameAllAlong) {
 }
 
 /// Black dots of a screentone on white: none is joined to its next by a dash, not even where the
-/// tone ends and the contours' tensor sees mostly that end.
+/// tone ends, at an outline or at the picture's rim, and the contours' tensor sees half of it.
 TEST(Enlarge, DotsOfAScreentoneStayApart) {
     const Rect window{0, 0, 24, 24}, out{0, 0, 96, 96};
-    const auto is_dot = [](int x, int y, int period) {
-        return (x + 2 * y) % period == 0 && std::min(x, y) >= 4 && std::max(x, y) < 16;
-    };
-    const auto joined = [&](const char* filter, int period) {
+    const auto joined = [&](const char* filter, int period, int begin, int end) {
+        const auto is_dot = [=](int x, int y) {
+            return (x + 2 * y) % period == 0 && std::min(x, y) >= begin && std::max(x, y) < end;
+        };
         std::vector<float> tone;
         for (int y = 0; y < window.y1; ++y)
             for (int x = 0; x < window.x1; ++x)
-                tone.push_back(is_dot(x, y, period) ? 0.0f : 1.0f);
+                tone.push_back(is_dot(x, y) ? 0.0f : 1.0f);
         TestSource source(window, 1, tone, tone);
         Job job = job_of(source, 1, 0);
         set_filter(filter, job);
         const std::vector<float> v = run(source, job, mapping_of(window, out, out), out);
         int count = 0;
-        for (int y = 4; y < 16; ++y)
-            for (int x = 4; x < 16; ++x)
-                for (const Pixel& d : {Pixel{2, -1}, Pixel{1, 2}, Pixel{-1, 2}, Pixel{2, 1}}) {
-                    if (!is_dot(x, y, period) || !is_dot(x + d.x, y + d.y, period))
+        for (int y = begin; y < end - 2; ++y)
+            for (int x = std::max(begin, 1); x < end - 2; ++x)
+                for (const Pixel& d : {Pixel{2, 1}, Pixel{1, 2}, Pixel{-1, 2}, Pixel{-2, 1}}) {
+                    if (!is_dot(x, y) || !is_dot(x + d.x, y + d.y))
                         continue;
                     // The four pixels around the middle between the two dots.
                     const float* m =
@@ -281,8 +281,10 @@ TEST(Enlarge, DotsOfAScreentoneStayApart) {
         return count;
     };
     for (const char* filter : {"ddt", "ddt-sharp", "ddt-sharp,clipped=1"})
-        for (const int period : {4, 5})
-            EXPECT_EQ(joined(filter, period), 0) << filter << period;
+        for (const int period : {4, 5}) {
+            EXPECT_EQ(joined(filter, period, 4, 16), 0) << filter << period;
+            EXPECT_EQ(joined(filter, period, 0, 24), 0) << filter << period;
+        }
 }
 
 TEST(Enlarge, PositionsOneByOneGiveTheBitsOfRows) {
