@@ -87,7 +87,7 @@ bool is_cryptomatte(const std::string& name, const std::vector<std::string>& kno
 
 bool is_layer_of_ids(const Layer& layer) {
     return layer.channels.size() == 1 &&
-           is_any_of(layer.components.front(), {"r", "red", "x", "v", "value"}) &&
+           is_any_of(layer.components.front(), {"r", "red", "v", "value", "x", "y", "z"}) &&
            (is_id_name(layer.name) || ends_with_index(layer.name));
 }
 

@@ -35,7 +35,8 @@ void complain(ExceptionInfo* exception, ExceptionType type, const std::string& e
 
 bool parse(int argc, const char** argv, Request& request, std::string& error) {
     if (argc < 1 || argc > 2 || !ddt::parse_number(argv[0], 1.0, 1e4, request.scale)) {
-        error = "ddt: allowed are a scale from 1 on and a filter: -process \"ddt 4 ddt-sharp\"";
+        error =
+            "ddt: allowed are a scale from 1 to 10000 and a filter: -process \"ddt 4 ddt-sharp\"";
         return false;
     }
     if (argc > 1)

@@ -71,7 +71,8 @@ public:
                          "PLY, OBJ: lift an image's vertices, by Z times the number that the file "
                          "has there: of one channel its own, of colour the luminance",
                          -1e6, 1e6, m_style.height)),
-            switch_flag("--verbose", "print the mesh's cost and what was done", m_verbose),
+            switch_flag("--verbose", "print the mesh's cost (without contours) and what was done",
+                        m_verbose),
         };
     }
 

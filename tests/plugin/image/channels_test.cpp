@@ -144,9 +144,9 @@ TEST(Channels, Cryptomatte) {
 TEST(Channels, IdsThatAreALayerOfOneChannel) {
     const ImageSpec spec =
         named({"R", "G", "B", "objectID.red", "matId.R", "matId.G", "matId.B", "View.IndexOB.X",
-               "View.IndexMA.X", "View.Index.X", "grid.R", "id.x", "shadow.id.r", "id", "david.A",
-               "astrid.mask", "View.Object Index.X"});
-    const std::vector<int> ids{3, 7, 8, 11, 12, 13, 16};
+               "prim_id.Y", "View.objectId.Z", "View.IndexMA.X", "View.Index.X", "grid.R", "id.x",
+               "shadow.id.r", "id", "david.A", "astrid.mask", "View.Object Index.X"});
+    const std::vector<int> ids{3, 7, 8, 9, 10, 13, 14, 15, 18};
     const auto c = ddt::channels_of(spec);
     for (int i = 0; i < spec.nchannels; ++i)
         EXPECT_EQ(c.kinds[size_t(i)] == ddt::Channel::nearest,
