@@ -103,7 +103,7 @@ private:
     void find_edges(DeviceMesh& mesh, const Group& group, int margin);
     void bend_edges(DeviceMesh& mesh, const Group& group, int margin);
     void pack(size_t count, const Transfer& transfer, SampleMemory& memory);
-    void bind_channels(int group) const;
+    void set_channels(int group) const;
     size_t tile_bytes() const; ///< of its numbers
     void reserve(std::unique_ptr<Buffer>& buffer, size_t bytes);
     void sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int index,
