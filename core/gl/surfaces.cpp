@@ -264,8 +264,6 @@ void Surfaces::sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int index,
     m_gl.Uniform1i(at_tile, plan.slot + index);
     m_gl.Uniform1i(at_separable, plan.separable);
     m_gl.Uniform3i(at_size, plan.columns, plan.rows, plan.count);
-    m_gl.Uniform2i(at_first, plan.first_x, plan.first_y);
-    m_gl.Uniform1i(at_first_result, plan.first_result);
     if (index > 0) {
         m_gl.Uniform1f(at_share, 1.0f / float(index + 1));
         m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
