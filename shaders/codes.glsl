@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// 8-bit codes of floats by a table. C++ twin: core/base/code_table.cpp; see ddt/code_table.h.
+// 8-bit codes of floats by a table; see ddt/code_table.h.
 
 layout(std430, binding = BIND_CODE_TABLE) readonly buffer CodeTable { uint entries[]; };
 
@@ -7,7 +7,8 @@ layout(std430, binding = BIND_CODE_TABLE) readonly buffer CodeTable { uint entri
 layout(location = AT_CODE_TABLE) uniform uvec4 code_table;
 
 // The code of the float of these bits. By its bits alone: what devices make of NaN is their own.
-uint code_of(uint bits) {
+// C++ twin: encode_vector() in core/base/code_table.cpp.
+uint encode(uint bits) {
     int shift = int(code_table.x);
     bool is_nan = (bits & 0x7fffffffu) > 0x7f800000u;
     int v = is_nan ? 0 : int(bits); // negative where the number is

@@ -13,7 +13,7 @@ layout(std140, binding = BIND_FITTED) uniform Fitted {
 };
 
 // The pixel at p; past the rim the picture goes on as its odd mirror image.
-vec4 tap(ivec2 p, ivec2 size) {
+vec4 odd_mirror_tap(ivec2 p, ivec2 size) {
     ivec2 c = clamp(p, ivec2(0), size - 1), m = clamp(2 * c - p, ivec2(0), size - 1);
     precise vec4 z = value_at(c);
     if (c.y != p.y) {

@@ -7,13 +7,13 @@
 vec4 mean_of_taps(ivec2 m, ivec2 v, ivec2 l, ivec2 r, int along, int far, ivec2 size) {
     ivec2 first = m + far * l, second = along == 0 ? m + far * r : first;
     precise vec4 sum =
-        tap((first - along * v) / 2, size) + tap((second + along * v) / 2, size);
+        odd_mirror_tap((first - along * v) / 2, size) + odd_mirror_tap((second + along * v) / 2, size);
     if (along == 0 || far == 0) {
         precise vec4 half_ = sum * 0.5;
         return half_;
     }
     second = m + far * r;
-    precise vec4 others = tap((second - along * v) / 2, size) + tap((second + along * v) / 2, size);
+    precise vec4 others = odd_mirror_tap((second - along * v) / 2, size) + odd_mirror_tap((second + along * v) / 2, size);
     precise vec4 quarter = (sum + others) * 0.25;
     return quarter;
 }
@@ -30,7 +30,7 @@ EdgeFeatures find_features(Edge e, ivec2 m, ivec2 size) {
     const vec4 zero = vec4(0.0);
     ivec2 l = is_zero(e.left) ? -e.right : e.left, r = is_zero(e.right) ? -e.left : e.right;
     vec4 za = value_at((m - e.v) / 2), zb = value_at((m + e.v) / 2);
-    vec4 zc = tap((m + l) / 2, size), zd = tap((m + r) / 2, size);
+    vec4 zc = odd_mirror_tap((m + l) / 2, size), zd = odd_mirror_tap((m + r) / 2, size);
     precise vec4 middle = (za + zb) * 0.5;
     precise vec4 o2 = (zc + zd) * 0.5 - middle;
     // The means through the midpoint, and one, two and three times as far as either apex, the last

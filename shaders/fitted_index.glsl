@@ -12,7 +12,7 @@ void read_near(ivec2 size) {
     ivec2 corner = ivec2(gl_WorkGroupID.xy) * ivec2(SURFACE_GROUP_X, SURFACE_GROUP_Y) - 2;
     for (int i = int(gl_LocalInvocationIndex); i < near_width * near_height;
          i += SURFACE_GROUP_X * SURFACE_GROUP_Y)
-        near_pixel[i] = tap(corner + ivec2(i % near_width, i / near_width), size);
+        near_pixel[i] = odd_mirror_tap(corner + ivec2(i % near_width, i / near_width), size);
 }
 
 // The 5x5 pixels about the vertex of this invocation, row by row.

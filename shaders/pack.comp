@@ -7,7 +7,7 @@
 const int in_word = 2;
 #else
 #include "codes.glsl"
-#define PACKED code_of
+#define PACKED encode
 const int in_word = 4;
 #endif
 

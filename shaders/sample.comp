@@ -26,12 +26,9 @@ layout(location = AT_TILE) uniform int tile;
 layout(location = AT_SEPARABLE) uniform bool separable;
 // Columns and rows of invocations, positions in all.
 layout(location = AT_SIZE) uniform ivec3 size;
-// Separable: of the first column and row in `position`.
-layout(location = AT_FIRST) uniform ivec2 first;
 layout(location = AT_CHANNELS) uniform ivec3 channels; // in a pixel; first and count of this group
 layout(location = AT_NEAREST) uniform uint nearest;    // a bit a channel
 layout(location = AT_ALPHA) uniform uint alpha;        // likewise: those to be bounded
-layout(location = AT_FIRST_RESULT) uniform int first_result;
 layout(location = AT_SHARE) uniform float share; // MEAN: of this mesh in the mean
 
 // The bits in `mask`, a channel each.
@@ -46,9 +43,8 @@ void main() {
         return;
     first_site = tile * slot_sites;
     first_pixel = tile * slot_pixels;
-    ivec2 p = separable ? ivec2(position[first.x + x], position[first.y + y])
+    ivec2 p = separable ? ivec2(position[x], position[size.x + y])
                         : ivec2(position[2 * index], position[2 * index + 1]);
-    index += first_result;
     Triangle t = locate(tile, p);
     Patch patch_ = patch_of(t.vertex[0], t.vertex[1], t.vertex[2]);
     vec3 b = weights(t);

@@ -95,6 +95,8 @@ struct Patch {
     vec4 z0, z1, z2, e01, e12, e20, q01, q12, q20, low, high;
 };
 
+// Unlike lower() and upper(), b stays unless a is strictly beyond it: so f, and NaN as f, stays
+// where bounds are put to it.
 float smaller(float a, float b) {
     precise float r = a < b ? a : b;
     return r;

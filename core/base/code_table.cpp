@@ -12,7 +12,7 @@ namespace ddt {
 namespace HWY_NAMESPACE {
 #include "core/base/vectors/vectors-inl.h"
 
-/// GLSL twin: code_of in shaders/codes.glsl.
+/// GLSL twin: encode() in shaders/codes.glsl.
 template <class D>
 HWY_INLINE void encode_vector(D d, const CodeTable& t, const float* x, uint8_t* codes) {
     const hn::RebindToUnsigned<D> du;

@@ -23,7 +23,7 @@ namespace ddt {
     /* round a vertex or across a cell takes more steps. Devices walk no further, should memory */ \
     /* fail them: a walk without an end stops a whole screen. */                                   \
     INT(longest_walk, 1 << 15)                                                                     \
-    /* How a cell is divided: Division of lattice/lattice.h. */                                    \
+    /* How a cell is divided: Division of lattice/site.h. */                                       \
     INT(division_down, 0)                                                                          \
     INT(division_up, 1)                                                                            \
     INT(division_crossed, 2)                                                                       \

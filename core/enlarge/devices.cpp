@@ -27,11 +27,15 @@ bool describe_device(const Job& job, std::string& line) noexcept {
 }
 
 bool check_device(Device device, std::string& line) noexcept {
-    return succeeds(&line, [&](std::string& why) {
+    std::string error;
+    const bool may = succeeds(&error, [&](std::string& why) {
         Job job;
         job.device = device;
         return gl::requested_device(job, device, why);
     });
+    if (!may)
+        line.swap(error);
+    return may;
 }
 
 } // namespace ddt

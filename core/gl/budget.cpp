@@ -45,10 +45,7 @@ size_t budget_of(const Gpu& gpu) {
 } // namespace
 
 SlotShape shape_for(const Rect& window) {
-    const auto along = [](int pixels) {
-        return std::clamp(pixels, 2, tile_size + 1 + 2 * tile_halo);
-    };
-    return {along(window.width()), along(window.height())};
+    return {largest_tile(window.width()), largest_tile(window.height())};
 }
 
 size_t affordable_tiles(const Gpu& gpu, const SlotShape& shape, int groups, const MeshOptions& mesh,

@@ -110,8 +110,6 @@ public:
     /// Have accept_reject.comp end a dispatch before its loops have turned so often, for the same
     /// reason.
     void pause_after(int turns_a_dispatch) { m_turns_a_dispatch = turns_a_dispatch; }
-    /// Have find_gains() find them anew.
-    void forget_gains() { m_gains_known = false; }
     const Buffer& gains() const { return m_gain; }
 
     /// Counts of each iteration of the last triangulate(), a slot, the first in place 1; in place 0

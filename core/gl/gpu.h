@@ -15,7 +15,9 @@
 namespace ddt::gl {
 
 /// A context on its thread. One a process and kind, opened at the first job that wants it, never
-/// closed. Everything but `thread` and `broken` is for that thread.
+/// closed. What is told of the device (`block_limit`, `open_milliseconds`, the context's texts and
+/// flags) never changes once open() returned it, and is for any thread; so are `thread` and
+/// `broken`. `context->gl`, `programs` and `checks` are for that thread.
 struct Gpu {
     Thread thread;
     std::unique_ptr<Context> context;

@@ -48,10 +48,8 @@ namespace ddt::gl {
     LOCATION(AT_TILE, at_tile)                                                                     \
     LOCATION(AT_SEPARABLE, at_separable)                                                           \
     LOCATION(AT_SIZE, at_size)                                                                     \
-    LOCATION(AT_FIRST, at_first)                                                                   \
     LOCATION(AT_NEAREST, at_nearest)                                                               \
     LOCATION(AT_ALPHA, at_alpha)                                                                   \
-    LOCATION(AT_FIRST_RESULT, at_first_result)                                                     \
     LOCATION(AT_SHARE, at_share)                                                                   \
     /* codes.glsl */                                                                               \
     LOCATION(AT_CODE_TABLE, at_code_table)

@@ -23,8 +23,6 @@ void plan_grid(const Mapping& mapping, const Tile& tile, Strip& strip) {
     }
     strip.plan.columns = r.width();
     strip.plan.rows = r.height();
-    strip.plan.first_x = 0;
-    strip.plan.first_y = r.width();
     strip.plan.count = r.width() * r.height();
     strip.runs.push_back(r);
 }

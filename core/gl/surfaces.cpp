@@ -115,14 +115,14 @@ void Surfaces::unpack(DeviceMesh& mesh) {
     for (size_t g = 0; g < m_groups.size(); ++g) {
         m_groups[g].values = m_groups[g].source.get();
         m_groups[g].values->bind(Binding::values);
-        bind_channels(int(g));
+        set_channels(int(g));
         mesh.dispatch_over(m_shape.width, m_shape.height, surface_group_x, surface_group_y);
     }
     m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 /// The uniform of which channels of a pixel are a group's.
-void Surfaces::bind_channels(int group) const {
+void Surfaces::set_channels(int group) const {
     const int first = group * group_size;
     m_gl.Uniform3i(at_channels, m_channels, first, std::min(group_size, m_channels - first));
 }
@@ -264,8 +264,6 @@ void Surfaces::sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int index,
     m_gl.Uniform1i(at_tile, plan.slot + index);
     m_gl.Uniform1i(at_separable, plan.separable);
     m_gl.Uniform3i(at_size, plan.columns, plan.rows, plan.count);
-    m_gl.Uniform2i(at_first, plan.first_x, plan.first_y);
-    m_gl.Uniform1i(at_first_result, plan.first_result);
     if (index > 0) {
         m_gl.Uniform1f(at_share, 1.0f / float(index + 1));
         m_gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -276,7 +274,7 @@ void Surfaces::sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int index,
         memory.positions->bind(Binding::positions);
         memory.results->bind(Binding::results);
         group.source->bind(Binding::source);
-        bind_channels(int(g));
+        set_channels(int(g));
         m_gl.Uniform1ui(at_nearest, group.kinds.nearest);
         m_gl.Uniform1ui(at_alpha, group.kinds.bounded);
         m_gl.DispatchCompute(groups(plan.columns, sample_group_x),

@@ -21,16 +21,11 @@ struct SamplePlan {
     int slot = 0;
     /// Slots from that one on which hold as many meshes of the tile: their surfaces are averaged.
     int meshes = 1;
-    /// Separable: columns x rows positions, of which the x of the columns and the y of the rows are
-    /// there; else `count` positions, x and y by turns.
+    /// Separable: columns x rows positions, of which the x of the columns and then the y of the
+    /// rows are there; else `count` positions, x and y by turns.
     bool separable = true;
     int columns = 0, rows = 0;
-    int first_x = 0, first_y = 0; ///< separable: where in the positions the x and the y begin
-    int count = 0;                ///< positions in all
-    /// Where in the results they begin. Jobs sample each plan into memory of its own: this is 0,
-    /// and so is first_x, but where tests/bench/gpu/measure.cpp samples several plans into the
-    /// same.
-    int first_result = 0;
+    int count = 0; ///< positions in all
 };
 
 /// Where positions are read from and results go: what is under way needs one of its own. To be
@@ -68,11 +63,11 @@ public:
     const Buffer& gradients(int group) const { return *m_groups[size_t(group)].gradients; }
     void bind_net(const DeviceMesh& mesh, int group);
 
-    /// Make room for so many coordinates of positions and numbers of results, of plans that are
-    /// sampled before anything is downloaded, if there is none. Throws OutOfMemory.
+    /// Make room for a plan's coordinates of positions and numbers of results, so many, if there is
+    /// none. Throws OutOfMemory.
     void make_room(size_t coordinates, size_t numbers, const Transfer& transfer,
                    SampleMemory& memory);
-    /// The positions that plans refer to, for which there must be room.
+    /// The positions that a plan refers to, for which there must be room.
     void write_positions(const std::vector<int32_t>& positions, SampleMemory& memory);
     /// Dispatch the reading of the surface, for whose results there must be room: a float a channel
     /// and position.
@@ -103,7 +98,7 @@ private:
     void find_edges(DeviceMesh& mesh, const Group& group, int margin);
     void bend_edges(DeviceMesh& mesh, const Group& group, int margin);
     void pack(size_t count, const Transfer& transfer, SampleMemory& memory);
-    void bind_channels(int group) const;
+    void set_channels(int group) const;
     size_t tile_bytes() const; ///< of its numbers
     void reserve(std::unique_ptr<Buffer>& buffer, size_t bytes);
     void sample_mesh(DeviceMesh& mesh, const SamplePlan& plan, int index,

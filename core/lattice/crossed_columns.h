@@ -15,8 +15,6 @@ namespace ddt {
 /// A byte for each of cells_at_once cells of a row, the first cell's lowest: not 0 where it is
 /// crossed.
 inline uint64_t crossed_cells(const Division* divisions) {
-    static_assert(sizeof(Division) == 1 && int(Division::crossed) == 2 && int(Division::up) == 1,
-                  "one bit tells");
     uint64_t word;
     std::memcpy(&word, divisions, sizeof word);
     return word & 0x0202020202020202u;

@@ -11,23 +11,16 @@ namespace ddt {
 void CrossedRows::begin(const Lattice& lattice, const CellPositions& positions, int rows) {
     m_lattice = &lattice;
     m_positions = &positions;
-    m_rows.resize(size_t(rows));
-    for (Row& row : m_rows)
-        row.y = -1;
+    m_rows.begin(rows);
 }
 
 const CrossedRows::Row& CrossedRows::row(int y, int x0, int x1) {
-    Row& row = m_rows[size_t(y) % m_rows.size()];
-    if (row.y != y || x0 < row.x0 || row.x1 < x1)
-        find_crossed(*m_lattice, *m_positions, y, x0, x1, row);
-    return row;
+    return m_rows.row(y, x0, x1,
+                      [&](Row& row) { find_crossed(*m_lattice, *m_positions, y, x0, x1, row); });
 }
 
 void find_crossed(const Lattice& lattice, const CellPositions& positions, int y, int x0, int x1,
                   CrossedRows::Row& row) {
-    row.y = y;
-    row.x0 = x0;
-    row.x1 = x1;
     row.cells.clear();
     row.triangles.clear();
     const Division* divisions = lattice.divisions(y);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/lattice/crossed_cell.h"
+#include "core/lattice/row_ring.h"
 
 namespace ddt {
 
@@ -21,8 +22,7 @@ public:
         int first, count; ///< in Row::triangles
     };
     struct Row {
-        int y = -1, x0 = 0, x1 = 0; ///< cells x0 .. x1 - 1 of row y
-        std::vector<Cell> cells;    ///< from left to right
+        std::vector<Cell> cells; ///< from left to right
         std::vector<CellTriangle> triangles;
     };
     /// Cells x0 .. x1 - 1, or more, of row y; until another row is asked for.
@@ -34,7 +34,7 @@ public:
 private:
     const Lattice* m_lattice = nullptr;
     const CellPositions* m_positions = nullptr;
-    std::vector<Row> m_rows; ///< row y at [y % size]
+    RowRing<Row> m_rows;
 };
 
 /// Find the crossed ones of cells x0 .. x1 - 1 of row y, and their triangles; with no more

@@ -7,6 +7,7 @@
 #include "core/base/vectors/gathers.h"
 #include "core/base/vectors/row_lanes.h"
 #include "core/guide/contour.h"
+#include "core/lattice/lattice.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/lattice/divisions.cpp"
@@ -23,6 +24,7 @@ using D = hn::CappedTag<float, most_lanes>;
 using DI = hn::RebindToSigned<D>;
 
 #include "core/base/vectors/lanes-inl.h"
+#include "core/base/vectors/whole_vectors-inl.h"
 
 #include "core/lattice/every_second-inl.h"
 #include "core/lattice/site_lanes-inl.h"
@@ -34,18 +36,9 @@ HWY_INLINE VI diagonals(const Site* sites) {
 }
 
 HWY_ATTR void find_divisions(const Site* centres, int n, Division* to) {
-    static_assert(int(Division::down) == 0 && int(Division::up) == 1 && int(Division::crossed) == 2,
-                  "stored as numbers");
     const DI di;
     const hn::Rebind<uint8_t, DI> bytes;
-    const int lanes = int(hn::Lanes(di));
-    if (n < lanes) {
-        for (int k = 0; k < n; ++k)
-            to[k] = division(centres[2 * k].edge);
-        return;
-    }
-    for (int done = 0; done < n; done += lanes) {
-        const int k = std::min(done, n - lanes);
+    int done = each_whole_vector(n, int(hn::Lanes(di)), [&](int k) HWY_ATTR {
         const VI cells = diagonals(centres + 2 * k);
         const auto are = [&](uint32_t word)
                              HWY_ATTR { return hn::Eq(cells, hn::Set(di, int32_t(word))); };
@@ -55,7 +48,9 @@ HWY_ATTR void find_divisions(const Site* centres, int n, Division* to) {
             hn::IfThenZeroElse(down, hn::IfThenElse(up, hn::Set(di, int(Division::up)),
                                                     hn::Set(di, int(Division::crossed))));
         hn::StoreU(hn::DemoteTo(bytes, which), bytes, reinterpret_cast<uint8_t*>(to + k));
-    }
+    });
+    for (; done < n; ++done)
+        to[done] = division(centres[2 * done].edge);
 }
 
 } // namespace HWY_NAMESPACE

@@ -2,7 +2,7 @@
 // How the cells of a row are divided.
 #pragma once
 
-#include "core/lattice/lattice.h"
+#include "core/lattice/site.h"
 
 namespace ddt {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a SIMD target's namespace: the records of every second site.
-// Needs: lattice.h, vectors-inl.h, a tag DI of int32_t.
+// Needs: site.h, vectors-inl.h, a tag DI of int32_t.
 
 /// The two words of the record of every second site, a lane each: along an even row of the doubled
 /// lattice those of vertices, along an odd row of the cells' central edges.

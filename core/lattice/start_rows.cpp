@@ -21,16 +21,7 @@ using D = hn::CappedTag<float, most_lanes>;
 using DI = hn::RebindToSigned<D>;
 using D64 = hn::Repartition<uint64_t, D>;
 
-/// Call f(x) for vectors of so many that begin at x and cover 0 .. n - 1, the last repeating some
-/// of the one before; for none if they would not fill one.
-template <class F>
-HWY_INLINE int each_whole_vector(int n, int lanes, F&& f) {
-    if (n < lanes)
-        return 0;
-    for (int done = 0; done < n; done += lanes)
-        f(std::min(done, n - lanes));
-    return n;
-}
+#include "core/base/vectors/whole_vectors-inl.h"
 
 HWY_ATTR int divide_flat(const float* upper, const float* lower, const uint32_t* words, int n,
                          DownFlag* down) {

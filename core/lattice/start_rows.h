@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "core/lattice/lattice.h"
+#include "core/lattice/site.h"
 
 namespace ddt {
 

@@ -77,14 +77,14 @@ struct BlockStore {
     }
 };
 
-template <bool quadratic, bool soft, bool tame>
+template <bool quadratic, bool soft, bool all_finite>
 HWY_INLINE void evaluate_patch(Patch<Blocks>& patch, Bounds bounds, const LocatedRow& row,
                                const Span& span, const BlockStore& out, int r) {
-    patch.template find_range<tame>(bounds);
+    patch.template find_range<all_finite>(bounds);
     for (int i = span.begin; i < span.end; i += blocks_in_vector())
-        out.store(patch.template at<quadratic, soft, tame>(spread(row.weight[0].data() + i),
-                                                           spread(row.weight[1].data() + i),
-                                                           spread(row.weight[2].data() + i)),
+        out.store(patch.template at<quadratic, soft, all_finite>(spread(row.weight[0].data() + i),
+                                                                 spread(row.weight[1].data() + i),
+                                                                 spread(row.weight[2].data() + i)),
                   i, span.end, r);
 }
 
@@ -93,7 +93,7 @@ HWY_INLINE void evaluate_triangle(const NetView& net, Bounds bounds, const Locat
                                   const Span& span, const BlockStore& out, int r = 0) {
     Patch<Blocks> patch;
     load_patch<quadratic, soft>(net, span.vertex, span.edge, patch);
-    if (patch.is_tame())
+    if (patch.is_surely_finite())
         evaluate_patch<quadratic, soft, true>(patch, bounds, row, span, out, r);
     else
         evaluate_patch<quadratic, soft, false>(patch, bounds, row, span, out, r);
@@ -109,12 +109,12 @@ struct NetCells {
 };
 
 /// Call each(evaluator) with what evaluates the divided cell at x, y.
-template <bool quadratic, bool soft, bool down, bool tame, class Each>
+template <bool quadratic, bool soft, bool down, bool all_finite, class Each>
 HWY_INLINE void with_divided(PlainCell<Blocks>& cell, Bounds bounds, Each&& each) {
-    cell.template find_ranges<tame>(bounds);
+    cell.template find_ranges<all_finite>(bounds);
     each([&](Blocks x, Blocks y) HWY_ATTR {
-        return down ? cell.template at_down<quadratic, soft, tame>(x, y)
-                    : cell.template at_up<quadratic, soft, tame>(x, y);
+        return down ? cell.template at_down<quadratic, soft, all_finite>(x, y)
+                    : cell.template at_up<quadratic, soft, all_finite>(x, y);
     });
 }
 
@@ -128,7 +128,7 @@ HWY_INLINE void with_cell(const NetCells& net, Bounds bounds, ptrdiff_t at, Each
         cell.template divide_down<soft>(cell.first, cell.second);
     else
         cell.template divide_up<soft>(cell.first, cell.second);
-    if (cell.is_tame())
+    if (cell.is_surely_finite())
         with_divided<quadratic, soft, down, true>(cell, bounds, each);
     else
         with_divided<quadratic, soft, down, false>(cell, bounds, each);

@@ -85,7 +85,7 @@ struct PlainCells {
     }
 
     /// The triangles that the positions of a quarter lie in.
-    template <int quarter, bool tame>
+    template <int quarter, bool all_finite>
     HWY_INLINE Patch<T> triangles(Bounds bounds) const {
         Patch<T> down[2], up[2], p;
         cell.template divide_down<soft>(down[0], down[1]);
@@ -101,7 +101,7 @@ struct PlainCells {
             p.q01 = either(if_down.q01, if_up.q01), p.q12 = either(if_down.q12, if_up.q12);
             p.q20 = either(if_down.q20, if_up.q20);
         }
-        p.template find_range<tame>(bounds);
+        p.template find_range<all_finite>(bounds);
         return p;
     }
 
@@ -114,31 +114,31 @@ struct PlainCells {
     }
 
     /// The surface at the positions of a quarter, from float `at` on of their rows.
-    template <int quarter, bool tame>
+    template <int quarter, bool all_finite>
     HWY_INLINE void make(const PlainPositions& positions, Bounds bounds, ptrdiff_t at,
                          MadeCells& made) const {
         const int count = positions.count[quarter];
         if (count == 0)
             return;
-        const Patch<T> p = triangles<quarter, tame>(bounds);
+        const Patch<T> p = triangles<quarter, all_finite>(bounds);
         for (int i = 0; i < count; ++i) {
             const PlainPosition& position = positions.of_quarter[quarter][i];
-            p.template at<quadratic, soft, tame>(weight<quarter, 0>(position),
-                                                 weight<quarter, 1>(position),
-                                                 weight<quarter, 2>(position))
+            p.template at<quadratic, soft, all_finite>(weight<quarter, 0>(position),
+                                                       weight<quarter, 1>(position),
+                                                       weight<quarter, 2>(position))
                 .store(made.at(position.number) + at);
         }
     }
-    template <bool tame>
+    template <bool all_finite>
     HWY_INLINE void make(const PlainPositions& positions, Bounds bounds, ptrdiff_t at,
                          MadeCells& made) const {
         static_assert(quarters == 4, "each");
-        make<0, tame>(positions, bounds, at, made);
-        make<1, tame>(positions, bounds, at, made);
-        make<2, tame>(positions, bounds, at, made);
-        make<3, tame>(positions, bounds, at, made);
+        make<0, all_finite>(positions, bounds, at, made);
+        make<1, all_finite>(positions, bounds, at, made);
+        make<2, all_finite>(positions, bounds, at, made);
+        make<3, all_finite>(positions, bounds, at, made);
     }
-    /// Of values that are not tame: rare, so out of the way.
+    /// Of what is not surely finite: rare, so out of the way.
     HWY_NOINLINE void make_wild(const PlainPositions& positions, Bounds bounds, ptrdiff_t at,
                                 MadeCells& made) const {
         make<false>(positions, bounds, at, made);
@@ -195,7 +195,7 @@ HWY_INLINE void evaluate_cells(const ControlNet& whole, const LocatedBlock& bloc
             cells.cell.template load<quadratic, soft>(
                 values, softness, at, [](const float* p) HWY_ATTR { return T::load(p); });
             cells.is_down = spread<T>(block.down.data(), place, count);
-            if (cells.cell.is_tame())
+            if (cells.cell.is_surely_finite())
                 cells.template make<true>(positions, bounds, at - begin, made);
             else
                 cells.make_wild(positions, bounds, at - begin, made);

@@ -51,7 +51,7 @@ public:
         while (cells < end) {
             const CrossedRows::Cell* const last = load(cells, end, triangles);
             for (const Group* g = m_groups; cells < last; cells += g->cells, ++g) {
-                if (m_numbers.tame())
+                if (m_numbers.surely_finite())
                     evaluate<true>(*g, f);
                 else
                     evaluate<false>(*g, f);
@@ -103,7 +103,7 @@ private:
         return cells;
     }
 
-    template <bool tame>
+    template <bool all_finite>
     HWY_INLINE void evaluate(const Group& group, Values& f) const {
         const RowTag d;
         const int lanes = TriangleNumbers::lanes();
@@ -111,13 +111,13 @@ private:
             const auto triangle = triangles_of(group, at);
             if (group.triangles <= lanes) {
                 const auto index = hn::IndicesFromVec(d, triangle);
-                evaluate<tame>(
+                evaluate<all_finite>(
                     group.first, at,
                     [&](const float* p)
                         HWY_ATTR { return RowLanes(hn::TableLookupLanes(hn::LoadU(d, p), index)); },
                     f);
             } else if (hn::MaxLanes(d) < PositionLanes::most) {
-                evaluate<tame>(
+                evaluate<all_finite>(
                     group.first, at,
                     [&](const float* p)
                         HWY_ATTR { return RowLanes(hn::GatherIndex(d, p, triangle)); },
@@ -144,7 +144,7 @@ private:
         return triangle;
     }
 
-    template <bool tame, class LookUp>
+    template <bool all_finite, class LookUp>
     HWY_INLINE void evaluate(int first, int at, LookUp&& look_up, Values& f) const {
         const auto planes = m_numbers.planes(first, look_up);
         const CrossingWeights<RowLanes> b(planes, RowLanes::load(m_positions.x + at),
@@ -152,7 +152,7 @@ private:
         for (int c = 0; c < int(m_net.count); ++c) {
             Patch<RowLanes> patch;
             m_numbers.template patch<quadratic, soft>(c, first, look_up, patch);
-            patch.template at<quadratic, soft, tame>(b.b0, b.b1, b.b2).store(f[c] + at);
+            patch.template at<quadratic, soft, all_finite>(b.b0, b.b1, b.b2).store(f[c] + at);
         }
     }
 

@@ -20,7 +20,7 @@ HWY_INLINE void load_patch(const NetView& net, const int vertex[3], const int ed
         [&](int s) HWY_ATTR { return in_every_block(net.soft_at(s)); });
 }
 
-template <bool quadratic, bool soft, bool tame>
+template <bool quadratic, bool soft, bool all_finite>
 HWY_INLINE void evaluate_positions(const Patch<Blocks>& patch, const CrossingTriangle& triangle,
                                    const CellPositions& positions, float* f) {
     const int step = blocks_in_vector();
@@ -30,7 +30,7 @@ HWY_INLINE void evaluate_positions(const Patch<Blocks>& patch, const CrossingTri
             continue;
         const CrossingWeights<Blocks> b(triangle.planes, spread(positions.x() + i),
                                         spread(positions.y() + i));
-        const Blocks value = patch.template at<quadratic, soft, tame>(b.b0, b.b1, b.b2);
+        const Blocks value = patch.template at<quadratic, soft, all_finite>(b.b0, b.b1, b.b2);
         hn::BlendedStore(value.v, blocks_of(bits), D(), f + i * group_size);
     }
 }
@@ -44,7 +44,7 @@ HWY_INLINE void evaluate_crossing(const NetView& net, Bounds bounds,
     const int edge[3] = {triangle.edge(0), triangle.edge(1), triangle.edge(2)};
     Patch<Blocks> patch;
     load_patch<quadratic, soft>(net, triangle.vertex, edge, patch);
-    if (patch.is_tame()) {
+    if (patch.is_surely_finite()) {
         patch.template find_range<true>(bounds);
         evaluate_positions<quadratic, soft, true>(patch, triangle, positions, f);
     } else {

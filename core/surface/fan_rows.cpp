@@ -9,27 +9,19 @@ namespace ddt {
 
 void FanRows::begin(const Lattice& lattice, int rows) {
     m_lattice = &lattice;
-    m_rows.resize(size_t(std::min(rows, lattice.height())));
-    for (Row& row : m_rows)
-        row.y = -1;
+    m_rows.begin(std::min(rows, lattice.height()));
 }
 
 const Fans& FanRows::row(int y, int x0, int x1) {
-    Row& row = m_rows[size_t(y) % m_rows.size()];
-    if (row.y != y || x0 < row.x0 || row.x1 < x1)
-        find(y, x0, x1, row);
-    return row.fans;
+    return m_rows.row(y, x0, x1, [&](Fans& fans) { find(y, x0, x1, fans); });
 }
 
-void FanRows::find(int y, int x0, int x1, Row& row) {
-    row.y = y;
-    row.x0 = x0;
-    row.x1 = x1;
+void FanRows::find(int y, int x0, int x1, Fans& fans) {
     m_columns.resize(size_t(std::max(x1 - x0, 0) + cells_at_once));
     const NearDivisions divisions(*m_lattice, y);
     const int n = list_crossed(
         x0, x1, [&](int x) { return divisions.crossed_beside(x); }, m_columns.data());
-    find_fans(*m_lattice, y, m_columns.data(), n, m_walked, row.fans);
+    find_fans(*m_lattice, y, m_columns.data(), n, m_walked, fans);
 }
 
 size_t FanRows::memory(int width, int rows) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/lattice/fans.h"
+#include "core/lattice/row_ring.h"
 
 namespace ddt {
 
@@ -24,14 +25,10 @@ public:
     static size_t memory(int width, int rows);
 
 private:
-    struct Row {
-        int y = -1, x0 = 0, x1 = 0;
-        Fans fans;
-    };
-    void find(int y, int x0, int x1, Row& row);
+    void find(int y, int x0, int x1, Fans& fans);
 
     const Lattice* m_lattice = nullptr;
-    std::vector<Row> m_rows; ///< row y at [y % size]
+    RowRing<Fans> m_rows;
     std::vector<int> m_columns;
     std::vector<Vec> m_walked;
 };

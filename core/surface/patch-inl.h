@@ -23,11 +23,12 @@ struct Patch {
             q01 = soft_at(edge[0]), q12 = soft_at(edge[1]), q20 = soft_at(edge[2]);
     }
 
-    /// The range of the three values, or what of it bounds the surface. tame: see is_tame().
-    template <bool tame>
+    /// The range of the three values, or what of it bounds the surface. all_finite: see
+    /// is_surely_finite().
+    template <bool all_finite>
     DDT_INLINE void find_range(Bounds bounds) {
-        low = smaller<tame>(z2, smaller<tame>(z1, z0));
-        high = larger<tame>(z2, larger<tame>(z1, z0));
+        low = smaller<all_finite>(z2, smaller<all_finite>(z1, z0));
+        high = larger<all_finite>(z2, larger<all_finite>(z1, z0));
         if (bounds == Bounds::vertices)
             return;
         const T none = T(-INFINITY);
@@ -37,45 +38,45 @@ struct Patch {
     }
 
     /// Vertices up to this size make a surface whose every number is finite.
-    static constexpr float tame_size = 0x1p100f;
+    static constexpr float finite_size = 0x1p100f;
 
-    /// Whether the vertices are tame, which leaves nothing to look out for but the sign of zero:
-    /// the same bits in fewer steps.
-    DDT_INLINE bool is_tame() const {
-        return T::all_within(tame_size, (abs(z0) + abs(z1)) + abs(z2));
+    /// Whether every number of the surface is surely finite, which leaves nothing to look out for
+    /// but the sign of zero: the same bits in fewer steps.
+    DDT_INLINE bool is_surely_finite() const {
+        return T::all_within(finite_size, (abs(z0) + abs(z1)) + abs(z2));
     }
 
     // Unlike lower() and upper(), b stays unless a is strictly beyond it: so f, and NaN as f, stays
-    // where bounds are put to it. Tame: any, since zeros alone may differ, and at() clears their
-    // sign.
-    template <bool tame>
+    // where bounds are put to it. all_finite: any, since zeros alone may differ, and at() clears
+    // their sign.
+    template <bool all_finite>
     static DDT_INLINE T smaller(T a, T b) {
-        return tame ? lane_min(a, b) : if_less(a, b, a, b);
+        return all_finite ? lane_min(a, b) : if_less(a, b, a, b);
     }
-    template <bool tame>
+    template <bool all_finite>
     static DDT_INLINE T larger(T a, T b) {
-        return tame ? lane_max(a, b) : if_less(b, a, a, b);
+        return all_finite ? lane_max(a, b) : if_less(b, a, a, b);
     }
 
     /// b z, but 0 where b = 0, whatever z is.
-    template <bool tame>
+    template <bool all_finite>
     static DDT_INLINE T term(T b, T z) {
         const T zero = T(0.0f);
-        return tame ? b * z : if_less(zero, b, b * z, zero);
+        return all_finite ? b * z : if_less(zero, b, b * z, zero);
     }
 
     /// The surface at barycentric weights b, all >= 0. Zero is never negative and NaN one and the
     /// same: their signs would be up to each compiler.
-    template <bool quadratic, bool soft, bool tame>
+    template <bool quadratic, bool soft, bool all_finite>
     DDT_INLINE T at(T b0, T b1, T b2) const {
-        T f = (term<tame>(b0, z0) + term<tame>(b1, z1)) + term<tame>(b2, z2);
+        T f = (term<all_finite>(b0, z0) + term<all_finite>(b1, z1)) + term<all_finite>(b2, z2);
         if (quadratic)
             f = f + (((b0 * b1) * e01 + (b1 * b2) * e12) + (b2 * b0) * e20);
         if (soft)
-            f = f + ((smaller<tame>(b0, b1) * q01 + smaller<tame>(b1, b2) * q12) +
-                     smaller<tame>(b2, b0) * q20);
-        f = smaller<tame>(high, larger<tame>(low, f));
-        return tame ? f + T(0.0f) : if_less_equal(f, T(INFINITY), f + T(0.0f), T(quiet_nan));
+            f = f + ((smaller<all_finite>(b0, b1) * q01 + smaller<all_finite>(b1, b2) * q12) +
+                     smaller<all_finite>(b2, b0) * q20);
+        f = smaller<all_finite>(high, larger<all_finite>(low, f));
+        return all_finite ? f + T(0.0f) : if_less_equal(f, T(INFINITY), f + T(0.0f), T(quiet_nan));
     }
 };
 
@@ -159,10 +160,10 @@ struct PlainCell {
     }
 
     /// The triangles' ranges, once they are divided.
-    template <bool tame>
+    template <bool all_finite>
     DDT_INLINE void find_ranges(Bounds bounds) {
-        first.template find_range<tame>(bounds);
-        second.template find_range<tame>(bounds);
+        first.template find_range<all_finite>(bounds);
+        second.template find_range<all_finite>(bounds);
     }
 
     /// Both triangles' parameters, lane by lane that of the one that d, negative in the first,
@@ -189,20 +190,22 @@ struct PlainCell {
         return p;
     }
 
-    /// As Patch::is_tame(), of both triangles.
-    DDT_INLINE bool is_tame() const {
-        return T::all_within(Patch<T>::tame_size, (abs(z0) + abs(z1)) + (abs(z2) + abs(z3)));
+    /// As Patch::is_surely_finite(), of both triangles.
+    DDT_INLINE bool is_surely_finite() const {
+        return T::all_within(Patch<T>::finite_size, (abs(z0) + abs(z1)) + (abs(z2) + abs(z3)));
     }
 
-    template <bool quadratic, bool soft, bool tame>
+    template <bool quadratic, bool soft, bool all_finite>
     DDT_INLINE T at_down(T x, T y) const {
         const auto b = DividedWeights<T>::down(x, y);
-        return choose<quadratic, soft>(b.d).template at<quadratic, soft, tame>(b.b0, b.b1, b.b2);
+        return choose<quadratic, soft>(b.d).template at<quadratic, soft, all_finite>(b.b0, b.b1,
+                                                                                     b.b2);
     }
-    template <bool quadratic, bool soft, bool tame>
+    template <bool quadratic, bool soft, bool all_finite>
     DDT_INLINE T at_up(T x, T y) const {
         const auto b = DividedWeights<T>::up(x, y);
-        return choose<quadratic, soft>(b.d).template at<quadratic, soft, tame>(b.b0, b.b1, b.b2);
+        return choose<quadratic, soft>(b.d).template at<quadratic, soft, all_finite>(b.b0, b.b1,
+                                                                                     b.b2);
     }
 };
 

@@ -19,21 +19,21 @@ public:
         std::fill_n(m_words + 2 * n, 2 * most_lanes, 0);
         m_to_odd = floats_between(net.values.even, net.values.odd);
         m_to_odd_soft = floats_between(net.soft.even, net.soft.odd);
-        m_tame = true;
+        m_finite = true;
         for (int i = 0; i < n; i += lanes()) {
             place<quadratic, soft>(i, columns + i, stride, int(net.count));
             separate<quadratic, soft>(net, net.place(site), i, n);
         }
         for (int c = 0; c < int(net.count); ++c)
             for (int i = 0; i < n; i += lanes()) {
-                if (m_tame)
+                if (m_finite)
                     find_range<true>(c, bounds, i);
                 else
                     find_range<false>(c, bounds, i);
             }
     }
 
-    bool tame() const { return m_tame; }
+    bool surely_finite() const { return m_finite; }
 
     struct Planes {
         RowLanes across[2][2], offset[2];
@@ -153,22 +153,22 @@ private:
         }
         const auto here = hn::FirstN(d, size_t(std::min(n - i, lanes())));
         for (int c = 0; c < count; ++c)
-            m_tame &= RowLanes::all_within(Patch<RowLanes>::tame_size,
-                                           hn::IfThenElseZero(here, size[c].v));
+            m_finite &= RowLanes::all_within(Patch<RowLanes>::finite_size,
+                                             hn::IfThenElseZero(here, size[c].v));
     }
 
-    template <bool tame>
+    template <bool all_finite>
     HWY_INLINE void find_range(int c, Bounds bounds, int i) {
         float(*numbers)[room] = m_numbers[c];
         Patch<RowLanes> p;
         p.z0 = RowLanes::load(numbers[z] + i), p.z1 = RowLanes::load(numbers[z + 1] + i);
         p.z2 = RowLanes::load(numbers[z + 2] + i);
-        p.template find_range<tame>(bounds);
+        p.template find_range<all_finite>(bounds);
         p.low.store(numbers[low] + i);
         p.high.store(numbers[high] + i);
     }
 
-    bool m_tame = false;
+    bool m_finite = false;
     int32_t m_words[2 * room]; ///< the triangles, as they are kept
     /// From the row's first in even columns to each number of as many triangles as there are
     /// lanes, in floats; and to the first in odd columns.

@@ -17,6 +17,12 @@ namespace ddt {
 constexpr int tile_size = 256;
 constexpr int tile_halo = 32;
 
+/// Pixels of the largest tile along an axis of a window of so many; a lattice has at least 2.
+constexpr int largest_tile(int pixels) {
+    constexpr int most = tile_size + 1 + 2 * tile_halo;
+    return pixels < 2 ? 2 : pixels < most ? pixels : most;
+}
+
 /// One tile: the cells (2x2 neighbouring pixels, named by their upper left pixel) whose positions
 /// it serves, and the pixels it is triangulated from.
 struct Tile {

@@ -52,11 +52,6 @@ private:
 
 IdleMemory idle;
 
-/// Pixels of the largest tile along an axis of a window; a lattice has at least 2.
-int largest_tile(int pixels) {
-    return std::clamp(pixels, 2, tile_size + 1 + 2 * tile_halo);
-}
-
 } // namespace
 
 int largest_width(const Job& job) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Included inside a SIMD target's namespace: the gains of the edges of a starting mesh that are not
 // near its rim.
-// Needs: <algorithm>, arena.h, contour.h, triangulate.h, compress-inl.h, gain-inl.h,
-// every_second-inl.h, cell_rows-inl.h, tags D of float, DI of int32_t and D64 of uint64_t.
+// Needs: <algorithm>, arena.h, contour.h, triangulate.h, compress-inl.h,
+// whole_vectors-inl.h, gain-inl.h, every_second-inl.h, cell_rows-inl.h, tags D of float, DI of
+// int32_t and D64 of uint64_t.
 
 /// Goes down the rows of cells of a lattice.
 template <class Cost>
@@ -54,10 +55,7 @@ private:
             f(0, EverySecond(few));
             return;
         }
-        for (int done = 0; done < n; done += lanes) {
-            const int x = std::min(done, n - lanes);
-            f(x, EverySecond(sites + 2 * x));
-        }
+        each_whole_vector(n, lanes, [&](int x) HWY_ATTR { f(x, EverySecond(sites + 2 * x)); });
     }
 
     /// Row y of vertices and what they know of the cells below. False if the guide is not in steps.

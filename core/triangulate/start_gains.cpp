@@ -36,6 +36,7 @@ using D64 = hn::Repartition<uint64_t, D>;
 #include "core/base/rsqrt-inl.h"
 #include "core/base/vectors/compress-inl.h"
 #include "core/base/vectors/lanes-inl.h"
+#include "core/base/vectors/whole_vectors-inl.h"
 #include "core/cost/cost-inl.h"
 #include "core/triangulate/gain-inl.h"
 

@@ -7,6 +7,7 @@
 #include "plugin/image/pixels.h"
 #include "plugin/image/windows.h"
 #include "plugin/tool/command/filter_flag.h"
+#include "plugin/tool/command/filter_keys.h"
 #include "plugin/tool/command/progress.h"
 #include "plugin/tool/command/threads.h"
 #include "plugin/tool/commands.h"
@@ -128,8 +129,7 @@ public:
                         m_missing),
             filter_flag(
                 "how to flip edges, as the filter's name and options: ddt,scheme=lawson,cost=jnd",
-                m_options, m_filter_error, nullptr,
-                {"light", "cost", "iterations", "scheme", "seed", "holes", "device"}),
+                m_options, m_filter_error, nullptr, fill_keys()),
         };
     }
 

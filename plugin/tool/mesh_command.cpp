@@ -8,6 +8,7 @@
 #include "plugin/imagebuf/holes.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/filter_flag.h"
+#include "plugin/tool/command/filter_keys.h"
 #include "plugin/tool/command/progress.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/file/open_image.h"
@@ -47,9 +48,7 @@ public:
         flags = {
             filter_flag("how to triangulate, as the filter's name and options: "
                         "ddt,scheme=lawson,cost=scf",
-                        m_options, m_filter_error, &m_filter,
-                        {"light", "cost", "blur", "contour", "min_gain", "iterations", "scheme",
-                         "seed", "start", "holes", "device"}),
+                        m_options, m_filter_error, &m_filter, mesh_keys()),
             choice_flag("--cost", cost_names(), "the cost of an edge, as in --filter ddt,cost=...",
                         m_cost),
             {"--scheme", "NAME", "which edges flip, as in --filter ddt,scheme=...",

@@ -13,6 +13,7 @@
 #include "plugin/image/largest_side.h"
 #include "plugin/message/format.h"
 #include "plugin/tool/command/filter_flag.h"
+#include "plugin/tool/command/filter_keys.h"
 #include "plugin/tool/command/progress.h"
 #include "plugin/tool/commands.h"
 #include "plugin/tool/points/coarse_axis.h"
@@ -103,8 +104,7 @@ public:
              "names of columns", ""},
             filter_flag(
                 "how to flip edges, as the filter's name and options: ddt,scheme=lawson,cost=jnd",
-                m_options, m_filter_error, nullptr,
-                {"cost", "min_gain", "iterations", "scheme", "seed", "device"}),
+                m_options, m_filter_error, nullptr, scatter_keys()),
             {"--mesh", "FILE", "write the triangles too, a PLY file",
              [this](const std::string& text) {
                  m_mesh_path = text;

@@ -45,7 +45,8 @@ bool is_tested(const std::string& renderer);
 bool is_zink(const std::string& renderer);
 
 /// Load the functions of the context that is current, and learn what it is. False with `why` if it
-/// is not OpenGL 4.3.
+/// is not OpenGL 4.3, lacks one of its functions, or is known to compute otherwise (a software
+/// renderer by way of zink).
 bool describe_current(const void* library, Lookup lookup, Context& context, std::string& why);
 
 } // namespace ddt::gl

@@ -90,11 +90,12 @@ bool is_filter_name(std::string_view spec);
 std::string filter_help(std::string_view name);
 
 /// Parse "ddt,key=value,...". The result depends on `spec` alone: what it does not name has the
-/// default of the filter. Four defaults depend on other options:
-///     soft      0 unless the cost is abn
-///     min_gain  the cost's own ("auto") unless the cost is abn and the scheme one-round
-///     contour   0 unless the cost is abn and the scheme one-round
-///     fitted    0 unless the filter is ddt-sharp, `clipped` 1, the cost abn and `consistency` 2
+/// default of the filter. Five defaults depend on other options (Option::holds):
+///     soft        0 unless the cost is abn
+///     min_gain    the cost's own ("auto") unless the cost is abn and the scheme one-round
+///     contour     0 unless the cost is abn and the scheme one-round
+///     iterations  64 if the scheme is annealing
+///     fitted      0 unless the filter is ddt-sharp, `clipped` 1, the cost abn and `consistency` 2
 /// On failure false with a line in `error` (see ddt/core.h) that names the option and lists what is
 /// allowed, and `options` unchanged.
 bool parse_filter(std::string_view spec, FilterOptions& options, std::string& error);

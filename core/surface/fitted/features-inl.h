@@ -41,10 +41,14 @@ DDT_INLINE T at_bound(T distance) {
     return upper(T(0.0f), lower(T(1.0f), T(1.0f) - distance));
 }
 
+/// How far the taps of VertexFeatures are from their vertex along an axis, in pixels.
+constexpr int vertex_taps = 2;
+
 /// Whether all taps of VertexFeatures at (x, y) are pixels: others may be black or white where no
 /// pixel is, and who looked at those would take the vertex to stand at a bound.
 DDT_INLINE bool all_pixels(int x, int y, int width, int height) {
-    return x >= 2 && y >= 2 && x + 2 < width && y + 2 < height;
+    return x >= vertex_taps && y >= vertex_taps && x + vertex_taps < width &&
+           y + vertex_taps < height;
 }
 
 /// The range of the 5x5 pixels about a vertex, and 1 / (25 times that).
@@ -57,8 +61,8 @@ template <class T, class Tap>
 DDT_INLINE Surroundings<T> surroundings(const FittedTable& table, Tap tap) {
     const T z = tap(0, 0);
     T low = z, high = z;
-    for (int y = -2; y <= 2; ++y)
-        for (int x = -2; x <= 2; ++x) {
+    for (int y = -vertex_taps; y <= vertex_taps; ++y)
+        for (int x = -vertex_taps; x <= vertex_taps; ++x) {
             low = lower(low, tap(x, y));
             high = upper(high, tap(x, y));
         }
@@ -70,9 +74,9 @@ DDT_INLINE Surroundings<T> surroundings(const FittedTable& table, Tap tap) {
 template <class T, class Tap>
 DDT_INLINE T index_of(const Surroundings<T>& s, Tap tap) {
     T sum = T(0.0f);
-    for (int y = -2; y <= 2; ++y) {
+    for (int y = -vertex_taps; y <= vertex_taps; ++y) {
         T row = T(0.0f);
-        for (int x = -2; x <= 2; ++x)
+        for (int x = -vertex_taps; x <= vertex_taps; ++x)
             row = row + lower(tap(x, y) - s.low, s.high - tap(x, y));
         sum = sum + row;
     }

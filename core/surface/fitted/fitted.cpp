@@ -45,9 +45,10 @@ HWY_ATTR void move_fitted(const FittedSource& source, int x0, int x1, int y,
     const ptrdiff_t row = ptrdiff_t(width) * count;
     float* const z = net.vertex(lattice.vertex_site(0, y));
     const float* const here = source.at(0, y);
-    // Where all taps are pixels.
-    const bool inner = y >= 2 && y + 2 < height;
-    const int begin = inner ? std::max(x0, 2) : x1, end = std::max(std::min(x1, width - 2), begin);
+    // Where there is all_pixels().
+    const bool inner = y >= vertex_taps && y + vertex_taps < height;
+    const int begin = inner ? std::max(x0, vertex_taps) : x1,
+              end = std::max(std::min(x1, width - vertex_taps), begin);
     each_vector(begin, end, count, [&](auto vector, const RowPlace& place) HWY_ATTR {
         using T = decltype(vector);
         const auto tap = [&](int i, int j)

@@ -6,11 +6,11 @@
 // the midpoint in doubled coordinates. In such slanted coordinates one small filter serves all
 // directions, long along the contour that the edge follows. From the source s:
 //
-//     z = clamp(s + a sum_n t_n sum_f (W_nf + u U_nf) f, limits of a consistency round, wider by u)
+//     z = clamp(s + h sum_n t_n sum_f (W_nf + u U_nf) f, limits of a consistency round, wider by u)
 //     e = clamp(sum_n t_n (sum_f S_nf f + sum_g N_kng g), -2 r, 2 r),   r the range of s over a, b,
 //         c and d
 //
-// with a = Correction::strength; a vertex' features f: the means over five rings of the 5x5 pixels
+// with h = Correction::strength; a vertex' features f: the means over five rings of the 5x5 pixels
 // round it, less its own, and the step of one consistency round; an edge's f: the pixels along it,
 // less its midpoint's value, the plain bend e of control_net.h, and what the next pixels along it
 // tell, within its rise; an edge's g: combinations of 30 pixels that are 0 wherever the picture

@@ -259,8 +259,8 @@ Failure ImageFile::failed() const {
     return {"cannot write \"" + m_path + "\"" + (why.empty() ? "" : ": " + why), code};
 }
 
-/// Look at the file as its readers will.
-bool ImageFile::check_written(Failure& failure) {
+/// Look at the file as its readers will. compression: what they name, where they are asked.
+bool ImageFile::check_written(std::string& compression, Failure& failure) {
     if (m_stream && (std::fflush(m_whole.file()) != 0 || std::ferror(m_whole.file())))
         return true; // commit() tells what a write said
     const auto refuse = [&](const std::string& why, ExitCode code) {
@@ -287,8 +287,8 @@ bool ImageFile::check_written(Failure& failure) {
     if (!in)
         return refuse_reading(OIIO::geterror());
     wait_for_tiles(*in);
-    m_compression = in->spec().get_string_attribute("compression");
-    m_compression.resize(std::min(m_compression.size(), m_compression.find(':')));
+    compression = in->spec().get_string_attribute("compression");
+    compression.resize(std::min(compression.size(), compression.find(':')));
     // Reading the pixels of small icons ends the program (OpenImageIO 2.4.7).
     const bool enough = m_stream || m_output->format_name() == std::string("ico");
     if (!enough && was_left_out(m_whole.file(), *m_output))
@@ -314,14 +314,18 @@ bool ImageFile::commit(Failure& failure) {
         failure = failed();
         return false;
     }
+    std::string compression;
     if (is_regular(m_whole.file()) && is_file_format(m_output->format_name()) &&
-        !check_written(failure)) {
+        !check_written(compression, failure)) {
         m_whole.check_kept(failure); // or another's file was looked at
         return false;
     }
     m_output.reset();
     m_stream.reset();
-    return m_whole.commit(failure);
+    if (!m_whole.commit(failure))
+        return false;
+    m_compression.swap(compression);
+    return true;
 }
 
 bool write_image(const OIIO::ImageBuf& image, ImageFile& file, Failure& failure) {

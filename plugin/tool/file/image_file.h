@@ -58,7 +58,7 @@ private:
     bool check_stream(Failure& failure) const;
     bool check_allowed(const OIIO::ImageSpec& spec, Failure& failure) const;
     std::string error_of_tiff() const;
-    bool check_written(Failure& failure);
+    bool check_written(std::string& compression, Failure& failure);
 
     std::string m_path, m_compression;
     std::vector<OIIO::ImageSpec> m_specs; ///< what it was opened with

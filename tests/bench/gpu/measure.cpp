@@ -25,6 +25,13 @@ struct BenchTile : gl::HostTile {
     Rect reach;
 };
 
+/// What a tile is sampled with.
+struct Sampled {
+    gl::Strip strip;
+    gl::SampleMemory memory;
+    std::unique_ptr<gl::HostBuffer> download;
+};
+
 class Bench {
 public:
     Bench(gl::Gpu& gpu, Picture& picture, const Job& job)
@@ -101,57 +108,45 @@ private:
         sample(timer, m, keep);
     }
 
-    /// Sample as many tiles at a time as a storage block holds the results of.
     void sample(gl::StageTimer& timer, Measured& m, bool keep) {
-        std::vector<gl::Strip> strips;
-        std::vector<int32_t> positions;
-        int results = 0;
-        const auto flush = [&] {
-            const size_t numbers = size_t(results) * channels;
-            m_surfaces.make_room(positions.size(), numbers, gl::Transfer(), m_memory);
-            m_surfaces.write_positions(positions, m_memory);
-            if (!m_download || m_download->bytes() < numbers * sizeof(float))
-                m_download =
-                    std::make_unique<gl::HostBuffer>(m_gpu.context->gl, numbers * sizeof(float));
-            gl::finish(m_gpu.context->gl, "positions");
-            timer.begin(Stage::sample);
-            for (const gl::Strip& s : strips)
-                m_surfaces.sample(m_mesh, s.plan, m_memory);
-            end(timer);
-            timer.begin(Stage::download);
-            m.downloaded += m_surfaces.download(numbers, gl::Transfer(), m_memory, *m_download);
-            end(timer);
-            gl::finish(m_gpu.context->gl, "sampling");
-            if (keep)
-                for (const gl::Strip& s : strips)
-                    put(s, m);
-            strips.clear();
-            positions.clear();
-            results = 0;
-        };
+        const size_t pixel = channels * sizeof(float);
+        m_sampled.resize(std::max(m_sampled.size(), m_tiles.size())); // memory stays for the next
         for (size_t i = 0; i < m_tiles.size(); ++i) {
-            gl::Strip s;
-            s.rows = m_tiles[i].reach;
-            gl::plan_strip(m_mapping, m_tiles[i].tile, int(i), s);
-            if (size_t(results + s.plan.count) * channels * sizeof(float) > m_gpu.block_limit)
-                flush();
-            s.plan.first_x += int(positions.size());
-            s.plan.first_y += int(positions.size());
-            s.plan.first_result = results;
-            results += s.plan.count;
-            positions.insert(positions.end(), s.positions.begin(), s.positions.end());
-            strips.push_back(std::move(s));
+            Sampled& s = m_sampled[i];
+            s.strip.rows = m_tiles[i].reach;
+            gl::plan_strip(m_mapping, m_tiles[i].tile, int(i), s.strip);
+            const size_t results = size_t(s.strip.plan.count);
+            m_surfaces.make_room(s.strip.positions.size(), results * channels, gl::Transfer(),
+                                 s.memory);
+            m_surfaces.write_positions(s.strip.positions, s.memory);
+            if (!s.download || s.download->bytes() < results * pixel)
+                s.download = std::make_unique<gl::HostBuffer>(m_gpu.context->gl, results * pixel);
         }
-        flush();
+        gl::finish(m_gpu.context->gl, "positions");
+        timer.begin(Stage::sample);
+        for (size_t i = 0; i < m_tiles.size(); ++i)
+            m_surfaces.sample(m_mesh, m_sampled[i].strip.plan, m_sampled[i].memory);
+        end(timer);
+        timer.begin(Stage::download);
+        for (size_t i = 0; i < m_tiles.size(); ++i) {
+            Sampled& s = m_sampled[i];
+            m.downloaded += m_surfaces.download(size_t(s.strip.plan.count) * channels,
+                                                gl::Transfer(), s.memory, *s.download);
+        }
+        end(timer);
+        gl::finish(m_gpu.context->gl, "sampling");
+        for (size_t i = 0; keep && i < m_tiles.size(); ++i)
+            put(m_sampled[i], m);
     }
 
-    void put(const gl::Strip& s, Measured& m) const {
+    void put(const Sampled& s, Measured& m) const {
         const size_t pixel = channels * sizeof(float), row = size_t(2 * m_picture.width()) * pixel;
         auto* to = reinterpret_cast<char*>(m.result.data());
-        const std::byte* from = m_download->data() + size_t(s.plan.first_result) * pixel;
-        for (int y = s.rows.y0; y < s.rows.y1; ++y, from += size_t(s.rows.width()) * pixel)
-            std::memcpy(to + size_t(y) * row + size_t(s.rows.x0) * pixel, from,
-                        size_t(s.rows.width()) * pixel);
+        const std::byte* from = s.download->data();
+        const Rect& r = s.strip.rows;
+        for (int y = r.y0; y < r.y1; ++y, from += size_t(r.width()) * pixel)
+            std::memcpy(to + size_t(y) * row + size_t(r.x0) * pixel, from,
+                        size_t(r.width()) * pixel);
     }
 
     void count(Measured& m) {
@@ -188,8 +183,7 @@ private:
     gl::DeviceMesh m_mesh;
     gl::Surfaces m_surfaces;
     std::vector<BenchTile> m_tiles;
-    gl::SampleMemory m_memory;
-    std::unique_ptr<gl::HostBuffer> m_download;
+    std::vector<Sampled> m_sampled; ///< a tile
 };
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kernels' times alone, on one tile: seconds an item, which is a source pixel, an edge or an
 // output pixel as said with each.
+#include <climits>
+
 #include <benchmark/benchmark.h>
 
 #include "core/guide/guide.h"
@@ -16,7 +18,7 @@
 namespace ddt {
 namespace {
 
-constexpr int side = tile_size + 1 + 2 * tile_halo; // of a tile with its halo
+constexpr int side = largest_tile(INT_MAX); // of a tile with its halo
 constexpr int channels = 3;
 constexpr int scale = 4;
 

@@ -34,10 +34,11 @@ TEST(Devices, WhatCannotBeHadIsNamed) {
 }
 
 TEST(Devices, NamesAreCheckedWithoutOpeningAny) {
-    std::string line;
+    std::string line = "left over";
     for (const char* name : {"", "auto", "cpu", "egl", "osmesa"}) {
         const ddt::Environment device("DDT_DEVICE", name);
         EXPECT_TRUE(ddt::check_device(ddt::Device::automatic, line)) << name << ": " << line;
+        EXPECT_EQ(line, "left over") << name;
     }
     const ddt::Environment device("DDT_DEVICE", "voodoo");
     EXPECT_TRUE(ddt::check_device(ddt::Device::cpu, line)) << line;

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/cost/cost.h"
 #include "core/gl/offload.h"
 #include "ddt/names.h"
 #include "ddt/option_table.h"
@@ -49,7 +50,8 @@ TEST(OptionTable, EveryKey) {
             EXPECT_EQ(option.get(options), value) << option.key;
             EXPECT_NE(option.get(plain), value) << option.key;
             EXPECT_EQ(option.get(plain), default_text(option, filter));
-            // No other option follows, but for those whose unit is the cost's.
+            // No other option follows, but for those whose default depends on others
+            // (Option::holds).
             for (const Option& other : option_table())
                 if (&other != &option && !other.holds) {
                     EXPECT_EQ(other.get(options), other.get(plain)) << option.key << other.key;
@@ -76,6 +78,29 @@ TEST(OptionTable, HelpTellsFromWhichSizesAGpuIsTaken) {
     EXPECT_NE(help.find("for each CPU thread " + std::to_string(worth_using) +
                         " source pixels, or " + std::to_string(worth_opening) + " ("),
               std::string::npos);
+}
+
+TEST(OptionTable, FiveDefaultsDependOnOthers) { // as parse_filter() is told to
+    std::string keys;
+    for (const Option& option : option_table())
+        if (option.holds)
+            keys += std::string(" ") + option.key;
+    EXPECT_EQ(keys, " contour min_gain iterations fitted soft");
+}
+
+TEST(OptionTable, HelpTellsTheNumbersThatCount) {
+    const auto said = [](const std::string& help, const std::string& words) {
+        return help.find(words) != std::string::npos;
+    };
+    const std::string spread = number_text(mesh_spread);
+    EXPECT_TRUE(
+        said(find_option("meshes")->help, "`blur` - " + spread + " to `blur` + " + spread + ","));
+    EXPECT_EQ(std::string(find_option("min_gain")->values[0].help)
+                  .rfind(number_text(traits(Cost::abn).min_gain) + " with `abn`,", 0),
+              0u);
+    const Option& iterations = *find_option("iterations");
+    EXPECT_TRUE(said(iterations.help,
+                     "Unless given, " + std::string(iterations.otherwise) + " with `annealing`."));
 }
 
 TEST(OptionTable, DefaultsAreTheFirstFilter) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/tiles/grid.h"
 
+#include <algorithm>
 #include <climits>
 
 #include "core/tiles/tile_io.h"
@@ -42,6 +43,19 @@ TEST(Grid, CellsAreServedOnceAndTilesHaveTheirHalo) {
                 }
                 ASSERT_EQ(size_t(std::count(served.begin(), served.end(), 1)), served.size());
             }
+}
+
+TEST(Grid, NoTileIsLargerThanTheLargest) {
+    for (int width = 1; width < 5 * tile_size; ++width) {
+        const Grid grid({-7, 0, width - 7, 1});
+        int most = 2; // pixels of a lattice, at least
+        for (int i = 0; i < grid.count(); ++i)
+            most = std::max(most, grid.tile(i).pixels.width());
+        ASSERT_LE(most, largest_tile(width));
+        if (width <= tile_size || width >= 3 * tile_size) {
+            ASSERT_EQ(most, largest_tile(width)) << width;
+        }
+    }
 }
 
 TEST(Grid, ABlockHasTheSameTiles) {

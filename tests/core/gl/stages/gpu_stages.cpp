@@ -64,7 +64,7 @@ MeshStage GpuStages::mesh(const MeshOptions& options, int iterations, bool gains
     for (uint64_t& site : stage.sites)
         site &= vectors_mask;
     if (gains_alone)
-        m_mesh.forget_gains();
+        m_mesh.write_sites(0, stage.sites.data()); // of which none are known
     m_mesh.find_gains(criterion(options));
     gl::finish(m_gpu.context->gl, "gains");
     m_mesh.read_gains(0, stage.gains.data());
