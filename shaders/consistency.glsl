@@ -53,7 +53,9 @@ void widen(vec4 limit, float lowest, vec4 z, inout vec4 low, inout vec4 high) {
     precise vec4 left = half_ * light;
     dim = upper(dim, left);
     precise vec4 negative = light * upper(wide, lower(z, half_)) + (vec4(1.0) - light) * wide;
-    vec4 bound = if_less(vec4(lowest), zero, vec4(lowest), if_less(dim, zero, zero, dim));
+    precise vec4 above_black = vec4(nearly_black) - low;
+    precise vec4 grey = low * 0.5 - upper(zero, above_black) * black_fall;
+    vec4 bound = if_less(vec4(lowest), zero, grey, if_less(dim, zero, zero, dim));
     precise vec4 raised = high + margin;
     vec4 sunk = if_less(low, zero, negative, if_less(wide, bound, bound, wide));
     high = if_less_equal(raised, vec4(largest_float), raised, high);

@@ -87,6 +87,10 @@ namespace ddt {
     FLOAT(soft_share, 0.5f)                                                                        \
     /* Share of a triangle's smallest value that softness leaves where none is negative. */        \
     FLOAT(dark_share, 0.5f)                                                                        \
+    /* Where what is negative will be cut off: from which pixel on neighbours keep half of it, */  \
+    /* and how much further they may fall by each part that the pixel is darker. */                \
+    FLOAT(nearly_black, 1.0f / 64)                                                                 \
+    FLOAT(black_fall, 80.0f)                                                                       \
                                                                                                    \
     /* Means over a quadrant (core/surface/consistency/consistency-inl.h) of values, bends */      \
     /* and softness, where the cell's diagonal goes through V, */                                  \

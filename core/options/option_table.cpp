@@ -221,11 +221,11 @@ std::vector<Option> make_table() {
                "white (1).")
             .in("ddt-sharp", "1")
             .where(is_clipped_abn_two_rounds, "0"),
-        number(
-            "limit", surface, &SurfaceOptions::limit, 0.0f, largest_real,
-            "How far a corrected pixel may leave the range of its 3x3 neighbours, as a share of "
-            "that range; downwards, as a share of the darkest of them if that is less, and "
-            "beside lights of 2 and more to half of itself at most, of 1 to 2 somewhat further."),
+        number("limit", surface, &SurfaceOptions::limit, 0.0f, largest_real,
+               "How far a corrected pixel may leave the range of its 3x3 neighbours, as a share of "
+               "that range; downwards, as a share of the darkest of them if that is less, and "
+               "beside lights of 2 and more to half of itself at most, of 1 to 2 somewhat further. "
+               "With `clipped` to half of the darkest, or below 0 where that is nearly black."),
         number("soft", surface, &SurfaceOptions::soft, 0.0f, largest_real,
                "Edges that would lose less than this by a flip are blended with their flipped "
                "state; steadier in sequences. Unless given, 0 with any cost but `abn`.")

@@ -59,8 +59,10 @@ DDT_INLINE T corrected(T z, T source, T sum, T share, T low, T high) {
 /// smallest too, if that is less: beside a light a thousand times as bright it would be black. And
 /// where one of them is a light, twice as bright as white (1) and more, the vertex keeps half its
 /// own pixel, `z`, or all of a negative one: one of its channels alone would fall to a dark
-/// neighbour's, and a rim of another colour be there. Unless `lowest`, a bound below 0, says that
-/// what is negative will be cut off. Where floats end, the range stays what it was.
+/// neighbour's, and a rim of another colour be there. A `lowest` below 0 says that what is negative
+/// will be cut off: then beside black the share is all, so that outlines get steep, and else half
+/// of the smallest pixel stays: greys beside white would have specks of black. Where floats end,
+/// the range stays what it was.
 template <class T>
 DDT_INLINE void widen(T limit, T lowest, T z, T& low, T& high) {
     const T zero = T(0.0f);
@@ -71,7 +73,8 @@ DDT_INLINE void widen(T limit, T lowest, T z, T& low, T& high) {
     const T dim = upper(low - limit * low, half * light);
     // Exact where `light` is 0 or 1: `wide` is beyond a light by as much as that is bright.
     const T negative = light * upper(wide, lower(z, half)) + (T(1.0f) - light) * wide;
-    const T bound = if_less(lowest, zero, lowest, if_less(dim, zero, zero, dim));
+    const T grey = low * T(0.5f) - upper(zero, T(nearly_black) - low) * T(black_fall);
+    const T bound = if_less(lowest, zero, grey, if_less(dim, zero, zero, dim));
     const T raised = high + margin;
     const T sunk = if_less(low, zero, negative, if_less(wide, bound, bound, wide));
     high = if_less_equal(raised, T(largest_float), raised, high);

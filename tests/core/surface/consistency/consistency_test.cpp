@@ -240,6 +240,32 @@ TEST(Consistency, WhatWillBeCutOffMayGetNegativeWithinTheLimit) {
     });
 }
 
+// Cut off or not: greys beside white got specks of black, and only outlines in black are steeper by
+// it.
+TEST(Consistency, GreysKeepHalfOfTheDarkestOfThem) {
+    each_scene([](const Scene& scene, Random& random) {
+        const int w = scene.lattice.width(), h = scene.lattice.height();
+        const auto source =
+            fill(scene.pixels(), [&] { return random.below(2) ? 0.02f : random.unit() + 0.02f; });
+        Shape shape;
+        shape.clipped = true;
+        const auto moved = corrected(scene, source, shape, 1);
+        int at_bound = 0;
+        for (int y = 1; y + 1 < h; ++y)
+            for (int x = 1; x + 1 < w; ++x) {
+                float low = HUGE_VALF;
+                for (int j = y - 1; j <= y + 1; ++j)
+                    for (int i = x - 1; i <= x + 1; ++i)
+                        low = std::min(low, source[size_t(j * w + i)]);
+                ASSERT_GE(moved[size_t(y * w + x)], 0.5f * low);
+                at_bound += moved[size_t(y * w + x)] == 0.5f * low;
+            }
+        if (w > 8 && h > 8) {
+            EXPECT_GT(at_bound, 0);
+        }
+    });
+}
+
 // What else gets a rim of another colour: here red falls further than green, by their neighbours.
 TEST(Consistency, BesideALightHalfOfEachColourIsLeft) {
     Random random(5);
