@@ -6,14 +6,15 @@
 // `far` times either apex (l, r) off it, in doubled coordinates.
 vec4 mean_of_taps(ivec2 m, ivec2 v, ivec2 l, ivec2 r, int along, int far, ivec2 size) {
     ivec2 first = m + far * l, second = along == 0 ? m + far * r : first;
-    precise vec4 sum =
-        odd_mirror_tap((first - along * v) / 2, size) + odd_mirror_tap((second + along * v) / 2, size);
+    precise vec4 sum = odd_mirror_tap((first - along * v) / 2, size) +
+                       odd_mirror_tap((second + along * v) / 2, size);
     if (along == 0 || far == 0) {
         precise vec4 half_ = sum * 0.5;
         return half_;
     }
     second = m + far * r;
-    precise vec4 others = odd_mirror_tap((second - along * v) / 2, size) + odd_mirror_tap((second + along * v) / 2, size);
+    precise vec4 others = odd_mirror_tap((second - along * v) / 2, size) +
+                          odd_mirror_tap((second + along * v) / 2, size);
     precise vec4 quarter = (sum + others) * 0.25;
     return quarter;
 }

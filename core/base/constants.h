@@ -88,7 +88,7 @@ namespace ddt {
     /* Share of a triangle's smallest value that softness leaves where none is negative. */        \
     FLOAT(dark_share, 0.5f)                                                                        \
     /* Where what is negative will be cut off: from which pixel on neighbours keep half of it, */  \
-    /* and how much further they may fall by each part that the pixel is darker. */                \
+    /* and how much further they may fall by each part that it is darker: by 1.25 at 0. */         \
     FLOAT(nearly_black, 1.0f / 64)                                                                 \
     FLOAT(black_fall, 80.0f)                                                                       \
                                                                                                    \

@@ -37,7 +37,10 @@ DDT_INLINE uint32_t contour_word(Tensor t) {
     const float xx = t.xx * share, yy = t.yy * share, xy = t.xy * share;
     const float turn = (xx - yy) * 0.5f;
     const float trust = (turn * turn + xy * xy) * contour_trust;
-    const float counted = trust < 1.0f ? trust * trust : 1.0f, less = turn * (1.0f - counted);
+    // The lesser of it and 1, of NaN 1, by the bits: here too a condition would be a branch.
+    const uint32_t one = bits_of(1.0f), bits = bits_of(trust);
+    const float within = float_of(bits < one ? bits : one);
+    const float counted = within * within, less = turn * (1.0f - counted);
     return to_steps((xx - less) + contour_square_bias) |
            to_steps((yy + less) + contour_square_bias) << contour_bits |
            to_steps(xy * counted + contour_product_bias) << (2 * contour_bits);

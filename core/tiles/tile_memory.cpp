@@ -7,6 +7,7 @@
 
 #include "core/guide/contour.h"
 #include "core/surface/control_net.h"
+#include "core/tiles/grid.h"
 #include "core/triangulate/start_gains.h"
 #include "ddt/job.h"
 

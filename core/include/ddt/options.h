@@ -70,10 +70,10 @@ struct SurfaceOptions {
     float soft = 0.4f;
     /// The output will be cut off to 0 .. 1, as integers are: vertices may then get negative within
     /// the limit, and the surface between them, and what is left above 0 is sharper for it. But
-    /// where the smallest of the 3x3 source pixels is 1/64 or more they keep half of that, and just
-    /// below 1/64 may fall further the darker that is, by 80 times what it is less. `fitted` ones
-    /// at 0 or 1 (their group reaches it and they stand on that side of it) may leave their range
-    /// by five times the limit, if they are two pixels or more within the image.
+    /// where the smallest of the 3x3 source pixels is 1/64 or more they keep half of that, and
+    /// below 1/64 may fall further the darker that is, by 80 times what it is less (at 0: 1.25).
+    /// `fitted` ones at 0 or 1 (their group reaches it and they stand on that side of it) may leave
+    /// their range by five times the limit, if they are two pixels or more within the image.
     bool clipped = false;
     /// Vertices and bends by weights that were fitted to pictures stand in place of the rounds of
     /// consistency, however many; without any, and in Surface::linear, there are none. The limit

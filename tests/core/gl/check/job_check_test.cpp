@@ -294,6 +294,8 @@ constexpr Wrong all_wrong[] = {
      "f", of_fitted_vertices},
     {"alpha beyond 0 to 1 where pixels are", "sample.comp", "QUADRATIC STORED_BENDS",
      "high = upper(high, s)", "high = vec4(1.0)", of_fitted_vertices},
+    {"what greys keep where it is cut off", "correct.comp", "QUADRATIC STORED_EDGES FITTED",
+     "low * 0.5 - upper", "low * 0.25 - upper", of_fitted_vertices},
     {"limit above, contracted", "correct.comp", "QUADRATIC SOFT BOUNDS_DARK STORED_EDGES",
      "raised = high + margin", "raised = vec4(dvec4(high) + dvec4(limit) * dvec4(high - low))",
      of_corrected_vertices},

@@ -2,6 +2,7 @@
 #include "core/surface/consistency/consistency_rounds.h"
 
 #include "core/base/float_mode.h"
+#include "core/surface/fitted/scalar.h"
 #include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"
 #include "tests/core/surface/make_edges.h"
@@ -264,6 +265,17 @@ TEST(Consistency, GreysKeepHalfOfTheDarkestOfThem) {
             EXPECT_GT(at_bound, 0);
         }
     });
+}
+
+TEST(Consistency, ThereIsARampFromGreysToBlack) {
+    for (const auto& [darkest, want] : {std::pair{0.5f, 0.25f},
+                                        {1.0f / 64, 1.0f / 128},
+                                        {1.0f / 128, 1.0f / 256 - 0.625f},
+                                        {0.0f, -1.25f}}) {
+        float low = darkest, high = 1.0f;
+        scalar::widen(100.0f, -1.0f, 0.5f, low, high);
+        EXPECT_EQ(low, want) << darkest;
+    }
 }
 
 // What else gets a rim of another colour: here red falls further than green, by their neighbours.
