@@ -42,20 +42,20 @@ vec4 corrected(vec4 z, vec4 source, vec4 sum, float share, vec4 low, vec4 high) 
     return if_less_equal(size, vec4(largest_float), lower(upper(moved, low), high), z);
 }
 
-void widen(vec4 limit, float lowest, vec4 z, inout vec4 low, inout vec4 high) {
+void widen(vec4 limit, bool clipped_, vec4 z, inout vec4 low, inout vec4 high) {
     const vec4 zero = vec4(0.0);
     precise vec4 margin = limit * (high - low);
     precise vec4 wide = low - margin;
     precise vec4 dim = low - limit * low;
     precise vec4 above_white = high - vec4(1.0);
-    vec4 light = if_less(vec4(lowest), zero, zero, upper(zero, lower(vec4(1.0), above_white)));
+    vec4 light = clipped_ ? zero : upper(zero, lower(vec4(1.0), above_white));
     precise vec4 half_ = z * 0.5;
     precise vec4 left = half_ * light;
     dim = upper(dim, left);
     precise vec4 negative = light * upper(wide, lower(z, half_)) + (vec4(1.0) - light) * wide;
     precise vec4 above_black = vec4(nearly_black) - low;
     precise vec4 grey = low * 0.5 - upper(zero, above_black) * black_fall;
-    vec4 bound = if_less(vec4(lowest), zero, grey, if_less(dim, zero, zero, dim));
+    vec4 bound = clipped_ ? grey : if_less(dim, zero, zero, dim);
     precise vec4 raised = high + margin;
     vec4 sunk = if_less(low, zero, negative, if_less(wide, bound, bound, wide));
     high = if_less_equal(raised, vec4(largest_float), raised, high);

@@ -25,7 +25,7 @@ layout(std430, binding = BIND_BENDS) readonly buffer Bends { vec4 bends[]; };
 #endif
 
 layout(location = AT_LIMIT) uniform float limit;
-layout(location = AT_LOWEST) uniform float lowest;
+layout(location = AT_CLIPPED) uniform bool clipped;
 layout(location = AT_STRENGTH) uniform float strength;
 
 // The cell seen from its corner v.
@@ -126,7 +126,7 @@ void find_limits(ivec2 p, vec4 margin, out vec4 low, out vec4 high) {
         low = lower(low, n);
         high = upper(high, n);
     }
-    widen(margin, lowest, source_at(p), low, high);
+    widen(margin, clipped, source_at(p), low, high);
 }
 
 void main() {
@@ -154,7 +154,7 @@ void main() {
         precise vec4 sum = add_means(p);
         vec4 low, high;
 #ifdef FITTED
-        bool cut = lowest < 0.0 && all_pixels(p, size);
+        bool cut = clipped && all_pixels(p, size);
         precise vec4 step_ = vec4(0.0) - sum * 0.25;
         VertexFeatures v = find_features(step_, cut);
         v.index = bends[first_site + offset(2 * p)];

@@ -42,7 +42,7 @@ namespace ddt::gl {
     LOCATION(AT_RECIPROCAL_TAU, at_reciprocal_tau)                                                 \
     /* correct.comp */                                                                             \
     LOCATION(AT_LIMIT, at_limit)                                                                   \
-    LOCATION(AT_LOWEST, at_lowest)                                                                 \
+    LOCATION(AT_CLIPPED, at_clipped)                                                               \
     LOCATION(AT_STRENGTH, at_strength)                                                             \
     /* sample.comp */                                                                              \
     LOCATION(AT_TILE, at_tile)                                                                     \

@@ -2,7 +2,6 @@
 #include "core/gl/surfaces.h"
 
 #include <algorithm>
-#include <cfloat>
 #include <cstring>
 
 #include "core/base/float_bits.h"
@@ -209,7 +208,7 @@ void Surfaces::correct(DeviceMesh& mesh, Group& group, int round, int margin) {
     group.source->bind(Binding::source);
     to->bind(Binding::corrected);
     m_gl.Uniform1f(at_limit, m_options.limit);
-    m_gl.Uniform1f(at_lowest, m_options.clipped ? -FLT_MAX : 0.0f);
+    m_gl.Uniform1i(at_clipped, m_options.clipped);
     m_gl.Uniform1f(at_strength, m_strength);
     m_gl.Uniform1i(at_margin, margin);
     mesh.dispatch_over(m_shape.width, m_shape.height, surface_group_x, surface_group_y);

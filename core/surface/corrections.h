@@ -35,8 +35,6 @@ struct Correction {
     float limit = 0; ///< SurfaceOptions::limit and clipped
     bool clipped = false;
     float strength = 1; ///< correction_strength()
-    /// What find_limits() of consistency-inl.h calls so.
-    float lowest() const { return clipped ? -largest_float : 0.0f; }
 };
 
 /// Whether a surface depends on the finished mesh's gains.

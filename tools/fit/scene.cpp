@@ -111,7 +111,7 @@ void find_features(Scene& scene, const SurfaceOptions& options, const ControlNet
             v.bound = found.bound;
             const float limit =
                 ddt::scalar::fitted_limit(limits.limit, found.bound, fitted_table());
-            ddt::scalar::find_limits({-1, -1, 2, 2}, limit, limits.lowest(), near, v.low, v.high);
+            ddt::scalar::find_limits({-1, -1, 2, 2}, limit, limits.clipped, near, v.low, v.high);
             v.moves = x > 0 && y > 0 && x + 1 < width && y + 1 < height;
             std::copy(std::begin(found.f), std::end(found.f), v.f);
             index[size_t(site)] = found.index;

@@ -59,22 +59,22 @@ DDT_INLINE T corrected(T z, T source, T sum, T share, T low, T high) {
 /// smallest too, if that is less: beside a light a thousand times as bright it would be black. And
 /// where one of them is a light, twice as bright as white (1) and more, the vertex keeps half its
 /// own pixel, `z`, or all of a negative one: one of its channels alone would fall to a dark
-/// neighbour's, and a rim of another colour be there. A `lowest` below 0 says that what is negative
-/// will be cut off: then beside black the share is all, so that outlines get steep, and else half
-/// of the smallest pixel stays: greys beside white would have specks of black. Where floats end,
-/// the range stays what it was.
+/// neighbour's, and a rim of another colour be there. Where what is negative will be cut off
+/// (`clipped`) the share is all beside black, so that outlines get steep, and else half of the
+/// smallest pixel stays: greys beside white would have specks of black. Where floats end, the range
+/// stays what it was.
 template <class T>
-DDT_INLINE void widen(T limit, T lowest, T z, T& low, T& high) {
+DDT_INLINE void widen(T limit, bool clipped, T z, T& low, T& high) {
     const T zero = T(0.0f);
     const T margin = limit * (high - low);
     const T wide = low - margin;
-    const T light = if_less(lowest, zero, zero, upper(zero, lower(T(1.0f), high - T(1.0f))));
+    const T light = clipped ? zero : upper(zero, lower(T(1.0f), high - T(1.0f)));
     const T half = z * T(0.5f);
     const T dim = upper(low - limit * low, half * light);
     // Exact where `light` is 0 or 1: `wide` is beyond a light by as much as that is bright.
     const T negative = light * upper(wide, lower(z, half)) + (T(1.0f) - light) * wide;
     const T grey = low * T(0.5f) - upper(zero, T(nearly_black) - low) * T(black_fall);
-    const T bound = if_less(lowest, zero, grey, if_less(dim, zero, zero, dim));
+    const T bound = clipped ? grey : if_less(dim, zero, zero, dim);
     const T raised = high + margin;
     const T sunk = if_less(low, zero, negative, if_less(wide, bound, bound, wide));
     high = if_less_equal(raised, T(largest_float), raised, high);
@@ -84,7 +84,7 @@ DDT_INLINE void widen(T limit, T lowest, T z, T& low, T& high) {
 /// What a vertex may become: the range of the pixels `near` it, counted from it, widened. tap: a
 /// function of a pixel's place.
 template <class T, class Tap>
-DDT_INLINE void find_limits(const Rect& near, T limit, T lowest, Tap tap, T& low, T& high) {
+DDT_INLINE void find_limits(const Rect& near, T limit, bool clipped, Tap tap, T& low, T& high) {
     low = high = tap(0, 0);
     for (int y = near.y0; y < near.y1; ++y)
         for (int x = near.x0; x < near.x1; ++x) {
@@ -92,5 +92,5 @@ DDT_INLINE void find_limits(const Rect& near, T limit, T lowest, Tap tap, T& low
             low = lower(low, n);
             high = upper(high, n);
         }
-    widen(limit, lowest, tap(0, 0), low, high);
+    widen(limit, clipped, tap(0, 0), low, high);
 }

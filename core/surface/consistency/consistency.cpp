@@ -146,14 +146,13 @@ HWY_ATTR void add_means(const Lattice& lattice, Surface surface, const ControlNe
 HWY_ATTR void move_row(const float* z, int x0, int x1, int count, const NearRows& source,
                        const float* sum, const Correction& correction, float* moved) {
     const float* const rows[3] = {source.above, source.here, source.below};
-    const float limit = correction.limit, lowest = correction.lowest(),
-                share = 0.25f * correction.strength;
+    const float limit = correction.limit, share = 0.25f * correction.strength;
     each_vector(x0, x1, count, [&](auto vector, const RowPlace& place) HWY_ATTR {
         using T = decltype(vector);
         const auto tap = [&](int i, int j)
                              HWY_ATTR { return T::load(rows[j + 1] + place.at + i * count); };
         T low, high;
-        find_limits({-1, -1, 2, 2}, T(limit), T(lowest), tap, low, high);
+        find_limits({-1, -1, 2, 2}, T(limit), correction.clipped, tap, low, high);
         corrected(T::load(z + place.at), tap(0, 0), T::load(sum + place.at), T(share), low, high)
             .store(moved + place.at);
     });

@@ -33,7 +33,7 @@ HWY_INLINE T move_vertex(const Correction& correction, bool cut, T sum, Tap tap,
     index = v.index;
     T low, high;
     find_limits({-1, -1, 2, 2}, fitted_limit(T(correction.limit), v.bound, table),
-                T(correction.lowest()), tap, low, high);
+                correction.clipped, tap, low, high);
     return fitted_vertex(tap(0, 0), T(correction.strength), low, high, v, table);
 }
 

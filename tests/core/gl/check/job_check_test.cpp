@@ -436,9 +436,9 @@ TEST_P(JobCheck, VerticesThatAreClippedAreCheckedApart) {
             const std::string what = std::string(fitted ? "fitted" : "plain") +
                                      (wrong_is_clipped ? ", clipped" : ", not clipped");
             surface.clipped = wrong_is_clipped;
-            gl::change_constant(
-                gl::program_name("correct.comp", gl::correct_macros(surface)), "bound",
-                wrong_is_clipped ? "if_less(dim, zero, zero, dim)" : "vec4(lowest)");
+            gl::change_constant(gl::program_name("correct.comp", gl::correct_macros(surface)),
+                                "bound",
+                                wrong_is_clipped ? "if_less(dim, zero, zero, dim)" : "grey");
             fresh_device();
             std::vector<std::string> lines;
             // The right one first: were it to count for the other, that would be used.

@@ -273,7 +273,7 @@ TEST(Consistency, ThereIsARampFromGreysToBlack) {
                                         {1.0f / 128, 1.0f / 256 - 0.625f},
                                         {0.0f, -1.25f}}) {
         float low = darkest, high = 1.0f;
-        scalar::widen(100.0f, -1.0f, 0.5f, low, high);
+        scalar::widen(100.0f, true, 0.5f, low, high);
         EXPECT_EQ(low, want) << darkest;
     }
 }

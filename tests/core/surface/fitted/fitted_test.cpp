@@ -144,7 +144,7 @@ NetValues slow(const Scene& scene, const std::vector<float>& values, bool clippe
                    scalar::all_pixels(x, y, w, h) && limits.clipped, table, near);
             float low, high;
             scalar::find_limits({-1, -1, 2, 2}, scalar::fitted_limit(limits.limit, v.bound, table),
-                                limits.lowest(), near, low, high);
+                                limits.clipped, near, low, high);
             const float moved = scalar::fitted_vertex(inside(x, y), 1.0f, low, high, v, table);
             const bool rim = x == 0 || y == 0 || x + 1 == w || y + 1 == h;
             r.z.push_back(rim ? inside(x, y) : moved);
