@@ -4,17 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/surface/kept_rows.h"
-
 namespace ddt {
-
-void set_vertices(const Lattice& lattice, const float* values, int channels, int first, int count,
-                  ControlNet& net) {
-    keep_all_rows(lattice, count, net.values);
-    net.stride = lattice.stride();
-    set_vertices(lattice, {values, channels, first, count},
-                 {0, 0, lattice.width(), lattice.height()}, net);
-}
 
 namespace {
 

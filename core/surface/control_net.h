@@ -179,10 +179,7 @@ public:
 /// own, or else what `copied` receives.
 const float* group_row(const GroupValues& values, int width, int y, std::vector<float>& copied);
 
-/// Set the vertices of a net of the whole lattice to a group's values.
-void set_vertices(const Lattice& lattice, const float* values, int channels, int first, int count,
-                  ControlNet& net);
-/// Those of the pixels of `part` alone, whose rows the net must have.
+/// Set the vertices of the pixels of `part`, whose rows the net must have, to a group's values.
 void set_vertices(const Lattice& lattice, const GroupValues& values, const Rect& part,
                   ControlNet& net);
 void set_vertices(const Lattice& lattice, ValueRows& values, const Rect& part, ControlNet& net);

@@ -8,31 +8,29 @@
 namespace ddt {
 
 void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
-                      Windowed windowed, int count, ControlNet& net) {
+                      bool makes_vertices, int count, ControlNet& net) {
     m_lattice = &lattice;
     m_reach.find(lattice);
     m_net = &net;
     m_part = part;
     m_recipe = recipe;
-    m_windowed = windowed;
+    m_makes_vertices = makes_vertices;
     net.bounds = recipe.bounds;
-    m_scratch.tame = values_windowed(); // as load_vertices() finds; of other values it is not known
+    m_scratch.tame = makes_vertices; // as load_vertices() finds; of other values it is not known
     m_scratch.bent = recipe.bent;
     if (!recipe.fans)
         m_fans.begin(lattice, 1);
     m_scratch.fans = recipe.fans ? recipe.fans : &m_fans;
-    const RowsInUse rows = edges_windowed() ? most_in_use() : RowsInUse{};
+    const RowsInUse rows = most_in_use();
     m_gradient_rows = part.y0;
     m_edge_rows = 2 * part.y0;
     m_scratch.edge_cells.resize(lattice.width());
     m_scratch.gradient_cells.resize(lattice.width());
     // Above the part, edges that end there look for a gradient.
-    const int top = edges_windowed() ? m_reach.first_neighbour(part.y0) : 0;
+    const int top = m_reach.first_neighbour(part.y0);
     if (recipe.bend)
-        take_rows(lattice, count, edges_windowed() ? top : 0,
-                  edges_windowed() ? rows.edges : lattice.height(), recipe.arena,
-                  m_scratch.gradients);
-    if (values_windowed()) {
+        take_rows(lattice, count, top, rows.edges, recipe.arena, m_scratch.gradients);
+    if (makes_vertices) {
         net.stride = lattice.stride();
         m_vertex_rows = top;
         take_rows(lattice, count, top, rows.vertices, recipe.arena, net.values.even);
@@ -40,35 +38,28 @@ void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe
     }
     for (auto& weights : m_scratch.weights)
         weights.resize(recipe.soft ? size_t(lattice.width()) + edge_padding : 0);
-    if (recipe.soft && edges_windowed()) {
+    if (recipe.soft) {
         take_rows(lattice, count, part.y0, rows.edges, recipe.arena, net.soft.even);
         take_rows(lattice, count, part.y0, rows.edges, recipe.arena, net.soft.odd);
-    } else if (recipe.soft) {
-        keep_all_rows(lattice, count, net.soft);
     }
-}
-
-void EdgeMaker::begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
-                      ControlNet& net) {
-    begin(lattice, part, recipe, Windowed::none, net.count(), net);
 }
 
 void EdgeMaker::begin_edge_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
                                 ControlNet& net) {
-    begin(lattice, part, recipe, Windowed::edges, net.count(), net);
+    begin(lattice, part, recipe, false, net.count(), net);
 }
 
 void EdgeMaker::begin_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
                            const GroupValues& values, ControlNet& net) {
     m_values = values;
     m_value_rows = nullptr;
-    begin(lattice, part, recipe, Windowed::all, values.count, net);
+    begin(lattice, part, recipe, true, values.count, net);
 }
 
 void EdgeMaker::begin_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
                            ValueRows& values, ControlNet& net) {
     m_value_rows = &values;
-    begin(lattice, part, recipe, Windowed::all, values.count(), net);
+    begin(lattice, part, recipe, true, values.count(), net);
 }
 
 /// Have rows of vertices before `end`, where rows before `keep` may go.
@@ -94,8 +85,7 @@ void EdgeMaker::load_vertices(int end, int keep) {
 void EdgeMaker::to_row(int y, int keep) {
     // In steps of rows_at_once: one long advance would need every source row of that stretch at
     // once.
-    for (int next = m_edge_rows / 2 + rows_at_once;
-         edges_windowed() && next < std::min(y, m_part.y1 - rows_at_once);
+    for (int next = m_edge_rows / 2 + rows_at_once; next < std::min(y, m_part.y1 - rows_at_once);
          next = m_edge_rows / 2 + rows_at_once)
         go_on(next, std::min(next, keep));
     go_on(y, keep);
@@ -137,20 +127,20 @@ void EdgeMaker::go_on(int y, int keep) {
     const auto make_room_for_edges = [&](SiteRows& rows) {
         make_room(lattice, std::min(top, edges), (m_edge_rows + 1) / 2, last + 1, rows);
     };
-    if (values_windowed()) {
+    if (m_makes_vertices) {
         load_vertices(values_end(y),
                       std::min(top, m_reach.first_neighbour(std::min(edges, m_gradient_rows))));
         make_room_for_edges(m_net->values.odd);
     }
-    if (edges_windowed() && m_recipe.soft) {
+    if (m_recipe.soft) {
         make_room_for_edges(m_net->soft.even);
         make_room_for_edges(m_net->soft.odd);
     }
-    if (edges_windowed() && m_recipe.bend)
+    if (m_recipe.bend) {
         make_room(lattice, m_reach.first_end(edges), m_gradient_rows, m_reach.last_end(last) + 1,
                   m_scratch.gradients);
-    if (m_recipe.bend)
         make_gradients(lattice, m_part, m_gradient_rows, gradients, *m_net, m_scratch);
+    }
     m_gradient_rows = std::max(m_gradient_rows, gradients);
     if (m_recipe.bend || m_recipe.soft)
         make_edges(lattice, m_part, m_edge_rows, 2 * last + 1, m_recipe.bend, m_recipe.soft,

@@ -33,32 +33,17 @@ struct EdgeRecipe {
     Bounds bounds = Bounds::vertices;
 };
 
-/// Of which arrays an EdgeMaker keeps but a window of rows (kept_rows.h); the others have all rows.
-enum class Windowed {
-    none,
-    edges, ///< softness and gradients; vertices and bends are as the net has them
-    all,   ///< these and the net's vertices and bends
-};
-
 /// Makes a net's edges from the top row downwards, so that rows can be used while they are in the
-/// cache, and need not be kept longer than they are used.
+/// cache, and need not be kept longer than they are used (kept_rows.h).
 class EdgeMaker {
 public:
-    /// Start on the edges of a net of the whole lattice whose ends both lie in `part`, a part of
-    /// the lattice in pixels. What `recipe` has no need of stays as it is.
-    void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe, ControlNet& net);
-    /// By the bounds that the net has.
-    void begin(const Lattice& lattice, const Rect& part, bool bend, bool soft, float tau,
-               ControlNet& net) {
-        EdgeRecipe recipe{bend, soft, tau};
-        recipe.bounds = net.bounds;
-        begin(lattice, part, recipe, net);
-    }
-    /// The same where q and the gradients, which begin() keeps for all rows, are kept for some.
+    /// Start on the softness of the edges whose ends both lie in `part`, a part of the lattice in
+    /// pixels, of a net whose vertices and bends another makes in time. What `recipe` has no need
+    /// of stays as it is.
     void begin_edge_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
                          ControlNet& net);
-    /// The same of a net of some rows, whose vertices are set to `values`, as they are needed, too.
-    /// The values must stay where they are.
+    /// Start on bends and softness of a net whose vertices are set to `values`, as they are needed,
+    /// too. The values must stay where they are.
     void begin_rows(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
                     const GroupValues& values, ControlNet& net);
     /// The same of values that are made as they are needed.
@@ -66,30 +51,22 @@ public:
                     ValueRows& values, ControlNet& net);
 
     /// Make the edges with midpoints in row y of pixels or further up, as far as they are not made,
-    /// in steps. Of a net of some rows, those that no triangle at or below row `keep` of cells has
-    /// may go.
+    /// in steps. Rows that no triangle at or below row `keep` of cells has may go.
     void to_row(int y, int keep);
     /// The same of what triangles that meet row y of cells have.
     void to_cells(int y, int keep) { to_row(m_reach.last_neighbour(y), keep); }
-    /// Make all edges, and keep them.
-    void finish() { to_row(m_part.y1, 0); }
 
     /// The part of the lattice that edges are made for.
     const Rect& part() const { return m_part; }
     /// Edges with midpoints above this row of pixels are made.
     int rows() const { return m_edge_rows / 2; }
 
-    /// Once all are made, with bends: the gradients, as EdgeScratch has them.
-    const SiteRows& gradients() const { return m_scratch.gradients; }
-
-    /// About the bytes that this and a net of some rows of `count` channels usually take.
+    /// About the bytes that this and a net of `count` channels usually take.
     static MemoryNeeded memory(int width, int height, int count, const EdgeRecipe& recipe);
 
 private:
     void begin(const Lattice& lattice, const Rect& part, const EdgeRecipe& recipe,
-               Windowed windowed, int count, ControlNet& net);
-    bool edges_windowed() const { return m_windowed != Windowed::none; }
-    bool values_windowed() const { return m_windowed == Windowed::all; }
+               bool makes_vertices, int count, ControlNet& net);
     void go_on(int y, int keep);
     int last_row(int y) const;
     int values_end(int y) const;
@@ -103,12 +80,12 @@ private:
     ControlNet* m_net = nullptr;
     Rect m_part;
     EdgeRecipe m_recipe;
-    GroupValues m_values;              ///< of a net of some rows,
+    bool m_makes_vertices = false;     ///< and takes rows for them and bends
+    GroupValues m_values;              ///< for these,
     ValueRows* m_value_rows = nullptr; ///< or what makes them
-    Windowed m_windowed = Windowed::none;
-    int m_vertex_rows = 0;   ///< rows of pixels above this one are set
-    int m_gradient_rows = 0; ///< ... have gradients
-    int m_edge_rows = 0;     ///< rows of the doubled lattice above this one are done
+    int m_vertex_rows = 0;             ///< rows of pixels above this one are set
+    int m_gradient_rows = 0;           ///< ... have gradients
+    int m_edge_rows = 0;               ///< rows of the doubled lattice above this one are done
 };
 
 } // namespace ddt

@@ -67,12 +67,4 @@ void make_room(const Lattice& lattice, int keep, int made, int end, SiteRows& ke
     numbers.resize(numbers.capacity());
 }
 
-void keep_all_rows(const Lattice& lattice, int count, SiteNumbers& numbers) {
-    for (SiteRows* rows : {&numbers.even, &numbers.odd}) {
-        rows->numbers.resize(lattice.size() / 2 * size_t(count) + edge_padding);
-        rows->count = count;
-        rows->first = 0;
-    }
-}
-
 } // namespace ddt

@@ -50,7 +50,4 @@ size_t rows_memory(int width, int height, int count, int rows);
 /// those before `keep` may go.
 void make_room(const Lattice& lattice, int keep, int made, int end, SiteRows& kept);
 
-/// Have all rows there.
-void keep_all_rows(const Lattice& lattice, int count, SiteNumbers& numbers);
-
 } // namespace ddt

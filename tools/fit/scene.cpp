@@ -6,13 +6,13 @@
 #include "core/base/float_mode.h"
 #include "core/guide/guide.h"
 #include "core/lattice/locate.h"
-#include "core/surface/consistency/consistency_rounds.h"
-#include "core/surface/edge_maker.h"
 #include "core/surface/fitted/scalar.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/triangulate.h"
 #include "ddt/option_table.h"
 #include "tests/bench/reference.h"
+#include "tests/core/surface/consistency/whole_rounds.h"
+#include "tests/core/surface/whole_net.h"
 
 namespace fit {
 
@@ -84,7 +84,7 @@ void locate_samples(Scene& scene) {
 
 /// Features of channel c, from the net whose edges were bent and the sums of a round's means.
 void find_features(Scene& scene, const SurfaceOptions& options, const ControlNet& net,
-                   const Consistency& consistency, int c) {
+                   const test::WholeRounds& consistency, int c) {
     const Lattice& lattice = scene.lattice;
     const int width = lattice.width(), height = lattice.height();
     const auto inside = [&](int x, int y) { return net.vertex(lattice.vertex_site(x, y))[c]; };
@@ -103,7 +103,7 @@ void find_features(Scene& scene, const SurfaceOptions& options, const ControlNet
             const int site = lattice.vertex_site(x, y);
             ddt::scalar::VertexFeatures<float> found;
             const auto near = [&](int i, int j) { return tap(x + i, y + j); };
-            found.find(-0.25f * consistency.sum[pixel],
+            found.find(-0.25f * consistency.sum()[pixel],
                        ddt::scalar::all_pixels(x, y, width, height) && limits.clipped,
                        fitted_table(), near);
             Features::Vertex& v = features.vertices[size_t(site)];
@@ -161,13 +161,12 @@ bool make_scene(const std::string& file, int scale, bench::Light light, Scene& s
 
     ControlNet net;
     net.bounds = bounds_of(options.surface);
-    set_vertices(lattice, pixels.data(), colours, 0, colours, net);
-    Consistency consistency;
+    test::set_all_vertices(lattice, {pixels.data(), colours, 0, colours}, net);
+    test::WholeRounds consistency;
     consistency.begin(lattice, net, {options.surface.limit, true});
-    EdgeMaker edges;
-    edges.begin(lattice, {0, 0, lattice.width(), lattice.height()}, true, true,
-                options.surface.soft, net);
-    edges.finish();
+    test::WholeEdges edges;
+    edges.make(lattice, {0, 0, lattice.width(), lattice.height()}, true, true, options.surface.soft,
+               net);
     consistency.measure(lattice, Surface::patch, net);
     for (int c = 0; c < colours; ++c)
         find_features(scene, options.surface, net, consistency, c);

@@ -38,8 +38,6 @@ public:
     /// As EdgeMaker's: the edges with midpoints in row y of pixels or further up.
     void to_row(int y, int keep);
     void to_cells(int y, int keep) { to_row(m_reach.last_neighbour(y), keep); }
-    /// Make all, and keep the net.
-    void finish() { to_row(m_part.y1, 0); }
 
     /// About the bytes that this and the net take where edges are of the usual length. values: what
     /// is told of their channels; soft, cells: of the recipe.

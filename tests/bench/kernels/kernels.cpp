@@ -8,12 +8,12 @@
 #include "core/guide/guide.h"
 #include "core/lattice/lattice.h"
 #include "core/sample/evaluate.h"
-#include "core/surface/edge_maker.h"
 #include "core/tiles/grid.h"
 #include "core/triangulate/gain.h"
 #include "core/triangulate/one_round.h"
 #include "core/triangulate/triangulate.h"
 #include "noise.h"
+#include "tests/core/surface/whole_net.h"
 
 namespace ddt {
 namespace {
@@ -43,7 +43,7 @@ struct Tile {
     Workspace workspace;
     Statistics statistics;
     ControlNet net;
-    EdgeMaker edges;
+    test::WholeEdges edges;
 
     Tile() {
         for (const float v : guide)
@@ -53,9 +53,8 @@ struct Tile {
         triangulate(mesh, options, workspace, statistics);
         mesh.find_divisions(mesh.all());
         mesh.find_first_edges(mesh.all());
-        set_vertices(mesh, values.data(), channels, 0, channels, net);
-        edges.begin(mesh, {0, 0, side, side}, true, false, 0, net);
-        edges.finish();
+        test::set_all_vertices(mesh, {values.data(), channels, 0, channels}, net);
+        edges.make(mesh, {0, 0, side, side}, true, false, 0, net);
     }
 
     /// Positions of output row `row`.
@@ -146,10 +145,9 @@ BENCHMARK(find_cells);
 /// A source pixel, three channels.
 void make_edges_whole(benchmark::State& state) {
     ControlNet net = tile().net;
-    EdgeMaker edges;
+    test::WholeEdges edges;
     for (auto _ : state) {
-        edges.begin(tile().mesh, {0, 0, side, side}, true, false, 0, net);
-        edges.finish();
+        edges.make(tile().mesh, {0, 0, side, side}, true, false, 0, net);
     }
     count(state, side * side);
 }

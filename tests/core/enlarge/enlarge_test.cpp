@@ -6,13 +6,13 @@
 #include "core/base/float_mode.h"
 #include "core/guide/guide.h"
 #include "core/sample/evaluate.h"
-#include "core/surface/consistency/consistency_rounds.h"
 #include "core/tiles/tile_io.h"
 #include "core/tiles/tile_worker.h"
 #include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"
 #include "tests/core/job_helpers.h"
-#include "tests/core/surface/make_edges.h"
+#include "tests/core/surface/consistency/whole_rounds.h"
+#include "tests/core/surface/whole_net.h"
 #include "tests/core/turned.h"
 #include "tests/many_threads.h"
 
@@ -158,7 +158,7 @@ std::vector<float> untiled(const TestSource& source, const Job& job, const Resiz
     Workspace workspace;
     Statistics statistics;
     ControlNet net;
-    EdgeMaker edges;
+    WholeEdges edges;
     Search search;
     LocatedRow row;
     net.bounds = bounds_of(job.surface);
@@ -167,14 +167,14 @@ std::vector<float> untiled(const TestSource& source, const Job& job, const Resiz
     triangulate(lattice, job.mesh, workspace, statistics);
     lattice.find_divisions(lattice.all());
     lattice.find_first_edges(lattice.all());
-    set_vertices(lattice, source.values().data(), 1, 0, 1, net);
+    set_all_vertices(lattice, {source.values().data(), 1, 0, 1}, net);
     if (job.surface.soft > 0)
         find_all_gains(lattice, job.mesh.cost);
     const auto shape = [&] {
-        make_edges(lattice, {0, 0, w.width(), w.height()}, true, job.surface.soft > 0,
-                   job.surface.soft, edges, net);
+        edges.make(lattice, {0, 0, w.width(), w.height()}, true, job.surface.soft > 0,
+                   job.surface.soft, net);
     };
-    Consistency consistency;
+    WholeRounds consistency;
     consistency.begin(lattice, net,
                       {job.surface.limit, false, correction_strength(mapping.scale())});
     for (int i = 0; i < job.surface.consistency; ++i) {

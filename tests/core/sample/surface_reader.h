@@ -7,8 +7,8 @@
 #include "core/base/float_mode.h"
 #include "core/sample/evaluate.h"
 #include "tests/core/helpers.h"
-#include "tests/core/surface/make_edges.h"
 #include "tests/core/surface/scene.h"
+#include "tests/core/surface/whole_net.h"
 
 namespace ddt::test {
 
@@ -20,15 +20,16 @@ public:
                   Bounds bounds = Bounds::vertices)
         : m_scene(scene), m_surface(surface), m_channels(channels), m_nearest(nearest) {
         const DenormalsAreZero zero;
-        EdgeMaker edges;
+        WholeEdges edges;
         for (int c = 0; c < channels; c += group_size) {
             m_nets.emplace_back();
             m_nets.back().bounds = bounds;
-            set_vertices(scene.lattice, values.data(), channels, c,
-                         std::min(group_size, channels - c), m_nets.back());
+            set_all_vertices(scene.lattice,
+                             {values.data(), channels, c, std::min(group_size, channels - c)},
+                             m_nets.back());
             const bool bend = surface == Surface::patch, soft = tau > 0;
             if (bend || soft)
-                make_edges(scene.lattice, scene.all(), bend, soft, tau, edges, m_nets.back());
+                edges.make(scene.lattice, scene.all(), bend, soft, tau, m_nets.back());
         }
         m_search.begin();
     }

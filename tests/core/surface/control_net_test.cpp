@@ -2,11 +2,12 @@
 #include "core/surface/control_net.h"
 
 #include "core/base/float_mode.h"
+#include "core/surface/edge_maker.h"
 #include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"
-#include "tests/core/surface/make_edges.h"
 #include "tests/core/surface/scene.h"
 #include "tests/core/surface/slow_surface.h"
+#include "tests/core/surface/whole_net.h"
 
 namespace ddt::test {
 namespace {
@@ -15,10 +16,10 @@ ControlNet make(const Scene& scene, Surface surface, const std::vector<float>& v
                 int channels = 1, int first = 0, int count = 1) {
     const DenormalsAreZero zero;
     ControlNet net;
-    EdgeMaker edges;
-    set_vertices(scene.lattice, values.data(), channels, first, count, net);
+    WholeEdges edges;
+    set_all_vertices(scene.lattice, {values.data(), channels, first, count}, net);
     if (surface == Surface::patch)
-        make_edges(scene.lattice, scene.all(), true, false, 0, edges, net);
+        edges.make(scene.lattice, scene.all(), true, false, 0, net);
     return net;
 }
 
@@ -72,8 +73,8 @@ TEST(ControlNet, SoftEdgesHaveTheBitsOfTheFormulas) {
                 for (SiteRows* rows : {&net.soft.even, &net.soft.odd})
                     rows->numbers.assign(l.size(), 99.0f);
                 const DenormalsAreZero zero;
-                EdgeMaker edges;
-                make_edges(l, scene.all(), surface == Surface::patch, true, tau, edges, net);
+                WholeEdges edges;
+                edges.make(l, scene.all(), surface == Surface::patch, true, tau, net);
                 SlowSurface slow(scene.faces, l.width(), l.height(), surface, values);
                 slow.soften(l, tau, bounds);
                 l.each_edge([&](int m) {
@@ -196,9 +197,9 @@ TEST(ControlNet, APartsEdgesBendAsInTheWhole) {
         part.x1 = random.between(part.x0 + 1, 20);
         part.y1 = random.between(part.y0 + 1, 17);
         ControlNet net;
-        EdgeMaker edges;
-        set_vertices(scene.lattice, values.data(), 1, 0, 1, net);
-        make_edges(scene.lattice, part, true, false, 0, edges, net);
+        WholeEdges edges;
+        set_all_vertices(scene.lattice, {values.data(), 1, 0, 1}, net);
+        edges.make(scene.lattice, part, true, false, 0, net);
         const auto inside = [&](Pixel p) {
             return p.x >= part.x0 && p.x < part.x1 && p.y >= part.y0 && p.y < part.y1;
         };
@@ -226,12 +227,12 @@ TEST(ControlNet, RowsThatComeAsTheyAreNeededHaveTheBitsOfTheWhole) {
                     values.back() = last;
                     const DenormalsAreZero zero;
                     ControlNet whole, rows;
-                    EdgeMaker of_whole, of_rows;
-                    set_vertices(l, values.data(), count, 0, count, whole);
-                    of_whole.begin(l, scene.all(), recipe, whole);
-                    of_whole.finish();
-                    of_rows.begin_rows(l, scene.all(), recipe, {values.data(), count, 0, count},
-                                       rows);
+                    const GroupValues group{values.data(), count, 0, count};
+                    WholeEdges of_whole;
+                    EdgeMaker of_rows;
+                    set_all_vertices(l, group, whole);
+                    of_whole.make(l, scene.all(), recipe.bend, recipe.soft, recipe.tau, whole);
+                    of_rows.begin_rows(l, scene.all(), recipe, group, rows);
                     for (int y = 0; y <= l.height(); ++y)
                         of_rows.to_row(y, 0);
                     for (int c = 0; c < count; ++c) {
@@ -254,12 +255,12 @@ TEST(ControlNet, RowsThatComeAsTheyAreNeededHaveTheBitsOfTheWhole) {
 TEST(ControlNet, WhatTheMemoryHeldBeforeDoesNotMatter) {
     Random random(6);
     ControlNet net;
-    EdgeMaker edges;
+    WholeEdges edges;
     for (const Pixel size : {Pixel{9, 12}, Pixel{4, 3}, Pixel{12, 9}}) {
         Scene scene(size.x, size.y, 100, random);
         const auto values = make_values(Values::unit, scene.pixels(), random);
-        set_vertices(scene.lattice, values.data(), 1, 0, 1, net);
-        make_edges(scene.lattice, scene.all(), true, false, 0, edges, net);
+        set_all_vertices(scene.lattice, {values.data(), 1, 0, 1}, net);
+        edges.make(scene.lattice, scene.all(), true, false, 0, net);
         const ControlNet fresh = make(scene, Surface::patch, values);
         scene.lattice.each_edge(
             [&](int m) { ASSERT_EQ(bits_of(net.at(m)[0]), bits_of(fresh.at(m)[0])); });

@@ -2,12 +2,12 @@
 #include "tests/core/gl/stages/cpu_stages.h"
 
 #include "core/base/float_mode.h"
-#include "core/surface/consistency/consistency_rounds.h"
 #include "core/surface/corrections.h"
-#include "core/surface/edge_maker.h"
 #include "core/tiles/channel_groups.h"
 #include "core/tiles/tile_io.h"
 #include "core/triangulate/triangulate.h"
+#include "tests/core/surface/consistency/whole_rounds.h"
+#include "tests/core/surface/whole_net.h"
 
 namespace ddt::test {
 
@@ -50,16 +50,16 @@ SurfaceStage cpu_surface(const std::vector<float>& guide, const std::vector<floa
     lattice.find_divisions(lattice.all());
     lattice.find_first_edges(lattice.all());
     ControlNet net;
-    set_vertices(lattice, values.data(), job.channels, 0, channels_in_group(job.channels, 0), net);
+    set_all_vertices(lattice, {values.data(), job.channels, 0, channels_in_group(job.channels, 0)},
+                     net);
     net.bounds = bounds_of(surface);
     const bool bend = surface.kind != Surface::linear;
     const bool soft = surface.soft > 0;
-    EdgeMaker edges;
+    WholeEdges edges;
     const auto make_edges = [&] {
-        edges.begin(lattice, {0, 0, width, height}, bend, soft, surface.soft, net);
-        edges.finish();
+        edges.make(lattice, {0, 0, width, height}, bend, soft, surface.soft, net);
     };
-    Consistency consistency;
+    WholeRounds consistency;
     consistency.begin(lattice, net,
                       {surface.limit, surface.clipped, correction_strength(surface_scale)});
     for (int i = 0; i < rounds; ++i) {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/surface/consistency/consistency_rounds.h"
+#include "core/surface/consistency/consistency.h"
 
 #include "core/base/float_mode.h"
 #include "core/surface/fitted/scalar.h"
 #include "core/triangulate/triangulate.h"
 #include "tests/core/helpers.h"
-#include "tests/core/surface/make_edges.h"
+#include "tests/core/surface/consistency/whole_rounds.h"
 #include "tests/core/surface/scene.h"
 #include "tests/core/surface/slow_surface.h"
+#include "tests/core/surface/whole_net.h"
 
 namespace ddt::test {
 namespace {
@@ -27,14 +28,14 @@ std::vector<float> corrected(const Scene& scene, const std::vector<float>& value
     const Lattice& l = scene.lattice;
     ControlNet net;
     net.bounds = Bounds::dark;
-    EdgeMaker edges;
-    Consistency consistency;
-    set_vertices(l, values.data(), count, 0, count, net);
+    WholeEdges edges;
+    WholeRounds consistency;
+    set_all_vertices(l, {values.data(), count, 0, count}, net);
     consistency.begin(l, net, {shape.limit, shape.clipped, shape.strength});
     for (int i = 0; i < rounds; ++i) {
         const bool bend = shape.surface == Surface::patch, soft = shape.tau > 0;
         if (bend || soft)
-            make_edges(l, scene.all(), bend, soft, shape.tau, edges, net);
+            edges.make(l, scene.all(), bend, soft, shape.tau, net);
         consistency.correct(l, shape.surface, net);
     }
     std::vector<float> result;

@@ -5,13 +5,13 @@
 #include <functional>
 
 #include "core/base/float_mode.h"
-#include "core/surface/consistency/consistency_rounds.h"
 #include "core/surface/fitted/scalar.h"
 #include "core/triangulate/triangulate.h"
 #include "ddt/option_table.h"
 #include "tests/core/helpers.h"
-#include "tests/core/surface/make_edges.h"
+#include "tests/core/surface/consistency/whole_rounds.h"
 #include "tests/core/surface/scene.h"
+#include "tests/core/surface/whole_net.h"
 
 namespace ddt::test {
 namespace {
@@ -100,7 +100,7 @@ std::vector<NetValues> fitted(const Scene& scene, const std::vector<std::vector<
     values.resize(values.size() + group_size);
     maker.begin(l, scene.all(), {0, Bounds::dark, {0.25f, clipped}},
                 {values.data(), count, 0, count}, net);
-    maker.finish();
+    maker.to_row(l.height(), 0);
     std::vector<NetValues> results(channels.size());
     for (size_t c = 0; c < channels.size(); ++c) {
         for (int y = 0; y < l.height(); ++y)
@@ -122,11 +122,11 @@ NetValues slow(const Scene& scene, const std::vector<float>& values, bool clippe
     const Lattice& l = scene.lattice;
     const int w = l.width(), h = l.height();
     ControlNet net;
-    EdgeMaker edges;
-    Consistency consistency;
-    set_vertices(l, values.data(), 1, 0, 1, net);
+    WholeEdges edges;
+    WholeRounds consistency;
+    set_all_vertices(l, {values.data(), 1, 0, 1}, net);
     consistency.begin(l, net, {0.25f, clipped});
-    make_edges(l, scene.all(), true, false, 0, edges, net);
+    edges.make(l, scene.all(), true, false, 0, net);
     consistency.measure(l, Surface::patch, net);
     const auto inside = [&](int x, int y) { return values[size_t(y * w + x)]; };
     const auto tap = [&](int x, int y) {
@@ -140,7 +140,7 @@ NetValues slow(const Scene& scene, const std::vector<float>& values, bool clippe
             const size_t at = size_t(y * w + x);
             const auto near = [&](int i, int j) { return tap(x + i, y + j); };
             scalar::VertexFeatures<float> v;
-            v.find(0.0f - consistency.sum[at] * 0.25f,
+            v.find(0.0f - consistency.sum()[at] * 0.25f,
                    scalar::all_pixels(x, y, w, h) && limits.clipped, table, near);
             float low, high;
             scalar::find_limits({-1, -1, 2, 2}, scalar::fitted_limit(limits.limit, v.bound, table),
