@@ -80,9 +80,11 @@ class Memory(ProcessCase):
                                          "--part", "1/1", "--threads", "4")
             # OpenEXR 3.4 says itself what its compressor had no memory for, and then that the file
             # cannot be written; its reader, as OpenImageIO 3 uses it, that tiles are missing.
+            # OpenEXR 3.1 says of a zlib without memory what it says of a broken tile.
             lines = text.splitlines()
             own = [line for line in lines if "(EXR_ERR_OUT_OF_MEMORY)" not in line]
-            unsaid = own != lines or "Some tiles were missing or corrupted" in text
+            unsaid = own != lines or any(words in text for words in (
+                "Some tiles were missing or corrupted", "Data decompression (zlib) failed"))
             self.assertIn(code, (0, 1, 3) if unsaid else (0, 3), text)
             if not unsaid:
                 codes.add(code)
