@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "core/base/constants.h"
 #include "ddt/core.h"
 
 namespace ddt {

@@ -116,7 +116,8 @@ Layout Layout::ids(int channels) {
     return layout;
 }
 
-bool find_meaning(std::string_view name, Meaning& meaning, std::string& error) {
+bool find_meaning(std::string_view name, Meaning& meaning, std::string& error,
+                  std::string_view other) {
     if (name == "encoded") {
         meaning = {std::make_shared<Light>(), false};
         return true;
@@ -126,8 +127,11 @@ bool find_meaning(std::string_view name, Meaning& meaning, std::string& error) {
         return true;
     }
     error = "ddt: light \"" + one_line(std::string(name)) + "\" is not allowed; allowed are ";
-    for (const std::string& allowed : meaning_names())
-        error += (allowed == meaning_names().front() ? "" : ", ") + allowed;
+    std::vector<std::string> allowed = meaning_names();
+    if (!other.empty())
+        allowed.insert(allowed.begin(), std::string(other));
+    for (const std::string& name_allowed : allowed)
+        error += (&name_allowed == &allowed.front() ? "" : ", ") + name_allowed;
     return false;
 }
 

@@ -40,8 +40,10 @@ struct Meaning {
 };
 
 /// "linear", "encoded" (blended as they are), or one of encoding_names(): blended in linear light.
-/// False, with one line in `error`, for any other name.
-bool find_meaning(std::string_view name, Meaning& meaning, std::string& error);
+/// False, with one line in `error`, for any other name; which tells of `other` too, a name that the
+/// caller knows besides.
+bool find_meaning(std::string_view name, Meaning& meaning, std::string& error,
+                  std::string_view other = {});
 std::vector<std::string> meaning_names();
 
 /// The work. What is written is to.box, bit for bit a crop of the whole. Both buffers have the

@@ -15,7 +15,7 @@ bool set_filter(const FilterOptions& filter, std::string_view light, Enlargement
                 std::string& error) {
     // Also where the filter's light counts the other has to be one.
     if (!find_meaning(light, work.meaning, error) ||
-        (filter.light != "auto" && !find_meaning(filter.light, work.meaning, error)))
+        (filter.light != "auto" && !find_meaning(filter.light, work.meaning, error, "auto")))
         return false;
     work.surface = filter.surface;
     work.mesh = filter.mesh;

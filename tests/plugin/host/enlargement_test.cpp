@@ -453,7 +453,9 @@ TEST(Enlargement, AFiltersOptionsReachTheWork) {
     EXPECT_EQ(work.holes, ddt::Holes::keep);
     EXPECT_TRUE(work.meaning.light->converts());
     EXPECT_FALSE(set_filter("ddt,light=sRGB", "bright", work, error));
+    EXPECT_EQ(error.find("auto"), std::string::npos) << error;
     EXPECT_FALSE(set_filter("ddt,light=bright", "sRGB", work, error));
+    EXPECT_NE(error.find("allowed are auto, linear, encoded, "), std::string::npos) << error;
 }
 
 TEST(Enlargement, LightsHaveNames) {
