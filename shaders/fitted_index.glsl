@@ -2,14 +2,19 @@
 // What a vertex' pixels are like. C++ twin: core/surface/fitted/features-inl.h, whose sums are in
 // the same order. After fitted.glsl.
 
-// The pixels of a group and two about them. (An array of its own for each invocation would be in
-// memory on GPUs: registers have no indices.)
-const int near_width = SURFACE_GROUP_X + 4, near_height = SURFACE_GROUP_Y + 4;
+// How far the taps of VertexFeatures are from their vertex along an axis, in pixels.
+const int vertex_taps = 2;
+
+// The pixels of a group and the taps about them. (An array of its own for each invocation would be
+// in memory on GPUs: registers have no indices.)
+const int near_width = SURFACE_GROUP_X + 2 * vertex_taps,
+          near_height = SURFACE_GROUP_Y + 2 * vertex_taps;
 shared vec4 near_pixel[near_width * near_height];
 
 // By all of a group, before a barrier.
 void read_near(ivec2 size) {
-    ivec2 corner = ivec2(gl_WorkGroupID.xy) * ivec2(SURFACE_GROUP_X, SURFACE_GROUP_Y) - 2;
+    ivec2 corner = ivec2(gl_WorkGroupID.xy) * ivec2(SURFACE_GROUP_X, SURFACE_GROUP_Y) -
+                   vertex_taps;
     for (int i = int(gl_LocalInvocationIndex); i < near_width * near_height;
          i += SURFACE_GROUP_X * SURFACE_GROUP_Y)
         near_pixel[i] = odd_mirror_tap(corner + ivec2(i % near_width, i / near_width), size);

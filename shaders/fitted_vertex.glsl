@@ -10,7 +10,8 @@ vec4 at_bound(vec4 distance) {
 // Whether all taps of VertexFeatures at p are pixels: others may be black or white where no pixel
 // is, and who looked at those would take the vertex to stand at a bound.
 bool all_pixels(ivec2 p, ivec2 size) {
-    return p.x >= 2 && p.y >= 2 && p.x + 2 < size.x && p.y + 2 < size.y;
+    return p.x >= vertex_taps && p.y >= vertex_taps && p.x + vertex_taps < size.x &&
+           p.y + vertex_taps < size.y;
 }
 
 // What a vertex is moved by, and what its weights depend on. `index` is not found here:
