@@ -19,7 +19,7 @@ std::vector<Way> ways_of(const std::string& scheme) {
         find_scheme(with, way.options);
         find_cost(cost, way.options.cost);
         way.options.min_gain = 1e-6f;
-        way.options.max_iterations = 250;
+        way.options.max_iterations = most_iterations;
         ways.push_back(way);
     };
     add("Delaunay", "pixel", "abn");
