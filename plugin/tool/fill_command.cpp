@@ -118,8 +118,8 @@ public:
             "across the hole; more than a pixel inside they are smoothed where there are no edges. "
             "All other pixels stay as they are (of PNG, TIFF and TGA with alpha where both files "
             "are of one format). Beyond the outermost pixels that are there the nearest goes on. "
-            "The filter's scheme one-round, which is meant for pictures, is look-ahead here; its "
-            "min_gain does not count."};
+            "Of a file with several images the first is taken. The filter's scheme one-round, "
+            "which is meant for pictures, is look-ahead here; its min_gain does not count."};
         operands = {{"IN", "any image OpenImageIO reads"}, {"OUT", "any image OpenImageIO writes"}};
         flags = {
             choice_flag("--missing", {"nan", "alpha"},
@@ -140,10 +140,12 @@ public:
         const FileState source(values[0]);
         ImageFile file;
         Failure failure;
-        if (!source.confirm(fill(values[0], values[1], file, failure), failure) ||
-            !file.commit(failure))
+        if (!source.confirm(fill(values[0], values[1], file, failure), failure))
             return fail(failure);
-        note_others(values[0]);
+        const std::vector<std::string> beside = images_beside(values[0]);
+        if (!file.commit(failure))
+            return fail(failure);
+        note(beside);
         return exit_done;
     }
 

@@ -173,6 +173,11 @@ void note(const std::string& message) {
     std::fprintf(stderr, "%s\n", with_prefix(one_line(message)).c_str());
 }
 
+void note(const std::vector<std::string>& messages) {
+    for (const std::string& message : messages)
+        note(message);
+}
+
 ExitCode fail(const std::string& message, ExitCode code) {
     note(message);
     return code;

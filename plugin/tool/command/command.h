@@ -49,6 +49,8 @@ ExitCode parse_and_run(Command& command, const std::vector<std::string>& args);
 
 /// A line on stderr, after "ddt: " unless it starts so.
 void note(const std::string& message);
+/// One of each.
+void note(const std::vector<std::string>& messages);
 /// The same of what failed.
 ExitCode fail(const std::string& message, ExitCode code = exit_failed);
 ExitCode fail(const Failure& failure);

@@ -58,6 +58,15 @@ off_t begin_of_what_is_written(std::FILE* file, const OIIO::ImageOutput& output)
     return std::max<off_t>(0, there.st_size - off_t(output.spec().image_bytes()));
 }
 
+/// OpenImageIO's DPX reader takes the sides of a turned image for each other, and mixes its rows.
+std::string why_sides_are_swapped(const OIIO::ImageSpec& asked, const OIIO::ImageSpec& made) {
+    const int orientation = asked.get_int_attribute("Orientation", 1);
+    if (orientation < 5 || made.width != asked.height || made.height != asked.width)
+        return "";
+    return format(", whose Orientation is {}; upright ones can be written (oiiotool --reorient)",
+                  orientation);
+}
+
 /// Whether a file's system is known to make no holes of zeros that were written. ZFS does, over NFS
 /// or under another too.
 bool keeps_zeros(std::FILE* file) {
@@ -299,9 +308,9 @@ bool ImageFile::check_written(std::string& compression, Failure& failure) {
             return refuse_reading(in->geterror());
         const OIIO::ImageSpec &asked = m_specs[i], &made = in->spec();
         if (made.width != asked.width || made.height != asked.height)
-            return refuse(format("the format {} made {} x {} pixels of {} x {}",
+            return refuse(format("the format {} made {} x {} pixels of {} x {}{}",
                                  m_output->format_name(), made.width, made.height, asked.width,
-                                 asked.height),
+                                 asked.height, why_sides_are_swapped(asked, made)),
                           exit_failed);
         if (!enough && !can_be_read(*in))
             return refuse_reading(in->geterror());

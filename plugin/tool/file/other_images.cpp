@@ -34,9 +34,9 @@ int count_images(OIIO::ImageInput& input) {
     return images;
 }
 
-void note_levels(OIIO::ImageInput& input, const std::string& path) {
+void add_levels(OIIO::ImageInput& input, const std::string& path, std::vector<std::string>& told) {
     if (input.seek_subimage(0, 1))
-        note(format("\"{}\" has MIP levels; the largest alone was taken", path));
+        told.push_back(format("\"{}\" has MIP levels; the largest alone was taken", path));
     input.geterror();
 }
 
@@ -48,17 +48,27 @@ int count_images(const std::string& path) {
     return images;
 }
 
-void note_others(const std::string& path, const std::string& how_to_have_all) {
+std::vector<std::string> images_beside(const std::string& path,
+                                       const std::string& how_to_have_all) {
+    std::vector<std::string> told;
     look_at(path, [&](OIIO::ImageInput& input) {
         if (const int images = count_images(input); images > 1)
-            note(format("\"{}\" has {} images; the first alone was taken{}", path, images,
-                        how_to_have_all.empty() ? "" : " (all: " + how_to_have_all + ")"));
-        note_levels(input, path);
+            told.push_back(
+                format("\"{}\" has {} images; the first alone was taken{}", path, images,
+                       how_to_have_all.empty() ? "" : " (all: " + how_to_have_all + ")"));
+        add_levels(input, path, told);
     });
+    return told;
 }
 
-void note_levels(const std::string& path) {
-    look_at(path, [&](OIIO::ImageInput& input) { note_levels(input, path); });
+std::vector<std::string> levels_beside(const std::string& path) {
+    std::vector<std::string> told;
+    look_at(path, [&](OIIO::ImageInput& input) { add_levels(input, path, told); });
+    return told;
+}
+
+void note_others(const std::string& path) {
+    note(images_beside(path));
 }
 
 } // namespace ddt::tool

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace ddt::tool {
 
@@ -10,12 +11,17 @@ namespace ddt::tool {
 /// of every format.
 int count_images(const std::string& path);
 
-/// Say on stderr that of the images in a file only the first was looked at, if there are more, and
-/// how to have all, if that can be said; and what note_levels() says.
-void note_others(const std::string& path, const std::string& how_to_have_all = "");
+/// What is to be said, line by line: that of the images in a file only the first was looked at, if
+/// there are more, and how to have all, if that can be said; and levels_beside(). To be asked for
+/// before a result is put in place, which may be the file's own.
+std::vector<std::string> images_beside(const std::string& path,
+                                       const std::string& how_to_have_all = "");
 
-/// Say on stderr that of the first image in a file only the largest MIP level was looked at, if it
-/// has more: results have none.
-void note_levels(const std::string& path);
+/// That of the first image in a file only the largest MIP level was looked at, if it has more:
+/// results have none.
+std::vector<std::string> levels_beside(const std::string& path);
+
+/// Say on stderr what images_beside() has to say.
+void note_others(const std::string& path);
 
 } // namespace ddt::tool

@@ -148,12 +148,14 @@ bool resize_file(const std::string& in, const std::string& out, const ResizeSett
     if (!source.confirm(write_results(in, out, settings, file, progress, failure), failure))
         return false;
     const std::string type = file.output().spec().format.c_str();
+    const std::vector<std::string> beside =
+        settings.all_images ? levels_beside(in) : images_beside(in, "--all-images");
     if (!file.commit(failure))
         return false;
     note_instead(out, "type", settings.type, type);
     note_instead(out, "compression", settings.compression.substr(0, settings.compression.find(':')),
                  file.compression());
-    settings.all_images ? note_levels(in) : note_others(in, "--all-images");
+    note(beside);
     return true;
 }
 

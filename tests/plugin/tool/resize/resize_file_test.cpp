@@ -333,6 +333,20 @@ TEST(ResizeFile, ObjectNumbersThatDoNotSurviveAreNamed) {
                                  "obj\n");
 }
 
+/// OpenImageIO 2.4 reads a turned DPX with its sides swapped.
+TEST(ResizeFile, ATurnedImageThatAFormatGarblesIsRefusedByItsOrientation) {
+    const std::string in = temporary("turned.tif"), out = temporary("turned.dpx");
+    ImageSpec spec(8, 6, 3, OIIO::TypeUInt8);
+    spec.attribute("Orientation", 6);
+    ASSERT_TRUE(OIIO::ImageBuf(spec).write(in));
+    Failure failure;
+    if (resized(in, "200%", out, failure))
+        GTEST_SKIP() << "this release reads it as it was written";
+    EXPECT_NE(failure.why.find("Orientation is 6; upright ones can"), std::string::npos)
+        << failure.why;
+    EXPECT_FALSE(std::filesystem::exists(out));
+}
+
 TEST(ResizeFile, OfSeveralImagesTheFirstIsTakenWhichIsSaid) {
     const std::string in = temporary("three.tif"), out = temporary("three_out.tif");
     const std::vector<ImageSpec> specs(3, ImageSpec(8, 6, 1, OIIO::TypeUInt8));
@@ -368,6 +382,18 @@ TEST(ResizeFile, OfSeveralImagesTheFirstIsTakenWhichIsSaid) {
     EXPECT_EQ(make_compare_command()->run({in, in}), exit_done);
     EXPECT_EQ(testing::internal::GetCapturedStderr(), said + said);
     testing::internal::GetCapturedStdout();
+    // Also where the result takes the place of the file, and of the other images.
+    for (const bool fills : {false, true}) {
+        const std::string own = temporary("three_own.tif");
+        std::filesystem::copy_file(in, own, std::filesystem::copy_options::overwrite_existing);
+        testing::internal::CaptureStderr();
+        EXPECT_TRUE(fills ? make_fill_command()->run({own, own}) == exit_done
+                          : resized(own, "200%", own, failure));
+        EXPECT_EQ(testing::internal::GetCapturedStderr(),
+                  "ddt: \"" + own + "\" has 3 images; the first alone was taken" +
+                      (fills ? "\n" : " (all: --all-images)\n"));
+        EXPECT_EQ(count_images(own), 1);
+    }
 }
 
 TEST(ResizeFile, OfLevelsTheLargestIsTakenWhichIsSaid) {
